@@ -1,0 +1,1 @@
+"""Dimensionless characteristics of circular bearings: load, attitude, flow, friction."""

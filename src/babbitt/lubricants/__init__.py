@@ -1,0 +1,1 @@
+"""Lubricants: viscosity laws, viscosity index, thermal properties and the catalogue."""

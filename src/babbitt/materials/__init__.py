@@ -1,0 +1,1 @@
+"""Bearing metals with their limits; shaft and housing materials."""

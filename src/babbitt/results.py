@@ -1,0 +1,116 @@
+"""What an engineer reads: values with names, checks with verdicts, doubts, and how the iteration ended."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+
+from babbitt.notices import Notice
+
+
+class Outcome(Enum):
+    """How a calculation ended, in the words the engineer reads."""
+
+    CONVERGED = "converged"
+    OVERLOADED = "no film can carry this load"
+    THERMAL_RUNAWAY = "no thermal equilibrium below the limit of the lubricant data"
+    NO_CLEARANCE = "the clearance closes at operating temperature"
+    NOT_CONVERGED = "the iteration ended without meeting its tolerance"
+
+    @property
+    def solved(self) -> bool:
+        """Whether the values of the result are an operating point."""
+        return self is Outcome.CONVERGED
+
+
+class Bound(Enum):
+    """Which side of its limit a checked value must stay on."""
+
+    AT_MOST = "<="
+    AT_LEAST = ">="
+
+
+@dataclass(frozen=True)
+class Check:
+    """One comparison of a value with what is permissible.
+
+    Attributes
+    ----------
+    code : str
+        Stable identifier such as ``C101``.
+    quantity : str
+        Name of the quantity checked, a key of `babbitt.quantities.QUANTITIES`.
+    value, limit : float
+        In SI.
+    bound : Bound
+        Whether `limit` is the largest or the smallest permissible value.
+    source : str
+        Where the limit comes from.
+    advisory : bool
+        A recommendation: a miss is shown and does not count as a violated limit.
+    """
+
+    code: str
+    quantity: str
+    value: float
+    limit: float
+    bound: Bound
+    source: str
+    advisory: bool = False
+
+    @property
+    def ok(self) -> bool:
+        """Whether the value keeps its limit."""
+        return self.value <= self.limit if self.bound is Bound.AT_MOST else self.value >= self.limit
+
+    @property
+    def margin(self) -> float:
+        """Relative distance to the limit, positive when it is kept."""
+        gap = self.limit - self.value if self.bound is Bound.AT_MOST else self.value - self.limit
+        return gap / abs(self.limit) if self.limit else gap
+
+
+@dataclass(frozen=True)
+class Result:
+    """The answer for one bearing by one method.
+
+    Attributes
+    ----------
+    name, kind, method : str
+        Which bearing, and how it was computed.
+    outcome : Outcome
+        Values of an unsolved result describe the last state reached, never an operating point.
+    values : Mapping[str, float]
+        Named quantities in SI; names and units in `babbitt.quantities.QUANTITIES`.
+    checks, warnings : tuple
+        Verdicts and doubts.
+    assumptions : tuple of str
+        What was assumed because neither the case nor a published source says it.
+    message : str
+        For an unsolved result: how far it came and what to try.
+    """
+
+    name: str
+    kind: str
+    method: str
+    outcome: Outcome
+    values: Mapping[str, float]
+    checks: tuple[Check, ...] = ()
+    warnings: tuple[Notice, ...] = ()
+    assumptions: tuple[str, ...] = ()
+    message: str = ""
+    settings: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def within_limits(self) -> bool:
+        """Whether every check that is not merely advice is kept."""
+        return all(check.ok for check in self.checks if not check.advisory)
+
+    def __getattr__(self, name: str) -> float:
+        """Give the named quantities as attributes: ``result.minimum_film_thickness``."""
+        values: Mapping[str, float] = self.__dict__.get("values", {})
+        try:
+            return values[name]
+        except KeyError:
+            raise AttributeError(f"{name!r} is not among the results: {', '.join(values)}") from None

@@ -1,0 +1,1 @@
+"""Design procedures of the standards."""

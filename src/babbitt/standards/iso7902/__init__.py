@@ -1,0 +1,1 @@
+"""ISO 7902: steady-state hydrodynamic plain journal bearings, circular cylindrical."""

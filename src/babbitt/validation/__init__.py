@@ -1,0 +1,1 @@
+"""Published cases: story, reference, our answer and the figure."""
