@@ -1,0 +1,196 @@
+"""The vocabulary: each named quantity with its symbol, SI unit, the engineer's unit and one line of meaning.
+
+Tables, reports, plots and the documentation take names and units from here, so that a quantity is called the
+same everywhere. Terms follow ISO 4378; symbols follow ISO 7902 where it has one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class DisplayUnit:
+    """How an SI value is shown: ``shown = si * scale + offset``, with a number of decimals."""
+
+    label: str
+    scale: float = 1.0
+    offset: float = 0.0
+
+
+SI = {
+    "": DisplayUnit(""),
+    "permille": DisplayUnit("‰", 1e3),
+    "mm": DisplayUnit("mm", 1e3),
+    "um": DisplayUnit("µm", 1e6),
+    "MPa": DisplayUnit("MPa", 1e-6),
+    "degC": DisplayUnit("°C", 1.0, -273.15),
+    "rpm": DisplayUnit("rpm", 9.549296585513721),
+    "deg": DisplayUnit("°", 57.29577951308232),
+    "kN": DisplayUnit("kN", 1e-3),
+    "Nm": DisplayUnit("N m"),
+    "kW": DisplayUnit("kW", 1e-3),
+    "L/min": DisplayUnit("L/min", 6e4),
+    "mPas": DisplayUnit("mPa s", 1e3),
+    "mm2/s": DisplayUnit("mm²/s", 1e6),
+    "m/s": DisplayUnit("m/s"),
+    "kg/m3": DisplayUnit("kg/m³"),
+    "MJ/m3K": DisplayUnit("MJ/(m³ K)", 1e-6),
+    "pv": DisplayUnit("MPa m/s", 1e-6),
+    "kPa": DisplayUnit("kPa", 1e-3),
+    "1e-6/K": DisplayUnit("1e-6/K", 1e6),
+    "s": DisplayUnit("s"),
+}
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A named quantity.
+
+    Attributes
+    ----------
+    name : str
+        Key in results and JSON.
+    symbol : str
+        As printed in equations, in plain Unicode.
+    unit : str
+        SI unit of the value in results and JSON.
+    display : DisplayUnit
+        The engineer's unit.
+    digits : int
+        Significant digits worth showing.
+    meaning : str
+        One line.
+    """
+
+    name: str
+    symbol: str
+    unit: str
+    display: DisplayUnit
+    digits: int
+    meaning: str
+
+    def shown(self, value: float) -> float:
+        """Convert an SI value to the engineer's unit."""
+        return value * self.display.scale + self.display.offset
+
+    def format(self, value: float) -> str:
+        """Write an SI value in the engineer's unit, without the unit.
+
+        >>> QUANTITIES["minimum_film_thickness"].format(52.34e-6)
+        '52.3'
+        """
+        return plain(self.shown(value), self.digits)
+
+
+def plain(number: float, digits: int) -> str:
+    """Write a number with a number of significant digits and without an exponent where that reads well.
+
+    >>> plain(1234.56, 3), plain(0.012345, 3), plain(1.6e-7, 2)
+    ('1235', '0.0123', '1.6e-07')
+    """
+    if number == 0:
+        return "0"
+    if abs(number) >= 10 ** (digits - 1):
+        return f"{number:.0f}" if abs(number) < 1e7 else f"{number:.{digits - 1}e}"
+    return f"{number:#.{digits}g}" if abs(number) >= 1e-4 else f"{number:.{digits - 1}e}"
+
+
+def _q(name: str, symbol: str, unit: str, display: str, digits: int, meaning: str) -> Quantity:
+    return Quantity(name, symbol, unit, SI[display], digits, meaning)
+
+
+QUANTITIES: dict[str, Quantity] = {
+    q.name: q
+    for q in (
+        # geometry
+        _q("diameter", "D", "m", "mm", 4, "Nominal bearing inside diameter"),
+        _q("width", "B", "m", "mm", 4, "Bearing width"),
+        _q("width_ratio", "B/D", "1", "", 3, "Relative bearing width"),
+        _q("angular_span", "Ω", "rad", "deg", 3, "Angular span of the bearing arc"),
+        _q("relative_clearance", "ψ₂₀", "1", "permille", 4, "Relative clearance 2c/D at 20 °C"),
+        _q("operating_relative_clearance", "ψ_eff", "1", "permille", 4, "Relative clearance at T_eff"),
+        _q("expansion_bearing", "α_B", "1/K", "1e-6/K", 3, "Thermal expansion of the bearing"),
+        _q("expansion_journal", "α_J", "1/K", "1e-6/K", 3, "Thermal expansion of the journal"),
+        # operation
+        _q("load", "F", "N", "kN", 4, "Bearing load"),
+        _q("specific_load", "p̄", "Pa", "MPa", 3, "Load per projected area F/(B D)"),
+        _q("angular_speed", "ω_J", "rad/s", "rpm", 4, "Rotational speed of the journal"),
+        _q("hydrodynamic_speed", "ω_h", "rad/s", "rpm", 4, "Effective hydrodynamic speed ω_J + ω_B"),
+        _q("surface_speed", "U", "m/s", "m/s", 3, "Surface speed of the journal"),
+        _q("pressure_speed_product", "p̄U", "Pa m/s", "pv", 3, "Specific load times surface speed"),
+        # film
+        _q("eccentricity_ratio", "ε", "1", "", 3, "Relative eccentricity e/c"),
+        _q("attitude_angle", "β", "rad", "deg", 3, "Angle from the load line to the narrowest gap"),
+        _q("minimum_film_thickness", "h_min", "m", "um", 3, "Minimum film thickness"),
+        _q("sommerfeld_number", "So", "1", "", 4, "Sommerfeld number F ψ²/(B D η ω) of ISO 7902"),
+        _q("american_sommerfeld_number", "S", "1", "", 4, "American Sommerfeld number η N L D (R/c)²/F"),
+        _q("maximum_pressure", "p_max", "Pa", "MPa", 3, "Maximum film pressure"),
+        _q("friction_number", "f/ψ", "1", "", 4, "Friction coefficient over relative clearance"),
+        _q("friction_coefficient", "f", "1", "", 3, "Friction coefficient"),
+        _q("friction_torque", "M_f", "N m", "Nm", 4, "Friction torque on the journal"),
+        _q("friction_power", "P_f", "W", "kW", 4, "Friction power, equal to the heat flow"),
+        _q("side_flow_number", "Q₃*", "1", "", 4, "Side flow Q3/(D³ ψ ω)"),
+        _q("side_flow", "Q₃", "m3/s", "L/min", 3, "Oil flow due to the film pressure"),
+        _q("supply_flow_number", "Q_p*", "1", "", 4, "Supply flow Qp η/(D³ ψ³ p_en)"),
+        _q("supply_flow", "Q_p", "m3/s", "L/min", 3, "Oil flow due to the supply pressure"),
+        _q("total_flow", "Q", "m3/s", "L/min", 3, "Total oil flow Q3 + Qp"),
+        _q("film_reynolds_number", "Re", "1", "", 3, "Reynolds number of the film ρ U c/η"),
+        _q("critical_reynolds_number", "Re_cr", "1", "", 4, "Reynolds number where laminar flow ends"),
+        # oil and heat
+        _q("supply_temperature", "T_en", "K", "degC", 3, "Oil temperature at the inlet"),
+        _q("outlet_temperature", "T_ex", "K", "degC", 3, "Oil temperature at the outlet"),
+        _q("effective_temperature", "T_eff", "K", "degC", 3, "Effective temperature of the film"),
+        _q("bearing_temperature", "T_B", "K", "degC", 3, "Bearing temperature"),
+        _q("ambient_temperature", "T_amb", "K", "degC", 3, "Ambient temperature"),
+        _q("maximum_temperature", "T_max", "K", "degC", 3, "Maximum film temperature"),
+        _q("effective_viscosity", "η_eff", "Pa s", "mPas", 4, "Dynamic viscosity at T_eff"),
+        _q("effective_kinematic_viscosity", "ν_eff", "m2/s", "mm2/s", 4, "Kinematic viscosity at T_eff"),
+        _q("density", "ρ", "kg/m3", "kg/m3", 4, "Density of the oil at T_eff"),
+        _q("volumetric_heat_capacity", "ρc", "J/(m3 K)", "MJ/m3K", 4, "Volumetric heat capacity of the oil"),
+        _q("heat_to_oil", "P_oil", "W", "kW", 4, "Heat carried away by the oil"),
+        _q("heat_to_surroundings", "P_amb", "W", "kW", 4, "Heat given off by the housing"),
+        _q("supply_pressure", "p_s", "Pa", "kPa", 4, "Gauge pressure of the supply system"),
+        _q("element_pressure", "p_en", "Pa", "kPa", 4, "Gauge pressure at the supply element"),
+        _q("tube_loss", "Δp_t", "Pa", "kPa", 3, "Pressure loss in the supply tube"),
+        _q("hole_loss", "Δp_h", "Pa", "kPa", 3, "Pressure loss in the supply hole"),
+        # limits and screening
+        _q("empirical_film_limit", "h_lim,1", "m", "um", 3, "Permissible film thickness by experience"),
+        _q("geometric_film_limit", "h_lim,2", "m", "um", 3, "Permissible film thickness by surface geometry"),
+        _q(
+            "transition_film_thickness",
+            "h_tr",
+            "m",
+            "um",
+            3,
+            "Film thickness at transition to mixed friction",
+        ),
+        _q("transition_speed", "N_tr", "rad/s", "rpm", 3, "Speed of transition to mixed friction"),
+        _q(
+            "stability_relative_clearance",
+            "ψ_min",
+            "1",
+            "permille",
+            3,
+            "Least clearance against whirl (Orlov)",
+        ),
+        _q(
+            "recommended_relative_clearance",
+            "ψ_rec",
+            "1",
+            "permille",
+            3,
+            "Recommended mean relative clearance",
+        ),
+        _q("energy_balance_error", "δ_E", "1", "", 2, "Heat balance defect over friction power"),
+        _q("iterations", "n", "1", "", 3, "Evaluations of the temperature iteration"),
+        _q("wall_time", "t", "s", "s", 3, "Time taken"),
+        # statics of the shaft
+        _q("reaction_1", "R₁", "N", "kN", 5, "Load on the bearing far from the coupling"),
+        _q("reaction_2", "R₂", "N", "kN", 5, "Load on the bearing beside the coupling"),
+        _q("reaction_without_coupling", "R₀", "N", "kN", 5, "Load on either bearing without the coupling"),
+        _q("reaction_angle_1", "θ₁", "rad", "deg", 4, "Direction of R1 from the vertical"),
+        _q("reaction_angle_2", "θ₂", "rad", "deg", 4, "Direction of R2 from the vertical"),
+        _q("coupling_arm", "a", "m", "mm", 5, "Arm of the coupling weight beyond bearing 2"),
+    )
+}
