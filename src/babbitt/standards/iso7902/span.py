@@ -68,7 +68,5 @@ def conventional_span(
     if rounding is SpanRounding.NEAREST:
         tabulated = min(TABULATED_SPANS, key=lambda span: abs(span - degrees))
     else:
-        tabulated = max(
-            (span for span in TABULATED_SPANS if span <= degrees + 1e-9), default=TABULATED_SPANS[-1]
-        )
+        tabulated = max((span for span in TABULATED_SPANS if span <= degrees + 1e-9), default=TABULATED_SPANS[-1])
     return ConventionalSpan(tabulated, exact, disregarded, degrees < TABULATED_SPANS[-1] - 1e-9)

@@ -41,9 +41,7 @@ class SupplyElement(Protocol):
         """Axial size of the element over the bearing width."""
         ...
 
-    def supply_flow_number(
-        self, eccentricity_ratio: float, bearing_width: float, width_ratio: float
-    ) -> float:
+    def supply_flow_number(self, eccentricity_ratio: float, bearing_width: float, width_ratio: float) -> float:
         """Supply-flow number Qp*."""
         ...
 
@@ -109,9 +107,7 @@ class Holes:
         """Hole diameter over bearing width."""
         return self.diameter / bearing_width
 
-    def supply_flow_number(
-        self, eccentricity_ratio: float, bearing_width: float, width_ratio: float
-    ) -> float:
+    def supply_flow_number(self, eccentricity_ratio: float, bearing_width: float, width_ratio: float) -> float:
         """Supply-flow number Qp*."""
         s = clamp(self.relative_width(bearing_width))
         return self.number * self.arrangement.film_factor(eccentricity_ratio) * _local_flow(hole_fit(s), s)
@@ -128,9 +124,7 @@ class Pockets:
         """Pocket width over bearing width."""
         return self.width / bearing_width
 
-    def supply_flow_number(
-        self, eccentricity_ratio: float, bearing_width: float, width_ratio: float
-    ) -> float:
+    def supply_flow_number(self, eccentricity_ratio: float, bearing_width: float, width_ratio: float) -> float:
         """Supply-flow number Qp*."""
         s = clamp(self.relative_width(bearing_width))
         return self.arrangement.film_factor(eccentricity_ratio) * _local_flow(pocket_fit(s), s)
@@ -146,9 +140,7 @@ class CircumferentialGroove:
         """Groove width over bearing width."""
         return self.width / bearing_width
 
-    def supply_flow_number(
-        self, eccentricity_ratio: float, bearing_width: float, width_ratio: float
-    ) -> float:
+    def supply_flow_number(self, eccentricity_ratio: float, bearing_width: float, width_ratio: float) -> float:
         """Supply-flow number Qp*, the integral of h³ over 360°."""
         share = math.pi / 24.0 * (1.0 + 1.5 * eccentricity_ratio**2)
         return share / width_ratio / (1.0 - self.relative_width(bearing_width))
@@ -164,9 +156,7 @@ class HalfCircumferentialGroove:
         """Groove width over bearing width."""
         return self.width / bearing_width
 
-    def supply_flow_number(
-        self, eccentricity_ratio: float, bearing_width: float, width_ratio: float
-    ) -> float:
+    def supply_flow_number(self, eccentricity_ratio: float, bearing_width: float, width_ratio: float) -> float:
         """Supply-flow number Qp*, the integral of h³ over the half opposite the narrowest gap."""
         e = eccentricity_ratio
         share = (math.pi * (1.0 + 1.5 * e**2) + 6.0 * e + 4.0 / 3.0 * e**3) / 48.0
