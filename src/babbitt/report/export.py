@@ -1,0 +1,78 @@
+"""The result as plain data for other programs, in SI, under names that never change their meaning."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import TYPE_CHECKING, Any
+
+from babbitt.results import Check, Result
+
+if TYPE_CHECKING:
+    from babbitt.solve import MachineResult
+
+
+def to_json(machine: MachineResult) -> dict[str, Any]:
+    """Turn a solved machine into plain dictionaries, lists, strings and finite numbers.
+
+    Parameters
+    ----------
+    machine : MachineResult
+
+    Returns
+    -------
+    dict
+        ``babbitt``, ``case``, ``bearings`` as the public contract has them, and ``case_hash``. Values in SI.
+        A bearing without a solution has no ``results``; the last state its iteration reached stands under
+        ``last_state``, so that no program takes it for an operating point. Numbers that do not exist are
+        absent, or null where a key must stand; NaN and infinity never appear.
+    """
+    return {
+        "babbitt": machine.version,
+        "case": machine.name,
+        "case_hash": machine.case_hash,
+        "bearings": [_bearing(result) for result in machine.results],
+    }
+
+
+def write_json(machine: MachineResult) -> str:
+    """The JSON text of `to_json`, indented, ending with a newline."""
+    return json.dumps(to_json(machine), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _bearing(result: Result) -> dict[str, Any]:
+    numbers = {name: float(value) for name, value in result.values.items() if math.isfinite(value)}
+    solved = result.outcome.solved
+    record: dict[str, Any] = {
+        "name": result.name,
+        "kind": result.kind,
+        "method": result.method,
+        "status": result.outcome.name.lower(),
+        "results": numbers if solved else {},
+        "checks": [_check(check) for check in result.checks] if solved else [],
+        "warnings": [{"code": notice.code, "message": notice.message} for notice in result.warnings],
+        "assumptions": list(result.assumptions),
+        "settings": dict(result.settings),
+        "message": result.message,
+    }
+    if not solved:
+        record["last_state"] = numbers
+    return record
+
+
+def _check(check: Check) -> dict[str, Any]:
+    return {
+        "code": check.code,
+        "quantity": check.quantity,
+        "value": _number(check.value),
+        "limit": _number(check.limit),
+        "bound": check.bound.value,
+        "ok": check.ok,
+        "margin": _number(check.margin),
+        "advisory": check.advisory,
+        "source": check.source,
+    }
+
+
+def _number(value: float) -> float | None:
+    return float(value) if math.isfinite(value) else None

@@ -1,0 +1,196 @@
+"""Tables for the terminal: the machine at a glance, or one bearing in full."""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from rich import box
+from rich.console import Console, Group, RenderableType
+from rich.padding import Padding
+from rich.table import Table
+from rich.text import Text
+
+from babbitt.quantities import QUANTITIES
+from babbitt.report import verdict as judge
+from babbitt.report.columns import COLUMNS, Column
+from babbitt.report.text import counted, plain_text
+from babbitt.report.verdict import Verdict
+from babbitt.results import Check, Result
+
+if TYPE_CHECKING:
+    from babbitt.solve import MachineResult
+
+PIPED_WIDTH = 140
+"""Columns written when standard output is a file or a pipe and has no width of its own."""
+
+NAME_WIDTH = 18
+"""The name column wraps rather than let a column of numbers go, down to this width."""
+
+NAME_LIMIT = 48
+"""And never wider than this, however long a name is."""
+
+GAP = 2
+"""Columns between two columns of the table."""
+
+STYLES = {Verdict.OK: "green", Verdict.ADVICE: "yellow", Verdict.FAIL: "bold red", Verdict.UNSOLVED: "bold red"}
+
+
+def console(width: int | None = None) -> Console:
+    """Rich console on standard output; colours as the terminal and ``NO_COLOR`` have it.
+
+    Parameters
+    ----------
+    width : int, optional
+        Columns; the terminal's own when omitted, and `PIPED_WIDTH` where there is no terminal.
+    """
+    reconfigure = getattr(sys.stdout, "reconfigure", None)
+    if reconfigure is not None:
+        reconfigure(errors="replace")  # an old code page without ψ must not end in a traceback
+    made = Console(width=width, highlight=False)
+    if width is None and not made.is_terminal and "COLUMNS" not in (made._environ or {}):
+        return Console(width=PIPED_WIDTH, highlight=False)
+    return made
+
+
+def print_machine(machine: MachineResult, to: Console | None = None) -> None:
+    """Print what an engineer reads first: all bearings in a table, or one bearing in full."""
+    to = to or console()
+    to.print(render(machine.name, machine.results, to.width))
+
+
+def render(name: str, results: Sequence[Result], width: int) -> RenderableType:
+    """The table of a machine, or of one bearing, with the doubts below it.
+
+    Parameters
+    ----------
+    name : str
+        Of the machine.
+    results : sequence of Result
+    width : int
+        Columns at hand.
+    """
+    results = tuple(results)
+    journals = [
+        result for result in results if "minimum_film_thickness" in result.values or not result.outcome.solved
+    ]
+    parts: list[RenderableType] = []
+    if len(results) == 1 or not journals:
+        parts += [_single(result) for result in results]
+    else:
+        parts.append(_machine(name, journals, width))
+        parts += [_single(result) for result in results if result not in journals]
+    parts += _remarks(results)
+    return Group(*parts)
+
+
+def _machine(name: str, results: Sequence[Result], width: int) -> RenderableType:
+    shown, hidden = _fitting(results, width)
+    table = _table(title=Text(plain_text(name), style="bold"), title_justify="left")
+    table.add_column(
+        Text("Bearing"), overflow="fold", min_width=min(NAME_WIDTH, _longest_name(results)), max_width=NAME_LIMIT
+    )
+    for column in shown:
+        table.add_column(Text(f"{column.heading}\n{column.unit}"), justify="right", no_wrap=True)
+    table.add_column(Text("verdict"), no_wrap=True)
+    rows = zip(*(column.cells(results) for column in shown), strict=True)
+    for result, cells in zip(results, rows, strict=True):
+        word = judge.verdict(result)
+        table.add_row(Text(plain_text(result.name)), *map(Text, cells), Text(word.value, style=STYLES[word]))
+    if not hidden:
+        return table
+    names = ", ".join(column.heading for column in hidden)
+    return Group(table, Text(f"Left out for want of width: {names}", style="dim"))
+
+
+def _table(**settings: Any) -> Table:
+    return Table(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False, padding=(0, 1, 0, 0), **settings)
+
+
+def _fitting(results: Sequence[Result], width: int) -> tuple[list[Column], list[Column]]:
+    """Columns that fit beside a name column, and those that do not."""
+    shown = list(COLUMNS)
+
+    def needed() -> int:
+        name, word = min(NAME_WIDTH, _longest_name(results)), len(Verdict.UNSOLVED.value)
+        return name + word + sum(_column_width(column, results) + GAP for column in shown) + 2 * GAP
+
+    while needed() > width:
+        loosest = max(shown, key=lambda column: column.rank)
+        if loosest.rank == 0:
+            break
+        shown.remove(loosest)
+    return shown, [column for column in COLUMNS if column not in shown]
+
+
+def _column_width(column: Column, results: Sequence[Result]) -> int:
+    return max(len(text) for text in (column.heading, column.unit, *column.cells(results)))
+
+
+def _longest_name(results: Sequence[Result]) -> int:
+    return max(len(plain_text(result.name)) for result in results)
+
+
+def _single(result: Result) -> RenderableType:
+    word = judge.verdict(result)
+    heading = Text(plain_text(result.name), style="bold")
+    heading.append(f"   {result.method}   ", style="dim")
+    heading.append(word.value, style=STYLES[word])
+    if word is Verdict.UNSOLVED:
+        return heading
+    table = _table()
+    table.add_column("quantity", overflow="fold")
+    table.add_column("symbol")
+    table.add_column("value", justify="right", no_wrap=True)
+    table.add_column("unit", no_wrap=True)
+    for name, value in result.values.items():
+        quantity = QUANTITIES.get(name)
+        if quantity is not None and math.isfinite(value) and name != "wall_time":
+            table.add_row(quantity.meaning, quantity.symbol, quantity.format(value), quantity.display.label)
+    return Group(heading, table, *([_checks(result.checks)] if result.checks else []))
+
+
+def _checks(checks: Sequence[Check]) -> RenderableType:
+    table = _table()
+    for heading in ("check", "comparison"):
+        table.add_column(heading, no_wrap=True)
+    table.add_column("margin", justify="right", no_wrap=True)
+    table.add_column("verdict", no_wrap=True)
+    table.add_column("source", overflow="fold")
+    for check in checks:
+        word = judge.check_verdict(check)
+        table.add_row(
+            check.code,
+            Text(judge.comparison(check)),
+            judge.margin(check),
+            Text(word.value, style=STYLES[word]),
+            Text(plain_text(check.source)),
+        )
+    return table
+
+
+def _remarks(results: Sequence[Result]) -> list[RenderableType]:
+    parts: list[RenderableType] = []
+    several = len(results) > 1
+    sections = (
+        ("No solution", judge.unsolved(results), "bold red"),
+        ("Limits violated", judge.missed_limits(results), "bold red"),
+        ("Advice", judge.missed_advice(results), "yellow"),
+        ("Warnings", judge.gathered_warnings(results), "yellow"),
+    )
+    for heading, groups, style in sections:
+        if groups:
+            parts.append(Text(f"\n{heading}", style=style))
+            parts += [Padding(_line(group, several), (0, 0, 0, 2)) for group in groups]
+    if not parts and results:
+        parts.append(Text(f"\n{counted(len(results), 'bearing')}: all limits kept, no warnings.", style="green"))
+    return parts
+
+
+def _line(group: judge.Group, several: bool) -> Text:
+    line = Text(f"{group.code}  " if group.code else "", style="bold")
+    said = f"{group.title}: {group.message}" if group.message else group.title
+    line.append(said, style="default")
+    return line.append(f"  [{group.bearings}]", style="default") if several else line

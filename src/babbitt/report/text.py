@@ -1,0 +1,52 @@
+"""Text that came from a case file, made safe to show."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+_DIRECTION_MARKS = {chr(c) for c in (*range(0x202A, 0x202F), *range(0x2066, 0x206A), 0x200E, 0x200F, 0x061C)}
+_TYPEFACE_RANGES = (
+    (0x0020, 0x0530),  # Latin, Greek, Cyrillic
+    (0x0590, 0x0600),  # Hebrew
+    (0x1E00, 0x2000),  # Latin and Greek with marks
+    (0x2000, 0x2200),  # punctuation, sub- and superscripts, letter-like
+    (0x2200, 0x2300),  # mathematical operators
+    (0xFB00, 0xFB07),  # ligatures
+)
+"""Blocks that the typefaces inside typst cover."""
+
+
+def plain_text(text: str) -> str:
+    """One line of visible characters: no control characters, no marks that turn the direction of writing.
+
+    What an engineer types stays as it is; what could move a cursor, hide a word or break a file format goes.
+
+    >>> plain_text("Pinion\\x1b[31m\\t left ")
+    'Pinion[31m left'
+    """
+    kept = (character for character in text if character.isspace() or _is_visible(character))
+    return re.sub(r"\s+", " ", "".join(kept)).strip()
+
+
+def _is_visible(character: str) -> bool:
+    hidden = unicodedata.category(character) in ("Cc", "Cs", "Cn", "Co") or character in _DIRECTION_MARKS
+    return not hidden
+
+
+def needs_system_fonts(text: str) -> bool:
+    """Whether a text has characters that only typefaces of the operating system may cover.
+
+    >>> needs_system_fonts("Ψ вал ±5 µm"), needs_system_fonts("轴承")
+    (False, True)
+    """
+    return any(not any(first <= ord(character) < end for first, end in _TYPEFACE_RANGES) for character in text)
+
+
+def counted(number: int, noun: str) -> str:
+    """A number with its noun.
+
+    >>> counted(1, "bearing"), counted(11, "bearing")
+    ('1 bearing', '11 bearings')
+    """
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

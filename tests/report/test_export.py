@@ -1,0 +1,106 @@
+"""JSON for other programs: the public contract, and no number that is none."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+
+import jsonschema
+import pytest
+
+from babbitt.report.export import to_json, write_json
+from babbitt.results import Bound, Check
+
+CONTRACT = {
+    "type": "object",
+    "required": ["babbitt", "case", "bearings"],
+    "properties": {
+        "babbitt": {"type": "string"},
+        "case": {"type": "string"},
+        "bearings": {
+            "type": "array",
+            "items": {
+                "type": "object",
+                "required": ["name", "kind", "method", "results", "checks", "warnings"],
+                "properties": {
+                    "name": {"type": "string"},
+                    "kind": {"type": "string"},
+                    "method": {"type": "string"},
+                    "results": {"type": "object", "additionalProperties": {"type": "number"}},
+                    "checks": {
+                        "type": "array",
+                        "items": {
+                            "type": "object",
+                            "required": ["code", "quantity", "value", "limit", "ok", "source"],
+                            "properties": {
+                                "code": {"type": "string"},
+                                "quantity": {"type": "string"},
+                                "value": {"type": ["number", "null"]},
+                                "limit": {"type": ["number", "null"]},
+                                "ok": {"type": "boolean"},
+                                "source": {"type": "string"},
+                            },
+                        },
+                    },
+                    "warnings": {
+                        "type": "array",
+                        "items": {
+                            "type": "object",
+                            "required": ["code", "message"],
+                            "properties": {"code": {"type": "string"}, "message": {"type": "string"}},
+                        },
+                    },
+                },
+            },
+        },
+    },
+}
+
+
+def strict_parse(text):
+    def refuse(constant):
+        raise AssertionError(f"{constant} is not JSON")
+
+    return json.loads(text, parse_constant=refuse)
+
+
+def test_the_contract_is_kept(reverse_gear, violated, unsolved):
+    machine = replace(reverse_gear, results=(*reverse_gear.results, violated, unsolved))
+    record = strict_parse(write_json(machine))
+    jsonschema.validate(record, CONTRACT)
+    assert [bearing["name"] for bearing in record["bearings"]] == [r.name for r in machine.results]
+    assert record["case_hash"] == machine.case_hash
+
+
+def test_values_are_si_and_unrounded(reverse_gear):
+    first = to_json(reverse_gear)["bearings"][0]
+    assert first["results"]["minimum_film_thickness"] == 89e-6
+    assert first["results"]["side_flow"] == 26.2 / 6e4
+    assert first["results"]["outlet_temperature"] == pytest.approx(350.15)
+
+
+def test_an_unsolved_bearing_has_no_results_and_keeps_its_message(reverse_gear, unsolved):
+    record = to_json(replace(reverse_gear, results=(unsolved,)))["bearings"][0]
+    assert record["results"] == {}
+    assert record["checks"] == []
+    assert record["status"] == "overloaded"
+    assert record["last_state"] == {"minimum_film_thickness": 31.4e-6}
+    assert "wider bearing" in record["message"]
+
+
+@pytest.mark.parametrize("number", [math.nan, math.inf, -math.inf])
+def test_numbers_that_do_not_exist_are_absent_or_null(reverse_gear, good, number):
+    check = Check("C101", "specific_load", number, 1e6, Bound.AT_MOST, "test")
+    odd = replace(good, values={**good.values, "attitude_angle": number}, checks=(check,))
+    record = strict_parse(write_json(replace(reverse_gear, results=(odd,))))["bearings"][0]
+    assert "attitude_angle" not in record["results"]
+    assert record["checks"][0]["value"] is None
+    jsonschema.validate(record, CONTRACT["properties"]["bearings"]["items"])
+
+
+def test_numbers_of_numpy_become_plain_numbers(reverse_gear, good):
+    numpy = pytest.importorskip("numpy")
+    typed = replace(good, values={"load": numpy.float64(3.0), "iterations": numpy.int64(7)})
+    record = strict_parse(write_json(replace(reverse_gear, results=(typed,))))["bearings"][0]
+    assert record["results"] == {"load": 3.0, "iterations": 7.0}

@@ -1,0 +1,127 @@
+"""Tables for the terminal, read as the text that reaches the screen."""
+
+from __future__ import annotations
+
+import io
+import re
+from dataclasses import replace
+
+import pytest
+from rich.console import Console
+
+from babbitt.report.table import COLUMNS, console, print_machine
+from babbitt.report.verdict import Verdict, verdict
+from babbitt.results import Bound, Check
+
+
+def shown(machine, width=140, **settings):
+    screen = io.StringIO()
+    print_machine(machine, Console(file=screen, width=width, highlight=False, **settings))
+    return screen.getvalue()
+
+
+def test_one_row_a_bearing_in_the_engineers_units(reverse_gear):
+    text = shown(reverse_gear)
+    row = next(line for line in text.splitlines() if line.startswith("Second-stage pinion (a)"))
+    assert " ".join(row.split()) == (
+        "Second-stage pinion (a) 2.51 24.0 1.080 50.0 → 88.0 0.710 47.0 / 16.0 28.30 8.5 4.0 226 / 1259 ok"
+    )
+    assert "all limits kept" in text
+
+
+@pytest.mark.parametrize("width", [60, 80, 100, 120, 140, 200])
+def test_no_line_exceeds_the_terminal_and_no_number_is_cut(reverse_gear, width):
+    text = shown(reverse_gear, width)
+    assert max(len(line.rstrip()) for line in text.splitlines()) <= width
+    assert "…" not in text
+    for result in reverse_gear.results:
+        film = f"{result.minimum_film_thickness * 1e6:.1f} / 16.0"
+        assert film in text
+    rows = [line for line in text.splitlines() if " / 16.0" in line]
+    assert len(rows) == 11
+    assert all(row.rstrip().endswith("ok") for row in rows)
+
+
+def test_the_film_stays_when_columns_must_go_and_the_table_says_which_went(reverse_gear):
+    text = shown(reverse_gear, 80)
+    assert "h_min / h_lim" in text
+    assert "Left out for want of width" in text
+    left_out = text.split("Left out for want of width:")[1].split("\n\n")[0]
+    assert "Re / Re_cr" in left_out
+    assert "h_min" not in left_out
+    assert "Left out" not in shown(reverse_gear, 200)
+
+
+def test_a_long_name_wraps_and_keeps_the_columns(reverse_gear, good):
+    long = replace(good, name="Bearing " * 12 + "W" * 60)
+    text = shown(replace(reverse_gear, results=(long, good)), 140)
+    assert "Re / Re_cr" in text
+    assert text.replace("\n", "").count("W") >= 60
+
+
+def test_the_verdict_reads_without_colour(reverse_gear, good, violated, unsolved):
+    machine = replace(reverse_gear, results=(good, violated, unsolved))
+    coloured = shown(machine, no_color=True, force_terminal=True)
+    assert not re.search(r"\x1b\[[0-9;]*3[0-7]", coloured)
+    text = re.sub(r"\x1b\[[0-9;]*m", "", coloured)
+    rows = {line.split("  ")[0].strip(): line.rstrip().split("  ")[-1].strip() for line in text.splitlines()}
+    assert rows[good.name] == "ok"
+    assert rows["Thin film"] == "FAIL"
+    assert rows["Overloaded"] == "no solution"
+
+
+def test_an_unsolved_bearing_shows_no_operating_point(reverse_gear, good, unsolved):
+    for results in ((good, unsolved), (unsolved,)):
+        text = shown(replace(reverse_gear, results=results))
+        assert "31.4" not in text
+        assert "no film can carry this load" in text
+        assert "Try a wider bearing" in text
+
+
+def test_a_violated_limit_is_one_line_with_code_and_both_numbers(reverse_gear, good, violated):
+    text = shown(replace(reverse_gear, results=(good, violated)))
+    line = next(line for line in text.splitlines() if "C101" in line)
+    assert "Thin film" in line
+    assert "h_min = 12.0 µm < 16.0 µm" in line
+
+
+def test_eleven_equal_misses_do_not_flood(reverse_gear):
+    hot = Check("C103", "outlet_temperature", 390.0, 383.15, Bound.AT_MOST, "experience")
+    results = tuple(replace(result, checks=(*result.checks, hot)) for result in reverse_gear.results)
+    lines = [line for line in shown(replace(reverse_gear, results=results)).splitlines() if "C103" in line]
+    assert len(lines) == 1
+    assert "all 11 bearings" in lines[0]
+
+
+def test_advice_is_shown_and_is_no_failure(reverse_gear, good):
+    advice = Check("C104", "outlet_temperature", 350.0, 343.15, Bound.AT_MOST, "advice", advisory=True)
+    advised = replace(good, checks=(*good.checks, advice))
+    assert verdict(advised) is Verdict.ADVICE
+    text = shown(replace(reverse_gear, results=(advised, good)))
+    assert "Advice" in text
+    assert "Limits violated" not in text
+
+
+def test_one_bearing_is_written_in_full(reverse_gear, good):
+    text = shown(replace(reverse_gear, results=(good,)))
+    assert "Minimum film thickness" in text
+    assert "h_min = 89.0 µm ≥ 16.0 µm" in text
+    assert "wall" not in text.lower()
+
+
+@pytest.mark.parametrize("name", ["[bold]loud[/bold]", "[/]", "a\x1b[2Jb", "x\u202ey", "[link=http://x]y"])
+def test_a_name_is_shown_as_it_stands_and_moves_no_cursor(reverse_gear, good, name):
+    for results in ((replace(good, name=name), good), (replace(good, name=name),)):
+        text = shown(replace(reverse_gear, name=name, results=results), 200, force_terminal=True)
+        assert "\x1b[2J" not in text
+        assert "\x1b]8" not in text
+        assert "\u202e" not in text
+        visible = name.replace("\x1b", "").replace("\u202e", "")
+        assert visible in text
+
+
+def test_a_pipe_is_wide_enough_for_every_column(reverse_gear, monkeypatch, capsys):
+    monkeypatch.delenv("COLUMNS", raising=False)
+    print_machine(reverse_gear, console())
+    text = capsys.readouterr().out
+    assert all(column.heading in text for column in COLUMNS)
