@@ -179,9 +179,7 @@ class Clearance:
         bore_deviations = tolerance_limits(bore, nominal)
         journal_deviations = tolerance_limits(journal, nominal)
         if bore.strip()[0].islower():
-            raise InputError(
-                "E005", f"the bore has the shaft tolerance class {bore!r}; use capital letters: H7"
-            )
+            raise InputError("E005", f"the bore has the shaft tolerance class {bore!r}; use capital letters: H7")
         if journal.strip()[0].isupper():
             raise InputError(
                 "E005", f"the journal has the hole tolerance class {journal!r}; use small letters: e8"

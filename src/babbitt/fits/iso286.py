@@ -141,8 +141,8 @@ def tolerance_limits(tolerance_class: str, nominal: float) -> Deviations:
     (-50, -25)
     """
     letter, grade = _parse(tolerance_class)
-    width = standard_tolerance(grade, nominal)
     what = f"tolerance class {letter}{grade}"
+    width = _tables().standard_tolerances[grade].at(nominal, what)
     if letter in ("js", "JS"):
         return Deviations(-width / 2.0, width / 2.0)
     if letter == "j":

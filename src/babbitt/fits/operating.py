@@ -34,6 +34,4 @@ def operating_relative_clearance(
     >>> round(operating_relative_clearance(1.12e-3, 23e-6, 11e-6, 353.15), 8)
     0.00184
     """
-    return relative_clearance + (expansion_bearing - expansion_journal) * (
-        temperature - REFERENCE_TEMPERATURE
-    )
+    return relative_clearance + (expansion_bearing - expansion_journal) * (temperature - REFERENCE_TEMPERATURE)

@@ -24,9 +24,7 @@ class SizeLimits:
     def __post_init__(self) -> None:
         for name, size in (("minimum", self.minimum), ("maximum", self.maximum)):
             if not (math.isfinite(size) and size > 0.0):
-                raise InputError(
-                    "E003", f"the {name} limit of size is {size!r} m; it must be a positive number"
-                )
+                raise InputError("E003", f"the {name} limit of size is {size!r} m; it must be a positive number")
         if self.maximum < self.minimum:
             raise InputError(
                 "E004",
@@ -50,9 +48,7 @@ class Deviations:
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.lower) and math.isfinite(self.upper)):
-            raise InputError(
-                "E003", f"deviations must be finite numbers, given {self.lower!r} and {self.upper!r}"
-            )
+            raise InputError("E003", f"deviations must be finite numbers, given {self.lower!r} and {self.upper!r}")
         if self.upper < self.lower:
             raise InputError(
                 "E004",

@@ -1,1 +1,47 @@
 """Bearing metals with their limits; shaft and housing materials."""
+
+from babbitt.materials.bearing_metal import AlloyFamily, BearingMetal, LoadCharacter, LoadLimits
+from babbitt.materials.catalogue import (
+    bearing_metal,
+    bearing_metals,
+    structural_material,
+    structural_materials,
+)
+from babbitt.materials.experience import (
+    empirical_minimum_film_thickness,
+    pressure_fed_temperature_limit,
+    self_cooled_temperature_limit,
+    specific_load_limit,
+)
+from babbitt.materials.experience_tables import (
+    ExperienceLimit,
+    ExperienceLimits,
+    FilmThicknessTable,
+    experience_limits,
+    read_experience_limits,
+)
+from babbitt.materials.sourced import SourcedText, SourcedValue
+from babbitt.materials.structural_material import StructuralMaterial
+
+__all__ = [
+    "AlloyFamily",
+    "BearingMetal",
+    "ExperienceLimit",
+    "ExperienceLimits",
+    "FilmThicknessTable",
+    "LoadCharacter",
+    "LoadLimits",
+    "SourcedText",
+    "SourcedValue",
+    "StructuralMaterial",
+    "bearing_metal",
+    "bearing_metals",
+    "empirical_minimum_film_thickness",
+    "experience_limits",
+    "pressure_fed_temperature_limit",
+    "read_experience_limits",
+    "self_cooled_temperature_limit",
+    "specific_load_limit",
+    "structural_material",
+    "structural_materials",
+]

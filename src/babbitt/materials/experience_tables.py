@@ -1,0 +1,166 @@
+"""Tables of permissible values by experience, shipped in ``limits.toml`` or the user's own."""
+
+from __future__ import annotations
+
+import math
+import tomllib
+from bisect import bisect_left
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from babbitt.materials.bearing_metal import AlloyFamily
+from babbitt.notices import InputError
+
+_CELSIUS = 273.15
+
+
+@dataclass(frozen=True)
+class ExperienceLimit:
+    """A permissible value by experience, in SI.
+
+    Attributes
+    ----------
+    general : float
+        What holds in general.
+    exceptional : float
+        What has been borne in exceptional cases: specific loads at low sliding speed, temperatures with special
+        care in design.
+    source : str
+        Where the values come from.
+    """
+
+    general: float
+    exceptional: float
+    source: str
+
+
+@dataclass(frozen=True)
+class FilmThicknessTable:
+    """Permissible minimum film thickness in steps of diameter and surface speed, in SI.
+
+    Row i holds for diameters up to and including ``diameters[i + 1]``, the first row above ``diameters[0]``.
+    Column j holds for speeds up to and including ``surface_speeds[j]``, the last column above the last speed.
+    """
+
+    diameters: tuple[float, ...]
+    surface_speeds: tuple[float, ...]
+    films: tuple[tuple[float, ...], ...]
+
+    def __post_init__(self) -> None:
+        for bounds in (self.diameters, self.surface_speeds):
+            if not bounds or list(bounds) != sorted(set(bounds)):
+                raise InputError("E003", f"the bounds of the film thickness table must increase, given {bounds}")
+        rows, columns = len(self.diameters) - 1, len(self.surface_speeds) + 1
+        if len(self.films) != rows or any(len(row) != columns for row in self.films):
+            raise InputError("E003", f"the film thickness table must have {rows} rows of {columns} values")
+        if not all(math.isfinite(film) and film > 0.0 for row in self.films for film in row):
+            raise InputError("E003", f"permissible film thicknesses must be positive numbers, given {self.films}")
+
+    def at(self, diameter: float, surface_speed: float) -> float | None:
+        """Permissible film thickness in m, or None for a diameter outside the table."""
+        diameter = round(diameter, 9)  # arithmetic may leave 0.4 m a hair above its bound
+        if not self.diameters[0] < diameter <= self.diameters[-1]:
+            return None
+        row = self.films[bisect_left(self.diameters, diameter) - 1]
+        return row[bisect_left(self.surface_speeds, round(abs(surface_speed), 9))]
+
+
+@dataclass(frozen=True)
+class ExperienceLimits:
+    """The three tables of permissible values by experience.
+
+    Attributes
+    ----------
+    source : str
+        Where the values come from.
+    film_thickness : FilmThicknessTable
+        Empirical permissible minimum film thickness.
+    specific_load : Mapping of AlloyFamily to ExperienceLimit
+        In Pa; families without a public value are absent.
+    self_cooled, pressure_fed_little_oil, pressure_fed_much_oil : ExperienceLimit
+        Temperatures in K: of the bearing when self-cooled, of the oil outlet when pressure-fed.
+    circulation_time : float
+        Total oil volume over flow rate, in s, up to which there is little oil.
+    """
+
+    source: str
+    film_thickness: FilmThicknessTable
+    specific_load: Mapping[AlloyFamily, ExperienceLimit]
+    self_cooled: ExperienceLimit
+    pressure_fed_little_oil: ExperienceLimit
+    pressure_fed_much_oil: ExperienceLimit
+    circulation_time: float
+
+
+def experience_limits() -> ExperienceLimits:
+    """The tables that ship with the package."""
+    return _shipped()
+
+
+def read_experience_limits(path: Path) -> ExperienceLimits:
+    """Tables of the user's own, in the form of the shipped ``limits.toml``.
+
+    Parameters
+    ----------
+    path : Path
+        TOML file.
+
+    Returns
+    -------
+    ExperienceLimits
+        In SI.
+
+    Raises
+    ------
+    InputError
+        E001 if the file cannot be read, E003 if it is not of this form.
+    """
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError("E001", f"the limits file {path} cannot be read: {error}") from None
+    try:
+        return _parse(tomllib.loads(text))
+    except tomllib.TOMLDecodeError as error:
+        raise InputError("E003", f"the limits file {path} is not valid TOML: {error}") from None
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise InputError(
+            "E003",
+            f"the limits file {path} does not have the form of the shipped limits.toml: "
+            f"{type(error).__name__} {error}",
+        ) from None
+
+
+@cache
+def _shipped() -> ExperienceLimits:
+    return _parse(tomllib.loads(files("babbitt.materials").joinpath("limits.toml").read_text(encoding="utf-8")))
+
+
+def _parse(raw: Mapping[str, Any]) -> ExperienceLimits:
+    """Convert the engineer's units of the file to SI."""
+    source = str(raw["source"])
+    film, load, temperature = raw["minimum_film_thickness"], raw["specific_load_MPa"], raw["temperature_degC"]
+
+    def limit(entry: Mapping[str, float], factor: float, offset: float) -> ExperienceLimit:
+        general, exceptional = (float(entry[key]) * factor + offset for key in ("general", "exceptional"))
+        if not (0.0 < general <= exceptional and math.isfinite(exceptional)):
+            raise ValueError(f"general {entry['general']} must be positive and not above the exceptional value")
+        return ExperienceLimit(general, exceptional, source)
+
+    return ExperienceLimits(
+        source=source,
+        film_thickness=FilmThicknessTable(
+            diameters=tuple(d * 1e-3 for d in (film["diameter_above_mm"], *film["diameter_up_to_mm"])),
+            surface_speeds=tuple(float(speed) for speed in film["surface_speed_up_to_m_s"]),
+            films=tuple(tuple(value * 1e-6 for value in row) for row in film["film_um"]),
+        ),
+        specific_load={AlloyFamily(family): limit(entry, 1e6, 0.0) for family, entry in load.items()},
+        self_cooled=limit(temperature["self_cooled"], 1.0, _CELSIUS),
+        pressure_fed_little_oil=limit(temperature["pressure_fed_little_oil"], 1.0, _CELSIUS),
+        pressure_fed_much_oil=limit(temperature["pressure_fed_much_oil"], 1.0, _CELSIUS),
+        circulation_time=float(temperature["little_oil_up_to_minutes"]) * 60.0,
+    )
