@@ -23,6 +23,19 @@ class Outcome(Enum):
         """Whether the values of the result are an operating point."""
         return self is Outcome.CONVERGED
 
+    @property
+    def code(self) -> str:
+        """Code of the explanation in `babbitt.notices`; empty for a solution."""
+        return _OUTCOME_CODES.get(self.name, "")
+
+
+_OUTCOME_CODES = {
+    "OVERLOADED": "S001",
+    "THERMAL_RUNAWAY": "S002",
+    "NO_CLEARANCE": "S003",
+    "NOT_CONVERGED": "S004",
+}
+
 
 class Bound(Enum):
     """Which side of its limit a checked value must stay on."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from babbitt.lubricants import Lubricant
-from babbitt.materials import BearingMetal
+from babbitt.materials import BearingMetal, LoadCharacter
 from babbitt.standards.iso7902.losses import Duct
 from babbitt.standards.iso7902.supply import SupplyElement
 
@@ -28,13 +28,6 @@ class Curves(Enum):
 
     COMPUTED = "computed"
     CLOSED_FORM = "closed_form"
-
-
-class LoadCharacter(Enum):
-    """How the load acts on the bearing metal."""
-
-    CALM = "calm"
-    SHOCK = "shock"
 
 
 @dataclass(frozen=True)
@@ -161,6 +154,5 @@ class DesignCase:
     friction_factor: float = 1.0
     curves: Curves = Curves.COMPUTED
     limits: Limits = field(default_factory=Limits)
-    temperature_tolerance: float = 1e-6
     assumptions: tuple[str, ...] = ()
     kind: str = "journal"
