@@ -30,11 +30,11 @@ def checks_of(case: DesignCase, values: Mapping[str, float]) -> tuple[Check, ...
         Named results in SI, with the limits among them.
     """
     return (
-            *_film_checks(case, values),
-            *_load_and_temperature_checks(case, values),
-            *_metal_checks(case, values),
-            *_validity_and_screening_checks(values),
-        )
+        *_film_checks(case, values),
+        *_load_and_temperature_checks(case, values),
+        *_metal_checks(case, values),
+        *_validity_and_screening_checks(values),
+    )
 
 
 def temperature_limit(case: DesignCase, total_flow: float) -> ExperienceLimit:

@@ -130,6 +130,16 @@ def find_equilibrium(case: DesignCase, film_at: Callable[[float], Film]) -> Equi
     return Equilibrium(outcome, film_at(root), evaluations, root)
 
 
+def at_prescribed_temperature(temperature: float, film_at: Callable[[float], Film]) -> Equilibrium:
+    """Film at a temperature in K that is given instead of sought."""
+    try:
+        return Equilibrium(Outcome.CONVERGED, film_at(temperature), 1, temperature)
+    except FilmCollapseError:
+        return Equilibrium(Outcome.OVERLOADED, None, 1, temperature)
+    except NoClearanceError:
+        return Equilibrium(Outcome.NO_CLEARANCE, None, 1, temperature)
+
+
 def _last_film(excess: Callable[[float], float], good: float, bad: float) -> float:
     """Highest temperature with a film between one that has and one that has not, to 1e-9 K by bisection."""
     while bad - good > 1e-9:

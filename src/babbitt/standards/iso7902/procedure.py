@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from functools import partial
 from time import perf_counter
 
@@ -20,7 +21,7 @@ from babbitt.standards.iso7902.film import (
     minimum_film_thickness,
     surface_speed,
 )
-from babbitt.standards.iso7902.heat_balance import Equilibrium, find_equilibrium, heat_paths
+from babbitt.standards.iso7902.heat_balance import Equilibrium, at_prescribed_temperature, find_equilibrium, heat_paths
 from babbitt.standards.iso7902.model import DesignCase
 from babbitt.standards.iso7902.screening import (
     Transition,
@@ -51,8 +52,35 @@ def check(case: DesignCase) -> Result:
     Reynolds equation by this package, not the tables of the standard.
     """
     start = perf_counter()
-    shape = curves_of(case)
-    found = find_equilibrium(case, partial(film_at, case=case, shape=shape))
+    found = find_equilibrium(case, partial(film_at, case=case, shape=curves_of(case)))
+    return _result(case, found, start)
+
+
+def check_at_temperature(case: DesignCase, effective_temperature: float) -> Result:
+    """Run the ISO 7902 procedure at a prescribed effective temperature, without the heat balance.
+
+    For repeating a calculation whose temperature is known, or a film whose temperature was measured.
+
+    Parameters
+    ----------
+    case : DesignCase
+    effective_temperature : float
+        In K.
+
+    Returns
+    -------
+    Result
+        As of `check`; `energy_balance_error` says how far the heat balance stays open.
+    """
+    start = perf_counter()
+    stated = f"effective temperature prescribed as {effective_temperature - 273.15:.1f} °C; heat balance not closed"
+    prescribed = replace(case, assumptions=(*case.assumptions, stated))
+    film_of = partial(film_at, case=case, shape=curves_of(case))
+    return _result(prescribed, at_prescribed_temperature(effective_temperature, film_of), start)
+
+
+def _result(case: DesignCase, found: Equilibrium, start: float) -> Result:
+    """Values, verdicts and doubts of the film found, or how far an unsolved case came."""
     if found.film is None:
         return Result(
             case.name,
@@ -60,8 +88,9 @@ def check(case: DesignCase) -> Result:
             METHOD,
             found.outcome,
             {"wall_time": perf_counter() - start},
-            assumptions=case.assumptions,
+            assumptions=(*case.lubricant.assumptions, *case.assumptions),
             message=_failure(case, found),
+            settings=_settings(case),
         )
     change = _transition(case, found.film)
     values = _values(case, found.film, change)
@@ -77,8 +106,9 @@ def check(case: DesignCase) -> Result:
         values,
         checks if found.outcome.solved else (),
         warnings,
-        case.assumptions,
+        (*case.lubricant.assumptions, *case.assumptions),
         "" if found.outcome.solved else _failure(case, found),
+        _settings(case),
     )
 
 
@@ -156,6 +186,19 @@ def _values(case: DesignCase, film: Film, change: Transition | None) -> dict[str
     return values
 
 
+def _settings(case: DesignCase) -> dict[str, str]:
+    """The choices that the numbers depend on."""
+    element = case.bearing.supply_element
+    return {
+        "lubricant": case.lubricant.name,
+        "characteristics": case.curves.value,
+        "friction": case.friction.value,
+        "friction_factor": f"{case.friction_factor:g}",
+        "span": f"{case.bearing.span} deg",
+        "supply_element": type(element).__name__ if element else "none",
+    }
+
+
 def _contact_film(case: DesignCase) -> float | None:
     """Film thickness in m at which mixed friction begins: of the case, else of the surfaces."""
     if case.limits.transition_film_thickness is not None:
@@ -183,7 +226,7 @@ def _failure(case: DesignCase, found: Equilibrium) -> str:
     reached = f"{found.last_temperature - 273.15:.1f} °C"
     match found.outcome:
         case Outcome.OVERLOADED if found.film is None:
-            return f"already at the coolest film, {reached}, the load is more than an eccentricity of 0.99 carries"
+            return f"already the coolest film, at {reached}, cannot carry the load: it asks for more than an eccentricity of 0.99 carries"
         case Outcome.OVERLOADED:
             return f"the film collapses at {reached} (eccentricity 0.99) while friction still heats it"
         case Outcome.THERMAL_RUNAWAY:

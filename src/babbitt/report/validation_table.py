@@ -1,0 +1,24 @@
+"""The table of `babbitt validate`: published, computed, difference, tolerance, verdict."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rich.table import Table
+
+from babbitt.report.table import console
+
+if TYPE_CHECKING:
+    from babbitt.validation import ValidationCase
+
+
+def print_validation(case: ValidationCase) -> bool:
+    """Run a published case, print it side by side, and say whether every judged value agrees."""
+    rows = case.run()
+    table = Table(title=f"{case.name}: {case.title}", title_justify="left", title_style="bold")
+    for column in ("quantity", "unit", "published", "computed", "difference", "tolerance", "verdict"):
+        table.add_column(column, justify="left" if column in ("quantity", "unit", "verdict") else "right")
+    for row in rows:
+        table.add_row(*row.cells())
+    console().print(table)
+    return all(row.ok for row in rows)
