@@ -21,7 +21,12 @@ from babbitt.standards.iso7902.film import (
     minimum_film_thickness,
     surface_speed,
 )
-from babbitt.standards.iso7902.heat_balance import Equilibrium, at_prescribed_temperature, find_equilibrium, heat_paths
+from babbitt.standards.iso7902.heat_balance import (
+    Equilibrium,
+    at_prescribed_temperature,
+    find_equilibrium,
+    heat_paths,
+)
 from babbitt.standards.iso7902.model import DesignCase
 from babbitt.standards.iso7902.screening import (
     Transition,
@@ -73,7 +78,7 @@ def check_at_temperature(case: DesignCase, effective_temperature: float) -> Resu
         As of `check`; `energy_balance_error` says how far the heat balance stays open.
     """
     start = perf_counter()
-    stated = f"effective temperature prescribed as {effective_temperature - 273.15:.1f} °C; heat balance not closed"
+    stated = f"effective temperature prescribed: {effective_temperature - 273.15:.1f} °C; heat balance not closed"
     prescribed = replace(case, assumptions=(*case.assumptions, stated))
     film_of = partial(film_at, case=case, shape=curves_of(case))
     return _result(prescribed, at_prescribed_temperature(effective_temperature, film_of), start)
@@ -226,7 +231,7 @@ def _failure(case: DesignCase, found: Equilibrium) -> str:
     reached = f"{found.last_temperature - 273.15:.1f} °C"
     match found.outcome:
         case Outcome.OVERLOADED if found.film is None:
-            return f"already the coolest film, at {reached}, cannot carry the load: it asks for more than an eccentricity of 0.99 carries"
+            return f"already at {reached} the load is more than an eccentricity of 0.99 carries"
         case Outcome.OVERLOADED:
             return f"the film collapses at {reached} (eccentricity 0.99) while friction still heats it"
         case Outcome.THERMAL_RUNAWAY:
