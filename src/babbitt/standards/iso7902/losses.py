@@ -18,9 +18,9 @@ def pipe_friction_factor(reynolds_number: float) -> float:
     if reynolds_number <= LAMINAR_UP_TO:
         return 64.0 / reynolds_number
     if reynolds_number >= TURBULENT_FROM:
-        return 0.3164 * reynolds_number**-0.25
+        return 0.3164 * math.pow(reynolds_number, -0.25)
     share = (reynolds_number - LAMINAR_UP_TO) / (TURBULENT_FROM - LAMINAR_UP_TO)
-    return (1.0 - share) * 64.0 / LAMINAR_UP_TO + share * 0.3164 * TURBULENT_FROM**-0.25
+    return (1.0 - share) * 64.0 / LAMINAR_UP_TO + share * 0.3164 * math.pow(TURBULENT_FROM, -0.25)
 
 
 @dataclass(frozen=True)

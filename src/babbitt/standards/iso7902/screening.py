@@ -23,7 +23,7 @@ def recommended_relative_clearance(surface_speed: float) -> float:
     >>> round(1e3 * recommended_relative_clearance(45.0), 1)
     2.1
     """
-    return 0.8e-3 * surface_speed**0.25
+    return 0.8e-3 * math.pow(surface_speed, 0.25)
 
 
 def orlov_relative_clearance(
