@@ -1,0 +1,52 @@
+"""Units at the door: what the engineer writes ("120 mm", "3000 rpm", "50 degC") becomes an SI number."""
+
+from babbitt.units.fields import (
+    Angle,
+    Area,
+    Density,
+    Dimensionless,
+    FlowRate,
+    Force,
+    HeatTransferCoefficient,
+    KinematicViscosity,
+    Length,
+    Mass,
+    Pressure,
+    RotationalSpeed,
+    SiField,
+    Speed,
+    Temperature,
+    ThermalExpansion,
+    Viscosity,
+    Volume,
+    si,
+)
+from babbitt.units.kinds import KINDS, Kind
+from babbitt.units.reading import QuantityError, read, written
+
+__all__ = [
+    "Angle",
+    "Area",
+    "Density",
+    "Dimensionless",
+    "FlowRate",
+    "Force",
+    "HeatTransferCoefficient",
+    "KINDS",
+    "KinematicViscosity",
+    "Kind",
+    "Length",
+    "Mass",
+    "Pressure",
+    "QuantityError",
+    "RotationalSpeed",
+    "SiField",
+    "Speed",
+    "Temperature",
+    "ThermalExpansion",
+    "Viscosity",
+    "Volume",
+    "read",
+    "si",
+    "written",
+]
