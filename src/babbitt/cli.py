@@ -107,10 +107,11 @@ def solve(
 @app.command()
 def check(files: Files) -> None:
     """Validate case files without solving them: every problem at once."""
-    from babbitt.cases import load_cases
+    from babbitt.cases import design_cases, load_cases
 
     for path, case in zip(files, load_cases(files), strict=True):
-        print(f"{path}: usable, {case.summary}")
+        count = len(design_cases(case))
+        print(f"{path}: usable, kind {case.kind}" + (f", {count} calculation{'s' * (count > 1)}" if count else ""))
 
 
 @app.command()
@@ -136,9 +137,11 @@ def new(
 @app.command()
 def schema() -> None:
     """Print the JSON Schema of case files, with which editors complete and check them."""
-    from babbitt.cases import schema_text
+    import json
 
-    print(schema_text(), end="")
+    from babbitt.cases import case_schema
+
+    print(json.dumps(case_schema(), indent=2, ensure_ascii=False))
 
 
 @app.command()

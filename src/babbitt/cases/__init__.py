@@ -1,7 +1,7 @@
 """The case language: what an engineer writes, read from YAML, checked, and turned into design cases."""
 
 from babbitt.cases.build import case_hash, design_cases
-from babbitt.cases.loading import KINDS, case_from_dict, check_files, load_case, parse_case
+from babbitt.cases.loading import KINDS, case_from_dict, check_files, load_case, load_cases, parse_case
 from babbitt.cases.machine import AnyCase, Case, JournalCase, Machine
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.problems import CaseError, Problem
@@ -24,6 +24,7 @@ __all__ = [
     "design_cases",
     "kinds",
     "load_case",
+    "load_cases",
     "parse_case",
     "template",
 ]

@@ -89,15 +89,33 @@ def case_from_dict(given: Mapping[str, Any], name: str = "<case>") -> Case:
     return _case(dict(given), name, None)
 
 
-def check_files(paths: Iterable[str | FilePath]) -> tuple[Problem, ...]:
-    """Give all problems of all files, none for files that can be used."""
+def load_cases(paths: Iterable[str | FilePath]) -> tuple[Case, ...]:
+    """Read several case files, or tell every problem of all of them at once.
+
+    Raises
+    ------
+    CaseError
+        With the problems of all files.
+    """
+    cases: list[Case] = []
     problems: list[Problem] = []
     for path in paths:
         try:
-            load_case(path)
+            cases.append(load_case(path))
         except CaseError as error:
             problems += error.problems
-    return tuple(problems)
+    if problems:
+        raise CaseError(problems)
+    return tuple(cases)
+
+
+def check_files(paths: Iterable[str | FilePath]) -> tuple[Problem, ...]:
+    """Give all problems of all files, none for files that can be used."""
+    try:
+        load_cases(paths)
+    except CaseError as error:
+        return error.problems
+    return ()
 
 
 def _case(given: Any, name: str, root: Node | None) -> Case:

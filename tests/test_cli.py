@@ -1,0 +1,157 @@
+"""The command line holds its contract: exit statuses, standard output, nothing written on bad input."""
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+
+from babbitt import cli
+from babbitt.cases import kinds, template
+
+EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
+BAD = Path(__file__).parent / "cases" / "bad"
+
+
+@pytest.fixture
+def run(capsys, monkeypatch, tmp_path):
+    """Run the command line in an empty folder; give exit status, standard output and standard error."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "160")
+
+    def call(*arguments):
+        monkeypatch.setattr(sys, "argv", ["babbitt", *map(str, arguments)])
+        with pytest.raises(SystemExit) as ended:
+            cli.main()
+        out, err = capsys.readouterr()
+        return ended.value.code or 0, out, err
+
+    return call
+
+
+def overloaded(text: str) -> str:
+    """The journal template with a load no film carries."""
+    lines = ["load: 900 MN" if line.startswith("load:") else line for line in text.splitlines()]
+    assert "load: 900 MN" in lines
+    return "\n".join(lines) + "\n"
+
+
+@pytest.mark.parametrize("kind", kinds())
+def test_a_new_case_runs_as_it_stands(run, kind, tmp_path):
+    status, out, _ = run("new", kind, "-o", "case.yaml")
+    assert (status, out) == (0, "")
+    status, out, err = run("solve", "case.yaml")
+    assert status == 0, err
+    assert out.strip()
+    status, out, _ = run("check", "case.yaml")
+    assert status == 0
+    assert "usable" in out
+
+
+def test_new_overwrites_nothing(run, tmp_path):
+    (tmp_path / "case.yaml").write_text("mine")
+    status, _, err = run("new", "journal", "-o", "case.yaml")
+    assert status == 2
+    assert "exists already" in err
+    assert (tmp_path / "case.yaml").read_text() == "mine"
+
+
+def test_json_on_standard_output_is_alone_there(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(template("journal"))
+    status, out, _ = run("solve", "case.yaml", "--json", "-")
+    assert status == 0
+    record = json.loads(out)
+    assert set(record) >= {"babbitt", "case", "bearings"}
+    bearing = record["bearings"][0]
+    assert set(bearing) >= {"name", "kind", "method", "results", "checks", "warnings"}
+    assert 300.0 < bearing["results"]["outlet_temperature"] < 400.0  # kelvin
+
+
+def test_no_solution_ends_with_three_and_says_what_to_try(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(overloaded(template("journal")))
+    status, out, err = run("solve", "case.yaml")
+    assert status == 3
+    assert "no film can carry this load" in out + err
+
+
+def test_strict_ends_with_one_when_a_limit_is_violated(run, tmp_path):
+    text = template("journal").replace("limits:", "old_limits:") + "\nlimits: {temperature: 20 degC}\n"
+    assert "old_limits" not in text, "the template sets limits of its own; adapt this test"
+    (tmp_path / "case.yaml").write_text(text)
+    assert run("solve", "case.yaml")[0] == 0
+    assert run("solve", "case.yaml", "--strict")[0] == 1
+
+
+@pytest.mark.parametrize("path", sorted(BAD.glob("*.yaml")), ids=lambda path: path.stem)
+def test_bad_input_ends_with_two_and_writes_nothing(run, path, tmp_path):
+    status, out, err = run("solve", path, "--json", "out.json", "--report", "out.html", "--plots", "plots")
+    assert status == 2
+    assert out == ""
+    assert err.strip()
+    assert "Traceback" not in err
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("solve", "nowhere.yaml"), "nowhere.yaml"),
+        (("solve", "case.yaml", "--report", "out.docx"), ".pdf or .html"),
+        (("solve", "case.yaml", "--json", "no/such/folder.json"), "does not exist"),
+        (("solve", "case.yaml", "case.yaml", "--json", "-"), "folder"),
+        (("new", "gearbox"), "journal"),
+        (("explain", "W1011"), "W101"),
+        (("validate", "butenschon"), "butenschoen"),
+    ],
+)
+def test_mistakes_on_the_command_line(run, tmp_path, arguments, words):
+    (tmp_path / "case.yaml").write_text(template("journal"))
+    status, out, err = run(*arguments)
+    assert status == 2
+    assert out == ""
+    assert words in err
+    assert "Traceback" not in err
+    assert [path.name for path in tmp_path.iterdir()] == ["case.yaml"]
+
+
+@pytest.mark.parametrize("what", ["lubricants", "materials", "kinds", "cases"])
+def test_lists_show_what_is_on_board(run, what):
+    status, out, _ = run("list", what)
+    assert status == 0
+    expected = {"lubricants": "ISO VG 46", "materials": "B83", "kinds": "machine", "cases": "reverse_gear"}
+    assert expected[what] in out
+
+
+def test_compare_puts_the_variants_side_by_side(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(template("journal"))
+    status, out, _ = run("compare", "case.yaml")
+    assert status == 0
+    assert "as given" in out
+    assert "neglects" in out
+
+
+def test_cite_names_the_standard_and_the_lubricant(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(template("journal"))
+    status, out, _ = run("cite", "case.yaml")
+    assert status == 0
+    assert "ISO 7902-1" in out
+
+
+def test_explain_and_version(run):
+    assert "Reynolds" in run("explain", "w101")[1]
+    assert run("--version")[1].startswith("babbitt ")
+
+
+def test_the_reverse_gear_has_eleven_bearings(run):
+    status, out, _ = run("solve", EXAMPLES / "marine_reverse_gear.yaml", "--json", "-")
+    assert status == 0
+    assert len(json.loads(out)["bearings"]) == 11
+
+
+def test_several_files_need_a_folder_and_fill_it(run, tmp_path):
+    (tmp_path / "one.yaml").write_text(template("journal"))
+    (tmp_path / "two.yaml").write_text(template("overhung_coupling"))
+    (tmp_path / "out").mkdir()
+    status, _, err = run("solve", "one.yaml", "two.yaml", "--json", "out")
+    assert status == 0, err
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["one.json", "two.json"]
