@@ -34,7 +34,7 @@ class _MeanAndLimits(Part):
     def _limits_in_order(self) -> Iterator[Complaint]:
         if (self.minimum is None) != (self.maximum is None):
             missing = "minimum" if self.minimum is None else "maximum"
-            yield Complaint((missing,), f"{missing} is missing", "both limits or none", code="E003")
+            yield Complaint((missing,), "is missing", "both limits or none", code="E003")
         if self.minimum is not None and self.minimum > self.mean:
             yield Complaint(("minimum",), "the minimum clearance is above the mean", "minimum <= mean <= maximum")
         if self.maximum is not None and self.maximum < self.mean:

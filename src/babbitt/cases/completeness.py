@@ -39,8 +39,7 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
     def lacks(field: str, part: str, wanted: str) -> Complaint:
         shared = machine is not None and getattr(bearing, part) is None
         at = (part, field) if field else (part,)
-        name = ".".join(at)
-        return Complaint((*(() if shared else path), *at), f"{name} is missing", f"{wanted}{where}", code="E003")
+        return Complaint((*(() if shared else path), *at), "is missing", f"{wanted}{where}", code="E003")
 
     shared = machine or bearing
     if (bearing.lubricant or shared.lubricant) is None:

@@ -130,7 +130,7 @@ class _Composer:
             else:
                 root = node
         if root is None:
-            raise DocumentError(1, "the file is empty", "a case", "`babbitt new journal` writes one that works")
+            raise DocumentError(1, "the file is empty", "", "`babbitt new journal` writes one that works")
         return root
 
     def _node(self, event: Any, value: Any) -> Node:
@@ -205,4 +205,6 @@ def _not_yaml(error: Any, text: str) -> DocumentError:
     if "\t" in here[: len(here) - len(here.lstrip())] or "'\\t'" in str(error.problem):
         return DocumentError(line, "a tab stands in the indentation", "spaces")
     says = f"not YAML: {error.problem or error.context}"
+    if error.context_mark is not None and error.context_mark.line + 1 != line:
+        says += f", in what begins in line {error.context_mark.line + 1}"
     return DocumentError(line, says, "", "check indentation, brackets, quotation marks and the space after ':'")

@@ -119,7 +119,7 @@ class JournalBearing(Duty, SharedInputs):
         seen: set[str] = set()
         for index, point in enumerate(self.operating_points):
             if point.name in seen:
-                says = f"two operating points are named '{point.name}'"
+                says = f"another operating point is named '{point.name}' too"
                 yield Complaint(("operating_points", index, "name"), says, "each name once")
             seen.add(point.name)
 
@@ -150,10 +150,9 @@ class JournalBearing(Duty, SharedInputs):
             if self.span_at(point) is None:
                 yield Complaint(
                     ("span",),
-                    "span is missing",
+                    "is missing",
                     "360, 180, 150, 120, 90 deg, or a supply_element of kind uneven_pockets",
-                    "180 deg for a bearing with a groove in its unloaded half",
-                    "E003",
+                    code="E003",
                 )
                 return
 

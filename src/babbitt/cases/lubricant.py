@@ -114,7 +114,7 @@ class TwoPointLubricant(OwnLubricant):
             return
         for name in ("nu40", "nu100"):
             if not is_given(self, name):
-                yield Complaint((name,), f"{name} is missing", "nu40 and nu100, or points", code="E003")
+                yield Complaint((name,), "is missing", "nu40 and nu100, or points", code="E003")
         if self.nu40 is None or self.nu100 is None:
             return
         if self.nu100 >= self.nu40:

@@ -46,19 +46,20 @@ class Machine(SharedInputs):
 
     @rule
     def _names_are_their_own(self) -> Iterator[Complaint]:
-        seen: dict[str, int] = {}
+        seen: set[str] = set()
         for index, bearing in enumerate(self.bearings):
-            name = vars(bearing).get("name", index)
-            if (first := seen.setdefault(name, index)) != index:
-                says = f"bearings {first + 1} and {index + 1} are both named '{name}'"
+            name = vars(bearing).get("name")
+            if name in seen:
+                says = f"another bearing is named '{name}' too"
                 yield Complaint(("bearings", index, "name"), says, "each name once")
+            seen |= {name} if name is not None else set()
 
     @rule
     def _nothing_is_missing(self) -> Iterator[Complaint]:
         # What all bearings lack is told once, at the machine.
         told: dict[tuple[Path, str], Complaint] = {}
         for index, bearing in enumerate(self.bearings):
-            for complaint in as_far_as_usable(bearing, complaints_about(bearing, self, "bearings", index)):
+            for complaint in as_far_as_usable(complaints_about(bearing, self, "bearings", index)):
                 told.setdefault((complaint.path, complaint.says), complaint)
         yield from told.values()
 

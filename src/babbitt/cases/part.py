@@ -22,7 +22,7 @@ from pydantic import (
 )
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
-from babbitt.cases.plain_words import ERROR_TYPE, Path, refusal
+from babbitt.cases.plain_words import ERROR_TYPE, Path, is_echo, refusal
 from babbitt.notices import InputError
 
 
@@ -82,7 +82,8 @@ class Part(BaseModel):
         try:
             part = handler(given)
         except ValidationError as error:
-            lines = [refusal(cls, given, details) for details in error.errors(include_url=False)]
+            found = [details for details in error.errors(include_url=False) if not is_echo(details)]
+            lines = [refusal(cls, given, details) for details in found]
             if isinstance(given, Mapping):
                 lines += _lines(_usable(cls, given), given)
             raise ValidationError.from_exception_data(cls.__name__, lines) from None
@@ -91,12 +92,12 @@ class Part(BaseModel):
         return part
 
 
-def as_far_as_usable(part: Part, complaints: Iterable[Complaint]) -> Iterator[Complaint]:
+def as_far_as_usable(complaints: Iterable[Complaint]) -> Iterator[Complaint]:
     """Give complaints until they touch a field that is itself unusable, which has been told already."""
     try:
         yield from complaints
-    except AttributeError:
-        if vars(part).keys() >= type(part).model_fields.keys():
+    except AttributeError as error:
+        if not (isinstance(error.obj, Part) and error.name in type(error.obj).model_fields):
             raise
 
 
@@ -127,13 +128,13 @@ def at_most_one(part: Part, *names: str) -> Iterator[Complaint]:
     """Complain if several of some fields are given."""
     first, *others = [name for name in names if is_given(part, name)] or [""]
     for other in others:
-        yield Complaint((other,), f"{other} is given besides {first}", f"one of {', '.join(names)}", "remove one")
+        yield Complaint((other,), f"given besides {first}", f"one of {', '.join(names)}", "remove one")
 
 
 def _lines(part: Part, given: Any) -> list[InitErrorDetails]:
     lines = []
     for one in type(part).rules:
-        for told in as_far_as_usable(part, one(part)):
+        for told in as_far_as_usable(one(part)):
             context = {"says": told.says, "allowed": told.allowed, "hint": told.hint, "code": told.code}
             error = PydanticCustomError(ERROR_TYPE, "{says}", context)
             lines.append(InitErrorDetails(type=error, loc=told.path, input=given))

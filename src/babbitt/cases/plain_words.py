@@ -33,6 +33,7 @@ _EXPECTED = {
     "model_type": "a mapping of fields",
     "model_attributes_type": "a mapping of fields",
     "dict_type": "a mapping of fields",
+    "invalid_key": "a word as key",
     "literal_error": "{expected}",
 }
 
@@ -63,6 +64,16 @@ def refusal(cls: type[Part], given: Any, details: ErrorDetails) -> InitErrorDeta
         context = {"says": says, "allowed": allowed, "hint": hint, "code": "E003"}
     return InitErrorDetails(
         type=PydanticCustomError(ERROR_TYPE, "{says}", context), loc=path, input=details["input"]
+    )
+
+
+def is_echo(details: ErrorDetails) -> bool:
+    """Whether a finding only repeats others: pydantic calls a list too short when its items are unusable."""
+    given = details["input"]
+    return (
+        details["type"] == "too_short"
+        and isinstance(given, list | tuple)
+        and len(given) >= details["ctx"]["min_length"]
     )
 
 
@@ -99,17 +110,19 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
     given, context = details["input"], details.get("ctx", {})
     match details["type"]:
         case "missing":
-            return f"{name} is missing", _described(cls, name), ""
+            return "is missing", "", _described(cls, name)
         case "extra_forbidden":
             hint = nearest(name, cls.model_fields)
-            return f"{shown(name)} is not a field here", "" if hint else ", ".join(cls.model_fields), hint
+            return "is not a field here", "" if hint else ", ".join(cls.model_fields), hint
         case "union_tag_not_found" | "union_tag_invalid":
-            return _say_branch(cls, path, given, str(context.get("tag", "")))
+            return _say_branch(cls, path, given)
+        case "model_attributes_type" | "model_type" if path and len(_branches(cls, str(path[0]))) > 1:
+            return _say_branch(cls, path, given)
         case "value_error" if isinstance(context.get("error"), QuantityError):
             error: QuantityError = context["error"]
             return error.says, error.allowed, error.hint
     if given is None:
-        return f"{name} is empty", _described(cls, name), "give a value or remove the line"
+        return "is empty", "", _described(cls, name)
     expected = _EXPECTED.get(details["type"])
     if expected is None:
         return f"{shown(given)} is not usable", details["msg"], ""
@@ -118,13 +131,18 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
     return f"{shown(given)} is not allowed", allowed, hint
 
 
-def _say_branch(cls: type[Part], path: Path, given: Any, tag: str) -> tuple[str, str, str]:
+def _say_branch(cls: type[Part], path: Path, given: Any) -> tuple[str, str, str]:
     kinds = _branches(cls, str(path[0]))
     if not isinstance(given, Mapping):
         return f"{shown(given)} is not allowed", f"a mapping with kind: {', '.join(kinds)}", ""
     if "kind" not in given:
         return "kind is missing", ", ".join(kinds), ""
-    return f"kind {shown(given['kind'])} is not known", ", ".join(kinds), nearest(tag, kinds)
+    kind = given["kind"]
+    return (
+        f"kind {shown(kind)} is not known",
+        ", ".join(kinds),
+        nearest(kind, kinds) if isinstance(kind, str) else "",
+    )
 
 
 def _described(cls: type[Part], name: str) -> str:
@@ -133,7 +151,7 @@ def _described(cls: type[Part], name: str) -> str:
         return ""
     examples = [f"such as '{data.kind.example}'" for data in field.metadata if isinstance(data, SiField)]
     first_sentence = (field.description or name).split(". ")[0].rstrip(".")
-    return ", ".join([first_sentence, *(example for example in examples if "''" not in example)][:2])
+    return "needed: " + ", ".join([first_sentence, *(example for example in examples if "''" not in example)][:2])
 
 
 def _without_branch(cls: type[Part], path: Path) -> Path:

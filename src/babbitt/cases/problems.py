@@ -75,12 +75,18 @@ class CaseError(InputError):
     Attributes
     ----------
     problems : tuple of Problem
-        All that is wrong, in the order of the lines.
+        All that is wrong, file by file in the order of the lines.
     """
 
     def __init__(self, problems: Iterable[Problem]) -> None:
-        self.problems = tuple(sorted(dict.fromkeys(problems), key=lambda problem: problem.line))
-        shown = [str(problem) for problem in self.problems[:MOST_SHOWN]]
-        if len(self.problems) > MOST_SHOWN:
-            shown.append(f"{self.problems[0].file}: and {len(self.problems) - MOST_SHOWN} more problems")
+        of_file: dict[str, list[Problem]] = {}
+        for problem in dict.fromkeys(problems):
+            of_file.setdefault(problem.file, []).append(problem)
+        shown: list[str] = []
+        for file, found in of_file.items():
+            found.sort(key=lambda problem: problem.line)
+            shown += [str(problem) for problem in found[:MOST_SHOWN]]
+            if (more := len(found) - MOST_SHOWN) > 0:
+                shown.append(f"{file}: and {more} more problems")
+        self.problems = tuple(problem for found in of_file.values() for problem in found)
         super().__init__(self.problems[0].code, "\n".join(shown))

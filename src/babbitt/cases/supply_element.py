@@ -168,7 +168,7 @@ def complaints_about(element: SupplyElementGiven, width: float, diameter: float)
     """Complain about an element that does not fit into its bearing."""
     name = "diameter" if isinstance(element, HoleElement) else "width"
     if element.axial_size >= width:
-        what = element.kind.replace("_", " ")
+        what = "groove" if isinstance(element, GrooveElement) else element.kind.replace("_", " ")
         yield Complaint(
             ("supply_element", name),
             f"the {what} reaches outside the bearing: {written(element.axial_size, 'mm')} in a width of "
