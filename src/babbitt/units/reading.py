@@ -96,12 +96,13 @@ def written(value: float, unit: str) -> str:
 
 
 def plausible_unit(number: float, kind: Kind, lowest: float, highest: float) -> str | None:
-    """Give the everyday unit that brings a bare number into a range, the most usual first.
+    """Give the most usual unit that brings a bare number into a range; rare ones are no good guess.
 
     >>> plausible_unit(250.0, KINDS["m"], 0.001, 3.0)
     'mm'
     """
-    return next((unit for unit in kind.everyday if lowest <= kind.to_si(number, unit) <= highest), None)
+    usual = list(kind.everyday)[:3]
+    return next((unit for unit in usual if lowest <= kind.to_si(number, unit) <= highest), None)
 
 
 @lru_cache(maxsize=4096)
@@ -160,7 +161,9 @@ def _with_pint(number: float, unit: str, kind: Kind, text: str) -> float:
         not kind.open_to_pint
         or factors.dimensionality != registry.parse_units(_for_pint(kind.unit)).dimensionality
     ):
-        raise QuantityError(f"{_quoted(text)} is {_phrase(factors)}", _wanted(kind))
+        raise QuantityError(
+            f"{_quoted(text)} is {_phrase(factors)}", _wanted(kind), _nearest(unit, kind, cutoff=1.0)
+        )
     return float(registry.Quantity(number, factors).to(_for_pint(kind.unit)).magnitude)
 
 
@@ -189,9 +192,9 @@ def _phrase(factors: Any) -> str:
     return "of another kind"
 
 
-def _nearest(unit: str, kind: Kind) -> str:
+def _nearest(unit: str, kind: Kind, cutoff: float = 0.5) -> str:
     close = [known for known in kind.everyday if known.lower() == unit.lower()]
-    close = close or difflib.get_close_matches(unit, kind.everyday, n=1, cutoff=0.5)
+    close = close or difflib.get_close_matches(unit, kind.everyday, n=1, cutoff=cutoff)
     return f"did you mean '{close[0]}'?" if close else ""
 
 
