@@ -144,7 +144,7 @@ def _missed(results: Sequence[Result], concerned: Callable[[Check], bool]) -> tu
                 code,
                 known.meaning if known else quantity,
                 _who([result for result, _ in misses], len(results)),
-                f"{message} ({check.source})" if check.source else message,
+                message,
                 EXPLANATIONS[code].remedy if code in EXPLANATIONS else "",
             )
         )
@@ -171,10 +171,11 @@ def unsolved(results: Sequence[Result]) -> tuple[Group, ...]:
     """Bearings without an operating point, and why."""
     return tuple(
         Group(
-            "",
+            result.outcome.code,
             result.outcome.value,
             plain_text(result.name),
             plain_text(result.message),
+            EXPLANATIONS[result.outcome.code].remedy if result.outcome.code in EXPLANATIONS else "",
         )
         for result in results
         if not result.outcome.solved
