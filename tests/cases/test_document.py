@@ -65,22 +65,25 @@ def test_quoted_words_stay_text(word):
     assert read_document(f"a: '{word}'\nb: \"{word}\"").plain() == {"a": word, "b": word}
 
 
+WORDS = st.text(
+    st.characters(max_codepoint=0xFFFF, exclude_categories=["Cs"], exclude_characters="\x7f"), max_size=12
+)
+"""JSON writes other characters as pairs of escapes, which YAML does not know."""
+
+NUMBERS = st.floats(allow_nan=False, allow_infinity=False)
+VALUES = st.none() | st.booleans() | st.integers(-(2**53), 2**53) | NUMBERS | WORDS
+
+
 @given(
     st.recursive(
-        st.none()
-        | st.booleans()
-        | st.integers(-(2**53), 2**53)
-        | st.floats(allow_nan=False)
-        | st.text(max_size=20),
-        lambda inner: st.lists(inner, max_size=4) | st.dictionaries(st.text(max_size=8), inner, max_size=4),
+        VALUES,
+        lambda inner: st.lists(inner, max_size=4) | st.dictionaries(WORDS, inner, max_size=4),
         max_leaves=15,
     )
 )
 def test_json_is_read_as_json(value):
-    text = json.dumps({"top": value}, ensure_ascii=True).replace("Infinity", ".inf")
-    text = text.replace("\\u007f", "\\u00e9")
-    keys = json.loads(text.replace(".inf", "1e999"))
-    assert read_document(text).plain() == _as_read(keys)
+    text = json.dumps({"top": value}, ensure_ascii=True)
+    assert read_document(text).plain() == _as_read({"top": value})
 
 
 def _as_read(value):
@@ -163,7 +166,12 @@ def test_any_text_is_read_or_refused(text):
     try:
         read_document(text).plain()
     except DocumentError as error:
-        assert error.line >= 1
+        assert error.line >= 1  # noqa: PT017
+
+
+def test_half_a_character_is_refused():
+    with pytest.raises(DocumentError):
+        read_document('a: "\\ud800"')
 
 
 def test_a_scalar_alone():

@@ -119,6 +119,8 @@ class _Composer:
                 node, children = stack.pop()
                 _close(node, children)
             elif kind == "ScalarEvent":
+                if any("\ud800" <= letter <= "\udfff" for letter in event.value):
+                    raise DocumentError(event.start_mark.line + 1, "an escape stands for half a character")
                 node = self._node(event, scalar(event.value) if event.implicit[0] else event.value)
                 node.is_open = False
             elif kind == "AliasEvent":
