@@ -14,7 +14,7 @@ from babbitt.notices import EXPLANATIONS
 from babbitt.quantities import QUANTITIES
 from babbitt.report import verdict as judge
 from babbitt.report.calculation import calculation
-from babbitt.report.columns import COLUMNS
+from babbitt.report.columns import COLUMNS, is_film
 from babbitt.report.drawing import Drawing
 from babbitt.report.expression import text
 from babbitt.report.figures import clearance_range, draw
@@ -108,7 +108,7 @@ def _heading(heading: str) -> list[Any]:
 
 
 def _rows(results: Sequence[Result]) -> list[Data]:
-    if not any("minimum_film_thickness" in result.values for result in results):
+    if not any(is_film(result) for result in results):
         return []
     columns = [column.cells(results) for column in COLUMNS]
     return [

@@ -5,20 +5,22 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from babbitt.notices import InputError
 from babbitt.report.content import content
 from babbitt.report.drawing import missing_extra
 from babbitt.report.text import needs_system_fonts
-from babbitt.report.writing import write_whole
+from babbitt.report.writing import require_writable, write_whole
 
 if TYPE_CHECKING:
     from babbitt.solve import MachineResult
 
 TEMPLATES = Path(__file__).parent / "templates"
 
-FORMATS = {".pdf": "pdf", ".html": "html"}
+Format = Literal["pdf", "html"]
+
+FORMATS: dict[str, Format] = {".pdf": "pdf", ".html": "html"}
 """Suffix of the file and format of the report."""
 
 
@@ -41,12 +43,11 @@ def write_report(machine: MachineResult, path: Path) -> None:
     if path.suffix.lower() not in FORMATS:
         given = f"not {path.suffix}" if path.suffix else "and the name given has no suffix"
         raise InputError("E007", f"cannot write {path}: a report ends in .pdf or .html, {given}")
-    if not path.parent.is_dir():
-        raise InputError("E007", f"cannot write {path}: the folder {path.parent} does not exist")
+    require_writable(path)
     write_whole(path, report(machine, FORMATS[path.suffix.lower()]))
 
 
-def report(machine: MachineResult, report_format: str) -> bytes:
+def report(machine: MachineResult, report_format: Format) -> bytes:
     """The report of a machine, typeset.
 
     Parameters
@@ -71,7 +72,8 @@ def report(machine: MachineResult, report_format: str) -> bytes:
         font_paths=fonts,
         sys_inputs={"data": json.dumps(data), "format": report_format},
     )
-    typeset: bytes = compiler.compile(format=report_format, timestamp=0)
+    typeset = compiler.compile(format=report_format, timestamp=0)
+    assert isinstance(typeset, bytes), "PDF and HTML are one file each"
     return _with_style(typeset) if report_format == "html" else typeset
 
 

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+Array = NDArray[np.float64]
+
 MILLIMETRE = 1.0 / 25.4
 """In inches, the unit of matplotlib."""
 
@@ -162,7 +164,7 @@ def mathematics(symbol: str) -> str:
     return f"${base}_\\mathrm{{{subscript}}}$" if subscript else f"${base}$"
 
 
-def in_engineers_unit(name: str, values: NDArray[np.float64]) -> NDArray[np.float64]:
+def in_engineers_unit(name: str, values: Array) -> Array:
     """SI values of a named quantity in its engineer's unit, of the same shape."""
     display = QUANTITIES[name].display
     return values * display.scale + display.offset

@@ -15,7 +15,15 @@ SUBSTITUTED_DIGITS = 5
 
 ZERO_CELSIUS = 273.15
 
-_UNITS = {"1": "", "m2": "m²", "m3": "m³", "m2/s": "m²/s", "m3/s": "m³/s", "kg/m3": "kg/m³", "J/(m3 K)": "J/(m³ K)"}
+_UNITS = {
+    "1": "",
+    "m2": "m²",
+    "m3": "m³",
+    "m2/s": "m²/s",
+    "m3/s": "m³/s",
+    "kg/m3": "kg/m³",
+    "J/(m3 K)": "J/(m³ K)",
+}
 
 
 def _local(

@@ -15,7 +15,7 @@ from rich.text import Text
 
 from babbitt.quantities import QUANTITIES
 from babbitt.report import verdict as judge
-from babbitt.report.columns import COLUMNS, Column
+from babbitt.report.columns import COLUMNS, Column, is_film
 from babbitt.report.text import counted, plain_text
 from babbitt.report.verdict import Verdict
 from babbitt.results import Check, Result
@@ -73,9 +73,7 @@ def render(name: str, results: Sequence[Result], width: int) -> RenderableType:
         Columns at hand.
     """
     results = tuple(results)
-    journals = [
-        result for result in results if "minimum_film_thickness" in result.values or not result.outcome.solved
-    ]
+    journals = [result for result in results if is_film(result)]
     parts: list[RenderableType] = []
     if len(results) == 1 or not journals:
         parts += [_single(result) for result in results]

@@ -24,6 +24,7 @@ def write_whole(path: Path, content: bytes) -> None:
     InputError
         E007 naming the path and what the operating system says.
     """
+    require_writable(path)
     partial: Path | None = None
     try:
         handle, name = tempfile.mkstemp(prefix=f".{path.name[:40]}.", dir=path.parent)
@@ -33,7 +34,7 @@ def write_whole(path: Path, content: bytes) -> None:
         partial.chmod(0o666 & ~_umask())
         partial.replace(path)
     except OSError as error:
-        raise InputError("E007", f"cannot write {path}: {_reason(path, error)}") from None
+        raise InputError("E007", f"cannot write {path}: {error.strerror or error}") from None
     finally:
         if partial is not None:
             with suppress(OSError):
@@ -47,9 +48,17 @@ def _umask() -> int:
     return mask
 
 
-def _reason(path: Path, error: OSError) -> str:
+def require_writable(path: Path) -> None:
+    """Find out before any work is done whether a file can be written.
+
+    Raises
+    ------
+    InputError
+        E007 if the folder does not exist or may not be written to, or the path is a folder.
+    """
     if not path.parent.is_dir():
-        return f"the folder {path.parent} does not exist"
+        raise InputError("E007", f"cannot write {path}: the folder {path.parent} does not exist")
     if path.is_dir():
-        return "it is a folder; name a file"
-    return error.strerror or str(error)
+        raise InputError("E007", f"cannot write {path}: it is a folder; name a file in it")
+    if not os.access(path.parent, os.W_OK):
+        raise InputError("E007", f"cannot write {path}: no permission to write into {path.parent}")
