@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-INK, GREY, PALE, BAND = "#111111", "#707070", "#a8a8a8", "#e4e4e4"
-"""Black for ours, greys for the rest, and the light grey of a tolerance band."""
+INK, GREY, BAND = "#111111", "#707070", "#e4e4e4"
+"""Black and grey for lines and points, and the light grey of a tolerance band."""
 
 MARKERS = ("o", "s", "^", "D", "v", "P", "X")
 LINES = ("-", "--", "-.", ":", (0, (6, 1, 1, 1, 1, 1)))
@@ -86,6 +86,23 @@ def save_figure(case: ValidationCase, folder: Path) -> Path:
     with rc_context(_STYLE):
         figure_of(case).savefig(target, metadata={"Date": None})
     return target
+
+
+def eccentricity_axis(axes: Axes) -> None:
+    """Stretch both ends of eccentricity, over which films change most: ln(ε/(1 - ε)) is the axis."""
+    axes.set_xscale("logit")
+    places = (0.1, 0.3, 0.5, 0.7, 0.9, 0.97, 0.99)
+    axes.set_xticks(places, [f"{place:g}" for place in places])
+    axes.set_xticks([], minor=True)
+    axes.tick_params(axis="x", labelsize=8.0)
+    axes.set_xlabel("eccentricity ratio ε")
+
+
+def logarithmic_axis(axes: Axes, places: Sequence[float]) -> None:
+    """Logarithmic abscissa with the given numbers written out."""
+    axes.set_xscale("log")
+    axes.set_xticks(places, [f"{place:g}" for place in places])
+    axes.set_xticks([], minor=True)
 
 
 def draw_deviations(axes: Axes, rows: Sequence[Comparison]) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 from babbitt.characteristics import curves
 from babbitt.characteristics.curves import BearingCurves
 from babbitt.validation.case import Comparison, Story, ValidationCase
-from babbitt.validation.figure import GREY, INK, LINES, MARKERS, draw_deviations
+from babbitt.validation.figure import GREY, INK, LINES, MARKERS, draw_deviations, eccentricity_axis
 from babbitt.validation.reference_data import reference_data
 from babbitt.validation.tolerance import Within
 
@@ -108,7 +108,7 @@ def draw(figure: Figure) -> None:
     """Our curves through the printed points, and all deviations."""
     figure.set_size_inches(7.2, 6.0)
     panels = figure.subplots(2, 2).ravel()
-    table, eccentricities = list(entries()), np.linspace(0.05, 0.99, 300)
+    table, eccentricities = list(entries()), 1.0 / (1.0 + np.exp(-np.linspace(-3.0, 4.595, 200)))
     ratios = reference_data("butenschoen_1976")["width_ratios"]
     for axes, quantity in zip(panels, SYMBOLS, strict=False):
         for ratio, line, marker in zip(ratios, LINES, MARKERS, strict=False):
@@ -125,7 +125,7 @@ def draw(figure: Figure) -> None:
                 linestyle="none",
                 label=width_label(ratio),
             )
-        axes.set_xlabel("eccentricity ratio ε")
+        eccentricity_axis(axes)
     panels[0].set_yscale("log")
     panels[0].set_ylabel("Sommerfeld number So")
     panels[0].legend(title="B/D (print)", title_fontsize=8)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.characteristics import ClosedFormCurves
 from babbitt.validation.case import Comparison, Story, ValidationCase
-from babbitt.validation.figure import BAND, GREY, INK, LINES, MARKERS
+from babbitt.validation.figure import BAND, GREY, INK, LINES, MARKERS, eccentricity_axis
 from babbitt.validation.published.butenschoen_1976 import SYMBOLS, UNITS, Entry, computed, entries, width_label
 from babbitt.validation.tolerance import Within
 
@@ -44,7 +44,7 @@ def _closed_form(entry: Entry) -> float:
 
 def draw(figure: Figure) -> None:
     """Deviation of each quantity over eccentricity, with the band of the tolerance."""
-    figure.set_size_inches(7.2, 3.4)
+    figure.set_size_inches(7.4, 3.6)
     panels = figure.subplots(1, 3)
     table = list(entries())
     for axes, quantity in zip(panels, SYMBOLS, strict=True):
@@ -68,11 +68,12 @@ def draw(figure: Figure) -> None:
                 markerfacecolor="none",
                 label=width_label(ratio),
             )
-        axes.set_xlabel("eccentricity ratio ε")
+        eccentricity_axis(axes)
     panels[0].set_ylabel("deviation of So in %")
-    panels[0].legend(title="B/D", title_fontsize=8, ncols=2)
     panels[1].set_ylabel("deviation of β in °")
     panels[2].set_ylabel("deviation of Q₃* in %")
+    handles, labels = panels[0].get_legend_handles_labels()
+    figure.legend(handles, [f"B/D = {label}" for label in labels], loc="outside upper center", ncols=len(labels))
 
 
 CASE = ValidationCase(

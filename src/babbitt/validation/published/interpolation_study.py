@@ -10,7 +10,7 @@ import numpy as np
 
 from babbitt.characteristics.interpolation_study import WIDTH_RATIOS, InterpolationStudy, interpolation_study
 from babbitt.validation.case import Comparison, Story, ValidationCase
-from babbitt.validation.figure import GREY, INK
+from babbitt.validation.figure import GREY, INK, logarithmic_axis
 from babbitt.validation.tolerance import AtLeast, AtMost, Within
 
 if TYPE_CHECKING:
@@ -124,25 +124,24 @@ def _ours() -> Iterator[Comparison]:
 
 def draw(figure: Figure) -> None:
     """Round-trip error over So of all three ways, and what both old ways make of So itself."""
-    figure.set_size_inches(7.2, 3.8)
-    trip, forward = figure.subplots(1, 2)
+    figure.set_size_inches(7.2, 4.2)
+    panels = figure.subplot_mosaic([["trip", "forward"], ["ours", "forward"]], height_ratios=[3, 1])
+    trip, ours, forward = panels["trip"], panels["ours"], panels["forward"]
     full = study()
-    for errors, line, colour, label in (
-        (full.round_trip_linear, "-", INK, "linear"),
-        (full.round_trip_logarithmic, "--", INK, "logarithmic"),
-        (full.round_trip_spline, "-", GREY, "Babbitt: round-off"),
-    ):
-        percent = np.maximum(100.0 * np.abs(errors), 1e-15)
-        trip.plot(full.sommerfeld_numbers, percent, linestyle=line, color=colour, label=label)
-    trip.set_xscale("log")
-    trip.set_yscale("log")
-    trip.set_ylim(1e-16, 1e4)
-    trip.set_xticks([0.3, 0.5, 1.0, 1.5], ["0.3", "0.5", "1", "1.5"])
-    trip.minorticks_off()
-    trip.set_xlabel("Sommerfeld number So")
-    trip.set_ylabel("|So(ε(So)) / So - 1| in %")
-    trip.set_title("forth and back")
-    trip.legend(loc="upper left")
+    loads = full.sommerfeld_numbers
+    trip.plot(loads, 100.0 * np.abs(full.round_trip_linear), color=INK, label="linear")
+    trip.plot(loads, 100.0 * np.abs(full.round_trip_logarithmic), "--", color=INK, label="logarithmic")
+    trip.set_ylim(0.0, 15.0)
+    trip.set_ylabel("|δ| in %")
+    trip.set_title("forth and back: δ = So(ε(So))/So - 1")
+    trip.legend(loc="upper left", ncols=2)
+    ours.plot(loads, 100.0 * np.abs(full.round_trip_spline) * 1e13, ".", color=INK, markersize=3.0)
+    ours.set_ylim(0.0, 1.5)
+    ours.set_ylabel("|δ| in 10⁻¹³ %")
+    ours.set_title("Babbitt: round-off")
+    for axes in (trip, ours):
+        logarithmic_axis(axes, (0.3, 0.5, 1.0, 1.5))
+    ours.set_xlabel("Sommerfeld number So")
     for errors, line, label in (
         (full.forward_error_linear, "-", "linear"),
         (full.forward_error_logarithmic, "--", "logarithmic"),
@@ -151,7 +150,7 @@ def draw(figure: Figure) -> None:
     forward.axhline(0.0, color=GREY, linewidth=0.8)
     forward.set_xlabel("eccentricity ratio ε")
     forward.set_ylabel("error of So in %")
-    forward.set_title("against the dense solution, B/D = 0.604")
+    forward.set_title("forward, against the dense solution")
     forward.legend()
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -62,6 +63,7 @@ def characteristics(width_ratio: float, eccentricity_ratio: float) -> dict[str, 
     }
 
 
+@lru_cache(maxsize=256)
 def infinitely_wide(eccentricity_ratio: float) -> ArcSolution:
     """The film far from any rim, from two wide bearings.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
@@ -21,6 +22,7 @@ from babbitt.validation.published.reverse_gear_inputs import (
 from babbitt.validation.tolerance import Within
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 _FRICTION_UNKNOWN = (
@@ -120,40 +122,45 @@ def _tolerance(key: str, bearing: dict[str, Any]) -> Within:
 
 def draw(figure: Figure) -> None:
     """Deviation of every quantity for every bearing, with its tolerance."""
-    figure.set_size_inches(7.4, 6.2)
+    figure.set_size_inches(7.6, 6.0)
     rows = run()
     names = list(dict.fromkeys(row.place for row in rows))
     shown = ("ε", "h_min", "Q₃", "Qp", "Re", "Re_cr", "ψ_min", "T_ex")
-    panels = figure.subplots(2, 4, sharey=True).ravel()
-    for axes, symbol in zip(panels, shown, strict=True):
-        members = [row for row in rows if row.quantity == symbol]
-        for row in members:
-            place, percent = names.index(row.place), getattr(row.tolerance, "relative", 0.0)
-            edge = 100.0 * percent or getattr(row.tolerance, "absolute", 0.0)
-            axes.barh(place, 2.0 * edge, left=-edge, height=1.0, color=BAND)
-            miss = 100.0 * row.relative_deviation if percent else row.deviation
-            # the wheel's eccentricity and film would set the scale for all others; the table has them
-            off = symbol in ("ε", "h_min", "Qp") and not row.judged
+    panels = figure.subplots(2, 4, sharey=True)
+    for axes, symbol in zip(panels.ravel(), shown, strict=True):
+        _draw_quantity(axes, [row for row in rows if row.quantity == symbol])
+    for first in panels[:, 0]:
+        first.set_yticks(range(len(names)), names)
+        first.set_ylim(len(names) - 0.5, -0.5)
+
+
+def _draw_quantity(axes: Axes, rows: list[Comparison]) -> None:
+    """One dot for each bearing; what would set the scale for all others is written as a number."""
+    relative = bool(getattr(rows[0].tolerance, "relative", 0.0))
+    misses = [100.0 * row.relative_deviation if relative else row.deviation for row in rows]
+    edges = [_edge(row) for row in rows]
+    reach = 1.25 * max(*edges, *(abs(miss) for miss, row in zip(misses, rows, strict=True) if row.share <= 1.0))
+    reach = reach or 1.25 * max(map(abs, misses))
+    for place, (row, miss, edge) in enumerate(zip(rows, misses, edges, strict=True)):
+        axes.barh(place, 2.0 * edge, left=-edge, height=1.0, color=BAND)
+        if abs(miss) <= reach:
             marker, colour = ("o", INK) if row.judged else ("x", GREY)
-            if not off:
-                axes.plot(miss, place, marker, color=colour)
-            elif symbol != "Qp" or miss < 0.0:
-                axes.annotate(
-                    f"{miss:+.2g}",
-                    (0.5, place),
-                    xycoords=("axes fraction", "data"),
-                    ha="center",
-                    va="center",
-                    fontsize=7.5,
-                    color=GREY,
-                )
-        axes.axvline(0.0, color=GREY, linewidth=0.8)
-        unit = "%" if getattr(members[0].tolerance, "relative", 0.0) else members[0].unit.replace("°C", "K")
-        axes.set_xlabel(f"Δ{symbol}" + (f" in {unit}" if unit else ""))
-        axes.margins(x=0.12)
-        axes.grid(visible=False, axis="y")
-    panels[0].set_yticks(range(len(names)), names)
-    panels[0].set_ylim(len(names) - 0.5, -0.5)
+            axes.plot(miss, place, marker, color=colour)
+        else:
+            side = math.copysign(0.62, miss)
+            axes.text(side * reach, place, f"{miss:+.2g}", ha="center", va="center", fontsize=7.5, color=INK)
+    axes.axvline(0.0, color=GREY, linewidth=0.8, zorder=1)
+    axes.set_xlim(-reach, reach)
+    mark = edges[0] or 1.0
+    axes.set_xticks((-mark, 0.0, mark), [f"{-mark:g}", "0", f"{mark:g}"])
+    unit = "%" if relative else rows[0].unit.replace("°C", "K")
+    axes.set_xlabel(f"Δ{rows[0].quantity}" + (f" in {unit}" if unit else ""))
+    axes.grid(visible=False, axis="y")
+
+
+def _edge(row: Comparison) -> float:
+    """Tolerance in per cent or in the unit of the quantity; 0 where nothing is judged."""
+    return 100.0 * getattr(row.tolerance, "relative", 0.0) or getattr(row.tolerance, "absolute", 0.0)
 
 
 CASE = ValidationCase(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.lubricants import nu40_from_viscosity_index, nu100_from_viscosity_index, viscosity_index
 from babbitt.validation.case import Comparison, Story, ValidationCase
-from babbitt.validation.figure import BAND, GREY, INK
+from babbitt.validation.figure import BAND, GREY, INK, logarithmic_axis
 from babbitt.validation.tolerance import Tolerance, Within
 
 if TYPE_CHECKING:
@@ -115,8 +115,7 @@ def draw(figure: Figure) -> None:
         off = [100.0 * (_at_40(index, y) / value - 1.0) for y, value in zip(nu100s, printed, strict=True)]
         misses.plot(nu100s, off, marker, color=INK, markerfacecolor="none", label=name)
     for axes in (curves, misses):
-        axes.set_xscale("log")
-        axes.set_xticks([2, 5, 10, 20, 50], ["2", "5", "10", "20", "50"])
+        logarithmic_axis(axes, (2, 5, 10, 20, 50))
         axes.set_xlabel("ν100 in mm²/s")
     curves.set_yscale("log")
     curves.set_ylabel("ν40 of the reference oil in mm²/s")
