@@ -204,7 +204,7 @@ CASE = ValidationCase(
             "55 % below the recommended one; the printed values give 24 to 39 % of the recommended, or 31 "
             "to 64 % of the actual clearance. Its conclusions speak of 10 K gained by symmetric pockets "
             "where Table 4 shows 12 K. For shock loads the limit of B83 on pressure times speed is 50 MPa "
-            "m/s; four of these bearings are at 55 to 58, which the study passes over and Babbitt's check "
+            "m/s; four of these bearings are at 56 to 58, which the study passes over and Babbitt's check "
             "C107 would report."
         ),
     ),
