@@ -88,10 +88,16 @@ def _one_line(text: str) -> str:
     return text.strip()
 
 
+def _harmless(text: str) -> str:
+    if not all(letter.isprintable() or letter in "\n\t" for letter in text):
+        raise QuantityError("the text has control characters", "plain text")
+    return text.strip()
+
+
 Name = Annotated[str, Field(min_length=1, max_length=120), AfterValidator(_one_line)]
 """One short line of text."""
 
-Prose = Annotated[str, Field(max_length=20_000)]
+Prose = Annotated[str, Field(max_length=20_000), AfterValidator(_harmless)]
 """Free text."""
 
 Span = Annotated[int, TabulatedSpan()]

@@ -12,7 +12,7 @@ from babbitt.cases import clearance, cooling, supply_element
 from babbitt.cases.choices import FrictionGiven, LimitsGiven
 from babbitt.cases.clearance import ClearanceGiven
 from babbitt.cases.fields import Name, Prose, Span
-from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
+from babbitt.cases.operating_point import LOADS, SPECIFIC_LOADS, SPEEDS, Duty, OperatingPoint
 from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_given, rule
 from babbitt.cases.shared import SharedInputs
 from babbitt.cases.supply_element import SupplyElementGiven, UnevenPockets
@@ -54,7 +54,8 @@ class JournalBearing(Duty, SharedInputs):
     )
     load_angle: Annotated[float, si("rad", "-360 deg", "360 deg")] = Field(
         -math.pi / 2.0,
-        description="Direction of the load, counter-clockwise from the x axis. -90 deg is downward.",
+        description="Direction of the load, counter-clockwise from the x axis. -90 deg is downward. "
+        "ISO 7902 takes the load through the middle of the arc, whatever its direction.",
     )
     operating_points: tuple[OperatingPoint, ...] = Field(
         (), max_length=200, description="Operating points, each with what differs from the bearing."
@@ -94,6 +95,17 @@ class JournalBearing(Duty, SharedInputs):
     @rule
     def _one_load(self) -> Iterator[Complaint]:
         yield from _one_of(self, LOADS)
+
+    @rule
+    def _loads_make_sense(self) -> Iterator[Complaint]:
+        width = self.actual_width
+        for path, duty in self._duties():
+            if duty.load is None or width is None:
+                continue
+            pressure = duty.load / (width * self.diameter)
+            if not SPECIFIC_LOADS.holds(pressure):
+                says = f"{written(duty.load, 'kN')} is a specific load of {written(pressure, 'MPa')}"
+                yield Complaint((*path, "load"), says, SPECIFIC_LOADS.allowed)
 
     @rule
     def _one_speed(self) -> Iterator[Complaint]:

@@ -6,9 +6,6 @@ import json
 from importlib.resources import files
 from typing import Any
 
-from pydantic import TypeAdapter
-from pydantic.json_schema import GenerateJsonSchema
-
 from babbitt.cases.machine import AnyCase
 
 SCHEMA_FILE = "schema.json"
@@ -23,6 +20,9 @@ def case_schema() -> dict[str, Any]:
         JSON Schema, draft 2020-12. A quantity is a number in SI or text with a unit; ``x-unit`` is its SI unit,
         ``x-allowed`` its range, ``x-example`` how an engineer writes one.
     """
+    from pydantic import TypeAdapter
+    from pydantic.json_schema import GenerateJsonSchema
+
     drawn = TypeAdapter(AnyCase).json_schema()
     return {
         "$schema": GenerateJsonSchema.schema_dialect,

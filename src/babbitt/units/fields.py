@@ -50,6 +50,10 @@ class SiField:
         """
         return f"{self.lowest} to {self.highest}" if self.highest else ""
 
+    def holds(self, value: float) -> bool:
+        """Whether an SI value lies in the range."""
+        return self.bounds is None or self.bounds[0] <= value <= self.bounds[1]
+
     def __call__(self, given: object) -> float:
         """Read and check what was given.
 
@@ -60,7 +64,7 @@ class SiField:
         babbitt.units.reading.QuantityError: 250 without unit is 250 m; allowed: 1 mm to 3 m; write '250 mm'
         """
         value = read(given, self.unit)
-        if self.bounds is None or self.bounds[0] <= value <= self.bounds[1]:
+        if self.bounds is None or self.holds(value):
             return value
         bare = _bare_number(given)
         if bare is None or self.unit == "1":
