@@ -14,14 +14,13 @@ from babbitt.units import si
 
 LOADS = ("load", "specific_load", "eccentricity_ratio")
 SPEEDS = ("speed", "surface_speed")
-SPECIFIC_LOADS = si("Pa", "1 kPa", "500 MPa")
 
 
 class Duty(Part):
     """Load and speed. One of the loads and one of the speeds is given."""
 
     load: Annotated[float, si("N", "1 N", "1000 MN")] | None = Field(None, description="Bearing load F.")
-    specific_load: Annotated[float, SPECIFIC_LOADS] | None = Field(
+    specific_load: Annotated[float, si("Pa", "1 kPa", "500 MPa")] | None = Field(
         None, description="Load per projected area F/(B D), in place of the load."
     )
     eccentricity_ratio: Annotated[float, si("1", "0.01", "0.99")] | None = Field(
