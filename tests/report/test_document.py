@@ -122,7 +122,7 @@ def test_the_numbers_are_those_of_the_result(one_page):
 @pytest.fixture
 def no_figures(monkeypatch):
     """Figures carry no text of a case; leaving them out saves most of the time."""
-    monkeypatch.setattr("babbitt.report.content.draw", lambda *_: ())
+    monkeypatch.setattr("babbitt.report.bearing_content.draw", lambda *_: ())
 
 
 @pytest.mark.usefixtures("no_figures")

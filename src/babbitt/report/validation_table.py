@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from rich.table import Table
 
 from babbitt.report.table import console
+from babbitt.validation import summary
 
 if TYPE_CHECKING:
     from babbitt.validation import ValidationCase
@@ -20,5 +21,8 @@ def print_validation(case: ValidationCase) -> bool:
         table.add_column(column, justify="left" if column in ("quantity", "unit", "verdict") else "right")
     for row in rows:
         table.add_row(*row.cells())
-    console().print(table)
+    to = console()
+    to.print(table)
+    to.print(summary(rows).sentence, markup=False)
+    to.print()
     return all(row.ok for row in rows)
