@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import doctest
 import re
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 import pytest
-from babbitt_pages import case_file, command_line, drawings, validation
+from babbitt_pages import case_file, command_line, drawings, markdown, validation
 from babbitt_pages.files import write
 from babbitt_pages.markdown import table, text
 from babbitt_pages.svg import polar
@@ -75,6 +76,12 @@ def test_the_frame_has_the_attitude_angle_downstream_of_the_load() -> None:
 def test_markdown_does_not_take_words_for_markup() -> None:
     assert text("Q_3* < [1] | $x$ `a_b`") == r"Q\_3\* &lt; \[1\] \| \$x\$ `a_b`"
     assert table(["a"], [["x\ny"]]).splitlines()[-1] == "| x y |"
+
+
+def test_examples_in_the_generators_run() -> None:
+    found = doctest.testmod(markdown)
+    assert found.attempted > 0
+    assert found.failed == 0
 
 
 def test_generated_tables_have_equal_rows() -> None:

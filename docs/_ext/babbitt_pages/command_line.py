@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import cast
 
 import typer
-from typer.core import TyperArgument, TyperGroup
+from typer.core import TyperArgument, TyperCommand, TyperGroup
 
 from babbitt.cli import app
 from babbitt_pages.markdown import anchor, code, table, text
 
 
-def commands() -> dict[str, typer.core.TyperCommand]:
+def commands() -> dict[str, TyperCommand]:
     """Every command by its name, in the order of the help."""
     group = typer.main.get_command(app)
     assert isinstance(group, TyperGroup)
-    return dict(group.commands)
+    return {name: cast(TyperCommand, command) for name, command in group.commands.items()}
 
 
 def page() -> str:
@@ -25,7 +26,7 @@ def page() -> str:
     return "\n".join([*(_section(name, command) for name, command in commands().items()), closing, ""])
 
 
-def _section(name: str, command: typer.core.TyperCommand) -> str:
+def _section(name: str, command: TyperCommand) -> str:
     usage = " ".join(["babbitt", name, *_usage(command)])
     rows = list(_rows(command))
     body = table(["argument or option", "meaning"], rows) if rows else ""
@@ -33,7 +34,7 @@ def _section(name: str, command: typer.core.TyperCommand) -> str:
     return f"{head}\n\n{text(command.help or '')}\n\n```text\n{usage}\n```\n\n{body}"
 
 
-def _usage(command: typer.core.TyperCommand) -> Iterator[str]:
+def _usage(command: TyperCommand) -> Iterator[str]:
     if any(not isinstance(parameter, TyperArgument) for parameter in command.params):
         yield "[OPTIONS]"
     for parameter in command.params:
@@ -41,7 +42,7 @@ def _usage(command: typer.core.TyperCommand) -> Iterator[str]:
             yield parameter.metavar or parameter.name.upper()
 
 
-def _rows(command: typer.core.TyperCommand) -> Iterator[tuple[str, str]]:
+def _rows(command: TyperCommand) -> Iterator[tuple[str, str]]:
     for parameter in command.params:
         meaning = text(getattr(parameter, "help", None) or "")
         if isinstance(parameter, TyperArgument):

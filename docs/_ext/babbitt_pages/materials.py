@@ -37,10 +37,10 @@ def _metal(metal: BearingMetal) -> str:
     rows = [
         ["composition", text(metal.composition.text), text(metal.composition.source)],
         *_limit_rows(metal),
-        *_rows("recommended temperature, advice only", metal.recommended_temperature, "°C", 1.0, -CELSIUS_ZERO),
-        *_rows("limiting temperature", metal.limiting_temperature, "°C", 1.0, -CELSIUS_ZERO),
-        *_rows("thermal expansion", metal.thermal_expansion, "10⁻⁶/K", 1e6),
-        *_rows("hardness", metal.brinell_hardness, "HBW"),
+        *_rows("recommended temperature, advice only", metal.recommended_temperature, " °C", 1.0, -CELSIUS_ZERO),
+        *_rows("limiting temperature", metal.limiting_temperature, " °C", 1.0, -CELSIUS_ZERO),
+        *_rows("thermal expansion", metal.thermal_expansion, "·10⁻⁶/K", 1e6),
+        *_rows("hardness", metal.brinell_hardness, " HBW"),
     ]
     also = f" Also found as: {text(', '.join(metal.aliases))}." if metal.aliases else ""
     head = f"### {text(metal.name)}\n\n{text(metal.standard)}, {text(metal.family.value)}.{also}\n"
@@ -50,16 +50,16 @@ def _metal(metal: BearingMetal) -> str:
 def _limit_rows(metal: BearingMetal) -> Iterable[list[str]]:
     for character in LoadCharacter:
         limits = metal.limits(character)
-        yield from _rows(f"specific load, {character.value}", limits.specific_load, "MPa", 1e-6)
-        yield from _rows(f"surface speed, {character.value}", limits.sliding_speed, "m/s")
-        yield from _rows(f"load times speed, {character.value}", limits.pv, "MPa m/s", 1e-6)
+        yield from _rows(f"specific load, {character.value}", limits.specific_load, " MPa", 1e-6)
+        yield from _rows(f"surface speed, {character.value}", limits.sliding_speed, " m/s")
+        yield from _rows(f"load times speed, {character.value}", limits.pv, " MPa m/s", 1e-6)
 
 
 def _rows(
     name: str, value: SourcedValue | None, unit: str, scale: float = 1.0, offset: float = 0.0
 ) -> Iterable[list[str]]:
     if value is not None:
-        yield [name, f"{value.value * scale + offset:.4g} {unit}", text(value.source)]
+        yield [name, f"{value.value * scale + offset:.4g}{unit}", text(value.source)]
 
 
 def _structures() -> str:
