@@ -34,7 +34,7 @@ autosummary_generate = False  # numpydoc brings the extension; no page uses it
 toc_object_entries_show_parents = "hide"
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"  # the docstrings say types and units
-autodoc_default_options = {"members": True}
+autodoc_default_options = {"members": True, "exclude-members": "model_config"}
 numpydoc_show_class_members = False
 numpydoc_xref_param_type = False
 

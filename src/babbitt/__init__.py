@@ -17,13 +17,13 @@ __all__ = ["__version__", "load_case", "parse_case", "solve", "template"]
 
 if TYPE_CHECKING:
     from babbitt.cases import load_case, parse_case, template
-    from babbitt.solve import solve
+    from babbitt.solving import solve
 
 _HOMES = {
     "load_case": "babbitt.cases",
     "parse_case": "babbitt.cases",
     "template": "babbitt.cases",
-    "solve": "babbitt.solve",
+    "solve": "babbitt.solving",
 }
 
 

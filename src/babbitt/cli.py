@@ -88,7 +88,7 @@ def solve(
     """Solve the bearings of case files and print a table."""
     from babbitt.cases import load_cases
     from babbitt.report import outputs, print_machine
-    from babbitt.solve import solve as solve_case
+    from babbitt.solving import solve as solve_case
 
     cases = load_cases(files)  # every problem of every file first; nothing is written before
     plan = outputs(files, json, report, plots)

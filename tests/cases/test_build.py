@@ -139,6 +139,8 @@ def test_uneven_pockets_set_the_span(pockets, span, word):
     assert case.bearing.span == span
     assert case.bearing.supply_element == Pockets(0.07, Arrangement.BOTH_SIDES)
     assert any(word in text for text in case.assumptions)
+    doubts = {notice.code for notice in case.doubts}
+    assert doubts == ({"W104", "W105"} if word == "flatters" else {"W104"})
 
 
 def test_a_span_given_beside_uneven_pockets_wins_and_is_told():
@@ -158,16 +160,16 @@ def test_surfaces_from_the_drawing():
 
 
 def test_supply_path_and_limits():
-    supply = {**JOURNAL["supply"], "reservoir_volume": "500 L", "holes": [{"diameter": "8 mm"}]}
+    supply = {**JOURNAL["supply"], "circulation_time": "8 min", "holes": [{"diameter": "8 mm"}]}
     supply["tubes"] = [{"diameter": "24 mm", "length": "3 m", "loss_coefficient": 2, "number": 2}]
     case = built(supply=supply, limits={"temperature": "90 degC", "minimum_film_thickness": "10 um"})
     (tube,), (hole,) = case.oil_supply.tubes, case.oil_supply.holes
     assert (tube.diameter, tube.length, tube.loss_coefficient, tube.number) == (0.024, 3.0, 2.0, 2.0)
     assert (hole.diameter, hole.length, hole.loss_coefficient, hole.number) == (0.008, 0.0, 1.5, 1.0)
-    assert case.oil_supply.reservoir_volume == 0.5
+    assert case.oil_supply.circulation_time == 480.0
     assert case.limits.temperature == pytest.approx(363.15)
     assert case.limits.minimum_film_thickness == pytest.approx(10e-6)
-    assert not any("losses" in text or "oil volume" in text for text in case.assumptions)
+    assert not any("losses" in text or "circulation time" in text for text in case.assumptions)
 
 
 @pytest.mark.parametrize(

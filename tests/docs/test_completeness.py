@@ -25,7 +25,7 @@ from babbitt.notices import EXPLANATIONS
 from babbitt.quantities import QUANTITIES
 from babbitt.report.export import to_json
 from babbitt.results import Outcome
-from babbitt.solve import solve
+from babbitt.solving import solve
 from babbitt.standards.iso7902.model import Curves, Friction
 from babbitt.units import KINDS as UNIT_KINDS
 

@@ -111,8 +111,8 @@ def test_the_clearance_range_comes_from_the_cases_of_the_same_bearing():
     assert not alone.given
     assert alone.smallest == pytest.approx(0.7 * 1.12e-3)
     assert alone.largest == pytest.approx(1.3 * 1.12e-3)
-    assert "no tolerance" in draw(case, check(case), alone)[2].caption
-    assert "no tolerance" not in draw(case, check(case), clearance_range(case, cases))[2].caption
+    assert "±30%" in draw(case, check(case), alone)[2].caption
+    assert "±30%" not in draw(case, check(case), clearance_range(case, cases))[2].caption
 
 
 def test_matplotlib_is_left_as_it_was():

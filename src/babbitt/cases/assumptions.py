@@ -72,8 +72,8 @@ def _of_supply(bearing: JournalBearing, point: OperatingPoint | None, supply: Su
         yield f"A slot is computed as {number:.3f} holes of {written(diameter, 'mm')}, same perimeter and area."
     if not supply.tubes and not supply.holes:
         yield "No losses on the way: the supply pressure is that at the supply element."
-    if supply.reservoir_volume is None:
-        yield "The oil volume is not known: the lower temperature limit, for up to 5 min of flow, holds."
+    if supply.circulation_time is None:
+        yield "The circulation time of the oil is not known: the lower temperature limit, for up to 5 min, holds."
 
 
 def _of_cooling(cooling: Cooling | None) -> Iterator[str]:

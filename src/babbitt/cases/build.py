@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -16,8 +17,10 @@ from babbitt.cases.operating_point import LOADS, SPEEDS, OperatingPoint
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.shared import merged
 from babbitt.cases.supply import Supply
+from babbitt.cases.supply_element import UnevenPockets
 from babbitt.lubricants import Lubricant
 from babbitt.materials import LoadCharacter, bearing_metal
+from babbitt.notices import Notice
 from babbitt.standards.iso7902.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coefficient
 from babbitt.standards.iso7902.model import (
     Bearing,
@@ -134,8 +137,23 @@ def _design_case(inputs: _Inputs, point: OperatingPoint | None, suffix: str, cle
             *assumptions_of(bearing, point, inputs.supply, inputs.cooling, inputs.materials),
             *inputs.lubricant.assumptions,
         ),
+        doubts=tuple(_doubts_about_span(bearing, point)),
         kind=bearing.kind,
     )
+
+
+def _doubts_about_span(bearing: JournalBearing, point: OperatingPoint | None) -> Iterator[Notice]:
+    """Warn where a conventional span stands for the arc between uneven pockets."""
+    element = bearing.element_at(point)
+    if not isinstance(element, UnevenPockets):
+        return
+    conventional, span = element.conventional_span(), bearing.span_at(point)
+    exact = math.degrees(conventional.exact)
+    yield Notice("W104", f"the arc between uneven pockets, {exact:.0f}° if centred, was taken as {span}°")
+    if conventional.too_short:
+        yield Notice(
+            "W105", f"the pockets leave {exact:.0f}° of centred arc; the characteristics hold for {span}°"
+        )
 
 
 def _bearing(inputs: _Inputs, point: OperatingPoint | None, clearance: float) -> Bearing:
@@ -192,7 +210,7 @@ def _oil_supply(supply: Supply | None, point: OperatingPoint | None) -> OilSuppl
         pressure,
         tuple(tube.duct() for tube in supply.tubes),
         tuple(hole.duct() for hole in supply.holes),
-        supply.reservoir_volume,
+        supply.circulation_time,
     )
 
 

@@ -54,6 +54,8 @@ class Supply(Part):
     )
     tubes: tuple[Tube, ...] = Field((), max_length=20, description="Tubes on the way, one after the other.")
     holes: tuple[FeedHole, ...] = Field((), max_length=20, description="Holes on the way, one after the other.")
-    reservoir_volume: Annotated[float, si("m3", "0.01 L", "1000 m3")] | None = Field(
-        None, description="Oil volume in circulation. Over flow per minute it decides the temperature limit."
+    circulation_time: Annotated[float, si("s", "1 s", "100 h")] | None = Field(
+        None,
+        description="Whole oil volume over the whole flow of the supply system; above 5 min a higher oil "
+        "temperature is permissible.",
     )

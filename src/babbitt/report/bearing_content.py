@@ -121,10 +121,11 @@ def _outcome(result: Result) -> Data | None:
     if result.outcome.solved:
         return None
     explanation = EXPLANATIONS.get(result.outcome.code)
+    message = plain_text(result.message).removesuffix(".")
     return {
         "code": result.outcome.code,
         "title": result.outcome.value,
-        "message": plain_text(result.message),
+        "message": message[:1].upper() + message[1:],
         "remedy": explanation.remedy if explanation else "",
     }
 

@@ -18,7 +18,7 @@ from babbitt.report.verdict import Group, Verdict
 from babbitt.results import Result
 
 if TYPE_CHECKING:
-    from babbitt.solve import MachineResult
+    from babbitt.solving import MachineResult
     from babbitt.standards.iso7902 import DesignCase
 
 

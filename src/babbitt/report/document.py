@@ -14,7 +14,7 @@ from babbitt.report.text import needs_system_fonts
 from babbitt.report.writing import require_writable, write_whole
 
 if TYPE_CHECKING:
-    from babbitt.solve import MachineResult
+    from babbitt.solving import MachineResult
 
 TEMPLATES = Path(__file__).parent / "templates"
 

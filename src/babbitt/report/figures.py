@@ -17,7 +17,7 @@ from babbitt.standards.iso7902.model import DesignCase, GivenLoad
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from babbitt.solve import MachineResult
+    from babbitt.solving import MachineResult
 
 SUPPOSED_TOLERANCE = 0.3
 """Relative width of the clearance shown on either side where the case gives no tolerance."""
@@ -107,7 +107,7 @@ def _clearance_caption(clearance: ClearanceRange) -> str:
     shown = "Effective temperature and minimum film thickness over the relative clearance at 20 °C, "
     if clearance.given:
         return f"{shown}from the smallest to the largest clearance of the case."
-    return f"{shown}±{SUPPOSED_TOLERANCE:.0%} about the given one: the case names no tolerance."
+    return f"{shown}±{SUPPOSED_TOLERANCE:.0%} about the one computed (`clearance_cases: all` computes and shows the tolerance)."
 
 
 def write_plots(machine: MachineResult, folder: Path, image_format: str = "svg") -> tuple[Path, ...]:

@@ -168,8 +168,8 @@ def _supply(case: DesignCase) -> Iterator[Row]:
     for kind, ducts in (("Tube", supply.tubes), ("Hole", supply.holes)):
         for duct in ducts:
             yield Row(f"{kind} on the way", _duct(duct))
-    if supply.reservoir_volume is not None:
-        yield Row("Oil volume", f"{1e3 * supply.reservoir_volume:.4g}", None, "L")
+    if supply.circulation_time is not None:
+        yield Row("Oil volume over flow", f"{supply.circulation_time / 60.0:.4g}", None, "min")
 
 
 def _duct(duct: Duct) -> str:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from babbitt.notices import InputError
 
 if TYPE_CHECKING:
-    from babbitt.solve import MachineResult
+    from babbitt.solving import MachineResult
 
 STANDARD_OUTPUT = "-"
 

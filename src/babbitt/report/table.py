@@ -22,7 +22,7 @@ from babbitt.report.verdict import Verdict
 from babbitt.results import Check, Result
 
 if TYPE_CHECKING:
-    from babbitt.solve import MachineResult
+    from babbitt.solving import MachineResult
 
 PIPED_WIDTH = 140
 """Columns written when standard output is a file or a pipe and has no width of its own."""

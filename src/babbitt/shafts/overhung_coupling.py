@@ -71,8 +71,8 @@ class BearingLoads:
 def bearing_loads(shaft: OverhungCoupling) -> BearingLoads:
     """Static loads of both bearings.
 
-    With ``V`` and ``H`` the vertical and horizontal half of the mesh force (downward positive), ``G1`` the weight of
-    the gear, ``G2`` half the weight of the coupling, ``l`` the bearing distance and ``a`` the arm:
+    With ``V`` and ``H`` the vertical and horizontal half of the mesh force (downward positive), ``G1`` the weight
+    of the gear, ``G2`` half the weight of the coupling, ``l`` the bearing distance and ``a`` the arm:
     ``V1 = V + G1/2 - G2 a/l``, ``V2 = V + G1/2 + G2 (l + a)/l``, ``R = sqrt(V² + H²)``.
 
     Parameters

@@ -37,12 +37,11 @@ def checks_of(case: DesignCase, values: Mapping[str, float]) -> tuple[Check, ...
     )
 
 
-def temperature_limit(case: DesignCase, total_flow: float) -> ExperienceLimit:
+def temperature_limit(case: DesignCase) -> ExperienceLimit:
     """Temperature limit in K by experience, by the way the bearing is cooled."""
     if case.oil_supply is None:
         return self_cooled_temperature_limit()
-    volume = case.oil_supply.reservoir_volume
-    return pressure_fed_temperature_limit(volume / total_flow if volume is not None and total_flow > 0 else None)
+    return pressure_fed_temperature_limit(case.oil_supply.circulation_time)
 
 
 def limited_temperature(case: DesignCase) -> str:
@@ -75,7 +74,7 @@ def _load_and_temperature_checks(case: DesignCase, values: Mapping[str, float]) 
     if case.limits.temperature is not None:
         yield Check("C104", name, values[name], case.limits.temperature, AT_MOST, USER)
     else:
-        by_experience = temperature_limit(case, values["total_flow"])
+        by_experience = temperature_limit(case)
         yield Check("C104", name, values[name], by_experience.general, AT_MOST, by_experience.source)
 
 

@@ -22,7 +22,12 @@ def doubts_of(
     case: DesignCase, film: Film, values: Mapping[str, float], checks: tuple[Check, ...], change: Transition | None
 ) -> tuple[Notice, ...]:
     """All warnings that this operating point deserves."""
-    return (*_of_method(case, film, values), *_of_supply(case, film), *_of_running(case, values, checks, change))
+    return (
+        *case.doubts,
+        *_of_method(case, film, values),
+        *_of_supply(case, film),
+        *_of_running(case, values, checks, change),
+    )
 
 
 def _of_method(case: DesignCase, film: Film, values: Mapping[str, float]) -> Iterator[Notice]:

@@ -7,6 +7,7 @@ from enum import Enum
 
 from babbitt.lubricants import Lubricant
 from babbitt.materials import BearingMetal, LoadCharacter
+from babbitt.notices import Notice
 from babbitt.standards.iso7902.losses import Duct
 from babbitt.standards.iso7902.supply import SupplyElement
 
@@ -106,14 +107,14 @@ class GivenEccentricity:
 class OilSupply:
     """Oil fed under pressure: inlet temperature in K, gauge pressure in Pa, losses on the way.
 
-    `reservoir_volume` (m³) decides which temperature limit holds; None means unknown.
+    `circulation_time` (s, whole oil volume over whole flow) decides which temperature limit holds; None: unknown.
     """
 
     temperature: float
     pressure: float
     tubes: tuple[Duct, ...] = ()
     holes: tuple[Duct, ...] = ()
-    reservoir_volume: float | None = None
+    circulation_time: float | None = None
 
 
 @dataclass(frozen=True)
@@ -139,7 +140,8 @@ class Limits:
 class DesignCase:
     """One bearing at one operating point with all choices made.
 
-    Speeds in rad/s. At least one of `oil_supply` and `cooling` carries the heat away.
+    Speeds in rad/s. At least one of `oil_supply` and `cooling` carries the heat away. `doubts` arose while the
+    case was made and ride along to the result.
     """
 
     name: str
@@ -155,4 +157,5 @@ class DesignCase:
     curves: Curves = Curves.COMPUTED
     limits: Limits = field(default_factory=Limits)
     assumptions: tuple[str, ...] = ()
+    doubts: tuple[Notice, ...] = ()
     kind: str = "journal"
