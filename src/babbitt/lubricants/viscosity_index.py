@@ -216,7 +216,7 @@ def _solutions(index: float, u: float) -> Iterator[float]:
             return
         previous_end = _u_of(oils, upper, index)
         if start <= u <= previous_end:
-            yield _y_of(oils, upper, index, u)
+            yield max(_y_of(oils, upper, index, u), oils.lower)  # round-off may leave the range
 
 
 def _y_of(oils: ReferenceOils, upper: float, index: float, u: float) -> float:
