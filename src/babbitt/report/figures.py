@@ -107,7 +107,8 @@ def _clearance_caption(clearance: ClearanceRange) -> str:
     shown = "Effective temperature and minimum film thickness over the relative clearance at 20 °C, "
     if clearance.given:
         return f"{shown}from the smallest to the largest clearance of the case."
-    return f"{shown}±{SUPPOSED_TOLERANCE:.0%} about the one computed (`clearance_cases: all` computes and shows the tolerance)."
+    about = f"{shown}±{SUPPOSED_TOLERANCE:.0%} about the one computed"
+    return f"{about} (clearance_cases: all computes and shows the tolerance)."
 
 
 def write_plots(machine: MachineResult, folder: Path, image_format: str = "svg") -> tuple[Path, ...]:
