@@ -30,7 +30,7 @@ NAMES = ["speed-and-load", "load-capacity", "clearance", "spans"]
 @pytest.mark.parametrize("name", CASES)
 def test_every_case_has_its_four_figures(name):
     case = CASES[name]
-    drawings = draw(case, check(case), clearance_range(case, (case,)))
+    drawings = draw(case, check(case), clearance_range(case))
     assert [drawing.name for drawing in drawings] == NAMES
     for drawing in drawings:
         assert isinstance(drawing, Drawing)
@@ -99,20 +99,16 @@ def test_an_unsolved_bearing_has_no_figures():
     assert draw(case, check(case), SUPPOSED) == ()
 
 
-def test_the_clearance_range_comes_from_the_cases_of_the_same_bearing():
+def test_the_clearance_range_is_the_tolerance_or_a_supposed_one():
     case = CASES["full"]
-
-    def at(psi, name):
-        return replace(case, name=name, bearing=replace(case.bearing, relative_clearance=psi))
-
-    cases = (at(0.9e-3, "tight"), case, at(1.4e-3, "loose"), CASES["surfaces"])
-    assert clearance_range(case, cases) == ClearanceRange(0.9e-3, 1.4e-3, given=True)
-    alone = clearance_range(case, (case, CASES["surfaces"]))
-    assert not alone.given
-    assert alone.smallest == pytest.approx(0.7 * 1.12e-3)
-    assert alone.largest == pytest.approx(1.3 * 1.12e-3)
-    assert "±30%" in draw(case, check(case), alone)[2].caption
-    assert "±30%" not in draw(case, check(case), clearance_range(case, cases))[2].caption
+    fitted = replace(case, bearing=replace(case.bearing, clearance_tolerance=(0.9e-3, 1.4e-3)))
+    assert clearance_range(fitted) == ClearanceRange(0.9e-3, 1.4e-3, given=True)
+    supposed = clearance_range(case)
+    assert not supposed.given
+    assert supposed.smallest == pytest.approx(0.7 * 1.12e-3)
+    assert supposed.largest == pytest.approx(1.3 * 1.12e-3)
+    assert "±30%" in draw(case, check(case), supposed)[2].caption
+    assert "±30%" not in draw(fitted, check(fitted), clearance_range(fitted))[2].caption
 
 
 def test_matplotlib_is_left_as_it_was():

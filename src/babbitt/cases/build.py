@@ -6,7 +6,7 @@ import hashlib
 import json
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from babbitt.cases.assumptions import assumptions_of
 from babbitt.cases.cooling import Cooling
@@ -90,13 +90,15 @@ class _Inputs:
 def _expanded(bearing: JournalBearing, shared: JournalCase | Machine) -> Iterator[DesignCase]:
     inputs = _inputs(bearing, shared)
     relative = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter)
+    tolerance = (relative.minimum, relative.maximum) if relative.minimum < relative.maximum else None
     clearances = {"": relative.mean}
     if (bearing.clearance_cases or shared.clearance_cases) == "all":
         named = {"minimum": relative.minimum, "mean": relative.mean, "maximum": relative.maximum}
         clearances = {f" ({name} clearance)": value for name, value in named.items()}
     for point in bearing.operating_points or (None,):
         for suffix, clearance in clearances.items():
-            yield _design_case(inputs, point, suffix, clearance)
+            design = _design_case(inputs, point, suffix, clearance)
+            yield replace(design, bearing=replace(design.bearing, clearance_tolerance=tolerance))
 
 
 def _inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> _Inputs:
@@ -135,7 +137,6 @@ def _design_case(inputs: _Inputs, point: OperatingPoint | None, suffix: str, cle
             *inputs.shared_assumptions,
             *bearing.assumptions,
             *assumptions_of(bearing, point, inputs.supply, inputs.cooling, inputs.materials),
-            *inputs.lubricant.assumptions,
         ),
         doubts=tuple(_doubts_about_span(bearing, point)),
         kind=bearing.kind,

@@ -53,7 +53,7 @@ NOT_FOR_PAPER = ("wall_time", "iterations")
 """Results that tell of the run rather than of the bearing, and differ from run to run."""
 
 
-def bearing_content(case: DesignCase | None, result: Result, cases: Sequence[DesignCase]) -> Data:
+def bearing_content(case: DesignCase | None, result: Result) -> Data:
     """Everything that the report says of one bearing.
 
     Parameters
@@ -61,8 +61,6 @@ def bearing_content(case: DesignCase | None, result: Result, cases: Sequence[Des
     case : DesignCase or None
         What the result was computed from; None for kinds without a film.
     result : Result
-    cases : sequence of DesignCase
-        All cases of the machine, from which the range of the clearance is read.
 
     Returns
     -------
@@ -73,7 +71,7 @@ def bearing_content(case: DesignCase | None, result: Result, cases: Sequence[Des
     sources = list(dict.fromkeys(plain_text(check.source) for check in result.checks)) if solved else []
     drawings: tuple[Drawing, ...] = ()
     if case is not None and solved:
-        drawings = draw(case, result, clearance_range(case, cases))
+        drawings = draw(case, result, clearance_range(case))
     return {
         "name": plain_text(result.name),
         "verdict": judge.verdict(result).value,

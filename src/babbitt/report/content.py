@@ -45,10 +45,7 @@ def content(machine: MachineResult) -> Data:
         "rows": _rows(results),
         "worst": [_worst_case(results, code) for code in _codes(results)],
         "findings": _findings(results),
-        "bearings": [
-            bearing_content(case, result, machine.design_cases)
-            for case, result in zip(cases, results, strict=True)
-        ],
+        "bearings": [bearing_content(case, result) for case, result in zip(cases, results, strict=True)],
     }
 
 

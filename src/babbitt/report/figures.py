@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -32,19 +32,11 @@ class ClearanceRange:
     given: bool
 
 
-def clearance_range(case: DesignCase, cases: Sequence[DesignCase]) -> ClearanceRange:
-    """Range of the clearance of a bearing among the cases of its machine.
-
-    Cases that differ from this one in name and clearance only are the same bearing at another clearance.
-    """
-
-    def but_for_clearance(other: DesignCase) -> DesignCase:
-        return replace(other, name="", bearing=replace(other.bearing, relative_clearance=0.0))
-
-    own = but_for_clearance(case)
-    found = {other.bearing.relative_clearance for other in cases if but_for_clearance(other) == own}
-    if len(found) > 1:
-        return ClearanceRange(min(found), max(found), given=True)
+def clearance_range(case: DesignCase) -> ClearanceRange:
+    """Range of the relative clearance of a bearing: its tolerance, or a supposed one."""
+    given = case.bearing.clearance_tolerance
+    if given is not None:
+        return ClearanceRange(*given, given=True)
     middle = case.bearing.relative_clearance
     return ClearanceRange((1.0 - SUPPOSED_TOLERANCE) * middle, (1.0 + SUPPOSED_TOLERANCE) * middle, given=False)
 
@@ -135,7 +127,7 @@ def write_plots(machine: MachineResult, folder: Path, image_format: str = "svg")
         raise InputError("E007", f"no figures as {image_format!r}; there are {', '.join(FORMATS)}")
     made = {}
     for place, (case, result) in enumerate(zip(machine.design_cases, machine.results, strict=False), start=1):
-        for drawing in draw(case, result, clearance_range(case, machine.design_cases), image_format):
+        for drawing in draw(case, result, clearance_range(case), image_format):
             made[folder / f"{place:02d}-{drawing.name}.{image_format}"] = drawing.image
     try:
         folder.mkdir(parents=True, exist_ok=True)

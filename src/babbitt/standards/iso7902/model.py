@@ -70,7 +70,10 @@ class Surfaces:
 
 @dataclass(frozen=True)
 class Bearing:
-    """A circular cylindrical bearing; lengths in m, clearance at 20 °C, span in degrees of a tabulated arc."""
+    """A circular cylindrical bearing; lengths in m, clearance at 20 °C, span in degrees of a tabulated arc.
+
+    `clearance_tolerance` holds the least and the greatest relative clearance where a tolerance is known.
+    """
 
     diameter: float
     width: float
@@ -82,6 +85,7 @@ class Bearing:
     surfaces: Surfaces | None = None
     metal: BearingMetal | None = None
     load_character: LoadCharacter = LoadCharacter.CALM
+    clearance_tolerance: tuple[float, float] | None = None
 
     @property
     def width_ratio(self) -> float:
