@@ -12,8 +12,8 @@ from babbitt_pages.markdown import text
 def scoreboard() -> str:
     """Markdown table of all cases with the outcome of each, and the tree of their pages."""
     lines = [
-        "| case | values | judged | suspect print | largest deviation / tolerance | verdict |",
-        "| --- | ---: | ---: | ---: | ---: | --- |",
+        "| case | values | judged | suspect print | shown only | largest deviation / tolerance | verdict |",
+        "| --- | ---: | ---: | ---: | ---: | ---: | --- |",
         *(_line(case) for case in cases()),
     ]
     tree = "\n".join(f"/_generated/validation/{case.name}" for case in cases())
@@ -31,6 +31,6 @@ def _line(case: ValidationCase) -> str:
     found = summary(case.run())
     verdict = "agrees" if found.agrees else f"{found.differing} differ" if found.differing else "not judged"
     link = f"[{text(case.title)}](/_generated/validation/{case.name}.md)"
-    return (
-        f"| {link} | {found.values} | {found.judged} | {found.suspect} | {found.largest_share:.2f} | {verdict} |"
-    )
+    numbers = (found.values, found.judged, found.suspect, found.shown)
+    counts = " | ".join(str(number) for number in numbers)
+    return f"| {link} | {counts} | {found.largest_share:.2f} | {verdict} |"
