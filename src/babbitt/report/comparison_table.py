@@ -28,7 +28,7 @@ COMPARED = (
 
 
 def print_comparison(comparisons: Sequence[Comparison]) -> None:
-    """Print every bearing with its variants side by side, and what each neglects."""
+    """Print every bearing with its variants side by side, and what each assumes or neglects."""
     to = console()
     for comparison in comparisons:
         table = Table(title=plain_text(comparison.name), title_justify="left", title_style="bold")
@@ -49,7 +49,7 @@ def print_comparison(comparisons: Sequence[Comparison]) -> None:
             table.add_row(f"{quantity.meaning}, {quantity.symbol}", quantity.display.label, *shown)
         to.print(table)
         for variant in comparison.variants:
-            to.print(f"  {variant.label} neglects: {variant.neglects}", markup=False)
+            to.print(f"  {variant.label} {variant.remark}", markup=False)
             if not variant.result.outcome.solved:
                 to.print(
                     f"  {variant.label}: {variant.result.outcome.value}; {variant.result.message}", markup=False

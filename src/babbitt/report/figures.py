@@ -100,7 +100,7 @@ def _clearance_caption(clearance: ClearanceRange) -> str:
     if clearance.given:
         return f"{shown}from the smallest to the largest clearance of the case."
     about = f"{shown}±{SUPPOSED_TOLERANCE:.0%} about the one computed"
-    return f"{about} (clearance_cases: all computes and shows the tolerance)."
+    return f"{about} (the case gives no tolerance)."
 
 
 def write_plots(machine: MachineResult, folder: Path, image_format: str = "svg") -> tuple[Path, ...]:

@@ -13,10 +13,10 @@ from babbitt.standards.iso7902.model import Curves, Friction
 
 @dataclass(frozen=True)
 class Variant:
-    """One way to compute a bearing, and what it leaves out."""
+    """One way to compute a bearing, and what it assumes or neglects."""
 
     label: str
-    neglects: str
+    remark: str
     result: Result
 
 
@@ -29,9 +29,9 @@ class Comparison:
 
 
 FRICTION_LABELS = {
-    Friction.FULL: ("film all around", "rupture of the film, which lowers friction outside the loaded arc"),
-    Friction.ARC: ("film on the arc", "friction of the oil outside the loaded arc"),
-    Friction.CURVE360: ("360° friction curve", "the influence of the span on friction"),
+    Friction.FULL: ("film all around", "neglects that the film ruptures outside the loaded arc"),
+    Friction.ARC: ("film on the arc", "neglects friction of the oil outside the loaded arc"),
+    Friction.CURVE360: ("360° friction curve", "neglects the influence of the span on friction"),
 }
 
 
@@ -56,13 +56,13 @@ def compare_methods(case: Case) -> tuple[Comparison, ...]:
 
 
 def _variants(design: DesignCase) -> tuple[Variant, ...]:
-    common = "one temperature for the whole film; rupture as on a centred arc; rigid parallel surfaces"
+    common = "assumes one temperature for the whole film; rupture as on a centred arc; rigid parallel surfaces"
     found = [Variant("as given", common, check(design))]
-    for model, (label, neglects) in FRICTION_LABELS.items():
+    for model, (label, remark) in FRICTION_LABELS.items():
         plain = replace(design, friction=model, friction_factor=1.0)
         if plain != design:
-            found.append(Variant(label, neglects, check(plain)))
+            found.append(Variant(label, remark, check(plain)))
     if design.bearing.span == 360 and design.curves is Curves.COMPUTED:
         closed = replace(design, curves=Curves.CLOSED_FORM)
-        found.append(Variant("closed forms", "up to 7 % of the load number (DIN 31652 fits)", check(closed)))
+        found.append(Variant("closed forms", "deviates by up to 7 % in So (DIN 31652 fits)", check(closed)))
     return tuple(found)
