@@ -122,11 +122,16 @@ def test_lists_show_what_is_on_board(run, what):
 
 
 def test_compare_puts_the_variants_side_by_side(run, tmp_path):
-    (tmp_path / "case.yaml").write_text(template("journal"))
-    status, out, _ = run("compare", "case.yaml")
+    full = template("journal")
+    (tmp_path / "full.yaml").write_text(full)
+    (tmp_path / "half.yaml").write_text(full.replace("span: 360 deg", "span: 180 deg"))
+    status, out, _ = run("compare", "full.yaml")
     assert status == 0
     assert "as given" in out
-    assert "neglects" in out
+    assert "closed forms" in out
+    status, out, _ = run("compare", "half.yaml")
+    assert status == 0
+    assert "film on the arc" in out
 
 
 def test_cite_names_the_standard_and_the_lubricant(run, tmp_path):
