@@ -11,6 +11,7 @@ from babbitt.materials import (
     self_cooled_temperature_limit,
     specific_load_limit,
 )
+from babbitt.notices import Notice
 from babbitt.results import Bound, Check
 from babbitt.standards.iso7902.film import surface_speed
 from babbitt.standards.iso7902.model import DesignCase
@@ -18,6 +19,12 @@ from babbitt.standards.iso7902.screening import WHIRL_SAFE_FROM
 
 USER = "limit set in the case"
 AT_MOST, AT_LEAST = Bound.AT_MOST, Bound.AT_LEAST
+
+SLOW_UP_TO = 1.0
+"""Surface speed in m/s up to which the exceptional specific load is granted (an assumption)."""
+
+METAL_CHECKS = ("C105", "C106", "C107", "C108")
+"""Limits of the bearing metal: specific load, speed, their product, temperature."""
 
 
 def checks_of(case: DesignCase, values: Mapping[str, float]) -> tuple[Check, ...]:
@@ -33,8 +40,40 @@ def checks_of(case: DesignCase, values: Mapping[str, float]) -> tuple[Check, ...
         *_film_checks(case, values),
         *_load_and_temperature_checks(case, values),
         *_metal_checks(case, values),
-        *_validity_and_screening_checks(values),
+        *_validity_and_screening_checks(case, values),
     )
+
+
+def checks_not_made(case: DesignCase, values: Mapping[str, float]) -> tuple[Notice, ...]:
+    """The checks of the design that lack data, each with what is missing."""
+    return tuple(_not_made(case, values))
+
+
+def _not_made(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
+    bearing, metal = case.bearing, case.bearing.metal
+    if case.limits.minimum_film_thickness is None and "empirical_film_limit" not in values:
+        yield Notice("C101", f"no experience value for a diameter of {bearing.diameter * 1e3:.4g} mm")
+    if bearing.surfaces is None:
+        yield Notice("C102", "roughness, tilt and waviness are not given (surfaces)")
+    if case.limits.specific_load is None and (metal is None or specific_load_limit(metal.family) is None):
+        yield Notice("C103", "no limit for the specific load: " + _without_metal(case))
+    if metal is None:
+        for code in METAL_CHECKS:
+            yield Notice(code, "no bearing metal is given (materials: bearing_metal)")
+    else:
+        limits = metal.limits(bearing.load_character)
+        sources = (limits.specific_load, limits.sliding_speed, limits.pv, metal.limiting_temperature)
+        for code, limit in zip(METAL_CHECKS, sources, strict=True):
+            if limit is None:
+                yield Notice(code, f"no public limit of {metal.name} is on board")
+    if "transition_speed" not in values:
+        missing = "transition_film_thickness" not in values
+        yield Notice("C111", "surfaces are not given" if missing else "the film limit exceeds the clearance")
+
+
+def _without_metal(case: DesignCase) -> str:
+    metal = case.bearing.metal
+    return "no bearing metal is given" if metal is None else f"no experience value for {metal.family.value} alloys"
 
 
 def temperature_limit(case: DesignCase) -> ExperienceLimit:
@@ -44,9 +83,10 @@ def temperature_limit(case: DesignCase) -> ExperienceLimit:
     return pressure_fed_temperature_limit(case.oil_supply.circulation_time)
 
 
-def limited_temperature(case: DesignCase) -> str:
-    """Name of the temperature that the limit holds for."""
-    return "bearing_temperature" if case.oil_supply is None else "outlet_temperature"
+def limited_temperature(values: Mapping[str, float]) -> str:
+    """Name of the hottest temperature known of oil and bearing, for which the limits hold."""
+    names = ("outlet_temperature", "bearing_temperature", "supply_temperature")
+    return max((name for name in names if name in values), key=lambda name: values[name])
 
 
 def _film_checks(case: DesignCase, values: Mapping[str, float]) -> Iterator[Check]:
@@ -67,10 +107,11 @@ def _load_and_temperature_checks(case: DesignCase, values: Mapping[str, float]) 
     if case.limits.specific_load is not None:
         yield Check("C103", "specific_load", pressure, case.limits.specific_load, AT_MOST, USER)
     elif metal is not None and (load_limit := specific_load_limit(metal.family)) is not None:
-        slow = surface_speed(case) <= 1.0
+        slow = surface_speed(case) <= SLOW_UP_TO
         limit = load_limit.exceptional if slow else load_limit.general
-        yield Check("C103", "specific_load", pressure, limit, AT_MOST, load_limit.source)
-    name = limited_temperature(case)
+        which = f"exceptional value, for speeds up to {SLOW_UP_TO:g} m/s" if slow else "general value"
+        yield Check("C103", "specific_load", pressure, limit, AT_MOST, f"{load_limit.source}; {which}")
+    name = limited_temperature(values)
     if case.limits.temperature is not None:
         yield Check("C104", name, values[name], case.limits.temperature, AT_MOST, USER)
     else:
@@ -83,7 +124,7 @@ def _metal_checks(case: DesignCase, values: Mapping[str, float]) -> Iterator[Che
     if metal is None:
         return
     limits = metal.limits(case.bearing.load_character)
-    hottest = limited_temperature(case)
+    hottest = limited_temperature(values)
 
     def check(code: str, name: str, limit: SourcedValue | None, *, advisory: bool = False) -> Iterator[Check]:
         if limit is not None:
@@ -96,7 +137,7 @@ def _metal_checks(case: DesignCase, values: Mapping[str, float]) -> Iterator[Che
     yield from check("C109", hottest, metal.recommended_temperature, advisory=True)
 
 
-def _validity_and_screening_checks(values: Mapping[str, float]) -> Iterator[Check]:
+def _validity_and_screening_checks(case: DesignCase, values: Mapping[str, float]) -> Iterator[Check]:
     yield Check(
         "C110",
         "film_reynolds_number",
@@ -107,7 +148,8 @@ def _validity_and_screening_checks(values: Mapping[str, float]) -> Iterator[Chec
     )
     if "transition_speed" in values:
         source = "speed at which the film thins to the film limit of the surfaces"
-        yield Check("C111", "angular_speed", values["angular_speed"], values["transition_speed"], AT_LEAST, source)
+        speed = values["hydrodynamic_speed"]
+        yield Check("C111", "hydrodynamic_speed", speed, values["transition_speed"], AT_LEAST, source)
     yield Check(
         "C112",
         "operating_relative_clearance",
@@ -129,7 +171,7 @@ def _validity_and_screening_checks(values: Mapping[str, float]) -> Iterator[Chec
     yield Check(
         "C114",
         "relative_clearance",
-        values["relative_clearance"],
+        case.bearing.mean_relative_clearance,
         values["recommended_relative_clearance"],
         AT_LEAST,
         "0.8e-3 U^(1/4) (Vogelpohl)",

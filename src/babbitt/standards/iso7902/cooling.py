@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-STILL_AIR_COEFFICIENT = 20.0
+STILL_AIR_COEFFICIENT = 15.0
 """W/(m² K). The standards name 15 to 20 for a housing in still or little moved air; textbook value."""
 
 MOVING_AIR_FROM = 1.2

@@ -14,6 +14,9 @@ from babbitt.standards.iso7902.supply import FIT_RANGE, CircumferentialGroove, H
 STANDARD_WIDTH_RATIOS = (0.125, 1.0)
 """Range of B/D in the tables of the standard."""
 
+CURVES_FROM = 0.01
+"""Eccentricity ratio at which the computed characteristics begin."""
+
 RIGID_FILM_UP_TO = 0.95
 """Eccentricity ratio above which the rigid isoviscous film is too simple."""
 
@@ -47,6 +50,12 @@ def _of_method(case: DesignCase, film: Film, values: Mapping[str, float]) -> Ite
             f"T_eff = {film.temperature - 273.15:.1f} °C lies outside {coldest - 273.15:.0f} to "
             f"{hottest - 273.15:.0f} °C, for which {case.lubricant.name} is described",
         )
+    leaving = values.get("outlet_temperature", film.temperature)
+    if case.oil_supply is not None and leaving < case.oil_supply.temperature - 1e-6:
+        colder = case.oil_supply.temperature - leaving
+        yield Notice("W118", f"the oil leaves at {leaving - 273.15:.1f} °C, {colder:.1f} K colder than it enters")
+    if film.eccentricity_ratio < CURVES_FROM:
+        yield Notice("W119", f"ε = {film.eccentricity_ratio:.2g} < {CURVES_FROM:g}, the first node of the tables")
     if case.bearing_speed:
         yield Notice("W114", "the bearing rotates; friction power counts the journal speed only")
     if film.eccentricity_ratio > RIGID_FILM_UP_TO:
@@ -61,7 +70,7 @@ def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:
         return
     if isinstance(element, Holes | Pockets):
         s = element.relative_width(case.bearing.width)
-        if not FIT_RANGE[0] <= s <= FIT_RANGE[1]:
+        if not FIT_RANGE[0] - 1e-9 <= s <= FIT_RANGE[1] + 1e-9:
             bound = FIT_RANGE[0] if s < FIT_RANGE[0] else FIT_RANGE[1]
             yield Notice(
                 "W103",

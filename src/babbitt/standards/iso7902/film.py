@@ -10,17 +10,28 @@ from dataclasses import dataclass
 
 from babbitt.characteristics import BearingCurves, ClosedFormCurves, curves
 from babbitt.fits import operating_relative_clearance
+from babbitt.notices import InputError
+from babbitt.results import Outcome
 from babbitt.standards.iso7902.friction import friction_number
 from babbitt.standards.iso7902.model import Curves, DesignCase, GivenEccentricity
 from babbitt.standards.iso7902.supply_pressure import Feed, feed
 
 
-class NoClearanceError(Exception):
-    """The bearing grips the journal at this temperature."""
+class NoFilmError(Exception):
+    """There is no film at this temperature.
 
+    Attributes
+    ----------
+    outcome : Outcome
+        Why: the clearance has closed, the load is too large, or the lubricant's laws do not reach there.
+    capacity : float or None
+        Largest load in N at the largest eccentricity of the characteristics, if the load is too large.
+    """
 
-class FilmCollapseError(Exception):
-    """The load asks for more than the film carries at the largest eccentricity of the characteristics."""
+    def __init__(self, outcome: Outcome, capacity: float | None = None) -> None:
+        super().__init__(outcome.value)
+        self.outcome = outcome
+        self.capacity = capacity
 
 
 @dataclass(frozen=True)
@@ -91,19 +102,24 @@ def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
 
     Raises
     ------
-    NoClearanceError
-        When the relative clearance is not positive at this temperature.
-    FilmCollapseError
-        When So exceeds the largest tabulated one.
+    NoFilmError
+        When the relative clearance is not positive at this temperature, So exceeds the largest tabulated one, or
+        a law of the lubricant has no usable value.
     """
     bearing, oil = case.bearing, case.lubricant
     psi = operating_relative_clearance(
         bearing.relative_clearance, bearing.expansion_bearing, bearing.expansion_journal, temperature
     )
     if psi <= 0.0:
-        raise NoClearanceError
-    density = oil.density(temperature)
-    viscosity = oil.kinematic_viscosity(temperature) * density
+        raise NoFilmError(Outcome.NO_CLEARANCE)
+    try:
+        density = oil.density(temperature)
+        viscosity = oil.kinematic_viscosity(temperature) * density
+        heat_capacity = oil.volumetric_heat_capacity(temperature)
+    except InputError:
+        raise NoFilmError(Outcome.NO_LUBRICANT_DATA) from None
+    if min(density, viscosity, heat_capacity) <= 0.0:
+        raise NoFilmError(Outcome.NO_LUBRICANT_DATA)
     scale = load_scale(case, viscosity, psi)
     if isinstance(case.duty, GivenEccentricity):
         eccentricity = case.duty.eccentricity_ratio
@@ -113,7 +129,7 @@ def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
         load = case.duty.load
         so = load / scale
         if so > shape.largest_sommerfeld_number:
-            raise FilmCollapseError
+            raise NoFilmError(Outcome.OVERLOADED, scale * shape.largest_sommerfeld_number)
         eccentricity = shape.eccentricity_ratio(so)
     number = case.friction_factor * friction_number(case.friction, shape, eccentricity, so)
     flow_scale = bearing.diameter**3 * psi * hydrodynamic_speed(case)
@@ -124,7 +140,7 @@ def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
         relative_clearance=psi,
         density=density,
         viscosity=viscosity,
-        volumetric_heat_capacity=oil.volumetric_heat_capacity(temperature),
+        volumetric_heat_capacity=heat_capacity,
         load=load,
         sommerfeld_number=so,
         eccentricity_ratio=eccentricity,

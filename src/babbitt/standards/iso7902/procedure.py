@@ -8,8 +8,9 @@ from functools import partial
 from time import perf_counter
 
 from babbitt.materials import empirical_minimum_film_thickness
+from babbitt.notices import EXPLANATIONS
 from babbitt.results import Outcome, Result
-from babbitt.standards.iso7902.checks import checks_of
+from babbitt.standards.iso7902.checks import checks_not_made, checks_of
 from babbitt.standards.iso7902.doubts import doubts_of
 from babbitt.standards.iso7902.film import (
     Film,
@@ -26,8 +27,9 @@ from babbitt.standards.iso7902.heat_balance import (
     at_prescribed_temperature,
     find_equilibrium,
     heat_paths,
+    outlet_temperature,
 )
-from babbitt.standards.iso7902.model import DesignCase
+from babbitt.standards.iso7902.model import DesignCase, GivenLoad
 from babbitt.standards.iso7902.screening import (
     Transition,
     orlov_relative_clearance,
@@ -111,6 +113,7 @@ def _result(case: DesignCase, found: Equilibrium, start: float) -> Result:
         values,
         checks if found.outcome.solved else (),
         warnings,
+        checks_not_made(case, values) if found.outcome.solved else (),
         (*case.lubricant.assumptions, *case.assumptions),
         "" if found.outcome.solved else _failure(case, found),
         _settings(case),
@@ -166,9 +169,10 @@ def _values(case: DesignCase, film: Film, change: Transition | None) -> dict[str
         ),
         "recommended_relative_clearance": recommended_relative_clearance(speed),
     }
-    if case.oil_supply is not None:
+    leaving = outlet_temperature(film.temperature, case)
+    if case.oil_supply is not None and leaving is not None:
         values["supply_temperature"] = case.oil_supply.temperature
-        values["outlet_temperature"] = 2.0 * film.temperature - case.oil_supply.temperature
+        values["outlet_temperature"] = leaving
         values["supply_pressure"] = case.oil_supply.pressure
     if film.feed is not None:
         values["supply_flow_number"] = film.feed.flow_number
@@ -227,16 +231,21 @@ def _transition(case: DesignCase, film: Film) -> Transition | None:
 
 
 def _failure(case: DesignCase, found: Equilibrium) -> str:
-    """How far an unsolved case came."""
+    """How far an unsolved case came, and what to try."""
     reached = f"{found.last_temperature - 273.15:.1f} °C"
     match found.outcome:
-        case Outcome.OVERLOADED if found.film is None:
-            return f"already at {reached} the load is more than an eccentricity of 0.99 carries"
         case Outcome.OVERLOADED:
-            return f"the film collapses at {reached} (eccentricity 0.99) while friction still heats it"
+            capacity = f"{found.capacity / 1e3:.4g} kN" if found.capacity is not None else "too little"
+            far = f"at {reached} the film carries {capacity} at the largest eccentricity, 0.99"
+            if isinstance(case.duty, GivenLoad):
+                far += f", less than the load of {case.duty.load / 1e3:.4g} kN"
         case Outcome.THERMAL_RUNAWAY:
-            return f"at {reached} the friction power still exceeds the heat carried away"
+            far = f"at {reached} the friction power still exceeds the heat carried away"
         case Outcome.NO_CLEARANCE:
-            return f"the clearance is used up at {reached}"
+            far = f"the clearance is used up at {reached}"
+        case Outcome.NO_LUBRICANT_DATA:
+            far = f"the laws of {case.lubricant.name} were followed to {reached}"
         case _:
-            return f"the last effective temperature was {reached}"
+            far = f"the last effective temperature was {reached}"
+    remedy = EXPLANATIONS[found.outcome.code].remedy
+    return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"
