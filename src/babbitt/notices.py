@@ -184,6 +184,12 @@ EXPLANATIONS: dict[str, Explanation] = {
         "isoviscous film is too simple.",
         "Treat the film thickness as an order of magnitude; lower the load or raise the viscosity.",
     ),
+    "W117": Explanation(
+        "Number without unit",
+        "A number without unit is in SI: a speed in rad/s, a load in N. This one looks as if another unit was "
+        "meant.",
+        "Write the unit: '3000 rpm', '6 kN'; '3000 rad/s' or '6 N' if the number is meant as it stands.",
+    ),
     "W118": Explanation(
         "Oil leaves colder than it enters",
         "The housing takes more heat than friction makes, so that the oil is cooled on its way through the film. "

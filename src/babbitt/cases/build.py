@@ -4,23 +4,22 @@ from __future__ import annotations
 
 import hashlib
 import json
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from babbitt.cases.as_given import words_of
 from babbitt.cases.assumptions import assumptions_of
 from babbitt.cases.cooling import Cooling
+from babbitt.cases.doubts import doubts_about
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import Case, JournalCase, Machine
 from babbitt.cases.materials import Materials
-from babbitt.cases.operating_point import LOADS, SPEEDS, OperatingPoint
+from babbitt.cases.operating_point import LOADS, SPEEDS, OperatingPoint, stating
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.shared import merged
 from babbitt.cases.supply import Supply
-from babbitt.cases.supply_element import UnevenPockets
 from babbitt.lubricants import Lubricant
 from babbitt.materials import LoadCharacter, bearing_metal
-from babbitt.notices import Notice
 from babbitt.standards.iso7902.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coefficient
 from babbitt.standards.iso7902.model import (
     Bearing,
@@ -91,14 +90,12 @@ def _expanded(bearing: JournalBearing, shared: JournalCase | Machine) -> Iterato
     inputs = _inputs(bearing, shared)
     relative = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter)
     tolerance = (relative.minimum, relative.maximum) if relative.minimum < relative.maximum else None
-    clearances = {"": relative.mean}
-    if (bearing.clearance_cases or shared.clearance_cases) == "all":
-        named = {"minimum": relative.minimum, "mean": relative.mean, "maximum": relative.maximum}
-        clearances = {f" ({name} clearance)": value for name, value in named.items()}
+    every = (bearing.clearance_cases or shared.clearance_cases) == "all"
     for point in bearing.operating_points or (None,):
-        for suffix, clearance in clearances.items():
-            design = _design_case(inputs, point, suffix, clearance)
-            yield replace(design, bearing=replace(design.bearing, clearance_tolerance=tolerance))
+        for clearance_case in ("minimum", "mean", "maximum") if every else ("mean",):
+            design = _design_case(inputs, point, clearance_case, getattr(relative, clearance_case))
+            name = f"{design.name} ({clearance_case} clearance)" if every else design.name
+            yield replace(design, name=name, bearing=replace(design.bearing, clearance_tolerance=tolerance))
 
 
 def _inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> _Inputs:
@@ -117,11 +114,12 @@ def _inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> _Inputs:
     )
 
 
-def _design_case(inputs: _Inputs, point: OperatingPoint | None, suffix: str, clearance: float) -> DesignCase:
+def _design_case(
+    inputs: _Inputs, point: OperatingPoint | None, clearance_case: str, clearance: float
+) -> DesignCase:
     bearing = inputs.bearing
-    name = bearing.name if point is None else f"{bearing.name} [{point.name}]"
     return DesignCase(
-        name=name + suffix,
+        name=bearing.name if point is None else f"{bearing.name} [{point.name}]",
         bearing=_bearing(inputs, point, clearance),
         duty=_duty(inputs, point),
         journal_speed=_journal_speed(bearing, point),
@@ -133,28 +131,15 @@ def _design_case(inputs: _Inputs, point: OperatingPoint | None, suffix: str, cle
         friction_factor=bearing.friction.factor,
         curves=Curves(bearing.characteristics),
         limits=bearing.limits.limits(),
+        given=words_of(bearing, point, clearance_case, inputs.cooling, inputs.materials),
         assumptions=(
             *inputs.shared_assumptions,
             *bearing.assumptions,
             *assumptions_of(bearing, point, inputs.supply, inputs.cooling, inputs.materials),
         ),
-        doubts=tuple(_doubts_about_span(bearing, point)),
+        doubts=doubts_about(bearing, point),
         kind=bearing.kind,
     )
-
-
-def _doubts_about_span(bearing: JournalBearing, point: OperatingPoint | None) -> Iterator[Notice]:
-    """Warn where a conventional span stands for the arc between uneven pockets."""
-    element = bearing.element_at(point)
-    if not isinstance(element, UnevenPockets):
-        return
-    conventional, span = element.conventional_span(), bearing.span_at(point)
-    exact = math.degrees(conventional.exact)
-    yield Notice("W104", f"the arc between uneven pockets, {exact:.0f}° if centred, was taken as {span}°")
-    if conventional.too_short:
-        yield Notice(
-            "W105", f"the pockets leave {exact:.0f}° of centred arc; the characteristics hold for {span}°"
-        )
 
 
 def _bearing(inputs: _Inputs, point: OperatingPoint | None, clearance: float) -> Bearing:
@@ -178,7 +163,7 @@ def _bearing(inputs: _Inputs, point: OperatingPoint | None, clearance: float) ->
 
 def _duty(inputs: _Inputs, point: OperatingPoint | None) -> GivenLoad | GivenEccentricity:
     bearing = inputs.bearing
-    given = point if point is not None and any(getattr(point, name) is not None for name in LOADS) else bearing
+    given = stating(LOADS, bearing, point)
     if given.eccentricity_ratio is not None:
         return GivenEccentricity(given.eccentricity_ratio)
     if given.load is not None:
@@ -189,7 +174,7 @@ def _duty(inputs: _Inputs, point: OperatingPoint | None) -> GivenLoad | GivenEcc
 
 
 def _journal_speed(bearing: JournalBearing, point: OperatingPoint | None) -> float:
-    given = point if point is not None and any(getattr(point, name) is not None for name in SPEEDS) else bearing
+    given = stating(SPEEDS, bearing, point)
     if given.speed is not None:
         return given.speed
     if given.surface_speed is None:

@@ -49,7 +49,7 @@ def load_case(path: str | FilePath) -> Case:
 
 
 def parse_case(text: str, name: str = "<text>") -> Case:
-    """Read a case from text.
+    """Read a case from text, which stays with it as `text`.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def parse_case(text: str, name: str = "<text>") -> Case:
     except DocumentError as error:
         problem = Problem(name, error.line, "", error.says, allowed=error.allowed, hint=error.hint, code="E002")
         raise CaseError([problem]) from None
-    return _case(root.plain(), name, root)
+    return _case(root.plain(), name, root).with_text(text)
 
 
 def case_from_dict(given: Mapping[str, Any], name: str = "<case>") -> Case:
