@@ -226,8 +226,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "S005": Explanation(
         "Lubricant data end",
-        "The film settles, if at all, at a temperature where a law of the lubricant has no usable value: viscosity, "
-        "density or heat capacity would be absent, zero or negative.",
+        "The film settles, if at all, at a temperature where a law of the lubricant has no usable value: "
+        "viscosity, density or heat capacity would be absent, zero or negative.",
         "Describe the lubricant by points that enclose the operating temperature, with a gentler slope of density "
         "and heat capacity.",
     ),

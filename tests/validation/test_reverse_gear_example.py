@@ -13,9 +13,10 @@ EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "marine_reverse_gea
 DATA = reference_data("reverse_gear")["inferred"]
 
 
-@pytest.mark.parametrize(
-    ("case", "inferred"), zip(design_cases(load_case(EXAMPLE)), DATA["bearings"], strict=True)
-)
+BEARINGS = list(zip(design_cases(load_case(EXAMPLE)), DATA["bearings"], strict=True))
+
+
+@pytest.mark.parametrize(("case", "inferred"), BEARINGS)
 def test_bearing_by_bearing(case, inferred):
     bearing = case.bearing
     assert bearing.diameter == pytest.approx(inferred["diameter_mm"] * 1e-3)

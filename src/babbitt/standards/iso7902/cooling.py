@@ -30,7 +30,7 @@ def heat_transfer_coefficient(air_speed: float) -> float:
     Examples
     --------
     >>> heat_transfer_coefficient(4.0), heat_transfer_coefficient(0.5)
-    (31.0, 20.0)
+    (31.0, 15.0)
     """
     return 7.0 + 12.0 * math.sqrt(air_speed) if air_speed > MOVING_AIR_FROM else STILL_AIR_COEFFICIENT
 

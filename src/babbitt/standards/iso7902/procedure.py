@@ -95,6 +95,7 @@ def _result(case: DesignCase, found: Equilibrium, start: float) -> Result:
             METHOD,
             found.outcome,
             {"wall_time": perf_counter() - start},
+            warnings=case.doubts,
             assumptions=(*case.lubricant.assumptions, *case.assumptions),
             message=_failure(case, found),
             settings=_settings(case),
@@ -102,7 +103,7 @@ def _result(case: DesignCase, found: Equilibrium, start: float) -> Result:
     change = _transition(case, found.film)
     values = _values(case, found.film, change)
     checks = checks_of(case, values)
-    warnings = doubts_of(case, found.film, values, checks, change) if found.outcome.solved else ()
+    warnings = doubts_of(case, found.film, values, checks, change) if found.outcome.solved else case.doubts
     values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
     return Result(
