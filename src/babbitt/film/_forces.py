@@ -1,0 +1,161 @@
+"""Kernels: who is wet, and what the film does to the journal.
+
+With the adjoints l of the force components and the residual rows R of ``_elimination``,
+    dF/da = -l^T dR/da  for every parameter a of the film,
+so stiffness and damping cost two back-substitutions and a few dot products. The wet set is held fixed: where the
+film ends with p = dp/dn = 0 the first-order pressure vanishes on the unperturbed boundary (Lund, Thomsen 1978).
+"""
+
+from __future__ import annotations
+
+from babbitt.film._structs import compiled
+
+TIE = 1e-12  # a pressure or void this far below zero counts as zero
+FORCE, STIFFNESS, DAMPING = slice(0, 2), slice(2, 6), slice(6, 10)
+RESULT_SIZE = 10
+
+
+@compiled
+def update_wet_set(axial, film, lines, kappa, side_pressure, conserving):
+    """Semismooth Newton step on the complementarity: returns how many nodes changed.
+
+    Wet nodes with p < 0 dry up. Dry nodes become wet where the void is negative (mass conserving) or where the row
+    of the node, with p = 0, has a surplus of oil (Reynolds condition).
+    """
+    m = len(axial.size)
+    n = film.conductance.size
+    changed = 0
+    touched_before = True  # whether the old line i - 1 held pressure
+    for i in range(1, n):
+        touched = False
+        dry_here = False
+        for j in range(m):
+            if lines.wet[i, j]:
+                touched = True
+            else:
+                dry_here = True
+        u = lines.solution[i, 0]
+        if dry_here and not conserving:
+            touched_after = i + 1 == n
+            for j in range(m):
+                touched_after |= lines.wet[i + 1, j]
+            source = film.couette[i] - film.couette[i - 1] + film.squeeze[i]
+            for j in range(m):
+                if lines.wet[i, j]:
+                    continue
+                row = axial.root_weights[j] * source
+                if touched_before:
+                    row -= film.conductance[i - 1] * lines.solution[i - 1, 0, j]
+                if touched_after:
+                    row -= film.conductance[i] * lines.solution[i + 1, 0, j]
+                if touched:
+                    coupling = 0.0
+                    for k in range(m):
+                        coupling += axial.stiffness[j, k] * u[k]
+                    row += kappa * film.cubed[i] * coupling
+                row -= kappa * film.cubed[i] * axial.load[j] * side_pressure
+                if row < -TIE:
+                    lines.wet[i, j] = True
+                    changed += 1
+            for j in range(m):  # nodes that were wet before this call: a dry node holds u = 0 exactly
+                if lines.wet[i, j] and u[j] < -TIE:
+                    lines.wet[i, j] = False
+                    changed += 1
+        else:
+            for j in range(m):
+                if u[j] < -TIE:
+                    lines.wet[i, j] = not lines.wet[i, j]
+                    changed += 1
+        touched_before = touched
+    return changed
+
+
+@compiled
+def add_forces(axial, land, grid, film, lines, kappa, side_pressure, conserving, result):
+    """Add force, stiffness and damping of a land to ``result`` (F 2, K 4, C 4; K and C row by row).
+
+    F is counted from the side pressure: F_x = - int (p - p_side) cos(theta) over angle and mean width.
+    """
+    m = len(axial.size)
+    n = film.conductance.size
+    fx, fy = 0.0, 0.0
+    kxx, kxy, kyx, kyy = 0.0, 0.0, 0.0, 0.0
+    cxx, cxy, cyx, cyy = 0.0, 0.0, 0.0, 0.0
+    for i in range(n + 1):
+        now = lines.solution[i]
+        mean, touched = 0.0, False
+        for j in range(m):
+            if lines.wet[i, j]:
+                mean += axial.root_weights[j] * (now[0, j] - side_pressure * axial.root_weights[j])
+                touched = True
+            else:
+                mean -= side_pressure * axial.root_weights[j] ** 2
+        fx -= grid.weight_x[i] * mean
+        fy -= grid.weight_y[i] * mean
+        if i == n:
+            break
+        # flux of the interval behind the line
+        after = lines.solution[i + 1]
+        ax, ay, bx, by = 0.0, 0.0, 0.0, 0.0
+        inlet_x, inlet_y = 0.0, 0.0
+        for j in range(m):
+            q = axial.root_weights[j]
+            lx, ly = now[1, j] - after[1, j], now[2, j] - after[2, j]
+            up = now[0, j]
+            if not lines.wet[i, j]:
+                q, up = q - up, 0.0  # sqrt(w) times the liquid fraction
+            down = after[0, j] if lines.wet[i + 1, j] else 0.0
+            if i == 0 and not lines.wet[1, j]:
+                inlet_x += q * lx
+                inlet_y += q * ly
+                continue
+            ax += q * lx
+            ay += q * ly
+            bx += lx * (up - down)
+            by += ly * (up - down)
+        kxx += ax * film.couette_x[i] + bx * film.conductance_x[i]
+        kxy += ax * film.couette_y[i] + bx * film.conductance_y[i]
+        kyx += ay * film.couette_x[i] + by * film.conductance_x[i]
+        kyy += ay * film.couette_y[i] + by * film.conductance_y[i]
+        if i == 0:
+            kxx += inlet_x * film.inlet[1]
+            kxy += inlet_x * film.inlet[2]
+            kyx += inlet_y * film.inlet[1]
+            kyy += inlet_y * film.inlet[2]
+            continue
+        if not touched and not conserving:
+            continue
+        # axial flow and squeeze of the line
+        ex, ey, sx, sy = 0.0, 0.0, 0.0, 0.0
+        for j in range(m):
+            row = -axial.load[j] * side_pressure
+            q = axial.root_weights[j]
+            if lines.wet[i, j]:
+                sx += q * now[1, j]
+                sy += q * now[2, j]
+            elif conserving:
+                sx += (q - now[0, j]) * now[1, j]
+                sy += (q - now[0, j]) * now[2, j]
+            for k in range(m):
+                if lines.wet[i, k]:
+                    row += axial.stiffness[j, k] * now[0, k]
+            ex += now[1, j] * row
+            ey += now[2, j] * row
+        kxx += kappa * ex * film.cubed_x[i]
+        kxy += kappa * ex * film.cubed_y[i]
+        kyx += kappa * ey * film.cubed_x[i]
+        kyy += kappa * ey * film.cubed_y[i]
+        cxx -= sx * grid.weight_x[i]
+        cxy -= sx * grid.weight_y[i]
+        cyx -= sy * grid.weight_x[i]
+        cyy -= sy * grid.weight_y[i]
+    result[0] += fx
+    result[1] += fy
+    result[2] += kxx
+    result[3] += kxy
+    result[4] += kyx
+    result[5] += kyy
+    result[6] += cxx
+    result[7] += cxy
+    result[8] += cyx
+    result[9] += cyy
