@@ -19,14 +19,20 @@ from babbitt.film._structs import END_PRESSURE, START_PRESSURE, compiled
 
 
 @compiled
-def first_broken_line(lines, m):
-    """Index of the first unknown line that has a dry node, or n."""
+def count_wet(lines, m):
+    """Count the wet nodes of every line; returns the index of the first unknown line with a dry node, or n."""
     n = lines.wet.shape[0] - 1
-    for i in range(1, n):
+    broken = n
+    for i in range(n - 1, 0, -1):
+        count = 0
         for j in range(m):
-            if not lines.wet[i, j]:
-                return i
-    return n
+            if lines.wet[i, j]:
+                count += 1
+        lines.wet_count[i] = count
+        if count < m:
+            broken = i
+    lines.wet_count[0] = lines.wet_count[n] = m
+    return broken
 
 
 @compiled
@@ -34,16 +40,23 @@ def solve_land(axial, land, grid, film, lines, kappa, side_pressure, conserving)
     """Solve for pressure (or void) and the adjoints of both force components, with the wet set as it stands."""
     m = len(axial.size)
     n = film.conductance.size
-    broken = first_broken_line(lines, m)
+    broken = count_wet(lines, m)
     full = broken - 1  # lines 1..full are full
     sweep_full_lines(axial, land, grid, film, lines, kappa, side_pressure, full)
     if broken < n:
         if full > 0:
             full_line_to_nodes(axial, lines, full)
         for i in range(broken, n):
-            sweep_broken_line(axial, land, grid, film, lines, kappa, side_pressure, conserving, i)
+            if lines.wet_count[i] == 0 and not conserving:
+                lines.lower[i, :] = 0.0
+                lines.upper[i, :] = 0.0
+            else:
+                sweep_broken_line(axial, land, grid, film, lines, kappa, side_pressure, conserving, i)
         for i in range(n - 1, max(full, 1) - 1, -1):
-            back_substitute(lines, i, n, m)
+            if lines.wet_count[i] == 0 and not conserving:
+                lines.solution[i, :, :] = 0.0
+            else:
+                back_substitute(lines, i, n, m)
         if full > 0:
             rotate(axial.modes_transposed, lines.solution[full], lines.modal[full], m)
     elif full > 0:
@@ -128,10 +141,8 @@ def sweep_broken_line(axial, land, grid, film, lines, kappa, side_pressure, cons
     stretch = kappa * film.cubed[i]
     source = film.couette[i - 1] - film.couette[i] - film.squeeze[i]
     void_here = -(film.couette[i] + film.squeeze[i])
-    any_wet = False
     for a in range(m):
         here, before = wet[i, a], wet[i - 1, a]
-        any_wet |= here
         lower, upper = 0.0, 0.0
         if i > 1:
             if conserving:
@@ -161,7 +172,7 @@ def sweep_broken_line(axial, land, grid, film, lines, kappa, side_pressure, cons
             elif a == b:
                 entry = void_here if conserving else 1.0
             block[a, b] = entry
-    if i > 1:
+    if i > 1 and (conserving or lines.wet_count[i - 1] > 0):
         before_inverse, before_swept = lines.inverse[i - 1], lines.swept[i - 1]
         for a in range(m):
             r0, r1, r2 = 0.0, 0.0, 0.0
@@ -174,7 +185,7 @@ def sweep_broken_line(axial, land, grid, film, lines, kappa, side_pressure, cons
             swept[0, a] -= lines.lower[i, a] * r0
             swept[1, a] -= lines.upper[i, a] * r1
             swept[2, a] -= lines.upper[i, a] * r2
-    if any_wet:
+    if lines.wet_count[i] > 0:
         invert(block, m)
     else:
         for a in range(m):

@@ -23,51 +23,34 @@ def update_wet_set(axial, film, lines, kappa, side_pressure, conserving):
     of the node, with p = 0, has a surplus of oil (Reynolds condition).
     """
     m = len(axial.size)
-    n = film.conductance.size
     changed = 0
-    touched_before = True  # whether the old line i - 1 held pressure
-    for i in range(1, n):
-        touched = False
-        dry_here = False
+    for i in range(1, film.conductance.size):
+        wettable = lines.wet_count[i] < m and not conserving
         for j in range(m):
-            if lines.wet[i, j]:
-                touched = True
-            else:
-                dry_here = True
-        u = lines.solution[i, 0]
-        if dry_here and not conserving:
-            touched_after = i + 1 == n
-            for j in range(m):
-                touched_after |= lines.wet[i + 1, j]
-            source = film.couette[i] - film.couette[i - 1] + film.squeeze[i]
-            for j in range(m):
-                if lines.wet[i, j]:
-                    continue
-                row = axial.root_weights[j] * source
-                if touched_before:
-                    row -= film.conductance[i - 1] * lines.solution[i - 1, 0, j]
-                if touched_after:
-                    row -= film.conductance[i] * lines.solution[i + 1, 0, j]
-                if touched:
-                    coupling = 0.0
-                    for k in range(m):
-                        coupling += axial.stiffness[j, k] * u[k]
-                    row += kappa * film.cubed[i] * coupling
-                row -= kappa * film.cubed[i] * axial.load[j] * side_pressure
-                if row < -TIE:
-                    lines.wet[i, j] = True
-                    changed += 1
-            for j in range(m):  # nodes that were wet before this call: a dry node holds u = 0 exactly
-                if lines.wet[i, j] and u[j] < -TIE:
-                    lines.wet[i, j] = False
-                    changed += 1
-        else:
-            for j in range(m):
-                if u[j] < -TIE:
+            if lines.wet[i, j] or conserving:
+                if lines.solution[i, 0, j] < -TIE:
                     lines.wet[i, j] = not lines.wet[i, j]
                     changed += 1
-        touched_before = touched
+                    continue
+            if wettable and not lines.wet[i, j]:
+                if dry_row(axial, film, lines, kappa, side_pressure, i, j) < -TIE:
+                    lines.wet[i, j] = True
+                    changed += 1
     return changed
+
+
+@compiled
+def dry_row(axial, film, lines, kappa, side_pressure, i, j):
+    """Row of a dry node with p = 0: what flows off less what arrives, over sqrt(w_j)."""
+    stretch = kappa * film.cubed[i]
+    row = axial.root_weights[j] * (film.couette[i] - film.couette[i - 1] + film.squeeze[i])
+    row -= film.conductance[i - 1] * lines.solution[i - 1, 0, j]
+    row -= film.conductance[i] * lines.solution[i + 1, 0, j]
+    row -= stretch * axial.load[j] * side_pressure
+    if lines.wet_count[i] > 0:
+        for k in range(len(axial.size)):
+            row += stretch * axial.stiffness[j, k] * lines.solution[i, 0, k]
+    return row
 
 
 @compiled
@@ -83,11 +66,12 @@ def add_forces(axial, land, grid, film, lines, kappa, side_pressure, conserving,
     cxx, cxy, cyx, cyy = 0.0, 0.0, 0.0, 0.0
     for i in range(n + 1):
         now = lines.solution[i]
-        mean, touched = 0.0, False
+        if lines.wet_count[i] == 0 and not conserving and side_pressure == 0.0 and lines.wet_count[min(i+1,n)] == 0:
+            continue
+        mean = 0.0
         for j in range(m):
             if lines.wet[i, j]:
                 mean += axial.root_weights[j] * (now[0, j] - side_pressure * axial.root_weights[j])
-                touched = True
             else:
                 mean -= side_pressure * axial.root_weights[j] ** 2
         fx -= grid.weight_x[i] * mean
@@ -123,7 +107,7 @@ def add_forces(axial, land, grid, film, lines, kappa, side_pressure, conserving,
             kyx += inlet_y * film.inlet[1]
             kyy += inlet_y * film.inlet[2]
             continue
-        if not touched and not conserving:
+        if lines.wet_count[i] == 0 and not conserving:
             continue
         # axial flow and squeeze of the line
         ex, ey, sx, sy = 0.0, 0.0, 0.0, 0.0

@@ -12,7 +12,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from numba import njit
-from numpy import bool_, float64
+from numpy import bool_, float64, int64
 from numpy.typing import NDArray
 
 Array = NDArray[float64]
@@ -21,7 +21,7 @@ Array = NDArray[float64]
 START, END, CLEARANCE, CENTRE_X, CENTRE_Y, START_PRESSURE, END_PRESSURE = range(7)
 LAND_COLUMNS = 7
 
-compiled = njit(cache=True, error_model="numpy", nogil=True)
+compiled = njit(cache=True, error_model="numpy", nogil=True, fastmath={"contract", "reassoc"})
 """Decorator of every kernel: cached on disk, IEEE division, no GIL."""
 
 
@@ -85,6 +85,7 @@ class Lines(NamedTuple):
     """State of the lines of a land and the workspace of the elimination."""
 
     wet: NDArray[bool_]  # (n + 1, m)
+    wet_count: NDArray[int64]  # wet nodes of a line, as the last solution saw them, (n + 1,)
     solution: Array  # u or sigma = sqrt(w) s, adjoint of F_x, adjoint of F_y: (n + 1, 3, m)
     pivot: Array  # inverse modal pivots, (n + 1, m)
     inverse: Array  # inverse of the block of a line, (n + 1, m, m)
