@@ -36,11 +36,15 @@ def count_wet(lines, m):
 
 
 @compiled
-def solve_land(axial, land, grid, film, lines, kappa, side_pressure, conserving):
-    """Solve for pressure (or void) and the adjoints of both force components, with the wet set as it stands."""
+def solve_land(axial, land, grid, film, lines, kappa, side_pressure, conserving, nodal_from):
+    """Solve for pressure (or void) and the adjoints of both force components, with the wet set as it stands.
+
+    Lines are treated in modes up to the line before the first one with a dry node, but at most to nodal_from - 1.
+    """
     m = len(axial.size)
     n = film.conductance.size
     broken = count_wet(lines, m)
+    broken = min(broken, max(nodal_from, 1))
     full = broken - 1  # lines 1..full are full
     sweep_full_lines(axial, land, grid, film, lines, kappa, side_pressure, full)
     if broken < n:
@@ -168,7 +172,7 @@ def sweep_broken_line(axial, land, grid, film, lines, kappa, side_pressure, cons
             if wet[i, b] and row_counts:
                 entry = stretch * axial.stiffness[a, b]
                 if a == b:
-                    entry += t0 + t1
+                    entry += t0 + t1 + lines.ending[i, a]
             elif a == b:
                 entry = void_here if conserving else 1.0
             block[a, b] = entry

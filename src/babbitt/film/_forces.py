@@ -40,6 +40,43 @@ def update_wet_set(axial, film, lines, kappa, side_pressure, conserving):
 
 
 @compiled
+def end_at_rupture(axial, film, lines, conserving):
+    """Let the adjoints vanish at the rupture instead of the first dry line; returns the first line concerned.
+
+    Near the rupture p'' is constant. In the discrete film the pressure d intervals before the first dry line is then
+    g (d^2/2 + e d), with g = (Q_i+1 - Q_i)/T_i the surplus of the dry line, and its slope is that of the
+    parabola that ends e intervals behind that line: e = p_i/g - 1/2. The conductance from the last wet line to
+    the end of the film is T_i / (1 + e) instead of T_i.
+    """
+    m = len(axial.size)
+    n = film.conductance.size
+    first = n
+    for i in range(1, n):
+        for j in range(m):
+            lines.ending[i, j] = 0.0
+            if not lines.wet[i, j]:
+                continue
+            pressure = lines.solution[i, 0, j] / axial.root_weights[j]
+            if i < n - 1 and not lines.wet[i + 1, j]:
+                surplus = (film.couette[i + 1] - film.couette[i]) / film.conductance[i]
+                lines.ending[i, j] += film.conductance[i] * shortening(pressure, surplus)
+                first = min(first, i)
+            if i > 1 and not lines.wet[i - 1, j] and not conserving:
+                surplus = (film.couette[i - 1] - film.couette[i - 2]) / film.conductance[i - 1]
+                lines.ending[i, j] += film.conductance[i - 1] * shortening(pressure, surplus)
+                first = min(first, i)
+    return first
+
+
+@compiled
+def shortening(pressure, surplus):
+    """Relative change of the conductance of an interval at the end of the film: 1/(1/2 + p/g) - 1."""
+    if surplus <= 0.0:
+        return 0.0
+    return 1.0 / (0.5 + min(pressure / surplus, 1.0)) - 1.0
+
+
+@compiled
 def dry_row(axial, film, lines, kappa, side_pressure, i, j):
     """Row of a dry node with p = 0: what flows off less what arrives, over sqrt(w_j)."""
     stretch = kappa * film.cubed[i]

@@ -63,8 +63,8 @@ def new_film(n):
 def new_lines(n, m):
     """Fully wet lines of a land with n intervals and m axial unknowns."""
     return Lines(
-        np.ones((n + 1, m), np.bool_), np.zeros(n + 1, np.int64), np.zeros((n + 1, 3, m)), np.empty((n + 1, m)),
-        np.empty((n + 1, m, m)),
+        np.ones((n + 1, m), np.bool_), np.zeros(n + 1, np.int64), np.zeros((n + 1, m)), np.zeros((n + 1, 3, m)),
+        np.empty((n + 1, m)), np.empty((n + 1, m, m)),
         np.zeros((n + 1, m)), np.zeros((n + 1, m)), np.zeros((n + 1, 3, m)), np.empty((n + 1, 3, m)),
     )  # fmt: skip
 
@@ -73,7 +73,7 @@ def new_lines(n, m):
 def lines_with(lines, wet):
     """The same workspace with another wet set."""
     return Lines(
-        wet, lines.wet_count, lines.solution, lines.pivot, lines.inverse, lines.lower, lines.upper, lines.swept,
+        wet, lines.wet_count, lines.ending, lines.solution, lines.pivot, lines.inverse, lines.lower, lines.upper, lines.swept,
         lines.modal,
     )  # fmt: skip
 

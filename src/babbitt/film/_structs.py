@@ -47,6 +47,7 @@ class Bearing(NamedTuple):
     speed: float  # 1, or 0 for a journal at rest
     side_pressure: float  # ambient pressure above the cavitation pressure
     conserving: bool  # mass-conserving condition, or else the Reynolds condition
+    smooth: bool  # whether the coefficients are freed from the steps of the grid
     crowding: float  # how many times denser the lines stand where the film ruptures
 
 
@@ -86,6 +87,7 @@ class Lines(NamedTuple):
 
     wet: NDArray[bool_]  # (n + 1, m)
     wet_count: NDArray[int64]  # wet nodes of a line, as the last solution saw them, (n + 1,)
+    ending: Array  # what the last interval adds to the diagonal of a row at the end of the film, (n + 1, m)
     solution: Array  # u or sigma = sqrt(w) s, adjoint of F_x, adjoint of F_y: (n + 1, 3, m)
     pivot: Array  # inverse modal pivots, (n + 1, m)
     inverse: Array  # inverse of the block of a line, (n + 1, m, m)
