@@ -31,21 +31,12 @@ NEAR, FAR = 0.5 + GAUSS, 0.5 - GAUSS  # value of the hat function at the nearer 
 
 
 @compiled
-def new_grids(lands, n):
-    """Grids of several lands with n intervals each, not filled yet: every array has a leading axis of lands."""
+def new_grid(lands, n, m):
+    """Grid of several lands with n intervals each, not filled yet, all nodes wet."""
     node, cell = (lands, n + 1), (lands, n)
     return Grid(
         np.empty(node), np.empty(cell), np.empty(cell), np.empty(cell), np.empty(cell), np.empty(cell),
-        np.empty(cell), np.empty(cell), np.empty(node), np.empty(node),
-    )  # fmt: skip
-
-
-@compiled
-def grid_of(grids, k):
-    """Grid of land k."""
-    return Grid(
-        grids.theta[k], grids.step[k], grids.cos_a[k], grids.sin_a[k], grids.cos_b[k], grids.sin_b[k],
-        grids.gap_a[k], grids.gap_b[k], grids.weight_x[k], grids.weight_y[k],
+        np.empty(cell), np.empty(cell), np.empty(node), np.empty(node), np.ones((lands, n + 1, m), np.bool_),
     )  # fmt: skip
 
 
@@ -61,119 +52,133 @@ def new_film(n):
 
 @compiled
 def new_lines(n, m):
-    """Fully wet lines of a land with n intervals and m axial unknowns."""
+    """Workspace of a land with n intervals and m axial unknowns."""
     return Lines(
-        np.ones((n + 1, m), np.bool_), np.zeros(n + 1, np.int64), np.zeros((n + 1, m)), np.zeros((n + 1, 3, m)),
-        np.empty((n + 1, m)), np.empty((n + 1, m, m)),
-        np.zeros((n + 1, m)), np.zeros((n + 1, m)), np.zeros((n + 1, 3, m)), np.empty((n + 1, 3, m)),
+        np.zeros(n + 1, np.int64), np.zeros((n + 1, m)), np.zeros((n + 1, 3, m)), np.empty((n + 1, m)),
+        np.empty((n + 1, m, m)), np.zeros((n + 1, m)), np.zeros((n + 1, m)), np.zeros((n + 1, 3, m)),
+        np.empty((n + 1, 3, m)),
     )  # fmt: skip
 
 
 @compiled
-def lines_with(lines, wet):
-    """The same workspace with another wet set."""
-    return Lines(
-        wet, lines.wet_count, lines.ending, lines.solution, lines.pivot, lines.inverse, lines.lower, lines.upper, lines.swept,
-        lines.modal,
-    )  # fmt: skip
-
-
-@compiled
-def profile_at(land, profile, theta):
+def profile_at(bearing, k, theta):
     """Departure of the bore from its circle at an angle: linear between equally spaced samples of the land."""
-    last = profile.shape[0] - 1
+    last = bearing.profiles.shape[1] - 1
     if last < 1:
         return 0.0
-    place = (theta - land[START]) / (land[END] - land[START]) * last
-    k = min(max(int(place), 0), last - 1)
-    return profile[k] + (place - k) * (profile[k + 1] - profile[k])
+    start, end = bearing.lands[k, START], bearing.lands[k, END]
+    place = (theta - start) / (end - start) * last
+    s = min(max(int(place), 0), last - 1)
+    return bearing.profiles[k, s] + (place - s) * (bearing.profiles[k, s + 1] - bearing.profiles[k, s])
 
 
 @compiled
-def uniform_lines(land, grid):
-    """Equally spaced lines over the land."""
-    n = grid.step.size
-    for i in range(n + 1):
-        grid.theta[i] = land[START] + (land[END] - land[START]) * i / n
+def uniform_lines(bearing, grid):
+    """Equally spaced lines over every land."""
+    n = grid.step.shape[1]
+    for k in range(bearing.lands.shape[0]):
+        start, end = bearing.lands[k, START], bearing.lands[k, END]
+        for i in range(n + 1):
+            grid.theta[k, i] = start + (end - start) * i / n
+    fill_grid(bearing, grid)
 
 
 @compiled
-def graded_lines(land, coarse, x, y, exponent, crowd, grid):
-    """Lines with a density proportional to crowd * h^-exponent, both known on the intervals of a coarse grid.
+def graded_lines(bearing, coarse, x, y, grid):
+    """Lines with a density proportional to crowding * h^-exponent, both known on the intervals of a coarse grid.
 
-    ``crowd`` (one number per coarse interval) draws lines to the rupture. The cumulated density is linear
-    over a coarse interval and is inverted exactly.
+    The deeper the journal, the larger the exponent; the crowding draws lines to the rupture. The cumulated
+    density is linear over a coarse interval and is inverted exactly. A fine node is wet if one of the coarse nodes beside
+    it is: too many wet nodes cost one update of the wet set, too few cost one update a line.
     """
-    cells, n = coarse.step.size, grid.step.size
-    total = 0.0
+    cells, n, m = coarse.step.shape[1], grid.step.shape[1], grid.wet.shape[2]
+    depth = min(max(0.0, 1.0 - smallest_gap(coarse, x, y)), 1.0)
+    exponent = 0.8 * depth**4
     density = np.empty(cells)
-    for k in range(cells):
-        h = 0.5 * (coarse.gap_a[k] + coarse.gap_b[k])
-        h -= 0.5 * (x * (coarse.cos_a[k] + coarse.cos_b[k]) + y * (coarse.sin_a[k] + coarse.sin_b[k]))
-        density[k] = crowd[k] * max(h, 1e-6) ** (-exponent)
-        total += density[k] * coarse.step[k]
-    k, passed = 0, 0.0
-    for i in range(n + 1):
-        wanted = total * i / n
-        while k < cells - 1 and passed + density[k] * coarse.step[k] < wanted:
-            passed += density[k] * coarse.step[k]
-            k += 1
-        grid.theta[i] = coarse.theta[k] + (wanted - passed) / density[k]
-    grid.theta[0], grid.theta[n] = land[START], land[END]
+    for k in range(bearing.lands.shape[0]):
+        total = 0.0
+        for i in range(cells):
+            h = coarse.gap_a[k, i] - x * coarse.cos_a[k, i] - y * coarse.sin_a[k, i]
+            h += coarse.gap_b[k, i] - x * coarse.cos_b[k, i] - y * coarse.sin_b[k, i]
+            density[i] = max(0.5 * h, 1e-6) ** -exponent
+            if bearing.crowding != 1.0:
+                for j in range(m):
+                    if coarse.wet[k, i, j] != coarse.wet[k, i + 1, j]:
+                        density[i] *= bearing.crowding
+                        break
+            total += density[i] * coarse.step[k, i]
+        c, passed = 0, 0.0
+        for i in range(n + 1):
+            wanted = total * i / n
+            while c < cells - 1 and passed + density[c] * coarse.step[k, c] < wanted:
+                passed += density[c] * coarse.step[k, c]
+                c += 1
+            grid.theta[k, i] = coarse.theta[k, c] + (wanted - passed) / density[c]
+            for j in range(m):
+                grid.wet[k, i, j] = coarse.wet[k, c, j] or coarse.wet[k, c + 1, j]
+        grid.theta[k, 0], grid.theta[k, n] = bearing.lands[k, START], bearing.lands[k, END]
+    fill_grid(bearing, grid)
 
 
 @compiled
-def fill_grid(land, profile, grid):
+def fill_grid(bearing, grid):
     """Steps, trigonometry, gap of the centred journal and load weights of the lines already placed."""
-    n = grid.step.size
-    for i in range(n):
-        step = grid.theta[i + 1] - grid.theta[i]
-        grid.step[i] = step
-        # cosine and sine at the middle, then by addition theorem to the Gauss points (offset below 0.1 rad)
-        middle = 0.5 * (grid.theta[i] + grid.theta[i + 1])
-        c, s = math.cos(middle), math.sin(middle)
-        offset = GAUSS * step
-        cd, sd = math.cos(offset), math.sin(offset)
-        grid.cos_a[i], grid.cos_b[i] = c * cd + s * sd, c * cd - s * sd
-        grid.sin_a[i], grid.sin_b[i] = s * cd - c * sd, s * cd + c * sd
-        grid.gap_a[i] = land[CLEARANCE] + land[CENTRE_X] * grid.cos_a[i] + land[CENTRE_Y] * grid.sin_a[i]
-        grid.gap_b[i] = land[CLEARANCE] + land[CENTRE_X] * grid.cos_b[i] + land[CENTRE_Y] * grid.sin_b[i]
-        if profile.size > 1:
-            grid.gap_a[i] += profile_at(land, profile, middle - offset)
-            grid.gap_b[i] += profile_at(land, profile, middle + offset)
+    n = grid.step.shape[1]
     grid.weight_x[:] = 0.0
     grid.weight_y[:] = 0.0
-    for i in range(n):
-        half = 0.5 * grid.step[i]
-        grid.weight_x[i] += half * (NEAR * grid.cos_a[i] + FAR * grid.cos_b[i])
-        grid.weight_y[i] += half * (NEAR * grid.sin_a[i] + FAR * grid.sin_b[i])
-        grid.weight_x[i + 1] += half * (FAR * grid.cos_a[i] + NEAR * grid.cos_b[i])
-        grid.weight_y[i + 1] += half * (FAR * grid.sin_a[i] + NEAR * grid.sin_b[i])
+    for k in range(bearing.lands.shape[0]):
+        clearance = bearing.lands[k, CLEARANCE]
+        centre_x, centre_y = bearing.lands[k, CENTRE_X], bearing.lands[k, CENTRE_Y]
+        for i in range(n):
+            step = grid.theta[k, i + 1] - grid.theta[k, i]
+            middle = 0.5 * (grid.theta[k, i] + grid.theta[k, i + 1])
+            offset = GAUSS * step
+            # from the middle to the Gauss points by the addition theorem; the series is exact below 0.2 rad
+            c, s = math.cos(middle), math.sin(middle)
+            d2 = offset * offset
+            cd = 1.0 - d2 * (0.5 - d2 * (1.0 / 24.0 - d2 * (1.0 / 720.0 - d2 * (1.0 / 40320.0 - d2 / 3628800.0))))
+            sd = offset * (1.0 - d2 * (1.0 / 6.0 - d2 * (1.0 / 120.0 - d2 * (1.0 / 5040.0 - d2 / 362880.0))))
+            ca, cb = c * cd + s * sd, c * cd - s * sd
+            sa, sb = s * cd - c * sd, s * cd + c * sd
+            grid.step[k, i] = step
+            grid.cos_a[k, i], grid.cos_b[k, i], grid.sin_a[k, i], grid.sin_b[k, i] = ca, cb, sa, sb
+            gap_a = clearance + centre_x * ca + centre_y * sa
+            gap_b = clearance + centre_x * cb + centre_y * sb
+            if bearing.profiles.shape[1] > 1:
+                gap_a += profile_at(bearing, k, middle - offset)
+                gap_b += profile_at(bearing, k, middle + offset)
+            grid.gap_a[k, i], grid.gap_b[k, i] = gap_a, gap_b
+            half = 0.5 * step
+            grid.weight_x[k, i] += half * (NEAR * ca + FAR * cb)
+            grid.weight_y[k, i] += half * (NEAR * sa + FAR * sb)
+            grid.weight_x[k, i + 1] += half * (FAR * ca + NEAR * cb)
+            grid.weight_y[k, i + 1] += half * (FAR * sa + NEAR * sb)
 
 
 @compiled
 def smallest_gap(grid, x, y):
-    """Smallest gap at the Gauss points of a land."""
+    """Smallest gap at the Gauss points of all lands."""
     smallest = np.inf
-    for i in range(grid.step.size):
-        a = grid.gap_a[i] - x * grid.cos_a[i] - y * grid.sin_a[i]
-        b = grid.gap_b[i] - x * grid.cos_b[i] - y * grid.sin_b[i]
-        smallest = min(smallest, min(a, b))
+    for k in range(grid.step.shape[0]):
+        for i in range(grid.step.shape[1]):
+            a = grid.gap_a[k, i] - x * grid.cos_a[k, i] - y * grid.sin_a[k, i]
+            b = grid.gap_b[k, i] - x * grid.cos_b[k, i] - y * grid.sin_b[k, i]
+            smallest = min(smallest, min(a, b))
     return smallest
 
 
 @compiled
-def film_coefficients(land, grid, speed, x, y, x_rate, y_rate, film):
-    """Coefficients of the film at a journal position and velocity; ``speed`` is 1, or 0 for a journal at rest."""
-    n = grid.step.size
+def film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film):
+    """Coefficients of the film at a journal position and velocity, on land k."""
+    n, speed = film.conductance.size, bearing.speed
     film.cubed[:] = 0.0
     film.cubed_x[:] = 0.0
     film.cubed_y[:] = 0.0
     for i in range(n):
-        half = 0.5 * grid.step[i]
-        ca, sa, cb, sb = grid.cos_a[i], grid.sin_a[i], grid.cos_b[i], grid.sin_b[i]
-        ha = grid.gap_a[i] - x * ca - y * sa
-        hb = grid.gap_b[i] - x * cb - y * sb
+        half = 0.5 * grid.step[k, i]
+        ca, sa, cb, sb = grid.cos_a[k, i], grid.sin_a[k, i], grid.cos_b[k, i], grid.sin_b[k, i]
+        ha = grid.gap_a[k, i] - x * ca - y * sa
+        hb = grid.gap_b[k, i] - x * cb - y * sb
         va, vb = 1.0 / ha, 1.0 / hb
         a2, b2 = va * va, vb * vb
         a3, b3 = a2 * va, b2 * vb
@@ -198,34 +203,34 @@ def film_coefficients(land, grid, speed, x, y, x_rate, y_rate, film):
         film.cubed_y[i] -= 3.0 * (NEAR * ha2 * sa + FAR * hb2 * sb)
         film.cubed_y[i + 1] -= 3.0 * (FAR * ha2 * sa + NEAR * hb2 * sb)
     for i in range(n + 1):
-        film.squeeze[i] = -(x_rate * grid.weight_x[i] + y_rate * grid.weight_y[i])
-    inlet_flux(land, grid, speed, x, y, film)
+        film.squeeze[i] = -(x_rate * grid.weight_x[k, i] + y_rate * grid.weight_y[k, i])
+    inlet_flux(bearing, grid, k, x, y, film)
 
 
 @compiled
-def inlet_flux(land, grid, speed, x, y, film):
+def inlet_flux(bearing, grid, k, x, y, film):
     """Flux that enters a line which ruptures inside its first interval, and its derivatives.
 
     A flooded groove at pressure p_s before a diverging gap h_0 + g t keeps the film full up to the length
     l with p_s = 3 g l^2 / h_0^3 (first order in l), and sends off q = (h_0 + g l) / 2. For p_s = 0 that is h_0/2;
     the face value Q_0 there would make the whole mass-conserving solution first order.
     """
-    c, s = math.cos(grid.theta[0]), math.sin(grid.theta[0])
-    middle_gap = 0.5 * (grid.gap_a[0] + grid.gap_b[0])
-    growth = (grid.gap_b[0] - grid.gap_a[0]) / (2.0 * GAUSS * grid.step[0])
-    gap = middle_gap - 0.5 * growth * grid.step[0] - x * c - y * s
+    speed, pressure = bearing.speed, bearing.lands[k, START_PRESSURE]
+    c, s = math.cos(grid.theta[k, 0]), math.sin(grid.theta[k, 0])
+    middle_gap = 0.5 * (grid.gap_a[k, 0] + grid.gap_b[k, 0])
+    growth = (grid.gap_b[k, 0] - grid.gap_a[k, 0]) / (2.0 * GAUSS * grid.step[k, 0])
+    gap = middle_gap - 0.5 * growth * grid.step[k, 0] - x * c - y * s
     slope = growth + x * s - y * c
     film.inlet[0] = 0.5 * gap * speed
     film.inlet[1] = -0.5 * c * speed
     film.inlet[2] = -0.5 * s * speed
-    pressure = land[START_PRESSURE]
     if pressure > 0.0 and slope > 1e-12 and speed > 0.0:
         # growth of the gap up to the rupture: g l = sqrt(p_s h0^3 g / 3), p_s counted for unit speed
         extra = math.sqrt(pressure / speed * gap**3 * slope / 3.0)
-        if extra > slope * grid.step[0]:
-            extra = slope * grid.step[0]
-            film.inlet[1] += 0.5 * speed * s * grid.step[0]
-            film.inlet[2] -= 0.5 * speed * c * grid.step[0]
+        if extra > slope * grid.step[k, 0]:
+            extra = slope * grid.step[k, 0]
+            film.inlet[1] += 0.5 * speed * s * grid.step[k, 0]
+            film.inlet[2] -= 0.5 * speed * c * grid.step[k, 0]
         else:
             film.inlet[1] += 0.25 * speed * extra * (-3.0 * c / gap + s / slope)
             film.inlet[2] += 0.25 * speed * extra * (-3.0 * s / gap - c / slope)

@@ -43,7 +43,7 @@ class Bearing(NamedTuple):
 
     lands: Array  # one row per land, columns as above
     profiles: Array  # departure from the circle at equally spaced angles of each land, (lands, samples or 0)
-    diameter_to_width: float
+    kappa: float  # (D/B)^2 / 12
     speed: float  # 1, or 0 for a journal at rest
     side_pressure: float  # ambient pressure above the cavitation pressure
     conserving: bool  # mass-conserving condition, or else the Reynolds condition
@@ -52,18 +52,19 @@ class Bearing(NamedTuple):
 
 
 class Grid(NamedTuple):
-    """Lines of a land and everything that depends on them alone. a and b are the two Gauss points."""
+    """Lines of all lands and everything that depends on them alone. a and b are the two Gauss points."""
 
-    theta: Array  # (n + 1,)
-    step: Array  # (n,)
-    cos_a: Array  # (n,)
+    theta: Array  # (lands, n + 1)
+    step: Array  # (lands, n)
+    cos_a: Array  # (lands, n)
     sin_a: Array
     cos_b: Array
     sin_b: Array
-    gap_a: Array  # gap for a journal in the origin, (n,)
+    gap_a: Array  # gap for a journal in the origin, (lands, n)
     gap_b: Array
-    weight_x: Array  # int cos(theta) phi_i d theta, phi_i the hat function of line i, (n + 1,)
-    weight_y: Array  # int sin(theta) phi_i d theta, (n + 1,)
+    weight_x: Array  # int cos(theta) phi_i d theta, phi_i the hat function of line i, (lands, n + 1)
+    weight_y: Array  # int sin(theta) phi_i d theta, (lands, n + 1)
+    wet: NDArray[bool_]  # whether a node holds pressure, (lands, n + 1, m)
 
 
 class Film(NamedTuple):
@@ -83,9 +84,8 @@ class Film(NamedTuple):
 
 
 class Lines(NamedTuple):
-    """State of the lines of a land and the workspace of the elimination."""
+    """Solution on the lines of one land and the workspace of the elimination."""
 
-    wet: NDArray[bool_]  # (n + 1, m)
     wet_count: NDArray[int64]  # wet nodes of a line, as the last solution saw them, (n + 1,)
     ending: Array  # what the last interval adds to the diagonal of a row at the end of the film, (n + 1, m)
     solution: Array  # u or sigma = sqrt(w) s, adjoint of F_x, adjoint of F_y: (n + 1, 3, m)
