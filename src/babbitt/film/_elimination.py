@@ -15,10 +15,10 @@ from the first line with a dry node on, blocks are inverted. The adjoints A^T l 
 
 from __future__ import annotations
 
-from babbitt.film._structs import END_PRESSURE, START_PRESSURE, compiled
+from babbitt.film._structs import END_PRESSURE, START_PRESSURE, inlined
 
 
-@compiled
+@inlined
 def count_wet(grid, k, lines, m):
     """Count the wet nodes of every line; returns the index of the first unknown line with a dry node, or n."""
     n = grid.wet.shape[1] - 1
@@ -35,7 +35,7 @@ def count_wet(grid, k, lines, m):
     return broken
 
 
-@compiled
+@inlined
 def solve_land(axial, bearing, grid, k, film, lines, nodal_from):
     """Solve land k for pressure (or void) and the adjoints of both force components, with the wet set as it stands.
 
@@ -80,7 +80,7 @@ def solve_land(axial, bearing, grid, k, film, lines, nodal_from):
         solution[n, 0, j] = axial.root_weights[j] * bearing.lands[k, END_PRESSURE]
 
 
-@compiled
+@inlined
 def sweep_full_lines(axial, bearing, grid, k, film, lines, full):
     """Forward elimination of the lines 1..full in modal coordinates."""
     m = len(axial.size)
@@ -110,7 +110,7 @@ def sweep_full_lines(axial, bearing, grid, k, film, lines, full):
             swept[i, 0, e], swept[i, 1, e], swept[i, 2, e] = y0, y1, y2
 
 
-@compiled
+@inlined
 def full_line_to_nodes(axial, lines, i):
     """Express the factor and the right-hand sides of the last full line in nodes."""
     m = len(axial.size)
@@ -126,7 +126,7 @@ def full_line_to_nodes(axial, lines, i):
     rotate(axial.modes, lines.modal, lines.swept, i, m)
 
 
-@compiled
+@inlined
 def rotate(matrix, vectors, result, i, m):
     """Line i of ``result`` = matrix times line i of ``vectors``, for the pressure and both adjoints."""
     for a in range(m):
@@ -139,7 +139,7 @@ def rotate(matrix, vectors, result, i, m):
         result[i, 0, a], result[i, 1, a], result[i, 2, a] = r0, r1, r2
 
 
-@compiled
+@inlined
 def sweep_broken_line(axial, bearing, grid, k, film, lines, i):
     """Forward elimination of one line in nodal coordinates: block, its inverse, right-hand sides."""
     m = len(axial.size)
@@ -195,7 +195,7 @@ def sweep_broken_line(axial, bearing, grid, k, film, lines, i):
             inverse[i, a, a] = 1.0 / inverse[i, a, a]
 
 
-@compiled
+@inlined
 def invert(blocks, i, m):
     """Invert block i in place, Gauss-Jordan without pivoting (wet rows are diagonally heavy, dry columns diagonal)."""
     for c in range(m):
@@ -211,7 +211,7 @@ def invert(blocks, i, m):
                     blocks[i, a, b] -= factor * blocks[i, c, b]
 
 
-@compiled
+@inlined
 def back_substitute(lines, i, n, m):
     """Solution of one line in nodal coordinates from the line behind it."""
     inverse, swept, solution = lines.inverse, lines.swept, lines.solution

@@ -30,40 +30,34 @@ HISTORY = 5  # what a settle reports: x, y, status, steps, smallest gap
 
 
 @compiled
-def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, result):
+def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, result):
     """Force, stiffness and damping of all lands at a position; returns how many nodes changed between wet and dry.
 
     The force belongs to the wet set found so far; it is exact when nothing changed.
+
+    Between two lines the rupture moves without the wet set noticing, and the adjoints end on a line: stiffness and
+    damping are the exact derivatives of the discrete film, but jump by a per cent when a node changes sides.
+    With ``smooth`` the adjoints are solved once more and end at the rupture itself.
     """
     result[:] = 0.0
     changed = 0
+    n = film.conductance.size
     for k in range(bearing.lands.shape[0]):
         film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film)
-        solve_land(axial, bearing, grid, k, film, lines, film.conductance.size)
+        nodal_from = n
+        for again in range(2):
+            solve_land(axial, bearing, grid, k, film, lines, nodal_from)
+            if again == 1:
+                lines.ending[:] = 0.0
+                lines.solution[:, 0, :] = lines.saved
+            elif smooth:
+                nodal_from = end_at_rupture(axial, bearing, grid, k, film, lines)
+                lines.saved[:] = lines.solution[:, 0, :]
+            if not smooth or nodal_from == n:
+                break
         add_forces(axial, bearing, grid, k, film, lines, result)
         changed += update_wet_set(axial, bearing, grid, k, film, lines)
     return changed
-
-
-@compiled
-def smooth_coefficients(axial, bearing, grid, film, lines, x, y, result):
-    """Force, stiffness and damping at a settled position, the adjoints ending where the film does.
-
-    Between two grid lines the rupture moves without the wet set noticing, and the adjoints of ``evaluate`` end on a
-    line: their coefficients jump by a per cent when a node changes sides. Here they end at the rupture itself.
-    """
-    result[:] = 0.0
-    n = film.conductance.size
-    for k in range(bearing.lands.shape[0]):
-        film_coefficients(bearing, grid, k, x, y, 0.0, 0.0, film)
-        solve_land(axial, bearing, grid, k, film, lines, n)
-        first = end_at_rupture(axial, bearing, grid, k, film, lines)
-        if first < n:
-            pressure = lines.solution[:, 0, :].copy()
-            solve_land(axial, bearing, grid, k, film, lines, first)
-            lines.solution[:, 0, :] = pressure
-            lines.ending[:] = 0.0
-        add_forces(axial, bearing, grid, k, film, lines, result)
 
 
 @compiled
@@ -76,7 +70,7 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
     if not gap > 0.0:
         return x, y, NO_FILM, 0, gap
     for step in range(1, max_steps + 1):
-        changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, result)
+        changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, False, result)
         rx, ry = result[0] + load_x, result[1] + load_y
         size = math.hypot(rx, ry)
         if not size < np.inf:
@@ -148,5 +142,5 @@ def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tol
         axial, bearing, fine, film, lines, load_x, load_y, x, y, tolerance, max_steps, result
     )
     if bearing.smooth and status == CONVERGED:
-        smooth_coefficients(axial, bearing, fine, film, lines, x, y, result)
+        evaluate(axial, bearing, fine, film, lines, x, y, 0.0, 0.0, True, result)
     return x, y, status, total + steps, gap, fine

@@ -8,14 +8,14 @@ film ends with p = dp/dn = 0 the first-order pressure vanishes on the unperturbe
 
 from __future__ import annotations
 
-from babbitt.film._structs import END_PRESSURE, START_PRESSURE, compiled
+from babbitt.film._structs import END_PRESSURE, START_PRESSURE, inlined
 
 TIE = 1e-12  # a pressure or void this far below zero counts as zero
 FORCE, STIFFNESS, DAMPING = slice(0, 2), slice(2, 6), slice(6, 10)
 RESULT_SIZE = 10
 
 
-@compiled
+@inlined
 def update_wet_set(axial, bearing, grid, k, film, lines):
     """Semismooth Newton step on the complementarity: returns how many nodes changed.
 
@@ -43,7 +43,7 @@ def update_wet_set(axial, bearing, grid, k, film, lines):
     return changed
 
 
-@compiled
+@inlined
 def dry_row(axial, bearing, film, lines, i, j):
     """Row of a dry node with p = 0: what flows off less what arrives, over sqrt(w_j)."""
     stretch = bearing.kappa * film.cubed[i]
@@ -57,7 +57,7 @@ def dry_row(axial, bearing, film, lines, i, j):
     return row
 
 
-@compiled
+@inlined
 def end_at_rupture(axial, bearing, grid, k, film, lines):
     """Let the adjoints vanish at the rupture instead of the first dry line; returns the first line concerned.
 
@@ -87,7 +87,7 @@ def end_at_rupture(axial, bearing, grid, k, film, lines):
     return first
 
 
-@compiled
+@inlined
 def shortening(pressure, surplus):
     """Relative change of the conductance of an interval at the end of the film: 1/(1/2 + p/g) - 1."""
     if surplus <= 0.0:
@@ -95,7 +95,7 @@ def shortening(pressure, surplus):
     return 1.0 / (0.5 + min(pressure / surplus, 1.0)) - 1.0
 
 
-@compiled
+@inlined
 def add_forces(axial, bearing, grid, k, film, lines, result):
     """Add force, stiffness and damping of land k to ``result`` (F 2, K 4, C 4; K and C row by row).
 

@@ -24,6 +24,7 @@ from babbitt.film._structs import (
     Grid,
     Lines,
     compiled,
+    inlined,
 )
 
 GAUSS = 0.5 / math.sqrt(3.0)  # distance of a Gauss point from the middle, in intervals
@@ -55,12 +56,12 @@ def new_lines(n, m):
     """Workspace of a land with n intervals and m axial unknowns."""
     return Lines(
         np.zeros(n + 1, np.int64), np.zeros((n + 1, m)), np.zeros((n + 1, 3, m)), np.empty((n + 1, m)),
-        np.empty((n + 1, m, m)), np.zeros((n + 1, m)), np.zeros((n + 1, m)), np.zeros((n + 1, 3, m)),
-        np.empty((n + 1, 3, m)),
+        np.empty((n + 1, m)), np.empty((n + 1, m, m)), np.zeros((n + 1, m)), np.zeros((n + 1, m)),
+        np.zeros((n + 1, 3, m)), np.empty((n + 1, 3, m)),
     )  # fmt: skip
 
 
-@compiled
+@inlined
 def profile_at(bearing, k, theta):
     """Departure of the bore from its circle at an angle: linear between equally spaced samples of the land."""
     last = bearing.profiles.shape[1] - 1
@@ -155,7 +156,7 @@ def fill_grid(bearing, grid):
             grid.weight_y[k, i + 1] += half * (FAR * sa + NEAR * sb)
 
 
-@compiled
+@inlined
 def smallest_gap(grid, x, y):
     """Smallest gap at the Gauss points of all lands."""
     smallest = np.inf
@@ -167,7 +168,7 @@ def smallest_gap(grid, x, y):
     return smallest
 
 
-@compiled
+@inlined
 def film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film):
     """Coefficients of the film at a journal position and velocity, on land k."""
     n, speed = film.conductance.size, bearing.speed
@@ -207,7 +208,7 @@ def film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film):
     inlet_flux(bearing, grid, k, x, y, film)
 
 
-@compiled
+@inlined
 def inlet_flux(bearing, grid, k, x, y, film):
     """Flux that enters a line which ruptures inside its first interval, and its derivatives.
 

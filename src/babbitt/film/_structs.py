@@ -24,6 +24,9 @@ LAND_COLUMNS = 7
 compiled = njit(cache=True, error_model="numpy", nogil=True, fastmath={"contract", "reassoc"})
 """Decorator of every kernel: cached on disk, IEEE division, no GIL."""
 
+inlined = njit(cache=True, error_model="numpy", nogil=True, fastmath={"contract", "reassoc"}, forceinline=True)
+"""Decorator of kernels that run once a line or once a land: handing over the tuples would cost as much as they do."""
+
 
 class Axial(NamedTuple):
     """The axial operator in the symmetric variable u = sqrt(w) p (see ``babbitt.film.axial``)."""
@@ -89,6 +92,7 @@ class Lines(NamedTuple):
     wet_count: NDArray[int64]  # wet nodes of a line, as the last solution saw them, (n + 1,)
     ending: Array  # what the last interval adds to the diagonal of a row at the end of the film, (n + 1, m)
     solution: Array  # u or sigma = sqrt(w) s, adjoint of F_x, adjoint of F_y: (n + 1, 3, m)
+    saved: Array  # pressures while the adjoints are solved once more, (n + 1, m)
     pivot: Array  # inverse modal pivots, (n + 1, m)
     inverse: Array  # inverse of the block of a line, (n + 1, m, m)
     lower: Array  # diagonal block towards the line before, (n + 1, m)
