@@ -39,6 +39,8 @@ class Axial(NamedTuple):
     modes: Array  # orthonormal eigenvectors of K~ in columns, (m, m)
     modes_transposed: Array  # the same in rows, (m, m)
     mode_weights: Array  # modes^T sqrt(w), (m,)
+    edge_weight: float  # of the node on the side edge
+    edge_stiffness: Array  # row of the unscaled operator for that node, itself last, (m + 1,)
 
 
 class Bearing(NamedTuple):
