@@ -61,6 +61,31 @@ def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, re
 
 
 @compiled
+def damped_step(result, rx, ry, size, last_size, load, gap, step_time):
+    """Step of the journal under the residual force r: (C/dt + K) d = r, plain Newton below a tenth of the load.
+
+    The first dt moves the journal by half the gap; then dt grows as the residual falls. Returns dx, dy, dt.
+    """
+    kxx, kxy, kyx, kyy = result[2], result[3], result[4], result[5]
+    if size > 0.1 * load and load > 0.0:
+        cxx, cxy, cyx, cyy = result[6], result[7], result[8], result[9]
+        if step_time == 0.0:
+            det = cxx * cyy - cxy * cyx
+            speed = math.hypot(cyy * rx - cxy * ry, cxx * ry - cyx * rx) / max(abs(det), 1e-300)
+            step_time = 0.5 * gap / max(speed, 1e-300)
+        else:
+            step_time *= min(max(2.0 * last_size / size, 0.2), 8.0)
+        kxx += cxx / step_time
+        kxy += cxy / step_time
+        kyx += cyx / step_time
+        kyy += cyy / step_time
+    det = kxx * kyy - kxy * kyx
+    if det == 0.0:
+        det = 1e-300
+    return (kyy * rx - kxy * ry) / det, (kxx * ry - kyx * rx) / det, step_time
+
+
+@compiled
 def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, max_steps, result):
     """Move the journal from (x, y) until the film on these grids carries the load."""
     load = math.hypot(load_x, load_y)
@@ -79,24 +104,8 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
             calm += 1
             if changed == 0 or calm > 4:  # ties may change sides for ever
                 return x, y, CONVERGED, step, gap
-        kxx, kxy, kyx, kyy = result[2], result[3], result[4], result[5]
-        if size > 0.1 * load and load > 0.0:
-            cxx, cxy, cyx, cyy = result[6], result[7], result[8], result[9]
-            if step_time == 0.0:
-                det = cxx * cyy - cxy * cyx
-                speed = math.hypot(cyy * rx - cxy * ry, cxx * ry - cyx * rx) / max(abs(det), 1e-300)
-                step_time = 0.5 * gap / max(speed, 1e-300)
-            else:
-                step_time *= min(max(2.0 * last_size / size, 0.2), 8.0)
-            kxx += cxx / step_time
-            kxy += cxy / step_time
-            kyx += cyx / step_time
-            kyy += cyy / step_time
+        dx, dy, step_time = damped_step(result, rx, ry, size, last_size, load, gap, step_time)
         last_size = size
-        det = kxx * kyy - kxy * kyx
-        if det == 0.0:
-            return x, y, TOO_MANY_STEPS, step, gap
-        dx, dy = (kyy * rx - kxy * ry) / det, (kxx * ry - kyx * rx) / det
         new_gap = smallest_gap(grid, x + dx, y + dy)
         halvings = 0
         while not new_gap > 0.25 * gap and halvings < 60:

@@ -19,7 +19,15 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
-__all__ = ["EvenAxialOperator", "differentiation_matrix", "even_axial_operator", "lobatto_rule"]
+__all__ = [
+    "AxialMesh",
+    "EvenAxialOperator",
+    "differentiation_matrix",
+    "element_axial_mesh",
+    "even_axial_mesh",
+    "even_axial_operator",
+    "lobatto_rule",
+]
 
 Array = NDArray[np.float64]
 
@@ -146,3 +154,89 @@ def even_axial_operator(unknowns: int) -> EvenAxialOperator:
     root = np.sqrt(half_weights[:-1])
     eigenvalues, modes = np.linalg.eigh(stiffness[:-1, :-1] / np.outer(root, root))
     return EvenAxialOperator(nodes[unknowns:].copy(), half_weights, stiffness, eigenvalues, modes)
+
+
+@dataclass(frozen=True, eq=False)
+class AxialMesh:
+    """Spectral elements across the width, with boundaries where pockets end.
+
+    Attributes
+    ----------
+    nodes : ndarray, shape (nodes,)
+        zeta of the nodes, ascending.
+    points : ndarray, shape (points,)
+        zeta of the quadrature points: the GLL nodes of every element, so a node between elements occurs twice.
+    share : ndarray, shape (points,)
+        Part of the width that a point stands for; they sum to 1.
+    node_of_point : ndarray of int, shape (points,)
+    slope : ndarray, shape (points, nodes)
+        Derivative with respect to zeta at the points.
+    side_nodes : tuple of int
+        Nodes on the side edges.
+    """
+
+    nodes: Array
+    points: Array
+    share: Array
+    node_of_point: NDArray[np.int64]
+    slope: Array
+    side_nodes: tuple[int, ...]
+
+
+def even_axial_mesh(unknowns: int) -> AxialMesh:
+    """The even operator as a mesh of one element from the mid-plane to the edge."""
+    degree = 2 * unknowns
+    nodes, weights = lobatto_rule(degree)
+    slope = differentiation_matrix(nodes)[unknowns:]
+    folded = slope[:, unknowns:].copy()
+    folded[:, 1:] += slope[:, :unknowns][:, ::-1]
+    share = weights[unknowns:].copy()
+    share[0] *= 0.5
+    points = nodes[unknowns:].copy()
+    return AxialMesh(points, points, share, np.arange(unknowns + 1), folded, (unknowns,))
+
+
+def element_axial_mesh(boundaries: tuple[float, ...], degrees: tuple[int, ...]) -> AxialMesh:
+    """Spectral elements between given boundaries.
+
+    Parameters
+    ----------
+    boundaries : tuple of float
+        Ascending zeta, from -1 (whole width) or 0 (symmetric bearing, no flow across the mid-plane) to 1.
+    degrees : tuple of int
+        Polynomial degree of each element.
+
+    Returns
+    -------
+    AxialMesh
+
+    Examples
+    --------
+    >>> mesh = element_axial_mesh((0.0, 0.5, 1.0), (3, 4))
+    >>> float((mesh.share * (mesh.slope @ mesh.nodes**3)).sum())  # mean of 3 zeta^2 over [0, 1]
+    1.0
+    """
+    nodes: list[float] = [boundaries[0]]
+    points, share, node_of_point = [], [], []
+    blocks: list[tuple[int, Array]] = []
+    width = boundaries[-1] - boundaries[0]
+    for left, right, degree in zip(boundaries[:-1], boundaries[1:], degrees, strict=True):
+        reference, weights = lobatto_rule(degree)
+        half = 0.5 * (right - left)
+        own = left + half * (reference + 1.0)
+        first = len(nodes) - 1
+        nodes.extend(own[1:])
+        points.append(own)
+        share.append(weights * half / width)
+        node_of_point.append(first + np.arange(degree + 1))
+        blocks.append((first, differentiation_matrix(reference) / half))
+    slope = np.zeros((sum(block.shape[0] for _, block in blocks), len(nodes)))
+    row = 0
+    for first, block in blocks:
+        size = block.shape[0]
+        slope[row : row + size, first : first + size] = block
+        row += size
+    sides = (len(nodes) - 1,) if boundaries[0] == 0.0 else (0, len(nodes) - 1)
+    return AxialMesh(
+        np.array(nodes), np.concatenate(points), np.concatenate(share), np.concatenate(node_of_point), slope, sides
+    )

@@ -8,7 +8,7 @@ from enum import Enum
 
 from babbitt.notices import InputError
 
-__all__ = ["Cavitation", "FilmStart", "JournalFilm", "Land", "Resolution", "grooved_bore"]
+__all__ = ["Cavitation", "FilmStart", "JournalFilm", "Land", "Pocket", "Resolution", "grooved_bore"]
 
 
 class Cavitation(Enum):
@@ -22,6 +22,7 @@ class FilmStart(Enum):
     """Where the film of a land begins."""
 
     GROOVE = "at the groove edge the land starts from, flooded at the supply pressure"
+    PERIODIC = "nowhere: one land closes the ring and the film follows itself (pockets and holes feed it)"
     WIDEST_GAP = "at the widest gap of an ungrooved round bore, at ambient pressure (Raimondi-Boyd, Butenschoen)"
 
 
@@ -45,6 +46,11 @@ class Resolution:
     intervals: int = 96
     coarse_intervals: int = 24
     tolerance: float = 1e-6
+
+    @property
+    def ring_intervals(self) -> int:
+        """Intervals around the bearing for films that differ across the width."""
+        return 2 * self.intervals
 
 
 DRAFT = Resolution(4, 48)
@@ -81,8 +87,37 @@ class Land:
 
 
 @dataclass(frozen=True)
+class Pocket:
+    """A rectangular supply of part width, held at its pressure; a hole is a square of the same area.
+
+    Attributes
+    ----------
+    centre_angle, extent : float
+        rad.
+    axial_centre, axial_length : float
+        m, from the mid-plane.
+    pressure : float
+        Gauge, Pa.
+    """
+
+    centre_angle: float
+    extent: float
+    axial_length: float
+    axial_centre: float = 0.0
+    pressure: float = 0.0
+
+    @classmethod
+    def hole(
+        cls, angle: float, diameter: float, bore: float, axial_centre: float = 0.0, pressure: float = 0.0
+    ) -> Pocket:
+        """A round hole of ``diameter`` in a bearing of diameter ``bore``, both m."""
+        side = 0.5 * math.sqrt(math.pi) * diameter
+        return cls(angle, 2.0 * side / bore, side, axial_centre, pressure)
+
+
+@dataclass(frozen=True)
 class JournalFilm:
-    """A journal bearing with an isoviscous film, aligned, grooves as wide as the bearing.
+    """A journal bearing with an isoviscous film.
 
     Attributes
     ----------
@@ -98,6 +133,12 @@ class JournalFilm:
     film_start : FilmStart
     cavitation_pressure : float
         Gauge pressure at which the film breaks, Pa; zero or below.
+    pockets : tuple of Pocket
+        Supplies of part width.
+    misalignment : tuple of float
+        Slopes dx/dz and dy/dz of the journal axis against the bore, rad.
+    axial_viscosity : tuple of float
+        Viscosity over ``viscosity`` at equally spaced places from one side to the other. Empty: uniform.
     """
 
     diameter: float
@@ -109,6 +150,19 @@ class JournalFilm:
     cavitation: Cavitation = Cavitation.MASS_CONSERVING
     film_start: FilmStart = FilmStart.GROOVE
     cavitation_pressure: float = 0.0
+    pockets: tuple[Pocket, ...] = ()
+    misalignment: tuple[float, float] = (0.0, 0.0)
+    axial_viscosity: tuple[float, ...] = ()
+
+    @property
+    def differs_across_width(self) -> bool:
+        """Whether the lines of the film need a gap, a viscosity or a supply of their own across the width."""
+        return bool(
+            self.pockets
+            or self.misalignment != (0.0, 0.0)
+            or self.axial_viscosity
+            or self.film_start is FilmStart.PERIODIC
+        )
 
     def __post_init__(self) -> None:
         for name in ("diameter", "width", "clearance", "viscosity"):
@@ -124,6 +178,7 @@ class JournalFilm:
         check_lands(self.lands, self.cavitation_pressure)
         if self.film_start is FilmStart.WIDEST_GAP:
             check_round(self)
+        check_pockets(self)
 
 
 def check_lands(lands: tuple[Land, ...], cavitation_pressure: float) -> None:
@@ -154,6 +209,23 @@ def check_round(film: JournalFilm) -> None:
     whole = abs(land.end_angle - land.start_angle - 2.0 * math.pi) < 1e-9
     if len(film.lands) > 1 or not whole or land.profile or land.centre != (0.0, 0.0):
         raise InputError("E101", "film_start is the widest gap; that needs one round land of 360 degrees.")
+
+
+def check_pockets(film: JournalFilm) -> None:
+    """Refuse pockets outside the bearing or below cavitation pressure, and rings that nothing feeds."""
+    for pocket in film.pockets:
+        if not (pocket.extent > 0.0 and pocket.axial_length > 0.0):
+            raise InputError("E101", "a pocket has no size; extent and axial_length must be positive.")
+        if abs(pocket.axial_centre) + 0.5 * pocket.axial_length > 0.5 * film.width * (1.0 + 1e-12):
+            raise InputError("E101", f"the pocket at {pocket.centre_angle} rad reaches beyond the width of the bearing.")
+        if pocket.pressure < film.cavitation_pressure:
+            raise InputError("E101", f"a pocket has {pocket.pressure} Pa, less than the cavitation pressure.")
+    if film.film_start is FilmStart.PERIODIC:
+        if len(film.lands) > 1:
+            raise InputError("E101", "film_start is periodic; that needs one land of 360 degrees.")
+        if film.cavitation is Cavitation.MASS_CONSERVING and not film.pockets:
+            raise InputError("E101", "nothing feeds this closed ring: a mass-conserving film would run dry. Give pockets "
+                             "or holes, or choose Cavitation.REYNOLDS.")  # fmt: skip
 
 
 def grooved_bore(groove_angles: tuple[float, ...], groove_extent: float, pressure: float = 0.0) -> tuple[Land, ...]:
