@@ -230,9 +230,9 @@ def test_cross_coupling_drives_the_same_whirl_in_ross(tmp_path, ross):
     speeds = np.linspace(50.0, 250.0, 5)
     k = np.broadcast_to(np.array([[1e7, 4e6], [-4e6, 1e7]]), (5, 2, 2))
     c = np.broadcast_to(np.diag([1e3, 1e3]), (5, 2, 2))
-    driven = CoefficientTable("B", speeds, k, c)
     elements = []
     for node in (0, 4):
+        driven = CoefficientTable(f"at node {node}", speeds, k, c)  # ROSS wants different tags in a rotor
         write_ross(driven, tmp_path / f"{node}.json", version=version_of(ross), node=node)
         elements.append(ross.BearingElement.load(tmp_path / f"{node}.json"))
     steel = ross.Material(name="steel", rho=7810.0, E=211e9, G_s=81.2e9)
