@@ -105,26 +105,25 @@ def new_surface_work(surface):
     )  # fmt: skip
 
 
-@inlined
-def point_gaps(surface, i, q, at):
-    """Gap at both Gauss points of an interval, at a position (x, y) or (x, y, tilt, tilt)."""
-    trig = surface.trigonometry
-    ca, sa, cb, sb = trig[0, i], trig[1, i], trig[2, i], trig[3, i]
-    x, y = at[0], at[1]
+@compiled
+def tilted_position(surface, at, q):
+    """Where the journal axis is at a point of the width."""
     if surface.motions == 4:
-        x += at[2] * surface.zeta[q]
-        y += at[3] * surface.zeta[q]
-    return surface.gap_a[i, q] - x * ca - y * sa, surface.gap_b[i, q] - x * cb - y * sb
+        return at[0] + at[2] * surface.zeta[q], at[1] + at[3] * surface.zeta[q]
+    return at[0], at[1]
 
 
 @compiled
 def smallest_surface_gap(surface, at):
     """Smallest gap at the Gauss points."""
     smallest = np.inf
-    for i in range(surface.step.size):
-        for q in range(surface.zeta.size):
-            ha, hb = point_gaps(surface, i, q, at)
-            smallest = min(smallest, min(ha, hb))
+    trig = surface.trigonometry
+    for q in range(surface.zeta.size):
+        x, y = tilted_position(surface, at, q)
+        for i in range(surface.step.size):
+            a = surface.gap_a[i, q] - x * trig[0, i] - y * trig[1, i]
+            b = surface.gap_b[i, q] - x * trig[2, i] - y * trig[3, i]
+            smallest = min(smallest, min(a, b))
     return smallest
 
 
@@ -136,12 +135,14 @@ def surface_coefficients(surface, at, rate, film):
         array[:] = 0.0
     for array in (film.conductance_d, film.couette_d, film.cubed_d, film.load, film.inlet_d):
         array[:] = 0.0
-    shape_a, shape_b = np.empty(surface.motions), np.empty(surface.motions)
-    for i in range(n):
-        half, after = 0.5 * surface.step[i], (i + 1) % lines
-        for q in range(surface.zeta.size):
-            j, share = surface.node[q], surface.share[q]
-            ha, hb = point_gaps(surface, i, q, at)
+    trig = surface.trigonometry
+    for q in range(surface.zeta.size):
+        j, share = surface.node[q], surface.share[q]
+        x, y = tilted_position(surface, at, q)
+        for i in range(n):
+            half, after = 0.5 * surface.step[i], (i + 1) % lines
+            ha = surface.gap_a[i, q] - x * trig[0, i] - y * trig[1, i]
+            hb = surface.gap_b[i, q] - x * trig[2, i] - y * trig[3, i]
             viscosity = surface.viscosity[i, q]
             a2, b2 = 1.0 / (ha * ha), 1.0 / (hb * hb)
             j3 = a2 / ha + b2 / hb
@@ -156,9 +157,7 @@ def surface_coefficients(surface, at, rate, film):
             film.inlet[i, j] += share * 0.5 * surface.speed * gap
             for d in range(surface.motions):
                 lever = surface.zeta[q] if d > 1 else 1.0
-                sa = surface.trigonometry[d % 2, i] * lever
-                sb = surface.trigonometry[2 + d % 2, i] * lever
-                shape_a[d], shape_b[d] = sa, sb
+                sa, sb = trig[d % 2, i] * lever, trig[2 + d % 2, i] * lever
                 j3_d = 3.0 * (sa * a2 * a2 + sb * b2 * b2) / j3
                 film.conductance_d[d, i, j] -= t * j3_d
                 film.couette_d[d, i, j] += share * (surface.speed * (sa * a2 / ha + sb * b2 / hb) / j3 - mean * j3_d)
