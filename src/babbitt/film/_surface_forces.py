@@ -131,3 +131,24 @@ def reduce_surface(surface, film, work, force, stiffness, damping):
                         slope += surface.slope[q, b] * adjoint[1 + d, i, b]
                     stiff += surface.kappa * surface.share[q] * gradient * slope * film.cubed_d[e, i, q]
             stiffness[d, e], damping[d, e] = stiff, damp
+
+
+@compiled
+def carry_streamers(surface, film, work):
+    """Liquid fraction behind a Reynolds rupture by continuity, so that flows and friction count only the oil there."""
+    lines, nodes = surface.held.shape
+    n = surface.step.size
+    for j in range(nodes):
+        flux = -1.0  # unknown until the column has passed a film
+        for turn in range(2 if surface.cyclic else 1):
+            for i in range(n):
+                after = (i + 1) % lines
+                old = work.fill[i, j]
+                if not work.holds[i, j]:
+                    new = old if flux < 0.0 else min(1.0, flux / film.couette[i, j])
+                    work.fill[i, j] = new
+                    work.row[i, j] += (new - old) * film.couette[i, j]
+                    work.row[after, j] -= (new - old) * film.couette[i, j]
+                flux = film.couette[i, j] * work.fill[i, j]
+                flux += film.conductance[i, j] * (work.pressure[i, j] - work.pressure[after, j])
+                flux = max(flux, 0.0)

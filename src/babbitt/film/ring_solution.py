@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film._equilibrium import CONVERGED, NO_FILM
+from babbitt.film._surface_forces import carry_streamers
 from babbitt.film.general import SettledRing
 from babbitt.film.model import JournalFilm, Land
 from babbitt.film.scales import Scales
@@ -50,11 +51,13 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
     """
     sample, ring = settled.sample, settled.sample.ring
     work, supply = sample.work, ring.supply
+    if not ring.surface.conserving and ring.surface.speed > 0.0:
+        carry_streamers(ring.surface, sample.film, work)
     count = int(supply.max()) + 1
     flows = np.array([work.row[supply == number].sum() for number in range(count)])
     side = -work.row[supply == -2].sum()
     free = np.abs(work.row[(supply == -1) & work.counts])
-    fed = np.maximum(flows, 0.0).sum()
+    passing = max(np.maximum(flows, 0.0).sum(), float(sample.film.couette.sum(axis=1).max()))
     torque_journal, torque_bearing = friction(settled)
     frame = np.diag(scales.sense)
     unit = scales.force / scales.length
@@ -77,7 +80,7 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
         side_flow=np.array([side * scales.flow]),
         friction_torque=torque_journal * scales.torque,
         bearing_torque=torque_bearing * scales.torque,
-        mass_balance_error=float(free.sum() / max(fed, 1e-300)),
+        mass_balance_error=float(free.sum() / max(passing, 1e-300)),
         iterations=settled.steps,
         wall_time=time.perf_counter() - begun,
     )
