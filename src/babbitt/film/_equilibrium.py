@@ -26,7 +26,8 @@ from babbitt.film._structs import compiled
 
 CONVERGED, TOO_MANY_STEPS, NO_FILM = 0, 1, 2
 MODERATE_LOAD = 6.0  # dimensionless load up to which the centred journal is a good start
-HISTORY = 5  # what a settle reports: x, y, status, steps, smallest gap
+PATIENCE = 40  # updates of the wet set before a patient step
+CYCLING = 30  # steps after which a node that changes sides for ever is let be, if the load is carried within 1e-4
 
 
 @compiled
@@ -86,8 +87,12 @@ def damped_step(result, rx, ry, size, last_size, load, gap, step_time):
 
 
 @compiled
-def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, max_steps, result):
-    """Move the journal from (x, y) until the film on these grids carries the load."""
+def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, max_steps, patient, result):
+    """Move the journal from (x, y) until the film on this grid carries the load.
+
+    One update of the wet set per step is fast but can lose the film on the way; ``patient`` finds the wet set anew, from
+    all wet, before every step.
+    """
     load = math.hypot(load_x, load_y)
     floor = tolerance * load + 1e-13
     step_time, last_size, calm = 0.0, 0.0, 0
@@ -95,12 +100,17 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
     if not gap > 0.0:
         return x, y, NO_FILM, 0, gap
     for step in range(1, max_steps + 1):
-        changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, False, result)
+        if patient:
+            grid.wet[:] = True
+        for _ in range(PATIENCE if patient else 1):
+            changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, False, result)
+            if changed == 0:
+                break
         rx, ry = result[0] + load_x, result[1] + load_y
         size = math.hypot(rx, ry)
         if not size < np.inf:
             return x, y, NO_FILM, step, gap
-        if size <= floor:
+        if size <= floor or (step > CYCLING and size <= 1e-4 * load):
             calm += 1
             if changed == 0 or calm > 4:  # ties may change sides for ever
                 return x, y, CONVERGED, step, gap
@@ -116,10 +126,10 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
 
 
 @compiled
-def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tolerance, max_steps, result):
-    """Equilibrium on graded lines: returns x, y, status, steps, smallest gap and the grid; fills ``result``."""
+def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient, result):
+    """Equilibrium on a coarse grid, heavier loads in steps of four: returns x, y, status, steps and the last grid."""
     m, count = len(axial.size), bearing.lands.shape[0]
-    coarse, other, fine = new_grid(count, n_coarse, m), new_grid(count, n_coarse, m), new_grid(count, n_fine, m)
+    coarse, other = new_grid(count, n_coarse, m), new_grid(count, n_coarse, m)
     film, lines = new_film(n_coarse), new_lines(n_coarse, m)
     uniform_lines(bearing, coarse)
     load = math.hypot(load_x, load_y)
@@ -128,12 +138,10 @@ def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tol
     for _ in range(40):
         last_gap = gap
         x, y, status, steps, gap = settle(
-            axial, bearing, coarse, film, lines, share * load_x, share * load_y, x, y, 1e-2, max_steps, result
+            axial, bearing, coarse, film, lines, share * load_x, share * load_y, x, y, 1e-2, max_steps, patient, result
         )
         total += steps
-        if status == NO_FILM:
-            return x, y, status, total, gap, fine
-        if share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap):
+        if status != CONVERGED or (share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap)):
             break
         graded_lines(bearing, coarse, x, y, other)
         coarse, other = other, coarse
@@ -145,11 +153,31 @@ def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tol
                 stretch = (1.0 - (1.0 - radius) * growth**-0.5) / radius
                 if smallest_gap(coarse, x * stretch, y * stretch) > 0.25 * gap:
                     x, y = x * stretch, y * stretch
-    film, lines = new_film(n_fine), new_lines(n_fine, m)
-    graded_lines(bearing, coarse, x, y, fine)
-    x, y, status, steps, gap = settle(
-        axial, bearing, fine, film, lines, load_x, load_y, x, y, tolerance, max_steps, result
-    )
+    return x, y, status, total, coarse
+
+
+@compiled
+def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tolerance, max_steps, result):
+    """Equilibrium on graded lines: returns x, y, status, steps, smallest gap and the grid; fills ``result``.
+
+    A fast attempt first; if it loses the film, a patient one.
+    """
+    fine = new_grid(bearing.lands.shape[0], n_fine, len(axial.size))
+    film, lines = new_film(n_fine), new_lines(n_fine, len(axial.size))
+    status, total, gap, x0, y0 = NO_FILM, 0, 0.0, x, y
+    for attempt in range(2):
+        x, y, status, steps, coarse = approach(
+            axial, bearing, n_coarse, load_x, load_y, x0, y0, max_steps, attempt == 1, result
+        )
+        total += steps
+        if status == CONVERGED:
+            graded_lines(bearing, coarse, x, y, fine)
+            x, y, status, steps, gap = settle(
+                axial, bearing, fine, film, lines, load_x, load_y, x, y, tolerance, max_steps, attempt == 1, result
+            )
+            total += steps
+        if status == CONVERGED:
+            break
     if bearing.smooth and status == CONVERGED:
         evaluate(axial, bearing, fine, film, lines, x, y, 0.0, 0.0, True, result)
-    return x, y, status, total + steps, gap, fine
+    return x, y, status, total, gap, fine
