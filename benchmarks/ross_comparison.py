@@ -6,15 +6,15 @@ again with what the first run left there; times are medians of the second run.
 
     python benchmarks/ross_comparison.py
     BABBITT_ROSS_PYTHON=/path/to/python python benchmarks/ross_comparison.py     where ROSS lives elsewhere
-    python benchmarks/ross_comparison.py --reference                             computes the reference anew (1 min)
+    python benchmarks/ross_comparison.py --reference                             computes the reference anew
 
 Position error: distance of the journal centres over the least film thickness. Errors of K and C: largest deviation
 over the largest entry. ROSS finds no pressure in the upper land, as a mass-conserving film, but does not say which
 condition it solves; its errors are those against the nearer of the two references.
 
 Exit status 1 when Babbitt's kernel misses its marks: 0.1 % of the least film thickness, 0.5 % in K and C, 0.15 ms
-with the Reynolds condition and 0.4 ms mass-conserving, 1 ms through the public function, a thousandth of the time of
-ROSS (where it is installed).
+with the Reynolds condition and 0.4 ms mass-conserving, 1 ms through the public function, a thousandth of the time
+of ROSS (where it is installed).
 """
 
 from __future__ import annotations
@@ -141,7 +141,7 @@ def main() -> int:
         row["errors"], nearest = min((errors(row, reference[model]), model) for model in near)
         x, y = row["position"]
         film = nearest if row["model"] in reference else f"near {nearest}"
-        ratio = f"{slowest / row['time']:.0f}" if slowest else "-"
+        ratio = f"{slowest / row['time']:.3g}" if slowest else "-"
         error = "".join(f"{value:{width}.1e}" for value, width in zip(row["errors"], (11, 9, 9), strict=True))
         print(f"{row['program']:22}{film:24}{row['mesh']:9}{row['time'] * 1e3:9.3f} ms{ratio:>8}"
               f"{math.hypot(x, y):9.5f}{math.degrees(math.atan2(y, x)) + 90.0:6.2f} deg{error}")  # fmt: skip

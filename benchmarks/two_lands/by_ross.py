@@ -1,8 +1,9 @@
 """The side of ROSS: import, first call, and warm calls of its plain journal bearing with constant viscosity.
 
 Written against the constructors of versions 2.3 (thermal solution only, here with an oil whose viscosity does not
-depend on temperature; no default mesh, so the one of its documentation and a finer one) and 3.1 (``thermal_type=None``
-is isoviscous; default mesh 40 x 20). Versions between the two differ in the name of the speed axis only.
+depend on temperature; no default mesh, so the one of its documentation and a finer one) and 3.1, where
+``thermal_type=None`` is isoviscous and the mesh 40 x 20 unless told otherwise. Versions between the two differ in the
+name of the speed axis only.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The bearing that both programs solve, and how either of them is timed. Standard library only: ROSS imports it too."""
+"""The bearing that both programs solve, and how either is timed. Standard library only: both sides import it."""
 
 from __future__ import annotations
 
@@ -47,5 +47,5 @@ def row(program: str, model: str, mesh: str, times: list[float], **answer: Any) 
 
 
 def answer(record: dict[str, Any]) -> None:
-    """Hand a record over in the file named by the first argument; standard output may carry other people's words."""
+    """Hand a record over in the file named by the first argument; libraries may talk on standard output."""
     Path(sys.argv[1]).write_text(json.dumps(record), encoding="utf-8")
