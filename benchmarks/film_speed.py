@@ -58,8 +58,16 @@ def main():
         film = replace(BEARING, cavitation=cavitation)
         for axial, intervals in ((4, 48), (4, 64), (4, 96), (6, 96), (6, 192), (8, 384)):
             grid = Resolution(axial, intervals)
-            report(f"kernel, {cavitation.name}, {axial} x {intervals}", median_seconds(kernel_call(film, grid), 300), target)
-        report(f"solve_journal, {cavitation.name}", median_seconds(lambda film=film: solve_journal(film, LOAD), 200), 1e-3)
+            report(
+                f"kernel, {cavitation.name}, {axial} x {intervals}",
+                median_seconds(kernel_call(film, grid), 300),
+                target,
+            )
+        report(
+            f"solve_journal, {cavitation.name}",
+            median_seconds(lambda film=film: solve_journal(film, LOAD), 200),
+            1e-3,
+        )
     ring = (Land(0.0, 2.0 * math.pi),)
     pockets = tuple(Pocket(angle, math.radians(20.0), 0.16, pressure=1e5) for angle in (0.0, math.pi))
     for what, film in (
@@ -82,7 +90,15 @@ def main():
             def call(cavitation=cavitation, grid=grid):
                 scale = 0.5 * width  # R B mu omega (R/c)^2 with all else one
                 return solve_batch(
-                    one, width, 0.5, one, one, load * scale[:, None], grooved_bore((0.0, math.pi), 0.35), cavitation, grid
+                    one,
+                    width,
+                    0.5,
+                    one,
+                    one,
+                    load * scale[:, None],
+                    grooved_bore((0.0, math.pi), 0.35),
+                    cavitation,
+                    grid,
                 )
 
             seconds = median_seconds(call, 5)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from math import pi
 from time import perf_counter
 
@@ -30,7 +32,7 @@ def film_of(cavitation: Cavitation) -> JournalFilm:
     return JournalFilm(DIAMETER, WIDTH, CLEARANCE, VISCOSITY, SPEED, lands, cavitation=cavitation)
 
 
-def kernel_call(film: JournalFilm, resolution: Resolution):  # type: ignore[no-untyped-def]
+def kernel_call(film: JournalFilm, resolution: Resolution) -> Callable[[], object]:
     """The compiled equilibrium with its eight coefficients, from the centre, without a result object."""
     scales = Scales.of(film, SPEED)
     arguments = (
@@ -46,7 +48,7 @@ def kernel_call(film: JournalFilm, resolution: Resolution):  # type: ignore[no-u
         80,
         np.zeros(RESULT_SIZE),
     )
-    return lambda: find_equilibrium(*arguments)
+    return partial(find_equilibrium, *arguments)
 
 
 def main() -> None:
@@ -64,7 +66,7 @@ def main() -> None:
                 "damping": solved.damping.tolist(),
             }
             kernel = timed(kernel_call(film, resolution), 0.4)
-            public = timed(lambda film=film, grid=resolution: solve_journal(film, (0.0, -LOAD), grid), 0.4)
+            public = timed(partial(solve_journal, film, (0.0, -LOAD), resolution), 0.4)
             rows.append(row("Babbitt kernel", model, mesh, kernel, **found))
             rows.append(row("Babbitt solve_journal", model, mesh, public, **found))
     answer({"version": babbitt.__version__, "import": imported - begun, "first": first, "rows": rows})

@@ -2,8 +2,8 @@
 
 Written against the constructors of versions 2.3 (thermal solution only, here with an oil whose viscosity does not
 depend on temperature; no default mesh, so the one of its documentation and a finer one) and 3.1, where
-``thermal_type=None`` is isoviscous and the mesh 40 x 20 unless told otherwise. Versions between the two differ in the
-name of the speed axis only.
+``thermal_type=None`` is isoviscous and the mesh 40 x 20 unless told otherwise. Development versions between the two
+differ from 3.1 in the name of the speed axis only.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 import inspect
 import math
 import warnings
+from functools import partial
 from time import perf_counter
 
 from case import CLEARANCE, DIAMETER, LAND, LOAD, SPEED, VISCOSITY, WIDTH, answer, row, timed
@@ -91,7 +92,7 @@ def main() -> None:
     first = perf_counter() - begun_first
     rows = []
     for name, mesh in MESHES.items():
-        times = timed(lambda mesh=mesh: bearing(mesh), 4.0)
+        times = timed(partial(bearing, mesh), 4.0)
         rows.append(row("ROSS", "own", name, times, **solved(bearing(mesh))))
     answer({"version": ross.__version__, "import": imported - begun, "first": first, "rows": rows})
 

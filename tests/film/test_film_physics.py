@@ -10,7 +10,16 @@ from babbitt.film._equilibrium import evaluate
 from babbitt.film._forces import RESULT_SIZE
 from babbitt.film._grids import new_film, new_grid, new_lines, uniform_lines
 from babbitt.film._structs import LAND_COLUMNS, Bearing
-from babbitt.film.model import ENGINEERING, Cavitation, FilmStart, JournalFilm, Land, Pocket, Resolution, grooved_bore
+from babbitt.film.model import (
+    ENGINEERING,
+    Cavitation,
+    FilmStart,
+    JournalFilm,
+    Land,
+    Pocket,
+    Resolution,
+    grooved_bore,
+)
 from babbitt.film.operators import kernel_operator
 from babbitt.film.solve import film_at_position, solve_journal
 
@@ -22,7 +31,9 @@ EXACT = Resolution(5, 96, 24, 1e-12)
 
 
 def bearing(width_ratio=0.8, lands=TWO, cavitation=Cavitation.REYNOLDS, **more):
-    return JournalFilm(2 * RADIUS, 2 * RADIUS * width_ratio, CLEARANCE, VISCOSITY, SPEED, lands, cavitation, **more)
+    return JournalFilm(
+        2 * RADIUS, 2 * RADIUS * width_ratio, CLEARANCE, VISCOSITY, SPEED, lands, cavitation, **more
+    )
 
 
 def full_ring(width_ratio):
@@ -128,7 +139,10 @@ def test_stiffness_is_the_derivative_of_a_smooth_film():
     at, step = (0.4, -0.3), 1e-4
     found = result_at(*at)[2:6].reshape(2, 2)
     for axis, shift in enumerate(((step, 0.0), (0.0, step))):
-        ahead, behind = result_at(at[0] + shift[0], at[1] + shift[1]), result_at(at[0] - shift[0], at[1] - shift[1])
+        ahead, behind = (
+            result_at(at[0] + shift[0], at[1] + shift[1]),
+            result_at(at[0] - shift[0], at[1] - shift[1]),
+        )
         np.testing.assert_allclose(
             -(ahead[:2] - behind[:2]) / (2.0 * step), found[:, axis], atol=1e-6 * abs(found).max()
         )

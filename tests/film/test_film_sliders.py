@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from babbitt.film._elimination import solve_land
 from babbitt.film._equilibrium import evaluate
 from babbitt.film._forces import RESULT_SIZE
 from babbitt.film._grids import GAUSS, film_coefficients, new_film, new_grid, new_lines, uniform_lines
-from babbitt.film._elimination import solve_land
 from babbitt.film._structs import LAND_COLUMNS, Bearing
 from babbitt.film.operators import kernel_operator
 

@@ -13,7 +13,19 @@ HEAD = 5  # x, y, status, steps, smallest gap; the result vector follows
 
 @compiled
 def find_equilibria(
-    axial, lands, kappa, side_pressure, conserving, n_coarse, n_fine, load, tolerance, max_steps, first, last, found
+    axial,
+    lands,
+    kappa,
+    side_pressure,
+    conserving,
+    n_coarse,
+    n_fine,
+    load,
+    tolerance,
+    max_steps,
+    first,
+    last,
+    found,
 ):
     """Equilibria of the bearings first..last - 1; lands (bearings, lands, columns), found (bearings, HEAD + ...)."""
     profiles = np.zeros((lands.shape[1], 0))

@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from babbitt.film._elimination import solve_land
-from babbitt.film._forces import RESULT_SIZE, add_forces, end_at_rupture, update_wet_set
+from babbitt.film._forces import add_forces, end_at_rupture, update_wet_set
 from babbitt.film._grids import (
     film_coefficients,
     graded_lines,
@@ -138,7 +138,19 @@ def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient,
     for _ in range(40):
         last_gap = gap
         x, y, status, steps, gap = settle(
-            axial, bearing, coarse, film, lines, share * load_x, share * load_y, x, y, 1e-2, max_steps, patient, result
+            axial,
+            bearing,
+            coarse,
+            film,
+            lines,
+            share * load_x,
+            share * load_y,
+            x,
+            y,
+            1e-2,
+            max_steps,
+            patient,
+            result,
         )
         total += steps
         if status != CONVERGED or (share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap)):

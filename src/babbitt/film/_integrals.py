@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from babbitt.film._elimination import solve_land
 from babbitt.film._grids import film_coefficients
-from babbitt.film._structs import END_PRESSURE, START_PRESSURE, compiled, inlined
+from babbitt.film._structs import compiled, inlined
 
 INFLOW, OUTFLOW, SIDE_FLOW, IMBALANCE, JOURNAL_TORQUE, BEARING_TORQUE, TOTALS = range(7)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-
 from babbitt.film._equilibrium import CONVERGED, NO_FILM, TOO_MANY_STEPS, evaluate
 from babbitt.film._grids import graded_lines, new_film, new_grid, new_lines, smallest_gap, uniform_lines
 from babbitt.film._structs import compiled

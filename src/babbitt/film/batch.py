@@ -92,7 +92,9 @@ def solve_batch(
     count = np.broadcast_shapes(*(v.shape for v in values), force.shape[:1])[0]
     d, b, c, eta, omega = (np.broadcast_to(v, (count,)) for v in values)
     if not all(np.all(np.isfinite(v) & (v > 0.0)) for v in values) or not np.all(np.isfinite(force)):
-        raise InputError("E101", "diameter, width, clearance, viscosity and angular_speed must be positive, load finite.")
+        raise InputError(
+            "E101", "diameter, width, clearance, viscosity and angular_speed must be positive, load finite."
+        )
     pressure = eta * omega * (0.5 * d / c) ** 2
     unit = pressure * 0.5 * d * b
     table = np.zeros((count, len(lands), LAND_COLUMNS))

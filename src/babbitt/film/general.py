@@ -8,8 +8,22 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._equilibrium import CONVERGED, CYCLING, MODERATE_LOAD, NO_FILM, PATIENCE, TOO_MANY_STEPS, damped_step
-from babbitt.film._surface import SurfaceFilm, SurfaceWork, new_surface_film, new_surface_work, smallest_surface_gap
+from babbitt.film._equilibrium import (
+    CONVERGED,
+    CYCLING,
+    MODERATE_LOAD,
+    NO_FILM,
+    PATIENCE,
+    TOO_MANY_STEPS,
+    damped_step,
+)
+from babbitt.film._surface import (
+    SurfaceFilm,
+    SurfaceWork,
+    new_surface_film,
+    new_surface_work,
+    smallest_surface_gap,
+)
 from babbitt.film._surface_forces import evaluate_surface
 from babbitt.film.model import JournalFilm, Resolution
 from babbitt.film.ring import Ring, bore_gap, build_ring
@@ -35,7 +49,9 @@ class Sample:
     def of(cls, ring: Ring) -> Sample:
         """Workspace with all nodes wet."""
         two = np.zeros((2, 2))
-        return cls(ring, new_surface_film(ring.surface), new_surface_work(ring.surface), np.zeros(2), two, two.copy())
+        return cls(
+            ring, new_surface_film(ring.surface), new_surface_work(ring.surface), np.zeros(2), two, two.copy()
+        )
 
     def evaluate(self, at: Array, rate: Array = ZERO, smooth: bool = False) -> int:
         """Force, stiffness and damping at a position; number of nodes that changed sides."""
@@ -104,7 +120,9 @@ def rest(
             if changed == 0 or calm > 4:
                 return at, CONVERGED, step, gap
         flat = np.concatenate((sample.force, sample.stiffness.ravel(), sample.damping.ravel()))
-        dx, dy, step_time = damped_step(flat, residual[0], residual[1], size, last_size, size_of_load, gap, step_time)
+        dx, dy, step_time = damped_step(
+            flat, residual[0], residual[1], size, last_size, size_of_load, gap, step_time
+        )
         move, last_size = np.array([dx, dy]), size
         new_gap, halvings = sample.gap(at + move), 0
         while not new_gap > 0.25 * gap and halvings < 60:
