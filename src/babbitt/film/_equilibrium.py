@@ -50,10 +50,13 @@ def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, re
             solve_land(axial, bearing, grid, k, film, lines, nodal_from)
             if again == 1:
                 lines.ending[:] = 0.0
-                lines.solution[:, 0, :] = lines.saved
-            elif smooth:
-                nodal_from = end_at_rupture(axial, bearing, grid, k, film, lines)
-                lines.saved[:] = lines.solution[:, 0, :]
+                lines.solution[:, 0, :] = grid.value[k]
+            else:
+                for i in range(n + 1):
+                    for j in range(len(axial.size)):
+                        grid.value[k, i, j] = lines.solution[i, 0, j]
+                if smooth:
+                    nodal_from = end_at_rupture(axial, bearing, grid, k, film, lines)
             if not smooth or nodal_from == n:
                 break
         add_forces(axial, bearing, grid, k, film, lines, result)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from babbitt.film._equilibrium import CONVERGED, NO_FILM, find_equilibrium
 from babbitt.film._forces import RESULT_SIZE
-from babbitt.film._grids import new_film, new_lines
+from babbitt.film._grids import new_film
 from babbitt.film._integrals import (
     BEARING_TORQUE,
     IMBALANCE,
@@ -246,7 +246,7 @@ def assemble(
     pressure, void = np.zeros((count, n + 1, m + 1)), np.zeros((count, n + 1, m + 1))
     totals = np.zeros((count, TOTALS))
     if status != NO_FILM:
-        integrate(axial, bearing, grid, new_film(n), new_lines(n, m), at[0], at[1], moving[0], moving[1], pressure,
+        integrate(axial, bearing, grid, new_film(n), at[0], at[1], moving[0], moving[1], pressure,
                   void, totals)  # fmt: skip
     c, s = math.cos(turn), math.sin(turn)
     frame = scales.sense[:, None] * np.array([[c, -s], [s, c]])
