@@ -2,8 +2,8 @@
 
 Written against the constructors of versions 2.3 (thermal solution only, here with an oil whose viscosity does not
 depend on temperature; no default mesh, so the one of its documentation and a finer one) and 3.1, where
-``thermal_type=None`` is isoviscous and the mesh 40 x 20 unless told otherwise. The versions between differ from 3.1
-in the name of the speed axis.
+``thermal_type=None`` is isoviscous and the mesh 40 x 20 unless told otherwise. Versions between differ from 3.1 in
+the name of the speed axis.
 """
 
 from __future__ import annotations
