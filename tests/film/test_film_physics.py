@@ -133,7 +133,7 @@ def test_stiffness_is_the_derivative_of_a_smooth_film():
 
     def result_at(x, y):
         result = np.zeros(RESULT_SIZE)
-        assert evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, False, result) == 0
+        assert evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, 0, result) == 0
         return result
 
     at, step = (0.4, -0.3), 1e-4

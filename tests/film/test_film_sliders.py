@@ -23,7 +23,7 @@ def slide(gap, end_pressure, n):
     grid.gap_a[0], grid.gap_b[0] = gap(middle - GAUSS / n), gap(middle + GAUSS / n)
     result = np.zeros(RESULT_SIZE)
     for _ in range(100):
-        if evaluate(axial, bearing, grid, film, lines, 0.0, 0.0, 0.0, 0.0, False, result) == 0:
+        if evaluate(axial, bearing, grid, film, lines, 0.0, 0.0, 0.0, 0.0, 0, result) == 0:
             break
     else:
         pytest.fail("the wet set did not settle")

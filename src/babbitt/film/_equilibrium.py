@@ -55,9 +55,9 @@ def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, re
                 for i in range(n + 1):
                     for j in range(len(axial.size)):
                         grid.value[k, i, j] = lines.solution[i, 0, j]
-                if smooth:
+                if smooth == 1:
                     nodal_from = end_at_rupture(axial, bearing, grid, k, film, lines)
-            if not smooth or nodal_from == n:
+            if smooth == 0 or nodal_from == n:
                 break
         add_forces(axial, bearing, grid, k, film, lines, result)
         changed += update_wet_set(axial, bearing, grid, k, film, lines)
@@ -106,7 +106,7 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
         if patient:
             grid.wet[:] = True
         for _ in range(PATIENCE if patient else 1):
-            changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, False, result)
+            changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, 0, result)
             if changed == 0:
                 break
         rx, ry = result[0] + load_x, result[1] + load_y
@@ -194,5 +194,5 @@ def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tol
         if status == CONVERGED:
             break
     if bearing.smooth and status == CONVERGED:
-        evaluate(axial, bearing, fine, film, lines, x, y, 0.0, 0.0, True, result)
+        evaluate(axial, bearing, fine, film, lines, x, y, 0.0, 0.0, 1, result)
     return x, y, status, total, gap, fine

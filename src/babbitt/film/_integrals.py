@@ -8,7 +8,7 @@ partly filled; no oil is drawn in from outside, so that inflow = outflow + side 
 from __future__ import annotations
 
 from babbitt.film._grids import film_coefficients
-from babbitt.film._structs import compiled, inlined
+from babbitt.film._structs import compiled
 
 INFLOW, OUTFLOW, SIDE_FLOW, IMBALANCE, JOURNAL_TORQUE, BEARING_TORQUE, TOTALS = range(7)
 
@@ -42,7 +42,7 @@ def integrate(axial, bearing, grid, film, x, y, x_rate, y_rate, pressure, void, 
         totals[k, IMBALANCE] = totals[k, INFLOW] - totals[k, OUTFLOW] - totals[k, SIDE_FLOW] - stored
 
 
-@inlined
+@compiled
 def inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals):
     """Flux and friction along the column of an inner node; finds the void behind a Reynolds rupture by continuity."""
     n = film.conductance.size
@@ -64,7 +64,7 @@ def inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals)
     totals[k, OUTFLOW] += weight * flux
 
 
-@inlined
+@compiled
 def edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals):
     """Side flow: what the row of the edge node cannot pass on."""
     m = len(axial.size)
@@ -89,7 +89,7 @@ def edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals):
     totals[k, OUTFLOW] += weight * flux
 
 
-@inlined
+@compiled
 def add_friction(bearing, grid, k, i, film, x, y, weight, flux, full, p_here, p_behind, void, totals):
     """Shear of one interval of one column: Couette part with the liquid fraction, and +- (h/2) dp/dtheta.
 

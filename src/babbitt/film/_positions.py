@@ -13,7 +13,7 @@ from babbitt.film._structs import compiled
 def find_wet_set(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, max_steps, result):
     """Repeat the film at one position until no node changes; returns the number of solutions, or -1."""
     for step in range(1, max_steps + 1):
-        if evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, False, result) == 0:
+        if evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, 0, result) == 0:
             return step
     return -1
 
@@ -41,7 +41,7 @@ def film_at(axial, bearing, n_coarse, n_fine, x, y, x_rate, y_rate, max_steps, r
         total += steps
         if n == n_fine:
             if bearing.smooth:
-                evaluate(axial, bearing, finer, film, lines, x, y, x_rate, y_rate, True, result)
+                evaluate(axial, bearing, finer, film, lines, x, y, x_rate, y_rate, 1, result)
             return CONVERGED, total, gap, finer
         grid = finer
         n = min(4 * n, n_fine)
