@@ -27,6 +27,7 @@ from babbitt.film._structs import compiled
 CONVERGED, TOO_MANY_STEPS, NO_FILM = 0, 1, 2
 MODERATE_LOAD = 6.0  # dimensionless load up to which the centred journal is a good start
 PATIENCE = 40  # updates of the wet set before a patient step
+PATIENT_STEPS = 6  # patient steps before the lines are graded anew: a grid that does not see the thin film fails to stop
 CYCLING = 30  # steps after which a node that changes sides for ever is let be, if the load is carried within 1e-4
 
 
@@ -71,6 +72,8 @@ def damped_step(result, rx, ry, size, last_size, load, gap, step_time):
     The first dt moves the journal by half the gap; then dt grows as the residual falls. Returns dx, dy, dt.
     """
     kxx, kxy, kyx, kyy = result[2], result[3], result[4], result[5]
+    if result[6] + result[9] <= 1e-12 * load:  # no film at all (a bore that diverges everywhere): follow the load
+        return 0.5 * gap * rx / size, 0.5 * gap * ry / size, step_time
     if size > 0.1 * load and load > 0.0:
         cxx, cxy, cyx, cyy = result[6], result[7], result[8], result[9]
         if step_time == 0.0:
@@ -99,6 +102,7 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
     load = math.hypot(load_x, load_y)
     floor = tolerance * load + 1e-13
     step_time, last_size, calm = 0.0, 0.0, 0
+    shrink = 0.6 if patient else 0.25  # of the smallest gap in one step
     gap = smallest_gap(grid, x, y)
     if not gap > 0.0:
         return x, y, NO_FILM, 0, gap
@@ -118,10 +122,12 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
             if changed == 0 or calm > 4:  # ties may change sides for ever
                 return x, y, CONVERGED, step, gap
         dx, dy, step_time = damped_step(result, rx, ry, size, last_size, load, gap, step_time)
+        if not math.isfinite(dx + dy):
+            return x, y, NO_FILM, step, gap
         last_size = size
         new_gap = smallest_gap(grid, x + dx, y + dy)
         halvings = 0
-        while not new_gap > 0.25 * gap and halvings < 60:
+        while not new_gap > shrink * gap and halvings < 60:
             dx, dy, halvings = 0.5 * dx, 0.5 * dy, halvings + 1
             new_gap = smallest_gap(grid, x + dx, y + dy)
         x, y, gap = x + dx, y + dy, new_gap
@@ -138,7 +144,8 @@ def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient,
     load = math.hypot(load_x, load_y)
     share = min(1.0, MODERATE_LOAD / max(load, 1e-300))
     total, gap, status = 0, np.inf, CONVERGED
-    for _ in range(40):
+    steps_per_grid = PATIENT_STEPS if patient else max_steps
+    for _ in range(60):
         last_gap = gap
         x, y, status, steps, gap = settle(
             axial,
@@ -151,16 +158,19 @@ def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient,
             x,
             y,
             1e-2,
-            max_steps,
+            steps_per_grid,
             patient,
             result,
         )
         total += steps
-        if status != CONVERGED or (share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap)):
+        settled = status == CONVERGED
+        if status == NO_FILM or not (settled or patient) or gap < 1e-9:
+            break
+        if settled and (share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap)):
             break
         graded_lines(bearing, coarse, x, y, other)
         coarse, other = other, coarse
-        if share < 1.0:
+        if settled and share < 1.0:
             growth = min(4.0, 1.0 / share)
             share = min(1.0, share * growth)
             radius = math.hypot(x, y)

@@ -14,6 +14,7 @@ from babbitt.film._equilibrium import (
     MODERATE_LOAD,
     NO_FILM,
     PATIENCE,
+    PATIENT_STEPS,
     TOO_MANY_STEPS,
     damped_step,
 )
@@ -101,6 +102,7 @@ def rest(
     size_of_load = math.hypot(*load)
     floor = tolerance * size_of_load + 1e-13
     step_time, last_size, calm = 0.0, 0.0, 0
+    shrink = 0.6 if patient else 0.25
     gap = sample.gap(at)
     if not gap > 0.0:
         return at, NO_FILM, 0, gap
@@ -125,7 +127,7 @@ def rest(
         )
         move, last_size = np.array([dx, dy]), size
         new_gap, halvings = sample.gap(at + move), 0
-        while not new_gap > 0.25 * gap and halvings < 60:
+        while not new_gap > shrink * gap and halvings < 60:
             move, halvings = 0.5 * move, halvings + 1
             new_gap = sample.gap(at + move)
         at, gap = at + move, new_gap
@@ -148,22 +150,26 @@ def attempt(
     size = math.hypot(*load)
     share = min(1.0, MODERATE_LOAD / max(size, 1e-300))
     at, density, total, last_gap = np.zeros(2), None, 0, math.inf
-    coarse = None
-    for _ in range(40):
+    coarse: Sample | None = None
+    steps_per_grid = PATIENT_STEPS if patient else max_steps
+    for _ in range(60):
         sample = Sample.of(build_ring(film, unit, per_turn // 4, resolution.axial_unknowns, density))
         if coarse is not None:
             sample.start_from(coarse)
         coarse = sample
-        at, status, steps, gap = rest(sample, share * load, at, 1e-2, max_steps, patient)
+        at, status, steps, gap = rest(sample, share * load, at, 1e-2, steps_per_grid, patient)
         total += steps
-        if status != CONVERGED:
+        settled = status == CONVERGED
+        if status == NO_FILM or not (settled or patient) or gap < 1e-9:
             return SettledRing(sample, at, status, total, gap)
         density = line_density(film, at, gap)
-        if share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap):
+        if settled and share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap):
             break
-        last_gap, share = gap, min(1.0, 4.0 * share)
+        last_gap = gap
+        if settled:
+            share = min(1.0, 4.0 * share)
     fine = Sample.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density))
-    fine.start_from(coarse)
+    fine.start_from(sample)
     at, status, steps, gap = rest(fine, load, at, resolution.tolerance, max_steps, patient)
     if status == CONVERGED:
         fine.evaluate(at, smooth=True)
