@@ -1,0 +1,154 @@
+"""Kernels: wet set, forces with stiffness and damping, and supply flows of a surface (see ``_surface``)."""
+
+from __future__ import annotations
+
+from babbitt.film._forces import TIE, shortening
+from babbitt.film._structs import compiled
+from babbitt.film._surface import solve_surface, surface_coefficients
+
+
+@compiled
+def evaluate_surface(surface, film, work, at, rate, smooth, force, stiffness, damping):
+    """Fill force (d,), stiffness and damping (d, d); returns how many nodes changed between wet and dry.
+
+    With ``smooth`` the adjoints are solved once more and end at the rupture, as in ``_equilibrium.evaluate``.
+    """
+    surface_coefficients(surface, at, rate, film)
+    solve_surface(surface, film, work)
+    if smooth:
+        pressure = work.solution[0].copy()
+        end_adjoints_at_rupture(surface, film, work)
+        solve_surface(surface, film, work)
+        work.solution[0] = pressure
+        work.ending[:] = 0.0
+    balance_rows(surface, film, work)
+    reduce_surface(surface, film, work, force, stiffness, damping)
+    return update_surface(surface, film, work)
+
+
+@compiled
+def balance_rows(surface, film, work):
+    """Split the solution into pressure and liquid fraction and balance every node; a held node's row is its supply."""
+    lines, nodes = surface.held.shape
+    for i in range(lines):
+        for j in range(nodes):
+            value = work.solution[0, i, j]
+            work.pressure[i, j], work.fill[i, j] = value, 1.0
+            if not work.holds[i, j]:
+                work.pressure[i, j] = 0.0
+                if surface.conserving:
+                    work.fill[i, j] = 1.0 - value
+            work.row[i, j] = film.squeeze[i, j] * work.fill[i, j]
+        for q in range(surface.zeta.size):
+            gradient = 0.0
+            for b in range(nodes):
+                gradient += surface.slope[q, b] * work.pressure[i, b]
+            if gradient != 0.0:
+                gradient *= surface.kappa * surface.share[q] * film.cubed[i, q]
+                for b in range(nodes):
+                    work.row[i, b] += gradient * surface.slope[q, b]
+    for i in range(surface.step.size):
+        after = (i + 1) % lines
+        for j in range(nodes):
+            flux = film.couette[i, j] * work.fill[i, j]
+            flux += film.conductance[i, j] * (work.pressure[i, j] - work.pressure[after, j])
+            if surface.conserving and surface.held[i, j] and not work.holds[after, j]:
+                flux = film.inlet[i, j]
+            work.row[i, j] += flux
+            work.row[after, j] -= flux
+
+
+@compiled
+def update_surface(surface, film, work):
+    """Semismooth Newton step on the wet set; returns the number of changes."""
+    lines, nodes = surface.held.shape
+    changed = 0
+    for i in range(lines):
+        for j in range(nodes):
+            if surface.held[i, j]:
+                continue
+            value = work.solution[0, i, j] if work.wet[i, j] or surface.conserving else work.row[i, j]
+            if value < -TIE:
+                work.wet[i, j] = not work.wet[i, j]
+                changed += 1
+    return changed
+
+
+@compiled
+def end_adjoints_at_rupture(surface, film, work):
+    """Conductance from the last wet line to the rupture itself, see ``_forces.end_at_rupture``."""
+    lines, nodes = surface.held.shape
+    n = surface.step.size
+    for i in range(lines):
+        for j in range(nodes):
+            if surface.held[i, j] or not work.wet[i, j]:
+                continue
+            after, before = (i + 1) % lines, (i - 1) % lines
+            pressure = work.solution[0, i, j]
+            if not work.holds[after, j]:
+                surplus = (film.couette[after % n, j] - film.couette[i, j]) / film.conductance[i, j]
+                work.ending[i, j] += film.conductance[i, j] * shortening(pressure, surplus)
+            if not work.holds[before, j] and not surface.conserving:
+                first = film.couette[(before - 1) % n, j]
+                surplus = (film.couette[before, j] - first) / film.conductance[before, j]
+                work.ending[i, j] += film.conductance[before, j] * shortening(pressure, surplus)
+
+
+@compiled
+def reduce_surface(surface, film, work, force, stiffness, damping):
+    """Forces from the reference pressure; stiffness and damping from the adjoints (``_forces.add_forces``)."""
+    lines, nodes = surface.held.shape
+    n, motions = surface.step.size, surface.motions
+    adjoint = work.solution
+    for i in range(lines):  # the row of a held node is no balance: its adjoint does not count
+        for j in range(nodes):
+            if not work.counts[i, j]:
+                for d in range(motions):
+                    adjoint[1 + d, i, j] = 0.0
+    for d in range(motions):
+        total = 0.0
+        for i in range(lines):
+            for j in range(nodes):
+                total -= film.load[d, i, j] * (work.pressure[i, j] - surface.reference)
+        force[d] = total
+        for e in range(motions):
+            stiff, damp = 0.0, 0.0
+            for i in range(n):
+                after = (i + 1) % lines
+                for j in range(nodes):
+                    flux = work.fill[i, j] * film.couette_d[e, i, j]
+                    flux += (work.pressure[i, j] - work.pressure[after, j]) * film.conductance_d[e, i, j]
+                    if surface.conserving and surface.held[i, j] and not work.holds[after, j]:
+                        flux = film.inlet_d[e, i, j]
+                    stiff += (adjoint[1 + d, i, j] - adjoint[1 + d, after, j]) * flux
+            for i in range(lines):
+                for j in range(nodes):
+                    damp -= adjoint[1 + d, i, j] * work.fill[i, j] * film.load[e, i, j]
+                for q in range(surface.zeta.size):
+                    gradient, slope = 0.0, 0.0
+                    for b in range(nodes):
+                        gradient += surface.slope[q, b] * work.pressure[i, b]
+                        slope += surface.slope[q, b] * adjoint[1 + d, i, b]
+                    stiff += surface.kappa * surface.share[q] * gradient * slope * film.cubed_d[e, i, q]
+            stiffness[d, e], damping[d, e] = stiff, damp
+
+
+@compiled
+def carry_streamers(surface, film, work):
+    """Liquid fraction behind a Reynolds rupture by continuity, so that flows and friction count only the oil there."""
+    lines, nodes = surface.held.shape
+    n = surface.step.size
+    for j in range(nodes):
+        flux = -1.0  # unknown until the column has passed a film
+        for turn in range(2 if surface.cyclic else 1):
+            for i in range(n):
+                after = (i + 1) % lines
+                old = work.fill[i, j]
+                if not work.holds[i, j]:
+                    new = old if flux < 0.0 else min(1.0, flux / film.couette[i, j])
+                    work.fill[i, j] = new
+                    work.row[i, j] += (new - old) * film.couette[i, j]
+                    work.row[after, j] -= (new - old) * film.couette[i, j]
+                flux = film.couette[i, j] * work.fill[i, j]
+                flux += film.conductance[i, j] * (work.pressure[i, j] - work.pressure[after, j])
+                flux = max(flux, 0.0)
