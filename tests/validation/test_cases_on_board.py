@@ -120,7 +120,7 @@ def test_the_figure_is_drawn_with_labelled_axes(case, tmp_path):
 
 def test_names_are_unique_and_found():
     names = [case.name for case in cases()]
-    assert len(set(names)) == len(names) == 11
+    assert len(set(names)) == len(names) == 21
     assert all(validation_case(name).name == name for name in names)
 
 
@@ -134,4 +134,9 @@ def test_matplotlib_is_not_loaded_before_something_is_drawn():
     code = (
         "import sys, babbitt.validation as v; [c.run() for c in v.cases()]; assert 'matplotlib' not in sys.modules"
     )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_numba_is_not_loaded_before_a_film_is_solved():
+    code = "import sys, babbitt.validation as v; v.cases(); assert 'numba' not in sys.modules"
     subprocess.run([sys.executable, "-c", code], check=True)

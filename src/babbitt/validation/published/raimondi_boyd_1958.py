@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _COLUMNS = {"infinitely_wide": math.inf, "width_ratio_1": 1.0, "width_ratio_0.25": 0.25}
-_COARSE_GRID = {(0.03, 1.0, "p/p_max"), (0.03, 0.25, "S"), (0.03, 0.25, "f/ψ"), (0.03, 0.25, "p/p_max")}
+COARSE_GRID = {(0.03, 1.0, "p/p_max"), (0.03, 0.25, "S"), (0.03, 0.25, "f/ψ"), (0.03, 0.25, "p/p_max")}
 """Entries at the smallest film of the tables, which their grid does not resolve: h₀/c, B/D, quantity."""
 
 _TOLERANCES = {
@@ -102,7 +102,7 @@ def _tables() -> Iterator[Comparison]:
                         "°" if quantity == "β" else "",
                         f"table, L/D = {width}",
                         _decimals(value),
-                        suspect=coarse if (film, ratio, quantity) in _COARSE_GRID else "",
+                        suspect=coarse if (film, ratio, quantity) in COARSE_GRID else "",
                     )
 
 
