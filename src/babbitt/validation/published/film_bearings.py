@@ -64,9 +64,9 @@ def load_of(bearing_number: float, width_ratio: float) -> float:
 
 
 def along_load(matrix: Array) -> Array:
-    """A coefficient matrix with x along the load and y 90° ahead in the sense of rotation; the load points to -y."""
+    """A coefficient matrix x along the load, y 90° ahead in the sense of rotation; the load points to -y."""
     turn = np.array([[0.0, -1.0], [1.0, 0.0]])
-    return turn @ matrix @ turn.T
+    return np.asarray(turn @ matrix @ turn.T)
 
 
 def coefficients(film: FilmSolution, load: float) -> tuple[Array, Array]:

@@ -104,20 +104,20 @@ CASE = ValidationCase(
             "reproduced in the public repository octave-user/mboct-mbdyn-pkg."
         ),
         assumptions=(
-            "An isoviscous film that starts at the widest gap with zero pressure (`FilmStart.WIDEST_GAP`) and ends "
-            "where pressure and its slope vanish together (`Cavitation.REYNOLDS`). 8 unknowns across half the width, "
-            "768 intervals around."
+            "An isoviscous film that starts at the widest gap with zero pressure (`FilmStart.WIDEST_GAP`) and "
+            "ends where pressure and its slope vanish together (`Cavitation.REYNOLDS`). 8 unknowns across half "
+            "the width, 768 intervals around."
         ),
         tolerances=(
-            "So 0.4 % or half a unit of the last printed digit where that is coarser, attitude angle 0.1°, side flow "
-            "0.6 %."
+            "So 0.4 % or half a unit of the last printed digit where that is coarser, attitude angle 0.1°, side "
+            "flow 0.6 %."
         ),
         differences=(
-            "The print lies below us towards large eccentricity and wide bearings, in the steady way of a grid that "
-            "is too coarse: at B/D = 1 by 0.4 % at ε = 0.98 and 0.55 % at 0.99. Those two entries are held to be "
-            "the table's and not judged; doubling the intervals moves the engine by 0.005 % there. The angle "
-            "nowhere differs by more than 0.03°. Three flows stick out among their neighbours by half a per cent; "
-            "they are judged all the same."
+            "The print lies below us towards large eccentricity and wide bearings, in the steady way of a grid "
+            "that is too coarse: at B/D = 1 by 0.4 % at ε = 0.98 and 0.55 % at 0.99. Those two entries are held "
+            "to be the table's and not judged; doubling the intervals moves the engine by 0.005 % there. The "
+            "angle nowhere differs by more than 0.03°. Three flows stick out among their neighbours by half a "
+            "per cent; they are judged all the same."
         ),
     ),
     run=run,

@@ -102,9 +102,9 @@ CASE = ValidationCase(
     story=Story(
         what=(
             "A journal that does not turn but moves straight through the clearance: the film's other source of "
-            "force, on which damping, impact and the orbits of engine bearings depend. From the far side of the bore, "
-            "where it hardly feels the wall, to a hundredth of the clearance before it, the force grows ten "
-            "thousand times."
+            "force, on which damping, impact and the orbits of engine bearings depend. From the far side of the "
+            "bore, where it hardly feels the wall, to a hundredth of the clearance before it, the force grows "
+            "ten thousand times."
         ),
         source=(
             "H.-J. Butenschoen, *Das hydrodynamische, zylindrische Gleitlager endlicher Breite unter "
@@ -115,17 +115,17 @@ CASE = ValidationCase(
             "An isoviscous film without rotation; pressure and its slope vanish together where the film ends. The "
             "ring is cut opposite to the motion, where there is no film to be cut."
         ),
-        tolerances="1 %, for all but the suspect entry.",
+        tolerances="1 % for every entry of the table but the one that is held to be a misprint.",
         differences=(
-            "Most values agree within 0.2 %. The print lies below us by 0.4 % at ε = 0.97 and 0.7 % at ε = 0.99 with "
-            "B/D = 1, the trend of its table of rotation: a grid that is too coarse for the thin film. At "
-            "B/D = 1/8 the print has two or three figures where the journal is far from the wall, which makes half "
-            "a per cent. One entry is a misprint and set aside. The table's column of the side flow is not compared: "
-            "the engine counts the oil that the opening half draws in at the rims, the table does not."
+            "Most values agree within 0.2 %. The print lies below us by 0.4 % at ε = 0.97 and 0.7 % at ε = 0.99 "
+            "with B/D = 1, the trend of its table of rotation: a grid that is too coarse for the thin film. At "
+            "B/D = 1/8 the print has two or three figures where the journal is far from the wall, which makes "
+            "half a per cent. One entry is a misprint and set aside. The table's column of the side flow is not "
+            "compared: the engine counts the oil that the opening half draws in at the rims, the table does not."
         ),
     ),
     run=run,
     draw=draw,
-    caption="Force of the squeezed film: the engine (grey) through the printed points, and every deviation in units "
-    "of its tolerance. The cross is a suspect print.",
+    caption="Force of the squeezed film: the engine (grey) through the printed points, and every deviation in "
+    "units of its tolerance. The cross is a suspect print.",
 )

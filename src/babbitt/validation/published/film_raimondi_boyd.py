@@ -160,19 +160,20 @@ CASE = ValidationCase(
             "condition; numbers as reproduced in the public Python package MecaPy."
         ),
         assumptions=(
-            "S = η N (R/c)²/p with N in revolutions per second. The film starts at the widest gap; Q is what enters "
-            "there. The friction variable is that of a film all around the journal, π/(So √(1 - ε²)) + (ε/2) sin φ, "
-            "with So and φ of the engine. The infinitely wide bearing is extrapolated from L/D = 8 and 16."
+            "S = η N (R/c)²/p with N in revolutions per second. The film starts at the widest gap; Q is what "
+            "enters there. The friction variable is that of a film all around the journal, π/(So √(1 - ε²)) + "
+            "(ε/2) sin φ, with So and φ of the engine. The infinitely wide bearing is extrapolated from L/D = 8 "
+            "and 16."
         ),
         tolerances=(
-            "S 1.5 %, angle 0.6°, friction 1 %, flow 0.5 %, side share 0.005, p/p_max 2.5 %: the tables were computed in "
-            "1958 on grids of that accuracy, as the scatter of single entries shows."
+            "S 1.5 %, angle 0.6°, friction 1 %, flow 0.5 %, side share 0.005, p/p_max 2.5 %: the tables were "
+            "computed in 1958 on grids of that accuracy, as the scatter of single entries shows."
         ),
         differences=(
-            "S at h₀/c = 0.6 and L/D = 1 is printed 0.264 where the engine, our other solver and Butenschoen find "
-            "0.260; its neighbours agree to 0.1 %. Four entries at h₀/c = 0.03 are set aside, for the grid of "
-            "the authors does not resolve the film there. Three flows of the infinitely wide bearing are set aside as "
-            "well: the flow follows from the gap at the rupture, Q/(R c N L) = π h/c, and quadrature of "
+            "S at h₀/c = 0.6 and L/D = 1 is printed 0.264 where the engine, our other solver and Butenschoen "
+            "find 0.260; its neighbours agree to 0.1 %. Four entries at h₀/c = 0.03 are set aside, for the grid "
+            "of the authors does not resolve the film there. Three flows of the infinitely wide bearing are set "
+            "aside as well: the flow follows from the gap at the rupture, Q/(R c N L) = π h/c, and quadrature of "
             "the one-dimensional film gives the engine's values."
         ),
     ),

@@ -88,8 +88,8 @@ def draw(figure: Figure) -> None:
     data, found = _data(), film()
     left.plot(found.x * 1e3, found.pressure / 1e6, color=INK, label="engine")
     left.plot(
-        data["x_p_max_m"] * 1e3, data["p_max_Pa"] / 1e6, marker="o", color=INK, markerfacecolor="none", linestyle="none",
-        label="closed form",
+        data["x_p_max_m"] * 1e3, data["p_max_Pa"] / 1e6, marker="o", color=INK, markerfacecolor="none",
+        linestyle="none", label="closed form",
     )  # fmt: skip
     left.set_ylabel("absolute pressure in MPa")
     left.legend()
@@ -119,17 +119,19 @@ CASE = ValidationCase(
         ),
         source=(
             "M. Fowell, A. V. Olver, A. D. Gosman, H. A. Spikes and I. Pegg, *Entrainment and inlet suction: two "
-            "mechanisms of hydrodynamic lubrication in textured bearings*, Journal of Tribology 129 (2007) 336–347; "
-            "closed form as coded in the public repository octave-user/mboct-mbdyn-pkg, evaluated for its set-up."
+            "mechanisms of hydrodynamic lubrication in textured bearings*, Journal of Tribology 129 (2007) "
+            "336–347; closed form as coded in the public repository octave-user/mboct-mbdyn-pkg, evaluated for "
+            "its set-up."
         ),
         assumptions=(
-            "Cavitation at zero absolute pressure, both ends flooded at 0.1 MPa. The slider enters the engine as a land "
-            "of 1 rad with a bore profile of 4001 points, ten thousand times as wide as long, so that nothing leaves "
-            "by the sides; 800 intervals of equal length. The flux is read in the ruptured film, U h θ/2."
+            "Cavitation at zero absolute pressure, both ends flooded at 0.1 MPa. The slider enters the engine as "
+            "a land of 1 rad with a bore profile of 4001 points, ten thousand times as wide as long, so that "
+            "nothing leaves by the sides; 800 intervals of equal length. The flux is read in the ruptured film, "
+            "U h θ/2."
         ),
         tolerances=(
-            "Flux, largest pressure and load 0.1 %; the place of the largest pressure within half an interval, that of "
-            "reformation within two intervals of 12.5 µm, for the engine knows it by lines only."
+            "Flux, largest pressure and load 0.1 %; the place of the largest pressure within half an interval, "
+            "that of reformation within two intervals of 12.5 µm, for the engine knows it by lines only."
         ),
         differences=(
             "Nothing beyond the resolution: flux, pressure and load within 0.002 %. The film "
@@ -138,6 +140,6 @@ CASE = ValidationCase(
     ),
     run=run,
     draw=draw,
-    caption="Pressure, liquid fraction and gap along the pocketed wedge: engine (lines) and closed form (circles). The "
-    "vertical line marks where the film closes again.",
+    caption="Pressure, liquid fraction and gap along the pocketed wedge: engine (lines) and closed form "
+    "(circles). The vertical line marks where the film closes again.",
 )

@@ -1,4 +1,4 @@
-"""The short bearing of Friswell et al. (2010): closed form, stored results, and the engine's film as width vanishes."""
+"""The short bearing of Friswell et al. (2010): closed form, stored results, and the film as width vanishes."""
 
 from __future__ import annotations
 
@@ -165,12 +165,13 @@ CASE = ValidationCase(
     story=Story(
         what=(
             "The closed form that textbooks of rotor dynamics use: Ocvirk's narrow bearing with oil over the "
-            "converging half of the gap. Its stiffness and damping are exact in the limit of vanishing width, and the "
-            "engine's film must run into them, though its rupture is found and not prescribed."
+            "converging half of the gap. Its stiffness and damping are exact in the limit of vanishing width, "
+            "and the engine's film must run into them, though its rupture is found and not prescribed."
         ),
         source=(
-            "M. I. Friswell, J. E. T. Penny, S. D. Garvey and A. W. Lees, *Dynamics of Rotating Machines*, Cambridge "
-            "University Press, 2010; results as stored in the tests of the public package ROSS (petrobras/ross)."
+            "M. I. Friswell, J. E. T. Penny, S. D. Garvey and A. W. Lees, *Dynamics of Rotating Machines*, "
+            "Cambridge University Press, 2010; results as stored in the tests of the public package ROSS "
+            "(petrobras/ross)."
         ),
         assumptions=(
             "D = 100 mm, L = 30 mm, c = 0.1 mm, η = 0.1 Pa s, 525 N. The half-Sommerfeld condition of the closed "
@@ -179,19 +180,19 @@ CASE = ValidationCase(
             "horizontal, y vertical, the load points down."
         ),
         tolerances=(
-            "Closed form against the stored results 0.01 %. The engine's film at L/D = 0.03, at the same eccentricity: "
-            "1 % for load and coefficients, 0.001 rad for the angle."
+            "Closed form against the stored results 0.01 %. The engine's film at L/D = 0.03, at the same "
+            "eccentricity: 1 % for load and coefficients, 0.001 rad for the angle."
         ),
         differences=(
-            "The film at L/D = 0.03 differs by 0.05 % in load and 0.03 % in stiffness. Damping differs by 0.7 %: its "
-            "squeeze pressure ends abruptly at the widest and the narrowest gap, where the width softens the edge and the grid "
-            "loses part of an interval. "
-            "At the true width, L/D = 0.3, the coefficients differ by up to 6 %; they are shown and not judged. The "
-            "stored attitude angles are set aside: they follow if ε is multiplied where it should divide."
+            "The film at L/D = 0.03 differs by 0.05 % in load and 0.03 % in stiffness. Damping differs by 0.7 %: "
+            "its squeeze pressure ends abruptly at the widest and the narrowest gap, where the width softens the "
+            "edge and the grid loses part of an interval. At the true width, L/D = 0.3, the coefficients differ "
+            "by up to 6 %; they are shown and not judged. The stored attitude angles are set aside: they follow "
+            "if ε is multiplied where it should divide."
         ),
     ),
     run=run,
     draw=draw,
-    caption="Distance of the engine's stiffness and damping from the closed form over the width of the bearing, at the "
-    "same eccentricity; the band is the tolerance, judged at L/D = 0.03.",
+    caption="Distance of the engine's stiffness and damping from the closed form over the width of the bearing, "
+    "at the same eccentricity; the band is the tolerance, judged at L/D = 0.03.",
 )

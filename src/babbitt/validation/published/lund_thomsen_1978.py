@@ -113,8 +113,9 @@ def draw(figure: Figure) -> None:
         axes.set_xlabel("bearing number S")
         axes.set_ylabel(label)
         if last - first > 1:
-            axes.set_yscale("symlog", linthresh=1.0)
-            axes.legend(ncols=2)
+            axes.legend(ncols=2, fontsize=7, loc="lower left" if first == 2 else "upper center")
+    panels[1].set_yscale("symlog", linthresh=1.0)
+    panels[2].set_yscale("log")
     draw_deviations(panels[3], run())
     panels[3].set_title("both bearings")
 
@@ -124,15 +125,16 @@ CASE = ValidationCase(
     title="Film engine: coefficients of Lund and Thomsen (1978)",
     story=Story(
         what=(
-            "Whether a rotor whirls is decided by eight numbers, the stiffness and damping of its films. The paper "
-            "that showed how to compute them consistently, with the rupture free to move, tabulates them for "
-            "two common bearings: round with two axial grooves, and elliptical."
+            "Whether a rotor whirls is decided by eight numbers, the stiffness and damping of its films. The "
+            "paper that showed how to compute them consistently, with the rupture free to move, tabulates them "
+            "for two common bearings: round with two axial grooves, and elliptical."
         ),
         source=(
             "J. W. Lund and K. K. Thomsen, *A calculation method and data for the dynamic coefficients of "
-            "oil-lubricated journal bearings*, in: Topics in Fluid Film Bearing and Rotor Bearing System Design and "
-            "Optimization, ASME (1978) 1–28. Rows as reproduced in the public repositories VictorLier/Tribology "
-            "(two grooves of 20°, L/D = 0.5) and petrobras/ross (elliptical: L/D = 1, preload 0.5, two pads of 160°)."
+            "oil-lubricated journal bearings*, in: Topics in Fluid Film Bearing and Rotor Bearing System Design "
+            "and Optimization, ASME (1978) 1–28. Rows as reproduced in the public repositories "
+            "VictorLier/Tribology (two grooves of 20°, L/D = 0.5) and petrobras/ross (elliptical: L/D = 1, "
+            "preload 0.5, two pads of 160°)."
         ),
         assumptions=(
             "Grooves as wide as the bearing at ambient pressure, load halfway between them, Reynolds condition. x "
@@ -145,17 +147,17 @@ CASE = ValidationCase(
             "elliptical bearing, where it is printed to two decimals only, 0.0015; angle 0.1°."
         ),
         differences=(
-            "Three coefficients stay out, each where it passes through zero, so that a relative tolerance asks for "
-            "more than the table can hold: Kyx at S = 0.58 and 0.244 and Bxy of the second elliptical "
-            "row. None differs by more than 1 % of the largest coefficient of its row. A third elliptical row in circulation, "
-            "S = 0.161, stays out altogether: its angle, 83.29°, is out of line with its neighbours by almost 2°. "
-            "Everything else agrees; Bxy and Byy of the grooved bearing are printed 1 to 2.3 % below ours "
-            "from S = 0.58 down, probably for the print's coarser grid."
+            "Three coefficients stay out, each where it passes through zero, so that a relative tolerance asks "
+            "for more than the table can hold: Kyx at S = 0.58 and 0.244 and Bxy of the second elliptical row. "
+            "None differs by more than 1 % of the largest coefficient of its row. A third elliptical row in "
+            "circulation, S = 0.161, stays out altogether: its angle, 83.29°, is out of line with its neighbours "
+            "by almost 2°. Everything else agrees; Bxy and Byy of the grooved bearing are printed 1 to 2.3 % "
+            "below ours from S = 0.58 down, probably for the print's coarser grid."
         ),
     ),
     run=run,
     draw=draw,
-    caption="Position, stiffness and damping of the bearing with two grooves: the engine (grey) through the printed "
-    "points (damping: Bxy and Byx coincide), and the deviations of both bearings in units of their tolerances; crosses "
-    "are not judged.",
+    caption="Position, stiffness and damping of the bearing with two grooves: the engine (grey) through the "
+    "printed points (damping: Bxy and Byx coincide), and the deviations of both bearings in units of their "
+    "tolerances; crosses are not judged.",
 )

@@ -80,7 +80,7 @@ def draw(figure: Figure) -> None:
         left.axvline(data[key], color=GREY, linewidth=0.8)
     left.set_xlabel("x/L")
     left.set_ylabel("pressure and liquid fraction")
-    left.legend(loc="center left")
+    left.legend(loc=(0.15, 0.1), handlelength=1.2, fontsize=7)
     counts = [100, 200, 400, 800, 1600]
     films = [film(count) for count in counts]
     errors = {
@@ -107,23 +107,24 @@ CASE = ValidationCase(
     title="Film engine: rupture and reformation under a parabolic slider",
     story=Story(
         what=(
-            "The benchmark on which cavitation algorithms are tried: a gap that narrows and widens again. The film "
-            "ruptures behind the narrowest place, and closes just before the flooded outlet, in a jump of the liquid "
-            "fraction that smeared schemes miss."
+            "The benchmark on which cavitation algorithms are tried: a gap that narrows and widens again. The "
+            "film ruptures behind the narrowest place, and closes just before the flooded outlet, in a jump of "
+            "the liquid fraction that smeared schemes miss."
         ),
         source=(
-            "Set-up of D. Vijayaraghavan and T. G. Keith, Tribology Transactions 32 (1989) 225–233, and of G. Bayada and "
-            "L. Chupin, Journal of Tribology 135 (2013), as in the public repository hannes-holey/GaPFlow. The "
-            "reference values are ours: exact quadrature of the one-dimensional film of an incompressible liquid. "
-            "The papers use other cavitation pressures and compressible liquids; their curves are not compared."
+            "Set-up of D. Vijayaraghavan and T. G. Keith, Tribology Transactions 32 (1989) 225–233, and of G. "
+            "Bayada and L. Chupin, Journal of Tribology 135 (2013), as in the public repository "
+            "hannes-holey/GaPFlow. The reference values are ours: exact quadrature of the one-dimensional film "
+            "of an incompressible liquid. The papers use other cavitation pressures and compressible liquids; "
+            "their curves are not compared."
         ),
         assumptions=(
             "Jakobsson-Floberg-Olsson conditions with cavitation at zero absolute pressure, both ends flooded at "
             "0.101 MPa; flat surface moving. In the engine a land of 1 rad without side flow; 1600 intervals."
         ),
         tolerances=(
-            "Pressure, load and flux 0.1 %, smallest liquid fraction 0.2 %; places within one and a half intervals, "
-            "for the engine knows them by lines only."
+            "Pressure, load and flux 0.1 %, smallest liquid fraction 0.2 %; places within one and a half "
+            "intervals, for the engine knows them by lines only."
         ),
         differences=(
             "Pressure and load agree within 0.0002 %. The flux is off by 0.06 %: it follows from the gap at the "

@@ -23,9 +23,9 @@ GROOVE = math.radians(10.0)
 STIFFNESS = ("Kxx", "Kxy", "Kyx", "Kyy")
 DAMPING = ("Bxx", "Bxy", "Byx", "Byy")
 CITATION = (
-    "T. Someya (ed.), *Journal-Bearing Databook*, Springer, 1989, page {page}; numbers as reproduced in the public "
-    "repository VictorLier/Tribology, a file of a course at the Technical University of Denmark. Two columns have "
-    "no label there and are left out."
+    "T. Someya (ed.), *Journal-Bearing Databook*, Springer, 1989, page {page}; numbers as reproduced in the "
+    "public repository VictorLier/Tribology, a file of a course at the Technical University of Denmark. Two "
+    "columns have no label there and are left out."
 )
 
 
@@ -44,7 +44,7 @@ def solved(film: JournalFilm, bearing_number: float) -> tuple[Array, float, Arra
 
 
 def compliance_over_slope(stiffness: Array, slope: Array) -> tuple[float, float]:
-    """Shift that a small extra load causes by the stiffness, over the shift along the locus: size, and angle in degrees.
+    """Shift by stiffness under a small extra load over the shift along the locus: size, and angle in degrees.
 
     On a locus K dr = dW, so K c/W times d(r/c)/d ln W is the unit vector along the load: size 1 and angle 0.
     """
