@@ -33,13 +33,8 @@ if TYPE_CHECKING:
 _PRELOAD = 0.5
 _FILM = film_of(WIDTH_RATIO, two_lobes(_PRELOAD, GROOVE), (1.0 - _PRELOAD) * CLEARANCE)
 _SOURCE = "table 3"
-_SHARE_OF_LARGEST = 0.125
-"""Tolerance of a coefficient over the largest of its matrix."""
-
-_LIGHT_LOAD = 0.4
-_LIGHT = (
-    "Light load: the displacement is load over stiffness, whose cross terms are printed up to 20 % away from "
-    "ours; it cannot be judged apart from them."
+_CONTRADICTION = (
+    "The printed stiffness misses the slope of the printed locus by up to 17 % in size and 14° in direction."
 )
 
 
@@ -65,22 +60,19 @@ def _rows() -> Iterator[Comparison]:
     for row in table("table_3"):
         number = row["bearing_number_S"]
         ours = computed(number)
-        largest = {name: max(abs(row[each]) for each in group) for group in (STIFFNESS, DAMPING) for name in group}
         printed = {"ε": row["eccentricity_ratio"], "φ": row["attitude_angle_degrees"], "Q": row["Q"]}
-        tolerances = {"ε": Within(relative=0.055), "φ": Within(absolute=3.5), "Q": Within(relative=0.04)}
         for name in (*STIFFNESS, *DAMPING):
             printed[name] = row[name]
-            tolerances[name] = Within(absolute=_SHARE_OF_LARGEST * largest[name])
         for quantity, value in printed.items():
             yield Comparison(
                 quantity,
                 f"S = {number:g}",
                 value,
                 ours[quantity],
-                tolerances[quantity],
+                None,
                 "°" if quantity == "φ" else "",
                 _SOURCE,
-                information=_LIGHT if quantity == "ε" and number > _LIGHT_LOAD else "",
+                information=_CONTRADICTION,
             )
 
 
@@ -164,19 +156,18 @@ CASE = ValidationCase(
             "the printed position at light load, where r = W/K, fit each other."
         ),
         tolerances=(
-            "Set by the print, not by the engine: 12.5 % of the largest coefficient of the row for stiffness and "
-            "damping, ε 5.5 %, angle 3.5°, side flow 4 %. That the engine's stiffness is the slope of its own "
-            "locus is judged with 0.1 %."
+            "The printed rows are shown and not judged, since the print contradicts itself by more than any "
+            "useful tolerance. That the engine's stiffness is the slope of its own locus is judged with 0.1 %."
         ),
         differences=(
             "A heavier load shifts the journal by the inverse of its stiffness, so the stiffness is tied to the "
             "locus. The engine obeys this within 0.03 %. The print misses it by up to 17 % in size and 14° in "
-            "direction, and its Bxy and Byx differ from each other, which they cannot: coefficients by "
-            "difference quotients on a coarse grid. No tolerance tighter than this contradiction has a meaning; "
-            "ours stay inside it. Other grooves (0 to 60°), preloads (0.45 to 0.6), width ratios (0.4 to 1), a "
+            "direction, and its Bxy and Byx differ from each other, which they cannot: probably "
+            "coefficients by difference quotients on a coarse grid. The engine differs from the print by up to "
+            "12 % of the largest coefficient of a row, 5.5 % in ε, 3.5° in φ and 4 % in the flow. "
+            "Other grooves (0 to 60°), preloads (0.45 to 0.6), width ratios (0.4 to 1), a "
             "tilted or shifted lobe and mass-conserving rupture were tried: none brings position, stiffness and "
-            "damping together. ε at light "
-            "load is shown and not judged, for there it is nothing but load over stiffness."
+            "damping together."
         ),
     ),
     run=run,
