@@ -37,7 +37,7 @@ FRICTION = {
     Friction.CURVE360: "friction number of the full bearing at the same eccentricity",
 }
 
-UNITS = {"1e-6/K": "10⁻⁶/K"}
+UNITS = {"1e-6/K": "× 10⁻⁶/K"}
 """Units as they look on paper, where the vocabulary writes them for a plain terminal."""
 
 PLACES = {
@@ -78,6 +78,7 @@ def inputs(case: DesignCase) -> tuple[InputGroup, ...]:
         Groups that say nothing are left out.
     """
     groups = (
+        InputGroup("As given", tuple(Row(plain_text(what), plain_text(words)) for what, words in case.given)),
         InputGroup("Geometry", tuple(_geometry(case))),
         InputGroup("Operation", tuple(_operation(case))),
         InputGroup("Lubricant", tuple(_lubricant(case))),

@@ -236,10 +236,10 @@ def _failure(case: DesignCase, found: Equilibrium) -> str:
     reached = f"{found.last_temperature - 273.15:.1f} °C"
     match found.outcome:
         case Outcome.OVERLOADED:
-            capacity = f"{found.capacity / 1e3:.4g} kN" if found.capacity is not None else "too little"
+            capacity = f"{_kilonewtons(found.capacity)} kN" if found.capacity is not None else "too little"
             far = f"at {reached} the film carries {capacity} at the largest eccentricity, 0.99"
             if isinstance(case.duty, GivenLoad):
-                far += f", less than the load of {case.duty.load / 1e3:.4g} kN"
+                far += f", less than the load of {_kilonewtons(case.duty.load)} kN"
         case Outcome.THERMAL_RUNAWAY:
             far = f"at {reached} the friction power still exceeds the heat carried away"
         case Outcome.NO_CLEARANCE:
@@ -250,3 +250,8 @@ def _failure(case: DesignCase, found: Equilibrium) -> str:
             far = f"the last effective temperature was {reached}"
     remedy = EXPLANATIONS[found.outcome.code].remedy
     return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"
+
+
+def _kilonewtons(force: float) -> str:
+    """A force in kN with four digits and no exponent."""
+    return f"{force / 1e3:.0f}" if force >= 1e6 else f"{force / 1e3:.4g}"
