@@ -92,4 +92,217 @@ EXPLANATIONS: dict[str, Explanation] = {
         "The folder does not exist, is not writable, or an extra needed for this format is not installed.",
         "Check the path; `pip install 'babbitt[report]'` installs what PDF, HTML and plots need.",
     ),
+    # -- doubts about the design check --------------------------------------------------------------------------
+    "W101": Explanation(
+        "Film is not laminar",
+        "The Reynolds number of the film exceeds 41.3 sqrt(D/C), up to which the ISO 7902 procedure is valid. "
+        "Vortices raise friction and temperature above the values shown.",
+        "Use a film method with turbulence, a smaller clearance, a more viscous oil or a lower speed.",
+    ),
+    "W102": Explanation(
+        "Width ratio outside the standard",
+        "ISO 7902 tabulates B/D from 0.125 to 1. The characteristics used here are computed, not extrapolated, "
+        "and the formulas for supply flow and limits have no experience there.",
+        "Read the result with care, or compare it with a film method.",
+    ),
+    "W103": Explanation(
+        "Supply element outside the range of its flow formula",
+        "The fits for holes and pockets hold for a relative width of 0.05 to 0.7 of the bearing width; the value "
+        "at the nearest bound was used.",
+        "Take the supply flow as an estimate; a film method gives the flow of the real pocket.",
+    ),
+    "W104": Explanation(
+        "Uneven pockets replaced by a centred arc",
+        "The standard knows only arcs centred on the load. The arc between uneven pockets is replaced by a "
+        "conventional span rounded to a tabulated one.",
+        "Compare with a film method, which sees the pockets where they are.",
+    ),
+    "W105": Explanation(
+        "Loaded arc shorter than any tabulated span",
+        "The pockets leave less than 90 degrees of centred arc; the characteristics of 90 degrees flatter it.",
+        "Move the pockets away from the load or use a film method.",
+    ),
+    "W106": Explanation(
+        "Circumferential groove splits the bearing",
+        "A full circumferential groove divides the film into two lands. The load number was formed with the "
+        "whole width.",
+        "Compute two bearings of half the land width with half the load each.",
+    ),
+    "W107": Explanation(
+        "Temperature outside the lubricant data",
+        "The effective temperature lies outside the range for which the lubricant's numbers are meant.",
+        "Give the lubricant by points that enclose the operating temperature.",
+    ),
+    "W108": Explanation(
+        "Danger of whirl",
+        "Below an eccentricity of about 0.55 (possible up to 0.60) or below Orlov's clearance the journal can "
+        "whirl by itself. This is a screening rule, not a stability calculation.",
+        "A larger clearance, a thinner oil, a narrower bearing, or a rotordynamic check with film coefficients.",
+    ),
+    "W109": Explanation(
+        "Fast bearing",
+        "Above 20 m/s the dynamics of shaft and film deserve a check of their own.",
+        "Make a rotordynamic check with stiffness and damping of the film.",
+    ),
+    "W110": Explanation(
+        "Pressure feed needed",
+        "Cooled by its surroundings alone the bearing becomes hotter than permissible.",
+        "Feed oil under pressure, enlarge the cooling surface, or move more air.",
+    ),
+    "W111": Explanation(
+        "Supply pressure used up",
+        "The pressure losses on the way consume the supply pressure: nothing is left to push oil through the "
+        "supply element, and the side flow may not be made good.",
+        "Larger tubes and holes, or a higher supply pressure.",
+    ),
+    "W112": Explanation(
+        "No transition speed",
+        "The film thickness at which mixed friction begins is larger than the radial clearance, or smaller than "
+        "the tables reach; the transition speed is absent or an upper bound.",
+        "Check roughness, tilt and waviness against the clearance.",
+    ),
+    "W113": Explanation(
+        "Closed-form characteristics",
+        "The closed forms of DIN 31652 deviate from the solution of the Reynolds equation by up to 7 % in load "
+        "and 2.5 degrees in attitude angle, and exist for a full bearing only.",
+        "Use `characteristics: computed` (the default) unless an old calculation is to be repeated.",
+    ),
+    "W114": Explanation(
+        "Rotating bearing",
+        "The friction formula of the procedure holds for a bearing at rest; with a turning bearing only the film "
+        "forces and flows follow the effective speed.",
+        "Take friction power and temperature as estimates.",
+    ),
+    "W115": Explanation(
+        "Outside the experience tables",
+        "No experience value of the permissible film thickness exists for this diameter.",
+        "Give `surfaces` or `limits: {minimum_film_thickness: ...}`.",
+    ),
+    "W116": Explanation(
+        "Eccentricity at the end of the tables",
+        "Above an eccentricity of 0.95 elastic deformation, roughness and heat decide the film; a rigid "
+        "isoviscous film is too simple.",
+        "Treat the film thickness as an order of magnitude; lower the load or raise the viscosity.",
+    ),
+    "W117": Explanation(
+        "Number without unit",
+        "A number without unit is in SI: a speed in rad/s, a load in N. This one looks as if another unit was "
+        "meant.",
+        "Write the unit: '3000 rpm', '6 kN'; '3000 rad/s' or '6 N' if the number is meant as it stands.",
+    ),
+    "W118": Explanation(
+        "Oil leaves colder than it enters",
+        "The housing takes more heat than friction makes, so that the oil is cooled on its way through the film. "
+        "The rule of the mean temperature was made for oil that is heated.",
+        "Check ambient temperature, cooling surface and heat transfer coefficient; leave `cooling` out if the oil "
+        "carries the heat.",
+    ),
+    "W119": Explanation(
+        "Film hardly loaded",
+        "Below an eccentricity of 0.01 the characteristics follow their limit of small eccentricity.",
+        "Check load and units; a bearing without load tends to whirl.",
+    ),
+    # -- no solution --------------------------------------------------------------------------------------------
+    "S001": Explanation(
+        "No film can carry the load",
+        "At the coolest possible film, or on the way to the equilibrium temperature, the load asked for more than "
+        "the film carries at the largest eccentricity of the characteristics (0.99).",
+        "A wider or larger bearing, a more viscous or cooler oil, a smaller clearance, more speed, or less load.",
+    ),
+    "S002": Explanation(
+        "Thermal runaway",
+        "The friction heat exceeds what oil and housing carry away at every temperature up to 300 °C.",
+        "More oil, a cooler supply, a larger clearance, or a cooling surface.",
+    ),
+    "S003": Explanation(
+        "The clearance closes",
+        "The journal expands more than the bearing and grips before the heat balance closes.",
+        "A larger cold clearance, or materials with closer thermal expansion.",
+    ),
+    "S004": Explanation(
+        "Not converged",
+        "The iteration used up its steps without meeting its tolerance; the last state is no operating point.",
+        "Loosen the tolerance or start from another temperature, and report the case to the developers.",
+    ),
+    "S005": Explanation(
+        "Lubricant data end",
+        "The film settles, if at all, at a temperature where a law of the lubricant has no usable value: "
+        "viscosity, density or heat capacity would be absent, zero or negative.",
+        "Describe the lubricant by points that enclose the operating temperature, with a gentler slope of density "
+        "and heat capacity.",
+    ),
+    # -- checks of the design -----------------------------------------------------------------------------------
+    "C101": Explanation(
+        "Film thickness by experience",
+        "The minimum film thickness is compared with a value by experience for diameter and surface speed.",
+        "A more viscous or cooler oil, a larger bearing, less load.",
+    ),
+    "C102": Explanation(
+        "Film thickness by surface geometry",
+        "The minimum film thickness is compared with the sum of roughness, half the tilt offset, half the "
+        "deflection, and effective waviness.",
+        "Finer or truer surfaces, better alignment, or a thicker film.",
+    ),
+    "C103": Explanation(
+        "Specific load",
+        "The specific load is compared with the value by experience of the family of the bearing metal, or with "
+        "the limit that the case sets.",
+        "A larger bearing or a stronger metal.",
+    ),
+    "C104": Explanation(
+        "Temperature",
+        "The oil outlet temperature (pressure fed) or the bearing temperature (self-cooled) is compared with the "
+        "value by experience or with the limit that the case sets.",
+        "More oil, a cooler supply, a larger clearance, or a thinner oil.",
+    ),
+    "C105": Explanation(
+        "Specific load of the metal",
+        "The specific load is compared with the limit of the bearing metal for the character of the load.",
+        "A larger bearing or a stronger metal.",
+    ),
+    "C106": Explanation(
+        "Surface speed of the metal",
+        "The surface speed is compared with the limit of the bearing metal.",
+        "A smaller journal, a lower speed, or another metal.",
+    ),
+    "C107": Explanation(
+        "Load times speed of the metal",
+        "The product of specific load and surface speed is compared with the limit of the bearing metal.",
+        "A wider bearing, a lower speed, or another metal.",
+    ),
+    "C108": Explanation(
+        "Limiting temperature of the metal",
+        "The hottest known temperature is compared with that at which the metal loses its hardness.",
+        "More or cooler oil, or another metal.",
+    ),
+    "C109": Explanation(
+        "Recommended temperature of the metal",
+        "Advice only: the temperature recommended for lasting operation of the metal.",
+        "More or cooler oil; a thermal film calculation tells the temperature of the metal itself.",
+    ),
+    "C110": Explanation(
+        "Laminar film",
+        "The Reynolds number of the film is compared with 41.3 sqrt(D/C), the end of validity of the procedure.",
+        "Use a film method with turbulence.",
+    ),
+    "C111": Explanation(
+        "Transition to mixed friction",
+        "The speed is compared with the speed below which the surfaces touch.",
+        "Smoother surfaces, a more viscous oil, less load, or jacking oil for starting.",
+    ),
+    "C112": Explanation(
+        "Whirl screening by Orlov",
+        "Advice only: the relative clearance should exceed 3.5e-3 sqrt(lambda B/D).",
+        "A larger clearance, a thinner oil, a narrower bearing.",
+    ),
+    "C113": Explanation(
+        "Whirl screening by Dmitriev",
+        "Advice only: the eccentricity ratio should exceed 0.60; below 0.55 whirl is possible.",
+        "A larger clearance, a thinner oil, a narrower bearing.",
+    ),
+    "C114": Explanation(
+        "Recommended clearance",
+        "Advice only: the mean relative clearance should reach 0.8e-3 U^(1/4), with U in m/s.",
+        "Choose a larger clearance where heat or whirl matter.",
+    ),
 }

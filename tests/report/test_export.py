@@ -104,3 +104,13 @@ def test_numbers_of_numpy_become_plain_numbers(reverse_gear, good):
     typed = replace(good, values={"load": numpy.float64(3.0), "iterations": numpy.int64(7)})
     record = strict_parse(write_json(replace(reverse_gear, results=(typed,))))["bearings"][0]
     assert record["results"] == {"load": 3.0, "iterations": 7.0}
+
+
+@pytest.mark.parametrize("name", ["Вал 轴", 'quote " and \\ and \n', "half \ud800 pair", "\x00"])
+def test_any_name_survives_the_way_through_a_file(reverse_gear, good, name):
+    text = write_json(replace(reverse_gear, results=(replace(good, name=name),)))
+    assert strict_parse(text.encode().decode())["bearings"][0]["name"] == name
+
+
+def test_common_letters_are_not_escaped(reverse_gear, good):
+    assert "Вал" in write_json(replace(reverse_gear, results=(replace(good, name="Вал"),)))

@@ -114,3 +114,8 @@ COLUMNS = (
         " / ",
     ),
 )
+
+
+def is_film(result: Result) -> bool:
+    """Whether a result belongs in the table: it has a film, or should have had one."""
+    return "minimum_film_thickness" in result.values or not result.outcome.solved

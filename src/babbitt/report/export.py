@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from babbitt.results import Check, Result
 
 if TYPE_CHECKING:
-    from babbitt.solve import MachineResult
+    from babbitt.solving import MachineResult
 
 
 def to_json(machine: MachineResult) -> dict[str, Any]:
@@ -36,8 +36,14 @@ def to_json(machine: MachineResult) -> dict[str, Any]:
 
 
 def write_json(machine: MachineResult) -> str:
-    """The JSON text of `to_json`, indented, ending with a newline."""
-    return json.dumps(to_json(machine), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    """The JSON text of `to_json`, indented, ending with a newline; letters of all scripts stay readable."""
+    record = to_json(machine)
+    text = json.dumps(record, indent=2, ensure_ascii=False, allow_nan=False)
+    try:
+        text.encode()
+    except UnicodeEncodeError:  # half a surrogate pair in a name: only an escape can stand for it
+        text = json.dumps(record, indent=2, ensure_ascii=True, allow_nan=False)
+    return text + "\n"
 
 
 def _bearing(result: Result) -> dict[str, Any]:

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from rich import box
+from rich.cells import cell_len
 from rich.console import Console, Group, RenderableType
 from rich.padding import Padding
 from rich.table import Table
@@ -15,13 +16,13 @@ from rich.text import Text
 
 from babbitt.quantities import QUANTITIES
 from babbitt.report import verdict as judge
-from babbitt.report.columns import COLUMNS, Column
-from babbitt.report.text import counted, plain_text
+from babbitt.report.columns import COLUMNS, Column, is_film
+from babbitt.report.text import counted_results, plain_text
 from babbitt.report.verdict import Verdict
 from babbitt.results import Check, Result
 
 if TYPE_CHECKING:
-    from babbitt.solve import MachineResult
+    from babbitt.solving import MachineResult
 
 PIPED_WIDTH = 140
 """Columns written when standard output is a file or a pipe and has no width of its own."""
@@ -73,9 +74,7 @@ def render(name: str, results: Sequence[Result], width: int) -> RenderableType:
         Columns at hand.
     """
     results = tuple(results)
-    journals = [
-        result for result in results if "minimum_film_thickness" in result.values or not result.outcome.solved
-    ]
+    journals = [result for result in results if is_film(result)]
     parts: list[RenderableType] = []
     if len(results) == 1 or not journals:
         parts += [_single(result) for result in results]
@@ -130,7 +129,7 @@ def _column_width(column: Column, results: Sequence[Result]) -> int:
 
 
 def _longest_name(results: Sequence[Result]) -> int:
-    return max(len(plain_text(result.name)) for result in results)
+    return max(cell_len(plain_text(result.name)) for result in results)
 
 
 def _single(result: Result) -> RenderableType:
@@ -148,7 +147,8 @@ def _single(result: Result) -> RenderableType:
     for name, value in result.values.items():
         quantity = QUANTITIES.get(name)
         if quantity is not None and math.isfinite(value) and name != "wall_time":
-            table.add_row(quantity.meaning, quantity.symbol, quantity.format(value), quantity.display.label)
+            shown = f"{value:.0f}" if name == "iterations" else quantity.format(value)
+            table.add_row(quantity.meaning, quantity.symbol, shown, quantity.display.label)
     return Group(heading, table, *([_checks(result.checks)] if result.checks else []))
 
 
@@ -184,8 +184,10 @@ def _remarks(results: Sequence[Result]) -> list[RenderableType]:
         if groups:
             parts.append(Text(f"\n{heading}", style=style))
             parts += [Padding(_line(group, several), (0, 0, 0, 2)) for group in groups]
-    if not parts and results:
-        parts.append(Text(f"\n{counted(len(results), 'bearing')}: all limits kept, no warnings.", style="green"))
+    if not parts and any(result.checks for result in results):
+        parts.append(
+            Text(f"\n{counted_results([r.name for r in results])}: all limits kept, no warnings.", style="green")
+        )
     return parts
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Sequence
 
 _DIRECTION_MARKS = {chr(c) for c in (*range(0x202A, 0x202F), *range(0x2066, 0x206A), 0x200E, 0x200F, 0x061C)}
 _TYPEFACE_RANGES = (
@@ -50,3 +51,25 @@ def counted(number: int, noun: str) -> str:
     ('1 bearing', '11 bearings')
     """
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+_POINT_AND_CLEARANCE = re.compile(r"( \[[^\]]*\])?( \((minimum|mean|maximum) clearance\))?$")
+
+
+def counted_results(names: Sequence[str]) -> str:
+    """How many bearings the results of a machine are, or how many cases of how many bearings.
+
+    Parameters
+    ----------
+    names : sequence of str
+        As `babbitt.cases.design_cases` gives them: ``Bearing [point] (minimum clearance)``.
+
+    Examples
+    --------
+    >>> counted_results(["A", "B"]), counted_results(["A (minimum clearance)", "A (maximum clearance)"])
+    ('2 bearings', '2 cases of 1 bearing')
+    """
+    bearings = len({_POINT_AND_CLEARANCE.sub("", name) for name in names})
+    if bearings == len(names):
+        return counted(bearings, "bearing")
+    return f"{counted(len(names), 'case')} of {counted(bearings, 'bearing')}"

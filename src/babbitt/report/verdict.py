@@ -9,10 +9,10 @@ from enum import Enum
 
 from babbitt.notices import EXPLANATIONS
 from babbitt.quantities import QUANTITIES
-from babbitt.report.text import counted, plain_text
+from babbitt.report.text import counted_results, plain_text
 from babbitt.results import Bound, Check, Result
 
-NAMES_SHOWN = 3
+NAMES_SHOWN = 2
 """How many bearings a gathered line names before it counts the rest."""
 
 
@@ -143,8 +143,8 @@ def _missed(results: Sequence[Result], concerned: Callable[[Check], bool]) -> tu
             Group(
                 code,
                 known.meaning if known else quantity,
-                _who([result for result, _ in misses], len(results)),
-                f"{message} ({check.source})" if check.source else message,
+                _who([result for result, _ in misses], results),
+                message,
                 EXPLANATIONS[code].remedy if code in EXPLANATIONS else "",
             )
         )
@@ -163,7 +163,7 @@ def gathered_warnings(results: Sequence[Result]) -> tuple[Group, ...]:
         message = messages[0] if len(messages) == 1 else f"for example: {messages[0]}"
         explanation = EXPLANATIONS[code]
         bearings = list({id(result): result for result, _ in notices}.values())
-        groups.append(Group(code, explanation.title, _who(bearings, len(results)), message, explanation.remedy))
+        groups.append(Group(code, explanation.title, _who(bearings, results), message, explanation.remedy))
     return tuple(groups)
 
 
@@ -171,19 +171,20 @@ def unsolved(results: Sequence[Result]) -> tuple[Group, ...]:
     """Bearings without an operating point, and why."""
     return tuple(
         Group(
-            "",
+            result.outcome.code,
             result.outcome.value,
             plain_text(result.name),
             plain_text(result.message),
+            EXPLANATIONS[result.outcome.code].remedy if result.outcome.code in EXPLANATIONS else "",
         )
         for result in results
         if not result.outcome.solved
     )
 
 
-def _who(bearings: Sequence[Result], of: int) -> str:
-    if len(bearings) == of and of > 1:
-        return f"all {counted(of, 'bearing')}"
+def _who(bearings: Sequence[Result], of: Sequence[Result]) -> str:
+    if len(bearings) == len(of) and len(of) > 1:
+        return f"all {counted_results([result.name for result in of])}"
     names = [plain_text(result.name) for result in bearings]
     if len(names) <= NAMES_SHOWN:
         return ", ".join(names)

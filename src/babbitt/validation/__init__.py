@@ -1,1 +1,32 @@
-"""Published cases: story, reference, our answer and the figure."""
+"""Published cases: story, reference, our answer and the figure.
+
+Each case is at once a test (``validation/test_published_cases.py``), a page of the documentation (`page`,
+`save_figure`) and a run of ``babbitt validate``.
+"""
+
+from babbitt.validation.case import Comparison, Story, ValidationCase, Verdict
+from babbitt.validation.figure import figure_file, figure_of, save_figure
+from babbitt.validation.page import page
+from babbitt.validation.registry import cases, validation_case
+from babbitt.validation.summary import Summary, by_quantity, summary
+from babbitt.validation.tolerance import AtLeast, AtMost, Tolerance, Within
+
+__all__ = [
+    "AtLeast",
+    "AtMost",
+    "Comparison",
+    "Story",
+    "Summary",
+    "Tolerance",
+    "ValidationCase",
+    "Verdict",
+    "Within",
+    "by_quantity",
+    "cases",
+    "figure_file",
+    "figure_of",
+    "page",
+    "save_figure",
+    "summary",
+    "validation_case",
+]

@@ -18,9 +18,9 @@ def pipe_friction_factor(reynolds_number: float) -> float:
     if reynolds_number <= LAMINAR_UP_TO:
         return 64.0 / reynolds_number
     if reynolds_number >= TURBULENT_FROM:
-        return 0.3164 * reynolds_number**-0.25
+        return 0.3164 * math.pow(reynolds_number, -0.25)
     share = (reynolds_number - LAMINAR_UP_TO) / (TURBULENT_FROM - LAMINAR_UP_TO)
-    return (1.0 - share) * 64.0 / LAMINAR_UP_TO + share * 0.3164 * TURBULENT_FROM**-0.25
+    return (1.0 - share) * 64.0 / LAMINAR_UP_TO + share * 0.3164 * math.pow(TURBULENT_FROM, -0.25)
 
 
 @dataclass(frozen=True)
@@ -47,9 +47,9 @@ class Duct:
 
         ``Δp = (λ l/d + Σζ) ρ v²/2`` with the mean velocity v (Darcy-Weisbach).
         """
-        if flow <= 0.0:
-            return 0.0
         velocity = flow / self.number / (math.pi / 4.0 * self.diameter**2)
         reynolds_number = velocity * self.diameter / kinematic_viscosity
+        if reynolds_number <= 0.0:
+            return 0.0
         friction = pipe_friction_factor(reynolds_number) * self.length / self.diameter
         return (friction + self.loss_coefficient) * density * velocity**2 / 2.0

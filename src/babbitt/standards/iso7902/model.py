@@ -6,7 +6,8 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from babbitt.lubricants import Lubricant
-from babbitt.materials import BearingMetal
+from babbitt.materials import BearingMetal, LoadCharacter
+from babbitt.notices import Notice
 from babbitt.standards.iso7902.losses import Duct
 from babbitt.standards.iso7902.supply import SupplyElement
 
@@ -28,13 +29,6 @@ class Curves(Enum):
 
     COMPUTED = "computed"
     CLOSED_FORM = "closed_form"
-
-
-class LoadCharacter(Enum):
-    """How the load acts on the bearing metal."""
-
-    CALM = "calm"
-    SHOCK = "shock"
 
 
 @dataclass(frozen=True)
@@ -76,7 +70,10 @@ class Surfaces:
 
 @dataclass(frozen=True)
 class Bearing:
-    """A circular cylindrical bearing; lengths in m, clearance at 20 °C, span in degrees of a tabulated arc."""
+    """A circular cylindrical bearing; lengths in m, clearance at 20 °C, span in degrees of a tabulated arc.
+
+    `clearance_tolerance` holds the least and the greatest relative clearance where a tolerance is known.
+    """
 
     diameter: float
     width: float
@@ -88,11 +85,18 @@ class Bearing:
     surfaces: Surfaces | None = None
     metal: BearingMetal | None = None
     load_character: LoadCharacter = LoadCharacter.CALM
+    clearance_tolerance: tuple[float, float] | None = None
 
     @property
     def width_ratio(self) -> float:
         """B/D."""
         return self.width / self.diameter
+
+    @property
+    def mean_relative_clearance(self) -> float:
+        """Relative clearance in the middle of its tolerance, at 20 °C."""
+        tolerance = self.clearance_tolerance
+        return sum(tolerance) / 2.0 if tolerance else self.relative_clearance
 
 
 @dataclass(frozen=True)
@@ -113,14 +117,14 @@ class GivenEccentricity:
 class OilSupply:
     """Oil fed under pressure: inlet temperature in K, gauge pressure in Pa, losses on the way.
 
-    `reservoir_volume` (m³) decides which temperature limit holds; None means unknown.
+    `circulation_time` (s, whole oil volume over whole flow) decides which temperature limit holds; None: unknown.
     """
 
     temperature: float
     pressure: float
     tubes: tuple[Duct, ...] = ()
     holes: tuple[Duct, ...] = ()
-    reservoir_volume: float | None = None
+    circulation_time: float | None = None
 
 
 @dataclass(frozen=True)
@@ -146,7 +150,9 @@ class Limits:
 class DesignCase:
     """One bearing at one operating point with all choices made.
 
-    Speeds in rad/s. At least one of `oil_supply` and `cooling` carries the heat away.
+    Speeds in rad/s. At least one of `oil_supply` and `cooling` carries the heat away. `given` holds names and
+    words of the case that these numbers came from (a fit, a material), for the report. `doubts` arose while the
+    case was made and ride along to the result.
     """
 
     name: str
@@ -161,6 +167,7 @@ class DesignCase:
     friction_factor: float = 1.0
     curves: Curves = Curves.COMPUTED
     limits: Limits = field(default_factory=Limits)
-    temperature_tolerance: float = 1e-6
+    given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()
+    doubts: tuple[Notice, ...] = ()
     kind: str = "journal"

@@ -1,0 +1,51 @@
+# Every target works on a fresh clone with Python (3.11 or newer) and make alone.
+PYTHON ?= python3
+VENV ?= .venv
+BIN := $(VENV)/bin
+PIP := $(BIN)/python -m pip install --quiet --constraint constraints.txt
+
+.PHONY: demo test lint docs bench clean
+
+demo: $(VENV)/.demo  ## solve the marine reverse gear: table, PDF and JSON
+	mkdir -p out
+	$(BIN)/babbitt solve examples/marine_reverse_gear.yaml --report out/marine_reverse_gear.pdf --json out/marine_reverse_gear.json
+	@ls -l out/marine_reverse_gear.pdf out/marine_reverse_gear.json
+
+test: $(VENV)/.test  ## tests, doctests and published cases
+	$(BIN)/python -m pytest -n auto
+
+lint: $(VENV)/.lint  ## style, types, direction of imports
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+docs: $(VENV)/.docs  ## build the documentation into docs/_build/html
+	$(BIN)/python -m sphinx -W -q docs docs/_build/html
+
+bench: $(VENV)/.demo  ## measure what benchmarks/ promises
+	for script in benchmarks/*.py; do $(BIN)/python $$script || exit 1; done
+
+clean:
+	rm -rf $(VENV) out docs/_build docs/_generated
+
+$(VENV)/.pip:
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --upgrade pip
+	touch $@
+
+$(VENV)/.demo: $(VENV)/.pip pyproject.toml constraints.txt
+	$(PIP) --editable '.[report]'
+	touch $@
+
+$(VENV)/.test: $(VENV)/.demo
+	$(PIP) --group test
+	touch $@
+
+$(VENV)/.lint: $(VENV)/.test
+	$(PIP) --group lint
+	touch $@
+
+$(VENV)/.docs: $(VENV)/.test
+	$(PIP) --group docs
+	touch $@

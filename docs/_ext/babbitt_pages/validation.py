@@ -1,0 +1,36 @@
+"""Pages of the published cases: a scoreboard, and one page with table and figure a case."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from babbitt.validation import ValidationCase, cases, page, save_figure, summary
+from babbitt_pages.files import write
+from babbitt_pages.markdown import text
+
+
+def scoreboard() -> str:
+    """Markdown table of all cases with the outcome of each, and the tree of their pages."""
+    lines = [
+        "| case | values | judged | set aside | shown only | largest deviation / tolerance | verdict |",
+        "| --- | ---: | ---: | ---: | ---: | ---: | --- |",
+        *(_line(case) for case in cases()),
+    ]
+    tree = "\n".join(f"/_generated/validation/{case.name}" for case in cases())
+    return "\n".join(lines) + f"\n\n```{{toctree}}\n:hidden:\n\n{tree}\n```\n"
+
+
+def write_pages(target: Path) -> None:
+    """Write the page and the figure of every case."""
+    for case in cases():
+        write(target / f"{case.name}.md", page(case))
+        save_figure(case, target)
+
+
+def _line(case: ValidationCase) -> str:
+    found = summary(case.run())
+    verdict = "agrees" if found.agrees else f"{found.differing} differ" if found.differing else "not judged"
+    link = f"[{text(case.title)}](/_generated/validation/{case.name}.md)"
+    numbers = (found.values, found.judged, found.suspect, found.shown)
+    counts = " | ".join(str(number) for number in numbers)
+    return f"| {link} | {counts} | {found.largest_share:.2f} | {verdict} |"

@@ -1,0 +1,51 @@
+"""Choices of the calculation: friction, characteristics, limits of the user."""
+
+from __future__ import annotations
+
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field
+
+from babbitt.cases.part import Part
+from babbitt.standards.iso7902.model import Limits
+from babbitt.units import si
+
+
+class FrictionGiven(Part):
+    """Where the film rubs."""
+
+    example: ClassVar[str] = "{model: full, factor: 1.1}"
+
+    model: Literal["full", "arc", "curve360"] = Field(
+        "full",
+        description="Film around the whole circumference, on the loaded arc only, or the friction number of the "
+        "full bearing at the same eccentricity.",
+    )
+    factor: Annotated[float, si("1", "0.2", "5")] = Field(
+        1.0, description="Factor on the friction coefficient, where measurements ask for one."
+    )
+
+
+class LimitsGiven(Part):
+    """Limits in place of those by experience."""
+
+    example: ClassVar[str] = "{minimum_film_thickness: 10 um, temperature: 90 degC}"
+
+    minimum_film_thickness: Annotated[float, si("m", "0 um", "1 mm")] | None = Field(
+        None, description="Least permissible film thickness."
+    )
+    specific_load: Annotated[float, si("Pa", "1 kPa", "200 MPa")] | None = Field(
+        None, description="Greatest permissible specific load."
+    )
+    temperature: Annotated[float, si("K", "20 degC", "250 degC")] | None = Field(
+        None, description="Greatest permissible outlet or bearing temperature."
+    )
+    transition_film_thickness: Annotated[float, si("m", "0 um", "1 mm")] | None = Field(
+        None, description="Film thickness at which mixed friction begins."
+    )
+
+    def limits(self) -> Limits:
+        """Give the limits of the calculation."""
+        return Limits(
+            self.minimum_film_thickness, self.specific_load, self.temperature, self.transition_film_thickness
+        )

@@ -1,0 +1,122 @@
+"""Whether a bearing, together with what its machine shares, has all that the calculation needs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from babbitt.cases.journal import JournalBearing
+from babbitt.cases.materials import Materials
+from babbitt.cases.part import Complaint
+from babbitt.cases.plain_words import Path
+from babbitt.cases.shared import SharedInputs, merged
+from babbitt.lubricants import Lubricant
+from babbitt.materials import bearing_metal
+from babbitt.units import written
+
+WHERE = "at the bearing or for the whole machine"
+
+
+def complaints_about(
+    bearing: JournalBearing, machine: SharedInputs | None, *path: str | int
+) -> Iterator[Complaint]:
+    """Complain about what a bearing lacks, and about temperatures above what its oil and metal stand.
+
+    Parameters
+    ----------
+    bearing : JournalBearing
+    machine : SharedInputs or None
+        What its machine shares; None for a bearing on its own.
+    *path : str or int
+        From the machine to the bearing.
+    """
+    yield from _missing(bearing, machine, path)
+    yield from _clearance_limits(bearing, machine, path)
+    yield from _too_hot(bearing, machine, path)
+
+
+def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) -> Iterator[Complaint]:
+    where = f"; {WHERE}" if machine is not None else ""
+
+    def lacks(field: str, part: str, wanted: str) -> Complaint:
+        shared = machine is not None and getattr(bearing, part) is None
+        at = (part, field) if field else (part,)
+        return Complaint((*(() if shared else path), *at), "is missing", f"{wanted}{where}", code="E003")
+
+    shared = machine or bearing
+    if (bearing.lubricant or shared.lubricant) is None:
+        yield lacks("", "lubricant", "a name of the catalogue, such as 'ISO VG 46', or own data")
+    supply = merged(bearing.supply, shared.supply)
+    cooling = merged(bearing.cooling, shared.cooling)
+    materials = merged(bearing.materials, shared.materials)
+    if supply is None and cooling is None:
+        yield lacks("", "supply", "supply (oil carries the heat away), cooling (the housing does), or both")
+    if supply is not None:
+        points = bearing.operating_points
+        if supply.temperature is None and not _all_give(points, "supply_temperature"):
+            yield lacks("temperature", "supply", "oil temperature at the inlet such as '50 degC'")
+        if supply.pressure is None and not _all_give(points, "supply_pressure"):
+            yield lacks("pressure", "supply", "gauge pressure such as '0.2 MPa'")
+    if cooling is not None:
+        if cooling.ambient_temperature is None:
+            yield lacks("ambient_temperature", "cooling", "temperature of the air such as '20 degC'")
+        if cooling.surface is None and cooling.housing is None:
+            yield lacks("surface", "cooling", "surface such as '0.3 m2', or housing")
+    if materials is None:
+        yield lacks("", "materials", f"a mapping such as {Materials.example}")
+        return
+    for part in ("bearing", "journal"):
+        if getattr(materials, part) is None:
+            yield lacks(part, "materials", "a name of the catalogue, or {thermal_expansion: 11e-6 1/K}")
+
+
+def _all_give(points: tuple[object, ...], name: str) -> bool:
+    return bool(points) and all(getattr(point, name) is not None for point in points)
+
+
+def _clearance_limits(bearing: JournalBearing, machine: SharedInputs | None, path: Path) -> Iterator[Complaint]:
+    cases = bearing.clearance_cases or getattr(machine, "clearance_cases", "mean")
+    if cases == "all" and not bearing.clearance.has_limits:
+        says = "clearance_cases: all needs the limits of the clearance"
+        yield Complaint((*path, "clearance"), says, "minimum and maximum besides mean", code="E003")
+
+
+def _too_hot(bearing: JournalBearing, machine: SharedInputs | None, path: Path) -> Iterator[Complaint]:
+    shared = machine or bearing
+    supply = merged(bearing.supply, shared.supply)
+    cooling = merged(bearing.cooling, shared.cooling)
+    temperatures: list[tuple[Path, str, float | None]] = []
+    if supply is not None:
+        own = bearing.supply is not None and bearing.supply.temperature is not None
+        at: Path = (*(path if own else ()), "supply", "temperature")
+        temperatures.append((at, "the supply", supply.temperature))
+    if cooling is not None:
+        own = bearing.cooling is not None and bearing.cooling.ambient_temperature is not None
+        at = (*(path if own else ()), "cooling", "ambient_temperature")
+        temperatures.append((at, "the air", cooling.ambient_temperature))
+    for index, point in enumerate(bearing.operating_points):
+        at = (*path, "operating_points", index, "supply_temperature")
+        temperatures.append((at, "the supply", point.supply_temperature))
+    limit, of_what = _lowest_limit(bearing, shared)
+    for at, what, temperature in temperatures:
+        if temperature is not None and temperature >= limit:
+            says = (
+                f"{what}, {written(temperature, 'degC')}, is not cooler than {of_what}, {written(limit, 'degC')}"
+            )
+            yield Complaint(at, says, f"less than {written(limit, 'degC')}")
+
+
+def _lowest_limit(bearing: JournalBearing, shared: SharedInputs) -> tuple[float, str]:
+    """Give the lowest temperature limit in K that is known, and whose it is."""
+    limits: list[tuple[float, str]] = [(float("inf"), "")]
+    if bearing.limits.temperature is not None:
+        limits.append((bearing.limits.temperature, "limits.temperature"))
+    materials = merged(bearing.materials, shared.materials)
+    if materials is not None and materials.bearing_metal is not None:
+        metal = bearing_metal(materials.bearing_metal)
+        if metal.limiting_temperature is not None:
+            limits.append((metal.limiting_temperature.value, f"the limit of {metal.name}"))
+    oil = bearing.lubricant or shared.lubricant
+    if oil is not None:
+        made: Lubricant = oil.lubricant()
+        limits.append((made.temperature_range[1], f"the end of the data of {made.name}"))
+    return min(limits)

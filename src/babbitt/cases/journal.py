@@ -1,0 +1,221 @@
+"""The circular cylindrical journal bearing."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field
+
+from babbitt.cases import clearance, cooling, supply_element
+from babbitt.cases.choices import FrictionGiven, LimitsGiven
+from babbitt.cases.clearance import ClearanceGiven
+from babbitt.cases.fields import Name, Prose, Span
+from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
+from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_bare, is_given, rule
+from babbitt.cases.shared import SharedInputs
+from babbitt.cases.supply_element import SupplyElementGiven, UnevenPockets
+from babbitt.cases.surfaces import SurfacesGiven
+from babbitt.units import si, written
+
+WIDTH_RATIOS = (0.1, 1.5)
+"""Range of B/D for which the characteristics are on board."""
+
+LEAST_SPECIFIC_LOAD = 1e3
+"""Pa. Assumption: a smaller load is a slip of unit."""
+
+GREATEST_SURFACE_SPEED = 200.0
+"""m/s. Assumption: a faster plain bearing is a slip of unit."""
+
+
+class JournalBearing(Duty, SharedInputs):
+    """A circular cylindrical journal bearing."""
+
+    alternatives: ClassVar[tuple[tuple[str, ...], ...]] = (*Duty.alternatives, ("width", "width_ratio"))
+
+    kind: Literal["journal"] = Field(description="Circular cylindrical journal bearing.")
+    name: Name = Field(description="Name of the bearing in tables and reports.")
+    method: Literal["iso7902"] = Field("iso7902", description="Method of calculation: ISO 7902.")
+
+    diameter: Annotated[float, si("m", "1 mm", "3 m")] = Field(description="Nominal bearing inside diameter D.")
+    width: Annotated[float, si("m", "0.1 mm", "4.5 m")] | None = Field(None, description="Bearing width B.")
+    width_ratio: Annotated[float, si("1", "0.1", "1.5")] | None = Field(
+        None, description="Relative width B/D, in place of the width."
+    )
+    clearance: ClearanceGiven = Field(
+        description="Clearance at 20 degC. An ISO 286 fit may be written in short, such as H7/e8."
+    )
+    clearance_cases: Literal["mean", "all"] | None = Field(
+        None,
+        description="Calculate with the mean clearance, or with minimum, mean and maximum. mean if not given.",
+    )
+    span: Span | None = Field(
+        None, description="Angular span of the loaded arc. Uneven pockets set it if it is not given."
+    )
+    supply_element: SupplyElementGiven | None = Field(None, description="What feeds the film.")
+    surfaces: SurfacesGiven | None = Field(None, description="Roughness, tilt and waviness of the surfaces.")
+
+    bearing_speed: Annotated[float, si("rad/s", "-1000000 rpm", "1000000 rpm")] = Field(
+        0.0, description="Rotational speed of the bearing, positive counter-clockwise as that of the journal."
+    )
+    load_angle: Annotated[float, si("rad", "-360 deg", "360 deg")] = Field(
+        -math.pi / 2.0,
+        description="Direction of the load, counter-clockwise from the x axis. -90 deg is downward. "
+        "ISO 7902 takes the load through the middle of the arc, whatever its direction.",
+    )
+    operating_points: tuple[OperatingPoint, ...] = Field(
+        (), max_length=200, description="Operating points, each with what differs from the bearing."
+    )
+
+    friction: FrictionGiven = Field(FrictionGiven(), description="Where the film rubs.")
+    characteristics: Literal["computed", "closed_form"] = Field(
+        "computed",
+        description="Own solutions of the Reynolds equation, or the closed forms of DIN 31652 (360 deg).",
+    )
+    limits: LimitsGiven = Field(LimitsGiven(), description="Limits in place of those by experience.")
+    assumptions: tuple[Prose, ...] = Field(
+        (), max_length=100, description="Assumptions to be shown in the report."
+    )
+    notes: Prose = Field("", description="Notes to be shown in the report.")
+    source: Prose = Field("", description="Where the numbers come from.")
+
+    @property
+    def actual_width(self) -> float | None:
+        """Bearing width in m, None while it cannot be known."""
+        if self.width is not None:
+            return self.width
+        return None if self.width_ratio is None else self.width_ratio * self.diameter
+
+    @rule
+    def _one_width(self) -> Iterator[Complaint]:
+        yield from exactly_one(self, "width", "width_ratio")
+
+    @rule
+    def _width_in_tables(self) -> Iterator[Complaint]:
+        lowest, highest = WIDTH_RATIOS
+        if self.width is not None and not lowest <= self.width / self.diameter <= highest:
+            allowed = f"{written(lowest * self.diameter, 'mm')} to {written(highest * self.diameter, 'mm')}"
+            says = f"width {written(self.width, 'mm')} is {self.width / self.diameter:.3g} of the diameter"
+            yield Complaint(("width",), says, f"{allowed} (B/D {lowest:g} to {highest:g})")
+
+    @rule
+    def _one_load(self) -> Iterator[Complaint]:
+        yield from _one_of(self, LOADS)
+
+    @rule
+    def _loads_make_sense(self) -> Iterator[Complaint]:
+        width = self.actual_width
+        for path, duty in self._duties():
+            if duty.load is None or width is None:
+                continue
+            pressure = duty.load / (width * self.diameter)
+            # A missing "kN" shows here. A load beyond what any film carries is answered by the calculation.
+            if pressure < LEAST_SPECIFIC_LOAD:
+                says = f"{written(duty.load, 'kN')} is a specific load of {written(pressure, 'kPa')}"
+                hint = f"write '{duty.load:.12g} kN'" if is_bare(duty, "load") else ""
+                yield Complaint((*path, "load"), says, f"at least {written(LEAST_SPECIFIC_LOAD, 'kPa')}", hint)
+
+    @rule
+    def _one_speed(self) -> Iterator[Complaint]:
+        yield from _one_of(self, SPEEDS)
+
+    @rule
+    def _speeds_make_sense(self) -> Iterator[Complaint]:
+        for path, duty in self._duties():
+            speed = duty.speed
+            if speed is None and duty.surface_speed is not None:
+                speed = 2.0 * duty.surface_speed / self.diameter
+            if speed is None:
+                continue
+            if (fast := abs(speed) * self.diameter / 2.0) > GREATEST_SURFACE_SPEED * 1.000001:
+                says = f"{written(speed, 'rpm')} is a surface speed of {fast:.4g} m/s"
+                hint = f"write '{speed:.12g} rpm'" if is_bare(duty, "speed") else ""
+                yield Complaint((*path, "speed"), says, f"up to {GREATEST_SURFACE_SPEED:g} m/s", hint)
+            if (speed + self.bearing_speed) * speed <= 0.0:
+                both = f"journal {written(speed, 'rpm')}, bearing {written(self.bearing_speed, 'rpm')}"
+                says = f"the speeds build no film: {both}"
+                yield Complaint(("bearing_speed",), says, "a sum of both in the sense of the journal")
+
+    @rule
+    def _points_have_names_of_their_own(self) -> Iterator[Complaint]:
+        seen: set[str] = set()
+        for index, point in enumerate(self.operating_points):
+            if point.name in seen:
+                says = f"another operating point is named '{point.name}' too"
+                yield Complaint(("operating_points", index, "name"), says, "each name once")
+            seen.add(point.name)
+
+    @rule
+    def _clearance_fits(self) -> Iterator[Complaint]:
+        yield from clearance.complaints_about(self.clearance, self.diameter)
+
+    @rule
+    def _housing_fits(self) -> Iterator[Complaint]:
+        if self.cooling is not None:
+            yield from cooling.complaints_about(self.cooling, self.diameter)
+
+    @rule
+    def _elements_fit(self) -> Iterator[Complaint]:
+        width = self.actual_width
+        if width is None:
+            return
+        if self.supply_element is not None:
+            yield from supply_element.complaints_about(self.supply_element, width, self.diameter)
+        for index, point in enumerate(self.operating_points):
+            if point.supply_element is not None:
+                for told in supply_element.complaints_about(point.supply_element, width, self.diameter):
+                    yield told.under("operating_points", index)
+
+    @rule
+    def _span_is_known(self) -> Iterator[Complaint]:
+        for point in self.operating_points or (None,):
+            if self.span_at(point) is None:
+                yield Complaint(
+                    ("span",),
+                    "is missing",
+                    "360, 180, 150, 120, 90 deg, or a supply_element of kind uneven_pockets",
+                    code="E003",
+                )
+                return
+
+    @rule
+    def _closed_forms_are_of_the_full_bearing(self) -> Iterator[Complaint]:
+        spans = (self.span_at(point) for point in self.operating_points or (None,))
+        others = [span for span in spans if span not in (None, 360)]
+        if self.characteristics == "closed_form" and others:
+            says = f"closed forms exist for a span of 360 deg, not {others[0]} deg"
+            yield Complaint(("characteristics",), says, "computed, or span 360 deg")
+
+    def span_at(self, point: OperatingPoint | None) -> int | None:
+        """Angular span in degrees at an operating point (None: the bearing as such), None while unknown."""
+        if point is not None and point.span is not None:
+            return point.span
+        element = self.element_at(point)
+        own_element = point is not None and point.supply_element is not None
+        if isinstance(element, UnevenPockets) and (self.span is None or own_element):
+            return element.conventional_span().tabulated
+        return self.span
+
+    def element_at(self, point: OperatingPoint | None) -> SupplyElementGiven | None:
+        """Supply element at an operating point (None: the bearing as such)."""
+        return self.supply_element if point is None else point.supply_element or self.supply_element
+
+    def _duties(self) -> Iterator[tuple[tuple[str | int, ...], Duty]]:
+        yield (), self
+        for index, point in enumerate(self.operating_points):
+            yield ("operating_points", index), point
+
+
+def _one_of(bearing: JournalBearing, names: tuple[str, ...]) -> Iterator[Complaint]:
+    """Complain unless each operating point has exactly one of some fields, its own or the bearing's."""
+    on_bearing = any(is_given(bearing, name) for name in names)
+    points = vars(bearing).get("operating_points", ())
+    if not points and not is_given(bearing, "operating_points"):
+        yield from exactly_one(bearing, *names)
+        return
+    yield from at_most_one(bearing, *names)
+    for index, point in enumerate(points):
+        complaints = at_most_one(point, *names) if on_bearing else exactly_one(point, *names)
+        for told in complaints:
+            yield told.under("operating_points", index)

@@ -1,0 +1,202 @@
+"""From a file to a case, or to the list of all that is wrong with it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path as FilePath
+from typing import Any
+
+from pydantic import ValidationError
+
+from babbitt.cases.document import DocumentError, Node, read_document
+from babbitt.cases.machine import Case, JournalCase, Machine
+from babbitt.cases.overhung_coupling import OverhungCouplingCase
+from babbitt.cases.plain_words import Path, nearest, shown
+from babbitt.cases.problems import CaseError, Problem
+
+LARGEST_FILE = 1_000_000
+"""Bytes."""
+
+VERSION = 1
+"""Version of the case language."""
+
+KINDS: Mapping[str, type[JournalCase] | type[Machine] | type[OverhungCouplingCase]] = {
+    "journal": JournalCase,
+    "machine": Machine,
+    "overhung_coupling": OverhungCouplingCase,
+}
+"""What a file can hold, by its `kind`."""
+
+
+def load_case(path: str | FilePath) -> Case:
+    """Read a case file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A YAML or JSON file in UTF-8 of at most 1 MB.
+
+    Returns
+    -------
+    JournalCase, Machine or OverhungCouplingCase
+
+    Raises
+    ------
+    CaseError
+        With every problem of the file.
+    """
+    return parse_case(_text_of(FilePath(path)), str(path))
+
+
+def parse_case(text: str, name: str = "<text>") -> Case:
+    """Read a case from text, which stays with it as `text`.
+
+    Parameters
+    ----------
+    text : str
+        YAML or JSON.
+    name : str
+        What to call the text in messages.
+
+    Raises
+    ------
+    CaseError
+        With every problem of the text.
+
+    Examples
+    --------
+    >>> parse_case("kind: jurnal", "a.yaml")
+    Traceback (most recent call last):
+    babbitt.cases.problems.CaseError: a.yaml:1: kind: 'jurnal' is not a kind of case; allowed: journal, machine,
+    overhung_coupling; did you mean 'journal'? [E003]
+    """
+    try:
+        root = read_document(text)
+    except DocumentError as error:
+        problem = Problem(name, error.line, "", error.says, allowed=error.allowed, hint=error.hint, code="E002")
+        raise CaseError([problem]) from None
+    return _case(root.plain(), name, root).with_text(text)
+
+
+def case_from_dict(given: Mapping[str, Any], name: str = "<case>") -> Case:
+    """Read a case from a dictionary, as it would stand in a file.
+
+    Raises
+    ------
+    CaseError
+        With every problem; lines are 0.
+    """
+    return _case(dict(given), name, None)
+
+
+def load_cases(paths: Iterable[str | FilePath]) -> tuple[Case, ...]:
+    """Read several case files, or tell every problem of all of them at once.
+
+    Raises
+    ------
+    CaseError
+        With the problems of all files.
+    """
+    cases: list[Case] = []
+    problems: list[Problem] = []
+    for path in paths:
+        try:
+            cases.append(load_case(path))
+        except CaseError as error:
+            problems += error.problems
+    if problems:
+        raise CaseError(problems)
+    return tuple(cases)
+
+
+def check_files(paths: Iterable[str | FilePath]) -> tuple[Problem, ...]:
+    """Give all problems of all files, none for files that can be used."""
+    try:
+        load_cases(paths)
+    except CaseError as error:
+        return error.problems
+    return ()
+
+
+def _case(given: Any, name: str, root: Node | None) -> Case:
+    if not isinstance(given, dict):
+        says = f"the file holds {shown(given)}"
+        raise CaseError([Problem(name, 1, "", says, allowed="a mapping of fields that begins with kind: ...")])
+    version = given.get("babbitt", VERSION)
+    if type(version) is not int or version != VERSION:
+        says = f"version {shown(version)} of the case language is not known"
+        raise CaseError([_problem(name, root, given, ("babbitt",), says, str(VERSION))])
+    kind = given.get("kind")
+    if not isinstance(kind, str) or kind not in KINDS:
+        says = "kind is missing" if "kind" not in given else f"{shown(kind)} is not a kind of case"
+        hint = nearest(kind, KINDS) if isinstance(kind, str) else ""
+        raise CaseError([_problem(name, root, given, ("kind",), says, ", ".join(KINDS), hint)])
+    try:
+        return KINDS[kind].model_validate(given)
+    except ValidationError as error:
+        found = [(details["loc"], details["ctx"]) for details in error.errors(include_url=False)]
+    raise CaseError(
+        _problem(name, root, given, path, told["says"], told["allowed"], told["hint"], told["code"])
+        for path, told in found
+    )
+
+
+def _problem(
+    name: str,
+    root: Node | None,
+    given: Any,
+    path: Path,
+    says: str,
+    allowed: str = "",
+    hint: str = "",
+    code: str = "E003",
+) -> Problem:
+    value, steps, what = given, [], ""
+    for step in path:
+        if not isinstance(value, dict | list | tuple):
+            break  # a shorthand: the field that was filled from one word has no key of its own
+        container: Any = value
+        try:
+            value = container[step]
+        except (LookupError, TypeError):
+            value = None
+            steps.append(_step(step, value))
+            break
+        steps.append(_step(step, value))
+        what = "" if isinstance(value, dict | list | tuple) else shown(value)
+    line = root.line_of(path) if root is not None else 0
+    return Problem(name, line, "".join(steps).removeprefix("."), says, what, allowed, hint, code)
+
+
+def _step(step: str | int, value: Any) -> str:
+    if isinstance(step, str):
+        return f".{step}"
+    own = value.get("name") if isinstance(value, dict) else None
+    return f"[{step} {shown(own)}]" if isinstance(own, str) else f"[{step}]"
+
+
+def _text_of(path: FilePath) -> str:
+    def refuse(says: str, allowed: str = "", hint: str = "", line: int = 0) -> CaseError:
+        return CaseError([Problem(str(path), line, "", says, allowed=allowed, hint=hint, code="E001")])
+
+    try:
+        if not path.exists():
+            raise refuse("there is no such file", hint="check the path")
+        if not path.is_file():
+            raise refuse("this is not a file", "a text file")
+        with path.open("rb") as file:
+            content = file.read(LARGEST_FILE + 1)
+    except OSError as error:
+        raise refuse(f"the file cannot be read: {(error.strerror or 'no reason given').lower()}") from None
+    if len(content) > LARGEST_FILE:
+        raise refuse("the file is too large", f"{LARGEST_FILE // 1_000_000} MB")
+    if content.startswith((b"\xff\xfe", b"\xfe\xff")):
+        raise refuse("the file is in UTF-16", "text in UTF-8", "save it as UTF-8")
+    if b"\x00" in content:
+        raise refuse("the file is binary", "text in UTF-8")
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = content[: error.start].count(b"\n") + 1
+        says = f"the byte 0x{content[error.start]:02x} is not UTF-8"
+        raise refuse(says, "text in UTF-8", "save the file as UTF-8, or write degC for °C", line) from None

@@ -1,0 +1,62 @@
+"""What a bearing carries and how fast it runs, as a base or at one of several operating points."""
+
+from __future__ import annotations
+
+from typing import Annotated, ClassVar
+
+from pydantic import Field
+
+from babbitt.cases.fields import Name, Span
+from babbitt.cases.part import Part
+from babbitt.cases.supply import GaugePressure, OilTemperature
+from babbitt.cases.supply_element import SupplyElementGiven
+from babbitt.units import either_sense, si
+
+LOADS = ("load", "specific_load", "eccentricity_ratio")
+SPEEDS = ("speed", "surface_speed")
+
+
+class Duty(Part):
+    """Load and speed. One of the loads and one of the speeds is given."""
+
+    alternatives: ClassVar[tuple[tuple[str, ...], ...]] = (LOADS, SPEEDS)
+
+    load: Annotated[float, si("N", "1 N", "1000 MN")] | None = Field(None, description="Bearing load F.")
+    specific_load: Annotated[float, si("Pa", "1 kPa", "500 MPa")] | None = Field(
+        None, description="Load per projected area F/(B D), in place of the load."
+    )
+    eccentricity_ratio: Annotated[float, si("1", "0.01", "0.99")] | None = Field(
+        None, description="Prescribed relative eccentricity, in place of the load, which is then found."
+    )
+    speed: Annotated[float, either_sense("rad/s", "0.1 rpm", "1000000 rpm")] | None = Field(
+        None, description="Rotational speed of the journal, positive counter-clockwise."
+    )
+    surface_speed: Annotated[float, either_sense("m/s", "1 mm/s", "200 m/s")] | None = Field(
+        None, description="Surface speed of the journal, in place of the rotational speed."
+    )
+
+
+class OperatingPoint(Duty):
+    """One of several operating points. What it does not give is taken from the bearing."""
+
+    name: Name = Field(description="Name of the operating point.")
+    supply_temperature: OilTemperature | None = Field(None, description="Oil temperature at the inlet.")
+    supply_pressure: GaugePressure | None = Field(None, description="Gauge pressure of the supply system.")
+    span: Span | None = Field(None, description="Angular span, where the load turns relative to the pockets.")
+    supply_element: SupplyElementGiven | None = Field(
+        None, description="Supply element, where the load turns relative to the pockets."
+    )
+
+
+def stating(names: tuple[str, ...], bearing: Duty, point: Duty | None) -> Duty:
+    """Give the piece that states one of some fields: the operating point where it does, else the bearing.
+
+    Parameters
+    ----------
+    names : tuple of str
+        `LOADS` or `SPEEDS`.
+    bearing, point : Duty
+        None as point: the bearing as such.
+    """
+    states = point is not None and any(getattr(point, name) is not None for name in names)
+    return point if point is not None and states else bearing

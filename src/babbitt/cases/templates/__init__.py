@@ -1,0 +1,41 @@
+"""Case files to begin with, one per kind; each runs as it stands."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib.resources import files
+
+from babbitt.notices import InputError
+
+_KINDS = {
+    "journal": "one journal bearing, ISO 7902",
+    "machine": "several bearings that share oil and supply, ISO 7902",
+    "overhung_coupling": "load share of two bearings with an overhung coupling",
+}
+
+
+def kinds() -> Mapping[str, str]:
+    """Give the kinds of case and what each describes.
+
+    >>> list(kinds())
+    ['journal', 'machine', 'overhung_coupling']
+    """
+    return dict(_KINDS)
+
+
+def template(kind: str) -> str:
+    """Give the commented case file of a kind.
+
+    Parameters
+    ----------
+    kind : str
+        One of `kinds`.
+
+    Raises
+    ------
+    InputError
+        E005 for another kind.
+    """
+    if kind not in _KINDS:
+        raise InputError("E005", f"'{kind[:60]}' is not a kind of case; allowed: {', '.join(_KINDS)}")
+    return files("babbitt.cases.templates").joinpath(f"{kind}.yaml").read_text(encoding="utf-8")

@@ -1,0 +1,95 @@
+"""The report on paper and on screen: one template, typeset by typst as PDF or as HTML with MathML."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from babbitt.notices import InputError
+from babbitt.report.content import content
+from babbitt.report.drawing import missing_extra
+from babbitt.report.text import needs_system_fonts
+from babbitt.report.writing import require_writable, write_whole
+
+if TYPE_CHECKING:
+    from babbitt.solving import MachineResult
+
+TEMPLATES = Path(__file__).parent / "templates"
+
+Format = Literal["pdf", "html"]
+
+FORMATS: dict[str, Format] = {".pdf": "pdf", ".html": "html"}
+"""Suffix of the file and format of the report."""
+
+
+def write_report(machine: MachineResult, path: Path) -> None:
+    """Write the report of a machine.
+
+    Parameters
+    ----------
+    machine : MachineResult
+    path : Path
+        The suffix says what is written: ``.pdf``, or ``.html`` as one file that needs nothing else.
+
+    Raises
+    ------
+    InputError
+        E007 for an unknown suffix, a path that cannot be written, or a package that is not installed. Nothing is
+        left behind then.
+    """
+    path = Path(path)
+    if path.suffix.lower() not in FORMATS:
+        given = f"not {path.suffix}" if path.suffix else "and the name given has no suffix"
+        raise InputError("E007", f"cannot write {path}: a report ends in .pdf or .html, {given}")
+    require_writable(path)
+    write_whole(path, report(machine, FORMATS[path.suffix.lower()]))
+
+
+def report(machine: MachineResult, report_format: Format) -> bytes:
+    """The report of a machine, typeset.
+
+    Parameters
+    ----------
+    machine : MachineResult
+    report_format : {"pdf", "html"}
+
+    Returns
+    -------
+    bytes
+        Equal for equal input: no date, no time, no name of the computer.
+    """
+    try:
+        import typst
+    except ImportError:
+        raise missing_extra("typst", "reports") from None
+    data = content(machine)
+    fonts = typst.Fonts(include_system_fonts=any(needs_system_fonts(text) for text in _texts(data)))
+    compiler = typst.Compiler(
+        input=TEMPLATES / "report.typ",
+        root=TEMPLATES,
+        font_paths=fonts,
+        sys_inputs={"data": json.dumps(data), "format": report_format},
+    )
+    typeset = compiler.compile(format=report_format, timestamp=0)
+    assert isinstance(typeset, bytes), "PDF and HTML are one file each"
+    return _with_style(typeset) if report_format == "html" else typeset
+
+
+def _with_style(page: bytes) -> bytes:
+    style = (TEMPLATES / "report.css").read_text(encoding="utf-8")
+    return page.replace(b"</head>", f"<style>\n{style}</style></head>".encode(), 1)
+
+
+def _texts(data: Any) -> Iterator[str]:
+    """All texts of a report but its figures and equations."""
+    if isinstance(data, str):
+        yield data
+    elif isinstance(data, dict):
+        for key, part in data.items():
+            if key not in ("svg", "symbol", "formula", "substituted", "heading", "number"):
+                yield from _texts(part)
+    elif isinstance(data, list | tuple):
+        for part in data:
+            yield from _texts(part)

@@ -1,0 +1,191 @@
+"""The style of figures: typeset, readable in grey, vector, the same on every machine."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.notices import InputError
+from babbitt.quantities import QUANTITIES, Quantity
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+
+MILLIMETRE = 1.0 / 25.4
+"""In inches, the unit of matplotlib."""
+
+INK, GREY, PALE = "0.0", "0.45", "0.75"
+"""Lines of the bearing itself, of limits and references, of what stands beside it for comparison."""
+
+STYLE: dict[str, Any] = {
+    "font.family": "STIXGeneral",
+    "mathtext.fontset": "stix",
+    "font.size": 8.0,
+    "axes.labelsize": 8.0,
+    "axes.linewidth": 0.5,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.unicode_minus": True,
+    "xtick.labelsize": 7.0,
+    "ytick.labelsize": 7.0,
+    "xtick.direction": "in",
+    "ytick.direction": "in",
+    "xtick.major.width": 0.5,
+    "ytick.major.width": 0.5,
+    "xtick.minor.width": 0.3,
+    "ytick.minor.width": 0.3,
+    "lines.linewidth": 1.1,
+    "lines.markersize": 4.5,
+    "savefig.facecolor": "none",
+    "svg.fonttype": "path",
+    "svg.hashsalt": "babbitt",
+    "pdf.fonttype": 42,
+}
+
+FORMATS = ("svg", "pdf", "png")
+
+_UNDATED: dict[str, dict[str, Any]] = {
+    "svg": {"Date": None, "Creator": None},
+    "pdf": {"CreationDate": None, "Producer": None, "Creator": None},
+    "png": {"Software": None},
+}
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A finished figure.
+
+    Attributes
+    ----------
+    name : str
+        Short, for a file name.
+    caption : str
+        What it shows, in a sentence or two.
+    image : bytes
+        In the format asked for.
+    """
+
+    name: str
+    caption: str
+    image: bytes
+
+
+@contextmanager
+def style() -> Iterator[None]:
+    """Draw in the style of the reports, leaving matplotlib as it was.
+
+    Raises
+    ------
+    InputError
+        E007 when matplotlib is not installed.
+    """
+    try:
+        import matplotlib
+    except ImportError:
+        raise missing_extra("matplotlib", "plots") from None
+    with matplotlib.rc_context(STYLE):  # type: ignore[arg-type]
+        yield
+
+
+def missing_extra(package: str, purpose: str) -> InputError:
+    """The error for an extra that is not installed."""
+    return InputError(
+        "E007",
+        f"{purpose} need the package {package}, which is not installed. "
+        "Install it with: pip install 'babbitt[report]'",
+    )
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """Size of a figure and room around and between its panels, in mm.
+
+    Fixed margins keep panels of different figures in line on a page, and spare the search for a layout.
+    """
+
+    width: float
+    height: float
+    rows: int = 1
+    columns: int = 1
+    left: float = 13.0
+    bottom: float = 9.5
+    across: float = 4.0
+    between: float = 4.0
+
+    def panels(self, **settings: Any) -> tuple[Figure, Any]:
+        """The empty figure and its axes, an array of shape (rows, columns)."""
+        from matplotlib.figure import Figure
+
+        figure = Figure(figsize=(self.width * MILLIMETRE, self.height * MILLIMETRE))
+        panel_width = (self.width - self.left - 3.0 - (self.columns - 1) * self.across) / self.columns
+        panel_height = (self.height - self.bottom - 3.0 - (self.rows - 1) * self.between) / self.rows
+        axes = figure.subplots(self.rows, self.columns, squeeze=False, **settings)
+        figure.subplots_adjust(
+            left=self.left / self.width,
+            right=1.0 - 3.0 / self.width,
+            bottom=self.bottom / self.height,
+            top=1.0 - 3.0 / self.height,
+            wspace=self.across / panel_width,
+            hspace=self.between / panel_height,
+        )
+        return figure, axes
+
+
+def rendered(figure: Figure, image_format: str) -> bytes:
+    """Write a figure without any date, so that equal figures are equal bytes."""
+    target = io.BytesIO()
+    figure.savefig(target, format=image_format, dpi=200, metadata=_UNDATED[image_format])
+    return target.getvalue()
+
+
+def axis_label(quantity: Quantity) -> str:
+    """Symbol and unit, as mathematics: ``h_min in µm``."""
+    symbol = mathematics(quantity.symbol)
+    return f"{symbol} in {quantity.display.label}" if quantity.display.label else symbol
+
+
+def mathematics(symbol: str) -> str:
+    """A symbol of the vocabulary in the mathematics of matplotlib.
+
+    >>> mathematics("h_min"), mathematics("ε")
+    ('$h_\\\\mathrm{min}$', '$ε$')
+    """
+    base, _, subscript = symbol.partition("_")
+    base = rf"\mathrm{{{base}}}" if base in ("So", "Re") else base.replace("p\u0304", r"\bar{p}")
+    return f"${base}_\\mathrm{{{subscript}}}$" if subscript else f"${base}$"
+
+
+def in_engineers_unit(name: str, values: Array) -> Array:
+    """SI values of a named quantity in its engineer's unit, of the same shape."""
+    display = QUANTITIES[name].display
+    return values * display.scale + display.offset
+
+
+def mark(axes: Axes, x: float, y: float) -> None:
+    """The operating point."""
+    axes.plot([x], [y], "o", color=INK, zorder=5, clip_on=False)
+
+
+def limit_line(axes: Axes, y: float, label: str, *, at: float = 0.99) -> None:
+    """A horizontal limit with its name on it, `at` a fraction of the width."""
+    axes.axhline(y, color=GREY, linewidth=0.7, linestyle=(0, (5, 2)), zorder=1)
+    axes.annotate(
+        label,
+        (at, y),
+        xycoords=axes.get_yaxis_transform(),
+        xytext=(0, 1.5),
+        textcoords="offset points",
+        ha="right" if at > 0.5 else "left",
+        va="bottom",
+        fontsize=7,
+        color="0.3",
+    )

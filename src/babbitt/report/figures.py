@@ -1,0 +1,138 @@
+"""Figures of one bearing: friction and film over speed and load, load capacity, clearance, spans."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from babbitt.notices import InputError
+from babbitt.report import painters
+from babbitt.report.drawing import FORMATS, Drawing, rendered, style
+from babbitt.report.writing import write_whole
+from babbitt.results import Result
+from babbitt.standards.iso7902.model import DesignCase, GivenLoad
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from babbitt.solving import MachineResult
+
+SUPPOSED_TOLERANCE = 0.3
+"""Relative width of the clearance shown on either side where the case gives no tolerance."""
+
+
+@dataclass(frozen=True)
+class ClearanceRange:
+    """Smallest and largest relative clearance at 20 °C, and whether the case itself gives them."""
+
+    smallest: float
+    largest: float
+    given: bool
+
+
+def clearance_range(case: DesignCase) -> ClearanceRange:
+    """Range of the relative clearance of a bearing: its tolerance, or a supposed one."""
+    given = case.bearing.clearance_tolerance
+    if given is not None:
+        return ClearanceRange(*given, given=True)
+    middle = case.bearing.relative_clearance
+    return ClearanceRange((1.0 - SUPPOSED_TOLERANCE) * middle, (1.0 + SUPPOSED_TOLERANCE) * middle, given=False)
+
+
+def draw(
+    case: DesignCase, result: Result, clearance: ClearanceRange, image_format: str = "svg"
+) -> tuple[Drawing, ...]:
+    """All figures of a solved bearing.
+
+    Parameters
+    ----------
+    case : DesignCase
+    result : Result
+        Its answer; an unsolved one has no figures.
+    clearance : ClearanceRange
+    image_format : {"svg", "pdf", "png"}
+
+    Returns
+    -------
+    tuple of Drawing
+    """
+    if not result.outcome.solved:
+        return ()
+    loaded = replace(case, duty=GivenLoad(result.load))
+    figures: tuple[tuple[str, str, Callable[[], Figure]], ...] = (
+        ("speed-and-load", _speed_and_load_caption(result), lambda: painters.speed_and_load(loaded, result)),
+        (
+            "load-capacity",
+            "Sommerfeld number over eccentricity for the span of this bearing and, paler, for the others of the "
+            f"same B/D = {case.bearing.width_ratio:.3g}.",
+            lambda: painters.load_capacity(case, result),
+        ),
+        (
+            "clearance",
+            _clearance_caption(clearance),
+            lambda: painters.clearance(loaded, result, clearance.smallest, clearance.largest),
+        ),
+        (
+            "spans",
+            "The same bearing with other angular spans, supply element unchanged; the span of this bearing "
+            "filled. Spans without a mark have no operating point.",
+            lambda: painters.spans(loaded, result),
+        ),
+    )
+    with style():
+        return tuple(Drawing(name, caption, rendered(paint(), image_format)) for name, caption, paint in figures)
+
+
+def _speed_and_load_caption(result: Result) -> str:
+    text = (
+        "Friction coefficient and minimum film thickness over speed at the given load, and over load at the given "
+        "speed, each point with its own heat balance. Filled: the operating point."
+    )
+    if "transition_speed" in result.values:
+        text += " Dotted: transition to mixed friction at the viscosity of the operating point."
+    return text
+
+
+def _clearance_caption(clearance: ClearanceRange) -> str:
+    shown = "Effective temperature and minimum film thickness over the relative clearance at 20 °C, "
+    if clearance.given:
+        return f"{shown}from the smallest to the largest clearance of the case."
+    about = f"{shown}±{SUPPOSED_TOLERANCE:.0%} about the one computed"
+    return f"{about} (the case gives no tolerance)."
+
+
+def write_plots(machine: MachineResult, folder: Path, image_format: str = "svg") -> tuple[Path, ...]:
+    """Write the figures of all solved bearings into a folder, one file each.
+
+    Parameters
+    ----------
+    machine : MachineResult
+    folder : Path
+        Made if it does not exist.
+    image_format : {"svg", "pdf", "png"}
+
+    Returns
+    -------
+    tuple of Path
+        The files written, ``01-speed-and-load.svg`` and so on, numbered as the bearings are.
+
+    Raises
+    ------
+    InputError
+        E007 if the folder cannot be written to, the format is unknown, or matplotlib is not installed.
+    """
+    if image_format not in FORMATS:
+        raise InputError("E007", f"no figures as {image_format!r}; there are {', '.join(FORMATS)}")
+    made = {}
+    for place, (case, result) in enumerate(zip(machine.design_cases, machine.results, strict=False), start=1):
+        for drawing in draw(case, result, clearance_range(case), image_format):
+            made[folder / f"{place:02d}-{drawing.name}.{image_format}"] = drawing.image
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError("E007", f"cannot make the folder {folder}: {error.strerror}") from None
+    for path, image in made.items():
+        write_whole(path, image)
+    return tuple(made)

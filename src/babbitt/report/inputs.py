@@ -1,0 +1,219 @@
+"""What a bearing was computed from, as rows that an engineer can check against the drawing."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, PowerLaw, Vogel, Walther
+from babbitt.report.expression import Node, number_node, text
+from babbitt.report.labels import label
+from babbitt.report.line import VOCABULARY, symbol
+from babbitt.report.text import plain_text
+from babbitt.standards.iso7902.losses import Duct
+from babbitt.standards.iso7902.model import Curves, DesignCase, Friction, GivenEccentricity
+from babbitt.standards.iso7902.supply import (
+    Arrangement,
+    CircumferentialGroove,
+    HalfCircumferentialGroove,
+    Holes,
+    Pockets,
+    SupplyElement,
+)
+
+LAWS = {
+    Walther: "Walther (ASTM D341, short form)",
+    AstmD341: "ASTM D341",
+    Vogel: "Vogel",
+    Exponential: "exponential",
+    PowerLaw: "power law (50/t)^m",
+    ConstantViscosity: "constant",
+}
+
+FRICTION = {
+    Friction.FULL: "film around the whole circumference",
+    Friction.ARC: "film on the loaded arc only",
+    Friction.CURVE360: "friction number of the full bearing at the same eccentricity",
+}
+
+UNITS = {"1e-6/K": "10⁻⁶/K"}
+"""Units as they look on paper, where the vocabulary writes them for a plain terminal."""
+
+PLACES = {
+    Arrangement.OPPOSITE: "opposite the load",
+    Arrangement.SIDE: "at 90° to the load",
+    Arrangement.BOTH_SIDES: "on both sides, ±90° to the load",
+}
+
+
+@dataclass(frozen=True)
+class Row:
+    """One input: what it is, its symbol where it has one, its value with the unit."""
+
+    label: str
+    value: str
+    symbol: Node | None = None
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class InputGroup:
+    """Inputs that belong together."""
+
+    title: str
+    rows: tuple[Row, ...]
+
+
+def inputs(case: DesignCase) -> tuple[InputGroup, ...]:
+    """All inputs of a case, grouped.
+
+    Parameters
+    ----------
+    case : DesignCase
+
+    Returns
+    -------
+    tuple of InputGroup
+        Groups that say nothing are left out.
+    """
+    groups = (
+        InputGroup("Geometry", tuple(_geometry(case))),
+        InputGroup("Operation", tuple(_operation(case))),
+        InputGroup("Lubricant", tuple(_lubricant(case))),
+        InputGroup("Oil supply", tuple(_supply(case))),
+        InputGroup("Cooling by the surroundings", tuple(_cooling(case))),
+        InputGroup("Surfaces", tuple(_surfaces(case))),
+        InputGroup("Material", tuple(_material(case))),
+        InputGroup("Method", tuple(_method(case))),
+    )
+    return tuple(group for group in groups if group.rows)
+
+
+def _named(name: str, value: float, given_label: str = "") -> Row:
+    """An input under its name in the vocabulary, in the engineer's unit, as exactly as it was given."""
+    quantity = VOCABULARY[name]
+    shown = text(number_node(quantity.shown(value), 6)).replace("e−", " × 10^−")
+    return Row(
+        given_label or label(name), shown, symbol(name), UNITS.get(quantity.display.label, quantity.display.label)
+    )
+
+
+def _geometry(case: DesignCase) -> Iterator[Row]:
+    bearing = case.bearing
+    yield _named("diameter", bearing.diameter)
+    yield _named("width", bearing.width)
+    yield _named("width_ratio", bearing.width_ratio)
+    yield _named("relative_clearance", bearing.relative_clearance)
+    yield _named("angular_span", math.radians(bearing.span))
+    yield _named("expansion_bearing", bearing.expansion_bearing)
+    yield _named("expansion_journal", bearing.expansion_journal)
+    if bearing.supply_element is not None:
+        yield from _element(bearing.supply_element)
+
+
+def _element(element: SupplyElement) -> Iterator[Row]:
+    match element:
+        case Holes():
+            kind = "Hole" if element.number == 1.0 else f"{element.number:.4g} holes (a slot: equivalent holes)"
+            yield Row("Supply element", f"{kind} {PLACES[element.arrangement]}")
+            yield _named("hole_diameter", element.diameter)
+        case Pockets():
+            yield Row("Supply element", f"Pocket {PLACES[element.arrangement]}")
+            yield _named("pocket_width", element.width)
+        case CircumferentialGroove():
+            yield Row("Supply element", "Groove around the circumference")
+            yield _named("groove_width", element.width)
+        case HalfCircumferentialGroove():
+            yield Row("Supply element", "Groove around the unloaded half")
+            yield _named("groove_width", element.width)
+        case _:
+            yield Row("Supply element", type(element).__name__)
+
+
+def _operation(case: DesignCase) -> Iterator[Row]:
+    if isinstance(case.duty, GivenEccentricity):
+        yield _named("eccentricity_ratio", case.duty.eccentricity_ratio, "Prescribed eccentricity e/c")
+    else:
+        yield _named("load", case.duty.load)
+    yield _named("angular_speed", case.journal_speed)
+    if case.bearing_speed:
+        yield Row("Rotational speed of the bearing", f"{case.bearing_speed * 30.0 / math.pi:.4g}", None, "rpm")
+
+
+def _lubricant(case: DesignCase) -> Iterator[Row]:
+    oil = case.lubricant
+    yield Row("Name", plain_text(oil.name))
+    yield Row("Viscosity law", LAWS.get(type(oil.viscosity_law), type(oil.viscosity_law).__name__))
+    for celsius in (40, 100):
+        kelvin = celsius + 273.15
+        if oil.covers(kelvin):
+            viscosity = f"{1e6 * oil.kinematic_viscosity(kelvin):.4g}"
+            yield Row(f"Kinematic viscosity at {celsius} °C", viscosity, None, "mm²/s")
+    if oil.covers(293.15):
+        yield Row("Density at 20 °C", f"{oil.density(293.15):.4g}", None, "kg/m³")
+    if oil.fixed_volumetric_heat_capacity is not None:
+        yield _named("volumetric_heat_capacity", oil.fixed_volumetric_heat_capacity)
+    else:
+        yield Row("Specific heat at 50 °C", f"{oil.heat_capacity(323.15):.4g}", None, "J/(kg K)")
+    yield Row("Source", plain_text(oil.source))
+
+
+def _supply(case: DesignCase) -> Iterator[Row]:
+    supply = case.oil_supply
+    if supply is None:
+        return
+    yield _named("supply_temperature", supply.temperature)
+    yield _named("supply_pressure", supply.pressure)
+    for kind, ducts in (("Tube", supply.tubes), ("Hole", supply.holes)):
+        for duct in ducts:
+            yield Row(f"{kind} on the way", _duct(duct))
+    if supply.circulation_time is not None:
+        yield Row("Oil volume over flow", f"{supply.circulation_time / 60.0:.4g}", None, "min")
+
+
+def _duct(duct: Duct) -> str:
+    said = f"d = {1e3 * duct.diameter:.4g} mm, l = {1e3 * duct.length:.4g} mm, ζ = {duct.loss_coefficient:.4g}"
+    return said if duct.number == 1.0 else f"{duct.number:.4g} × ({said})"
+
+
+def _cooling(case: DesignCase) -> Iterator[Row]:
+    if case.cooling is not None:
+        yield _named("ambient_temperature", case.cooling.ambient_temperature)
+        yield _named("heat_transfer_coefficient", case.cooling.heat_transfer_coefficient)
+        yield _named("cooling_surface", case.cooling.surface)
+
+
+def _surfaces(case: DesignCase) -> Iterator[Row]:
+    surfaces = case.bearing.surfaces
+    if surfaces is not None:
+        for name, value in vars(surfaces).items():
+            yield _named(name, value)
+
+
+def _material(case: DesignCase) -> Iterator[Row]:
+    metal = case.bearing.metal
+    if metal is not None:
+        yield Row("Bearing metal", plain_text(metal.name))
+        yield Row("Specified in", plain_text(metal.standard))
+        yield Row("Character of the load", case.bearing.load_character.value)
+
+
+def _method(case: DesignCase) -> Iterator[Row]:
+    yield Row("Procedure", "ISO 7902-1 (steady state, laminar, isoviscous film)")
+    computed = case.curves is Curves.COMPUTED
+    yield Row(
+        "Characteristics", "own solutions of the Reynolds equation" if computed else "closed forms, DIN 31652"
+    )
+    yield Row("Friction", FRICTION[case.friction])
+    if case.friction_factor != 1.0:
+        yield _named("friction_factor", case.friction_factor)
+    limits = case.limits
+    for name, value, said in (
+        ("minimum_film_thickness", limits.minimum_film_thickness, "Least film thickness set"),
+        ("specific_load", limits.specific_load, "Largest specific load set"),
+        ("outlet_temperature", limits.temperature, "Highest temperature set"),
+        ("transition_film_thickness", limits.transition_film_thickness, "Film at transition set"),
+    ):
+        if value is not None:
+            yield _named(name, value, said)

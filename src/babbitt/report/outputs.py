@@ -1,0 +1,122 @@
+"""Where the results of a run go: decided and checked before anything is computed or written."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from babbitt.notices import InputError
+from babbitt.report.writing import require_writable, write_whole
+
+if TYPE_CHECKING:
+    from babbitt.solving import MachineResult
+
+STANDARD_OUTPUT = "-"
+
+
+@dataclass(frozen=True)
+class Target:
+    """Where the result of one case goes; None is nowhere, the JSON path "-" is standard output."""
+
+    json: str | None
+    report: Path | None
+    plots: Path | None
+
+    def files(self) -> tuple[Path, ...]:
+        """The files that will be written, without the plots."""
+        json = Path(self.json) if self.json is not None and self.json != STANDARD_OUTPUT else None
+        return tuple(path for path in (json, self.report) if path is not None)
+
+    def write(self, machine: MachineResult) -> None:
+        """Write what was asked for.
+
+        Raises
+        ------
+        InputError
+            E007 if a path is not writable or an extra is not installed.
+        """
+        if self.json is not None:
+            from babbitt.report.export import write_json
+
+            if self.json == STANDARD_OUTPUT:
+                sys.stdout.write(write_json(machine))
+            else:
+                write_whole(Path(self.json), write_json(machine).encode())
+        if self.report is not None:
+            from babbitt.report.document import write_report
+
+            write_report(machine, self.report)
+        if self.plots is not None:
+            from babbitt.report.figures import write_plots
+
+            write_plots(machine, self.plots)
+
+
+@dataclass(frozen=True)
+class Outputs:
+    """One target per case file; `silent` when standard output belongs to the JSON."""
+
+    targets: tuple[Target, ...]
+    silent: bool
+
+
+def outputs(files: Sequence[Path], json: str | None, report: Path | None, plots: Path | None) -> Outputs:
+    """Plan the outputs of a run, and make sure that each can be written.
+
+    With several case files, each option names a folder that exists and receives one file per case, named after it.
+
+    Raises
+    ------
+    InputError
+        E007 for a path that cannot be written, an unknown suffix, one file for several outputs, or an output that
+        would replace a case file.
+    """
+    targets = [Target(json, report, plots)] if len(files) == 1 else _one_each(files, json, report, plots)
+    _refuse_collisions(files, targets)
+    for target in targets:
+        _require_suffix(target.report)
+        for path in target.files():
+            require_writable(path)
+        if target.plots is not None:
+            require_writable(target.plots / "figure" if target.plots.is_dir() else target.plots)
+            if target.plots.is_file():
+                raise InputError("E007", f"cannot write {target.plots}: it is a file; --plots names a folder")
+    return Outputs(tuple(targets), json == STANDARD_OUTPUT)
+
+
+def _one_each(files: Sequence[Path], json: str | None, report: Path | None, plots: Path | None) -> list[Target]:
+    """One file per case in the folders that the options name."""
+    if json == STANDARD_OUTPUT:
+        raise InputError(
+            "E007", "standard output takes the JSON of one case; give --json a folder for several files"
+        )
+    for option, path in (("--json", json), ("--report", report), ("--plots", plots)):
+        if path is not None and not Path(path).is_dir():
+            raise InputError("E007", f"{option} {path}: with several case files name a folder that exists")
+    return [
+        Target(
+            str(Path(json) / f"{file.stem}.json") if json else None,
+            report / f"{file.stem}.pdf" if report else None,
+            plots / file.stem if plots else None,
+        )
+        for file in files
+    ]
+
+
+def _refuse_collisions(files: Sequence[Path], targets: Sequence[Target]) -> None:
+    taken = {file.resolve(): "a case file" for file in files}
+    for target in targets:
+        for path in (*target.files(), *([target.plots] if target.plots else [])):
+            if path.resolve() in taken:
+                says = f"cannot write {path}: it is {taken[path.resolve()]}; nothing was written"
+                raise InputError("E007", f"{says}. Give each output, and each case file, a name of its own.")
+            taken[path.resolve()] = "the target of another output"
+
+
+def _require_suffix(report: Path | None) -> None:
+    if report is not None and report.suffix.lower() not in (".pdf", ".html"):
+        given = report.suffix or "without suffix"
+        raise InputError("E007", f"--report {report}: the report is .pdf or .html, not {given}")

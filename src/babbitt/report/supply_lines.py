@@ -1,0 +1,139 @@
+"""Lines of the calculation that concern the oil supply: flow through the element, losses on the way."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from babbitt.report.line import Line
+from babbitt.report.worksheet import Worksheet
+from babbitt.standards.iso7902.losses import LAMINAR_UP_TO, TURBULENT_FROM, Duct, pipe_friction_factor
+from babbitt.standards.iso7902.supply import (
+    Arrangement,
+    CircumferentialGroove,
+    HalfCircumferentialGroove,
+    Holes,
+    Pockets,
+    clamp,
+)
+
+if TYPE_CHECKING:
+    from babbitt.standards.iso7902.model import DesignCase
+
+_FILM_FACTOR = {
+    Arrangement.OPPOSITE: "pi / 48 * (1 + eccentricity_ratio)**3",
+    Arrangement.SIDE: "pi / 48",
+    Arrangement.BOTH_SIDES: "pi / 24",
+}
+_HOLE_CORRECTION = "1.204 + 0.368 * element_ratio - 1.046 * element_ratio**2 + 1.942 * element_ratio**3"
+_POCKET_CORRECTION = "1.188 + 1.582 * element_ratio - 2.585 * element_ratio**2 + 5.563 * element_ratio**3"
+_GROOVE_360 = "pi * (1 + 1.5 * eccentricity_ratio**2) / (24 * width_ratio * (1 - element_ratio))"
+_GROOVE_180 = (
+    "(pi * (1 + 1.5 * eccentricity_ratio**2) + 6 * eccentricity_ratio + 4 / 3 * eccentricity_ratio**3)"
+    " / (48 * width_ratio * (1 - element_ratio))"
+)
+
+
+def flow_lines(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
+    """Supply-flow number by the formula of the element, supply flow, total flow."""
+    if case.oil_supply is None:
+        return
+    if case.bearing.supply_element is not None and "supply_flow_number" in sheet:
+        yield from _element(case, sheet)
+        yield sheet.line(
+            "supply_flow",
+            "supply_flow_number * diameter**3 * operating_relative_clearance**3 * element_pressure"
+            " / effective_viscosity",
+        )
+    yield sheet.line("total_flow", "side_flow + supply_flow")
+
+
+def _element(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
+    element, width = case.bearing.supply_element, case.bearing.width
+    match element:
+        case Holes():
+            sheet.note(hole_diameter=element.diameter, hole_number=element.number)
+            yield from _ratio(sheet, "hole_diameter", element.diameter / width)
+            yield sheet.line("hole_correction", _HOLE_CORRECTION)
+            share = f"{_FILM_FACTOR[element.arrangement]} / (ln(1 / element_ratio) * hole_correction)"
+            several = element.number != 1.0
+            yield sheet.line(
+                "supply_flow_number", f"hole_number * ({share})" if several else share, _place(element.arrangement)
+            )
+        case Pockets():
+            sheet.note(pocket_width=element.width)
+            yield from _ratio(sheet, "pocket_width", element.width / width)
+            yield sheet.line("pocket_correction", _POCKET_CORRECTION)
+            yield sheet.line(
+                "supply_flow_number",
+                f"{_FILM_FACTOR[element.arrangement]} / (ln(1 / element_ratio) * pocket_correction)",
+                _place(element.arrangement),
+            )
+        case CircumferentialGroove() | HalfCircumferentialGroove():
+            sheet.note(groove_width=element.width)
+            yield sheet.line("element_ratio", "groove_width / width")
+            whole = isinstance(element, CircumferentialGroove)
+            remark = "groove around the circumference" if whole else "groove around the unloaded half"
+            yield sheet.line("supply_flow_number", _GROOVE_360 if whole else _GROOVE_180, remark)
+        case _:
+            yield sheet.read("supply_flow_number", "eccentricity_ratio")
+
+
+def _ratio(sheet: Worksheet, name: str, ratio: float) -> Iterator[Line]:
+    used = clamp(ratio)
+    if used == ratio:
+        yield sheet.line("element_ratio", f"{name} / width")
+    else:
+        yield sheet.given("element_ratio", f"{ratio:.3f} lies outside the range of the fit", value=used)
+
+
+def _place(arrangement: Arrangement) -> str:
+    return {
+        Arrangement.OPPOSITE: "opposite the load",
+        Arrangement.SIDE: "at 90° to the load",
+        Arrangement.BOTH_SIDES: "on both sides, ±90° to the load",
+    }[arrangement]
+
+
+def loss_lines(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
+    """Velocity, friction factor and pressure loss of each duct, and what is left at the element."""
+    oil = case.oil_supply
+    if oil is None or not (oil.tubes or oil.holes) or "element_pressure" not in sheet:
+        return
+    sheet.note(
+        duct_flow=sheet["total_flow"],
+        inlet_density=case.lubricant.density(oil.temperature),
+        inlet_kinematic_viscosity=case.lubricant.kinematic_viscosity(oil.temperature),
+    )
+    for kind, ducts in (("tube", oil.tubes), ("hole", oil.holes)):
+        for place, duct in enumerate(ducts, start=1):
+            label = f"{kind} {place}" if len(ducts) > 1 else kind
+            yield from _duct(duct, label, sheet)
+    yield sheet.line("element_pressure", "supply_pressure - tube_loss - hole_loss")
+
+
+def _duct(duct: Duct, label: str, sheet: Worksheet) -> Iterator[Line]:
+    for name in ("duct_velocity", "duct_reynolds_number", "duct_friction", "duct_loss"):
+        sheet.numbers.pop(name, None)
+    sheet.note(
+        duct_number=duct.number,
+        duct_diameter=duct.diameter,
+        duct_length=duct.length,
+        duct_coefficient=duct.loss_coefficient,
+    )
+    parallel = "duct_number * " if duct.number != 1.0 else ""
+    yield sheet.line("duct_velocity", f"4 * duct_flow / ({parallel}pi * duct_diameter**2)", label)
+    yield sheet.line("duct_reynolds_number", "duct_velocity * duct_diameter / inlet_kinematic_viscosity")
+    reynolds = sheet["duct_reynolds_number"]
+    if reynolds <= LAMINAR_UP_TO:
+        yield sheet.line("duct_friction", "64 / duct_reynolds_number", "laminar")
+    elif reynolds >= TURBULENT_FROM:
+        yield sheet.line("duct_friction", "0.3164 / duct_reynolds_number**(1 / 4)", "turbulent, smooth (Blasius)")
+    else:
+        yield sheet.given(
+            "duct_friction", "between laminar and turbulent, blended", value=pipe_friction_factor(reynolds)
+        )
+    yield sheet.line(
+        "duct_loss",
+        "(duct_friction * duct_length / duct_diameter + duct_coefficient) * inlet_density * duct_velocity**2 / 2",
+    )

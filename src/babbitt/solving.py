@@ -1,0 +1,112 @@
+"""The front door: ``solve(case)``."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from babbitt import __version__
+from babbitt.cases import Case, JournalCase, Machine, OverhungCouplingCase, case_hash, design_cases
+from babbitt.results import Outcome, Result
+from babbitt.shafts import bearing_loads
+from babbitt.standards.iso7902 import DesignCase
+from babbitt.standards.iso7902 import check as iso7902_check
+
+
+@dataclass(frozen=True)
+class MachineResult:
+    """The answers for all bearings of one case file.
+
+    Attributes
+    ----------
+    name : str
+    results : tuple of Result
+        One per bearing, operating point and clearance.
+    design_cases : tuple of DesignCase
+        What each result was computed from, in the same order; empty for kinds without a film.
+    case_hash : str
+        SHA-256 of the validated case.
+    version : str
+        Of Babbitt.
+    case_text : str
+        The case file as it was read; empty where there was none.
+    source, notes : str
+        What the case says of itself.
+    """
+
+    name: str
+    results: tuple[Result, ...]
+    design_cases: tuple[DesignCase, ...]
+    case_hash: str
+    version: str = __version__
+    case_text: str = ""
+    source: str = ""
+    notes: str = ""
+
+    @property
+    def solved(self) -> bool:
+        """Whether every bearing has an operating point."""
+        return all(result.outcome.solved for result in self.results)
+
+    @property
+    def within_limits(self) -> bool:
+        """Whether every bearing keeps every limit that is not merely advice."""
+        return all(result.within_limits for result in self.results)
+
+    def __getitem__(self, name: str) -> Result:
+        """The result of a bearing by its name."""
+        for result in self.results:
+            if result.name == name:
+                return result
+        raise KeyError(f"no bearing {name!r}; there are: {', '.join(result.name for result in self.results)}")
+
+
+def solve(case: Case) -> MachineResult:
+    """Solve every bearing of a case.
+
+    Parameters
+    ----------
+    case : Case
+        From `babbitt.load_case` or `babbitt.parse_case`.
+
+    Returns
+    -------
+    MachineResult
+
+    Raises
+    ------
+    TypeError
+        If `case` is not a case, such as the path of its file.
+    """
+    if not isinstance(case, JournalCase | Machine | OverhungCouplingCase):
+        given = type(case).__name__
+        raise TypeError(
+            f"solve takes a case, not {given}; read one with babbitt.load_case(path) or parse_case(text)"
+        )
+    designs = design_cases(case)
+    if isinstance(case, OverhungCouplingCase):
+        results: tuple[Result, ...] = (_shaft_result(case),)
+    else:
+        results = tuple(iso7902_check(design) for design in designs)
+    return MachineResult(
+        case.name,
+        results,
+        designs,
+        case_hash(case),
+        case_text=getattr(case, "text", ""),
+        source=case.source,
+        notes=case.notes,
+    )
+
+
+def _shaft_result(case: OverhungCouplingCase) -> Result:
+    shaft = case.shaft()
+    loads = bearing_loads(shaft)
+    values = {
+        "reaction_1": loads.reaction_1,
+        "reaction_2": loads.reaction_2,
+        "reaction_without_coupling": loads.reaction_without_coupling,
+        "reaction_angle_1": loads.angle_1,
+        "reaction_angle_2": loads.angle_2,
+        "coupling_arm": shaft.coupling_arm,
+    }
+    return Result(case.name, case.kind, "statics", Outcome.CONVERGED, values, assumptions=case.assumptions)

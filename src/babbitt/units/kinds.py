@@ -1,0 +1,204 @@
+"""The kinds of quantities a case may ask for, each with the units that engineers write every day.
+
+The everyday units stand here as plain factors, so that a case file is read without loading pint; every other
+unit goes through pint. A test holds the factors to those of pint.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+INCH, POUND_FORCE, KILOGRAM_FORCE, FAHRENHEIT = 0.0254, 4.4482216152605, 9.80665, 5.0 / 9.0
+TURN = 2.0 * math.pi
+
+
+@dataclass(frozen=True, eq=False)
+class Kind:
+    """A kind of quantity.
+
+    Attributes
+    ----------
+    unit : str
+        SI unit: what a bare number is in. It names the kind.
+    phrase : str
+        With its article, for messages.
+    example : str
+        How an engineer writes one.
+    everyday : Mapping[str, float]
+        Factor to SI of each everyday unit, most usual first.
+    offsets : Mapping[str, float]
+        What is added after the factor, for temperatures.
+    open_to_pint : bool
+        Whether units outside `everyday` are tried with pint. Not where pint cannot tell kinds apart: it
+        takes 1 Hz for 1 rad/s.
+    """
+
+    unit: str
+    phrase: str
+    example: str
+    everyday: Mapping[str, float]
+    offsets: Mapping[str, float] = field(default_factory=dict)
+    open_to_pint: bool = True
+
+    def to_si(self, number: float, unit: str) -> float:
+        """Convert from an everyday unit.
+
+        >>> round(KINDS["K"].to_si(50.0, "degC"), 2)
+        323.15
+        """
+        return number * self.everyday[unit] + self.offsets.get(unit, 0.0)
+
+    def from_si(self, value: float, unit: str) -> float:
+        """Convert to an everyday unit.
+
+        >>> KINDS["m"].from_si(0.25, "mm")
+        250.0
+        """
+        return (value - self.offsets.get(unit, 0.0)) / self.everyday[unit]
+
+
+_ALL = (
+    Kind(
+        "m",
+        "a length",
+        "120 mm",
+        {"mm": 1e-3, "m": 1.0, "um": 1e-6, "cm": 1e-2, "micron": 1e-6, "nm": 1e-9, "in": INCH, "inch": INCH}
+        | {"mil": INCH / 1000.0, "thou": INCH / 1000.0, "ft": 12.0 * INCH},
+    ),
+    Kind("m2", "an area", "0.3 m2", {"m2": 1.0, "mm2": 1e-6, "cm2": 1e-4, "dm2": 1e-2}),
+    Kind(
+        "m3",
+        "a volume",
+        "500 L",
+        {"L": 1e-3, "l": 1e-3, "m3": 1.0, "dm3": 1e-3, "cm3": 1e-6, "mL": 1e-6, "ml": 1e-6},
+    ),
+    Kind(
+        "rad",
+        "an angle",
+        "75 deg",
+        {"deg": TURN / 360.0, "°": TURN / 360.0, "degree": TURN / 360.0, "degrees": TURN / 360.0, "rad": 1.0}
+        | {"mrad": 1e-3, "turn": TURN, "rev": TURN},
+    ),
+    Kind("s", "a time", "2 min", {"s": 1.0, "min": 60.0, "h": 3600.0, "ms": 1e-3}),
+    Kind("kg", "a mass", "1.55 t", {"kg": 1.0, "t": 1e3, "g": 1e-3, "lb": 0.45359237}),
+    Kind(
+        "N",
+        "a force",
+        "36 kN",
+        {"kN": 1e3, "N": 1.0, "MN": 1e6, "mN": 1e-3, "kgf": KILOGRAM_FORCE, "lbf": POUND_FORCE},
+    ),
+    Kind(
+        "Pa",
+        "a pressure",
+        "0.2 MPa",
+        {"MPa": 1e6, "bar": 1e5, "kPa": 1e3, "Pa": 1.0, "GPa": 1e9, "mbar": 1e2, "N/mm2": 1e6, "N/m2": 1.0}
+        | {"psi": POUND_FORCE / INCH**2, "atm": 101325.0, "kgf/cm2": KILOGRAM_FORCE * 1e4},
+    ),
+    Kind(
+        "K",
+        "a temperature",
+        "50 degC",
+        {"degC": 1.0, "°C": 1.0, "C": 1.0, "celsius": 1.0, "K": 1.0}
+        | {"degF": FAHRENHEIT, "°F": FAHRENHEIT, "F": FAHRENHEIT},
+        {"degC": 273.15, "°C": 273.15, "C": 273.15, "celsius": 273.15}
+        | dict.fromkeys(("degF", "°F", "F"), 273.15 - 32.0 * FAHRENHEIT),
+    ),
+    Kind(
+        "rad/s",
+        "a rotational speed",
+        "3000 rpm",
+        {"rpm": TURN / 60.0, "1/min": TURN / 60.0, "min-1": TURN / 60.0, "/min": TURN / 60.0}
+        | {"r/min": TURN / 60.0, "rev/min": TURN / 60.0, "turn/min": TURN / 60.0, "U/min": TURN / 60.0}
+        | {"rad/s": 1.0, "Hz": TURN, "kHz": 1e3 * TURN, "1/s": TURN, "s-1": TURN, "/s": TURN, "r/s": TURN}
+        | {"rev/s": TURN, "rps": TURN, "turn/s": TURN, "rad/min": 1.0 / 60.0, "deg/s": TURN / 360.0},
+        open_to_pint=False,
+    ),
+    Kind(
+        "m/s",
+        "a speed",
+        "45 m/s",
+        {"m/s": 1.0, "mm/s": 1e-3, "m/min": 1.0 / 60.0, "km/h": 1.0 / 3.6, "ft/s": 12.0 * INCH},
+    ),
+    Kind(
+        "Pa s",
+        "a dynamic viscosity",
+        "16 mPa s",
+        {"mPa s": 1e-3, "Pa s": 1.0, "mPas": 1e-3, "Pas": 1.0, "cP": 1e-3, "P": 0.1},
+    ),
+    Kind(
+        "m2/s",
+        "a kinematic viscosity",
+        "46 mm2/s",
+        {"mm2/s": 1e-6, "cSt": 1e-6, "m2/s": 1.0, "cm2/s": 1e-4, "St": 1e-4},
+    ),
+    Kind("kg/m3", "a density", "895 kg/m3", {"kg/m3": 1.0, "g/cm3": 1e3, "kg/L": 1e3, "kg/l": 1e3, "g/mL": 1e3}),
+    Kind(
+        "m3/s",
+        "a flow rate",
+        "26 L/min",
+        {"L/min": 1e-3 / 60.0, "l/min": 1e-3 / 60.0, "m3/s": 1.0, "m3/h": 1.0 / 3600.0, "L/s": 1e-3}
+        | {"l/s": 1e-3, "cm3/s": 1e-6, "L/h": 1e-3 / 3600.0, "l/h": 1e-3 / 3600.0},
+    ),
+    Kind(
+        "W/(m2 K)",
+        "a heat transfer coefficient",
+        "20 W/(m2 K)",
+        {"W/(m2 K)": 1.0, "W/m2/K": 1.0, "W/m2K": 1.0, "W/(m2K)": 1.0},
+    ),
+    Kind("W/(m K)", "a thermal conductivity", "0.13 W/(m K)", {"W/(m K)": 1.0, "W/m/K": 1.0, "W/(mK)": 1.0}),
+    Kind(
+        "J/(kg K)",
+        "a heat capacity",
+        "1942 J/(kg K)",
+        {"J/(kg K)": 1.0, "kJ/(kg K)": 1e3, "J/kg/K": 1.0, "kJ/kg/K": 1e3, "J/(kgK)": 1.0, "kJ/(kgK)": 1e3},
+    ),
+    Kind(
+        "J/(m3 K)",
+        "a volumetric heat capacity",
+        "1.8 MJ/(m3 K)",
+        {"MJ/(m3 K)": 1e6, "J/(m3 K)": 1.0, "kJ/(m3 K)": 1e3, "J/m3/K": 1.0, "MJ/m3/K": 1e6},
+    ),
+    Kind(
+        "1/K",
+        "a coefficient per kelvin",
+        "11e-6 1/K",
+        {"1/K": 1.0, "/K": 1.0, "K-1": 1.0, "ppm/K": 1e-6, "1/degC": 1.0, "/degC": 1.0, "1/°C": 1.0}
+        | {"um/(m K)": 1e-6, "um/m/K": 1e-6},
+    ),
+    Kind(
+        "kg/(m3 K)",
+        "a change of density per kelvin",
+        "-0.63 kg/(m3 K)",
+        {"kg/(m3 K)": 1.0, "kg/m3/K": 1.0},
+    ),
+    Kind(
+        "J/(kg K2)",
+        "a change of heat capacity per kelvin",
+        "3.9 J/(kg K2)",
+        {"J/(kg K2)": 1.0, "J/kg/K2": 1.0},
+    ),
+    # Not a temperature: 10 K and 10 degC are the same difference, and no offset may creep in.
+    Kind("K difference", "a temperature difference", "900 K", {"K": 1.0}, open_to_pint=False),
+    Kind("W", "a power", "31 kW", {"kW": 1e3, "W": 1.0, "MW": 1e6}),
+    Kind(
+        "1",
+        "a number without unit",
+        "1.6e-3, '1.6 permille' or '0.16 %'",
+        {"": 1.0, "permille": 1e-3, "‰": 1e-3, "%": 1e-2, "percent": 1e-2, "ppm": 1e-6},
+        open_to_pint=False,
+    ),
+)
+
+KINDS: dict[str, Kind] = {kind.unit: kind for kind in _ALL}
+"""All kinds by their SI unit."""
+
+
+def kind_of(unit: str) -> Kind | None:
+    """Kind that an everyday unit belongs to, or None.
+
+    >>> kind_of("t").phrase
+    'a mass'
+    """
+    return next((kind for kind in _ALL if unit in kind.everyday), None)

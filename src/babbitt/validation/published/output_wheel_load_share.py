@@ -1,0 +1,146 @@
+"""Table 3 of the gearbox study: how an overhung coupling shares the load between two bearings."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from babbitt.shafts.overhung_coupling import (
+    STANDARD_GRAVITY,
+    MeshForce,
+    OverhungCoupling,
+    bearing_loads,
+)
+from babbitt.validation.case import Comparison, Story, ValidationCase
+from babbitt.validation.figure import GREY, INK
+from babbitt.validation.published.reverse_gear_inputs import inferred_bearing, published
+from babbitt.validation.tolerance import Within
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_STATICS = "independent statics from Table 3"
+_ROUNDED = Within(absolute=0.01)
+
+# Reactions in kN (far bearing, bearing beside the coupling, either without coupling); effect of the coupling in %.
+_INDEPENDENT = {
+    MeshForce.UPWARD: (380.34, 363.80, 375.51, 1.29, -3.12),
+    MeshForce.DOWNWARD: (434.98, 452.02, 439.93, -1.13, 2.75),
+}
+
+
+def shaft(direction: MeshForce) -> OverhungCoupling:
+    """The shaft of the output wheel as Table 3 gives it."""
+    table = published()["table_3"]
+    return OverhungCoupling(
+        mesh_force=1e3 * table["mesh_force_kN"],
+        mesh_angle=math.radians(table["mesh_angle_deg"]),
+        mesh_direction=direction,
+        bearing_distance=1e-3 * table["bearing_distance_mm"],
+        gear_mass=1e3 * table["gear_mass_t"],
+        coupling_mass=1e3 * table["coupling_mass_t"],
+        flange_distance=1e-3 * table["flange_distance_mm"],
+        coupling_length=1e-3 * table["coupling_length_mm"],
+    )
+
+
+def run() -> tuple[Comparison, ...]:
+    """Compare weights, arm, reactions and the load per area."""
+    return (*_weights(), *_reactions(), _load_per_area())
+
+
+def _weights() -> Iterator[Comparison]:
+    given = shaft(MeshForce.UPWARD)
+    yield Comparison("a", "", 780.5, given.coupling_arm * 1e3, Within(absolute=0.05), "mm", _STATICS, 1)
+    gear = given.gear_mass * STANDARD_GRAVITY / 1e3
+    yield Comparison("G₁", "gear", 69.71, gear, _ROUNDED, "kN", _STATICS, 2)
+    coupling = given.coupling_mass * STANDARD_GRAVITY / 2e3
+    yield Comparison("G₂", "half the coupling", 7.60, coupling, _ROUNDED, "kN", _STATICS, 2)
+
+
+def _reactions() -> Iterator[Comparison]:
+    for direction, (far, near, alone, far_change, near_change) in _INDEPENDENT.items():
+        loads, place = bearing_loads(shaft(direction)), f"mesh force {direction.value}"
+        none = loads.reaction_without_coupling
+        for symbol, expected, ours in (
+            ("R₁", far, loads.reaction_1),
+            ("R₂", near, loads.reaction_2),
+            ("R₀", alone, none),
+        ):
+            yield Comparison(symbol, place, expected, ours / 1e3, _ROUNDED, "kN", _STATICS, 2)
+        for symbol, expected, ours in (
+            ("R₁/R₀ - 1", far_change, loads.reaction_1),
+            ("R₂/R₀ - 1", near_change, loads.reaction_2),
+        ):
+            yield Comparison(symbol, place, expected, 100.0 * (ours / none - 1.0), _ROUNDED, "%", _STATICS, 2)
+
+
+def _load_per_area() -> Comparison:
+    """The only number of the print that the reactions can be held against."""
+    wheel = inferred_bearing("Output wheel")
+    area = 1e-6 * wheel["diameter_mm"] ** 2 * wheel["width_ratio"]
+    rows = published()["tables_4_and_5"]["rows"]
+    printed = next(row["specific_load_MPa"] for row in rows if row["name"] == "Output wheel")
+    load = bearing_loads(shaft(MeshForce.UPWARD)).reaction_1
+    place = "more loaded bearing, mesh force upward, 550 × 330 mm"
+    return Comparison("p", place, printed, load / area / 1e6, Within(absolute=0.005), "MPa", "Table 4", 2)
+
+
+def draw(figure: Figure) -> None:
+    """Both reactions over the mass of the coupling."""
+    figure.set_size_inches(7.2, 3.4)
+    panels = figure.subplots(1, 2)
+    for axes, direction in zip(panels, MeshForce, strict=True):
+        given = shaft(direction)
+        masses = [0.05 * k * given.coupling_mass for k in range(41)]
+        loads = [bearing_loads(replace(given, coupling_mass=mass)) for mass in masses]
+        tonnes = [mass / 1e3 for mass in masses]
+        axes.plot(tonnes, [each.reaction_1 / 1e3 for each in loads], color=INK, label="R₁, far bearing")
+        axes.plot(
+            tonnes,
+            [each.reaction_2 / 1e3 for each in loads],
+            color=INK,
+            linestyle="--",
+            label="R₂, beside the coupling",
+        )
+        axes.axvline(given.coupling_mass / 1e3, color=GREY, linewidth=0.8)
+        for value, marker in zip(_INDEPENDENT[direction][:2], "os", strict=True):
+            axes.plot(given.coupling_mass / 1e3, value, marker, color=INK, markerfacecolor="white")
+        axes.set_title(f"mesh force {direction.value}")
+        axes.set_xlabel("mass of the coupling in t")
+        axes.set_ylabel("bearing load in kN")
+    panels[0].legend()
+
+
+CASE = ValidationCase(
+    name="output_wheel_load_share",
+    title="Marine reverse gear: load share of the output wheel's bearings",
+    story=Story(
+        what=(
+            "The shaft of the output wheel carries a coupling beyond its second bearing. Half of the coupling's "
+            "weight hangs there as on a lever: it lifts the far bearing and presses on the near one. Whether that "
+            "adds to a bearing's load depends on which way the mesh force pushes."
+        ),
+        source=(
+            "Published gearbox study (Russian journal, 2023, vol. 15, no. 5, p. 825 ff.): inputs of Table 3, load "
+            "per area of Table 4. The study does not print the reactions; the values compared are an independent "
+            "evaluation of the statics from Table 3."
+        ),
+        assumptions=(
+            "Two simple supports, the gear at mid-span, half of the coupling's weight acting a quarter of its "
+            "length beyond the flange. The bearing of 550 × 330 mm, needed for the load per area, is inferred."
+        ),
+        tolerances="Statics leaves no room: 0.01 kN, the last digit of the values compared. Load per area: half "
+        "of its last printed digit.",
+        differences=(
+            "Nothing. Of the two directions of the mesh force only the upward one gives the published 2.10 MPa, "
+            "so this is the one the study must have used."
+        ),
+    ),
+    run=run,
+    draw=draw,
+    caption="Bearing loads over the mass of the coupling; the thin line is the coupling of the study, with the "
+    "independent values.",
+)

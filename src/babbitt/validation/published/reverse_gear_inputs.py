@@ -1,0 +1,92 @@
+"""The bearings of the marine reverse gear as design cases, from inferred inputs.
+
+The study prints results and hardly any dimensions. What was inferred stands in ``data/reverse_gear.json`` with a
+statement that says so; nothing of it stands anywhere else.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from babbitt.lubricants import lubricant
+from babbitt.standards.iso7902.model import Bearing, DesignCase, Friction, GivenLoad, OilSupply
+from babbitt.standards.iso7902.supply import Arrangement, HalfCircumferentialGroove, Pockets, SupplyElement
+from babbitt.validation.reference_data import reference_data
+
+CELSIUS_ZERO = 273.15
+
+_JOURNAL_STEEL = 11e-6  # 1/K, textbook value; only the difference to the bearing matters
+
+
+def published() -> dict[str, Any]:
+    """What the study prints."""
+    printed: dict[str, Any] = reference_data("reverse_gear")["published"]
+    return printed
+
+
+def inferred() -> dict[str, Any]:
+    """What is inferred from it."""
+    inputs: dict[str, Any] = reference_data("reverse_gear")["inferred"]
+    return inputs
+
+
+def inferred_bearing(name: str) -> dict[str, Any]:
+    """Inferred dimensions and speed of one bearing."""
+    found: dict[str, Any] = next(bearing for bearing in inferred()["bearings"] if bearing["name"] == name)
+    return found
+
+
+def specific_load(name: str) -> float:
+    """Published load per area in Pa."""
+    rows = published()["tables_4_and_5"]["rows"]
+    return 1e6 * float(next(row["specific_load_MPa"] for row in rows if row["name"] == name))
+
+
+def design_case(
+    name: str, *, span: int | None = None, friction: Friction | None = None, friction_factor: float | None = None
+) -> DesignCase:
+    """One bearing of the gear.
+
+    Parameters
+    ----------
+    name : str
+        As in the table of the study.
+    span : int, optional
+        In degrees; the inferred one when omitted.
+    friction : Friction, optional
+        The friction curve of the full bearing when omitted, which is what the study appears to have used.
+    friction_factor : float, optional
+        The one that reproduces Table 2 when omitted.
+
+    Returns
+    -------
+    DesignCase
+    """
+    bearing, common = inferred_bearing(name), inferred()["common"]
+    diameter = 1e-3 * bearing["diameter_mm"]
+    width = diameter * bearing["width_ratio"]
+    return DesignCase(
+        name=name,
+        bearing=Bearing(
+            diameter=diameter,
+            width=width,
+            relative_clearance=1e-3 * bearing["relative_clearance_permille"],
+            span=span or bearing["span_deg"],
+            expansion_bearing=_JOURNAL_STEEL + 1e-6 * common["expansion_bearing_less_journal_1e6_per_K"],
+            expansion_journal=_JOURNAL_STEEL,
+            supply_element=_supply_element(bearing, width),
+        ),
+        duty=GivenLoad(specific_load(name) * width * diameter),
+        journal_speed=2.0 * bearing["surface_speed_m_s"] / diameter,
+        lubricant=lubricant(common["lubricant"]),
+        oil_supply=OilSupply(common["inlet_temperature_C"] + CELSIUS_ZERO, 1e6 * common["element_pressure_MPa"]),
+        friction=friction or Friction(common["friction"]),
+        friction_factor=friction_factor or common["friction_factor"],
+        assumptions=(inferred()["statement"],),
+    )
+
+
+def _supply_element(bearing: dict[str, Any], width: float) -> SupplyElement:
+    if bearing["supply_element"] == "groove":
+        return HalfCircumferentialGroove(inferred()["common"]["groove_width_ratio"] * width)
+    return Pockets(bearing["pocket_width_ratio"] * width, Arrangement.BOTH_SIDES)

@@ -1,0 +1,64 @@
+"""All published cases on board."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+
+from babbitt.notices import InputError
+from babbitt.validation.case import ValidationCase
+from babbitt.validation.published import (
+    butenschoen_1976,
+    closed_forms_din31652,
+    interpolation_study,
+    output_wheel_load_share,
+    procedure_regression,
+    raimondi_boyd_1958,
+    reverse_gear,
+    reverse_gear_spans,
+    short_bearing,
+    supply_losses,
+    viscosity_index,
+)
+
+_CASES = (
+    butenschoen_1976.CASE,
+    raimondi_boyd_1958.CASE,
+    short_bearing.CASE,
+    closed_forms_din31652.CASE,
+    interpolation_study.CASE,
+    reverse_gear_spans.CASE,
+    reverse_gear.CASE,
+    output_wheel_load_share.CASE,
+    supply_losses.CASE,
+    viscosity_index.CASE,
+    procedure_regression.CASE,
+)
+
+
+def cases() -> tuple[ValidationCase, ...]:
+    """Every published case, from the film to the whole procedure."""
+    return _CASES
+
+
+def validation_case(name: str) -> ValidationCase:
+    """Find a published case by its name.
+
+    Parameters
+    ----------
+    name : str
+
+    Raises
+    ------
+    InputError
+        E005 when there is no such case; the message names the nearest one.
+
+    Examples
+    --------
+    >>> validation_case("reverse_gear_spans").title
+    'Marine reverse gear: five angular spans of the input pinion bearing'
+    """
+    by_name = {case.name: case for case in _CASES}
+    if name in by_name:
+        return by_name[name]
+    near = get_close_matches(name, by_name, n=1, cutoff=0.0)[0]
+    raise InputError("E005", f"no validation case {name!r}; did you mean {near!r}? All: {', '.join(by_name)}")

@@ -1,0 +1,251 @@
+"""The report as PDF and HTML: complete, equal for equal input, and deaf to what a name tries to say."""
+
+from __future__ import annotations
+
+import re
+import sys
+from dataclasses import dataclass, replace
+from html.parser import HTMLParser
+
+import gear_cases
+import pytest
+
+from babbitt.notices import InputError
+from babbitt.report import writing
+from babbitt.report.content import content
+from babbitt.report.document import report, write_report
+from babbitt.results import Outcome, Result
+from babbitt.standards.iso7902 import DesignCase, check
+from babbitt.standards.iso7902.model import GivenLoad
+
+pytest.importorskip("typst")
+pytest.importorskip("matplotlib")
+
+
+@dataclass(frozen=True)
+class Solved:
+    """What a report reads of a machine."""
+
+    name: str
+    design_cases: tuple[DesignCase, ...]
+    results: tuple[Result, ...]
+    case_hash: str = "ab" * 32
+    version: str = "0.1.0"
+
+
+def solved(name: str, *cases: DesignCase) -> Solved:
+    return Solved(name, cases, tuple(check(case) for case in cases))
+
+
+class Reader(HTMLParser):
+    """What a browser would see: the elements, their attributes, the text."""
+
+    def __init__(self, page: bytes) -> None:
+        super().__init__()
+        self.elements: list[tuple[str, dict[str, str | None]]] = []
+        self.text = ""
+        self.feed(page.decode())
+        self.close()
+
+    def handle_starttag(self, tag, attrs):
+        self.elements.append((tag, dict(attrs)))
+
+    def handle_data(self, data):
+        self.text += data
+
+    def all(self, tag):
+        return [attributes for name, attributes in self.elements if name == tag]
+
+
+GEAR = gear_cases.gear()
+HOSTILE = (
+    "<script>alert(1)</script>",
+    '#eval("1+1")',
+    '#read("/etc/passwd")',
+    "$x^2$ \\ * _ ] [ { } ` ~ @ref <label>",
+    "</style></head><img src=x onerror=alert(1)>",
+    "null",
+    "NaN",
+    "W" * 400,
+    "שלום مرحبا 😀 轴承",
+    "/* */ // --- === - + 1.",
+    "&lt;b&gt; &amp; &#60;",
+    '" onmouseover="alert(1)',
+)
+
+
+@pytest.fixture(scope="module")
+def one_page():
+    return Reader(report(solved("One bearing", GEAR[0]), "html"))
+
+
+def test_the_report_has_all_its_parts_in_order(one_page):
+    headings = [
+        "Operating point",
+        "Inputs",
+        "Assumptions",
+        "Calculation",
+        "Checks",
+        "Warnings",
+        "Figures",
+    ]
+    places = [one_page.text.rindex(heading) for heading in headings]
+    assert places == sorted(places)
+    for said in ("Prepared", "Checked", "Approved", "0.1.0", "ab" * 32, "TP-46 STO upper", "Rotordynamic".lower()):
+        assert said in one_page.text
+
+
+def test_the_page_needs_nothing_else(one_page):
+    assert len(one_page.all("img")) == 4
+    for image in one_page.all("img"):
+        assert image["src"].startswith("data:image/svg+xml;base64,")
+        assert len(image["alt"]) > 20
+    assert one_page.all("link") == []
+    assert one_page.all("script") == []
+    assert len(one_page.all("math")) > 50
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_every_bearing_of_the_summary_leads_to_its_part():
+    page = Reader(report(solved("Gear", *GEAR[:3]), "html"))
+    targets = [link["href"].removeprefix("#") for link in page.all("a")]
+    assert len(targets) == 3
+    assert set(targets) <= {attributes.get("id") for attributes in page.all("h2")}
+
+
+def test_the_numbers_are_those_of_the_result(one_page):
+    result = check(GEAR[0])
+    assert f"{result.minimum_film_thickness * 1e6:.1f} µm" in one_page.text
+    assert f"{result.outlet_temperature - 273.15:.1f} °C" in one_page.text
+
+
+@pytest.fixture
+def no_figures(monkeypatch):
+    """Figures carry no text of a case; leaving them out saves most of the time."""
+    monkeypatch.setattr("babbitt.report.bearing_content.draw", lambda *_: ())
+
+
+@pytest.mark.usefixtures("no_figures")
+@pytest.mark.parametrize("name", HOSTILE)
+def test_a_name_is_shown_as_it_stands(name):
+    machine = solved(name, replace(GEAR[0], name=name, assumptions=(name,)), replace(GEAR[1], name="b"))
+    page = Reader(report(machine, "html"))
+    assert page.text.count(name) >= 4
+    assert page.all("script") == []
+    assert page.all("img") == []
+    assert not [key for _, attributes in page.elements for key in attributes if key.startswith("on")]
+    assert report(machine, "pdf").startswith(b"%PDF-")
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_control_characters_go_and_the_rest_stays():
+    name = "a\x1b[2Jb\x00c\u202ed\ne"
+    page = Reader(report(solved(name, replace(GEAR[0], name=name)), "html"))
+    assert "a[2Jbcd e" in page.text
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_names_of_every_kind_reach_the_report_as_strings_only():
+    for name in HOSTILE:
+        data = content(solved(name, replace(GEAR[0], name=name, assumptions=(name,))))
+        assert data["name"] == name
+        assert name in data["bearings"][0]["assumptions"]
+
+
+def test_equal_input_gives_equal_bytes():
+    for report_format in ("pdf", "html"):
+        assert report(solved("Twice", GEAR[0]), report_format) == report(solved("Twice", GEAR[0]), report_format)
+
+
+def test_an_unsolved_bearing_shows_why_and_no_operating_point():
+    too_much = replace(GEAR[0], name="Too much", duty=GivenLoad(5e7))
+    machine = solved("Gear", too_much, GEAR[1])
+    assert machine.results[0].outcome is Outcome.OVERLOADED
+    page = Reader(report(machine, "html"))
+    assert "No solution" in page.text
+    assert "S001" in page.text
+    assert len(page.all("img")) == 4
+    part = page.text[page.text.rindex("Too much") :]
+    assert "Operating point" not in part[: part.index("First-stage wheel")]
+    assert report(machine, "pdf").startswith(b"%PDF-")
+
+
+def test_a_result_without_a_film_has_a_report_of_its_own():
+    values = {"reaction_1": 380.3e3, "reaction_2": 363.8e3, "wall_time": 0.1}
+    statics = Result("Output shaft", "overhung_coupling", "statics", Outcome.CONVERGED, values)
+    machine = Solved("Output shaft", (), (statics,))
+    page = Reader(report(machine, "html"))
+    assert "380.30" in page.text
+    assert "wall" not in page.text.lower()
+    assert report(machine, "pdf").startswith(b"%PDF-")
+
+
+@pytest.mark.usefixtures("no_figures")
+@pytest.mark.parametrize("name", gear_cases.varied_cases())
+def test_every_way_through_the_procedure_can_be_printed(name):
+    case = gear_cases.varied_cases()[name]
+    page = Reader(report(solved(name, case), "html"))
+    assert "Calculation" in page.text
+    assert "–e" not in page.text
+
+
+def test_eleven_bearings_on_paper(tmp_path):
+    path = tmp_path / "gear.pdf"
+    write_report(solved("Marine reverse gear", *GEAR), path)
+    assert path.read_bytes().startswith(b"%PDF-")
+    assert [file.name for file in tmp_path.iterdir()] == ["gear.pdf"]
+
+
+# -- where it goes ------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["report.doc", "report", "report.pdf.txt", ".pdf"])
+def test_an_unknown_suffix_is_refused_with_what_is_allowed(tmp_path, name):
+    with pytest.raises(InputError, match=r"\.pdf or \.html") as refused:
+        write_report(solved("x", GEAR[0]), tmp_path / name)
+    assert refused.value.code == "E007"
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_that_does_not_exist_is_named(tmp_path):
+    with pytest.raises(InputError, match=re.escape(str(tmp_path / "no"))) as refused:
+        write_report(solved("x", GEAR[0]), tmp_path / "no" / "report.pdf")
+    assert refused.value.code == "E007"
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_folder_is_no_file(tmp_path):
+    (tmp_path / "report.pdf").mkdir()
+    with pytest.raises(InputError, match="it is a folder"):
+        write_report(solved("x", GEAR[0]), tmp_path / "report.pdf")
+
+
+def test_a_failure_leaves_what_was_there(tmp_path, monkeypatch):
+    path = tmp_path / "report.html"
+    path.write_text("before")
+
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(writing.Path, "replace", full)
+    with pytest.raises(InputError, match="No space left"):
+        writing.write_whole(path, b"after")
+    assert path.read_text() == "before"
+    assert [file.name for file in tmp_path.iterdir()] == ["report.html"]
+
+
+def test_a_written_file_has_ordinary_permissions(tmp_path):
+    path, ordinary = tmp_path / "a.html", tmp_path / "b.html"
+    writing.write_whole(path, b"x")
+    ordinary.write_bytes(b"x")
+    assert path.stat().st_mode == ordinary.stat().st_mode
+
+
+@pytest.mark.parametrize("package", ["typst", "matplotlib"])
+def test_a_missing_extra_is_named_with_the_cure(tmp_path, monkeypatch, package):
+    monkeypatch.setitem(sys.modules, package, None)
+    with pytest.raises(InputError, match=re.escape("pip install 'babbitt[report]'")) as refused:
+        write_report(solved("x", GEAR[0]), tmp_path / "report.pdf")
+    assert refused.value.code == "E007"
+    assert package in refused.value.message
+    assert list(tmp_path.iterdir()) == []

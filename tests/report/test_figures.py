@@ -1,0 +1,153 @@
+"""Figures: drawn for every case, equal for equal input, and true to the numbers they show."""
+
+from __future__ import annotations
+
+import re
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+
+import gear_cases
+import numpy as np
+import pytest
+from hand_made import HandMadeMachine
+
+from babbitt.notices import InputError
+from babbitt.quantities import QUANTITIES
+from babbitt.standards.iso7902 import check
+from babbitt.standards.iso7902.model import Curves, GivenLoad
+
+pytest.importorskip("matplotlib")
+
+from babbitt.report import painters
+from babbitt.report.drawing import Drawing, mathematics, style
+from babbitt.report.figures import ClearanceRange, clearance_range, draw, write_plots
+
+CASES = gear_cases.varied_cases()
+SUPPOSED = ClearanceRange(0.8e-3, 1.4e-3, given=False)
+NAMES = ["speed-and-load", "load-capacity", "clearance", "spans"]
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_every_case_has_its_four_figures(name):
+    case = CASES[name]
+    drawings = draw(case, check(case), clearance_range(case))
+    assert [drawing.name for drawing in drawings] == NAMES
+    for drawing in drawings:
+        assert isinstance(drawing, Drawing)
+        assert ET.fromstring(drawing.image).tag.endswith("svg")
+        assert drawing.caption.endswith(".")
+
+
+def test_equal_input_gives_equal_bytes_in_every_format():
+    case = CASES["full"]
+    for image_format, magic in (("svg", b"<?xml"), ("pdf", b"%PDF"), ("png", b"\x89PNG")):
+        first, second = (draw(case, check(case), SUPPOSED, image_format) for _ in range(2))
+        assert [d.image for d in first] == [d.image for d in second]
+        assert all(d.image.startswith(magic) for d in first)
+
+
+def test_no_colour_is_used():
+    case = CASES["surfaces"]
+    for drawing in draw(case, check(case), SUPPOSED, "svg"):
+        colours = set(re.findall(rb"#([0-9a-f]{6})", drawing.image))
+        assert all(colour[0:2] == colour[2:4] == colour[4:6] for colour in colours), drawing.name
+
+
+def test_the_curves_pass_through_the_operating_point():
+    case = CASES["surfaces"]
+    result = check(case)
+    with style():
+        figure = painters.speed_and_load(case, result)
+    friction, film = figure.axes[0], figure.axes[2]
+    for panel, name in ((friction, "friction_coefficient"), (film, "minimum_film_thickness")):
+        curve, point = panel.lines[0], panel.lines[1]
+        x, y = float(point.get_xdata()[0]), float(point.get_ydata()[0])
+        assert y == pytest.approx(QUANTITIES[name].shown(result.values[name]))
+        on_curve = np.interp(np.log(x), np.log(curve.get_xdata()), np.log(curve.get_ydata()))
+        assert np.exp(on_curve) == pytest.approx(y, rel=1e-9)
+
+
+def test_every_axis_has_a_name_and_a_unit_where_it_needs_one():
+    case = CASES["surfaces"]
+    result = check(case)
+    with style():
+        figure = painters.clearance(case, result, SUPPOSED.smallest, SUPPOSED.largest)
+    lower = figure.axes[1]
+    assert lower.get_xlabel().endswith("in ‰")
+    assert lower.get_ylabel().endswith("in µm")
+    assert figure.axes[0].get_ylabel().endswith("in °C")
+
+
+def test_a_load_beyond_the_film_is_a_gap_and_no_error():
+    case = replace(CASES["full"], duty=GivenLoad(60e3))
+    result = check(case)
+    assert result.outcome.solved
+    assert len(draw(case, result, SUPPOSED)) == 4
+
+
+def test_closed_forms_show_the_full_bearing_only():
+    case = replace(CASES["full"], curves=Curves.CLOSED_FORM)
+    result = check(case)
+    with style():
+        figure = painters.spans(replace(case, duty=GivenLoad(result.load)), result)
+    assert [label.get_text() for label in figure.axes[0].get_xticklabels()] == ["360"]
+    assert len(draw(case, result, SUPPOSED)) == 4
+
+
+def test_an_unsolved_bearing_has_no_figures():
+    case = replace(CASES["full"], duty=GivenLoad(9e7))
+    assert draw(case, check(case), SUPPOSED) == ()
+
+
+def test_the_clearance_range_is_the_tolerance_or_a_supposed_one():
+    case = CASES["full"]
+    fitted = replace(case, bearing=replace(case.bearing, clearance_tolerance=(0.9e-3, 1.4e-3)))
+    assert clearance_range(fitted) == ClearanceRange(0.9e-3, 1.4e-3, given=True)
+    supposed = clearance_range(case)
+    assert not supposed.given
+    assert supposed.smallest == pytest.approx(0.7 * 1.12e-3)
+    assert supposed.largest == pytest.approx(1.3 * 1.12e-3)
+    assert "±30%" in draw(case, check(case), supposed)[2].caption
+    assert "±30%" not in draw(fitted, check(fitted), clearance_range(fitted))[2].caption
+
+
+def test_matplotlib_is_left_as_it_was():
+    import matplotlib
+
+    before = dict(matplotlib.rcParams)
+    case = CASES["full"]
+    draw(case, check(case), SUPPOSED)
+    assert dict(matplotlib.rcParams) == before
+
+
+@pytest.mark.parametrize("symbol", sorted({quantity.symbol for quantity in QUANTITIES.values()}))
+def test_every_symbol_of_the_vocabulary_can_be_drawn(symbol):
+    from matplotlib.mathtext import MathTextParser
+
+    MathTextParser("path").parse(mathematics(symbol))
+
+
+# -- into a folder ------------------------------------------------------------------------------------------------
+
+
+def machine(*cases):
+    return HandMadeMachine("m", tuple(check(case) for case in cases), cases)
+
+
+def test_plots_are_written_numbered_as_the_bearings(tmp_path):
+    folder = tmp_path / "new" / "plots"
+    written = write_plots(machine(CASES["full"], CASES["surfaces"]), folder)
+    assert [path.name for path in written] == [f"{n:02d}-{name}.svg" for n in (1, 2) for name in NAMES]
+    assert sorted(folder.iterdir()) == sorted(written)
+
+
+def test_a_folder_that_cannot_be_made_is_an_error(tmp_path):
+    (tmp_path / "file").write_text("")
+    with pytest.raises(InputError, match="cannot make the folder") as refused:
+        write_plots(machine(CASES["full"]), tmp_path / "file" / "plots")
+    assert refused.value.code == "E007"
+
+
+def test_an_unknown_format_is_refused(tmp_path):
+    with pytest.raises(InputError, match="svg, pdf, png"):
+        write_plots(machine(CASES["full"]), tmp_path, "jpeg")

@@ -1,0 +1,198 @@
+"""The command line holds its contract: exit statuses, standard output, nothing written on bad input."""
+
+import json
+import re
+import sys
+from pathlib import Path
+
+import pytest
+
+from babbitt import cli
+from babbitt.cases import kinds, template
+
+EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
+BAD = Path(__file__).parent / "cases" / "bad"
+
+
+@pytest.fixture
+def run(capsys, monkeypatch, tmp_path):
+    """Run the command line in an empty folder; give exit status, standard output and standard error."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("COLUMNS", "160")
+
+    def call(*arguments):
+        monkeypatch.setattr(sys, "argv", ["babbitt", *map(str, arguments)])
+        with pytest.raises(SystemExit) as ended:
+            cli.main()
+        out, err = capsys.readouterr()
+        return ended.value.code or 0, out, err
+
+    return call
+
+
+def journal_with_load(load: str) -> str:
+    """The journal template with another load."""
+    found, count = re.subn(r"(?m)^load: \S+ \S+", f"load: {load}", template("journal"))
+    assert count == 1
+    return found
+
+
+@pytest.mark.parametrize("kind", kinds())
+def test_a_new_case_runs_as_it_stands(run, kind, tmp_path):
+    status, out, _ = run("new", kind, "-o", "case.yaml")
+    assert (status, out) == (0, "")
+    status, out, err = run("solve", "case.yaml")
+    assert status == 0, err
+    assert out.strip()
+    status, out, _ = run("check", "case.yaml")
+    assert status == 0
+    assert "usable" in out
+
+
+def test_new_overwrites_nothing(run, tmp_path):
+    (tmp_path / "case.yaml").write_text("mine")
+    status, _, err = run("new", "journal", "-o", "case.yaml")
+    assert status == 2
+    assert "exists already" in err
+    assert (tmp_path / "case.yaml").read_text() == "mine"
+
+
+def test_json_on_standard_output_is_alone_there(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(template("journal"))
+    status, out, _ = run("solve", "case.yaml", "--json", "-")
+    assert status == 0
+    record = json.loads(out)
+    assert set(record) >= {"babbitt", "case", "bearings"}
+    bearing = record["bearings"][0]
+    assert set(bearing) >= {"name", "kind", "method", "results", "checks", "warnings"}
+    assert 300.0 < bearing["results"]["outlet_temperature"] < 400.0  # kelvin
+
+
+def test_no_solution_ends_with_three_and_says_what_to_try(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(journal_with_load("900 MN"))
+    status, out, _ = run("solve", "case.yaml")
+    assert status == 3
+    assert "no film can carry this load" in out
+    assert "less than the load of 9e+05 kN" in " ".join(out.split())
+    assert "Try: a wider or larger bearing" in " ".join(out.split())
+    assert run("compare", "case.yaml")[0] == 3
+
+
+def test_strict_ends_with_one_when_a_limit_is_violated(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(journal_with_load("60 kN"))
+    assert run("solve", "case.yaml")[0] == 0
+    assert run("solve", "case.yaml", "--strict")[0] == 1
+
+
+@pytest.mark.parametrize("path", sorted(BAD.glob("*.yaml")), ids=lambda path: path.stem)
+def test_bad_input_ends_with_two_and_writes_nothing(run, path, tmp_path):
+    status, out, err = run("solve", path, "--json", "out.json", "--report", "out.html", "--plots", "plots")
+    assert status == 2
+    assert out == ""
+    assert err.strip()
+    assert "Traceback" not in err
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("solve", "nowhere.yaml"), "nowhere.yaml"),
+        (("solve", "case.yaml", "--report", "out.docx"), ".pdf or .html"),
+        (("solve", "case.yaml", "--json", "no/such/folder.json"), "does not exist"),
+        (("solve", "case.yaml", "case.yaml", "--json", "-"), "folder"),
+        (("new", "gearbox"), "journal"),
+        (("explain", "W1011"), "W101"),
+        (("list", "oils"), "lubricants"),
+        (("solve", "case.yaml", "--json", "case.yaml"), "a case file"),
+        (("solve", "case.yaml", "--json", "x.pdf", "--report", "x.pdf"), "another output"),
+        (("solve", "case.yaml", "--json", "ok.json", "--report", "/proc/x.pdf"), "/proc/x.pdf"),
+        (("solve", "case.yaml", "--plots", "case.yaml"), "a case file"),
+        (("validate", "butenschon"), "butenschoen"),
+    ],
+)
+def test_mistakes_on_the_command_line(run, tmp_path, arguments, words):
+    (tmp_path / "case.yaml").write_text(template("journal"))
+    status, out, err = run(*arguments)
+    assert status == 2
+    assert out == ""
+    assert words in err
+    assert "Traceback" not in err
+    assert [path.name for path in tmp_path.iterdir()] == ["case.yaml"]
+
+
+@pytest.mark.parametrize("what", ["lubricants", "materials", "kinds", "cases"])
+def test_lists_show_what_is_on_board(run, what):
+    status, out, _ = run("list", what)
+    assert status == 0
+    expected = {"lubricants": "ISO VG 46", "materials": "B83", "kinds": "machine", "cases": "reverse_gear"}
+    assert expected[what] in out
+
+
+def test_compare_puts_the_variants_side_by_side(run, tmp_path):
+    full = template("journal")
+    (tmp_path / "full.yaml").write_text(full)
+    (tmp_path / "half.yaml").write_text(full.replace("span: 360 deg", "span: 180 deg"))
+    status, out, _ = run("compare", "full.yaml")
+    assert status == 0
+    assert "as given" in out
+    assert "closed forms" in out
+    status, out, _ = run("compare", "half.yaml")
+    assert status == 0
+    assert "film on the arc" in out
+
+
+def test_cite_names_the_standard_and_the_lubricant(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(template("journal"))
+    status, out, _ = run("cite", "case.yaml")
+    assert status == 0
+    assert "ISO 7902-1" in out
+
+
+def test_explain_and_version(run):
+    assert "Reynolds" in run("explain", "w101")[1]
+    assert run("--version")[1].startswith("babbitt ")
+
+
+def test_the_reverse_gear_has_eleven_bearings(run):
+    status, out, _ = run("solve", EXAMPLES / "marine_reverse_gear.yaml", "--json", "-")
+    assert status == 0
+    assert len(json.loads(out)["bearings"]) == 11
+
+
+def test_names_are_never_markup(run, tmp_path):
+    text = template("journal").replace("name: Example bearing", "name: 'B [/b] x [rated]'")
+    (tmp_path / "case.yaml").write_text(text)
+    for command in ("solve", "compare"):
+        status, out, _ = run(command, "case.yaml")
+        assert status == 0
+        assert "B [/b] x [rated]" in out
+
+
+def test_two_cases_of_one_name_do_not_overwrite_each_other(run, tmp_path):
+    for folder in ("a", "b", "out"):
+        (tmp_path / folder).mkdir()
+    for folder in ("a", "b"):
+        (tmp_path / folder / "x.yaml").write_text(template("journal"))
+    status, out, err = run("solve", "a/x.yaml", "b/x.yaml", "--json", "out")
+    assert (status, out) == (2, "")
+    assert "another output" in err
+    assert list((tmp_path / "out").iterdir()) == []
+
+
+def test_check_tells_the_good_files_and_the_bad(run, tmp_path):
+    (tmp_path / "good.yaml").write_text(template("journal"))
+    (tmp_path / "bad.yaml").write_text("kind: journal\n")
+    status, out, err = run("check", "bad.yaml", "good.yaml")
+    assert status == 2
+    assert "good.yaml: usable" in out
+    assert "bad.yaml" in err
+
+
+def test_several_files_need_a_folder_and_fill_it(run, tmp_path):
+    (tmp_path / "one.yaml").write_text(template("journal"))
+    (tmp_path / "two.yaml").write_text(template("overhung_coupling"))
+    (tmp_path / "out").mkdir()
+    status, _, err = run("solve", "one.yaml", "two.yaml", "--json", "out")
+    assert status == 0, err
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["one.json", "two.json"]

@@ -1,0 +1,137 @@
+"""What every published case must do: fail when it should, tell its story, draw its figure."""
+
+import re
+import subprocess
+import sys
+from dataclasses import replace
+
+import pytest
+
+from babbitt.notices import InputError
+from babbitt.validation import (
+    AtMost,
+    Within,
+    cases,
+    figure_file,
+    figure_of,
+    page,
+    save_figure,
+    summary,
+    validation_case,
+)
+from babbitt.validation.reference_data import reference_data
+
+CASES = pytest.mark.parametrize("case", cases(), ids=lambda case: case.name)
+
+
+@CASES
+def test_every_judged_value_can_fail(case):
+    for row in case.run():
+        if not row.judged:
+            continue
+        if isinstance(row.tolerance, Within):
+            allowed = max(row.tolerance.relative * abs(row.published), row.tolerance.absolute)
+            assert allowed > 0.0, row.label
+            assert not replace(row, computed=row.published + 1.01 * allowed).ok, row.label
+            assert not replace(row, computed=row.published - 1.01 * allowed).ok, row.label
+        else:
+            factor = 1.01 if isinstance(row.tolerance, AtMost) else 0.99
+            assert not replace(row, computed=factor * row.published).ok, row.label
+
+
+@pytest.mark.parametrize(
+    ("case_name", "data", "change"),
+    [
+        ("butenschoen_1976", "butenschoen_1976", lambda d: d["attitude_angle_degrees"][4].__setitem__(1, 55.993)),
+        ("raimondi_boyd_1958", "raimondi_boyd_1958", lambda d: d["width_ratio_1"][3].__setitem__(1, 0.112)),
+        (
+            "reverse_gear_spans",
+            "reverse_gear",
+            lambda d: d["published"]["table_2"]["rows"][2].__setitem__("friction_power_kW", 25.98),
+        ),
+        (
+            "reverse_gear",
+            "reverse_gear",
+            lambda d: d["published"]["tables_4_and_5"]["rows"][6].__setitem__("reynolds_number", 179),
+        ),
+        ("output_wheel_load_share", "reverse_gear", lambda d: d["published"]["table_3"].update(gear_mass_t=7.19)),
+    ],
+)
+def test_a_wrong_number_in_the_data_makes_its_case_fail(case_name, data, change, monkeypatch):
+    import copy
+    from importlib import import_module
+
+    case = validation_case(case_name)
+    assert summary(case.run()).agrees
+    spoilt = copy.deepcopy(reference_data(data))
+    change(spoilt)
+    users = ("butenschoen_1976", "raimondi_boyd_1958", "reverse_gear_inputs")
+    for module in (import_module(f"babbitt.validation.published.{name}") for name in users):
+        monkeypatch.setattr(module, "reference_data", lambda name: spoilt)
+    assert not summary(case.run()).agrees
+
+
+@CASES
+def test_the_page_holds_every_number_and_the_whole_story(case):
+    text, rows = page(case), case.run()
+    assert text.startswith(f"# {case.title}\n")
+    for part in (case.story.what, case.story.source, case.story.assumptions, case.story.tolerances):
+        assert len(part) > 40
+        assert part in text
+    assert case.story.differences in text
+    assert summary(rows).sentence in text
+    assert f"```{{figure}} {figure_file(case)}" in text
+    for row in rows:
+        line = " | ".join(cell.replace("|", "\\|") for cell in (*row.cells(), row.source))
+        assert f"| {line} |" in text
+        assert row.note in text
+
+
+@CASES
+def test_every_row_says_where_it_comes_from(case):
+    rows = case.run()
+    assert all(row.source for row in rows)
+    labels = [(row.label, row.source) for row in rows]
+    assert len(set(labels)) == len(labels)
+
+
+@CASES
+def test_tables_of_the_page_are_rectangular(case):
+    for block in re.split(r"\n\n", page(case)):
+        if block.startswith("| "):
+            widths = {len(re.findall(r"(?<!\\)\|", line)) for line in block.splitlines()}
+            assert len(widths) == 1
+
+
+@CASES
+def test_the_figure_is_drawn_with_labelled_axes(case, tmp_path):
+    figure = figure_of(case)
+    assert figure.axes
+    assert any(axes.get_ylabel() for axes in figure.axes) or any(axes.get_yticklabels() for axes in figure.axes)
+    for axes in figure.axes:
+        assert axes.lines or axes.patches
+    assert figure.axes[-1].get_xlabel()
+    target = save_figure(case, tmp_path)
+    assert target.name == figure_file(case)
+    first = target.read_bytes()
+    assert b"<svg" in first
+    assert save_figure(case, tmp_path).read_bytes() == first  # the documentation does not change by itself
+
+
+def test_names_are_unique_and_found():
+    names = [case.name for case in cases()]
+    assert len(set(names)) == len(names) == 11
+    assert all(validation_case(name).name == name for name in names)
+
+
+def test_an_unknown_name_is_answered_with_the_nearest_one():
+    with pytest.raises(InputError, match="did you mean 'reverse_gear'") as caught:
+        validation_case("reverse_geer")
+    assert caught.value.code == "E005"
+
+
+def test_matplotlib_is_not_loaded_before_something_is_drawn():
+    code = (
+        "import sys, babbitt.validation as v; [c.run() for c in v.cases()]; assert 'matplotlib' not in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
