@@ -137,8 +137,8 @@ def main() -> int:
             print(f"{label:16}{warm['import']:7.2f} s{cold['first']:22.2f} s{warm['first']:21.3f} s")
     rows = [row for pair in sides.values() if pair for row in pair[1]["rows"]]
     slowest = next((row["fastest"] for row in rows if row["program"] == "ROSS"), None)  # on its default mesh
-    print(f"\n{'program':22}{'film':24}{'mesh':9}{'median':>12}{'fastest':>12}{'x ROSS':>8}{'eps':>9}{'attitude':>10}"
-          f"{'position':>11}{'K':>9}{'C':>9}")  # fmt: skip
+    heads = f"{'median':>12}{'fastest':>12}{'x ROSS':>8}{'eps':>9}{'attitude':>10}{'position':>11}{'K':>9}{'C':>9}"
+    print(f"\n{'program':22}{'film':21}{'mesh':9}{heads}")
     for row in rows:
         near = [row["model"]] if row["model"] in reference else list(reference)
         row["errors"], nearest = min((errors(row, reference[model]), model) for model in near)
@@ -147,8 +147,9 @@ def main() -> int:
         times = slowest / row["fastest"] if slowest else math.nan
         ratio = "-" if math.isnan(times) else f"{times:.0f}" if times > 10.0 else f"{times:.2g}"
         error = "".join(f"{value:{width}.1e}" for value, width in zip(row["errors"], (11, 9, 9), strict=True))
-        print(f"{row['program']:22}{film:24}{row['mesh']:9}{row['time'] * 1e3:9.3f} ms{row['fastest'] * 1e3:9.3f} ms{ratio:>8}"
-              f"{math.hypot(x, y):9.5f}{math.degrees(math.atan2(y, x)) + 90.0:6.2f} deg{error}")  # fmt: skip
+        taken = f"{row['time'] * 1e3:9.3f} ms{row['fastest'] * 1e3:9.3f} ms{ratio:>8}"
+        place = f"{math.hypot(x, y):9.5f}{math.degrees(math.atan2(y, x)) + 90.0:6.2f} deg"
+        print(f"{row['program']:22}{film:21}{row['mesh']:9}{taken}{place}{error}")
     print(f"\nload of the machine during the last minute: {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
     misses = missed(rows, slowest)
     print("\n".join(f"missed: {miss}" for miss in misses) or "all marks are met")
