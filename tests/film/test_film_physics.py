@@ -133,7 +133,7 @@ def test_stiffness_is_the_derivative_of_a_smooth_film():
 
     def result_at(x, y):
         result = np.zeros(RESULT_SIZE)
-        assert evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, 0, result) == 0
+        assert evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, False, result) == 0
         return result
 
     at, step = (0.4, -0.3), 1e-4
@@ -178,7 +178,7 @@ def test_squeeze_and_rotation_superpose_in_a_full_film():
 
 
 def test_long_full_film_squeezed():
-    """p = 6 mu V R^2/c^3 (1/(eps h^2) + const) from dp/dt ~ sin t / h^3, h = 1 + eps cos t (journal moves along -y)."""
+    """p = 6 mu V R^2/c^3 (1/(eps h^2) + const) from dp/dt ~ sin t / h^3, h = 1 + eps cos t (along -y)."""
     eps, velocity = 0.5, 1e-3
     model = replace(full_ring(1e3), angular_speed=0.0)
     found = film_at_position(model, (0.0, -eps * CLEARANCE), (0.0, -velocity), Resolution(4, 192))

@@ -11,6 +11,7 @@ import math
 
 import numpy as np
 
+from babbitt.film._compiling import compiled, inner, spliced
 from babbitt.film._elimination import solve_land
 from babbitt.film._forces import add_forces, end_at_rupture, update_wet_set
 from babbitt.film._grids import (
@@ -22,12 +23,11 @@ from babbitt.film._grids import (
     smallest_gap,
     uniform_lines,
 )
-from babbitt.film._structs import compiled
 
 CONVERGED, TOO_MANY_STEPS, NO_FILM = 0, 1, 2
 MODERATE_LOAD = 6.0  # dimensionless load up to which the centred journal is a good start
 PATIENCE = 40  # updates of the wet set before a patient step
-PATIENT_STEPS = 6  # patient steps before the lines are graded anew: a grid that does not see the thin film fails to stop
+PATIENT_STEPS = 6  # patient steps before the lines are graded anew: a grid blind to the thin film never settles
 CYCLING = 30  # steps after which a node that changes sides for ever is let be, if the load is carried within 1e-4
 
 
@@ -39,7 +39,8 @@ def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, re
 
     Between two lines the rupture moves without the wet set noticing, and the adjoints end on a line: stiffness and
     damping are the exact derivatives of the discrete film, but jump by a per cent when a node changes sides.
-    With ``smooth`` the adjoints are solved once more and end at the rupture itself.
+    With ``smooth`` the adjoints are solved once more and end at the rupture itself. (Callers write bool(0): for
+    the literal False the compiler would make a second kernel.)
     """
     result[:] = 0.0
     changed = 0
@@ -51,14 +52,16 @@ def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, re
             solve_land(axial, bearing, grid, k, film, lines, nodal_from)
             if again == 1:
                 lines.ending[:] = 0.0
-                lines.solution[:, 0, :] = grid.value[k]
+                for i in range(n + 1):
+                    for j in range(len(axial.size)):
+                        lines.solution[i, 0, j] = grid.value[k, i, j]
             else:
                 for i in range(n + 1):
                     for j in range(len(axial.size)):
                         grid.value[k, i, j] = lines.solution[i, 0, j]
-                if smooth == 1:
+                if smooth:
                     nodal_from = end_at_rupture(axial, bearing, grid, k, film, lines)
-            if smooth == 0 or nodal_from == n:
+            if not smooth or nodal_from == n:
                 break
         add_forces(axial, bearing, grid, k, film, lines, result)
         changed += update_wet_set(axial, bearing, grid, k, film, lines)
@@ -92,12 +95,12 @@ def damped_step(result, rx, ry, size, last_size, load, gap, step_time):
     return (kyy * rx - kxy * ry) / det, (kxx * ry - kyx * rx) / det, step_time
 
 
-@compiled
+@inner
 def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, max_steps, patient, result):
     """Move the journal from (x, y) until the film on this grid carries the load.
 
-    One update of the wet set per step is fast but can lose the film on the way; ``patient`` finds the wet set anew, from
-    all wet, before every step.
+    One update of the wet set per step is fast but can lose the film on the way; ``patient`` finds the wet set
+    anew, from all wet, before every step.
     """
     load = math.hypot(load_x, load_y)
     floor = tolerance * load + 1e-13
@@ -110,7 +113,7 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
         if patient:
             grid.wet[:] = True
         for _ in range(PATIENCE if patient else 1):
-            changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, 0, result)
+            changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, bool(0), result)
             if changed == 0:
                 break
         rx, ry = result[0] + load_x, result[1] + load_y
@@ -134,9 +137,9 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
     return x, y, TOO_MANY_STEPS, max_steps, gap
 
 
-@compiled
+@spliced
 def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient, result):
-    """Equilibrium on a coarse grid, heavier loads in steps of four: returns x, y, status, steps and the last grid."""
+    """Equilibrium on a coarse grid, heavier loads in steps of four: returns x, y, status, steps, last grid."""
     m, count = len(axial.size), bearing.lands.shape[0]
     coarse, other = new_grid(count, n_coarse, m), new_grid(count, n_coarse, m)
     film, lines = new_film(n_coarse), new_lines(n_coarse, m)
@@ -204,5 +207,5 @@ def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tol
         if status == CONVERGED:
             break
     if bearing.smooth and status == CONVERGED:
-        evaluate(axial, bearing, fine, film, lines, x, y, 0.0, 0.0, 1, result)
+        evaluate(axial, bearing, fine, film, lines, x, y, 0.0, 0.0, bearing.smooth, result)
     return x, y, status, total, gap, fine

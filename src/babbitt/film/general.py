@@ -1,4 +1,4 @@
-"""Equilibrium of films that differ across the width (``ring``): pockets, holes, tilt, axial viscosity, closed rings."""
+"""Equilibrium of films that differ across the width (``ring``): pockets, holes, tilt, viscosity, closed rings."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from babbitt.film._equilibrium import (
     TOO_MANY_STEPS,
     damped_step,
 )
-from babbitt.film._surface import (
+from babbitt.film._surface_film import (
     SurfaceFilm,
     SurfaceWork,
     new_surface_film,

@@ -75,8 +75,8 @@ class Land:
     start_pressure, end_pressure : float
         Gauge pressures of the grooves at either edge, Pa.
     profile : tuple of float
-        Departure of the bore from its circle, m, outward positive, at equally spaced angles from edge to edge (wear,
-        measured form). Empty: none.
+        Departure of the bore from its circle, m, outward positive, at equally spaced angles from edge to edge
+        (wear, measured form). Empty: none.
     """
 
     start_angle: float
@@ -203,8 +203,8 @@ def check_lands(lands: tuple[Land, ...], cavitation_pressure: float) -> None:
     for land, following in zip(ordered, [*ordered[1:], ordered[0]], strict=True):
         distance = (following.start_angle - land.start_angle) % turn or turn
         if land.end_angle - land.start_angle > distance * (1.0 + 1e-12) + 1e-12:
-            raise InputError("E101", f"the land that starts at {land.start_angle} rad overlaps the one that starts at "
-                             f"{following.start_angle} rad.")  # fmt: skip
+            raise InputError("E101", f"the land that starts at {land.start_angle} rad overlaps that which starts "
+                             f"at {following.start_angle} rad.")  # fmt: skip
 
 
 def check_round(film: JournalFilm) -> None:
@@ -230,8 +230,8 @@ def check_pockets(film: JournalFilm) -> None:
         if len(film.lands) > 1:
             raise InputError("E101", "film_start is periodic; that needs one land of 360 degrees.")
         if film.cavitation is Cavitation.MASS_CONSERVING and not film.pockets:
-            raise InputError("E101", "nothing feeds this closed ring: a mass-conserving film would run dry. Give pockets "
-                             "or holes, or choose Cavitation.REYNOLDS.")  # fmt: skip
+            raise InputError("E101", "nothing feeds this closed ring: a mass-conserving film would run dry. Give "
+                             "pockets or holes, or choose Cavitation.REYNOLDS.")  # fmt: skip
 
 
 def grooved_bore(

@@ -1,7 +1,7 @@
 """The door of the film engine: find where the journal rests, or what the film does at a position.
 
-Inside everything is dimensionless and the journal turns counter-clockwise; a clockwise journal is solved in the mirror
-(theta -> -theta). Lengths c, pressures mu omega (R/c)^2, forces mu omega (R/c)^2 R B, flows omega R c B,
+Inside everything is dimensionless and the journal turns counter-clockwise; a clockwise journal is solved in the
+mirror (theta -> -theta). Lengths c, pressures mu omega (R/c)^2, forces mu omega (R/c)^2 R B, flows omega R c B,
 torques mu omega R^3 B / c.
 """
 
