@@ -26,8 +26,11 @@ from babbitt.film._grids import (
 
 CONVERGED, TOO_MANY_STEPS, NO_FILM = 0, 1, 2
 MODERATE_LOAD = 6.0  # dimensionless load up to which the centred journal is a good start
+LIGHT_LOAD = 0.02  # where an attempt in small steps begins
 PATIENCE = 40  # updates of the wet set before a patient step
 PATIENT_STEPS = 6  # patient steps before the lines are graded anew: a grid blind to the thin film never settles
+THINNEST = 1e-3  # of the clearance: a film that settles below, or ends there unsettled, is overloaded
+CONTACT = 1e-6  # of the clearance: where a search gives up
 CYCLING = 30  # steps after which a node that changes sides for ever is let be, if the load is carried within 1e-4
 
 
@@ -133,19 +136,21 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
         while not new_gap > shrink * gap and halvings < 60:
             dx, dy, halvings = 0.5 * dx, 0.5 * dy, halvings + 1
             new_gap = smallest_gap(grid, x + dx, y + dy)
+        if not new_gap > CONTACT:
+            return x, y, NO_FILM, step, gap
         x, y, gap = x + dx, y + dy, new_gap
     return x, y, TOO_MANY_STEPS, max_steps, gap
 
 
 @spliced
-def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient, result):
-    """Equilibrium on a coarse grid, heavier loads in steps of four: returns x, y, status, steps, last grid."""
+def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient, first, factor, result):
+    """Equilibrium on a coarse grid, load raised from ``first`` by ``factor``: x, y, status, steps, grid."""
     m, count = len(axial.size), bearing.lands.shape[0]
     coarse, other = new_grid(count, n_coarse, m), new_grid(count, n_coarse, m)
     film, lines = new_film(n_coarse), new_lines(n_coarse, m)
     uniform_lines(bearing, coarse)
     load = math.hypot(load_x, load_y)
-    share = min(1.0, MODERATE_LOAD / max(load, 1e-300))
+    share = min(1.0, first / max(load, 1e-300))
     total, gap, status = 0, np.inf, CONVERGED
     steps_per_grid = PATIENT_STEPS if patient else max_steps
     for _ in range(60):
@@ -167,14 +172,14 @@ def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient,
         )
         total += steps
         settled = status == CONVERGED
-        if status == NO_FILM or not (settled or patient) or gap < 1e-9:
+        if status == NO_FILM or not (settled or patient):
             break
         if settled and (share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap)):
             break
         graded_lines(bearing, coarse, x, y, other)
         coarse, other = other, coarse
         if settled and share < 1.0:
-            growth = min(4.0, 1.0 / share)
+            growth = min(factor, 1.0 / share)
             share = min(1.0, share * growth)
             radius = math.hypot(x, y)
             if 0.0 < radius < 1.0:  # (1 - eps) falls with the root of the load
@@ -188,24 +193,27 @@ def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient,
 def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tolerance, max_steps, result):
     """Equilibrium on graded lines: returns x, y, status, steps, smallest gap and the grid; fills ``result``.
 
-    A fast attempt first; if it loses the film, a patient one.
+    A fast attempt first; if it loses the film, a patient one; then one that raises the load in small steps.
     """
     fine = new_grid(bearing.lands.shape[0], n_fine, len(axial.size))
     film, lines = new_film(n_fine), new_lines(n_fine, len(axial.size))
     status, total, gap, x0, y0 = NO_FILM, 0, 0.0, x, y
-    for attempt in range(2):
+    for attempt in range(3):
+        first, factor = (LIGHT_LOAD, 1.5) if attempt == 2 else (MODERATE_LOAD, 4.0)
         x, y, status, steps, coarse = approach(
-            axial, bearing, n_coarse, load_x, load_y, x0, y0, max_steps, attempt == 1, result
+            axial, bearing, n_coarse, load_x, load_y, x0, y0, max_steps, attempt > 0, first, factor, result
         )
         total += steps
         if status == CONVERGED:
             graded_lines(bearing, coarse, x, y, fine)
             x, y, status, steps, gap = settle(
-                axial, bearing, fine, film, lines, load_x, load_y, x, y, tolerance, max_steps, attempt == 1, result
+                axial, bearing, fine, film, lines, load_x, load_y, x, y, tolerance, max_steps, attempt > 0, result
             )
             total += steps
         if status == CONVERGED:
             break
+    if gap < THINNEST:
+        status = NO_FILM
     if bearing.smooth and status == CONVERGED:
         evaluate(axial, bearing, fine, film, lines, x, y, 0.0, 0.0, bearing.smooth, result)
     return x, y, status, total, gap, fine
