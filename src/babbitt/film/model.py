@@ -18,6 +18,7 @@ class Cavitation(Enum):
     REYNOLDS = (
         "Swift-Stieber: pressure and its gradient vanish where the film ends, oil is not accounted for behind"
     )
+    HALF_SOMMERFELD = "Gumbel: suctions of the full film count as nothing; no coefficients and no flows"
 
 
 class FilmStart(Enum):
@@ -183,6 +184,8 @@ class JournalFilm:
         if self.film_start is FilmStart.WIDEST_GAP:
             check_round(self)
         check_pockets(self)
+        if self.cavitation is Cavitation.HALF_SOMMERFELD:
+            check_plain_ring(self)
 
 
 def check_lands(lands: tuple[Land, ...], cavitation_pressure: float) -> None:
@@ -212,7 +215,15 @@ def check_round(film: JournalFilm) -> None:
     land = film.lands[0]
     whole = abs(land.end_angle - land.start_angle - 2.0 * math.pi) < 1e-9
     if len(film.lands) > 1 or not whole or land.profile or land.centre != (0.0, 0.0):
-        raise InputError("E101", "film_start is the widest gap; that needs one round land of 360 degrees.")
+        raise InputError("E101", "this start or end of the film needs one round land of 360 degrees.")
+
+
+def check_plain_ring(film: JournalFilm) -> None:
+    """Refuse half-Sommerfeld films other than the closed, plain, round ring for which the condition is used."""
+    if film.film_start is not FilmStart.PERIODIC or film.pockets or film.misalignment != (0.0, 0.0):
+        raise InputError("E101", "the half-Sommerfeld condition is for a plain closed ring; choose "
+                         "FilmStart.PERIODIC without pockets and tilt, or another cavitation condition.")  # fmt: skip
+    check_round(film)
 
 
 def check_pockets(film: JournalFilm) -> None:
