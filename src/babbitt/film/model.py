@@ -222,7 +222,7 @@ def check_plain_ring(film: JournalFilm) -> None:
     """Refuse half-Sommerfeld films other than the closed, plain, round ring for which the condition is used."""
     if film.film_start is not FilmStart.PERIODIC or film.pockets or film.misalignment != (0.0, 0.0):
         raise InputError("E101", "the half-Sommerfeld condition is for a plain closed ring; choose "
-                         "FilmStart.PERIODIC without pockets and tilt, or another cavitation condition.")  # fmt: skip
+                         "FilmStart.PERIODIC without pockets and tilt, or another condition.")  # fmt: skip
     check_round(film)
 
 
