@@ -92,6 +92,13 @@ EXPLANATIONS: dict[str, Explanation] = {
         "The folder does not exist, is not writable, or an extra needed for this format is not installed.",
         "Check the path; `pip install 'babbitt[report]'` installs what PDF, HTML and plots need.",
     ),
+    "E101": Explanation(
+        "Film cannot be laid out",
+        "Lands, grooves, pockets, pressures or speeds do not describe a film: they overlap, are empty, "
+        "lie outside "
+        "the bearing, or nothing drives or feeds the film.",
+        "Correct what the message names.",
+    ),
     # -- doubts about the design check --------------------------------------------------------------------------
     "W101": Explanation(
         "Film is not laminar",
