@@ -1,0 +1,155 @@
+"""Kernels: the journal finds the place where the film carries the load.
+
+Newton with the exact linearised film, one update of the wet set per step. Far from the answer the step is damped
+by pseudo-time: (C/dt + K) d = F + W is the motion of an overdamped journal and C is known anyway. Heavy loads are
+approached in steps of four, with the lines graded anew at every step.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from babbitt.film._elimination import solve_land
+from babbitt.film._forces import RESULT_SIZE, add_forces, end_at_rupture, update_wet_set
+from babbitt.film._grids import (
+    film_coefficients,
+    graded_lines,
+    new_film,
+    new_grid,
+    new_lines,
+    smallest_gap,
+    uniform_lines,
+)
+from babbitt.film._structs import compiled
+
+CONVERGED, TOO_MANY_STEPS, NO_FILM = 0, 1, 2
+MODERATE_LOAD = 6.0  # dimensionless load up to which the centred journal is a good start
+HISTORY = 5  # what a settle reports: x, y, status, steps, smallest gap
+
+
+@compiled
+def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, result):
+    """Force, stiffness and damping of all lands at a position; returns how many nodes changed between wet and dry.
+
+    The force belongs to the wet set found so far; it is exact when nothing changed.
+
+    Between two lines the rupture moves without the wet set noticing, and the adjoints end on a line: stiffness and
+    damping are the exact derivatives of the discrete film, but jump by a per cent when a node changes sides.
+    With ``smooth`` the adjoints are solved once more and end at the rupture itself.
+    """
+    result[:] = 0.0
+    changed = 0
+    n = film.conductance.size
+    for k in range(bearing.lands.shape[0]):
+        film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film)
+        nodal_from = n
+        for again in range(2):
+            solve_land(axial, bearing, grid, k, film, lines, nodal_from)
+            if again == 1:
+                lines.ending[:] = 0.0
+                lines.solution[:, 0, :] = lines.saved
+            elif smooth:
+                nodal_from = end_at_rupture(axial, bearing, grid, k, film, lines)
+                lines.saved[:] = lines.solution[:, 0, :]
+            if not smooth or nodal_from == n:
+                break
+        add_forces(axial, bearing, grid, k, film, lines, result)
+        changed += update_wet_set(axial, bearing, grid, k, film, lines)
+    return changed
+
+
+@compiled
+def damped_step(result, rx, ry, size, last_size, load, gap, step_time):
+    """Step of the journal under the residual force r: (C/dt + K) d = r, plain Newton below a tenth of the load.
+
+    The first dt moves the journal by half the gap; then dt grows as the residual falls. Returns dx, dy, dt.
+    """
+    kxx, kxy, kyx, kyy = result[2], result[3], result[4], result[5]
+    if size > 0.1 * load and load > 0.0:
+        cxx, cxy, cyx, cyy = result[6], result[7], result[8], result[9]
+        if step_time == 0.0:
+            det = cxx * cyy - cxy * cyx
+            speed = math.hypot(cyy * rx - cxy * ry, cxx * ry - cyx * rx) / max(abs(det), 1e-300)
+            step_time = 0.5 * gap / max(speed, 1e-300)
+        else:
+            step_time *= min(max(2.0 * last_size / size, 0.2), 8.0)
+        kxx += cxx / step_time
+        kxy += cxy / step_time
+        kyx += cyx / step_time
+        kyy += cyy / step_time
+    det = kxx * kyy - kxy * kyx
+    if det == 0.0:
+        det = 1e-300
+    return (kyy * rx - kxy * ry) / det, (kxx * ry - kyx * rx) / det, step_time
+
+
+@compiled
+def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, max_steps, result):
+    """Move the journal from (x, y) until the film on these grids carries the load."""
+    load = math.hypot(load_x, load_y)
+    floor = tolerance * load + 1e-13
+    step_time, last_size, calm = 0.0, 0.0, 0
+    gap = smallest_gap(grid, x, y)
+    if not gap > 0.0:
+        return x, y, NO_FILM, 0, gap
+    for step in range(1, max_steps + 1):
+        changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, False, result)
+        rx, ry = result[0] + load_x, result[1] + load_y
+        size = math.hypot(rx, ry)
+        if not size < np.inf:
+            return x, y, NO_FILM, step, gap
+        if size <= floor:
+            calm += 1
+            if changed == 0 or calm > 4:  # ties may change sides for ever
+                return x, y, CONVERGED, step, gap
+        dx, dy, step_time = damped_step(result, rx, ry, size, last_size, load, gap, step_time)
+        last_size = size
+        new_gap = smallest_gap(grid, x + dx, y + dy)
+        halvings = 0
+        while not new_gap > 0.25 * gap and halvings < 60:
+            dx, dy, halvings = 0.5 * dx, 0.5 * dy, halvings + 1
+            new_gap = smallest_gap(grid, x + dx, y + dy)
+        x, y, gap = x + dx, y + dy, new_gap
+    return x, y, TOO_MANY_STEPS, max_steps, gap
+
+
+@compiled
+def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tolerance, max_steps, result):
+    """Equilibrium on graded lines: returns x, y, status, steps, smallest gap and the grid; fills ``result``."""
+    m, count = len(axial.size), bearing.lands.shape[0]
+    coarse, other, fine = new_grid(count, n_coarse, m), new_grid(count, n_coarse, m), new_grid(count, n_fine, m)
+    film, lines = new_film(n_coarse), new_lines(n_coarse, m)
+    uniform_lines(bearing, coarse)
+    load = math.hypot(load_x, load_y)
+    share = min(1.0, MODERATE_LOAD / max(load, 1e-300))
+    total, gap, status = 0, np.inf, CONVERGED
+    for _ in range(40):
+        last_gap = gap
+        x, y, status, steps, gap = settle(
+            axial, bearing, coarse, film, lines, share * load_x, share * load_y, x, y, 1e-2, max_steps, result
+        )
+        total += steps
+        if status == NO_FILM:
+            return x, y, status, total, gap, fine
+        if share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap):
+            break
+        graded_lines(bearing, coarse, x, y, other)
+        coarse, other = other, coarse
+        if share < 1.0:
+            growth = min(4.0, 1.0 / share)
+            share = min(1.0, share * growth)
+            radius = math.hypot(x, y)
+            if 0.0 < radius < 1.0:  # (1 - eps) falls with the root of the load
+                stretch = (1.0 - (1.0 - radius) * growth**-0.5) / radius
+                if smallest_gap(coarse, x * stretch, y * stretch) > 0.25 * gap:
+                    x, y = x * stretch, y * stretch
+    film, lines = new_film(n_fine), new_lines(n_fine, m)
+    graded_lines(bearing, coarse, x, y, fine)
+    x, y, status, steps, gap = settle(
+        axial, bearing, fine, film, lines, load_x, load_y, x, y, tolerance, max_steps, result
+    )
+    if bearing.smooth and status == CONVERGED:
+        evaluate(axial, bearing, fine, film, lines, x, y, 0.0, 0.0, True, result)
+    return x, y, status, total + steps, gap, fine

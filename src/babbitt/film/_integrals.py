@@ -1,0 +1,111 @@
+"""Kernels: pressure and void on the nodes, flows with their balance, friction with streamers, highest pressure.
+
+Called once for a settled position. The node on the side edge is a column of its own (index m): its pressure is the
+side pressure, its row gives the oil that leaves. Where less oil arrives than the gap could carry, the edge runs
+partly filled; no oil is drawn in from outside, so that inflow = outflow + side flow + squeezed volume in every land.
+"""
+
+from __future__ import annotations
+
+from babbitt.film._elimination import solve_land
+from babbitt.film._grids import film_coefficients
+from babbitt.film._structs import END_PRESSURE, START_PRESSURE, compiled, inlined
+
+INFLOW, OUTFLOW, SIDE_FLOW, IMBALANCE, JOURNAL_TORQUE, BEARING_TORQUE, TOTALS = range(7)
+
+
+@compiled
+def integrate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, pressure, void, totals):
+    """Fill pressure and void, (lands, n + 1, m + 1), and totals, (lands, TOTALS), for the wet set of ``grid``.
+
+    Flows by omega R c B, torques by mu omega R^3 B / c.
+    """
+    m = len(axial.size)
+    n = film.conductance.size
+    for k in range(bearing.lands.shape[0]):
+        film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film)
+        solve_land(axial, bearing, grid, k, film, lines, n)
+        totals[k, :] = 0.0
+        for i in range(n + 1):
+            for j in range(m):
+                value = lines.solution[i, 0, j] / axial.root_weights[j]
+                pressure[k, i, j] = value if grid.wet[k, i, j] else 0.0
+                void[k, i, j] = value if bearing.conserving and not grid.wet[k, i, j] else 0.0
+            pressure[k, i, m] = bearing.side_pressure
+            void[k, i, m] = 0.0
+        for j in range(m):
+            inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals)
+        edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals)
+        stored = 0.0
+        for i in range(1, n):
+            for j in range(m):
+                stored += axial.root_weights[j] ** 2 * (1.0 - void[k, i, j]) * film.squeeze[i]
+            stored += axial.edge_weight * film.squeeze[i]
+        totals[k, IMBALANCE] = totals[k, INFLOW] - totals[k, OUTFLOW] - totals[k, SIDE_FLOW] - stored
+
+
+@inlined
+def inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals):
+    """Flux and friction along the column of an inner node; finds the void behind a Reynolds rupture by continuity."""
+    n = film.conductance.size
+    weight = axial.root_weights[j] ** 2
+    flux = 0.0
+    for i in range(n):
+        here, behind = i == 0 or grid.wet[k, i, j], i + 1 == n or grid.wet[k, i + 1, j]
+        if not here and not bearing.conserving:  # streamers carry on what left the film
+            void[k, i, j] = min(max(0.0, 1.0 - flux / film.couette[i]), 1.0) if film.couette[i] > 0.0 else 1.0
+        if i == 0 and not behind and bearing.conserving:
+            flux = film.inlet[0]
+        else:
+            flux = film.couette[i] * (1.0 - void[k, i, j])
+            flux += film.conductance[i] * (pressure[k, i, j] - pressure[k, i + 1, j])
+        if i == 0:
+            totals[k, INFLOW] += weight * flux
+        add_friction(bearing, grid, k, i, film, x, y, weight, flux, here, pressure[k, i, j], pressure[k, i + 1, j],
+                     void[k, i, j], totals)  # fmt: skip
+    totals[k, OUTFLOW] += weight * flux
+
+
+@inlined
+def edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals):
+    """Side flow: what the row of the edge node cannot pass on."""
+    m = len(axial.size)
+    n = film.conductance.size
+    weight = axial.edge_weight
+    flux = film.couette[0]
+    if bearing.conserving and not grid.wet[k, 1, m - 1]:
+        flux = film.inlet[0]
+    totals[k, INFLOW] += weight * flux
+    add_friction(bearing, grid, k, 0, film, x, y, weight, flux, True, 0.0, 0.0, 0.0, totals)
+    for i in range(1, n):
+        arriving = weight * (flux - film.squeeze[i])
+        for j in range(m + 1):
+            arriving -= bearing.kappa * film.cubed[i] * axial.edge_stiffness[j] * pressure[k, i, j]
+        flux = film.couette[i]
+        if bearing.side_pressure <= 0.0:
+            flux = min(flux, max(arriving / weight, 0.0))
+        if film.couette[i] > 0.0:
+            void[k, i, m] = 1.0 - flux / film.couette[i]
+        totals[k, SIDE_FLOW] += arriving - weight * flux
+        add_friction(bearing, grid, k, i, film, x, y, weight, flux, False, 0.0, 0.0, void[k, i, m], totals)
+    totals[k, OUTFLOW] += weight * flux
+
+
+@inlined
+def add_friction(bearing, grid, k, i, film, x, y, weight, flux, full, p_here, p_behind, void, totals):
+    """Shear of one interval of one column: Couette part with the liquid fraction, and +- (h/2) dp/dtheta.
+
+    In a full interval dp/dtheta = 12 (h/2 - q)/h^3 integrates exactly to 3 J_1 - 6 q J_2.
+    """
+    half = 0.5 * grid.step[k, i]
+    ha = grid.gap_a[k, i] - x * grid.cos_a[k, i] - y * grid.sin_a[k, i]
+    hb = grid.gap_b[k, i] - x * grid.cos_b[k, i] - y * grid.sin_b[k, i]
+    j1 = half * (1.0 / ha + 1.0 / hb)
+    j2 = half * (1.0 / (ha * ha) + 1.0 / (hb * hb))
+    couette = bearing.speed * j1 * (1.0 - void)
+    if full and (p_here > 0.0 or p_behind > 0.0):
+        slope = 3.0 * bearing.speed * j1 - 6.0 * flux * j2
+    else:
+        slope = 0.25 * (ha + hb) * (p_behind - p_here)
+    totals[k, JOURNAL_TORQUE] += weight * (couette + slope)
+    totals[k, BEARING_TORQUE] += weight * (couette - slope)

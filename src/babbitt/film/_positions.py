@@ -1,0 +1,76 @@
+"""Kernels: the film at a prescribed position, and equilibrium of a round bore whose film starts at the widest gap."""
+
+from __future__ import annotations
+
+import math
+
+
+from babbitt.film._equilibrium import CONVERGED, NO_FILM, TOO_MANY_STEPS, evaluate
+from babbitt.film._grids import graded_lines, new_film, new_grid, new_lines, smallest_gap, uniform_lines
+from babbitt.film._structs import compiled
+
+
+@compiled
+def find_wet_set(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, max_steps, result):
+    """Repeat the film at one position until no node changes; returns the number of solutions, or -1."""
+    for step in range(1, max_steps + 1):
+        if evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, False, result) == 0:
+            return step
+    return -1
+
+
+@compiled
+def film_at(axial, bearing, n_coarse, n_fine, x, y, x_rate, y_rate, max_steps, result):
+    """Film at a position and velocity on graded lines: returns status, steps, smallest gap, grid; fills ``result``."""
+    m, count = len(axial.size), bearing.lands.shape[0]
+    n = n_coarse
+    grid = new_grid(count, n, m)
+    uniform_lines(bearing, grid)
+    gap = smallest_gap(grid, x, y)
+    total = 0
+    finer = grid
+    while gap > 0.0:
+        film, lines = new_film(n), new_lines(n, m)
+        finer = new_grid(count, n, m)
+        graded_lines(bearing, grid, x, y, finer)
+        gap = smallest_gap(finer, x, y)
+        if not gap > 0.0:
+            break
+        steps = find_wet_set(axial, bearing, finer, film, lines, x, y, x_rate, y_rate, max_steps, result)
+        if steps < 0:
+            return TOO_MANY_STEPS, total + max_steps, gap, finer
+        total += steps
+        if n == n_fine:
+            if bearing.smooth:
+                evaluate(axial, bearing, finer, film, lines, x, y, x_rate, y_rate, True, result)
+            return CONVERGED, total, gap, finer
+        grid = finer
+        n = min(4 * n, n_fine)
+    return NO_FILM, total, gap, finer
+
+
+@compiled
+def find_depth(axial, bearing, n_coarse, n_fine, load, tolerance, max_steps, result):
+    """Eccentricity ratio at which a round bore, its film starting at the widest gap, carries ``load``.
+
+    The journal stands on +x, the land runs from -pi to pi. Newton on ln |F| against logit(eps), nearly straight at
+    both ends; the derivative is the first column of K. Returns eps, status, steps, smallest gap, grid.
+    """
+    logit, total = 0.0, 0
+    for n in (n_coarse, n_fine):
+        bar = 1e-3 if n != n_fine else tolerance
+        for _ in range(max_steps):
+            eps = 1.0 / (1.0 + math.exp(-logit))
+            status, steps, gap, grid = film_at(axial, bearing, n_coarse, n, eps, 0.0, 0.0, 0.0, 200, result)
+            total += steps
+            if status != CONVERGED:
+                return eps, status, total, gap, grid
+            force = math.hypot(result[0], result[1])
+            if abs(force - load) <= bar * load:
+                break
+            slope = -(result[0] * result[2] + result[1] * result[4]) / force  # d|F|/d eps
+            change = math.log(load / force) * force / (slope * eps * (1.0 - eps))
+            logit += min(max(change, -2.0), 2.0)
+        else:
+            return eps, TOO_MANY_STEPS, total, gap, grid
+    return eps, CONVERGED, total, gap, grid

@@ -1,0 +1,160 @@
+"""Equilibrium of films that differ across the width (``ring``): pockets, holes, tilt, axial viscosity, closed rings."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.film._equilibrium import CONVERGED, NO_FILM, TOO_MANY_STEPS, damped_step
+from babbitt.film._surface import SurfaceFilm, SurfaceWork, new_surface_film, new_surface_work, smallest_surface_gap
+from babbitt.film._surface_forces import evaluate_surface
+from babbitt.film.model import JournalFilm, Resolution
+from babbitt.film.ring import Ring, bore_gap, build_ring
+
+__all__ = ["SettledRing", "rest_ring", "ring_at"]
+
+Array = NDArray[np.float64]
+ZERO = np.zeros(2)
+MODERATE_LOAD = 6.0
+
+
+@dataclass(eq=False)
+class Sample:
+    """A ring with its workspace and the last result."""
+
+    ring: Ring
+    film: SurfaceFilm
+    work: SurfaceWork
+    force: Array
+    stiffness: Array
+    damping: Array
+
+    @classmethod
+    def of(cls, ring: Ring) -> Sample:
+        """Workspace with all nodes wet."""
+        two = np.zeros((2, 2))
+        return cls(ring, new_surface_film(ring.surface), new_surface_work(ring.surface), np.zeros(2), two, two.copy())
+
+    def evaluate(self, at: Array, rate: Array = ZERO, smooth: bool = False) -> int:
+        """Force, stiffness and damping at a position; number of nodes that changed sides."""
+        return int(
+            evaluate_surface(
+                self.ring.surface, self.film, self.work, at, rate, smooth, self.force, self.stiffness, self.damping
+            )
+        )
+
+    def gap(self, at: Array) -> float:
+        """Smallest gap."""
+        return float(smallest_surface_gap(self.ring.surface, at))
+
+    def start_from(self, coarse: Sample) -> None:
+        """Take over the wet set of a coarser sample on the same axial mesh: wet if a line beside it is."""
+        lines = self.work.wet.shape[0]
+        old = coarse.ring.theta
+        rows = coarse.work.wet.shape[0]
+        behind = np.clip(np.searchsorted(old, self.ring.theta[:lines] - 1e-12), 1, old.size - 1)
+        self.work.wet[:] = coarse.work.wet[(behind - 1) % rows] | coarse.work.wet[behind % rows]
+
+
+@dataclass(frozen=True, eq=False)
+class SettledRing:
+    """What an equilibrium search on rings returns."""
+
+    sample: Sample
+    position: Array
+    status: int
+    steps: int
+    gap: float
+
+
+def line_density(film: JournalFilm, at: Array, gap: float) -> Array:
+    """Density of lines h^-a over the turn, a rising with depth."""
+    angle = np.linspace(0.0, 2.0 * math.pi, 180, endpoint=False)
+    tilt = np.abs(np.asarray(film.misalignment)) * (0.5 * film.width / film.clearance)
+    thickness = bore_gap(film, angle) - at[0] * np.cos(angle) - at[1] * np.sin(angle) - math.hypot(*tilt)
+    depth = min(max(1.0 - gap, 0.0), 1.0)
+    return np.asarray(np.maximum(thickness, max(gap, 1e-6)) ** (-0.8 * depth**4))
+
+
+def rest(sample: Sample, load: Array, at: Array, tolerance: float, max_steps: int) -> tuple[Array, int, int, float]:
+    """Move the journal until the film on this ring carries the load (the steps of ``_equilibrium.settle``)."""
+    size_of_load = math.hypot(*load)
+    floor = tolerance * size_of_load + 1e-13
+    step_time, last_size, calm = 0.0, 0.0, 0
+    gap = sample.gap(at)
+    if not gap > 0.0:
+        return at, NO_FILM, 0, gap
+    for step in range(1, max_steps + 1):
+        changed = sample.evaluate(at)
+        residual = sample.force + load
+        size = math.hypot(*residual)
+        if not math.isfinite(size):
+            return at, NO_FILM, step, gap
+        if size <= floor:
+            calm += 1
+            if changed == 0 or calm > 4:
+                return at, CONVERGED, step, gap
+        flat = np.concatenate((sample.force, sample.stiffness.ravel(), sample.damping.ravel()))
+        dx, dy, step_time = damped_step(
+            flat, residual[0], residual[1], size, last_size, size_of_load, gap, step_time
+        )
+        move, last_size = np.array([dx, dy]), size
+        new_gap, halvings = sample.gap(at + move), 0
+        while not new_gap > 0.25 * gap and halvings < 60:
+            move, halvings = 0.5 * move, halvings + 1
+            new_gap = sample.gap(at + move)
+        at, gap = at + move, new_gap
+    return at, TOO_MANY_STEPS, max_steps, gap
+
+
+def rest_ring(film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int) -> SettledRing:
+    """Equilibrium under a dimensionless load: coarse rings first, heavier loads step by step, then the fine ring."""
+    per_turn = resolution.ring_intervals
+    size = math.hypot(*load)
+    share = min(1.0, MODERATE_LOAD / max(size, 1e-300))
+    at, density, total, last_gap = np.zeros(2), None, 0, math.inf
+    coarse = None
+    for _ in range(40):
+        sample = Sample.of(build_ring(film, unit, per_turn // 4, resolution.axial_unknowns, density))
+        if coarse is not None:
+            sample.start_from(coarse)
+        coarse = sample
+        at, status, steps, gap = rest(sample, share * load, at, 1e-2, max_steps)
+        total += steps
+        if status == NO_FILM:
+            return SettledRing(sample, at, status, total, gap)
+        density = line_density(film, at, gap)
+        if share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap):
+            break
+        last_gap, share = gap, min(1.0, 4.0 * share)
+    fine = Sample.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density))
+    fine.start_from(coarse)
+    at, status, steps, gap = rest(fine, load, at, resolution.tolerance, max_steps)
+    if status == CONVERGED:
+        fine.evaluate(at, smooth=True)
+    return SettledRing(fine, at, status, total + steps, gap)
+
+
+def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: Resolution) -> SettledRing:
+    """Film at a position and velocity."""
+    total, coarse, density = 0, None, None
+    for per_turn in (resolution.ring_intervals // 4, resolution.ring_intervals):
+        sample = Sample.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density))
+        gap = sample.gap(at)
+        if not gap > 0.0:
+            return SettledRing(sample, at, NO_FILM, total, gap)
+        if coarse is not None:
+            sample.start_from(coarse)
+        density = line_density(film, at, gap)
+        for _ in range(200):
+            total += 1
+            if sample.evaluate(at, rate) == 0:
+                break
+        else:
+            return SettledRing(sample, at, TOO_MANY_STEPS, total, gap)
+        coarse = sample
+    sample.evaluate(at, rate, smooth=True)
+    return SettledRing(sample, at, CONVERGED, total, gap)

@@ -1,0 +1,258 @@
+"""What the film sees: lands between grooves, the oil, the speed, and where and how the film begins and ends."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from enum import Enum
+
+from babbitt.notices import InputError
+
+__all__ = ["Cavitation", "FilmStart", "JournalFilm", "Land", "Pocket", "Resolution", "grooved_bore"]
+
+
+class Cavitation(Enum):
+    """What the film does where it cannot hold pressure."""
+
+    MASS_CONSERVING = "Jakobsson-Floberg-Olsson: the film breaks up and the streamers conserve the oil"
+    REYNOLDS = "Swift-Stieber: pressure and its gradient vanish where the film ends, oil is not accounted for behind"
+
+
+class FilmStart(Enum):
+    """Where the film of a land begins."""
+
+    GROOVE = "at the groove edge the land starts from, flooded at the supply pressure"
+    PERIODIC = "nowhere: one land closes the ring and the film follows itself (pockets and holes feed it)"
+    WIDEST_GAP = "at the widest gap of an ungrooved round bore, at ambient pressure (Raimondi-Boyd, Butenschoen)"
+
+
+@dataclass(frozen=True)
+class Resolution:
+    """Grid of the film: unknowns across half the width and intervals along each land.
+
+    Attributes
+    ----------
+    axial_unknowns : int
+        Nodes of the even polynomial, 1 to 12.
+    intervals : int
+        Intervals per land, graded where the film is thin.
+    coarse_intervals : int
+        Intervals of the first search.
+    tolerance : float
+        Residual force over load at which the journal rests.
+    """
+
+    axial_unknowns: int = 4
+    intervals: int = 96
+    coarse_intervals: int = 24
+    tolerance: float = 1e-6
+
+    @property
+    def ring_intervals(self) -> int:
+        """Intervals around the bearing for films that differ across the width."""
+        return 2 * self.intervals
+
+
+DRAFT = Resolution(4, 48)
+ENGINEERING = Resolution(4, 96)
+REFERENCE = Resolution(8, 384, 48, 1e-9)
+
+
+@dataclass(frozen=True)
+class Land:
+    """Part of the bore between two groove edges.
+
+    Attributes
+    ----------
+    start_angle, end_angle : float
+        rad, counter-clockwise from +x, end above start, at most one turn apart.
+    clearance : float or None
+        Radius of the land's bore less that of the journal, m. None: the clearance of the bearing.
+    centre : tuple of float
+        Centre of the land's bore, m (lobes, offset halves).
+    start_pressure, end_pressure : float
+        Gauge pressures of the grooves at either edge, Pa.
+    profile : tuple of float
+        Departure of the bore from its circle, m, outward positive, at equally spaced angles from edge to edge (wear,
+        measured form). Empty: none.
+    """
+
+    start_angle: float
+    end_angle: float
+    clearance: float | None = None
+    centre: tuple[float, float] = (0.0, 0.0)
+    start_pressure: float = 0.0
+    end_pressure: float = 0.0
+    profile: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True)
+class Pocket:
+    """A rectangular supply of part width, held at its pressure; a hole is a square of the same area.
+
+    Attributes
+    ----------
+    centre_angle, extent : float
+        rad.
+    axial_centre, axial_length : float
+        m, from the mid-plane.
+    pressure : float
+        Gauge, Pa.
+    """
+
+    centre_angle: float
+    extent: float
+    axial_length: float
+    axial_centre: float = 0.0
+    pressure: float = 0.0
+
+    @classmethod
+    def hole(
+        cls, angle: float, diameter: float, bore: float, axial_centre: float = 0.0, pressure: float = 0.0
+    ) -> Pocket:
+        """A round hole of ``diameter`` in a bearing of diameter ``bore``, both m."""
+        side = 0.5 * math.sqrt(math.pi) * diameter
+        return cls(angle, 2.0 * side / bore, side, axial_centre, pressure)
+
+
+@dataclass(frozen=True)
+class JournalFilm:
+    """A journal bearing with an isoviscous film.
+
+    Attributes
+    ----------
+    diameter, width, clearance : float
+        m; ``clearance`` is radial, of the assembled bearing.
+    viscosity : float
+        Pa s.
+    angular_speed : float
+        rad/s, positive counter-clockwise. Zero: the film is squeezed only.
+    lands : tuple of Land
+        In any order, not overlapping.
+    cavitation : Cavitation
+    film_start : FilmStart
+    cavitation_pressure : float
+        Gauge pressure at which the film breaks, Pa; zero or below.
+    pockets : tuple of Pocket
+        Supplies of part width.
+    misalignment : tuple of float
+        Slopes dx/dz and dy/dz of the journal axis against the bore, rad.
+    axial_viscosity : tuple of float
+        Viscosity over ``viscosity`` at equally spaced places from one side to the other. Empty: uniform.
+    """
+
+    diameter: float
+    width: float
+    clearance: float
+    viscosity: float
+    angular_speed: float
+    lands: tuple[Land, ...]
+    cavitation: Cavitation = Cavitation.MASS_CONSERVING
+    film_start: FilmStart = FilmStart.GROOVE
+    cavitation_pressure: float = 0.0
+    pockets: tuple[Pocket, ...] = ()
+    misalignment: tuple[float, float] = (0.0, 0.0)
+    axial_viscosity: tuple[float, ...] = ()
+
+    @property
+    def differs_across_width(self) -> bool:
+        """Whether the lines of the film need a gap, a viscosity or a supply of their own across the width."""
+        return bool(
+            self.pockets
+            or self.misalignment != (0.0, 0.0)
+            or self.axial_viscosity
+            or self.film_start is FilmStart.PERIODIC
+        )
+
+    def __post_init__(self) -> None:
+        for name in ("diameter", "width", "clearance", "viscosity"):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and value > 0.0):
+                raise InputError("E101", f"{name} is {value}; it must be a positive number (SI units).")
+        if not math.isfinite(self.angular_speed):
+            raise InputError("E101", f"angular_speed is {self.angular_speed}; it must be a finite number in rad/s.")
+        if self.cavitation_pressure > 0.0:
+            raise InputError(
+                "E101", f"cavitation_pressure is {self.cavitation_pressure} Pa; it must be zero or below (gauge)."
+            )
+        check_lands(self.lands, self.cavitation_pressure)
+        if self.film_start is FilmStart.WIDEST_GAP:
+            check_round(self)
+        check_pockets(self)
+
+
+def check_lands(lands: tuple[Land, ...], cavitation_pressure: float) -> None:
+    """Refuse lands that are empty, overlap, do not close, or are supplied below the cavitation pressure."""
+    if not lands:
+        raise InputError("E101", "lands is empty; a film needs at least one land.")
+    turn = 2.0 * math.pi
+    for land in lands:
+        extent = land.end_angle - land.start_angle
+        if not 0.0 < extent <= turn * (1.0 + 1e-12):
+            raise InputError("E101", f"a land runs from {land.start_angle} to {land.end_angle} rad; "
+                             "its end must lie above its start by at most one turn.")  # fmt: skip
+        for pressure in (land.start_pressure, land.end_pressure):
+            if not pressure >= cavitation_pressure:
+                raise InputError("E101", f"a groove has {pressure} Pa, less than the cavitation pressure "
+                                 f"{cavitation_pressure} Pa; raise the supply pressure.")  # fmt: skip
+    ordered = sorted(lands, key=lambda land: land.start_angle % turn)
+    for land, following in zip(ordered, [*ordered[1:], ordered[0]], strict=True):
+        distance = (following.start_angle - land.start_angle) % turn or turn
+        if land.end_angle - land.start_angle > distance * (1.0 + 1e-12) + 1e-12:
+            raise InputError("E101", f"the land that starts at {land.start_angle} rad overlaps the one that starts at "
+                             f"{following.start_angle} rad.")  # fmt: skip
+
+
+def check_round(film: JournalFilm) -> None:
+    """Refuse bores without a single widest gap."""
+    land = film.lands[0]
+    whole = abs(land.end_angle - land.start_angle - 2.0 * math.pi) < 1e-9
+    if len(film.lands) > 1 or not whole or land.profile or land.centre != (0.0, 0.0):
+        raise InputError("E101", "film_start is the widest gap; that needs one round land of 360 degrees.")
+
+
+def check_pockets(film: JournalFilm) -> None:
+    """Refuse pockets outside the bearing or below cavitation pressure, and rings that nothing feeds."""
+    for pocket in film.pockets:
+        if not (pocket.extent > 0.0 and pocket.axial_length > 0.0):
+            raise InputError("E101", "a pocket has no size; extent and axial_length must be positive.")
+        if abs(pocket.axial_centre) + 0.5 * pocket.axial_length > 0.5 * film.width * (1.0 + 1e-12):
+            raise InputError("E101", f"the pocket at {pocket.centre_angle} rad reaches beyond the width of the bearing.")
+        if pocket.pressure < film.cavitation_pressure:
+            raise InputError("E101", f"a pocket has {pocket.pressure} Pa, less than the cavitation pressure.")
+    if film.film_start is FilmStart.PERIODIC:
+        if len(film.lands) > 1:
+            raise InputError("E101", "film_start is periodic; that needs one land of 360 degrees.")
+        if film.cavitation is Cavitation.MASS_CONSERVING and not film.pockets:
+            raise InputError("E101", "nothing feeds this closed ring: a mass-conserving film would run dry. Give pockets "
+                             "or holes, or choose Cavitation.REYNOLDS.")  # fmt: skip
+
+
+def grooved_bore(groove_angles: tuple[float, ...], groove_extent: float, pressure: float = 0.0) -> tuple[Land, ...]:
+    """Lands of a round bore with equal axial grooves as wide as the bearing.
+
+    Parameters
+    ----------
+    groove_angles : tuple of float
+        Middles of the grooves, rad, ascending, within one turn.
+    groove_extent : float
+        Angle that each groove takes, rad; zero is a line of supply.
+    pressure : float
+        Gauge supply pressure of all grooves, Pa.
+
+    Returns
+    -------
+    tuple of Land
+
+    Examples
+    --------
+    >>> import math
+    >>> [round(math.degrees(land.end_angle - land.start_angle)) for land in grooved_bore((0.0, math.pi), 0.35)]
+    [160, 160]
+    """
+    ends = (*groove_angles[1:], groove_angles[0] + 2.0 * math.pi)
+    half = 0.5 * groove_extent
+    return tuple(
+        Land(start + half, end - half, start_pressure=pressure, end_pressure=pressure)
+        for start, end in zip(groove_angles, ends, strict=True)
+    )

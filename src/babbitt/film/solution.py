@@ -1,0 +1,107 @@
+"""What the film answers, in SI."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.film.model import JournalFilm
+from babbitt.results import Outcome
+
+__all__ = ["FilmSolution"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class FilmSolution:
+    """A journal film at rest in its equilibrium, or at a prescribed position.
+
+    Attributes
+    ----------
+    film : JournalFilm
+    outcome : Outcome
+        Read this first; the values of an unsolved film are where the search ended.
+    position : ndarray, shape (2,)
+        Journal centre from the bearing centre, m.
+    force : ndarray, shape (2,)
+        Of film and grooves on the journal, N.
+    stiffness, damping : ndarray, shape (2, 2)
+        dF = -(K dx + C dx'), N/m and N s/m; the void is transported, not stored (quasi-static).
+    angles : ndarray, shape (lands, n + 1)
+        Lines of the film, rad, in the sense of rotation.
+    axial_positions : ndarray, shape (m + 1,)
+        From the mid-plane to the side edge, m.
+    pressure : ndarray, shape (lands, n + 1, m + 1)
+        Gauge, Pa.
+    void : ndarray, same shape
+        1 - liquid fraction.
+    supply_flow, outflow, side_flow : ndarray, shape (lands,)
+        What enters each land from its first groove, what it hands to its second, what leaves by both sides, m3/s.
+    friction_torque, bearing_torque : float
+        On the journal and on the bearing, N m, against and with the rotation.
+    mass_balance_error : float
+        Over the supply flow. Under the Reynolds condition the film itself does not conserve oil.
+    iterations : int
+    wall_time : float
+        s.
+    """
+
+    film: JournalFilm
+    outcome: Outcome
+    position: Array
+    force: Array
+    stiffness: Array
+    damping: Array
+    minimum_film_thickness: float
+    angles: Array
+    axial_positions: Array
+    pressure: Array
+    void: Array
+    supply_flow: Array
+    outflow: Array
+    side_flow: Array
+    friction_torque: float
+    bearing_torque: float
+    mass_balance_error: float
+    iterations: int
+    wall_time: float
+
+    @property
+    def eccentricity_ratio(self) -> float:
+        """Eccentricity over radial clearance of the assembled bearing."""
+        return math.hypot(*self.position) / self.film.clearance
+
+    @property
+    def attitude_angle(self) -> float:
+        """From the load to the line of centres in the sense of rotation, rad, within (-pi, pi]."""
+        load_angle = math.atan2(-self.force[1], -self.force[0])
+        turn = math.atan2(self.position[1], self.position[0]) - load_angle
+        if self.film.angular_speed < 0.0:
+            turn = -turn
+        return math.pi - (math.pi - turn) % (2.0 * math.pi)
+
+    @property
+    def load(self) -> float:
+        """Force of the film, N."""
+        return math.hypot(*self.force)
+
+    @property
+    def sommerfeld_number(self) -> float:
+        """So = F psi^2 / (B D eta omega), psi = 2 c / D (ISO 7902)."""
+        film = self.film
+        psi = 2.0 * film.clearance / film.diameter
+        return self.load * psi**2 / (film.width * film.diameter * film.viscosity * abs(film.angular_speed))
+
+    @property
+    def maximum_pressure(self) -> float:
+        """Highest gauge pressure on the lines, Pa."""
+        return float(self.pressure.max())
+
+    @property
+    def friction_power(self) -> float:
+        """W, on the journal."""
+        return self.friction_torque * abs(self.film.angular_speed)

@@ -1,0 +1,31 @@
+"""Numbers that other programs wrote."""
+
+from __future__ import annotations
+
+from babbitt.notices import InputError
+
+
+def number(where: str, text: object) -> float:
+    """A number from a cell of a table.
+
+    Parameters
+    ----------
+    where : str
+        Which cell, for the message.
+    text : object
+        The cell: text or already a number. Fortran's exponent letter D is understood.
+
+    Raises
+    ------
+    InputError
+        E003 when it is not a number; a decimal comma is named as such.
+
+    >>> number("cell", " 1.5D+03"), number("cell", 2)
+    (1500.0, 2.0)
+    """
+    written = str(text).strip()
+    try:
+        return float(written.replace("D", "E").replace("d", "e"))
+    except ValueError:
+        hint = "; write the decimals with a point" if "," in written else ""
+        raise InputError("E003", f"{where}: '{written}' is not a number{hint}") from None

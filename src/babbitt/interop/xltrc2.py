@@ -1,0 +1,195 @@
+"""Tables as XLTRC2 keeps its bearings: a row of names, a row of units, one row for each speed.
+
+Programs for rotor dynamics read or paste this layout: ``Speed, Kxx, Kxy, Kyx, Kyy, Cxx, Cxy, Cyx, Cyy`` and added
+masses, speed in rpm, and the units row decides between N/m and lb/in. Axes x right, y up, rotation from x towards
+y. The layout has no place for the frame: in CSV it stands in lines above the names, in a workbook on a second sheet,
+because readers look for "rpm" and "lb" anywhere on the first.
+"""
+
+from __future__ import annotations
+
+import csv
+import importlib
+import io
+import math
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from babbitt.interop.coefficients import NAMES, Array, CoefficientTable
+from babbitt.interop.files import read_text, write_text
+from babbitt.interop.frame import Frame, declaration, declared, settled
+from babbitt.interop.frames import for_rotor_programs
+from babbitt.interop.numbers import number
+from babbitt.notices import InputError
+
+Cell = str | float | None
+
+RPM = math.pi / 30.0
+POUND_PER_INCH = 175.126836986
+"""N/m: 0.45359237 kg at 9.80665 m/s2 over 0.0254 m."""
+
+_UNITS = {"k": "N/m", "c": "N-s/m", "m": "kg"}
+
+
+def write_xltrc2(table: CoefficientTable, path: str | Path) -> None:
+    """Write a table in SI units and rpm.
+
+    Parameters
+    ----------
+    table : CoefficientTable
+        Counter-clockwise; axes that are not x right, y up are turned back.
+    path : str or Path
+        ``.csv``, or ``.xlsx`` where the package openpyxl is installed.
+
+    Raises
+    ------
+    InputError
+        E003 for another suffix or a clockwise table, E007 when the file cannot be written or openpyxl is missing.
+    """
+    path = Path(path)
+    table = for_rotor_programs(table)
+    notes = [["Bearing", table.name], ["Frame", declaration(table.frame)], ["Method", table.method]]
+    if path.suffix.lower() == ".csv":
+        stream = io.StringIO()
+        csv.writer(stream, lineterminator="\n").writerows([*notes, *_grid(table)])
+        write_text(path, stream.getvalue())
+    elif path.suffix.lower() == ".xlsx":
+        _write_workbook(path, _grid(table), notes)
+    else:
+        raise InputError("E003", f"{path}: an XLTRC2-style table is written to .csv or .xlsx")
+
+
+def read_xltrc2(path: str | Path, *, name: str | None = None, frame: Frame | None = None) -> CoefficientTable:
+    """Read a table of this layout, in SI or in US units.
+
+    Parameters
+    ----------
+    path : str or Path
+        ``.csv``, or ``.xlsx`` where the package openpyxl is installed.
+    name : str, optional
+        Of the bearing; the name in the file, or else of the file.
+    frame : Frame, optional
+        Where the file does not declare it.
+
+    Returns
+    -------
+    CoefficientTable
+
+    Raises
+    ------
+    InputError
+        E001 for an unreadable file; E003 without a row of names and a row of units, for a cell that is no number, or
+        when nobody says what the frame is.
+    """
+    path = Path(path)
+    rows, notes = _read_workbook(path) if path.suffix.lower() == ".xlsx" else (_read_csv(path), [])
+    head = next((i for i, row in enumerate(rows) if "kxx" in _lower(row)), None)
+    if head is None or head + 1 >= len(rows):
+        raise InputError("E003", f"{path}: no row of names with 'Kxx' and a row of units below it")
+    titles, units = _lower(rows[head]), _lower(rows[head + 1])
+    said = {
+        str(row[0]).strip().lower(): str(row[1] or "") for row in [*rows[:head], *notes] if len(row) > 1 and row[0]
+    }
+    data = _data(str(path), rows[head + 2 :], titles)
+    per_rpm, per_length = _scales(str(path), titles, units)
+
+    def matrix(letter: str, scale: float) -> Array:
+        return np.array([data[letter + entry] for entry in NAMES]).T.reshape(-1, 2, 2) * scale
+
+    return CoefficientTable(
+        name=name or said.get("bearing") or path.stem,
+        speeds=np.array(data["speed"]) * per_rpm,
+        stiffness=matrix("k", per_length),
+        damping=matrix("c", per_length),
+        mass=matrix("m", per_length) if all("m" + entry in data for entry in NAMES) else None,
+        frame=settled(str(path), declared(said.get("frame", "")), frame),
+        method=said.get("method", ""),
+    )
+
+
+def _grid(table: CoefficientTable) -> list[list[Cell]]:
+    """Names, units and rows."""
+    matrices = {"k": table.stiffness, "c": table.damping, "m": table.mass}
+    present = {letter: values for letter, values in matrices.items() if values is not None}
+    titles = ["Speed", *(letter.upper() + entry for letter in present for entry in NAMES)]
+    units = ["rpm", *(_UNITS[letter] for letter in present for _ in NAMES)]
+    columns = [
+        table.speeds / RPM,
+        *(values[:, i, j] for values in present.values() for i in (0, 1) for j in (0, 1)),
+    ]
+    return [[*titles], [*units], *([float(value) for value in row] for row in zip(*columns, strict=True))]
+
+
+def _lower(row: Sequence[Cell]) -> list[str]:
+    return [str(cell or "").strip().lower() for cell in row]
+
+
+def _data(where: str, rows: Iterable[Sequence[Cell]], titles: list[str]) -> dict[str, list[float]]:
+    """Columns of numbers down to the first row that does not begin with one."""
+    needed = ["speed", *("k" + entry for entry in NAMES), *("c" + entry for entry in NAMES)]
+    if missing := [title for title in needed if title not in titles]:
+        raise InputError("E003", f"{where}: no column {', '.join(missing)}")
+    wanted = {title: i for i, title in enumerate(titles) if title in needed or title in {"m" + e for e in NAMES}}
+    data: dict[str, list[float]] = {title: [] for title in wanted}
+    for row in rows:
+        first = row[wanted["speed"]] if len(row) > wanted["speed"] else None
+        if first is None or not str(first).strip():
+            break
+        for title, i in wanted.items():
+            data[title].append(number(f"{where}: {title}", row[i] if i < len(row) else ""))
+    return data
+
+
+def _scales(where: str, titles: list[str], units: list[str]) -> tuple[float, float]:
+    """What turns speed into rad/s and coefficients into SI, from the units row."""
+    by_title = dict(zip(titles, units, strict=False))
+    speed, stiffness = by_title["speed"], by_title["kxx"]
+    if speed not in ("rpm", "rad/s"):
+        raise InputError(
+            "E003", f"{where}: the unit of speed is '{speed}'; the row below the names must say rpm or rad/s"
+        )
+    scales = {"n/m": 1.0, "lb/in": POUND_PER_INCH, "lbf/in": POUND_PER_INCH}
+    if stiffness not in scales:
+        raise InputError("E003", f"{where}: the unit of Kxx is '{stiffness}'; allowed: N/m, lb/in")
+    return (RPM if speed == "rpm" else 1.0), scales[stiffness]
+
+
+def _read_csv(path: Path) -> list[list[Cell]]:
+    return [list(row) for row in csv.reader(io.StringIO(read_text(path)))]
+
+
+def _openpyxl(path: Path) -> Any:
+    try:
+        return importlib.import_module("openpyxl")
+    except ImportError:
+        raise InputError(
+            "E007", f"{path}: workbooks need the package openpyxl (pip install openpyxl); .csv needs nothing"
+        ) from None
+
+
+def _write_workbook(path: Path, grid: list[list[Cell]], notes: list[list[str]]) -> None:
+    book = _openpyxl(path).Workbook()
+    book.active.title = "Coefficients"
+    for row in grid:
+        book.active.append(row)
+    sheet = book.create_sheet("Frame")
+    for row in notes:
+        sheet.append(row)
+    try:
+        book.save(path)
+    except OSError as error:
+        raise InputError("E007", f"{path}: cannot be written ({error.strerror})") from None
+
+
+def _read_workbook(path: Path) -> tuple[list[list[Cell]], list[list[Cell]]]:
+    library = _openpyxl(path)
+    try:
+        book = library.load_workbook(path, read_only=True, data_only=True)
+    except Exception as error:  # openpyxl, zipfile and the XML parser each raise their own
+        raise InputError("E001", f"{path}: is not a workbook that can be read ({error})") from None
+    sheets = [[list(row) for row in sheet.iter_rows(values_only=True)] for sheet in book.worksheets]
+    book.close()
+    return sheets[0], [row for sheet in sheets[1:] for row in sheet]
