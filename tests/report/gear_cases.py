@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from babbitt.lubricants import OilProperties, lubricant, lubricant_from_points
 from babbitt.materials import bearing_metal
-from babbitt.standards.iso7902.losses import Duct
+from babbitt.design.ducts import Duct
 from babbitt.standards.iso7902.model import (
     Bearing,
     DesignCase,

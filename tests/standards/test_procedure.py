@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from babbitt.lubricants import ConstantViscosity, OilProperties, lubricant_from_law
 from babbitt.materials import LoadCharacter, bearing_metal
 from babbitt.results import Outcome
-from babbitt.standards.iso7902.losses import Duct
+from babbitt.design.ducts import Duct
 from babbitt.standards.iso7902.model import (
     Bearing,
     Curves,

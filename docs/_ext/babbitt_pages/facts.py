@@ -8,7 +8,7 @@ from babbitt.characteristics import SPANS_DEGREES, table
 from babbitt.lubricants import catalogue
 from babbitt.materials import bearing_metals, structural_materials
 from babbitt.notices import EXPLANATIONS
-from babbitt.standards.iso7902 import heat_balance
+from babbitt.design import heat_balance
 
 
 def facts() -> dict[str, str]:

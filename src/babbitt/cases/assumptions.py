@@ -12,7 +12,7 @@ from babbitt.cases.operating_point import OperatingPoint
 from babbitt.cases.supply import Supply
 from babbitt.cases.supply_element import SlotElement, UnevenPockets
 from babbitt.cases.surfaces import DrawingSurfaces
-from babbitt.standards.iso7902.cooling import MOVING_AIR_FROM, STILL_AIR_COEFFICIENT
+from babbitt.design.cooling import MOVING_AIR_FROM, STILL_AIR_COEFFICIENT
 from babbitt.standards.iso7902.supply import equivalent_holes
 from babbitt.units import written
 

@@ -18,10 +18,10 @@ from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.shared import merged
 from babbitt.cases.supply import Supply
 from babbitt.cases.supply_element import UnevenPockets
+from babbitt.design.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coefficient
 from babbitt.lubricants import Lubricant
 from babbitt.materials import LoadCharacter, bearing_metal
 from babbitt.notices import Notice
-from babbitt.standards.iso7902.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coefficient
 from babbitt.standards.iso7902.model import (
     Bearing,
     Curves,

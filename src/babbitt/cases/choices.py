@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from babbitt.cases.part import Part
-from babbitt.standards.iso7902.model import Limits
+from babbitt.design.conditions import Limits
 from babbitt.units import si
 
 

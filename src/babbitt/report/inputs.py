@@ -6,12 +6,12 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from babbitt.design.ducts import Duct
 from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, PowerLaw, Vogel, Walther
 from babbitt.report.expression import Node, number_node, text
 from babbitt.report.labels import label
 from babbitt.report.line import VOCABULARY, symbol
 from babbitt.report.text import plain_text
-from babbitt.standards.iso7902.losses import Duct
 from babbitt.standards.iso7902.model import Curves, DesignCase, Friction, GivenEccentricity
 from babbitt.standards.iso7902.supply import (
     Arrangement,

@@ -5,22 +5,16 @@ Everything the heat balance needs is a function of the effective temperature; `f
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 from babbitt.characteristics import BearingCurves, ClosedFormCurves, curves
+from babbitt.design.conditions import GivenEccentricity, surface_speed
+from babbitt.design.heat_balance import FilmCollapseError, NoClearanceError
+from babbitt.design.values import hydrodynamic_speed
 from babbitt.fits import operating_relative_clearance
 from babbitt.standards.iso7902.friction import friction_number
-from babbitt.standards.iso7902.model import Curves, DesignCase, GivenEccentricity
+from babbitt.standards.iso7902.model import Curves, DesignCase
 from babbitt.standards.iso7902.supply_pressure import Feed, feed
-
-
-class NoClearanceError(Exception):
-    """The bearing grips the journal at this temperature."""
-
-
-class FilmCollapseError(Exception):
-    """The load asks for more than the film carries at the largest eccentricity of the characteristics."""
 
 
 @dataclass(frozen=True)
@@ -66,16 +60,6 @@ def load_scale(case: DesignCase, viscosity: float, relative_clearance: float) ->
     """Load at So = 1: ``B D η ω_h/ψ²`` in N, the definition of the Sommerfeld number of ISO 7902."""
     bearing = case.bearing
     return bearing.width * bearing.diameter * viscosity * hydrodynamic_speed(case) / relative_clearance**2
-
-
-def hydrodynamic_speed(case: DesignCase) -> float:
-    """Effective hydrodynamic speed ``ω_h = ω_J + ω_B`` in rad/s, whichever way it turns."""
-    return abs(case.journal_speed + case.bearing_speed)
-
-
-def surface_speed(case: DesignCase) -> float:
-    """Surface speed of the journal in m/s."""
-    return abs(case.journal_speed) * case.bearing.diameter / 2.0
 
 
 def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
@@ -134,23 +118,3 @@ def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
         side_flow=side_flow,
         feed=feed(case, eccentricity, psi, viscosity, side_flow),
     )
-
-
-def minimum_film_thickness(eccentricity_ratio: float, relative_clearance: float, diameter: float) -> float:
-    """``h_min = ψ D (1 - ε)/2`` in m."""
-    return relative_clearance * diameter * (1.0 - eccentricity_ratio) / 2.0
-
-
-def film_reynolds_number(film: Film, case: DesignCase) -> float:
-    """``Re = ρ U c/η`` with the radial clearance."""
-    radial_clearance = film.relative_clearance * case.bearing.diameter / 2.0
-    return film.density * surface_speed(case) * radial_clearance / film.viscosity
-
-
-def critical_reynolds_number(relative_clearance: float) -> float:
-    """Reynolds number up to which the film is laminar: ``41.3 sqrt(D/C)`` (Taylor, as in ISO 7902).
-
-    >>> round(critical_reynolds_number(1.4705e-3))
-    1077
-    """
-    return 41.3 / math.sqrt(relative_clearance)

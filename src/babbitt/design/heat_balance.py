@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Generic, Protocol, TypeVar
 
 from scipy.optimize import brentq
 
+from babbitt.design.conditions import Designed
 from babbitt.results import Outcome
-from babbitt.standards.iso7902.film import Film, FilmCollapseError, NoClearanceError
-from babbitt.standards.iso7902.model import DesignCase
 
 CEILING = 573.15
 """Temperature in K (300 °C) beyond which no lubricating oil is followed; an equilibrium above is a runaway."""
@@ -29,17 +29,53 @@ MOST_EVALUATIONS = 200
 """Bound on the evaluations of the film in one heat balance."""
 
 
+class NoClearanceError(Exception):
+    """The bearing grips the journal at this temperature."""
+
+
+class FilmCollapseError(Exception):
+    """The load asks for more than any film carries."""
+
+
+class FilmNotFoundError(Exception):
+    """The search for the film ended without an answer."""
+
+
+UNSOLVED = {
+    FilmCollapseError: Outcome.OVERLOADED,
+    NoClearanceError: Outcome.NO_CLEARANCE,
+    FilmNotFoundError: Outcome.NOT_CONVERGED,
+}
+"""What each failure of a film means for the bearing."""
+
+
+class WarmFilm(Protocol):
+    """What the heat balance needs to know of a film: temperature in K, J/(m3 K), m3/s, W."""
+
+    @property
+    def temperature(self) -> float: ...  # noqa: D102
+    @property
+    def volumetric_heat_capacity(self) -> float: ...  # noqa: D102
+    @property
+    def total_flow(self) -> float: ...  # noqa: D102
+    @property
+    def friction_power(self) -> float: ...  # noqa: D102
+
+
+FilmT = TypeVar("FilmT", bound=WarmFilm)
+
+
 @dataclass(frozen=True)
-class Equilibrium:
+class Equilibrium(Generic[FilmT]):
     """How the heat balance ended: the film there (the last one reached if unsolved) and the work it took."""
 
     outcome: Outcome
-    film: Film | None
+    film: FilmT | None
     evaluations: int
     last_temperature: float
 
 
-def heat_paths(film: Film, case: DesignCase) -> tuple[float, float]:
+def heat_paths(film: WarmFilm, case: Designed) -> tuple[float, float]:
     """Heat to the oil and to the surroundings in W, at the temperature of the film."""
     to_oil = to_surroundings = 0.0
     if case.oil_supply is not None:
@@ -52,7 +88,7 @@ def heat_paths(film: Film, case: DesignCase) -> tuple[float, float]:
     return to_oil, to_surroundings
 
 
-def balanced_temperature(film: Film, case: DesignCase) -> float:
+def balanced_temperature(film: WarmFilm, case: Designed) -> float:
     """Temperature in K at which heat paths as strong as now would carry the friction power of now."""
     strength = pull = 0.0
     if case.oil_supply is not None:
@@ -64,7 +100,7 @@ def balanced_temperature(film: Film, case: DesignCase) -> float:
     return (film.friction_power + pull) / strength
 
 
-def coolest_temperature(case: DesignCase) -> float:
+def coolest_temperature(case: Designed) -> float:
     """Temperature in K below which the film cannot settle: the coolest of inlet and ambient."""
     sinks = []
     if case.oil_supply is not None:
@@ -74,7 +110,7 @@ def coolest_temperature(case: DesignCase) -> float:
     return min(sinks)
 
 
-def find_equilibrium(case: DesignCase, film_at: Callable[[float], Film]) -> Equilibrium:
+def find_equilibrium(case: Designed, film_at: Callable[[float], FilmT]) -> Equilibrium[FilmT]:
     """Find the lowest temperature at which the heat balance closes; always ends with a status.
 
     The balanced temperature less the assumed one is positive in a cold film. The assumed temperature is raised
@@ -83,9 +119,10 @@ def find_equilibrium(case: DesignCase, film_at: Callable[[float], Film]) -> Equi
 
     Parameters
     ----------
-    case : DesignCase
+    case : Designed
+        Supply and cooling.
     film_at : callable
-        Film at a temperature in K; may raise `FilmCollapseError` or `NoClearanceError`.
+        Film at a temperature in K; may raise `FilmCollapseError`, `NoClearanceError` or `FilmNotFoundError`.
     """
     evaluations = 0
 
@@ -97,25 +134,36 @@ def find_equilibrium(case: DesignCase, film_at: Callable[[float], Film]) -> Equi
     low, step = coolest_temperature(case), FIRST_STEP
     try:
         excess(low)
-    except FilmCollapseError:
-        return Equilibrium(Outcome.OVERLOADED, None, evaluations, low)
-    except NoClearanceError:
-        return Equilibrium(Outcome.NO_CLEARANCE, None, evaluations, low)
+    except tuple(UNSOLVED) as failure:
+        return Equilibrium(UNSOLVED[type(failure)], None, evaluations, low)
     while True:
         high = min(low + step, CEILING)
         try:
             enclosed = excess(high) <= 0.0
-        except (FilmCollapseError, NoClearanceError) as failure:
+        except tuple(UNSOLVED) as failure:
             last = _last_film(excess, low, high)
             if excess(last) > 0.0:
-                ended = Outcome.OVERLOADED if isinstance(failure, FilmCollapseError) else Outcome.NO_CLEARANCE
-                return Equilibrium(ended, film_at(last), evaluations, last)
+                return Equilibrium(UNSOLVED[type(failure)], film_at(last), evaluations, last)
             high, enclosed = last, True
         if enclosed:
             break
         if high >= CEILING:
             return Equilibrium(Outcome.THERMAL_RUNAWAY, film_at(high), evaluations, high)
         low, step = high, 2.0 * step
+    try:
+        return _closed(excess, film_at, low, high, lambda: evaluations)
+    except FilmNotFoundError:
+        return Equilibrium(Outcome.NOT_CONVERGED, None, evaluations, low)
+
+
+def _closed(
+    excess: Callable[[float], float],
+    film_at: Callable[[float], FilmT],
+    low: float,
+    high: float,
+    count: Callable[[], int],
+) -> Equilibrium[FilmT]:
+    """Close in on the temperature between two."""
     root, report = brentq(
         excess,
         low,
@@ -127,17 +175,15 @@ def find_equilibrium(case: DesignCase, film_at: Callable[[float], Film]) -> Equi
         disp=False,
     )
     outcome = Outcome.CONVERGED if report.converged else Outcome.NOT_CONVERGED
-    return Equilibrium(outcome, film_at(root), evaluations, root)
+    return Equilibrium(outcome, film_at(root), count(), root)
 
 
-def at_prescribed_temperature(temperature: float, film_at: Callable[[float], Film]) -> Equilibrium:
+def at_prescribed_temperature(temperature: float, film_at: Callable[[float], FilmT]) -> Equilibrium[FilmT]:
     """Film at a temperature in K that is given instead of sought."""
     try:
         return Equilibrium(Outcome.CONVERGED, film_at(temperature), 1, temperature)
-    except FilmCollapseError:
-        return Equilibrium(Outcome.OVERLOADED, None, 1, temperature)
-    except NoClearanceError:
-        return Equilibrium(Outcome.NO_CLEARANCE, None, 1, temperature)
+    except tuple(UNSOLVED) as failure:
+        return Equilibrium(UNSOLVED[type(failure)], None, 1, temperature)
 
 
 def _last_film(excess: Callable[[float], float], good: float, bad: float) -> float:
@@ -148,7 +194,7 @@ def _last_film(excess: Callable[[float], float], good: float, bad: float) -> flo
             break
         try:
             excess(middle)
-        except (FilmCollapseError, NoClearanceError):
+        except tuple(UNSOLVED):
             bad = middle
         else:
             good = middle
