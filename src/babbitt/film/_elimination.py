@@ -50,19 +50,10 @@ def solve_land(axial, bearing, grid, k, film, lines, nodal_from):
     if broken < n:
         if full > 0:
             full_line_to_nodes(axial, lines, full)
-        for i in range(broken, n):
-            if lines.wet_count[i] > 0 or bearing.conserving:
-                sweep_broken_line(axial, bearing, grid, k, film, lines, i)
-            else:
-                lines.lower[i, :] = 0.0
-                lines.upper[i, :] = 0.0
-        for i in range(n - 1, max(full, 1) - 1, -1):
-            if lines.wet_count[i] > 0 or bearing.conserving:
-                back_substitute(lines, i, n, m)
-            else:
-                solution[i, :, :] = 0.0
+        sweep_broken_lines(axial, bearing, grid, k, film, lines, broken)
+        back_substitute(lines, max(full, 1), n, m, bearing.conserving)
         if full > 0:
-            rotate(axial.modes_transposed, solution, modal, full, m)
+            rotate(axial.modes_transposed, solution, modal, full, full, m)
     elif full > 0:
         for e in range(m):
             for r in range(3):
@@ -73,8 +64,7 @@ def solve_land(axial, bearing, grid, k, film, lines, nodal_from):
             pivot = lines.pivot[i, e]
             for r in range(3):
                 modal[i, r, e] = pivot * (lines.swept[i, r, e] + t * modal[i + 1, r, e])
-    for i in range(1, full + 1):
-        rotate(axial.modes, modal, solution, i, m)
+    rotate(axial.modes, modal, solution, 1, full, m)
     for j in range(m):
         solution[0, 0, j] = axial.root_weights[j] * bearing.lands[k, START_PRESSURE]
         solution[n, 0, j] = axial.root_weights[j] * bearing.lands[k, END_PRESSURE]
@@ -123,76 +113,82 @@ def full_line_to_nodes(axial, lines, i):
     for r in range(3):
         for e in range(m):
             lines.modal[i, r, e] = lines.swept[i, r, e]
-    rotate(axial.modes, lines.modal, lines.swept, i, m)
+    rotate(axial.modes, lines.modal, lines.swept, i, i, m)
 
 
 @inlined
-def rotate(matrix, vectors, result, i, m):
-    """Line i of ``result`` = matrix times line i of ``vectors``, for the pressure and both adjoints."""
-    for a in range(m):
-        r0, r1, r2 = 0.0, 0.0, 0.0
-        for b in range(m):
-            entry = matrix[a, b]
-            r0 += entry * vectors[i, 0, b]
-            r1 += entry * vectors[i, 1, b]
-            r2 += entry * vectors[i, 2, b]
-        result[i, 0, a], result[i, 1, a], result[i, 2, a] = r0, r1, r2
+def rotate(matrix, vectors, result, first, last, m):
+    """Lines first..last of ``result`` = matrix times those of ``vectors``, for the pressure and both adjoints."""
+    for i in range(first, last + 1):
+        for a in range(m):
+            r0, r1, r2 = 0.0, 0.0, 0.0
+            for b in range(m):
+                entry = matrix[a, b]
+                r0 += entry * vectors[i, 0, b]
+                r1 += entry * vectors[i, 1, b]
+                r2 += entry * vectors[i, 2, b]
+            result[i, 0, a], result[i, 1, a], result[i, 2, a] = r0, r1, r2
 
 
 @inlined
-def sweep_broken_line(axial, bearing, grid, k, film, lines, i):
-    """Forward elimination of one line in nodal coordinates: block, its inverse, right-hand sides."""
+def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken):
+    """Forward elimination in nodal coordinates from the first broken line on: block, its inverse, right-hand sides."""
     m = len(axial.size)
     n = film.conductance.size
     conserving, wet = bearing.conserving, grid.wet
     inverse, swept = lines.inverse, lines.swept
-    t0, t1 = film.conductance[i - 1], film.conductance[i]
-    stretch = bearing.kappa * film.cubed[i]
-    source = film.couette[i - 1] - film.couette[i] - film.squeeze[i]
-    void_here = -(film.couette[i] + film.squeeze[i]) if conserving else 1.0
-    for a in range(m):
-        here, before = wet[k, i, a], wet[k, i - 1, a]
-        lower, upper = 0.0, 0.0
-        if conserving:
-            lower = -t0 if before else film.couette[i - 1]
-            upper = -t0 if here else 0.0
-        elif here and before:
-            lower = upper = -t0
-        lines.lower[i, a], lines.upper[i, a] = lower, upper
-        q = axial.root_weights[a]
-        row_counts = here or conserving
-        right = 0.0
-        if row_counts:
-            right = q * source + stretch * axial.load[a] * bearing.side_pressure
-            if i == 1:
-                inlet = t0 * bearing.lands[k, START_PRESSURE] if here else film.inlet[0] - film.couette[0]
-                right += q * inlet
-            if i == n - 1:
-                right += q * t1 * bearing.lands[k, END_PRESSURE]
-        swept[i, 0, a] = right
-        swept[i, 1, a] = -q * grid.weight_x[k, i] if here else 0.0
-        swept[i, 2, a] = -q * grid.weight_y[k, i] if here else 0.0
-        for b in range(m):
-            inverse[i, a, b] = stretch * axial.stiffness[a, b] if row_counts and wet[k, i, b] else 0.0
-        inverse[i, a, a] = inverse[i, a, a] + t0 + t1 + lines.ending[i, a] if here else void_here
-    if i > 1 and (conserving or lines.wet_count[i - 1] > 0):
+    for i in range(broken, n):
+        if lines.wet_count[i] == 0 and not conserving:
+            for a in range(m):
+                lines.lower[i, a], lines.upper[i, a] = 0.0, 0.0
+            continue
+        t0, t1 = film.conductance[i - 1], film.conductance[i]
+        stretch = bearing.kappa * film.cubed[i]
+        source = film.couette[i - 1] - film.couette[i] - film.squeeze[i]
+        void_here = -(film.couette[i] + film.squeeze[i]) if conserving else 1.0
         for a in range(m):
-            r0, r1, r2 = 0.0, 0.0, 0.0
-            lower, upper = lines.lower[i, a], lines.upper[i, a]
+            here, before = wet[k, i, a], wet[k, i - 1, a]
+            lower, upper = 0.0, 0.0
+            if conserving:
+                lower = -t0 if before else film.couette[i - 1]
+                upper = -t0 if here else 0.0
+            elif here and before:
+                lower = upper = -t0
+            lines.lower[i, a], lines.upper[i, a] = lower, upper
+            q = axial.root_weights[a]
+            row_counts = here or conserving
+            right = 0.0
+            if row_counts:
+                right = q * source + stretch * axial.load[a] * bearing.side_pressure
+                if i == 1:
+                    inlet = t0 * bearing.lands[k, START_PRESSURE] if here else film.inlet[0] - film.couette[0]
+                    right += q * inlet
+                if i == n - 1:
+                    right += q * t1 * bearing.lands[k, END_PRESSURE]
+            swept[i, 0, a] = right
+            swept[i, 1, a] = -q * grid.weight_x[k, i] if here else 0.0
+            swept[i, 2, a] = -q * grid.weight_y[k, i] if here else 0.0
             for b in range(m):
-                entry, mirrored = inverse[i - 1, a, b], inverse[i - 1, b, a]
-                inverse[i, a, b] -= lower * entry * lines.upper[i, b]
-                r0 += entry * swept[i - 1, 0, b]
-                r1 += mirrored * swept[i - 1, 1, b]
-                r2 += mirrored * swept[i - 1, 2, b]
-            swept[i, 0, a] -= lower * r0
-            swept[i, 1, a] -= upper * r1
-            swept[i, 2, a] -= upper * r2
-    if lines.wet_count[i] > 0:
-        invert(inverse, i, m)
-    else:
-        for a in range(m):
-            inverse[i, a, a] = 1.0 / inverse[i, a, a]
+                inverse[i, a, b] = stretch * axial.stiffness[a, b] if row_counts and wet[k, i, b] else 0.0
+            inverse[i, a, a] = inverse[i, a, a] + t0 + t1 + lines.ending[i, a] if here else void_here
+        if i > 1 and (conserving or lines.wet_count[i - 1] > 0):
+            for a in range(m):
+                r0, r1, r2 = 0.0, 0.0, 0.0
+                lower, upper = lines.lower[i, a], lines.upper[i, a]
+                for b in range(m):
+                    entry, mirrored = inverse[i - 1, a, b], inverse[i - 1, b, a]
+                    inverse[i, a, b] -= lower * entry * lines.upper[i, b]
+                    r0 += entry * swept[i - 1, 0, b]
+                    r1 += mirrored * swept[i - 1, 1, b]
+                    r2 += mirrored * swept[i - 1, 2, b]
+                swept[i, 0, a] -= lower * r0
+                swept[i, 1, a] -= upper * r1
+                swept[i, 2, a] -= upper * r2
+        if lines.wet_count[i] > 0:
+            invert(inverse, i, m)
+        else:
+            for a in range(m):
+                inverse[i, a, a] = 1.0 / inverse[i, a, a]
 
 
 @inlined
@@ -212,18 +208,24 @@ def invert(blocks, i, m):
 
 
 @inlined
-def back_substitute(lines, i, n, m):
-    """Solution of one line in nodal coordinates from the line behind it."""
+def back_substitute(lines, first, n, m, conserving):
+    """Solution in nodal coordinates from the last line back to ``first``."""
     inverse, swept, solution = lines.inverse, lines.swept, lines.solution
-    if i < n - 1:
-        for b in range(m):
-            swept[i, 0, b] -= lines.upper[i + 1, b] * solution[i + 1, 0, b]
-            swept[i, 1, b] -= lines.lower[i + 1, b] * solution[i + 1, 1, b]
-            swept[i, 2, b] -= lines.lower[i + 1, b] * solution[i + 1, 2, b]
-    for a in range(m):
-        r0, r1, r2 = 0.0, 0.0, 0.0
-        for b in range(m):
-            r0 += inverse[i, a, b] * swept[i, 0, b]
-            r1 += inverse[i, b, a] * swept[i, 1, b]
-            r2 += inverse[i, b, a] * swept[i, 2, b]
-        solution[i, 0, a], solution[i, 1, a], solution[i, 2, a] = r0, r1, r2
+    for i in range(n - 1, first - 1, -1):
+        if lines.wet_count[i] == 0 and not conserving:
+            for r in range(3):
+                for a in range(m):
+                    solution[i, r, a] = 0.0
+            continue
+        if i < n - 1:
+            for b in range(m):
+                swept[i, 0, b] -= lines.upper[i + 1, b] * solution[i + 1, 0, b]
+                swept[i, 1, b] -= lines.lower[i + 1, b] * solution[i + 1, 1, b]
+                swept[i, 2, b] -= lines.lower[i + 1, b] * solution[i + 1, 2, b]
+        for a in range(m):
+            r0, r1, r2 = 0.0, 0.0, 0.0
+            for b in range(m):
+                r0 += inverse[i, a, b] * swept[i, 0, b]
+                r1 += inverse[i, b, a] * swept[i, 1, b]
+                r2 += inverse[i, b, a] * swept[i, 2, b]
+            solution[i, 0, a], solution[i, 1, a], solution[i, 2, a] = r0, r1, r2

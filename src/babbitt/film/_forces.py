@@ -32,29 +32,23 @@ def update_wet_set(axial, bearing, grid, k, film, lines):
                     wet[k, i, j] = not wet[k, i, j]
                     changed += 1
             continue
+        stretch = bearing.kappa * film.cubed[i]
+        surplus = film.couette[i] - film.couette[i - 1] + film.squeeze[i]
         for j in range(m):
             if wet[k, i, j]:
                 change = lines.solution[i, 0, j] < -TIE
-            else:
-                change = dry_row(axial, bearing, film, lines, i, j) < -TIE
+            else:  # the row with p = 0: what flows off less what arrives
+                row = axial.root_weights[j] * surplus - stretch * axial.load[j] * bearing.side_pressure
+                row -= film.conductance[i - 1] * lines.solution[i - 1, 0, j]
+                row -= film.conductance[i] * lines.solution[i + 1, 0, j]
+                if lines.wet_count[i] > 0:
+                    for b in range(m):
+                        row += stretch * axial.stiffness[j, b] * lines.solution[i, 0, b]
+                change = row < -TIE
             if change:
                 wet[k, i, j] = not wet[k, i, j]
                 changed += 1
     return changed
-
-
-@inlined
-def dry_row(axial, bearing, film, lines, i, j):
-    """Row of a dry node with p = 0: what flows off less what arrives, over sqrt(w_j)."""
-    stretch = bearing.kappa * film.cubed[i]
-    row = axial.root_weights[j] * (film.couette[i] - film.couette[i - 1] + film.squeeze[i])
-    row -= film.conductance[i - 1] * lines.solution[i - 1, 0, j]
-    row -= film.conductance[i] * lines.solution[i + 1, 0, j]
-    row -= stretch * axial.load[j] * bearing.side_pressure
-    if lines.wet_count[i] > 0:
-        for b in range(len(axial.size)):
-            row += stretch * axial.stiffness[j, b] * lines.solution[i, 0, b]
-    return row
 
 
 @inlined

@@ -19,7 +19,7 @@ from numpy import bool_, float64, int64
 from numpy.typing import NDArray
 
 from babbitt.film._grids import FAR, GAUSS, NEAR
-from babbitt.film._structs import compiled
+from babbitt.film._structs import compiled, inlined
 
 Array = NDArray[float64]
 
@@ -68,9 +68,14 @@ class SurfaceWork(NamedTuple):
     solution: Array  # (1 + motions, lines, nodes)
     swept: Array
     inverse: Array  # (lines, nodes, nodes)
+    holds: NDArray[bool_]  # whether the column of a node stands for a pressure, (lines, nodes)
+    counts: NDArray[bool_]  # whether the row of a node is a balance of flow, (lines, nodes)
     lower: Array  # (lines, nodes)
     upper: Array
     ending: Array
+    pressure: Array  # zero at dry nodes, (lines, nodes)
+    fill: Array  # liquid fraction, (lines, nodes)
+    row: Array  # balance of every node: what flows off less what arrives, (lines, nodes)
     border: Array  # response to the values on line 0, (lines, nodes, nodes); cyclic only
 
 
@@ -93,30 +98,32 @@ def new_surface_work(surface):
     d = 1 + surface.motions
     return SurfaceWork(
         np.ones((lines, nodes), np.bool_), np.zeros((d, lines, nodes)), np.zeros((d, lines, nodes)),
-        np.zeros((lines, nodes, nodes)), np.zeros((lines, nodes)), np.zeros((lines, nodes)),
-        np.zeros((lines, nodes)), np.zeros((lines if surface.cyclic else 1, nodes, nodes)),
+        np.zeros((lines, nodes, nodes)), np.ones((lines, nodes), np.bool_), np.ones((lines, nodes), np.bool_),
+        np.zeros((lines, nodes)), np.zeros((lines, nodes)),
+        np.zeros((lines, nodes)), np.zeros((lines, nodes)), np.ones((lines, nodes)), np.zeros((lines, nodes)),
+        np.zeros((lines if surface.cyclic else 1, nodes, nodes)),
     )  # fmt: skip
 
 
 @compiled
-def point_gaps(surface, i, q, at):
-    """Gap at both Gauss points of an interval, at a position (x, y) or (x, y, tilt, tilt)."""
-    ca, sa, cb, sb = surface.trigonometry[:, i]
-    x, y = at[0], at[1]
+def tilted_position(surface, at, q):
+    """Where the journal axis is at a point of the width."""
     if surface.motions == 4:
-        x += at[2] * surface.zeta[q]
-        y += at[3] * surface.zeta[q]
-    return surface.gap_a[i, q] - x * ca - y * sa, surface.gap_b[i, q] - x * cb - y * sb
+        return at[0] + at[2] * surface.zeta[q], at[1] + at[3] * surface.zeta[q]
+    return at[0], at[1]
 
 
 @compiled
 def smallest_surface_gap(surface, at):
     """Smallest gap at the Gauss points."""
     smallest = np.inf
-    for i in range(surface.step.size):
-        for q in range(surface.zeta.size):
-            ha, hb = point_gaps(surface, i, q, at)
-            smallest = min(smallest, min(ha, hb))
+    trig = surface.trigonometry
+    for q in range(surface.zeta.size):
+        x, y = tilted_position(surface, at, q)
+        for i in range(surface.step.size):
+            a = surface.gap_a[i, q] - x * trig[0, i] - y * trig[1, i]
+            b = surface.gap_b[i, q] - x * trig[2, i] - y * trig[3, i]
+            smallest = min(smallest, min(a, b))
     return smallest
 
 
@@ -128,12 +135,14 @@ def surface_coefficients(surface, at, rate, film):
         array[:] = 0.0
     for array in (film.conductance_d, film.couette_d, film.cubed_d, film.load, film.inlet_d):
         array[:] = 0.0
-    shape_a, shape_b = np.empty(surface.motions), np.empty(surface.motions)
-    for i in range(n):
-        half, after = 0.5 * surface.step[i], (i + 1) % lines
-        for q in range(surface.zeta.size):
-            j, share = surface.node[q], surface.share[q]
-            ha, hb = point_gaps(surface, i, q, at)
+    trig = surface.trigonometry
+    for q in range(surface.zeta.size):
+        j, share = surface.node[q], surface.share[q]
+        x, y = tilted_position(surface, at, q)
+        for i in range(n):
+            half, after = 0.5 * surface.step[i], (i + 1) % lines
+            ha = surface.gap_a[i, q] - x * trig[0, i] - y * trig[1, i]
+            hb = surface.gap_b[i, q] - x * trig[2, i] - y * trig[3, i]
             viscosity = surface.viscosity[i, q]
             a2, b2 = 1.0 / (ha * ha), 1.0 / (hb * hb)
             j3 = a2 / ha + b2 / hb
@@ -148,9 +157,7 @@ def surface_coefficients(surface, at, rate, film):
             film.inlet[i, j] += share * 0.5 * surface.speed * gap
             for d in range(surface.motions):
                 lever = surface.zeta[q] if d > 1 else 1.0
-                sa = surface.trigonometry[d % 2, i] * lever
-                sb = surface.trigonometry[2 + d % 2, i] * lever
-                shape_a[d], shape_b[d] = sa, sb
+                sa, sb = trig[d % 2, i] * lever, trig[2 + d % 2, i] * lever
                 j3_d = 3.0 * (sa * a2 * a2 + sb * b2 * b2) / j3
                 film.conductance_d[d, i, j] -= t * j3_d
                 film.couette_d[d, i, j] += share * (surface.speed * (sa * a2 / ha + sb * b2 / hb) / j3 - mean * j3_d)
@@ -168,144 +175,140 @@ NEAR_END = (0.5 - GAUSS) / (2.0 * GAUSS)  # from Gauss point a back to the line,
 
 
 @compiled
-def holds_pressure(surface, work, i, j):
-    """Whether the column of a node stands for a pressure."""
-    return surface.held[i, j] or work.wet[i, j]
-
-
-@compiled
-def row_counts(surface, work, i, j):
-    """Whether the row of a node is a balance of flow."""
-    return not surface.held[i, j] and (work.wet[i, j] or surface.conserving)
-
-
-@compiled
-def entering_flux(surface, film, work, i, j):
-    """Couette flux of interval i into the line behind it; behind a held node a ruptured line takes what the gap lets in."""
-    if surface.conserving and surface.held[i, j]:
-        after = (i + 1) % surface.held.shape[0]
-        if not holds_pressure(surface, work, after, j):
-            return film.inlet[i, j]
-    return film.couette[i, j]
-
-
-@compiled
-def coupling(surface, film, work, i):
-    """Diagonal coupling between line i and the line before it."""
+def couple_lines(surface, film, work):
+    """Kind of every node, and the diagonal coupling between each line and the line before it."""
     lines, nodes = surface.held.shape
-    before, before_interval = (i - 1) % lines, (i - 1) % surface.step.size
-    for j in range(nodes):
-        t = film.conductance[before_interval, j]
-        lower, upper = 0.0, 0.0
-        if row_counts(surface, work, i, j):
-            if not holds_pressure(surface, work, before, j):
-                lower = film.couette[before_interval, j]
-            elif work.wet[i, j] or not surface.held[before, j]:
-                lower = -t
-        if row_counts(surface, work, before, j) and holds_pressure(surface, work, i, j):
-            upper = -t
-        work.lower[i, j], work.upper[i, j] = lower, upper
+    for i in range(lines):
+        for j in range(nodes):
+            held, wet = surface.held[i, j], work.wet[i, j]
+            work.holds[i, j] = held or wet
+            work.counts[i, j] = not held and (wet or surface.conserving)
+    for i in range(lines):
+        before, interval = (i - 1) % lines, (i - 1) % surface.step.size
+        for j in range(nodes):
+            t = film.conductance[interval, j]
+            lower, upper = 0.0, 0.0
+            if work.counts[i, j]:
+                if not work.holds[before, j]:
+                    lower = film.couette[interval, j]
+                elif work.wet[i, j] or not surface.held[before, j]:
+                    lower = -t
+            if work.counts[before, j] and work.holds[i, j]:
+                upper = -t
+            work.lower[i, j], work.upper[i, j] = lower, upper
 
 
 @compiled
-def fill_line(surface, film, work, i, block, right):
-    """Diagonal block and right-hand sides (pressure, adjoints) of a line."""
-    nodes = surface.held.shape[1]
-    before = (i - 1) % surface.step.size
+def fill_lines(surface, film, work):
+    """Diagonal block and right-hand sides (pressure, adjoints) of every line, into ``inverse`` and ``swept``."""
+    lines, nodes = surface.held.shape
+    block, right = work.inverse, work.swept
     block[:] = 0.0
-    for q in range(surface.zeta.size):
-        conduct = surface.kappa * surface.share[q] * film.cubed[i, q]
+    right[:] = 0.0
+    for i in range(lines):
+        before = (i - 1) % lines
+        interval = (i - 1) % surface.step.size
+        active = False
         for a in range(nodes):
-            part = conduct * surface.slope[q, a]
-            if part != 0.0:
-                for b in range(nodes):
-                    block[a, b] += part * surface.slope[q, b]
-    for a in range(nodes):
-        for d in range(surface.motions):
-            right[1 + d, a] = 0.0
-        if not row_counts(surface, work, i, a):
-            block[a, :] = 0.0
-            block[a, a] = 1.0
-            right[0, a] = surface.held_pressure[i, a] if surface.held[i, a] else 0.0
-            continue
-        right[0, a] = entering_flux(surface, film, work, before, a) - film.couette[i, a] - film.squeeze[i, a]
-        for b in range(nodes):
-            if not holds_pressure(surface, work, i, b):
-                block[a, b] = 0.0
-        if work.wet[i, a]:
-            block[a, a] += film.conductance[before, a] + film.conductance[i, a] + work.ending[i, a]
-            for d in range(surface.motions):
-                right[1 + d, a] = -film.load[d, i, a]
-        else:
-            block[a, a] = -(film.couette[i, a] + film.squeeze[i, a])
+            if work.counts[i, a]:
+                active = True
+        if active:
+            for q in range(surface.zeta.size):
+                conduct = surface.kappa * surface.share[q] * film.cubed[i, q]
+                for a in range(nodes):
+                    part = conduct * surface.slope[q, a]
+                    if work.counts[i, a] and part != 0.0:
+                        for b in range(nodes):
+                            if work.holds[i, b]:
+                                block[i, a, b] += part * surface.slope[q, b]
+        for a in range(nodes):
+            if not work.counts[i, a]:
+                block[i, a, a] = 1.0
+                right[0, i, a] = surface.held_pressure[i, a] if surface.held[i, a] else 0.0
+                continue
+            entering = film.couette[interval, a]
+            if surface.held[before, a] and not work.holds[i, a]:
+                entering = film.inlet[interval, a]  # a ruptured line takes from a held node what the gap lets in
+            right[0, i, a] = entering - film.couette[i, a] - film.squeeze[i, a]
+            if work.wet[i, a]:
+                block[i, a, a] += film.conductance[interval, a] + film.conductance[i, a] + work.ending[i, a]
+                for d in range(surface.motions):
+                    right[1 + d, i, a] = -film.load[d, i, a]
+            else:
+                block[i, a, a] = -(film.couette[i, a] + film.squeeze[i, a])
 
 
 @compiled
 def solve_surface(surface, film, work):
     """Pressure (or void) and the adjoints of the forces, with the wet set as it stands."""
-    lines, nodes = surface.held.shape
+    couple_lines(surface, film, work)
+    fill_lines(surface, film, work)
+    eliminate(surface, work)
+    if surface.cyclic:
+        close_ring(surface, film, work)
+    else:
+        back_sweep(surface, work, 0)
+
+
+@compiled
+def eliminate(surface, work):
+    """Forward sweep over the lines (from line 1 in a ring): S_i = D_i - L_i S_i-1^-1 U_i, inverted in place."""
+    lines, nodes = work.wet.shape
     first = 1 if surface.cyclic else 0
-    for i in range(lines):
-        coupling(surface, film, work, i)
+    block, right = work.inverse, work.swept
+    motions = right.shape[0] - 1
     for i in range(first, lines):
-        block, right = work.inverse[i], work.swept[:, i, :]
-        fill_line(surface, film, work, i, block, right)
         if i > first:
-            before = work.inverse[i - 1]
             for a in range(nodes):
                 low, up = work.lower[i, a], work.upper[i, a]
                 if low != 0.0:
                     total = 0.0
                     for b in range(nodes):
-                        block[a, b] -= low * before[a, b] * work.upper[i, b]
-                        total += before[a, b] * work.swept[0, i - 1, b]
-                    right[0, a] -= low * total
+                        block[i, a, b] -= low * block[i - 1, a, b] * work.upper[i, b]
+                        total += block[i - 1, a, b] * right[0, i - 1, b]
+                    right[0, i, a] -= low * total
                 if up != 0.0:
-                    for d in range(1, 1 + surface.motions):
+                    for d in range(1, 1 + motions):
                         total = 0.0
                         for b in range(nodes):
-                            total += before[b, a] * work.swept[d, i - 1, b]
-                        right[d, a] -= up * total
-        invert_block(block)
-    if surface.cyclic:
-        close_ring(surface, film, work)
-    else:
-        back_sweep(surface, work, first)
+                            total += block[i - 1, b, a] * right[d, i - 1, b]
+                        right[d, i, a] -= up * total
+        invert_line(block, i)
 
 
-@compiled
-def invert_block(block):
-    """Inverse in place, Gauss-Jordan without pivoting."""
-    m = block.shape[0]
+@inlined
+def invert_line(blocks, i):
+    """Inverse of block i in place, Gauss-Jordan without pivoting; rows of identity cost nothing."""
+    m = blocks.shape[1]
     for c in range(m):
-        pivot = 1.0 / block[c, c]
-        block[c, c] = 1.0
+        pivot = 1.0 / blocks[i, c, c]
+        blocks[i, c, c] = 1.0
         for b in range(m):
-            block[c, b] *= pivot
+            blocks[i, c, b] *= pivot
         for a in range(m):
-            factor = block[a, c]
+            factor = blocks[i, a, c]
             if a != c and factor != 0.0:
-                block[a, c] = 0.0
+                blocks[i, a, c] = 0.0
                 for b in range(m):
-                    block[a, b] -= factor * block[c, b]
+                    blocks[i, a, b] -= factor * blocks[i, c, b]
 
 
 @compiled
 def back_sweep(surface, work, first):
     """Back substitution of all right-hand sides from the last line to ``first``."""
     lines, nodes = surface.held.shape
+    inverse, swept, solution = work.inverse, work.swept, work.solution
     for i in range(lines - 1, first - 1, -1):
-        inverse = work.inverse[i]
         for r in range(1 + surface.motions):
             if i < lines - 1:
                 for b in range(nodes):
                     link = work.upper[i + 1, b] if r == 0 else work.lower[i + 1, b]
-                    work.swept[r, i, b] -= link * work.solution[r, i + 1, b]
+                    swept[r, i, b] -= link * solution[r, i + 1, b]
             for a in range(nodes):
                 total = 0.0
                 for b in range(nodes):
-                    total += (inverse[a, b] if r == 0 else inverse[b, a]) * work.swept[r, i, b]
-                work.solution[r, i, a] = total
+                    total += (inverse[i, a, b] if r == 0 else inverse[i, b, a]) * swept[r, i, b]
+                solution[r, i, a] = total
 
 
 @compiled
@@ -334,13 +337,11 @@ def close_ring(surface, film, work):
                 for b in range(nodes):
                     v[i, a, b] -= work.upper[i + 1, a] * v[i + 1, a, b]
         v[i] = work.inverse[i] @ v[i]
-    schur = np.empty((nodes, nodes))
-    right = np.zeros((1 + surface.motions, nodes))
-    fill_line(surface, film, work, 0, schur, right)
+    schur, right = work.inverse[0], work.swept[:, 0, :].copy()
     for a in range(nodes):
         for b in range(nodes):
             schur[a, b] -= work.upper[1, a] * v[1, a, b] + work.lower[0, a] * v[last, a, b]
-    invert_block(schur)
+    invert_line(work.inverse, 0)
     # pressure
     for a in range(nodes):
         right[0, a] -= work.upper[1, a] * work.solution[0, 1, a] + work.lower[0, a] * work.solution[0, last, a]
@@ -352,14 +353,14 @@ def close_ring(surface, film, work):
     for d in range(surface.motions):
         for i in range(1, lines):
             for a in range(nodes):
-                g = -film.load[d, i, a] if row_counts(surface, work, i, a) and work.wet[i, a] else 0.0
+                g = -film.load[d, i, a] if work.counts[i, a] and work.wet[i, a] else 0.0
                 for b in range(nodes):
                     right[1 + d, b] -= v[i, a, b] * g
         work.solution[1 + d, 0, :] = schur.T @ right[1 + d]
     for i in range(1, lines):
         for d in range(surface.motions):
             for a in range(nodes):
-                g = -film.load[d, i, a] if row_counts(surface, work, i, a) and work.wet[i, a] else 0.0
+                g = -film.load[d, i, a] if work.counts[i, a] and work.wet[i, a] else 0.0
                 if i == 1:
                     g -= work.upper[1, a] * work.solution[1 + d, 0, a]
                 if i == last:

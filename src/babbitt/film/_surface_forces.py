@@ -2,17 +2,9 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from babbitt.film._forces import TIE, shortening
 from babbitt.film._structs import compiled
-from babbitt.film._surface import (
-    entering_flux,
-    holds_pressure,
-    row_counts,
-    solve_surface,
-    surface_coefficients,
-)
+from babbitt.film._surface import solve_surface, surface_coefficients
 
 
 @compiled
@@ -29,70 +21,56 @@ def evaluate_surface(surface, film, work, at, rate, smooth, force, stiffness, da
         solve_surface(surface, film, work)
         work.solution[0] = pressure
         work.ending[:] = 0.0
+    balance_rows(surface, film, work)
     reduce_surface(surface, film, work, force, stiffness, damping)
     return update_surface(surface, film, work)
 
 
 @compiled
-def pressure_of(surface, work, i, j):
-    """Pressure of a node."""
-    return work.solution[0, i, j] if holds_pressure(surface, work, i, j) else 0.0
-
-
-@compiled
-def fill_of(surface, work, i, j):
-    """Liquid fraction at a node of a mass-conserving film."""
-    return 1.0 if holds_pressure(surface, work, i, j) or not surface.conserving else 1.0 - work.solution[0, i, j]
-
-
-@compiled
-def balance(surface, film, work, i, j):
-    """Row of a node: what flows off it less what arrives. For a held node, the flow of its supply."""
-    nodes, n = surface.held.shape[1], surface.step.size
-    total = film.squeeze[i, j] * fill_of(surface, work, i, j)
-    if surface.cyclic or i < n:
-        total += interval_flux(surface, film, work, i, j)
-    if surface.cyclic or i > 0:
-        total -= interval_flux(surface, film, work, (i - 1) % n, j)
-    for q in range(surface.zeta.size):
-        if surface.slope[q, j] != 0.0:
+def balance_rows(surface, film, work):
+    """Split the solution into pressure and liquid fraction and balance every node; a held node's row is its supply."""
+    lines, nodes = surface.held.shape
+    for i in range(lines):
+        for j in range(nodes):
+            value = work.solution[0, i, j]
+            work.pressure[i, j], work.fill[i, j] = value, 1.0
+            if not work.holds[i, j]:
+                work.pressure[i, j] = 0.0
+                if surface.conserving:
+                    work.fill[i, j] = 1.0 - value
+            work.row[i, j] = film.squeeze[i, j] * work.fill[i, j]
+        for q in range(surface.zeta.size):
             gradient = 0.0
             for b in range(nodes):
-                gradient += surface.slope[q, b] * pressure_of(surface, work, i, b)
-            total += surface.kappa * surface.share[q] * film.cubed[i, q] * surface.slope[q, j] * gradient
-    return total
-
-
-@compiled
-def interval_flux(surface, film, work, i, j):
-    """Flux along the column of node j in interval i, weighted with the share of the node."""
-    after = (i + 1) % surface.held.shape[0]
-    if surface.conserving and surface.held[i, j] and not holds_pressure(surface, work, after, j):
-        return entering_flux(surface, film, work, i, j)
-    flux = film.couette[i, j] * fill_of(surface, work, i, j)
-    return flux + film.conductance[i, j] * (pressure_of(surface, work, i, j) - pressure_of(surface, work, after, j))
+                gradient += surface.slope[q, b] * work.pressure[i, b]
+            if gradient != 0.0:
+                gradient *= surface.kappa * surface.share[q] * film.cubed[i, q]
+                for b in range(nodes):
+                    work.row[i, b] += gradient * surface.slope[q, b]
+    for i in range(surface.step.size):
+        after = (i + 1) % lines
+        for j in range(nodes):
+            flux = film.couette[i, j] * work.fill[i, j]
+            flux += film.conductance[i, j] * (work.pressure[i, j] - work.pressure[after, j])
+            if surface.conserving and surface.held[i, j] and not work.holds[after, j]:
+                flux = film.inlet[i, j]
+            work.row[i, j] += flux
+            work.row[after, j] -= flux
 
 
 @compiled
 def update_surface(surface, film, work):
     """Semismooth Newton step on the wet set; returns the number of changes."""
     lines, nodes = surface.held.shape
-    change = np.zeros((lines, nodes), np.bool_)
     changed = 0
     for i in range(lines):
         for j in range(nodes):
             if surface.held[i, j]:
                 continue
-            if work.wet[i, j] or surface.conserving:
-                change[i, j] = work.solution[0, i, j] < -TIE
-            else:
-                change[i, j] = balance(surface, film, work, i, j) < -TIE
-            if change[i, j]:
-                changed += 1
-    for i in range(lines):
-        for j in range(nodes):
-            if change[i, j]:
+            value = work.solution[0, i, j] if work.wet[i, j] or surface.conserving else work.row[i, j]
+            if value < -TIE:
                 work.wet[i, j] = not work.wet[i, j]
+                changed += 1
     return changed
 
 
@@ -107,10 +85,10 @@ def end_adjoints_at_rupture(surface, film, work):
                 continue
             after, before = (i + 1) % lines, (i - 1) % lines
             pressure = work.solution[0, i, j]
-            if not holds_pressure(surface, work, after, j):
+            if not work.holds[after, j]:
                 surplus = (film.couette[after % n, j] - film.couette[i, j]) / film.conductance[i, j]
                 work.ending[i, j] += film.conductance[i, j] * shortening(pressure, surplus)
-            if not holds_pressure(surface, work, before, j) and not surface.conserving:
+            if not work.holds[before, j] and not surface.conserving:
                 first = film.couette[(before - 1) % n, j]
                 surplus = (film.couette[before, j] - first) / film.conductance[before, j]
                 work.ending[i, j] += film.conductance[before, j] * shortening(pressure, surplus)
@@ -120,58 +98,57 @@ def end_adjoints_at_rupture(surface, film, work):
 def reduce_surface(surface, film, work, force, stiffness, damping):
     """Forces from the reference pressure; stiffness and damping from the adjoints (``_forces.add_forces``)."""
     lines, nodes = surface.held.shape
-    motions = surface.motions
-    force[:] = 0.0
-    stiffness[:] = 0.0
-    damping[:] = 0.0
+    n, motions = surface.step.size, surface.motions
+    adjoint = work.solution
     for i in range(lines):  # the row of a held node is no balance: its adjoint does not count
         for j in range(nodes):
-            p = pressure_of(surface, work, i, j) - surface.reference
-            fill = fill_of(surface, work, i, j)
-            counts = row_counts(surface, work, i, j)
-            for d in range(motions):
-                force[d] -= film.load[d, i, j] * p
-                if not counts:
-                    work.solution[1 + d, i, j] = 0.0
-                for e in range(motions):
-                    damping[d, e] -= work.solution[1 + d, i, j] * fill * film.load[e, i, j]
-    for i in range(surface.step.size):
-        after = (i + 1) % lines
-        for j in range(nodes):
-            enters = surface.conserving and surface.held[i, j] and not holds_pressure(surface, work, after, j)
-            fill = fill_of(surface, work, i, j)
-            drop = pressure_of(surface, work, i, j) - pressure_of(surface, work, after, j)
-            for d in range(motions):
-                difference = work.solution[1 + d, i, j] - work.solution[1 + d, after, j]
-                if difference == 0.0:
-                    continue
-                for e in range(motions):
-                    if enters:
+            if not work.counts[i, j]:
+                for d in range(motions):
+                    adjoint[1 + d, i, j] = 0.0
+    for d in range(motions):
+        total = 0.0
+        for i in range(lines):
+            for j in range(nodes):
+                total -= film.load[d, i, j] * (work.pressure[i, j] - surface.reference)
+        force[d] = total
+        for e in range(motions):
+            stiff, damp = 0.0, 0.0
+            for i in range(n):
+                after = (i + 1) % lines
+                for j in range(nodes):
+                    flux = work.fill[i, j] * film.couette_d[e, i, j]
+                    flux += (work.pressure[i, j] - work.pressure[after, j]) * film.conductance_d[e, i, j]
+                    if surface.conserving and surface.held[i, j] and not work.holds[after, j]:
                         flux = film.inlet_d[e, i, j]
-                    else:
-                        flux = fill * film.couette_d[e, i, j] + drop * film.conductance_d[e, i, j]
-                    stiffness[d, e] += difference * flux
-    slopes = np.empty(motions)
-    for i in range(lines):
-        for q in range(surface.zeta.size):
-            gradient = 0.0
-            slopes[:] = 0.0
-            for b in range(nodes):
-                part = surface.slope[q, b]
-                if part != 0.0:
-                    gradient += part * pressure_of(surface, work, i, b)
-                    for d in range(motions):
-                        slopes[d] += part * work.solution[1 + d, i, b]
-            scale = surface.kappa * surface.share[q] * gradient
-            for d in range(motions):
-                for e in range(motions):
-                    stiffness[d, e] += scale * slopes[d] * film.cubed_d[e, i, q]
+                    stiff += (adjoint[1 + d, i, j] - adjoint[1 + d, after, j]) * flux
+            for i in range(lines):
+                for j in range(nodes):
+                    damp -= adjoint[1 + d, i, j] * work.fill[i, j] * film.load[e, i, j]
+                for q in range(surface.zeta.size):
+                    gradient, slope = 0.0, 0.0
+                    for b in range(nodes):
+                        gradient += surface.slope[q, b] * work.pressure[i, b]
+                        slope += surface.slope[q, b] * adjoint[1 + d, i, b]
+                    stiff += surface.kappa * surface.share[q] * gradient * slope * film.cubed_d[e, i, q]
+            stiffness[d, e], damping[d, e] = stiff, damp
 
 
 @compiled
-def supply_flows(surface, film, work, flows):
-    """Flow out of every held node into the film, (lines, nodes), weighted with the shares; zero elsewhere."""
+def carry_streamers(surface, film, work):
+    """Liquid fraction behind a Reynolds rupture by continuity, so that flows and friction count only the oil there."""
     lines, nodes = surface.held.shape
-    for i in range(lines):
-        for j in range(nodes):
-            flows[i, j] = balance(surface, film, work, i, j) if surface.held[i, j] else 0.0
+    n = surface.step.size
+    for j in range(nodes):
+        flux = -1.0  # unknown until the column has passed a film
+        for turn in range(2 if surface.cyclic else 1):
+            for i in range(n):
+                after = (i + 1) % lines
+                old = work.fill[i, j]
+                if not work.holds[i, j]:
+                    new = old if flux < 0.0 else min(1.0, flux / film.couette[i, j])
+                    work.fill[i, j] = new
+                    work.row[i, j] += (new - old) * film.couette[i, j]
+                    work.row[after, j] -= (new - old) * film.couette[i, j]
+                flux = film.couette[i, j] * work.fill[i, j]
+                flux += film.conductance[i, j] * (work.pressure[i, j] - work.pressure[after, j])
+                flux = max(flux, 0.0)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 import time
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +31,7 @@ from babbitt.film._structs import LAND_COLUMNS, Axial, Bearing, Grid
 from babbitt.film.axial import even_axial_operator
 from babbitt.film.model import ENGINEERING, Cavitation, FilmStart, JournalFilm, Land, Resolution
 from babbitt.film.operators import kernel_operator
+from babbitt.film.scales import Scales
 from babbitt.film.solution import FilmSolution
 from babbitt.notices import InputError
 from babbitt.results import Outcome
@@ -39,35 +39,6 @@ from babbitt.results import Outcome
 __all__ = ["film_at_position", "solve_journal"]
 
 Array = NDArray[np.float64]
-MIRROR = np.array([1.0, -1.0])
-
-
-@dataclass(frozen=True)
-class Scales:
-    """Units of the dimensionless film, and the sense of rotation."""
-
-    length: float
-    pressure: float
-    force: float
-    rate: float
-    flow: float
-    torque: float
-    sense: Array  # what mirrors a vector into the counter-clockwise world and back
-
-    @classmethod
-    def of(cls, film: JournalFilm, rate: float) -> Scales:
-        """Units for a film sheared at ``rate`` (rad/s, the speed unless the journal is at rest)."""
-        radius = 0.5 * film.diameter
-        pressure = film.viscosity * rate * (radius / film.clearance) ** 2
-        return cls(
-            length=film.clearance,
-            pressure=pressure,
-            force=pressure * radius * film.width,
-            rate=rate,
-            flow=rate * radius * film.clearance * film.width,
-            torque=film.viscosity * rate * radius**3 * film.width / film.clearance,
-            sense=MIRROR if film.angular_speed < 0.0 else np.ones(2),
-        )
 
 
 def solve_journal(
@@ -101,6 +72,13 @@ def solve_journal(
         raise InputError("E101", "angular_speed is zero; a film at rest carries no steady load. Give a speed, or "
                          "prescribe position and velocity (film_at_position).")  # fmt: skip
     scales = Scales.of(film, abs(film.angular_speed))
+    if film.differs_across_width:
+        from babbitt.film.general import rest_ring
+        from babbitt.film.ring_solution import mirrored, ring_solution
+
+        seen = mirrored(film) if film.angular_speed < 0.0 else film
+        settled = rest_ring(seen, scales.pressure, np.asarray(load) * scales.sense / scales.force, resolution, max_steps)
+        return ring_solution(film, scales, settled, begun)
     bearing, axial = kernel_bearing(film, scales), kernel_operator(resolution.axial_unknowns)
     wanted = np.asarray(load) * scales.sense / scales.force
     result = np.zeros(RESULT_SIZE)
@@ -147,9 +125,15 @@ def film_at_position(
     if film.angular_speed == 0.0 and film.cavitation is Cavitation.MASS_CONSERVING:
         raise InputError("E101", "a film that is only squeezed has no steady void; choose Cavitation.REYNOLDS.")
     scales = Scales.of(film, rate)
-    bearing, axial = kernel_bearing(film, scales), kernel_operator(resolution.axial_unknowns)
     at = np.asarray(position) * scales.sense / scales.length
     moving = np.asarray(velocity) * scales.sense / (scales.length * scales.rate)
+    if film.differs_across_width:
+        from babbitt.film.general import ring_at
+        from babbitt.film.ring_solution import mirrored, ring_solution
+
+        seen = mirrored(film) if film.angular_speed < 0.0 else film
+        return ring_solution(film, scales, ring_at(seen, scales.pressure, at, moving, resolution), begun)
+    bearing, axial = kernel_bearing(film, scales), kernel_operator(resolution.axial_unknowns)
     turn = 0.0
     if film.film_start is FilmStart.WIDEST_GAP:
         turn = math.atan2(at[1], at[0])

@@ -25,8 +25,7 @@ from babbitt.interop.coefficients import CoefficientTable
 from babbitt.interop.files import read_text, write_text
 from babbitt.interop.frame import Frame, declaration, declared, settled
 from babbitt.interop.frames import for_rotor_programs
-from babbitt.interop.numbers import number
-from babbitt.interop.xltrc2 import POUND_PER_INCH, RPM
+from babbitt.interop.numbers import POUND_PER_INCH, RPM, number
 from babbitt.notices import InputError
 
 

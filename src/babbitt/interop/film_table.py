@@ -51,7 +51,7 @@ def coefficient_table(name: str, solutions: Iterable[FilmSolution], method: str 
     apart = np.abs(np.remainder(angles - angles[0] + math.pi, 2.0 * math.pi) - math.pi).max()
     if len(senses) > 1 or apart > 1e-4:
         raise InputError("E004", f"{name}: rotation sense or load direction differ; make one table for each")
-    # the force meets the load to the tolerance of the solver, so its direction is taken to a thousandth of a degree
+    # the force meets the load to the tolerance of the solver: its direction is good to a thousandth of a degree
     load_angle = math.radians(round(math.degrees(angles[0]), 3))
     rotation = Rotation.COUNTER_CLOCKWISE if senses == {True} else Rotation.CLOCKWISE
     return CoefficientTable(

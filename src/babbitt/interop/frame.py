@@ -72,14 +72,18 @@ def wrapped(angle: float) -> float:
 
 
 def declaration(frame: Frame) -> str:
-    """The frame in one line that a person and `declared` can read; at most 80 characters.
+    """The frame in one line that a person and `declared` can read.
 
     >>> declaration(Frame())
     'rotation counter-clockwise, x axis at 0 deg, load at -90 deg'
     """
-    load = "not declared" if frame.load_angle is None else f"{math.degrees(frame.load_angle):.12g} deg"
-    axis = f"{math.degrees(frame.x_axis_angle):.12g} deg"
-    return f"rotation {frame.rotation.value}, x axis at {axis}, load at {load}"
+    load = "not declared" if frame.load_angle is None else _degrees(frame.load_angle)
+    return f"rotation {frame.rotation.value}, x axis at {_degrees(frame.x_axis_angle)}, load at {load}"
+
+
+def _degrees(angle: float) -> str:
+    """Degrees to ten decimals, without a tail of zeros or a minus before zero."""
+    return f"{round(math.degrees(angle), 10) + 0.0:.13g} deg"
 
 
 _NUMBER = r"[-+]?\d+(?:\.\d*)?(?:e[-+]?\d+)?"

@@ -122,8 +122,8 @@ def for_rotor_programs(table: CoefficientTable) -> CoefficientTable:
     if table.frame.rotation is Rotation.CLOCKWISE:
         raise InputError(
             "E003",
-            f"{table.name}: the table holds for clockwise rotation; rotor programs count the speed positive from x "
-            "towards y and would take the cross-coupling with the wrong sign. Write mirrored(table), the bearing seen "
+            f"{table.name}: the table holds for clockwise rotation; rotor programs count speed positive from x "
+            "to y and would take the cross-coupling with the wrong sign. Write mirrored(table), the bearing seen "
             "from the other end, and build the rotor from that end",
         )
     return table if table.frame.x_axis_angle == 0.0 else rotated(table, -table.frame.x_axis_angle)

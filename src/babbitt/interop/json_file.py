@@ -40,13 +40,13 @@ def frame_from(where: str, record: Any) -> Frame:
         E003 for anything else.
     """
     try:
-        load = record["load_angle_rad"]
+        load = record.get("load_angle_rad")  # TOML has no null, so an unknown direction may be absent
         return Frame(
             rotation=Rotation(record["rotation"]),
             load_angle=None if load is None else float(load),
             x_axis_angle=float(record["x_axis_angle_rad"]),
         )
-    except (KeyError, TypeError, ValueError):
+    except (AttributeError, KeyError, TypeError, ValueError):
         raise InputError(
             "E003",
             f"{where}: the frame must be given as rotation (counter-clockwise or clockwise), x_axis_angle_rad and "

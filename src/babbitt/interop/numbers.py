@@ -1,8 +1,16 @@
-"""Numbers that other programs wrote."""
+"""Numbers and units that other programs write."""
 
 from __future__ import annotations
 
+import math
+
 from babbitt.notices import InputError
+
+RPM = math.pi / 30.0
+"""rad/s."""
+
+POUND_PER_INCH = 0.45359237 * 9.80665 / 0.0254
+"""N/m, exact by definition of pound and inch; also what turns lb s/in into N s/m and lb s2/in into kg."""
 
 
 def number(where: str, text: object) -> float:

@@ -3,8 +3,8 @@
 A file holds ``BearingElement_<tag>``: node, axis, and one list for each coefficient in N/m, N s/m and kg, axis in
 rad/s, x horizontal, y vertical, speed positive from x towards y. What differs is the name of the axis. Version 2
 calls the axis of rotor speed ``frequency``; version 3 calls it ``speed`` and keeps ``frequency`` for the whirl
-frequency. A file of one version loaded by the other is read without a complaint and puts the dependence on the wrong
-axis, or drops it, so the version is never guessed here, neither when writing nor when reading.
+frequency. Version 3 loads a file for version 2 without a complaint and takes its speeds for whirl frequencies, so
+the version is never guessed here, neither when writing nor when reading.
 
 References
 ----------
@@ -13,9 +13,6 @@ ROSS documentation, https://ross.readthedocs.io, class BearingElement in version
 
 from __future__ import annotations
 
-import json
-import re
-import tomllib
 from enum import IntEnum
 from pathlib import Path
 from typing import Any
@@ -23,10 +20,10 @@ from typing import Any
 import numpy as np
 
 from babbitt.interop.coefficients import NAMES, Array, CoefficientTable
-from babbitt.interop.files import read_text, write_text
-from babbitt.interop.frame import Frame, declaration, settled
+from babbitt.interop.frame import Frame, declaration
 from babbitt.interop.frames import for_rotor_programs
 from babbitt.interop.json_file import frame_from, frame_record, static_from, static_record
+from babbitt.interop.ross_file import read_blocks, write_blocks
 from babbitt.notices import InputError
 
 BLOCK = "BearingElement_"
@@ -86,23 +83,17 @@ def write_ross(
     if table.speeds.size < minimum_speeds:
         raise InputError(
             "E003",
-            f"{table.name}: {table.speeds.size} speed(s), and ROSS {wanted} runs {wanted.interpolation} through them; "
-            f"compute at least {minimum_speeds} over the range the rotor is analysed for (10 to 20 are better), "
-            f"or accept what it makes of them with minimum_speeds={table.speeds.size}",
+            f"{table.name}: ROSS {wanted} interpolates by {wanted.interpolation}, for which {table.speeds.size} "
+            f"speed(s) are few; compute at least {minimum_speeds} over the range the rotor is analysed for (10 to "
+            f"20 are better), or accept what it makes of them with minimum_speeds={table.speeds.size}",
         )
     element = _element(for_rotor_programs(table), wanted, node)
     block = f"{BLOCK}{table.name}"
-    if _is_json(path):
-        text = (
-            json.dumps({block: {**element, "n_link": None}}, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
-        )
-    else:
-        text = _toml(block, element)
-    write_text(path, text)
+    write_blocks(path, {block: element})
 
 
 def read_ross(
-    path: str | Path, *, version: RossVersion | int, tag: str | None = None, frame: Frame | None = None
+    path: str | Path, *, version: RossVersion | int, tag: str | None = None, load_angle: float | None = None
 ) -> CoefficientTable:
     """Read a bearing element from a file of ROSS or of `write_ross`, also out of a whole rotor.
 
@@ -114,8 +105,8 @@ def read_ross(
         Major version of ROSS the file was written by or for.
     tag : str, optional
         Which bearing, where the file holds several.
-    frame : Frame, optional
-        Load direction of a file that ROSS wrote; axes and rotation sense are those of ROSS.
+    load_angle : float, optional
+        Direction of the load in a file that does not tell, counter-clockwise from x, rad.
 
     Returns
     -------
@@ -125,18 +116,17 @@ def read_ross(
     Raises
     ------
     InputError
-        E001 for an unreadable file; E003 when it holds no such bearing, a table over whirl frequency, or a table of
+        E001 for an unreadable file; E003 when it holds no such bearing, a table over whirl frequency, or one of
         the other version; E004 when its lists do not fit each other.
     """
     wanted, path = _version(version), Path(path)
-    block, element = _chosen(path, _content(path), tag)
+    block, element = _chosen(path, read_blocks(path), tag)
     where = f"{path}: {block}"
     origin = element.get("babbitt") or {}
     if origin and origin.get("ross_version") != wanted:
         raise InputError(
             "E003", f"{where}: was written for ROSS {origin.get('ross_version')}; read it with that version"
         )
-    declared = frame_from(where, origin) if origin else None
     speeds = _axis(where, element, wanted)
 
     def matrix(letter: str) -> Array:
@@ -150,7 +140,7 @@ def read_ross(
         stiffness=matrix("k"),
         damping=matrix("c"),
         mass=None if mass is None or not np.any(mass) else mass,
-        frame=settled(where, declared, frame or (None if declared else Frame(load_angle=None))),
+        frame=frame_from(where, origin) if origin else Frame(load_angle=load_angle),
         static=static_from(origin.get("static", {})),
         method=str(origin.get("method", "")),
     )
@@ -163,12 +153,6 @@ def _version(version: RossVersion | int) -> RossVersion:
         raise InputError(
             "E003", f"version is {version!r}; give the major version of the ROSS that reads the file, 2 or 3"
         ) from None
-
-
-def _is_json(path: Path) -> bool:
-    if path.suffix.lower() not in (".json", ".toml"):
-        raise InputError("E003", f"{path}: ROSS tells its formats by the suffix; use .json or .toml")
-    return path.suffix.lower() == ".json"
 
 
 def _element(table: CoefficientTable, version: RossVersion, node: int) -> dict[str, Any]:
@@ -187,36 +171,6 @@ def _element(table: CoefficientTable, version: RossVersion, node: int) -> dict[s
         "static": static_record(table),
     }
     return element
-
-
-_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
-
-
-def _toml(block: str, element: dict[str, Any]) -> str:
-    """One table of the element and one below it for each dictionary in it; JSON spells the values as TOML does."""
-
-    def key(name: str) -> str:
-        return name if _BARE_KEY.fullmatch(name) else json.dumps(name, ensure_ascii=False)
-
-    def lines(path: str, table: dict[str, Any]) -> list[str]:
-        plain = {name: value for name, value in table.items() if not isinstance(value, dict)}
-        written = [f"[{path}]"]
-        written += [f"{key(name)} = {json.dumps(value, ensure_ascii=False)}" for name, value in plain.items()]
-        for name, value in table.items():
-            if isinstance(value, dict):
-                written += ["", *lines(f"{path}.{key(name)}", value)]
-        return written
-
-    return "\n".join(lines(key(block), element)) + "\n"
-
-
-def _content(path: Path) -> dict[str, Any]:
-    text = read_text(path)
-    try:
-        content = json.loads(text) if _is_json(path) else tomllib.loads(text)
-    except ValueError as error:
-        raise InputError("E003", f"{path}: not {path.suffix[1:].upper()} ({error})") from None
-    return content if isinstance(content, dict) else {}
 
 
 def _chosen(path: Path, content: dict[str, Any], tag: str | None) -> tuple[str, dict[str, Any]]:
@@ -243,8 +197,8 @@ def _axis(where: str, element: dict[str, Any], version: RossVersion) -> Array:
     if version is RossVersion.THREE and frequency is not None:
         raise InputError(
             "E003",
-            f"{where}: has the axis 'frequency', which is whirl frequency in ROSS 3, and this table holds rotor speed; "
-            "if ROSS 2 wrote the file, read it with version=2",
+            f"{where}: has the axis 'frequency', in ROSS 3 the whirl frequency, and only tables over rotor speed "
+            "can be read; if ROSS 2 wrote the file, read it with version=2",
         )
     axis = frequency if version is RossVersion.TWO else speed
     if not isinstance(axis, list):
@@ -253,11 +207,11 @@ def _axis(where: str, element: dict[str, Any], version: RossVersion) -> Array:
 
 
 def _list(where: str, element: dict[str, Any], name: str, count: int) -> list[float]:
-    """A coefficient as a list; what ROSS takes for one that is absent or a single number."""
+    """A coefficient as a list: a single number holds for all speeds, one left out is what ROSS takes for it."""
     value = element.get(name)
     if value is None:
         value = element.get(name[0] + "xx") if name.endswith("yy") else 0.0
-    if value is None:
+    if value is None or (name.endswith("xx") and name not in element):
         raise InputError("E003", f"{where}: no '{name}'")
     listed = value if isinstance(value, list) else [value] * count
     if len(listed) != count:

@@ -2,8 +2,8 @@
 
 Programs for rotor dynamics read or paste this layout: ``Speed, Kxx, Kxy, Kyx, Kyy, Cxx, Cxy, Cyx, Cyy`` and added
 masses, speed in rpm, and the units row decides between N/m and lb/in. Axes x right, y up, rotation from x towards
-y. The layout has no place for the frame: in CSV it stands in lines above the names, in a workbook on a second sheet,
-because readers look for "rpm" and "lb" anywhere on the first.
+y. The layout has no place for the frame: in CSV it stands in lines above the names, in a workbook on a second
+sheet, because readers look for "rpm" and "lb" anywhere on the first.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ from __future__ import annotations
 import csv
 import importlib
 import io
-import math
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -22,14 +21,10 @@ from babbitt.interop.coefficients import NAMES, Array, CoefficientTable
 from babbitt.interop.files import read_text, write_text
 from babbitt.interop.frame import Frame, declaration, declared, settled
 from babbitt.interop.frames import for_rotor_programs
-from babbitt.interop.numbers import number
+from babbitt.interop.numbers import POUND_PER_INCH, RPM, number
 from babbitt.notices import InputError
 
 Cell = str | float | None
-
-RPM = math.pi / 30.0
-POUND_PER_INCH = 175.126836986
-"""N/m: 0.45359237 kg at 9.80665 m/s2 over 0.0254 m."""
 
 _UNITS = {"k": "N/m", "c": "N-s/m", "m": "kg"}
 
@@ -81,8 +76,8 @@ def read_xltrc2(path: str | Path, *, name: str | None = None, frame: Frame | Non
     Raises
     ------
     InputError
-        E001 for an unreadable file; E003 without a row of names and a row of units, for a cell that is no number, or
-        when nobody says what the frame is.
+        E001 for an unreadable file; E003 without a row of names and a row of units, for a cell that is no number,
+        or when nobody says what the frame is.
     """
     path = Path(path)
     rows, notes = _read_workbook(path) if path.suffix.lower() == ".xlsx" else (_read_csv(path), [])
@@ -116,11 +111,9 @@ def _grid(table: CoefficientTable) -> list[list[Cell]]:
     present = {letter: values for letter, values in matrices.items() if values is not None}
     titles = ["Speed", *(letter.upper() + entry for letter in present for entry in NAMES)]
     units = ["rpm", *(_UNITS[letter] for letter in present for _ in NAMES)]
-    columns = [
-        table.speeds / RPM,
-        *(values[:, i, j] for values in present.values() for i in (0, 1) for j in (0, 1)),
-    ]
-    return [[*titles], [*units], *([float(value) for value in row] for row in zip(*columns, strict=True))]
+    numbers = np.column_stack([table.speeds / RPM, *(values.reshape(-1, 4) for values in present.values())])
+    rows: list[list[Cell]] = [[*titles], [*units]]
+    return rows + [[*row] for row in numbers.tolist()]
 
 
 def _lower(row: Sequence[Cell]) -> list[str]:
@@ -176,8 +169,8 @@ def _write_workbook(path: Path, grid: list[list[Cell]], notes: list[list[str]]) 
     for row in grid:
         book.active.append(row)
     sheet = book.create_sheet("Frame")
-    for row in notes:
-        sheet.append(row)
+    for note in notes:
+        sheet.append(note)
     try:
         book.save(path)
     except OSError as error:

@@ -1,0 +1,103 @@
+"""From a settled ring to a solution in SI: pressures, supply flows, friction."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.film._equilibrium import CONVERGED, NO_FILM
+from babbitt.film._surface_forces import carry_streamers
+from babbitt.film.general import SettledRing
+from babbitt.film.model import JournalFilm, Land
+from babbitt.film.scales import Scales
+from babbitt.film.solution import FilmSolution
+from babbitt.results import Outcome
+
+__all__ = ["mirrored", "ring_solution"]
+
+Array = NDArray[np.float64]
+
+
+def mirrored(film: JournalFilm) -> JournalFilm:
+    """The bearing seen in the mirror theta -> -theta: a clockwise journal turns counter-clockwise."""
+
+    def flip(land: Land) -> Land:
+        return replace(
+            land,
+            start_angle=-land.end_angle,
+            end_angle=-land.start_angle,
+            centre=(land.centre[0], -land.centre[1]),
+            start_pressure=land.end_pressure,
+            end_pressure=land.start_pressure,
+            profile=land.profile[::-1],
+        )
+
+    return replace(
+        film,
+        angular_speed=-film.angular_speed,
+        lands=tuple(flip(land) for land in film.lands),
+        pockets=tuple(replace(pocket, centre_angle=-pocket.centre_angle) for pocket in film.pockets),
+        misalignment=(film.misalignment[0], -film.misalignment[1]),
+    )
+
+
+def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun: float) -> FilmSolution:
+    """Everything in SI and in the fixed frame.
+
+    Supply flows come one per groove, then one per pocket; each is the sum of the balances of the nodes it holds.
+    """
+    sample, ring = settled.sample, settled.sample.ring
+    work, supply = sample.work, ring.supply
+    if not ring.surface.conserving and ring.surface.speed > 0.0:
+        carry_streamers(ring.surface, sample.film, work)
+    count = int(supply.max()) + 1
+    flows = np.array([work.row[supply == number].sum() for number in range(count)])
+    side = -work.row[supply == -2].sum()
+    free = np.abs(work.row[(supply == -1) & work.counts])
+    passing = max(np.maximum(flows, 0.0).sum(), float(sample.film.couette.sum(axis=1).max()))
+    torque_journal, torque_bearing = friction(settled)
+    frame = np.diag(scales.sense)
+    unit = scales.force / scales.length
+    outcome = {CONVERGED: Outcome.CONVERGED, NO_FILM: Outcome.OVERLOADED}.get(settled.status, Outcome.NOT_CONVERGED)
+    lines = work.pressure.shape[0]
+    return FilmSolution(
+        film=film,
+        outcome=outcome,
+        position=scales.sense * settled.position * scales.length,
+        force=scales.sense * sample.force * scales.force,
+        stiffness=frame @ sample.stiffness @ frame * unit,
+        damping=frame @ sample.damping @ frame * (unit / scales.rate),
+        minimum_film_thickness=settled.gap * scales.length,
+        angles=scales.sense[1] * ring.theta[None, :lines],
+        axial_positions=ring.mesh.nodes * (0.5 * film.width),
+        pressure=work.pressure[None] * scales.pressure + film.cavitation_pressure,
+        void=1.0 - work.fill[None],
+        supply_flow=flows * scales.flow,
+        outflow=np.zeros(count),
+        side_flow=np.array([side * scales.flow]),
+        friction_torque=torque_journal * scales.torque,
+        bearing_torque=torque_bearing * scales.torque,
+        mass_balance_error=float(free.sum() / max(passing, 1e-300)),
+        iterations=settled.steps,
+        wall_time=time.perf_counter() - begun,
+    )
+
+
+def friction(settled: SettledRing) -> tuple[float, float]:
+    """Torques on journal and bearing: Couette shear with the liquid fraction, and -+ (h/2) dp/dtheta."""
+    sample, surface = settled.sample, settled.sample.ring.surface
+    work, node = sample.work, surface.node
+    x, y = settled.position
+    trig = surface.trigonometry
+    ha = surface.gap_a - (x * trig[0] + y * trig[1])[:, None]
+    hb = surface.gap_b - (x * trig[2] + y * trig[3])[:, None]
+    n = surface.step.size
+    after = (np.arange(n) + 1) % work.pressure.shape[0]
+    half = 0.5 * surface.step[:, None]
+    shear = surface.speed * surface.viscosity * half * (1.0 / ha + 1.0 / hb) * work.fill[:n][:, node]
+    slope = 0.25 * (ha + hb) * (work.pressure[after] - work.pressure[:n])[:, node]
+    couette, pressure = float((shear @ surface.share).sum()), float((slope @ surface.share).sum())
+    return couette + pressure, couette - pressure
