@@ -92,6 +92,12 @@ EXPLANATIONS: dict[str, Explanation] = {
         "The folder does not exist, is not writable, or an extra needed for this format is not installed.",
         "Check the path; `pip install 'babbitt[report]'` installs what PDF, HTML and plots need.",
     ),
+    "E101": Explanation(
+        "Film cannot be laid out",
+        "Lands, grooves, pockets, pressures or speeds do not describe a film: they overlap, are empty, lie outside "
+        "the bearing, or nothing drives or feeds the film.",
+        "Correct what the message names.",
+    ),
     # -- doubts about the design check --------------------------------------------------------------------------
     "W101": Explanation(
         "Film is not laminar",
@@ -184,6 +190,13 @@ EXPLANATIONS: dict[str, Explanation] = {
         "isoviscous film is too simple.",
         "Treat the film thickness as an order of magnitude; lower the load or raise the viscosity.",
     ),
+    "W117": Explanation(
+        "The journal whirls",
+        "The rotor is heavier than the critical mass: in this film a rigid rotor leaves its place and whirls at about "
+        "half the speed.",
+        "A larger clearance, a thinner oil, a narrower bearing, a bore with preload, or tilting pads; with an elastic "
+        "rotor make a rotordynamic analysis with stiffness and damping of the film.",
+    ),
     # -- no solution --------------------------------------------------------------------------------------------
     "S001": Explanation(
         "No film can carry the load",
@@ -274,6 +287,12 @@ EXPLANATIONS: dict[str, Explanation] = {
         "Whirl screening by Dmitriev",
         "Advice only: the eccentricity ratio should exceed 0.60; below 0.55 whirl is possible.",
         "A larger clearance, a thinner oil, a narrower bearing.",
+    ),
+    "C115": Explanation(
+        "Critical mass",
+        "The mass above which a rigid rotor whirls is compared with the mass of the rotor (`rotor_mass`), or, as "
+        "advice only, with the load over g.",
+        "A larger clearance, a thinner oil, a narrower bearing, or a bore with preload.",
     ),
     "C114": Explanation(
         "Recommended clearance",

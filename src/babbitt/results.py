@@ -5,8 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
+from typing import Any
 
 from babbitt.notices import Notice
+
+Matrix = tuple[tuple[float, ...], ...]
+"""Rows of numbers in SI."""
 
 
 class Outcome(Enum):
@@ -102,6 +106,10 @@ class Result:
         What was assumed because neither the case nor a published source says it.
     message : str
         For an unsolved result: how far it came and what to try.
+    settings : Mapping[str, str]
+        Choices that the numbers depend on.
+    arrays : Mapping[str, Matrix]
+        Named quantities of several numbers, in SI: ``stiffness`` and ``damping`` as [[xx, xy], [yx, yy]].
     """
 
     name: str
@@ -114,16 +122,19 @@ class Result:
     assumptions: tuple[str, ...] = ()
     message: str = ""
     settings: Mapping[str, str] = field(default_factory=dict)
+    arrays: Mapping[str, Matrix] = field(default_factory=dict)
 
     @property
     def within_limits(self) -> bool:
         """Whether every check that is not merely advice is kept."""
         return all(check.ok for check in self.checks if not check.advisory)
 
-    def __getattr__(self, name: str) -> float:
-        """Give the named quantities as attributes: ``result.minimum_film_thickness``."""
+    def __getattr__(self, name: str) -> Any:
+        """Give the named quantities as attributes: ``result.minimum_film_thickness``, ``result.stiffness``."""
         values: Mapping[str, float] = self.__dict__.get("values", {})
-        try:
+        arrays: Mapping[str, Matrix] = self.__dict__.get("arrays", {})
+        if name in values:
             return values[name]
-        except KeyError:
-            raise AttributeError(f"{name!r} is not among the results: {', '.join(values)}") from None
+        if name in arrays:
+            return arrays[name]
+        raise AttributeError(f"{name!r} is not among the results: {', '.join((*values, *arrays))}")

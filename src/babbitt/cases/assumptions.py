@@ -35,11 +35,22 @@ def assumptions_of(
     """
     return (
         *_of_span(bearing, point),
-        *_of_supply(bearing, point, supply),
+        *_of_supply_element(bearing, point, supply),
+        *common_assumptions_of(bearing, supply, cooling, materials),
+        *_of_friction_model(bearing),
+    )
+
+
+def common_assumptions_of(
+    bearing: JournalBearing, supply: Supply | None, cooling: Cooling | None, materials: Materials
+) -> tuple[str, ...]:
+    """Give the assumptions that stand behind a bearing by any method."""
+    return (
+        *_of_supply(supply),
         *_of_cooling(cooling),
         *_of_surfaces(bearing),
         *_of_materials(materials),
-        *_of_friction(bearing),
+        *_of_friction_factor(bearing),
     )
 
 
@@ -61,7 +72,9 @@ def _of_span(bearing: JournalBearing, point: OperatingPoint | None) -> Iterator[
     yield "The unevenness of the pockets is ignored in the supply flow."
 
 
-def _of_supply(bearing: JournalBearing, point: OperatingPoint | None, supply: Supply | None) -> Iterator[str]:
+def _of_supply_element(
+    bearing: JournalBearing, point: OperatingPoint | None, supply: Supply | None
+) -> Iterator[str]:
     element = bearing.element_at(point)
     if supply is None:
         return
@@ -70,6 +83,11 @@ def _of_supply(bearing: JournalBearing, point: OperatingPoint | None, supply: Su
     if isinstance(element, SlotElement):
         diameter, number = equivalent_holes(element.length, element.width)
         yield f"A slot is computed as {number:.3f} holes of {written(diameter, 'mm')}, same perimeter and area."
+
+
+def _of_supply(supply: Supply | None) -> Iterator[str]:
+    if supply is None:
+        return
     if not supply.tubes and not supply.holes:
         yield "No losses on the way: the supply pressure is that at the supply element."
     if supply.circulation_time is None:
@@ -106,8 +124,11 @@ def _of_materials(materials: Materials) -> Iterator[str]:
         yield "The load is taken as calm."
 
 
-def _of_friction(bearing: JournalBearing) -> Iterator[str]:
+def _of_friction_factor(bearing: JournalBearing) -> Iterator[str]:
     if bearing.friction.factor != 1.0:
         yield f"The friction coefficient is multiplied by {bearing.friction.factor:g}."
+
+
+def _of_friction_model(bearing: JournalBearing) -> Iterator[str]:
     if bearing.friction.model == "curve360":
         yield "The friction number is that of the full bearing at the same eccentricity."

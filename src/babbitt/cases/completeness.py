@@ -47,7 +47,7 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
     supply = merged(bearing.supply, shared.supply)
     cooling = merged(bearing.cooling, shared.cooling)
     materials = merged(bearing.materials, shared.materials)
-    if supply is None and cooling is None:
+    if supply is None and cooling is None and bearing.effective_temperature is None:
         yield lacks("", "supply", "supply (oil carries the heat away), cooling (the housing does), or both")
     if supply is not None:
         points = bearing.operating_points

@@ -77,6 +77,9 @@ class PocketElement(Part):
     kind: Literal["pocket"] = Field(description="Pockets placed evenly about the load.")
     width: Hollow = Field(description="Size of the pocket along the shaft.")
     place: Place = Field(description=PLACE)
+    extent: Annotated[float, si("rad", "0.1 deg", "180 deg")] | None = Field(
+        None, description="Circumferential extent of each pocket; the film method takes 20 deg without it."
+    )
 
     @property
     def axial_size(self) -> float:

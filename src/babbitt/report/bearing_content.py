@@ -20,9 +20,10 @@ from babbitt.report.line import Line
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_text
 from babbitt.results import Bound, Check, Result
+from babbitt.standards.iso7902.model import DesignCase
 
 if TYPE_CHECKING:
-    from babbitt.standards.iso7902 import DesignCase
+    from babbitt.cases.build import AnyDesign
 
 Data = dict[str, Any]
 
@@ -46,6 +47,13 @@ KEY_RESULTS = (
     "effective_viscosity",
     "film_reynolds_number",
     "transition_speed",
+    *(f"{name}_{axes}" for name in ("stiffness", "damping") for axes in ("xx", "xy", "yx", "yy")),
+    "critical_mass",
+    "whirl_frequency_ratio",
+    "threshold_speed",
+    "lobe_clearance",
+    "preload",
+    "mass_balance_error",
 )
 """Results shown at the head of a bearing; kinds without a film show all they have."""
 
@@ -53,12 +61,12 @@ NOT_FOR_PAPER = ("wall_time", "iterations")
 """Results that tell of the run rather than of the bearing, and differ from run to run."""
 
 
-def bearing_content(case: DesignCase | None, result: Result) -> Data:
+def bearing_content(case: AnyDesign | None, result: Result) -> Data:
     """Everything that the report says of one bearing.
 
     Parameters
     ----------
-    case : DesignCase or None
+    case : DesignCase, FilmCase or None
         What the result was computed from; None for kinds without a film.
     result : Result
 
@@ -70,8 +78,9 @@ def bearing_content(case: DesignCase | None, result: Result) -> Data:
     solved = result.outcome.solved
     sources = list(dict.fromkeys(plain_text(check.source) for check in result.checks)) if solved else []
     drawings: tuple[Drawing, ...] = ()
-    if case is not None and solved:
-        drawings = draw(case, result, clearance_range(case))
+    by_standard = case if isinstance(case, DesignCase) else None
+    if by_standard is not None and solved:
+        drawings = draw(by_standard, result, clearance_range(by_standard))
     return {
         "name": plain_text(result.name),
         "verdict": judge.verdict(result).value,
@@ -90,7 +99,7 @@ def bearing_content(case: DesignCase | None, result: Result) -> Data:
                 "remark": section.remark,
                 "lines": [_line(line) for line in section.lines],
             }
-            for section in (calculation(case, result) if case is not None else ())
+            for section in (calculation(by_standard, result) if by_standard is not None else ())
         ],
         "checks": [check_content(check, sources) for check in result.checks] if solved else [],
         "sources": sources,
@@ -112,7 +121,9 @@ def bearing_content(case: DesignCase | None, result: Result) -> Data:
 
 
 def _method(result: Result) -> str:
-    return {"iso7902": "ISO 7902", "statics": "Statics of the shaft"}.get(result.method, plain_text(result.method))
+    return {"iso7902": "ISO 7902", "film": "Film in two dimensions", "statics": "Statics of the shaft"}.get(
+        result.method, plain_text(result.method)
+    )
 
 
 def _outcome(result: Result) -> Data | None:

@@ -18,8 +18,8 @@ from babbitt.report.verdict import Group, Verdict
 from babbitt.results import Result
 
 if TYPE_CHECKING:
+    from babbitt.cases.build import AnyDesign
     from babbitt.solving import MachineResult
-    from babbitt.standards.iso7902 import DesignCase
 
 
 def content(machine: MachineResult) -> Data:
@@ -35,7 +35,7 @@ def content(machine: MachineResult) -> Data:
         Strings, numbers, lists and dictionaries only.
     """
     results = machine.results
-    cases: Sequence[DesignCase | None] = machine.design_cases or [None] * len(results)
+    cases: Sequence[AnyDesign | None] = machine.design_cases or [None] * len(results)
     return {
         "name": plain_text(machine.name) or "Unnamed case",
         "version": machine.version,

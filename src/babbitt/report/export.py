@@ -6,7 +6,7 @@ import json
 import math
 from typing import TYPE_CHECKING, Any
 
-from babbitt.results import Check, Result
+from babbitt.results import Check, Matrix, Result
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult
@@ -47,7 +47,8 @@ def write_json(machine: MachineResult) -> str:
 
 
 def _bearing(result: Result) -> dict[str, Any]:
-    numbers = {name: float(value) for name, value in result.values.items() if math.isfinite(value)}
+    numbers: dict[str, Any] = {name: float(value) for name, value in result.values.items() if math.isfinite(value)}
+    numbers |= {name: [list(row) for row in rows] for name, rows in result.arrays.items() if _finite(rows)}
     solved = result.outcome.solved
     record: dict[str, Any] = {
         "name": result.name,
@@ -78,6 +79,10 @@ def _check(check: Check) -> dict[str, Any]:
         "advisory": check.advisory,
         "source": check.source,
     }
+
+
+def _finite(rows: Matrix) -> bool:
+    return all(math.isfinite(value) for row in rows for value in row)
 
 
 def _number(value: float) -> float | None:

@@ -127,6 +127,8 @@ def write_plots(machine: MachineResult, folder: Path, image_format: str = "svg")
         raise InputError("E007", f"no figures as {image_format!r}; there are {', '.join(FORMATS)}")
     made = {}
     for place, (case, result) in enumerate(zip(machine.design_cases, machine.results, strict=False), start=1):
+        if not isinstance(case, DesignCase):
+            continue  # the figures show the procedure of the standard
         for drawing in draw(case, result, clearance_range(case), image_format):
             made[folder / f"{place:02d}-{drawing.name}.{image_format}"] = drawing.image
     try:
