@@ -127,7 +127,8 @@ def test_compare_puts_the_variants_side_by_side(run, tmp_path):
     (tmp_path / "half.yaml").write_text(full.replace("span: 360 deg", "span: 180 deg"))
     status, out, _ = run("compare", "full.yaml")
     assert status == 0
-    assert "as given" in out
+    assert "ISO 7902" in out
+    assert "film, Reynolds" in out
     assert "closed forms" in out
     status, out, _ = run("compare", "half.yaml")
     assert status == 0

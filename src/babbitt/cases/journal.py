@@ -256,6 +256,17 @@ class JournalBearing(Duty, SharedInputs):
                 yield Complaint((*path, "attitude_angle"), says, "method: film, or leave it out")
 
     @rule
+    def _tilt_leaves_a_film(self) -> Iterator[Complaint]:
+        width = self.actual_width
+        if self.misalignment is None or width is None:
+            return
+        play = self.clearance.at_20_degrees(self.diameter).relative(self.diameter).minimum * self.diameter / 2.0
+        offset = math.hypot(self.misalignment.x, self.misalignment.y) * width / 2.0
+        if offset >= play:
+            says = f"the journal touches at the edges: it leans {written(offset, 'um')} there"
+            yield Complaint(("misalignment",), says, f"less than the radial clearance, {written(play, 'um')}")
+
+    @rule
     def _lobes_lie_between_grooves(self) -> Iterator[Complaint]:
         if isinstance(self.bore, LobedBoreGiven) and len(self.grooves) < 2:
             says = f"lobes lie between grooves; {len(self.grooves)} given"
