@@ -94,7 +94,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "E101": Explanation(
         "Film cannot be laid out",
-        "Lands, grooves, pockets, pressures or speeds do not describe a film: they overlap, are empty, lie outside "
+        "Lands, grooves, pockets, pressures or speeds do not describe a film: they overlap, are empty, "
+        "lie outside "
         "the bearing, or nothing drives or feeds the film.",
         "Correct what the message names.",
     ),
@@ -192,9 +193,11 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W117": Explanation(
         "The journal whirls",
-        "The rotor is heavier than the critical mass: in this film a rigid rotor leaves its place and whirls at about "
+        "The rotor is heavier than the critical mass: in this film a rigid rotor leaves its place and "
+        "whirls at about "
         "half the speed.",
-        "A larger clearance, a thinner oil, a narrower bearing, a bore with preload, or tilting pads; with an elastic "
+        "A larger clearance, a thinner oil, a narrower bearing, a bore with preload, or tilting pads; "
+        "with an elastic "
         "rotor make a rotordynamic analysis with stiffness and damping of the film.",
     ),
     # -- no solution --------------------------------------------------------------------------------------------

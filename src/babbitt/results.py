@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import Any
 
 from babbitt.notices import Notice
 
@@ -129,12 +128,27 @@ class Result:
         """Whether every check that is not merely advice is kept."""
         return all(check.ok for check in self.checks if not check.advisory)
 
-    def __getattr__(self, name: str) -> Any:
-        """Give the named quantities as attributes: ``result.minimum_film_thickness``, ``result.stiffness``."""
+    @property
+    def stiffness(self) -> Matrix:
+        """Film stiffness in N/m, [[xx, xy], [yx, yy]]."""
+        return self._array("stiffness")
+
+    @property
+    def damping(self) -> Matrix:
+        """Film damping in N s/m, [[xx, xy], [yx, yy]]."""
+        return self._array("damping")
+
+    def _array(self, name: str) -> Matrix:
+        if name in self.arrays:
+            return self.arrays[name]
+        raise AttributeError  # leads to __getattr__, which tells what there is
+
+    def __getattr__(self, name: str) -> float:
+        """Give the named quantities as attributes: ``result.minimum_film_thickness``."""
         values: Mapping[str, float] = self.__dict__.get("values", {})
-        arrays: Mapping[str, Matrix] = self.__dict__.get("arrays", {})
-        if name in values:
+        try:
             return values[name]
-        if name in arrays:
-            return arrays[name]
-        raise AttributeError(f"{name!r} is not among the results: {', '.join((*values, *arrays))}")
+        except KeyError:
+            arrays: Mapping[str, Matrix] = self.__dict__.get("arrays", {})
+            there = ", ".join((*values, *arrays))
+            raise AttributeError(f"{name!r} is not among the results: {there}") from None

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from babbitt.cases import case_from_dict, design_cases
 from babbitt.bearings.model import FilmCase
+from babbitt.cases import case_from_dict, design_cases
 from babbitt.solving import MachineResult, solve
 
 GROOVES = [{"angle": "0 deg", "extent": "20 deg"}, {"angle": "180 deg", "extent": "20 deg"}]

@@ -31,7 +31,10 @@ def rotated(matrix, by):
     return turn @ np.array(matrix) @ turn.T
 
 
-POCKETS = [{"angle": "15 deg", "extent": "20 deg", "width": "80 mm"}, {"angle": "160 deg", "extent": "25 deg", "width": "60 mm"}]
+POCKETS = [
+    {"angle": "15 deg", "extent": "20 deg", "width": "80 mm"},
+    {"angle": "160 deg", "extent": "25 deg", "width": "60 mm"},
+]
 
 FEEDS = {
     "grooves": {"grooves": GROOVES},
@@ -58,7 +61,7 @@ def test_a_plain_bearing_agrees_with_the_standard(load, width_ratio):
 
 
 def test_the_half_arc_agrees_with_the_standard_where_the_other_half_carries_nothing():
-    # the loaded arc of the standard begins and ends at ambient pressure; behind it is a wide groove without pressure
+    # the loaded arc of the standard begins and ends at ambient pressure; a wide groove lies behind it
     given = {
         "grooves": [{"angle": "90 deg", "extent": "180 deg", "pressure": "0 Pa"}],
         "span": "180 deg", "cavitation": "reynolds", "accuracy": "reference", "effective_temperature": "60 degC",
@@ -109,7 +112,9 @@ def test_oil_and_heat_are_conserved(feed):
 
 
 def test_oil_and_housing_share_the_heat():
-    result = answer(cooling={"ambient_temperature": "20 degC", "heat_transfer_coefficient": 20.0, "surface": "1 m2"})
+    result = answer(
+        cooling={"ambient_temperature": "20 degC", "heat_transfer_coefficient": 20.0, "surface": "1 m2"}
+    )
     assert result.heat_to_surroundings == pytest.approx(20.0 * (result.effective_temperature - 293.15))
     assert abs(result.energy_balance_error) < 1e-8
     assert result.effective_temperature < answer().effective_temperature
@@ -152,7 +157,9 @@ def test_stiffness_is_the_change_of_the_force():
     clearance = 0.5 * middle.operating_relative_clearance * middle.diameter
     way = np.array([math.cos(math.radians(-40.0)), math.sin(math.radians(-40.0))])
     expected = -(force(high) - force(low)) / (2.0 * step * clearance)
-    np.testing.assert_allclose(np.array(middle.stiffness) @ way, expected, rtol=1e-2, atol=1e-2 * abs(expected).max())
+    np.testing.assert_allclose(
+        np.array(middle.stiffness) @ way, expected, rtol=1e-2, atol=1e-2 * abs(expected).max()
+    )
 
 
 def test_preload_stiffens_and_steadies_an_unloaded_bearing():
@@ -213,7 +220,9 @@ def test_misalignment_thins_the_film_at_the_edges():
     askew = answer(effective_temperature="60 degC", misalignment={"x": 0.0, "y": "0.4 mrad"})
     assert askew.minimum_film_thickness < straight.minimum_film_thickness - 0.2 * 0.4e-3 * 0.06
     other = answer(effective_temperature="60 degC", misalignment={"x": 0.0, "y": "-0.4 mrad"})
-    assert other.eccentricity_ratio == pytest.approx(askew.eccentricity_ratio, rel=1e-6)  # mirrored in the mid-plane
+    assert other.eccentricity_ratio == pytest.approx(
+        askew.eccentricity_ratio, rel=1e-6
+    )  # mirrored in the mid-plane
 
 
 def test_a_threshold_is_where_the_critical_mass_meets_the_rotor():
@@ -257,7 +266,10 @@ def test_operating_points_and_clearances_unfold():
     limits = {"kind": "relative", "mean": "1.5 permille", "minimum": "1.3 permille", "maximum": "1.7 permille"}
     found = solve(case(load=None, operating_points=points, clearance=limits, clearance_cases="all"))
     assert len(found.results) == 6
-    assert found["Bearing [a] (maximum clearance)"].eccentricity_ratio < found["Bearing [b] (maximum clearance)"].eccentricity_ratio
+    assert (
+        found["Bearing [a] (maximum clearance)"].eccentricity_ratio
+        < found["Bearing [b] (maximum clearance)"].eccentricity_ratio
+    )
 
 
 def test_numba_comes_with_the_first_film_only():

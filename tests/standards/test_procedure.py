@@ -8,10 +8,10 @@ from design_cases import CASE_A, CASE_C, RPM, oil
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from babbitt.design.ducts import Duct
 from babbitt.lubricants import ConstantViscosity, OilProperties, lubricant_from_law
 from babbitt.materials import LoadCharacter, bearing_metal
 from babbitt.results import Outcome
-from babbitt.design.ducts import Duct
 from babbitt.standards.iso7902.model import (
     Bearing,
     Curves,

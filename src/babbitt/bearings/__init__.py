@@ -1,4 +1,5 @@
-"""Journal bearings whose film is solved: from the description of a bearing to the film, its heat balance and its answer.
+"""Journal bearings whose film is solved: from description to film, heat balance and answer.
 
-``model`` and ``bore`` describe, ``layout`` draws the film, ``warm_film`` finds it at a temperature, ``check`` answers.
+``model`` and ``bore`` describe, ``layout`` draws the film, ``warm_film`` finds it at a temperature,
+``check`` answers.
 """

@@ -103,9 +103,9 @@ class WornBore:
 
     Notes
     -----
-    ``δ(φ) = d - c (1 - cos φ)`` where positive, φ from the deepest place. Source: Dufrane, Kannel, McCloskey, Wear of
-    steam turbine journal bearings at low operating speeds, J. Lubrication Technology 105 (1983) 313-317, model of
-    abrasive wear.
+    ``δ(φ) = d - c (1 - cos φ)`` where positive, φ from the deepest place. Source: Dufrane, Kannel, McCloskey,
+    Wear of steam turbine journal bearings at low operating speeds, J. Lubrication Technology 105 (1983)
+    313-317, model of abrasive wear.
     """
 
     depth: float

@@ -49,8 +49,8 @@ def film_check(case: FilmCase) -> Result:
 
     Notes
     -----
-    The film has one viscosity, that at the effective temperature. As in ISO 7902 the oil enters with ``T_en``, leaves
-    with ``T_ex``, and ``T_eff`` is the mean of both; without oil supply ``T_eff`` is that of the bearing.
+    The film has one viscosity, that at the effective temperature. As in ISO 7902 the oil enters with ``T_en``,
+    leaves with ``T_ex``, and ``T_eff`` is the mean of both; without oil supply ``T_eff`` is that of the bearing.
     """
     start = perf_counter()
     film_at = partial(film_at_temperature, case=case)
@@ -206,7 +206,8 @@ def _assumptions(case: FilmCase) -> Iterator[str]:
         yield "The position is prescribed: the load found need not point along the load angle."
     if case.effective_temperature is not None:
         yield (
-            f"Effective temperature prescribed: {case.effective_temperature - 273.15:.1f} °C; heat balance not closed."
+            f"Effective temperature prescribed: {case.effective_temperature - 273.15:.1f} °C; heat balance "
+            f"not closed."
         )
 
 

@@ -76,8 +76,8 @@ class Hollow:
 class FilmBearing:
     """A journal bearing as the film sees it; lengths in m, clearance at 20 °C.
 
-    `misalignment` holds the slopes dx/dz and dy/dz of the journal axis in rad. `clearance_tolerance` holds the least
-    and the greatest relative clearance where a tolerance is known.
+    `misalignment` holds the slopes dx/dz and dy/dz of the journal axis in rad. `clearance_tolerance` holds the
+    least and the greatest relative clearance where a tolerance is known.
     """
 
     diameter: float

@@ -17,8 +17,8 @@ SLOWEST = 1e-5
 def transition_speed(case: FilmCase, state: FilmState, film_thickness: float) -> float | None:
     """Speed in rad/s at which the film is as thin as `film_thickness` (m), load and oil kept.
 
-    None where no slower speed gives such a film, or the film at the operating point is thinner already and no speed
-    up to ten times as high lifts it.
+    None where no slower speed gives such a film, or the film at the operating point is thinner already and no
+    speed up to ten times as high lifts it.
     """
 
     def surplus(log_speed: float) -> float:

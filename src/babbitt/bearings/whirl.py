@@ -42,8 +42,8 @@ class Whirl:
 def whirl_of(case: FilmCase, state: FilmState) -> Whirl:
     """Stability at the operating point, and the speed at which the rotor begins to whirl.
 
-    The threshold keeps load, viscosity and clearance of the operating point. Without a mass of the rotor, the load is
-    taken as its weight.
+    The threshold keeps load, viscosity and clearance of the operating point. Without a mass of the rotor, the
+    load is taken as its weight.
     """
     from babbitt.film.stability import critical_mass, whirl_frequency
 
@@ -67,7 +67,8 @@ def at_speed(case: FilmCase, state: FilmState, speed: float) -> FilmSolution:
 
 
 def threshold_speed(case: FilmCase, state: FilmState, mass: float) -> float | None:
-    """Speed in rad/s above which a rigid rotor whirls, nearest to the operating speed; None if none is in sight."""
+    """Speed in rad/s above which a rigid rotor whirls, nearest to the operating speed; None if none is in
+    sight."""
     from babbitt.film.stability import critical_mass
 
     def excess(speed: float) -> float:

@@ -26,7 +26,8 @@ Maker = Callable[[Inputs, OperatingPoint | None, str, float, tuple[float, float]
 
 
 def design_cases(case: Case) -> tuple[AnyDesign, ...]:
-    """Expand a case into one design case per bearing, operating point and clearance, by the method of each bearing.
+    """Expand a case into one design case per bearing, operating point and clearance, by the method of each
+    bearing.
 
     Parameters
     ----------
@@ -57,7 +58,8 @@ def bearings_of(case: Case) -> tuple[JournalBearing, ...]:
 
 
 def iso7902_cases(bearing: JournalBearing, case: Case) -> tuple[DesignCase, ...]:
-    """Design cases of ISO 7902 of one bearing of a case, whatever method it names; empty if the standard knows it not.
+    """Design cases of ISO 7902 of one bearing of a case, whatever method it names; empty if the standard knows
+    it not.
 
     The standard knows round bores with an aligned journal and a tabulated span.
     """

@@ -48,7 +48,11 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
     cooling = merged(bearing.cooling, shared.cooling)
     materials = merged(bearing.materials, shared.materials)
     if supply is None and cooling is None and bearing.effective_temperature is None:
-        yield lacks("", "supply", "supply (oil carries the heat away), cooling (the housing does), or effective_temperature")
+        yield lacks(
+            "",
+            "supply",
+            "supply (oil carries the heat away), cooling (the housing does), or effective_temperature",
+        )
     if supply is not None:
         points = bearing.operating_points
         if supply.temperature is None and not _all_give(points, "supply_temperature"):

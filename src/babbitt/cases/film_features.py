@@ -1,4 +1,5 @@
-"""What the film method sees beyond the standard: grooves, pockets, holes, form of the bore, misalignment, choices."""
+"""What the film method sees beyond the standard: grooves, pockets, holes, form of the bore, misalignment,
+choices."""
 
 from __future__ import annotations
 
@@ -149,7 +150,8 @@ class MeasuredBoreGiven(Part):
     departures: tuple[Annotated[float, si("m", "-1 mm", "1 mm")], ...] = Field(
         min_length=8,
         max_length=720,
-        description="Departures from the circle of the given clearance, outward positive, at equal steps once around "
+        description="Departures from the circle of the given clearance, outward positive, at equal steps "
+        "once around "
         "in counter-clockwise order; the last point lies one step before the first.",
     )
     start: Angle = Field(0.0, description="Direction of the first point, counter-clockwise from the x axis.")

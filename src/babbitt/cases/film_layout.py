@@ -5,7 +5,8 @@ The rule for bearings described by `span` and `supply_element` alone:
 - uneven pockets stand at their true angles with their true width and extent;
 - pockets at both sides of an arc shorter than 360 deg begin where the arc ends;
 - a half groove is a pocket of its width around the unloaded 180 deg, a full groove one of 360 deg;
-- holes, slots and pockets of a full bearing stand opposite the load, at 90 deg before it, or at 90 deg on both sides;
+- holes, slots and pockets of a full bearing stand opposite the load, at 90 deg before it, or at 90 deg on both
+  sides;
 - any other arc ends at lines of supply as wide as the bearing; behind them the rest of the bore carries film, too;
 - a full bearing without supply element is fed along a line opposite the load.
 """

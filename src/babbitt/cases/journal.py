@@ -93,7 +93,8 @@ class JournalBearing(Duty, SharedInputs):
     )
     rotor_mass: Annotated[float, si("kg", "1 g", "10000 t")] | None = Field(
         None,
-        description="Part of the mass of the rotor that the bearing carries, for the threshold of whirl by the film "
+        description="Part of the mass of the rotor that the bearing carries, for the threshold of whirl "
+        "by the film "
         "method. Without it the load is taken as weight.",
     )
     effective_temperature: Annotated[float, si("K", "-30 degC", "290 degC")] | None = Field(
@@ -110,7 +111,8 @@ class JournalBearing(Duty, SharedInputs):
     )
     cavitation: Literal["mass_conserving", "reynolds"] = Field(
         "mass_conserving",
-        description="What the film method does where the film breaks up: conserve the oil (JFO), or let pressure and "
+        description="What the film method does where the film breaks up: conserve the oil (JFO), or let "
+        "pressure and "
         "its gradient vanish (Reynolds, as in most published tables).",
     )
     cavitation_pressure: Annotated[float, si("Pa", "-1 MPa", "0 Pa")] = Field(
@@ -118,7 +120,8 @@ class JournalBearing(Duty, SharedInputs):
     )
     film_start: Literal["groove", "widest_gap"] | None = Field(
         None,
-        description="Where the film method lets the film begin: at what feeds it, or at the widest gap of a full round "
+        description="Where the film method lets the film begin: at what feeds it, or at the widest gap of "
+        "a full round "
         "bore (as the characteristics of the standard). groove if not given.",
     )
     accuracy: Literal["draft", "engineering", "reference"] = Field(

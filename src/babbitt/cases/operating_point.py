@@ -29,7 +29,8 @@ class Duty(Part):
     )
     attitude_angle: Annotated[float, si("rad", "-180 deg", "180 deg")] | None = Field(
         None,
-        description="Besides the eccentricity ratio, for the film method: from the load angle to the journal centre in "
+        description="Besides the eccentricity ratio, for the film method: from the load angle to the "
+        "journal centre in "
         "the sense of rotation. The direction of the load is then found, too.",
     )
     speed: Annotated[float, si("rad/s", "0.1 rpm", "1000000 rpm")] | None = Field(

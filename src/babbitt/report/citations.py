@@ -22,15 +22,18 @@ DIN_31652 = (
     "DIN 31652-2: Plain bearings, hydrodynamic plain journal bearings, functions (closed-form approximations)."
 )
 JFO = (
-    "B. Jakobsson, L. Floberg: The finite journal bearing, considering vaporization. Transactions of Chalmers University "
+    "B. Jakobsson, L. Floberg: The finite journal bearing, considering vaporization. Transactions of "
+    "Chalmers University "
     "of Technology 190 (1957); K.-O. Olsson: Cavitation in dynamically loaded bearings, ibid. 308 (1965)."
 )
 LUND = (
-    "J. W. Lund, K. K. Thomsen: A calculation method and data for the dynamic coefficients of oil-lubricated journal "
+    "J. W. Lund, K. K. Thomsen: A calculation method and data for the dynamic coefficients of "
+    "oil-lubricated journal "
     "bearings. Topics in Fluid Film Bearing and Rotor Bearing System Design and Optimization, ASME (1978) 1-28."
 )
 DUFRANE = (
-    "K. F. Dufrane, J. W. Kannel, T. H. McCloskey: Wear of steam turbine journal bearings at low operating speeds. "
+    "K. F. Dufrane, J. W. Kannel, T. H. McCloskey: Wear of steam turbine journal bearings at low "
+    "operating speeds. "
     "Journal of Lubrication Technology 105 (1983) 313-317."
 )
 VISCOSITY = "ASTM D341: Viscosity-temperature equations and charts for liquid petroleum or hydrocarbon products."
