@@ -15,10 +15,15 @@ FINE = Resolution(6, 192)
 
 def widest_gap(width_ratio, speed=SPEED):
     return JournalFilm(
-        DIAMETER, width_ratio * DIAMETER, CLEARANCE, VISCOSITY, speed, RING, Cavitation.REYNOLDS, FilmStart.WIDEST_GAP
+        DIAMETER,
+        width_ratio * DIAMETER,
+        CLEARANCE,
+        VISCOSITY,
+        speed,
+        RING,
+        Cavitation.REYNOLDS,
+        FilmStart.WIDEST_GAP,
     )
-
-
 
 
 # Butenschoen H.-J. (1976), dissertation, Karlsruhe: eps, D/B, So, beta in degrees, Q3 / ((D/2)^3 psi omega)

@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from babbitt.film._elimination import solve_land
-from babbitt.film._forces import RESULT_SIZE, add_forces, end_at_rupture, update_wet_set
+from babbitt.film._forces import add_forces, end_at_rupture, update_wet_set
 from babbitt.film._grids import (
     film_coefficients,
     graded_lines,
@@ -26,7 +26,9 @@ from babbitt.film._structs import compiled
 
 CONVERGED, TOO_MANY_STEPS, NO_FILM = 0, 1, 2
 MODERATE_LOAD = 6.0  # dimensionless load up to which the centred journal is a good start
-HISTORY = 5  # what a settle reports: x, y, status, steps, smallest gap
+PATIENCE = 40  # updates of the wet set before a patient step
+PATIENT_STEPS = 6  # patient steps before the lines are graded anew: a grid that does not see the thin film fails to stop
+CYCLING = 30  # steps after which a node that changes sides for ever is let be, if the load is carried within 1e-4
 
 
 @compiled
@@ -49,11 +51,14 @@ def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, re
             solve_land(axial, bearing, grid, k, film, lines, nodal_from)
             if again == 1:
                 lines.ending[:] = 0.0
-                lines.solution[:, 0, :] = lines.saved
-            elif smooth:
-                nodal_from = end_at_rupture(axial, bearing, grid, k, film, lines)
-                lines.saved[:] = lines.solution[:, 0, :]
-            if not smooth or nodal_from == n:
+                lines.solution[:, 0, :] = grid.value[k]
+            else:
+                for i in range(n + 1):
+                    for j in range(len(axial.size)):
+                        grid.value[k, i, j] = lines.solution[i, 0, j]
+                if smooth == 1:
+                    nodal_from = end_at_rupture(axial, bearing, grid, k, film, lines)
+            if smooth == 0 or nodal_from == n:
                 break
         add_forces(axial, bearing, grid, k, film, lines, result)
         changed += update_wet_set(axial, bearing, grid, k, film, lines)
@@ -67,6 +72,8 @@ def damped_step(result, rx, ry, size, last_size, load, gap, step_time):
     The first dt moves the journal by half the gap; then dt grows as the residual falls. Returns dx, dy, dt.
     """
     kxx, kxy, kyx, kyy = result[2], result[3], result[4], result[5]
+    if result[6] + result[9] <= 1e-12 * load:  # no film at all (a bore that diverges everywhere): follow the load
+        return 0.5 * gap * rx / size, 0.5 * gap * ry / size, step_time
     if size > 0.1 * load and load > 0.0:
         cxx, cxy, cyx, cyy = result[6], result[7], result[8], result[9]
         if step_time == 0.0:
@@ -86,29 +93,41 @@ def damped_step(result, rx, ry, size, last_size, load, gap, step_time):
 
 
 @compiled
-def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, max_steps, result):
-    """Move the journal from (x, y) until the film on these grids carries the load."""
+def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, max_steps, patient, result):
+    """Move the journal from (x, y) until the film on this grid carries the load.
+
+    One update of the wet set per step is fast but can lose the film on the way; ``patient`` finds the wet set anew, from
+    all wet, before every step.
+    """
     load = math.hypot(load_x, load_y)
     floor = tolerance * load + 1e-13
     step_time, last_size, calm = 0.0, 0.0, 0
+    shrink = 0.6 if patient else 0.25  # of the smallest gap in one step
     gap = smallest_gap(grid, x, y)
     if not gap > 0.0:
         return x, y, NO_FILM, 0, gap
     for step in range(1, max_steps + 1):
-        changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, False, result)
+        if patient:
+            grid.wet[:] = True
+        for _ in range(PATIENCE if patient else 1):
+            changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, 0, result)
+            if changed == 0:
+                break
         rx, ry = result[0] + load_x, result[1] + load_y
         size = math.hypot(rx, ry)
         if not size < np.inf:
             return x, y, NO_FILM, step, gap
-        if size <= floor:
+        if size <= floor or (step > CYCLING and size <= 1e-4 * load):
             calm += 1
             if changed == 0 or calm > 4:  # ties may change sides for ever
                 return x, y, CONVERGED, step, gap
         dx, dy, step_time = damped_step(result, rx, ry, size, last_size, load, gap, step_time)
+        if not math.isfinite(dx + dy):
+            return x, y, NO_FILM, step, gap
         last_size = size
         new_gap = smallest_gap(grid, x + dx, y + dy)
         halvings = 0
-        while not new_gap > 0.25 * gap and halvings < 60:
+        while not new_gap > shrink * gap and halvings < 60:
             dx, dy, halvings = 0.5 * dx, 0.5 * dy, halvings + 1
             new_gap = smallest_gap(grid, x + dx, y + dy)
         x, y, gap = x + dx, y + dy, new_gap
@@ -116,28 +135,42 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
 
 
 @compiled
-def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tolerance, max_steps, result):
-    """Equilibrium on graded lines: returns x, y, status, steps, smallest gap and the grid; fills ``result``."""
+def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient, result):
+    """Equilibrium on a coarse grid, heavier loads in steps of four: returns x, y, status, steps and the last grid."""
     m, count = len(axial.size), bearing.lands.shape[0]
-    coarse, other, fine = new_grid(count, n_coarse, m), new_grid(count, n_coarse, m), new_grid(count, n_fine, m)
+    coarse, other = new_grid(count, n_coarse, m), new_grid(count, n_coarse, m)
     film, lines = new_film(n_coarse), new_lines(n_coarse, m)
     uniform_lines(bearing, coarse)
     load = math.hypot(load_x, load_y)
     share = min(1.0, MODERATE_LOAD / max(load, 1e-300))
     total, gap, status = 0, np.inf, CONVERGED
-    for _ in range(40):
+    steps_per_grid = PATIENT_STEPS if patient else max_steps
+    for _ in range(60):
         last_gap = gap
         x, y, status, steps, gap = settle(
-            axial, bearing, coarse, film, lines, share * load_x, share * load_y, x, y, 1e-2, max_steps, result
+            axial,
+            bearing,
+            coarse,
+            film,
+            lines,
+            share * load_x,
+            share * load_y,
+            x,
+            y,
+            1e-2,
+            steps_per_grid,
+            patient,
+            result,
         )
         total += steps
-        if status == NO_FILM:
-            return x, y, status, total, gap, fine
-        if share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap):
+        settled = status == CONVERGED
+        if status == NO_FILM or not (settled or patient) or gap < 1e-9:
+            break
+        if settled and (share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap)):
             break
         graded_lines(bearing, coarse, x, y, other)
         coarse, other = other, coarse
-        if share < 1.0:
+        if settled and share < 1.0:
             growth = min(4.0, 1.0 / share)
             share = min(1.0, share * growth)
             radius = math.hypot(x, y)
@@ -145,11 +178,31 @@ def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tol
                 stretch = (1.0 - (1.0 - radius) * growth**-0.5) / radius
                 if smallest_gap(coarse, x * stretch, y * stretch) > 0.25 * gap:
                     x, y = x * stretch, y * stretch
-    film, lines = new_film(n_fine), new_lines(n_fine, m)
-    graded_lines(bearing, coarse, x, y, fine)
-    x, y, status, steps, gap = settle(
-        axial, bearing, fine, film, lines, load_x, load_y, x, y, tolerance, max_steps, result
-    )
+    return x, y, status, total, coarse
+
+
+@compiled
+def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tolerance, max_steps, result):
+    """Equilibrium on graded lines: returns x, y, status, steps, smallest gap and the grid; fills ``result``.
+
+    A fast attempt first; if it loses the film, a patient one.
+    """
+    fine = new_grid(bearing.lands.shape[0], n_fine, len(axial.size))
+    film, lines = new_film(n_fine), new_lines(n_fine, len(axial.size))
+    status, total, gap, x0, y0 = NO_FILM, 0, 0.0, x, y
+    for attempt in range(2):
+        x, y, status, steps, coarse = approach(
+            axial, bearing, n_coarse, load_x, load_y, x0, y0, max_steps, attempt == 1, result
+        )
+        total += steps
+        if status == CONVERGED:
+            graded_lines(bearing, coarse, x, y, fine)
+            x, y, status, steps, gap = settle(
+                axial, bearing, fine, film, lines, load_x, load_y, x, y, tolerance, max_steps, attempt == 1, result
+            )
+            total += steps
+        if status == CONVERGED:
+            break
     if bearing.smooth and status == CONVERGED:
-        evaluate(axial, bearing, fine, film, lines, x, y, 0.0, 0.0, True, result)
-    return x, y, status, total + steps, gap, fine
+        evaluate(axial, bearing, fine, film, lines, x, y, 0.0, 0.0, 1, result)
+    return x, y, status, total, gap, fine

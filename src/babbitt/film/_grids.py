@@ -38,6 +38,7 @@ def new_grid(lands, n, m):
     return Grid(
         np.empty(node), np.empty(cell), np.empty(cell), np.empty(cell), np.empty(cell), np.empty(cell),
         np.empty(cell), np.empty(cell), np.empty(node), np.empty(node), np.ones((lands, n + 1, m), np.bool_),
+        np.zeros((lands, n + 1, m)),
     )  # fmt: skip
 
 
@@ -56,7 +57,7 @@ def new_lines(n, m):
     """Workspace of a land with n intervals and m axial unknowns."""
     return Lines(
         np.zeros(n + 1, np.int64), np.zeros((n + 1, m)), np.zeros((n + 1, 3, m)), np.empty((n + 1, m)),
-        np.empty((n + 1, m)), np.empty((n + 1, m, m)), np.zeros((n + 1, m)), np.zeros((n + 1, m)),
+        np.empty((n + 1, m, m)), np.zeros((n + 1, m)), np.zeros((n + 1, m)),
         np.zeros((n + 1, 3, m)), np.empty((n + 1, 3, m)),
     )  # fmt: skip
 

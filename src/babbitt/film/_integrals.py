@@ -7,16 +7,15 @@ partly filled; no oil is drawn in from outside, so that inflow = outflow + side 
 
 from __future__ import annotations
 
-from babbitt.film._elimination import solve_land
 from babbitt.film._grids import film_coefficients
-from babbitt.film._structs import END_PRESSURE, START_PRESSURE, compiled, inlined
+from babbitt.film._structs import compiled
 
 INFLOW, OUTFLOW, SIDE_FLOW, IMBALANCE, JOURNAL_TORQUE, BEARING_TORQUE, TOTALS = range(7)
 
 
 @compiled
-def integrate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, pressure, void, totals):
-    """Fill pressure and void, (lands, n + 1, m + 1), and totals, (lands, TOTALS), for the wet set of ``grid``.
+def integrate(axial, bearing, grid, film, x, y, x_rate, y_rate, pressure, void, totals):
+    """Fill pressure and void, (lands, n + 1, m + 1), and totals, (lands, TOTALS), from the solution on ``grid``.
 
     Flows by omega R c B, torques by mu omega R^3 B / c.
     """
@@ -24,11 +23,10 @@ def integrate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, pressure,
     n = film.conductance.size
     for k in range(bearing.lands.shape[0]):
         film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film)
-        solve_land(axial, bearing, grid, k, film, lines, n)
         totals[k, :] = 0.0
         for i in range(n + 1):
             for j in range(m):
-                value = lines.solution[i, 0, j] / axial.root_weights[j]
+                value = grid.value[k, i, j] / axial.root_weights[j]
                 pressure[k, i, j] = value if grid.wet[k, i, j] else 0.0
                 void[k, i, j] = value if bearing.conserving and not grid.wet[k, i, j] else 0.0
             pressure[k, i, m] = bearing.side_pressure
@@ -44,7 +42,7 @@ def integrate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, pressure,
         totals[k, IMBALANCE] = totals[k, INFLOW] - totals[k, OUTFLOW] - totals[k, SIDE_FLOW] - stored
 
 
-@inlined
+@compiled
 def inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals):
     """Flux and friction along the column of an inner node; finds the void behind a Reynolds rupture by continuity."""
     n = film.conductance.size
@@ -66,7 +64,7 @@ def inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals)
     totals[k, OUTFLOW] += weight * flux
 
 
-@inlined
+@compiled
 def edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals):
     """Side flow: what the row of the edge node cannot pass on."""
     m = len(axial.size)
@@ -91,7 +89,7 @@ def edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals):
     totals[k, OUTFLOW] += weight * flux
 
 
-@inlined
+@compiled
 def add_friction(bearing, grid, k, i, film, x, y, weight, flux, full, p_here, p_behind, void, totals):
     """Shear of one interval of one column: Couette part with the liquid fraction, and +- (h/2) dp/dtheta.
 

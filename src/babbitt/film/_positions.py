@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 
-
 from babbitt.film._equilibrium import CONVERGED, NO_FILM, TOO_MANY_STEPS, evaluate
 from babbitt.film._grids import graded_lines, new_film, new_grid, new_lines, smallest_gap, uniform_lines
 from babbitt.film._structs import compiled
@@ -14,7 +13,7 @@ from babbitt.film._structs import compiled
 def find_wet_set(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, max_steps, result):
     """Repeat the film at one position until no node changes; returns the number of solutions, or -1."""
     for step in range(1, max_steps + 1):
-        if evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, False, result) == 0:
+        if evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, 0, result) == 0:
             return step
     return -1
 
@@ -42,7 +41,7 @@ def film_at(axial, bearing, n_coarse, n_fine, x, y, x_rate, y_rate, max_steps, r
         total += steps
         if n == n_fine:
             if bearing.smooth:
-                evaluate(axial, bearing, finer, film, lines, x, y, x_rate, y_rate, True, result)
+                evaluate(axial, bearing, finer, film, lines, x, y, x_rate, y_rate, 1, result)
             return CONVERGED, total, gap, finer
         grid = finer
         n = min(4 * n, n_fine)

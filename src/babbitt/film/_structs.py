@@ -70,6 +70,7 @@ class Grid(NamedTuple):
     weight_x: Array  # int cos(theta) phi_i d theta, phi_i the hat function of line i, (lands, n + 1)
     weight_y: Array  # int sin(theta) phi_i d theta, (lands, n + 1)
     wet: NDArray[bool_]  # whether a node holds pressure, (lands, n + 1, m)
+    value: Array  # last solution: u, or sigma of a dry node, (lands, n + 1, m)
 
 
 class Film(NamedTuple):
@@ -94,7 +95,6 @@ class Lines(NamedTuple):
     wet_count: NDArray[int64]  # wet nodes of a line, as the last solution saw them, (n + 1,)
     ending: Array  # what the last interval adds to the diagonal of a row at the end of the film, (n + 1, m)
     solution: Array  # u or sigma = sqrt(w) s, adjoint of F_x, adjoint of F_y: (n + 1, 3, m)
-    saved: Array  # pressures while the adjoints are solved once more, (n + 1, m)
     pivot: Array  # inverse modal pivots, (n + 1, m)
     inverse: Array  # inverse of the block of a line, (n + 1, m, m)
     lower: Array  # diagonal block towards the line before, (n + 1, m)

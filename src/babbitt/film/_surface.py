@@ -160,7 +160,9 @@ def surface_coefficients(surface, at, rate, film):
                 sa, sb = trig[d % 2, i] * lever, trig[2 + d % 2, i] * lever
                 j3_d = 3.0 * (sa * a2 * a2 + sb * b2 * b2) / j3
                 film.conductance_d[d, i, j] -= t * j3_d
-                film.couette_d[d, i, j] += share * (surface.speed * (sa * a2 / ha + sb * b2 / hb) / j3 - mean * j3_d)
+                film.couette_d[d, i, j] += share * (
+                    surface.speed * (sa * a2 / ha + sb * b2 / hb) / j3 - mean * j3_d
+                )
                 film.cubed_d[d, i, q] -= 3.0 * (NEAR * ha2 * sa + FAR * hb2 * sb)
                 film.cubed_d[d, after, q] -= 3.0 * (FAR * ha2 * sa + NEAR * hb2 * sb)
                 film.inlet_d[d, i, j] -= share * 0.5 * surface.speed * (sa - NEAR_END * (sb - sa))

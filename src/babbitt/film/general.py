@@ -8,8 +8,23 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._equilibrium import CONVERGED, NO_FILM, TOO_MANY_STEPS, damped_step
-from babbitt.film._surface import SurfaceFilm, SurfaceWork, new_surface_film, new_surface_work, smallest_surface_gap
+from babbitt.film._equilibrium import (
+    CONVERGED,
+    CYCLING,
+    MODERATE_LOAD,
+    NO_FILM,
+    PATIENCE,
+    PATIENT_STEPS,
+    TOO_MANY_STEPS,
+    damped_step,
+)
+from babbitt.film._surface import (
+    SurfaceFilm,
+    SurfaceWork,
+    new_surface_film,
+    new_surface_work,
+    smallest_surface_gap,
+)
 from babbitt.film._surface_forces import evaluate_surface
 from babbitt.film.model import JournalFilm, Resolution
 from babbitt.film.ring import Ring, bore_gap, build_ring
@@ -18,7 +33,6 @@ __all__ = ["SettledRing", "rest_ring", "ring_at"]
 
 Array = NDArray[np.float64]
 ZERO = np.zeros(2)
-MODERATE_LOAD = 6.0
 
 
 @dataclass(eq=False)
@@ -36,7 +50,9 @@ class Sample:
     def of(cls, ring: Ring) -> Sample:
         """Workspace with all nodes wet."""
         two = np.zeros((2, 2))
-        return cls(ring, new_surface_film(ring.surface), new_surface_work(ring.surface), np.zeros(2), two, two.copy())
+        return cls(
+            ring, new_surface_film(ring.surface), new_surface_work(ring.surface), np.zeros(2), two, two.copy()
+        )
 
     def evaluate(self, at: Array, rate: Array = ZERO, smooth: bool = False) -> int:
         """Force, stiffness and damping at a position; number of nodes that changed sides."""
@@ -79,21 +95,29 @@ def line_density(film: JournalFilm, at: Array, gap: float) -> Array:
     return np.asarray(np.maximum(thickness, max(gap, 1e-6)) ** (-0.8 * depth**4))
 
 
-def rest(sample: Sample, load: Array, at: Array, tolerance: float, max_steps: int) -> tuple[Array, int, int, float]:
+def rest(
+    sample: Sample, load: Array, at: Array, tolerance: float, max_steps: int, patient: bool
+) -> tuple[Array, int, int, float]:
     """Move the journal until the film on this ring carries the load (the steps of ``_equilibrium.settle``)."""
     size_of_load = math.hypot(*load)
     floor = tolerance * size_of_load + 1e-13
     step_time, last_size, calm = 0.0, 0.0, 0
+    shrink = 0.6 if patient else 0.25
     gap = sample.gap(at)
     if not gap > 0.0:
         return at, NO_FILM, 0, gap
     for step in range(1, max_steps + 1):
-        changed = sample.evaluate(at)
+        if patient:
+            sample.work.wet[:] = True
+        for _ in range(PATIENCE if patient else 1):
+            changed = sample.evaluate(at)
+            if changed == 0:
+                break
         residual = sample.force + load
         size = math.hypot(*residual)
         if not math.isfinite(size):
             return at, NO_FILM, step, gap
-        if size <= floor:
+        if size <= floor or (step > CYCLING and size <= 1e-4 * size_of_load):
             calm += 1
             if changed == 0 or calm > 4:
                 return at, CONVERGED, step, gap
@@ -103,7 +127,7 @@ def rest(sample: Sample, load: Array, at: Array, tolerance: float, max_steps: in
         )
         move, last_size = np.array([dx, dy]), size
         new_gap, halvings = sample.gap(at + move), 0
-        while not new_gap > 0.25 * gap and halvings < 60:
+        while not new_gap > shrink * gap and halvings < 60:
             move, halvings = 0.5 * move, halvings + 1
             new_gap = sample.gap(at + move)
         at, gap = at + move, new_gap
@@ -111,28 +135,42 @@ def rest(sample: Sample, load: Array, at: Array, tolerance: float, max_steps: in
 
 
 def rest_ring(film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int) -> SettledRing:
-    """Equilibrium under a dimensionless load: coarse rings first, heavier loads step by step, then the fine ring."""
+    """Equilibrium under a dimensionless load: a fast attempt, and if that loses the film, a patient one."""
+    settled = attempt(film, unit, load, resolution, max_steps, patient=False)
+    if settled.status == CONVERGED:
+        return settled
+    return attempt(film, unit, load, resolution, max_steps, patient=True)
+
+
+def attempt(
+    film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int, patient: bool
+) -> SettledRing:
+    """Coarse rings first, heavier loads step by step, then the fine ring."""
     per_turn = resolution.ring_intervals
     size = math.hypot(*load)
     share = min(1.0, MODERATE_LOAD / max(size, 1e-300))
     at, density, total, last_gap = np.zeros(2), None, 0, math.inf
-    coarse = None
-    for _ in range(40):
+    coarse: Sample | None = None
+    steps_per_grid = PATIENT_STEPS if patient else max_steps
+    for _ in range(60):
         sample = Sample.of(build_ring(film, unit, per_turn // 4, resolution.axial_unknowns, density))
         if coarse is not None:
             sample.start_from(coarse)
         coarse = sample
-        at, status, steps, gap = rest(sample, share * load, at, 1e-2, max_steps)
+        at, status, steps, gap = rest(sample, share * load, at, 1e-2, steps_per_grid, patient)
         total += steps
-        if status == NO_FILM:
+        settled = status == CONVERGED
+        if status == NO_FILM or not (settled or patient) or gap < 1e-9:
             return SettledRing(sample, at, status, total, gap)
         density = line_density(film, at, gap)
-        if share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap):
+        if settled and share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap):
             break
-        last_gap, share = gap, min(1.0, 4.0 * share)
+        last_gap = gap
+        if settled:
+            share = min(1.0, 4.0 * share)
     fine = Sample.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density))
-    fine.start_from(coarse)
-    at, status, steps, gap = rest(fine, load, at, resolution.tolerance, max_steps)
+    fine.start_from(sample)
+    at, status, steps, gap = rest(fine, load, at, resolution.tolerance, max_steps, patient)
     if status == CONVERGED:
         fine.evaluate(at, smooth=True)
     return SettledRing(fine, at, status, total + steps, gap)

@@ -15,7 +15,9 @@ class Cavitation(Enum):
     """What the film does where it cannot hold pressure."""
 
     MASS_CONSERVING = "Jakobsson-Floberg-Olsson: the film breaks up and the streamers conserve the oil"
-    REYNOLDS = "Swift-Stieber: pressure and its gradient vanish where the film ends, oil is not accounted for behind"
+    REYNOLDS = (
+        "Swift-Stieber: pressure and its gradient vanish where the film ends, oil is not accounted for behind"
+    )
 
 
 class FilmStart(Enum):
@@ -170,7 +172,9 @@ class JournalFilm:
             if not (math.isfinite(value) and value > 0.0):
                 raise InputError("E101", f"{name} is {value}; it must be a positive number (SI units).")
         if not math.isfinite(self.angular_speed):
-            raise InputError("E101", f"angular_speed is {self.angular_speed}; it must be a finite number in rad/s.")
+            raise InputError(
+                "E101", f"angular_speed is {self.angular_speed}; it must be a finite number in rad/s."
+            )
         if self.cavitation_pressure > 0.0:
             raise InputError(
                 "E101", f"cavitation_pressure is {self.cavitation_pressure} Pa; it must be zero or below (gauge)."
@@ -217,7 +221,9 @@ def check_pockets(film: JournalFilm) -> None:
         if not (pocket.extent > 0.0 and pocket.axial_length > 0.0):
             raise InputError("E101", "a pocket has no size; extent and axial_length must be positive.")
         if abs(pocket.axial_centre) + 0.5 * pocket.axial_length > 0.5 * film.width * (1.0 + 1e-12):
-            raise InputError("E101", f"the pocket at {pocket.centre_angle} rad reaches beyond the width of the bearing.")
+            raise InputError(
+                "E101", f"the pocket at {pocket.centre_angle} rad reaches beyond the width of the bearing."
+            )
         if pocket.pressure < film.cavitation_pressure:
             raise InputError("E101", f"a pocket has {pocket.pressure} Pa, less than the cavitation pressure.")
     if film.film_start is FilmStart.PERIODIC:
@@ -228,7 +234,9 @@ def check_pockets(film: JournalFilm) -> None:
                              "or holes, or choose Cavitation.REYNOLDS.")  # fmt: skip
 
 
-def grooved_bore(groove_angles: tuple[float, ...], groove_extent: float, pressure: float = 0.0) -> tuple[Land, ...]:
+def grooved_bore(
+    groove_angles: tuple[float, ...], groove_extent: float, pressure: float = 0.0
+) -> tuple[Land, ...]:
     """Lands of a round bore with equal axial grooves as wide as the bearing.
 
     Parameters

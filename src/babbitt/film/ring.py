@@ -173,7 +173,9 @@ def circumferential_lines(
     pieces = [np.zeros(1)]
     for left, right in zip(marks[:-1], marks[1:], strict=True):
         count = 1
-        if not any(within(np.array([start + 0.5 * (left + right)]), first, last)[0] for first, last, *_ in grooves):
+        if not any(
+            within(np.array([start + 0.5 * (left + right)]), first, last)[0] for first, last, *_ in grooves
+        ):
             low, high = np.interp((left, right), fine, mass)
             count = max(2, round(high - low))
             inner = np.interp(np.linspace(low, high, count + 1)[1:-1], mass, fine)

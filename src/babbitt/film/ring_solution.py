@@ -61,7 +61,9 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
     torque_journal, torque_bearing = friction(settled)
     frame = np.diag(scales.sense)
     unit = scales.force / scales.length
-    outcome = {CONVERGED: Outcome.CONVERGED, NO_FILM: Outcome.OVERLOADED}.get(settled.status, Outcome.NOT_CONVERGED)
+    outcome = {CONVERGED: Outcome.CONVERGED, NO_FILM: Outcome.OVERLOADED}.get(
+        settled.status, Outcome.NOT_CONVERGED
+    )
     lines = work.pressure.shape[0]
     return FilmSolution(
         film=film,

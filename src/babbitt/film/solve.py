@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from babbitt.film._equilibrium import CONVERGED, NO_FILM, find_equilibrium
 from babbitt.film._forces import RESULT_SIZE
-from babbitt.film._grids import new_film, new_lines
+from babbitt.film._grids import new_film
 from babbitt.film._integrals import (
     BEARING_TORQUE,
     IMBALANCE,
@@ -77,7 +77,9 @@ def solve_journal(
         from babbitt.film.ring_solution import mirrored, ring_solution
 
         seen = mirrored(film) if film.angular_speed < 0.0 else film
-        settled = rest_ring(seen, scales.pressure, np.asarray(load) * scales.sense / scales.force, resolution, max_steps)
+        settled = rest_ring(
+            seen, scales.pressure, np.asarray(load) * scales.sense / scales.force, resolution, max_steps
+        )
         return ring_solution(film, scales, settled, begun)
     bearing, axial = kernel_bearing(film, scales), kernel_operator(resolution.axial_unknowns)
     wanted = np.asarray(load) * scales.sense / scales.force
@@ -157,7 +159,14 @@ def widest_gap_equilibrium(
     result = np.zeros(RESULT_SIZE)
     size = math.hypot(wanted[0], wanted[1])
     eps, status, steps, gap, grid = find_depth(
-        axial, bearing, resolution.coarse_intervals, resolution.intervals, size, resolution.tolerance, max_steps, result
+        axial,
+        bearing,
+        resolution.coarse_intervals,
+        resolution.intervals,
+        size,
+        resolution.tolerance,
+        max_steps,
+        result,
     )
     turn_with_journal(result, eps)
     turn = math.atan2(-wanted[1], -wanted[0]) - math.atan2(result[1], result[0])
@@ -237,7 +246,7 @@ def assemble(
     pressure, void = np.zeros((count, n + 1, m + 1)), np.zeros((count, n + 1, m + 1))
     totals = np.zeros((count, TOTALS))
     if status != NO_FILM:
-        integrate(axial, bearing, grid, new_film(n), new_lines(n, m), at[0], at[1], moving[0], moving[1], pressure,
+        integrate(axial, bearing, grid, new_film(n), at[0], at[1], moving[0], moving[1], pressure,
                   void, totals)  # fmt: skip
     c, s = math.cos(turn), math.sin(turn)
     frame = scales.sense[:, None] * np.array([[c, -s], [s, c]])

@@ -1,4 +1,4 @@
-"""A slow and simple film to measure the fast ones by: five-point finite volumes, sparse LU, active set, no cleverness.
+"""A slow and simple film to measure the fast ones by: five-point finite volumes, sparse LU, active set.
 
 It shares no line with the engine. Reynolds equation of one land, dimensionless (h by c, p by mu omega (R/c)^2),
     d/dtheta(h^3/12 dp/dtheta) + (D/B)^2 d/dzeta(h^3/12 dp/dzeta) = dh/dtheta / 2 + dh/dt,   p >= 0,
@@ -65,7 +65,7 @@ class SimpleLand:
 
 
 def equilibrium(lands: list[SimpleLand], load: Array, start: Array, stiffness: Array) -> Array:
-    """Journal position over c for a dimensionless load, by a Newton iteration with a stiffness that is only near."""
+    """Journal position over c for a dimensionless load; the stiffness steers the iteration and may be rough."""
     at = start.copy()
     for _ in range(30):
         residual = sum((land.force(*at) for land in lands), load.copy())
@@ -78,7 +78,8 @@ def equilibrium(lands: list[SimpleLand], load: Array, start: Array, stiffness: A
 def coefficients(lands: list[SimpleLand], at: Array, step: float) -> tuple[Array, Array]:
     """K and C, dimensionless, by central differences of the force."""
     columns = []
-    for direction in np.vstack([np.eye(4)]) * step:
-        ahead, behind = np.array([*at, 0.0, 0.0]) + direction, np.array([*at, 0.0, 0.0]) - direction
-        columns.append(-sum(land.force(*ahead) - land.force(*behind) for land in lands) / (2.0 * step))
+    state = np.array([*at, 0.0, 0.0])
+    for change in np.eye(4) * step:
+        rise = sum((land.force(*(state + change)) - land.force(*(state - change)) for land in lands), np.zeros(2))
+        columns.append(-rise / (2.0 * step))
     return np.array(columns[:2]).T, np.array(columns[2:]).T
