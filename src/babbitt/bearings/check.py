@@ -8,7 +8,7 @@ from functools import partial
 from time import perf_counter
 
 from babbitt.bearings.bore import LobedBore
-from babbitt.bearings.layout import film_of
+from babbitt.bearings.layout import without_pressure
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.transition import transition_speed
 from babbitt.bearings.warm_film import FilmState, film_at_temperature
@@ -148,12 +148,12 @@ def _lobe_values(case: FilmCase, state: FilmState) -> dict[str, float]:
 
 def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     """Flow by film pressure and by supply pressure: the latter is what the supply adds at the same position."""
-    flow = state.total_flow
-    if state.feed is None or state.feed.element_pressure <= 0.0:
+    flow, film = state.total_flow, state.solution.film
+    calm = without_pressure(film)
+    if calm == film:
         return {"side_flow": flow, "supply_flow": 0.0, "total_flow": flow}
     from babbitt.film.solve import film_at_position
 
-    calm = film_of(case, state.relative_clearance, state.viscosity, 0.0)
     x, y = state.solution.position
     alone = float(film_at_position(calm, (x, y), resolution=case.accuracy.resolution).side_flow.sum())
     return {"side_flow": alone, "supply_flow": flow - alone, "total_flow": flow}

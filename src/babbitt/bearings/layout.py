@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from babbitt.bearings.bore import Arc
 from babbitt.bearings.model import FilmCase, Hollow
 from babbitt.film.model import FilmStart, JournalFilm, Land, Pocket
 
-__all__ = ["film_of", "load_vector"]
+__all__ = ["film_of", "load_vector", "without_pressure"]
 
 TURN = 2.0 * math.pi
 
@@ -34,7 +35,7 @@ def film_of(case: FilmCase, relative_clearance: float, viscosity: float, element
     bearing = case.bearing
     clearance = 0.5 * relative_clearance * bearing.diameter
     grooves = [hollow for hollow in bearing.hollows if hollow.width is None]
-    pockets = [hollow for hollow in bearing.hollows if hollow.width is not None]
+    pockets = [(hollow, hollow.width) for hollow in bearing.hollows if hollow.width is not None]
     return JournalFilm(
         diameter=bearing.diameter,
         width=bearing.width,
@@ -45,7 +46,7 @@ def film_of(case: FilmCase, relative_clearance: float, viscosity: float, element
         cavitation=case.cavitation,
         film_start=_start(case, grooves),
         cavitation_pressure=case.cavitation_pressure,
-        pockets=tuple(_pocket(pocket, element_pressure) for pocket in pockets),
+        pockets=tuple(_pocket(hollow, width, element_pressure) for hollow, width in pockets),
         misalignment=bearing.misalignment,
     )
 
@@ -53,6 +54,15 @@ def film_of(case: FilmCase, relative_clearance: float, viscosity: float, element
 def load_vector(case: FilmCase, load: float) -> tuple[float, float]:
     """Components of a load in N."""
     return load * math.cos(case.load_angle), load * math.sin(case.load_angle)
+
+
+def without_pressure(film: JournalFilm) -> JournalFilm:
+    """The same film with every groove and pocket full, at ambient pressure."""
+    return replace(
+        film,
+        lands=tuple(replace(land, start_pressure=0.0, end_pressure=0.0) for land in film.lands),
+        pockets=tuple(replace(pocket, pressure=0.0) for pocket in film.pockets),
+    )
 
 
 def _start(case: FilmCase, grooves: list[Hollow]) -> FilmStart:
@@ -76,9 +86,8 @@ def _lands(case: FilmCase, grooves: list[Hollow], clearance: float, pressure: fl
     return tuple(lands)
 
 
-def _pocket(hollow: Hollow, pressure: float) -> Pocket:
-    assert hollow.width is not None
-    return Pocket(hollow.angle, hollow.extent, hollow.width, hollow.axial_position, _pressure(hollow, pressure))
+def _pocket(hollow: Hollow, width: float, pressure: float) -> Pocket:
+    return Pocket(hollow.angle, hollow.extent, width, hollow.axial_position, _pressure(hollow, pressure))
 
 
 def _pressure(hollow: Hollow, pressure: float) -> float:

@@ -26,9 +26,12 @@ def doubts_about_film(case: Designed, values: Mapping[str, float]) -> Iterator[N
             f"T_eff = {temperature - 273.15:.1f} °C lies outside {coldest - 273.15:.0f} to "
             f"{hottest - 273.15:.0f} °C, for which {case.lubricant.name} is described",
         )
-    eccentricity = values["eccentricity_ratio"]
-    if eccentricity > RIGID_FILM_UP_TO:
-        yield Notice("W116", f"ε = {eccentricity:.3f} > {RIGID_FILM_UP_TO:g}, end of the rigid film")
+    clearance = 0.5 * values["operating_relative_clearance"] * case.bearing.diameter
+    depth, eccentricity = 1.0 - values["minimum_film_thickness"] / clearance, values["eccentricity_ratio"]
+    if depth > RIGID_FILM_UP_TO:
+        round_bore = abs(depth - eccentricity) < 1e-3
+        said = f"ε = {depth:.3f}" if round_bore else f"1 - h_min/c = {depth:.3f}"
+        yield Notice("W116", f"{said} > {RIGID_FILM_UP_TO:g}, end of the rigid film")
 
 
 def doubt_about_supply(starved: bool) -> Iterator[Notice]:

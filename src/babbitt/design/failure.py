@@ -25,5 +25,7 @@ def failure(found: Equilibrium[FilmT], most: str = "an eccentricity of 0.99") ->
             return f"at {reached} the friction power still exceeds the heat carried away"
         case Outcome.NO_CLEARANCE:
             return f"the clearance is used up at {reached}"
+        case _ if found.film is None:
+            return f"no equilibrium of the journal was found at {reached}"
         case _:
             return f"the last effective temperature was {reached}"

@@ -53,7 +53,6 @@ KEY_RESULTS = (
     "threshold_speed",
     "lobe_clearance",
     "preload",
-    "mass_balance_error",
 )
 """Results shown at the head of a bearing; kinds without a film show all they have."""
 
