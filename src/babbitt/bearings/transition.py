@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import math
 
-from scipy.optimize import brentq
-
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState
 from babbitt.bearings.whirl import at_speed
+from babbitt.design.roots import bracketed_root
 
 SLOWEST = 1e-5
 """Share of the operating speed down to which the transition is sought."""
@@ -36,4 +35,4 @@ def transition_speed(case: FilmCase, state: FilmState, film_thickness: float) ->
             low, high = low - math.log(2.0), low
             if low < here + math.log(SLOWEST):
                 return None
-    return math.exp(brentq(surplus, low, high, xtol=1e-6))
+    return math.exp(bracketed_root(surplus, low, high, absolute=1e-5))

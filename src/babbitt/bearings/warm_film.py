@@ -9,14 +9,13 @@ import math
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from scipy.optimize import brentq
-
 from babbitt.bearings.compiling import announced
 from babbitt.bearings.layout import film_of, load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.design.conditions import GivenEccentricity
 from babbitt.design.feeding import Arrival, arrival
 from babbitt.design.heat_balance import FilmCollapseError, FilmNotFoundError, NoClearanceError
+from babbitt.design.roots import bracketed_root
 from babbitt.film.model import JournalFilm, Resolution
 from babbitt.fits import operating_relative_clearance
 from babbitt.results import Outcome
@@ -125,7 +124,7 @@ def _at_eccentricity(case: FilmCase, duty: GivenEccentricity, film: JournalFilm)
     offs = [aside(step) for step in steps]
     for low, high, before, behind in zip(steps, steps[1:], offs, offs[1:], strict=False):
         if before * behind <= 0.0 and abs(before - behind) < math.pi:
-            attitude = brentq(aside, low, high, xtol=1e-13)
+            attitude = bracketed_root(aside, low, high, absolute=1e-13)
             return film_at_angle(case, film, duty.eccentricity_ratio, attitude)
     raise FilmNotFoundError
 

@@ -7,11 +7,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from scipy.optimize import brentq
-
 from babbitt.bearings.layout import load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState
+from babbitt.design.roots import bracketed_root
 
 if TYPE_CHECKING:
     from babbitt.film.solution import FilmSolution
@@ -98,6 +97,6 @@ def crossing(excess: Callable[[float], float], speed: float) -> float | None:
         if math.isnan(there):
             return None
         if here * there <= 0.0:
-            return float(brentq(excess, min(near, far), max(near, far), rtol=1e-6))
+            return bracketed_root(excess, min(near, far), max(near, far), relative=1e-5)
         near, here = far, there
     return None

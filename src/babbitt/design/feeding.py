@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from scipy.optimize import brentq
-
 from babbitt.design.conditions import OilSupply
 from babbitt.design.ducts import Duct
+from babbitt.design.roots import bracketed_root
 from babbitt.lubricants import Lubricant
 
 
@@ -50,6 +49,6 @@ def arrival(supply: OilSupply, oil: Lubricant, flow_at: Callable[[float], float]
         return supply.pressure - losses(supply.tubes, flow) - losses(supply.holes, flow) - pressure
 
     starved = surplus(0.0) <= 0.0
-    pressure = 0.0 if starved else brentq(surplus, 0.0, supply.pressure, xtol=1e-6, rtol=1e-12)
+    pressure = 0.0 if starved else bracketed_root(surplus, 0.0, supply.pressure, 1e-6, 1e-12)
     flow = flow_at(pressure)
     return Arrival(pressure, losses(supply.tubes, flow), losses(supply.holes, flow), flow, starved)

@@ -11,9 +11,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Generic, Protocol, TypeVar
 
-from scipy.optimize import brentq
-
 from babbitt.design.conditions import Designed
+from babbitt.design.roots import find_root
 from babbitt.results import Outcome
 
 CEILING = 573.15
@@ -164,18 +163,9 @@ def _closed(
     count: Callable[[], int],
 ) -> Equilibrium[FilmT]:
     """Close in on the temperature between two."""
-    root, report = brentq(
-        excess,
-        low,
-        high,
-        xtol=TEMPERATURE_TOLERANCE,
-        rtol=1e-15,
-        maxiter=MOST_EVALUATIONS,
-        full_output=True,
-        disp=False,
-    )
-    outcome = Outcome.CONVERGED if report.converged else Outcome.NOT_CONVERGED
-    return Equilibrium(outcome, film_at(root), count(), root)
+    root = find_root(excess, low, high, TEMPERATURE_TOLERANCE, most_steps=MOST_EVALUATIONS)
+    outcome = Outcome.CONVERGED if root.converged else Outcome.NOT_CONVERGED
+    return Equilibrium(outcome, film_at(root.value), count(), root.value)
 
 
 def at_prescribed_temperature(temperature: float, film_at: Callable[[float], FilmT]) -> Equilibrium[FilmT]:
