@@ -11,7 +11,7 @@ from pydantic import Discriminator, Field
 
 from babbitt.bearings.bore import Bore, LobedBore, MeasuredBore, RoundBore, TaperedBore, WornBore
 from babbitt.bearings.model import Hollow
-from babbitt.cases.part import Complaint, Part
+from babbitt.cases.part import Complaint, Part, exactly_one, rule
 from babbitt.units import si, written
 
 Angle = Annotated[float, si("rad", "-360 deg", "360 deg")]
@@ -147,18 +147,28 @@ class MeasuredBoreGiven(Part):
     """A bore as it was measured."""
 
     kind: Literal["measured"] = Field(description="Departures from the circle, measured around the bore.")
-    departures: tuple[Annotated[float, si("m", "-1 mm", "1 mm")], ...] = Field(
+    departures: tuple[Annotated[float, si("m", "-1 mm", "1 mm")], ...] | None = Field(
+        None,
         min_length=8,
         max_length=720,
-        description="Departures from the circle of the given clearance, outward positive, at equal steps "
-        "once around "
-        "in counter-clockwise order; the last point lies one step before the first.",
+        description="Departures from the circle of the given clearance, outward positive, at equal steps once "
+        "around in counter-clockwise order; the last point lies one step before the first.",
+    )
+    file: str | None = Field(
+        None,
+        max_length=1000,
+        description="CSV table of angle and departure in place of them, named from the folder of the case; its "
+        "heading has the units: angle [deg],departure [um].",
     )
     start: Angle = Field(0.0, description="Direction of the first point, counter-clockwise from the x axis.")
 
     def bore(self) -> Bore:
         """Give the bore of the film."""
-        return MeasuredBore(self.departures, self.start)
+        return MeasuredBore(self.departures or (0.0,), self.start)
+
+    @rule
+    def _one_source(self) -> Iterator[Complaint]:
+        yield from exactly_one(self, "departures", "file")
 
 
 BoreGiven = Annotated[
