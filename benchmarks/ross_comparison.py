@@ -2,7 +2,8 @@
 
 Two lands of 176 degrees, D = 0.4 m, B = 0.263 m, c = 195 um, 900 rpm, 112.8 kN downwards, 20.75 mPa s everywhere.
 Each program runs in an interpreter of its own, one thread, first with an empty folder for compiled code and then
-again with what the first run left there; times are medians of the second run.
+again with what the first run left there. Medians are of the second run; the ratio is that of the fastest calls,
+which other work on the machine disturbs least.
 
     python benchmarks/ross_comparison.py
     BABBITT_ROSS_PYTHON=/path/to/python python benchmarks/ross_comparison.py     where ROSS lives elsewhere
@@ -105,14 +106,16 @@ def missed(rows: list[dict[str, Any]], ross_time: float | None) -> list[str]:
     misses = []
     for model, limit in LIMITS.items():
         good = [r for r in rows if r["model"] == model and r["errors"][0] <= 1e-3 and max(r["errors"][1:]) <= 5e-3]
-        kernel = min((r["time"] for r in good if "kernel" in r["program"]), default=math.inf)
+        kernels = [r for r in good if "kernel" in r["program"]]
+        kernel = min((r["time"] for r in kernels), default=math.inf)
+        fastest = min((r["fastest"] for r in kernels), default=math.inf)
         public = min((r["time"] for r in good if "kernel" not in r["program"]), default=math.inf)
         if kernel > limit:
             misses.append(f"{model}: kernel {kernel * 1e3:.3f} ms, mark {limit * 1e3} ms")
         if public > 1e-3:
             misses.append(f"{model}: public function {public * 1e3:.3f} ms, mark 1 ms")
-        if ross_time is not None and ross_time < 1e3 * kernel:
-            misses.append(f"{model}: ROSS only {ross_time / kernel:.0f} times slower, mark 1000")
+        if ross_time is not None and ross_time < 1e3 * fastest:
+            misses.append(f"{model}: ROSS only {ross_time / fastest:.0f} times slower, mark 1000")
     return misses
 
 
@@ -133,19 +136,20 @@ def main() -> int:
             label = f"{name} {warm['version']}"
             print(f"{label:16}{warm['import']:7.2f} s{cold['first']:22.2f} s{warm['first']:21.3f} s")
     rows = [row for pair in sides.values() if pair for row in pair[1]["rows"]]
-    slowest = next((row["time"] for row in rows if row["program"] == "ROSS"), None)  # on its default mesh
-    print(f"\n{'program':22}{'film':24}{'mesh':9}{'median':>12}{'x ROSS':>8}{'eps':>9}{'attitude':>10}"
-          f"{'position':>11}{'K':>9}{'C':>9}")  # fmt: skip
+    slowest = next((row["fastest"] for row in rows if row["program"] == "ROSS"), None)  # on its default mesh
+    heads = f"{'median':>12}{'fastest':>12}{'x ROSS':>8}{'eps':>9}{'attitude':>10}{'position':>11}{'K':>9}{'C':>9}"
+    print(f"\n{'program':22}{'film':21}{'mesh':9}{heads}")
     for row in rows:
         near = [row["model"]] if row["model"] in reference else list(reference)
         row["errors"], nearest = min((errors(row, reference[model]), model) for model in near)
         x, y = row["position"]
         film = nearest if row["model"] in reference else f"near {nearest}"
-        times = slowest / row["time"] if slowest else math.nan
+        times = slowest / row["fastest"] if slowest else math.nan
         ratio = "-" if math.isnan(times) else f"{times:.0f}" if times > 10.0 else f"{times:.2g}"
         error = "".join(f"{value:{width}.1e}" for value, width in zip(row["errors"], (11, 9, 9), strict=True))
-        print(f"{row['program']:22}{film:24}{row['mesh']:9}{row['time'] * 1e3:9.3f} ms{ratio:>8}"
-              f"{math.hypot(x, y):9.5f}{math.degrees(math.atan2(y, x)) + 90.0:6.2f} deg{error}")  # fmt: skip
+        taken = f"{row['time'] * 1e3:9.3f} ms{row['fastest'] * 1e3:9.3f} ms{ratio:>8}"
+        place = f"{math.hypot(x, y):9.5f}{math.degrees(math.atan2(y, x)) + 90.0:6.2f} deg"
+        print(f"{row['program']:22}{film:21}{row['mesh']:9}{taken}{place}{error}")
     print(f"\nload of the machine during the last minute: {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")
     misses = missed(rows, slowest)
     print("\n".join(f"missed: {miss}" for miss in misses) or "all marks are met")

@@ -70,9 +70,12 @@ def test_json_on_standard_output_is_alone_there(run, tmp_path):
 
 def test_no_solution_ends_with_three_and_says_what_to_try(run, tmp_path):
     (tmp_path / "case.yaml").write_text(journal_with_load("900 MN"))
-    status, out, err = run("solve", "case.yaml")
+    status, out, _ = run("solve", "case.yaml")
     assert status == 3
-    assert "no film can carry this load" in out + err
+    assert "no film can carry this load" in out
+    assert "less than the load of 9e+05 kN" in " ".join(out.split())
+    assert "Try: a wider or larger bearing" in " ".join(out.split())
+    assert run("compare", "case.yaml")[0] == 3
 
 
 def test_strict_ends_with_one_when_a_limit_is_violated(run, tmp_path):
@@ -100,6 +103,11 @@ def test_bad_input_ends_with_two_and_writes_nothing(run, path, tmp_path):
         (("solve", "case.yaml", "case.yaml", "--json", "-"), "folder"),
         (("new", "gearbox"), "journal"),
         (("explain", "W1011"), "W101"),
+        (("list", "oils"), "lubricants"),
+        (("solve", "case.yaml", "--json", "case.yaml"), "a case file"),
+        (("solve", "case.yaml", "--json", "x.pdf", "--report", "x.pdf"), "another output"),
+        (("solve", "case.yaml", "--json", "ok.json", "--report", "/proc/x.pdf"), "/proc/x.pdf"),
+        (("solve", "case.yaml", "--plots", "case.yaml"), "a case file"),
         (("validate", "butenschon"), "butenschoen"),
     ],
 )
@@ -151,6 +159,35 @@ def test_the_reverse_gear_has_eleven_bearings(run):
     status, out, _ = run("solve", EXAMPLES / "marine_reverse_gear.yaml", "--json", "-")
     assert status == 0
     assert len(json.loads(out)["bearings"]) == 11
+
+
+def test_names_are_never_markup(run, tmp_path):
+    text = template("journal").replace("name: Example bearing", "name: 'B [/b] x [rated]'")
+    (tmp_path / "case.yaml").write_text(text)
+    for command in ("solve", "compare"):
+        status, out, _ = run(command, "case.yaml")
+        assert status == 0
+        assert "B [/b] x [rated]" in out
+
+
+def test_two_cases_of_one_name_do_not_overwrite_each_other(run, tmp_path):
+    for folder in ("a", "b", "out"):
+        (tmp_path / folder).mkdir()
+    for folder in ("a", "b"):
+        (tmp_path / folder / "x.yaml").write_text(template("journal"))
+    status, out, err = run("solve", "a/x.yaml", "b/x.yaml", "--json", "out")
+    assert (status, out) == (2, "")
+    assert "another output" in err
+    assert list((tmp_path / "out").iterdir()) == []
+
+
+def test_check_tells_the_good_files_and_the_bad(run, tmp_path):
+    (tmp_path / "good.yaml").write_text(template("journal"))
+    (tmp_path / "bad.yaml").write_text("kind: journal\n")
+    status, out, err = run("check", "bad.yaml", "good.yaml")
+    assert status == 2
+    assert "good.yaml: usable" in out
+    assert "bad.yaml" in err
 
 
 def test_several_files_need_a_folder_and_fill_it(run, tmp_path):

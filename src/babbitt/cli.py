@@ -6,9 +6,9 @@ command that needs them, so that ``babbitt --help`` answers at once.
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable
-from enum import StrEnum
 from pathlib import Path
 from typing import Annotated, NoReturn
 
@@ -33,23 +33,17 @@ app = typer.Typer(
 Files = Annotated[list[Path], typer.Argument(metavar="FILE...", help="Case files in YAML or JSON.")]
 
 
-class Catalogue(StrEnum):
-    """What `babbitt list` can show."""
-
-    LUBRICANTS = "lubricants"
-    MATERIALS = "materials"
-    KINDS = "kinds"
-    CASES = "cases"
-
-
 def main() -> None:
     """Run the command line; a mistake of the user ends with one clear message and exit status 2."""
     try:
         app()
     except BabbittError as error:
         _fail(error)
-    except BrokenPipeError:
-        sys.stderr.close()  # the reader of a pipe has gone; nothing is left to say
+    except BrokenPipeError:  # the reader of a pipe has gone; nothing is left to say
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except OSError as error:  # standard output cannot take the results, such as a full disk
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _fail(InputError("E007", f"cannot write to standard output: {error.strerror or error}"))
 
 
 def _fail(error: BabbittError) -> NoReturn:
@@ -107,11 +101,19 @@ def solve(
 @app.command()
 def check(files: Files) -> None:
     """Validate case files without solving them: every problem at once."""
-    from babbitt.cases import design_cases, load_cases
+    from babbitt.cases import CaseError, Problem, design_cases, load_case
 
-    for path, case in zip(files, load_cases(files), strict=True):
+    problems: list[Problem] = []
+    for path in files:
+        try:
+            case = load_case(path)
+        except CaseError as error:
+            problems += error.problems
+            continue
         count = len(design_cases(case))
         print(f"{path}: usable, kind {case.kind}" + (f", {count} calculation{'s' * (count > 1)}" if count else ""))
+    if problems:
+        raise CaseError(problems)
 
 
 @app.command()
@@ -150,7 +152,10 @@ def validate(
         list[str] | None, typer.Argument(metavar="[NAME...]", help="Cases; all when omitted.")
     ] = None,
 ) -> None:
-    """Run the published cases that ship with the package, side by side with the print."""
+    """Run the published cases that ship with the package, side by side with the print.
+
+    Exit status 1 if a judged value differs by more than its tolerance.
+    """
     from babbitt.report.validation_table import print_validation
     from babbitt.validation import cases, validation_case
 
@@ -167,22 +172,25 @@ def compare(file: Annotated[Path, typer.Argument(metavar="FILE", help="A case fi
     from babbitt.report.comparison_table import print_comparison
     from babbitt.studies.comparison import compare_methods
 
-    print_comparison(compare_methods(load_case(file)))
+    if not print_comparison(compare_methods(load_case(file))):
+        raise typer.Exit(NO_SOLUTION)
 
 
 @app.command(name="list")
 def list_(
-    what: Annotated[Catalogue, typer.Argument(metavar="WHAT", help="lubricants, materials, kinds or cases.")],
+    what: Annotated[str, typer.Argument(metavar="WHAT", help="lubricants, materials, kinds or cases.")],
 ) -> None:
     """Show what is on board, with sources."""
     from babbitt.report import listings
 
-    show: dict[Catalogue, Callable[[], None]] = {
-        Catalogue.LUBRICANTS: listings.print_lubricants,
-        Catalogue.MATERIALS: listings.print_materials,
-        Catalogue.KINDS: listings.print_kinds,
-        Catalogue.CASES: listings.print_cases,
+    show: dict[str, Callable[[], None]] = {
+        "lubricants": listings.print_lubricants,
+        "materials": listings.print_materials,
+        "kinds": listings.print_kinds,
+        "cases": listings.print_cases,
     }
+    if what not in show:
+        raise InputError("E005", f"nothing is listed under {what!r}; there are: {', '.join(show)}")
     show[what]()
 
 
@@ -193,8 +201,9 @@ def explain(code: Annotated[str, typer.Argument(metavar="CODE", help="Such as W1
 
     found = EXPLANATIONS.get(code.upper())
     if found is None:
-        near = get_close_matches(code.upper(), EXPLANATIONS, n=1, cutoff=0.0)[0]
-        raise InputError("E005", f"no code {code!r}; did you mean {near}? All: {', '.join(EXPLANATIONS)}")
+        near = get_close_matches(code.upper(), EXPLANATIONS, n=1)
+        hint = f"did you mean {near[0]}? " if near else ""
+        raise InputError("E005", f"no code {code!r}; {hint}All: {', '.join(EXPLANATIONS)}")
     print(f"{code.upper()}  {found.title}\n\n{found.meaning}\n\nWhat to do: {found.remedy}")
 
 

@@ -192,6 +192,24 @@ EXPLANATIONS: dict[str, Explanation] = {
         "Treat the film thickness as an order of magnitude; lower the load or raise the viscosity.",
     ),
     "W117": Explanation(
+        "Number without unit",
+        "A number without unit is in SI: a speed in rad/s, a load in N. This one looks as if another unit was "
+        "meant.",
+        "Write the unit: '3000 rpm', '6 kN'; '3000 rad/s' or '6 N' if the number is meant as it stands.",
+    ),
+    "W118": Explanation(
+        "Oil leaves colder than it enters",
+        "The housing takes more heat than friction makes, so that the oil is cooled on its way through the film. "
+        "The rule of the mean temperature was made for oil that is heated.",
+        "Check ambient temperature, cooling surface and heat transfer coefficient; leave `cooling` out if the oil "
+        "carries the heat.",
+    ),
+    "W119": Explanation(
+        "Film hardly loaded",
+        "Below an eccentricity of 0.01 the characteristics follow their limit of small eccentricity.",
+        "Check load and units; a bearing without load tends to whirl.",
+    ),
+    "W120": Explanation(
         "The journal whirls",
         "The rotor is heavier than the critical mass: in this film a rigid rotor leaves its place and "
         "whirls at about "
@@ -221,6 +239,13 @@ EXPLANATIONS: dict[str, Explanation] = {
         "Not converged",
         "The iteration used up its steps without meeting its tolerance; the last state is no operating point.",
         "Loosen the tolerance or start from another temperature, and report the case to the developers.",
+    ),
+    "S005": Explanation(
+        "Lubricant data end",
+        "The film settles, if at all, at a temperature where a law of the lubricant has no usable value: "
+        "viscosity, density or heat capacity would be absent, zero or negative.",
+        "Describe the lubricant by points that enclose the operating temperature, with a gentler slope of density "
+        "and heat capacity.",
     ),
     # -- checks of the design -----------------------------------------------------------------------------------
     "C101": Explanation(

@@ -168,7 +168,7 @@ QUANTITIES: dict[str, Quantity] = {
             3,
             "Film thickness at transition to mixed friction",
         ),
-        _q("transition_speed", "N_tr", "rad/s", "rpm", 3, "Speed of transition to mixed friction"),
+        _q("transition_speed", "N_tr", "rad/s", "rpm", 3, "Hydrodynamic speed of transition to mixed friction"),
         _q(
             "stability_relative_clearance",
             "ψ_min",

@@ -17,8 +17,9 @@ class Outcome(Enum):
 
     CONVERGED = "converged"
     OVERLOADED = "no film can carry this load"
-    THERMAL_RUNAWAY = "no thermal equilibrium below the limit of the lubricant data"
+    THERMAL_RUNAWAY = "no thermal equilibrium up to 300 °C"
     NO_CLEARANCE = "the clearance closes at operating temperature"
+    NO_LUBRICANT_DATA = "the lubricant data do not reach the temperature of the film"
     NOT_CONVERGED = "the iteration ended without meeting its tolerance"
 
     @property
@@ -37,6 +38,7 @@ _OUTCOME_CODES = {
     "THERMAL_RUNAWAY": "S002",
     "NO_CLEARANCE": "S003",
     "NOT_CONVERGED": "S004",
+    "NO_LUBRICANT_DATA": "S005",
 }
 
 
@@ -101,6 +103,8 @@ class Result:
         Named quantities in SI; names and units in `babbitt.quantities.QUANTITIES`.
     checks, warnings : tuple
         Verdicts and doubts.
+    not_checked : tuple of Notice
+        Checks that could not be made for want of data, by their code, each with what is missing.
     assumptions : tuple of str
         What was assumed because neither the case nor a published source says it.
     message : str
@@ -118,6 +122,7 @@ class Result:
     values: Mapping[str, float]
     checks: tuple[Check, ...] = ()
     warnings: tuple[Notice, ...] = ()
+    not_checked: tuple[Notice, ...] = ()
     assumptions: tuple[str, ...] = ()
     message: str = ""
     settings: Mapping[str, str] = field(default_factory=dict)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from babbitt import __version__
 from babbitt.bearings.model import FilmCase
-from babbitt.cases import Case, OverhungCouplingCase, case_hash, design_cases
+from babbitt.cases import Case, JournalCase, Machine, OverhungCouplingCase, case_hash, design_cases
 from babbitt.cases.build import AnyDesign
 from babbitt.results import Outcome, Result
 from babbitt.shafts import bearing_loads
@@ -28,6 +28,10 @@ class MachineResult:
         SHA-256 of the validated case.
     version : str
         Of Babbitt.
+    case_text : str
+        The case file as it was read; empty where there was none.
+    source, notes : str
+        What the case says of itself.
     """
 
     name: str
@@ -35,6 +39,9 @@ class MachineResult:
     design_cases: tuple[AnyDesign, ...]
     case_hash: str
     version: str = __version__
+    case_text: str = ""
+    source: str = ""
+    notes: str = ""
 
     @property
     def solved(self) -> bool:
@@ -65,11 +72,31 @@ def solve(case: Case) -> MachineResult:
     Returns
     -------
     MachineResult
+
+    Raises
+    ------
+    TypeError
+        If `case` is not a case, such as the path of its file.
     """
-    if isinstance(case, OverhungCouplingCase):
-        return MachineResult(case.name, (_shaft_result(case),), (), case_hash(case))
+    if not isinstance(case, JournalCase | Machine | OverhungCouplingCase):
+        given = type(case).__name__
+        raise TypeError(
+            f"solve takes a case, not {given}; read one with babbitt.load_case(path) or parse_case(text)"
+        )
     designs = design_cases(case)
-    return MachineResult(case.name, tuple(solve_design(design) for design in designs), designs, case_hash(case))
+    if isinstance(case, OverhungCouplingCase):
+        results: tuple[Result, ...] = (_shaft_result(case),)
+    else:
+        results = tuple(solve_design(design) for design in designs)
+    return MachineResult(
+        case.name,
+        results,
+        designs,
+        case_hash(case),
+        case_text=getattr(case, "text", ""),
+        source=case.source,
+        notes=case.notes,
+    )
 
 
 def solve_design(design: AnyDesign) -> Result:

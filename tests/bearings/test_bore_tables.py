@@ -66,7 +66,7 @@ FULL = [(a, departure(a)) for a in range(0, 361, 10)]
 @pytest.mark.parametrize(
     ("rows", "heading", "words"),
     [
-        (FULL[:-1] + [(360, 27.0)], None, "does not close"),
+        ([*FULL[:-1], (360, 27.0)], None, "does not close"),
         (FULL[:5], None, "5 points"),
         (FULL[:20], None, "leaves a gap"),
         ([*FULL[:9], (40, 1.0), *FULL[9:]], None, "do not rise"),

@@ -17,8 +17,8 @@ def by_rule(**given):
     return film(grooves=None, **given)
 
 
-@pytest.mark.parametrize(("rotation", "sense"), [("counter_clockwise", 1.0), ("clockwise", -1.0)])
-def test_uneven_pockets_stand_where_they_are(rotation, sense):
+@pytest.mark.parametrize(("speed", "sense"), [("3000 rpm", 1.0), ("-3000 rpm", -1.0)])
+def test_uneven_pockets_stand_where_they_are(speed, sense):
     element = {
         "kind": "uneven_pockets",
         "width": "80 mm",
@@ -26,7 +26,7 @@ def test_uneven_pockets_stand_where_they_are(rotation, sense):
         "exit_angle": "104 deg",
         "extent": "20 deg",
     }
-    case = by_rule(supply_element=element, load_angle="0 deg", rotation=rotation)
+    case = by_rule(supply_element=element, load_angle="0 deg", speed=speed)
     assert angles(case) == [-75.0 * sense, 104.0 * sense]  # the entry side lies before the load
     assert all(hollow.width == pytest.approx(0.08) for hollow in case.bearing.hollows)
     assert any("true angles" in said for said in case.assumptions)
@@ -91,7 +91,7 @@ def test_pockets_without_grooves_close_the_ring():
     assert made.film_start is FilmStart.PERIODIC
     assert made.pockets[0].pressure == 2e5
     assert made.angular_speed > 0.0
-    assert film_of(film(rotation="clockwise"), 1.5e-3, 0.02, 0.0).angular_speed < 0.0
+    assert film_of(film(speed="-3000 rpm"), 1.5e-3, 0.02, 0.0).angular_speed < 0.0
 
 
 def test_own_hollows_replace_the_element():

@@ -6,11 +6,12 @@ from pathlib import Path
 import pytest
 import yaml
 
-from babbitt.cases import case_from_dict, case_hash, design_cases, load_case, parse_case, template
+from babbitt.cases import CaseError, case_from_dict, case_hash, design_cases, load_case, parse_case, template
 from babbitt.fits import Clearance
 from babbitt.lubricants import lubricant
 from babbitt.materials import LoadCharacter, bearing_metal, structural_material
 from babbitt.standards.iso7902 import check
+from babbitt.design.cooling import STILL_AIR_COEFFICIENT
 from babbitt.standards.iso7902.model import (
     Curves,
     DesignCase,
@@ -70,6 +71,45 @@ def test_ways_of_saying_the_same_are_the_same():
     bearing = built(materials=named).bearing
     assert bearing.expansion_bearing == structural_material("AlSi10Mg").thermal_expansion
     assert bearing.expansion_journal == structural_material("42CrMo4").thermal_expansion
+
+
+def test_a_fit_in_short():
+    assert built(clearance="H7/d8") == built(clearance={"kind": "fit", "bore": "H7", "journal": "d8"})
+    assert built(clearance=" H7 / d8 ").bearing == built(clearance="H7/d8").bearing
+
+
+@pytest.mark.parametrize(
+    ("given", "opposite"),
+    [
+        ({"speed": "3000 rpm"}, {"speed": "-3000 rpm"}),
+        ({"speed": None, "surface_speed": "20 m/s"}, {"speed": None, "surface_speed": "-20 m/s"}),
+        (
+            {"speed": "3000 rpm", "bearing_speed": "-500 rpm"},
+            {"speed": "-3000 rpm", "bearing_speed": "500 rpm"},
+        ),
+    ],
+)
+def test_the_design_check_does_not_depend_on_the_sense_of_rotation(given, opposite):
+    case, mirrored = built(**given), built(**opposite)
+    assert mirrored.journal_speed == -case.journal_speed < 0.0
+    assert mirrored.bearing_speed == -case.bearing_speed
+    results = [check(one) for one in (case, mirrored)]
+    values = [{name: value for name, value in one.values.items() if name != "wall_time"} for one in results]
+    assert values[0] == values[1]
+    assert results[0].checks == results[1].checks
+    assert [one.code for one in results[0].warnings] == [one.code for one in results[1].warnings]
+
+
+@pytest.mark.parametrize(("journal", "bearing"), [(3000, -3000), (-3000, 3000), (3000, -4000), (-3000, 4000)])
+def test_a_bearing_that_turns_back_the_film_is_refused(journal, bearing):
+    with pytest.raises(CaseError, match="the speeds build no film"):
+        built(speed=f"{journal} rpm", bearing_speed=f"{bearing} rpm")
+
+
+@pytest.mark.parametrize("speed", ["0 rpm", "-0.01 rpm", "-2e6 rpm"])
+def test_the_range_of_a_speed_is_that_of_its_magnitude(speed):
+    with pytest.raises(CaseError, match="with either sign"):
+        built(speed=speed)
 
 
 def test_prescribed_eccentricity():
@@ -176,15 +216,19 @@ def test_supply_path_and_limits():
 @pytest.mark.parametrize(
     ("cooling", "coefficient", "surface"),
     [
-        ({"surface": "0.3 m2"}, 20.0, 0.3),
-        ({"surface": "0.3 m2", "air_speed": "1 m/s"}, 20.0, 0.3),
+        ({"surface": "0.3 m2"}, STILL_AIR_COEFFICIENT, 0.3),
+        ({"surface": "0.3 m2", "air_speed": "1 m/s"}, STILL_AIR_COEFFICIENT, 0.3),
         ({"surface": "0.3 m2", "air_speed": "4 m/s"}, 31.0, 0.3),
         ({"surface": "0.3 m2", "heat_transfer_coefficient": "15 W/(m2 K)"}, 15.0, 0.3),
-        ({"housing": {"kind": "in_machine"}}, 20.0, 15.0 * 0.02),
-        ({"housing": {"kind": "pedestal", "height": "400 mm", "width": "100 mm"}}, 20.0, math.pi * 0.4 * 0.3),
+        ({"housing": {"kind": "in_machine"}}, STILL_AIR_COEFFICIENT, 15.0 * 0.02),
+        (
+            {"housing": {"kind": "pedestal", "height": "400 mm", "width": "100 mm"}},
+            STILL_AIR_COEFFICIENT,
+            math.pi * 0.4 * 0.3,
+        ),
         (
             {"housing": {"kind": "cylinder", "diameter": "400 mm", "width": "100 mm"}},
-            20.0,
+            STILL_AIR_COEFFICIENT,
             math.pi / 2.0 * (0.16 - 0.04) + math.pi * 0.04,
         ),
     ],

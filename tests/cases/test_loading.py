@@ -89,6 +89,26 @@ def test_byte_order_mark_and_json(tmp_path):
     assert load_case(path) == parse_case(template("machine"))
 
 
+@pytest.mark.parametrize("kind", kinds())
+def test_the_text_stays_with_the_case(tmp_path, kind):
+    text = template(kind) + "# my own remark: Ø\n"
+    path = tmp_path / "case.yaml"
+    path.write_text("\ufeff" + text, encoding="utf-8")
+    assert load_case(path).text == parse_case(text).text == text
+    assert [case.text for case in load_cases([path])] == [text]
+    from_dict = case_from_dict(yaml.safe_load(text))
+    assert from_dict.text == ""
+    assert from_dict == parse_case(text)
+    assert hash(from_dict) == hash(parse_case(text))
+    assert "text" not in parse_case(text).model_dump()
+
+
+def test_cases_of_other_content_differ():
+    text = template("journal")
+    assert parse_case(text) != parse_case(text.replace("12 kN", "13 kN"))
+    assert parse_case(text) != "a case"
+
+
 def test_degree_sign_and_other_scripts():
     text = template("journal").replace("50 degC", "50 °C").replace("Example bearing", "Lager Nr. 1, Ø 120, Опора")
     assert parse_case(text).name == "Lager Nr. 1, Ø 120, Опора"

@@ -53,11 +53,21 @@ def test_alternatives_in_the_comments_of_a_template_can_be_used():
     ]
     alternatives += [line.removeprefix("# ") for line in lines if line.startswith(("# lubricant:", "# cooling:"))]
     alternatives += [line.removeprefix("# ") for line in lines if line.startswith(("# limits:", "# assumptions:"))]
-    assert len(alternatives) >= 13
+    assert len(alternatives) >= 14
     given = yaml.safe_load(template("journal"))
     for line in alternatives:
         field, value = next(iter(yaml.safe_load(line).items()))
         assert parse_case(json.dumps(given | {field: value})).kind == "journal"
+
+
+def test_a_speed_of_either_sense_suits_the_schema():
+    given = yaml.safe_load(template("journal"))
+    for speed, suits in (("-2000 rpm", True), (209.4, True), (-209.4, True), (0.0, False), (-1e9, False)):
+        assert VALIDATOR.is_valid(given | {"speed": speed}) is suits
+
+
+def test_a_fit_in_short_suits_the_schema():
+    assert VALIDATOR.is_valid(yaml.safe_load(template("journal")) | {"clearance": "H7/e7"})
 
 
 def test_example_suits_the_schema(request):

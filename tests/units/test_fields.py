@@ -6,7 +6,7 @@ import pytest
 from pydantic import BaseModel, TypeAdapter, ValidationError
 
 from babbitt import units
-from babbitt.units import QuantityError, si
+from babbitt.units import QuantityError, either_sense, si
 
 DIAMETER = si("m", "1 mm", "3 m")
 
@@ -28,12 +28,35 @@ def test_bounds_are_allowed_themselves():
         (si("rad", "-360 deg", "360 deg"), 150, ["150 rad", "write '150 deg'"]),
         (si("Pa", "1 kPa", "50 MPa"), 0.2, ["0.2 Pa", "write '0.2 MPa'"]),
         (si("1", "0.01", "0.99"), 1, ["1 is too large", "0.01 to 0.99"]),
+        (si("1", "0.01 permille", "50 permille"), 1.2, ["1.2 is too large", "write '1.2 permille'"]),
+        (either_sense("rad/s", "1 rpm", "900 rpm"), "-0.5 rpm", ["'-0.5 rpm' is too small", "with either sign"]),
+        (either_sense("rad/s", "1 rpm", "900 rpm"), "-901 rpm", ["'-901 rpm' is too large"]),
+        (either_sense("rad/s", "1 rpm", "900 rpm"), -500, ["-500 rad/s", "write '-500 rpm'"]),
     ],
 )
 def test_what_lies_outside(field, given, words):
     with pytest.raises(QuantityError) as caught:
         field(given)
     assert all(word in str(caught.value) for word in words), caught.value
+
+
+def test_either_sense():
+    field = either_sense("m/s", "1 m/s", "10 m/s")
+    assert [field(speed) for speed in ("1 m/s", "-1 m/s", -10.0)] == [1.0, -1.0, -10.0]
+    assert not field.holds(0.0)
+    described = TypeAdapter(Annotated[float, field]).json_schema()
+    assert [(one.get("minimum"), one.get("maximum")) for one in described["anyOf"]] == [
+        (1.0, 10.0),
+        (-10.0, -1.0),
+        (None, None),
+    ]
+
+
+@pytest.mark.parametrize("given", [60, 500, 1e5])
+def test_a_ratio_that_is_not_written_in_permille_gets_no_such_hint(given):
+    with pytest.raises(QuantityError) as caught:
+        si("1", "0.01", "0.99")(given)
+    assert caught.value.hint == ""
 
 
 def test_a_bare_number_is_not_guessed_when_no_unit_fits():

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt.units import KINDS, QuantityError, read, written
+from babbitt.units import KINDS, QuantityError, bare_number, read, written
 from babbitt.units.reading import _for_pint
 
 REGISTRY = pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
@@ -42,6 +42,10 @@ def test_everyday_factors_are_those_of_pint(si, unit):
         ("3000 rpm", "rad/s", 100.0 * math.pi),
         ("3000 1/min", "rad/s", 100.0 * math.pi),
         ("3000 min⁻¹", "rad/s", 100.0 * math.pi),
+        ("3000 min-1", "rad/s", 100.0 * math.pi),
+        ("3000 U/min", "rad/s", 100.0 * math.pi),
+        ("3000 r/min", "rad/s", 100.0 * math.pi),
+        ("-3000 U/min", "rad/s", -100.0 * math.pi),
         ("50 Hz", "rad/s", 100.0 * math.pi),
         ("314 rad/s", "rad/s", 314.0),
         ("0.16 %", "1", 0.0016),
@@ -90,6 +94,10 @@ def test_written_is_read_back(number, pair):
         ("150 %", "rad", ["a number without unit", "an angle"]),
         ("3 rad", "1", ["an angle", "without unit"]),
         ("3 mmm", "m", ["not known", "did you mean 'mm'?"]),
+        ("80 mn", "m", ["not known", "did you mean 'mm'?"]),
+        ("80 MM", "m", ["did you mean 'mm'?"]),
+        ("80 q", "m", ["not known", "such as '120 mm'"]),
+        ("1.2 permile", "1", ["did you mean 'permille'?"]),
         ("1 kn", "N", ["is a speed", "did you mean 'kN'?"]),
         ("1,5 mm", "m", ["comma", "write '1.5 mm'"]),
         ("1,500 rpm", "rad/s", ["'1.500 rpm' or '1500 rpm'"]),
@@ -122,6 +130,27 @@ def test_refusals(given, unit, words):
     assert message.isprintable()
     assert len(message) < 250
     assert "pint" not in message
+
+
+@pytest.mark.parametrize(
+    ("given", "unit", "kind"),
+    [("12 m/s", "rad/s", "m/s"), ("1 knot", "rad/s", "m/s"), ("1 kg m2", "m", None), ("1 mmm", "m", None)],
+)
+def test_a_refusal_knows_what_was_given_instead(given, unit, kind):
+    with pytest.raises(QuantityError) as caught:
+        read(given, unit)
+    assert caught.value.given is (None if kind is None else KINDS[kind])
+
+
+@pytest.mark.parametrize(
+    ("given", "number"),
+    [
+        *[(3, 3.0), (2.5, 2.5), ("40", 40.0), ("1e3", 1000.0), ("40 N", None), (True, None), (None, None)],
+        *[([1], None), ("x", None), (10**400, None)],
+    ],
+)
+def test_bare_numbers(given, number):
+    assert bare_number(given) == number
 
 
 @pytest.mark.parametrize(

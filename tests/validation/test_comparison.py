@@ -102,7 +102,7 @@ def test_summary_counts_and_names_the_worst():
     assert (whole.values, whole.judged, whole.suspect, whole.shown, whole.differing) == (5, 3, 1, 1, 0)
     assert whole.largest_share == pytest.approx(0.8)
     assert whole.sentence == (
-        "5 values, 3 judged (1 suspect, 1 shown without judgement); largest deviation 0.80 of its tolerance "
+        "5 values, 3 judged (1 set aside, 1 shown without judgement); largest deviation 0.80 of its tolerance "
         "(So, worse); all agree."
     )
     assert {name: each.judged for name, each in by_quantity(rows).items()} == {"So": 2, "β": 1}

@@ -12,7 +12,7 @@ from babbitt_pages.markdown import text
 def scoreboard() -> str:
     """Markdown table of all cases with the outcome of each, and the tree of their pages."""
     lines = [
-        "| case | values | judged | suspect print | shown only | largest deviation / tolerance | verdict |",
+        "| case | values | judged | set aside | shown only | largest deviation / tolerance | verdict |",
         "| --- | ---: | ---: | ---: | ---: | ---: | --- |",
         *(_line(case) for case in cases()),
     ]

@@ -13,11 +13,11 @@ from babbitt.bearings.model import FilmCase
 from babbitt.bearings.transition import transition_speed
 from babbitt.bearings.warm_film import FilmState, film_at_temperature
 from babbitt.bearings.whirl import Whirl, whirl_of
-from babbitt.design.checks import USER, clearance_check, limit_checks
+from babbitt.design.checks import USER, checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import GivenEccentricity, contact_film
 from babbitt.design.doubts import doubt_about_supply, doubts_about_film, doubts_about_running
 from babbitt.design.failure import failure
-from babbitt.design.heat_balance import Equilibrium, at_prescribed_temperature, find_equilibrium
+from babbitt.design.heat_balance import at_prescribed_temperature, find_equilibrium
 from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import (
     cooling_values,
@@ -61,7 +61,8 @@ def film_check(case: FilmCase) -> Result:
     solved = found.outcome.solved
     values: dict[str, float] = {}
     checks: tuple[Check, ...] = ()
-    warnings: tuple[Notice, ...] = ()
+    warnings = case.doubts
+    not_made: tuple[Notice, ...] = ()
     arrays = {}
     if found.film is not None:
         state = found.film
@@ -70,7 +71,8 @@ def film_check(case: FilmCase) -> Result:
         if solved:
             whirl = whirl_of(case, state)
             values |= _running_values(case, state, whirl)
-            checks = (*limit_checks(case, values), *_whirl_checks(case, whirl), clearance_check(values))
+            checks = (*limit_checks(case, values), *_whirl_checks(case, whirl), clearance_check(case, values))
+            not_made = checks_not_made(case, values)
             warnings = tuple(_doubts(case, state, values, checks, whirl))
         values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
@@ -82,15 +84,12 @@ def film_check(case: FilmCase) -> Result:
         values,
         checks,
         warnings,
+        not_made,
         (*case.lubricant.assumptions, *case.assumptions, *_assumptions(case)),
-        "" if solved else _message(found),
+        "" if solved else failure(case, found),
         _settings(case),
         arrays,
     )
-
-
-def _message(found: Equilibrium[FilmState]) -> str:
-    return failure(found, "the thinnest film")
 
 
 def _values(case: FilmCase, state: FilmState) -> dict[str, float]:
@@ -191,7 +190,7 @@ def _doubts(
     yield from doubt_about_supply(state.feed is not None and state.feed.starved)
     if whirl.critical_mass < whirl.rotor_mass:
         yield Notice(
-            "W117",
+            "W120",
             f"critical mass {whirl.critical_mass:.4g} kg < {whirl.rotor_mass:.4g} kg; whirl at "
             f"{whirl.frequency_ratio:.2f} of the speed",
         )

@@ -41,7 +41,7 @@ def film_of(case: FilmCase, relative_clearance: float, viscosity: float, element
         width=bearing.width,
         clearance=clearance,
         viscosity=viscosity,
-        angular_speed=case.rotation.sense * abs(case.journal_speed + case.bearing_speed),
+        angular_speed=case.journal_speed + case.bearing_speed,
         lands=_lands(case, grooves, clearance, element_pressure),
         cavitation=case.cavitation,
         film_start=_start(case, grooves),

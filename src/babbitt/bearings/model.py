@@ -99,12 +99,18 @@ class FilmBearing:
         """B/D."""
         return self.width / self.diameter
 
+    @property
+    def mean_relative_clearance(self) -> float:
+        """Relative clearance in the middle of its tolerance, at 20 °C."""
+        tolerance = self.clearance_tolerance
+        return sum(tolerance) / 2.0 if tolerance else self.relative_clearance
+
 
 @dataclass(frozen=True)
 class FilmCase:
     """One bearing at one operating point with all choices made.
 
-    Speeds in rad/s, positive in the sense of `rotation`; `load_angle` in rad from +x. At least one of `oil_supply`
+    Speeds in rad/s, positive counter-clockwise; `load_angle` in rad from +x. At least one of `oil_supply`
     and `cooling` carries the heat away, unless `effective_temperature` (K) is prescribed. `rotor_mass` (kg) is the
     part of a rigid rotor that this bearing carries. `doubts` arose while the case was made and ride along.
     """
@@ -117,7 +123,6 @@ class FilmCase:
     oil_supply: OilSupply | None = None
     cooling: HousingCooling | None = None
     bearing_speed: float = 0.0
-    rotation: Rotation = Rotation.COUNTER_CLOCKWISE
     load_angle: float = -math.pi / 2.0
     cavitation: Cavitation = Cavitation.MASS_CONSERVING
     cavitation_pressure: float = 0.0
@@ -126,6 +131,13 @@ class FilmCase:
     friction_factor: float = 1.0
     rotor_mass: float | None = None
     limits: Limits = field(default_factory=Limits)
+    given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()
     doubts: tuple[Notice, ...] = ()
     kind: str = "journal"
+
+    @property
+    def rotation(self) -> Rotation:
+        """Sense in which the film is sheared."""
+        turns = self.journal_speed + self.bearing_speed
+        return Rotation.COUNTER_CLOCKWISE if turns >= 0.0 else Rotation.CLOCKWISE

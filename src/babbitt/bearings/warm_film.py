@@ -14,7 +14,8 @@ from babbitt.bearings.layout import film_of, load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.design.conditions import GivenEccentricity
 from babbitt.design.feeding import Arrival, arrival
-from babbitt.design.heat_balance import FilmCollapseError, FilmNotFoundError, NoClearanceError
+from babbitt.design.heat_balance import NoFilmError
+from babbitt.design.oil import properties_at
 from babbitt.design.roots import bracketed_root
 from babbitt.film.model import JournalFilm, Resolution
 from babbitt.fits import operating_relative_clearance
@@ -53,21 +54,17 @@ def film_at_temperature(temperature: float, case: FilmCase) -> FilmState:
 
     Raises
     ------
-    NoClearanceError
-        When the relative clearance is not positive at this temperature.
-    FilmCollapseError
-        When no film carries the load.
-    FilmNotFoundError
-        When the film engine ends without an answer.
+    NoFilmError
+        When the relative clearance is not positive at this temperature, no film carries the load, the film engine
+        ends without an answer, or a law of the lubricant has no usable value.
     """
     bearing, oil = case.bearing, case.lubricant
     psi = operating_relative_clearance(
         bearing.relative_clearance, bearing.expansion_bearing, bearing.expansion_journal, temperature
     )
     if psi <= 0.0:
-        raise NoClearanceError
-    density = oil.density(temperature)
-    viscosity = oil.kinematic_viscosity(temperature) * density
+        raise NoFilmError(Outcome.NO_CLEARANCE)
+    density, viscosity, heat_capacity = properties_at(oil, temperature)
 
     def solved(pressure: float) -> FilmSolution:
         return resting_film(case, film_of(case, psi, viscosity, pressure))
@@ -81,7 +78,7 @@ def film_at_temperature(temperature: float, case: FilmCase) -> FilmState:
         relative_clearance=psi,
         density=density,
         viscosity=viscosity,
-        volumetric_heat_capacity=oil.volumetric_heat_capacity(temperature),
+        volumetric_heat_capacity=heat_capacity,
         load=solution.load,
         friction_power=case.friction_factor * solution.friction_torque * abs(case.journal_speed),
         total_flow=float(solution.side_flow.sum()),
@@ -126,12 +123,12 @@ def _at_eccentricity(case: FilmCase, duty: GivenEccentricity, film: JournalFilm)
         if before * behind <= 0.0 and abs(before - behind) < math.pi:
             attitude = bracketed_root(aside, low, high, absolute=1e-13)
             return film_at_angle(case, film, duty.eccentricity_ratio, attitude)
-    raise FilmNotFoundError
+    raise NoFilmError(Outcome.NOT_CONVERGED)
 
 
 def _accepted(solution: FilmSolution) -> FilmSolution:
     if solution.outcome is Outcome.OVERLOADED:
-        raise FilmCollapseError
+        raise NoFilmError(Outcome.OVERLOADED)
     if not solution.outcome.solved:
-        raise FilmNotFoundError
+        raise NoFilmError(Outcome.NOT_CONVERGED)
     return solution

@@ -10,10 +10,9 @@ from typing import TypeVar
 from babbitt.bearings.model import FilmCase
 from babbitt.cases.film_cases import film_case
 from babbitt.cases.iso7902_cases import iso7902_case
-from babbitt.cases.joined_inputs import Inputs, inputs
+from babbitt.cases.joined_inputs import Inputs, Point, inputs
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import Case, JournalCase, Machine
-from babbitt.cases.operating_point import OperatingPoint
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.standards.iso7902.model import DesignCase
 
@@ -22,7 +21,7 @@ AnyDesign = DesignCase | FilmCase
 
 DesignT = TypeVar("DesignT")
 
-Maker = Callable[[Inputs, OperatingPoint | None, str, float, tuple[float, float] | None], DesignT]
+Maker = Callable[[Inputs, Point], DesignT]
 
 
 def design_cases(case: Case) -> tuple[AnyDesign, ...]:
@@ -98,10 +97,11 @@ def _expanded(bearing: JournalBearing, case: Case, make: Maker[DesignT]) -> Iter
     joined = inputs(bearing, case)
     relative = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter)
     tolerance = (relative.minimum, relative.maximum) if relative.minimum < relative.maximum else None
-    clearances = {"": relative.mean}
-    if (bearing.clearance_cases or case.clearance_cases) == "all":
-        named = {"minimum": relative.minimum, "mean": relative.mean, "maximum": relative.maximum}
-        clearances = {f" ({name} clearance)": value for name, value in named.items()}
+    every = (bearing.clearance_cases or case.clearance_cases) == "all"
     for point in bearing.operating_points or (None,):
-        for suffix, clearance in clearances.items():
-            yield make(joined, point, suffix, clearance, tolerance)
+        for clearance_case in ("minimum", "mean", "maximum") if every else ("mean",):
+            name = bearing.name if point is None else f"{bearing.name} [{point.name}]"
+            if every:
+                name += f" ({clearance_case} clearance)"
+            at = Point(name, point, clearance_case, getattr(relative, clearance_case), tolerance)
+            yield make(joined, at)

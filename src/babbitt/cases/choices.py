@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
@@ -13,6 +13,8 @@ from babbitt.units import si
 
 class FrictionGiven(Part):
     """Where the film rubs."""
+
+    example: ClassVar[str] = "{model: full, factor: 1.1}"
 
     model: Literal["full", "arc", "curve360"] = Field(
         "full",
@@ -26,6 +28,8 @@ class FrictionGiven(Part):
 
 class LimitsGiven(Part):
     """Limits in place of those by experience."""
+
+    example: ClassVar[str] = "{minimum_film_thickness: 10 um, temperature: 90 degC}"
 
     minimum_film_thickness: Annotated[float, si("m", "0 um", "1 mm")] | None = Field(
         None, description="Least permissible film thickness."

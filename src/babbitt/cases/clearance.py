@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field
 
 from babbitt.cases.fields import Name
 from babbitt.cases.part import Complaint, Part, refused, rule
+from babbitt.cases.shorthand import Shorthand
 from babbitt.fits import Clearance, Deviations, SizeLimits
 from babbitt.units import si, written
 
@@ -133,9 +134,15 @@ class DeviationsClearance(_TwoSizes):
         return Clearance.from_deviations(diameter, Deviations(*self.bore), Deviations(*self.journal))
 
 
+def _fit(given: Any) -> Any:
+    bore, stroke, journal = given.partition("/") if isinstance(given, str) else ("", "", "")
+    return {"kind": "fit", "bore": bore.strip(), "journal": journal.strip()} if stroke else given
+
+
 ClearanceGiven = Annotated[
     RelativeClearance | DiametralClearance | FitClearance | LimitsClearance | DeviationsClearance,
     Discriminator("kind"),
+    Shorthand(_fit, "an ISO 286 fit such as H7/e8"),
 ]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from babbitt.cases.journal import JournalBearing
+from babbitt.cases.materials import Materials
 from babbitt.cases.part import Complaint
 from babbitt.cases.plain_words import Path
 from babbitt.cases.shared import SharedInputs, merged
@@ -64,8 +65,11 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
             yield lacks("ambient_temperature", "cooling", "temperature of the air such as '20 degC'")
         if cooling.surface is None and cooling.housing is None:
             yield lacks("surface", "cooling", "surface such as '0.3 m2', or housing")
+    if materials is None:
+        yield lacks("", "materials", f"a mapping such as {Materials.example}")
+        return
     for part in ("bearing", "journal"):
-        if materials is None or getattr(materials, part) is None:
+        if getattr(materials, part) is None:
             yield lacks(part, "materials", "a name of the catalogue, or {thermal_expansion: 11e-6 1/K}")
 
 

@@ -10,6 +10,7 @@ from pydantic import Discriminator, Field
 from babbitt.cases.part import Complaint, Part, at_most_one, rule
 from babbitt.design.cooling import (
     MACHINE_SURFACE_FACTORS,
+    STILL_AIR_COEFFICIENT,
     cylindrical_housing_surface,
     pedestal_surface,
     surface_in_machine,
@@ -62,7 +63,8 @@ Housing = Annotated[CylinderHousing | PedestalHousing | InMachine, Discriminator
 class Cooling(Part):
     """Heat given to the surroundings. A bearing may give single fields and take the others from its machine."""
 
-    alternatives: ClassVar[tuple[tuple[str, str], ...]] = (
+    example: ClassVar[str] = "{ambient_temperature: 20 degC, surface: 0.3 m2}"
+    alternatives: ClassVar[tuple[tuple[str, ...], ...]] = (
         ("heat_transfer_coefficient", "air_speed"),
         ("surface", "housing"),
     )
@@ -71,7 +73,9 @@ class Cooling(Part):
         None, description="Temperature of the air around the housing, T_amb."
     )
     heat_transfer_coefficient: Annotated[float, si("W/(m2 K)", "1 W/(m2 K)", "1000 W/(m2 K)")] | None = Field(
-        None, description="Heat transfer coefficient k_A of the housing. 20 W/(m2 K) is assumed if not given."
+        None,
+        description="Heat transfer coefficient k_A of the housing. Without it and without air_speed "
+        f"{STILL_AIR_COEFFICIENT:g} W/(m2 K) is assumed.",
     )
     air_speed: Annotated[float, si("m/s", "0 m/s", "100 m/s")] | None = Field(
         None, description="Speed of the air along the housing, in place of the heat transfer coefficient."

@@ -17,7 +17,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from babbitt.bearings.model import Hollow, Rotation
+from babbitt.bearings.model import Hollow
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.operating_point import OperatingPoint
 from babbitt.cases.supply_element import (
@@ -47,7 +47,7 @@ class FilmLayout:
     assumptions: tuple[str, ...] = ()
 
 
-def film_layout(bearing: JournalBearing, point: OperatingPoint | None, width: float) -> FilmLayout:
+def film_layout(bearing: JournalBearing, point: OperatingPoint | None, width: float, sense: float) -> FilmLayout:
     """Give the hollows that feed the film of a bearing at an operating point.
 
     Parameters
@@ -56,6 +56,8 @@ def film_layout(bearing: JournalBearing, point: OperatingPoint | None, width: fl
     point : OperatingPoint or None
     width : float
         Of the bearing, m.
+    sense : float
+        1 if the journal turns counter-clockwise, -1 if not.
     """
     given = bearing.hollows()
     if bearing.film_start is not None and FilmStart[bearing.film_start.upper()] is FilmStart.WIDEST_GAP:
@@ -64,12 +66,12 @@ def film_layout(bearing: JournalBearing, point: OperatingPoint | None, width: fl
         )
     if given:
         return FilmLayout(tuple(hollow.hollow(bearing.diameter) for _, hollow in given))
-    return _by_rule(bearing, point, width)
+    return _by_rule(bearing, point, width, sense)
 
 
-def _by_rule(bearing: JournalBearing, point: OperatingPoint | None, width: float) -> FilmLayout:
+def _by_rule(bearing: JournalBearing, point: OperatingPoint | None, width: float, sense: float) -> FilmLayout:
     element, span = bearing.element_at(point), math.radians(bearing.span_at(point) or 360)
-    load, sense = bearing.load_angle, Rotation(bearing.rotation).sense
+    load = bearing.load_angle
     full = span > ALMOST_A_TURN
     match element:
         case UnevenPockets():

@@ -8,7 +8,7 @@ from babbitt.cases.cooling import Cooling
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import JournalCase, Machine
 from babbitt.cases.materials import Materials
-from babbitt.cases.operating_point import LOADS, SPEEDS, OperatingPoint
+from babbitt.cases.operating_point import LOADS, SPEEDS, OperatingPoint, stating
 from babbitt.cases.shared import merged
 from babbitt.cases.supply import Supply
 from babbitt.design.conditions import GivenEccentricity, GivenLoad, HousingCooling, OilSupply
@@ -27,6 +27,21 @@ class Inputs:
     materials: Materials
     width: float
     shared_assumptions: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Point:
+    """Where a bearing is computed: operating point (None: the bearing as such), clearance case, relative
+    clearance.
+
+    `clearance` and `tolerance` hold at 20 °C; `clearance_case` is ``minimum``, ``mean`` or ``maximum``.
+    """
+
+    name: str
+    given: OperatingPoint | None
+    clearance_case: str
+    clearance: float
+    tolerance: tuple[float, float] | None
 
 
 def inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> Inputs:
@@ -49,7 +64,7 @@ def inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> Inputs:
 def duty(inputs: Inputs, point: OperatingPoint | None) -> GivenLoad | GivenEccentricity:
     """What the bearing carries: the load, or the prescribed position."""
     bearing = inputs.bearing
-    given = point if point is not None and any(getattr(point, name) is not None for name in LOADS) else bearing
+    given = stating(LOADS, bearing, point)
     if given.eccentricity_ratio is not None:
         return GivenEccentricity(given.eccentricity_ratio, given.attitude_angle)
     if given.load is not None:
@@ -61,7 +76,7 @@ def duty(inputs: Inputs, point: OperatingPoint | None) -> GivenLoad | GivenEccen
 
 def journal_speed(bearing: JournalBearing, point: OperatingPoint | None) -> float:
     """Speed of the journal in rad/s."""
-    given = point if point is not None and any(getattr(point, name) is not None for name in SPEEDS) else bearing
+    given = stating(SPEEDS, bearing, point)
     if given.speed is not None:
         return given.speed
     if given.surface_speed is None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
@@ -22,7 +22,7 @@ from babbitt.cases.film_features import (
     complaints_about_hollows,
 )
 from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
-from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_given, rule
+from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_bare, is_given, rule
 from babbitt.cases.shared import SharedInputs
 from babbitt.cases.supply_element import SupplyElementGiven, UnevenPockets
 from babbitt.cases.surfaces import SurfacesGiven
@@ -41,6 +41,8 @@ GREATEST_SURFACE_SPEED = 200.0
 class JournalBearing(Duty, SharedInputs):
     """A circular cylindrical journal bearing."""
 
+    alternatives: ClassVar[tuple[tuple[str, ...], ...]] = (*Duty.alternatives, ("width", "width_ratio"))
+
     kind: Literal["journal"] = Field(description="Circular cylindrical journal bearing.")
     name: Name = Field(description="Name of the bearing in tables and reports.")
     method: Literal["iso7902", "film"] = Field(
@@ -52,7 +54,9 @@ class JournalBearing(Duty, SharedInputs):
     width_ratio: Annotated[float, si("1", "0.1", "1.5")] | None = Field(
         None, description="Relative width B/D, in place of the width."
     )
-    clearance: ClearanceGiven = Field(description="Clearance at 20 degC.")
+    clearance: ClearanceGiven = Field(
+        description="Clearance at 20 degC. An ISO 286 fit may be written in short, such as H7/e8."
+    )
     clearance_cases: Literal["mean", "all"] | None = Field(
         None,
         description="Calculate with the mean clearance, or with minimum, mean and maximum. mean if not given.",
@@ -81,15 +85,12 @@ class JournalBearing(Duty, SharedInputs):
     surfaces: SurfacesGiven | None = Field(None, description="Roughness, tilt and waviness of the surfaces.")
 
     bearing_speed: Annotated[float, si("rad/s", "-1000000 rpm", "1000000 rpm")] = Field(
-        0.0, description="Rotational speed of the bearing, positive in the sense of the journal."
+        0.0, description="Rotational speed of the bearing, positive counter-clockwise as that of the journal."
     )
     load_angle: Annotated[float, si("rad", "-360 deg", "360 deg")] = Field(
         -math.pi / 2.0,
         description="Direction of the load, counter-clockwise from the x axis. -90 deg is downward. "
         "ISO 7902 takes the load through the middle of the arc, whatever its direction.",
-    )
-    rotation: Literal["counter_clockwise", "clockwise"] = Field(
-        "counter_clockwise", description="Sense in which the journal turns, with x to the right and y up."
     )
     rotor_mass: Annotated[float, si("kg", "1 g", "10000 t")] | None = Field(
         None,
@@ -167,7 +168,8 @@ class JournalBearing(Duty, SharedInputs):
             # A missing "kN" shows here. A load beyond what any film carries is answered by the calculation.
             if pressure < LEAST_SPECIFIC_LOAD:
                 says = f"{written(duty.load, 'kN')} is a specific load of {written(pressure, 'kPa')}"
-                yield Complaint((*path, "load"), says, f"at least {written(LEAST_SPECIFIC_LOAD, 'kPa')}")
+                hint = f"write '{duty.load:.12g} kN'" if is_bare(duty, "load") else ""
+                yield Complaint((*path, "load"), says, f"at least {written(LEAST_SPECIFIC_LOAD, 'kPa')}", hint)
 
     @rule
     def _one_speed(self) -> Iterator[Complaint]:
@@ -181,12 +183,14 @@ class JournalBearing(Duty, SharedInputs):
                 speed = 2.0 * duty.surface_speed / self.diameter
             if speed is None:
                 continue
-            if (fast := speed * self.diameter / 2.0) > GREATEST_SURFACE_SPEED * 1.000001:
+            if (fast := abs(speed) * self.diameter / 2.0) > GREATEST_SURFACE_SPEED * 1.000001:
                 says = f"{written(speed, 'rpm')} is a surface speed of {fast:.4g} m/s"
-                yield Complaint((*path, "speed"), says, f"up to {GREATEST_SURFACE_SPEED:g} m/s")
-            if speed + self.bearing_speed <= 0.0:
+                hint = f"write '{speed:.12g} rpm'" if is_bare(duty, "speed") else ""
+                yield Complaint((*path, "speed"), says, f"up to {GREATEST_SURFACE_SPEED:g} m/s", hint)
+            if (speed + self.bearing_speed) * speed <= 0.0:
                 both = f"journal {written(speed, 'rpm')}, bearing {written(self.bearing_speed, 'rpm')}"
-                yield Complaint(("bearing_speed",), f"the speeds build no film: {both}", "a positive sum")
+                says = f"the speeds build no film: {both}"
+                yield Complaint(("bearing_speed",), says, "a sum of both in the sense of the journal")
 
     @rule
     def _points_have_names_of_their_own(self) -> Iterator[Complaint]:

@@ -50,7 +50,7 @@ def load_case(path: str | FilePath) -> Case:
 
 
 def parse_case(text: str, name: str = "<text>") -> Case:
-    """Read a case from text.
+    """Read a case from text, which stays with it as `text`.
 
     Parameters
     ----------
@@ -66,7 +66,8 @@ def parse_case(text: str, name: str = "<text>") -> Case:
 
     Notes
     -----
-    Tables that the case names are sought from the working folder; `load_case` seeks them from the folder of the file.
+    Tables that the case names are sought from the working folder; `load_case` seeks them from the folder of the
+    file.
 
     Examples
     --------
@@ -84,7 +85,7 @@ def _parsed(text: str, name: str, folder: FilePath) -> Case:
     except DocumentError as error:
         problem = Problem(name, error.line, "", error.says, allowed=error.allowed, hint=error.hint, code="E002")
         raise CaseError([problem]) from None
-    return _case(root.plain(), name, root, folder)
+    return _case(root.plain(), name, root, folder).with_text(text)
 
 
 def case_from_dict(given: Mapping[str, Any], name: str = "<case>") -> Case:

@@ -218,5 +218,5 @@ LubricantGiven = Annotated[
     | PowerLawLubricant
     | ConstantLubricant,
     Discriminator("kind"),
-    Shorthand(_named, "Name in the catalogue of lubricants."),
+    Shorthand(_named, "a name in the catalogue of lubricants"),
 ]

@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field
 
+from babbitt.cases.case_file import CaseFile
 from babbitt.cases.completeness import complaints_about
 from babbitt.cases.fields import Name, Prose
 from babbitt.cases.journal import JournalBearing
@@ -16,20 +17,17 @@ from babbitt.cases.plain_words import Path
 from babbitt.cases.shared import SharedInputs
 
 
-class JournalCase(JournalBearing):
+class JournalCase(JournalBearing, CaseFile):
     """A file with one journal bearing."""
-
-    babbitt: Literal[1] = Field(1, description="Version of the case language.")
 
     @rule
     def _nothing_is_missing(self) -> Iterator[Complaint]:
         yield from complaints_about(self, None)
 
 
-class Machine(SharedInputs):
+class Machine(SharedInputs, CaseFile):
     """A file with the bearings of a machine, which share what stands here and may differ in single fields."""
 
-    babbitt: Literal[1] = Field(1, description="Version of the case language.")
     kind: Literal["machine"] = Field(description="Several bearings that share lubricant, supply and cooling.")
     name: Name = Field(description="Name of the machine.")
     clearance_cases: Literal["mean", "all"] = Field(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
 
@@ -43,11 +43,13 @@ def _named(given: Any) -> Any:
     return {"name": given} if isinstance(given, str) else given
 
 
-StructureGiven = Annotated[Structure, Shorthand(_named, "Name in the catalogue.")]
+StructureGiven = Annotated[Structure, Shorthand(_named, "a name in the catalogue")]
 
 
 class Materials(Part):
     """Materials. A bearing may give single fields and take the others from its machine."""
+
+    example: ClassVar[str] = "{bearing: C10, journal: 42CrMo4}"
 
     bearing_metal: Name | None = Field(
         None, description="Bearing metal, a name of the catalogue. Without it no limits of the metal are checked."

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from pydantic import Field
 
@@ -11,7 +11,7 @@ from babbitt.cases.fields import Name, Span
 from babbitt.cases.part import Complaint, Part, rule
 from babbitt.cases.supply import GaugePressure, OilTemperature
 from babbitt.cases.supply_element import SupplyElementGiven
-from babbitt.units import si
+from babbitt.units import either_sense, si
 
 LOADS = ("load", "specific_load", "eccentricity_ratio")
 SPEEDS = ("speed", "surface_speed")
@@ -19,6 +19,8 @@ SPEEDS = ("speed", "surface_speed")
 
 class Duty(Part):
     """Load and speed. One of the loads and one of the speeds is given."""
+
+    alternatives: ClassVar[tuple[tuple[str, ...], ...]] = (LOADS, SPEEDS)
 
     load: Annotated[float, si("N", "1 N", "1000 MN")] | None = Field(None, description="Bearing load F.")
     specific_load: Annotated[float, si("Pa", "1 kPa", "500 MPa")] | None = Field(
@@ -29,14 +31,13 @@ class Duty(Part):
     )
     attitude_angle: Annotated[float, si("rad", "-180 deg", "180 deg")] | None = Field(
         None,
-        description="Besides the eccentricity ratio, for the film method: from the load angle to the "
-        "journal centre in "
-        "the sense of rotation. The direction of the load is then found, too.",
+        description="Besides the eccentricity ratio, for the film method: from the load angle to the journal "
+        "centre in the sense of rotation. The direction of the load is then found, too.",
     )
-    speed: Annotated[float, si("rad/s", "0.1 rpm", "1000000 rpm")] | None = Field(
-        None, description="Rotational speed of the journal."
+    speed: Annotated[float, either_sense("rad/s", "0.1 rpm", "1000000 rpm")] | None = Field(
+        None, description="Rotational speed of the journal, positive counter-clockwise."
     )
-    surface_speed: Annotated[float, si("m/s", "1 mm/s", "200 m/s")] | None = Field(
+    surface_speed: Annotated[float, either_sense("m/s", "1 mm/s", "200 m/s")] | None = Field(
         None, description="Surface speed of the journal, in place of the rotational speed."
     )
 
@@ -57,3 +58,17 @@ class OperatingPoint(Duty):
     supply_element: SupplyElementGiven | None = Field(
         None, description="Supply element, where the load turns relative to the pockets."
     )
+
+
+def stating(names: tuple[str, ...], bearing: Duty, point: Duty | None) -> Duty:
+    """Give the piece that states one of some fields: the operating point where it does, else the bearing.
+
+    Parameters
+    ----------
+    names : tuple of str
+        `LOADS` or `SPEEDS`.
+    bearing, point : Duty
+        None as point: the bearing as such.
+    """
+    states = point is not None and any(getattr(point, name) is not None for name in names)
+    return point if point is not None and states else bearing

@@ -6,8 +6,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose
-from babbitt.cases.part import Part
 from babbitt.shafts import MeshForce, OverhungCoupling
 from babbitt.units import si
 
@@ -15,10 +15,9 @@ Distance = Annotated[float, si("m", "1 mm", "50 m")]
 PartMass = Annotated[float, si("kg", "0 kg", "1000 t")]
 
 
-class OverhungCouplingCase(Part):
+class OverhungCouplingCase(CaseFile):
     """A gear between two bearings, and a coupling beyond the second: what each bearing carries."""
 
-    babbitt: Literal[1] = Field(1, description="Version of the case language.")
     kind: Literal["overhung_coupling"] = Field(description="Load share of two bearings with an overhung coupling.")
     name: Name = Field(description="Name of the shaft.")
     mesh_force: Annotated[float, si("N", "1 N", "1000 MN")] = Field(description="Mesh force at mid-span.")

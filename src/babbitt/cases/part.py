@@ -16,6 +16,7 @@ from pydantic import (
     BaseModel,
     ConfigDict,
     ModelWrapValidatorHandler,
+    PrivateAttr,
     TypeAdapter,
     ValidationError,
     model_validator,
@@ -24,6 +25,7 @@ from pydantic_core import InitErrorDetails, PydanticCustomError
 
 from babbitt.cases.plain_words import ERROR_TYPE, Path, is_echo, refusal
 from babbitt.notices import InputError
+from babbitt.units import bare_number
 
 
 @dataclass(frozen=True)
@@ -69,6 +71,16 @@ class Part(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid", coerce_numbers_to_str=True)
     rules: ClassVar[tuple[Rule, ...]] = ()
+    alternatives: ClassVar[tuple[tuple[str, ...], ...]] = ()
+    """Fields that stand in place of each other."""
+    example: ClassVar[str] = ""
+    """How the piece is written, for messages; empty where that takes more than a line."""
+
+    _bare: frozenset[str] = PrivateAttr(frozenset())
+
+    def __eq__(self, other: object) -> bool:
+        # How a file wrote its content, which pydantic would compare too, makes no other case of it.
+        return isinstance(other, Part) and type(other) is type(self) and vars(other) == vars(self)
 
     @classmethod
     def __pydantic_init_subclass__(cls, **kwargs: Any) -> None:
@@ -87,6 +99,8 @@ class Part(BaseModel):
             if isinstance(given, Mapping):
                 lines += _lines(_usable(cls, given), given)
             raise ValidationError.from_exception_data(cls.__name__, lines) from None
+        if isinstance(given, Mapping):
+            part._bare = _without_unit(given)
         if lines := _lines(part, given):
             raise ValidationError.from_exception_data(cls.__name__, lines)
         return part
@@ -112,6 +126,11 @@ def refused(path: Path, attempt: Callable[[], object]) -> Iterator[Complaint]:
 def is_given(part: Part, name: str) -> bool:
     """Whether a field was written in the file, be it usable or not."""
     return name in part.model_fields_set and vars(part).get(name, part) is not None
+
+
+def is_bare(part: Part, name: str) -> bool:
+    """Whether a field was written as a number without unit."""
+    return name in part._bare
 
 
 def exactly_one(part: Part, *names: str) -> Iterator[Complaint]:
@@ -156,9 +175,14 @@ def _usable(cls: type[Part], given: Mapping[str, Any]) -> Part:
             values |= {name: pieces} if pieces else {}
             unusable |= set() if pieces else {name}
     part = cls.model_construct(_fields_set={*cls.model_fields} & given.keys(), **values)
+    part._bare = _without_unit(given)
     for name in unusable:
         vars(part).pop(name, None)
     return part
+
+
+def _without_unit(given: Mapping[str, Any]) -> frozenset[str]:
+    return frozenset(name for name, value in given.items() if bare_number(value) is not None)
 
 
 @cache

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import difflib
 import typing
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from pydantic_core import ErrorDetails, InitErrorDetails, PydanticCustomError
 
+from babbitt.cases.shorthand import Shorthand
 from babbitt.units import QuantityError, SiField
 
 if TYPE_CHECKING:
@@ -19,6 +20,7 @@ ERROR_TYPE = "case"
 """Type of the pydantic errors that already speak plainly; what they say stands in their context."""
 
 Path = tuple[str | int, ...]
+Metadata = TypeVar("Metadata")
 
 MOST_LISTED = 24
 """Fields that a message lists at most."""
@@ -131,7 +133,9 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
             return _say_branch(cls, path, given)
         case "value_error" if isinstance(context.get("error"), QuantityError):
             error: QuantityError = context["error"]
-            return error.says, error.allowed, error.hint
+            return error.says, error.allowed, _elsewhere(cls, path, given, error) or error.hint
+        case "model_attributes_type" | "model_type" if given is not None and not path and cls.example:
+            return f"{shown(given)} is not allowed", f"a mapping such as {cls.example}", ""
     if given is None:
         return "is empty", "", _described(cls, name)
     expected = _EXPECTED.get(details["type"])
@@ -145,7 +149,8 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
 def _say_branch(cls: type[Part], path: Path, given: Any) -> tuple[str, str, str]:
     kinds = _branches(cls, str(path[0]))
     if not isinstance(given, Mapping):
-        return f"{shown(given)} is not allowed", f"a mapping with kind: {', '.join(kinds)}", ""
+        short = [f"{told.words}, or " for told in _behind(cls, str(path[0]), Shorthand)]
+        return f"{shown(given)} is not allowed", f"{''.join(short)}a mapping with kind: {', '.join(kinds)}", ""
     if "kind" not in given:
         return "kind is missing", ", ".join(kinds), ""
     kind = given["kind"]
@@ -154,6 +159,25 @@ def _say_branch(cls: type[Part], path: Path, given: Any) -> tuple[str, str, str]
         ", ".join(kinds),
         nearest(kind, kinds) if isinstance(kind, str) else "",
     )
+
+
+def _elsewhere(cls: type[Part], path: Path, given: Any, error: QuantityError) -> str:
+    """Hint at the field that takes what was given in its alternative: 12 m/s as speed is a surface_speed."""
+    if error.given is None or len(path) != 1:
+        return ""
+    others = (name for group in cls.alternatives if path[0] in group for name in group)
+    fits = (name for name in others if any(data.kind is error.given for data in _behind(cls, name, SiField)))
+    return next((f"write '{name}: {shown(given)[1:-1]}'" for name in fits), "")
+
+
+def _behind(cls: type[Part], name: str, kind: type[Metadata]) -> Iterator[Metadata]:
+    """Find the metadata of one kind of a field, be it optional or not."""
+    field = cls.model_fields.get(name)
+    if field is not None:
+        alternatives = (field, *typing.get_args(field.annotation))
+        for one in alternatives:
+            metadata = getattr(one, "metadata", getattr(one, "__metadata__", ()))
+            yield from (data for data in metadata if isinstance(data, kind))
 
 
 def _described(cls: type[Part], name: str) -> str:

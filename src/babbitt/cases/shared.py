@@ -35,7 +35,7 @@ def merged(own: SharedPart | None, shared: SharedPart | None) -> SharedPart | No
     if own is None or shared is None:
         return own or shared
     given = {name: getattr(own, name) for name in own.model_fields_set}
-    for alternatives in getattr(own, "alternatives", ()):
+    for alternatives in own.alternatives:
         # An air speed of the bearing replaces a heat transfer coefficient of the machine, not only its air speed.
         if given.keys() & set(alternatives):
             given = dict.fromkeys(alternatives) | given

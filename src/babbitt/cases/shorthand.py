@@ -20,12 +20,12 @@ class Shorthand:
     ----------
     expand : callable
         Gives the mapping for a text, and anything else unchanged.
-    description : str
-        What the text says, for editors.
+    words : str
+        What the text says, such as "a name in the catalogue".
     """
 
     expand: Callable[[Any], Any]
-    description: str
+    words: str
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Expand before the mapping is read."""
@@ -35,4 +35,9 @@ class Shorthand:
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
         """Tell editors that text will do."""
-        return {"anyOf": [{"type": "string", "description": self.description}, handler(schema)]}
+        return {
+            "anyOf": [
+                {"type": "string", "description": f"{self.words[0].upper()}{self.words[1:]}."},
+                handler(schema),
+            ]
+        }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, ClassVar
 
 from pydantic import Field
 
@@ -47,6 +47,8 @@ class FeedHole(Part):
 
 class Supply(Part):
     """Oil fed under pressure. A bearing may give single fields and take the others from its machine."""
+
+    example: ClassVar[str] = "{temperature: 50 degC, pressure: 0.2 MPa}"
 
     temperature: OilTemperature | None = Field(None, description="Oil temperature at the inlet, T_en.")
     pressure: GaugePressure | None = Field(

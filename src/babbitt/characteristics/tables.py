@@ -191,9 +191,13 @@ def sommerfeld_number(span_degrees: int, eccentricity_ratio: ArrayLike, width_ra
     return np.asarray(np.exp(log_load) * (eccentricities / inside))
 
 
+ROUND_OFF = 1e-9
+"""Relative slack at the ends of B/D: a width computed from a ratio may miss it by round-off."""
+
+
 def _check_width_ratio(width_ratio: float | Array, nodes: CharacteristicTable) -> None:
     low, high = float(nodes.width_ratios[0]), float(nodes.width_ratios[-1])
-    if outside(width_ratio, low, high):
+    if outside(width_ratio, low * (1.0 - ROUND_OFF), high * (1.0 + ROUND_OFF)):
         given = f"; given was {width_ratio:g}" if not isinstance(width_ratio, np.ndarray) else ""
         raise InputError(
             "E006", f"characteristics are tabulated for a width ratio B/D from {low:g} to {high:g}{given}"

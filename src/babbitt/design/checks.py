@@ -12,10 +12,18 @@ from babbitt.materials import (
     self_cooled_temperature_limit,
     specific_load_limit,
 )
+from babbitt.notices import Notice
 from babbitt.results import Bound, Check
 
 USER = "limit set in the case"
 AT_MOST, AT_LEAST = Bound.AT_MOST, Bound.AT_LEAST
+
+
+SLOW_UP_TO = 1.0
+"""Surface speed in m/s up to which the exceptional specific load is granted (an assumption)."""
+
+METAL_CHECKS = ("C105", "C106", "C107", "C108")
+"""Limits of the bearing metal: specific load, speed, their product, temperature."""
 
 
 def limit_checks(case: Designed, values: Mapping[str, float]) -> tuple[Check, ...]:
@@ -35,6 +43,38 @@ def limit_checks(case: Designed, values: Mapping[str, float]) -> tuple[Check, ..
     )
 
 
+def checks_not_made(case: Designed, values: Mapping[str, float]) -> tuple[Notice, ...]:
+    """The checks of the design that lack data, each with what is missing."""
+    return tuple(_not_made(case, values))
+
+
+def _not_made(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
+    bearing, metal = case.bearing, case.bearing.metal
+    if case.limits.minimum_film_thickness is None and "empirical_film_limit" not in values:
+        yield Notice("C101", f"no experience value for a diameter of {bearing.diameter * 1e3:.4g} mm")
+    if bearing.surfaces is None:
+        yield Notice("C102", "roughness, tilt and waviness are not given (surfaces)")
+    if case.limits.specific_load is None and (metal is None or specific_load_limit(metal.family) is None):
+        yield Notice("C103", "no limit for the specific load: " + _without_metal(case))
+    if metal is None:
+        for code in METAL_CHECKS:
+            yield Notice(code, "no bearing metal is given (materials: bearing_metal)")
+    else:
+        limits = metal.limits(bearing.load_character)
+        sources = (limits.specific_load, limits.sliding_speed, limits.pv, metal.limiting_temperature)
+        for code, limit in zip(METAL_CHECKS, sources, strict=True):
+            if limit is None:
+                yield Notice(code, f"no public limit of {metal.name} is on board")
+    if "transition_speed" not in values:
+        missing = "transition_film_thickness" not in values
+        yield Notice("C111", "surfaces are not given" if missing else "the film limit exceeds the clearance")
+
+
+def _without_metal(case: Designed) -> str:
+    metal = case.bearing.metal
+    return "no bearing metal is given" if metal is None else f"no experience value for {metal.family.value} alloys"
+
+
 def temperature_limit(case: Designed) -> ExperienceLimit:
     """Temperature limit in K by experience, by the way the bearing is cooled."""
     if case.oil_supply is None:
@@ -42,11 +82,11 @@ def temperature_limit(case: Designed) -> ExperienceLimit:
     return pressure_fed_temperature_limit(case.oil_supply.circulation_time)
 
 
-def limited_temperature(case: Designed) -> str:
-    """Name of the temperature that the limit holds for."""
-    if case.oil_supply is not None:
-        return "outlet_temperature"
-    return "bearing_temperature" if case.cooling is not None else "effective_temperature"
+def limited_temperature(values: Mapping[str, float]) -> str:
+    """Name of the hottest temperature known of oil and bearing, for which the limits hold."""
+    names = ("outlet_temperature", "bearing_temperature", "supply_temperature")
+    known = [name for name in names if name in values]
+    return max(known, key=lambda name: values[name], default="effective_temperature")
 
 
 def film_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:
@@ -69,10 +109,11 @@ def load_and_temperature_checks(case: Designed, values: Mapping[str, float]) -> 
     if case.limits.specific_load is not None:
         yield Check("C103", "specific_load", pressure, case.limits.specific_load, AT_MOST, USER)
     elif metal is not None and (load_limit := specific_load_limit(metal.family)) is not None:
-        slow = surface_speed(case) <= 1.0
+        slow = surface_speed(case) <= SLOW_UP_TO
         limit = load_limit.exceptional if slow else load_limit.general
-        yield Check("C103", "specific_load", pressure, limit, AT_MOST, load_limit.source)
-    name = limited_temperature(case)
+        which = f"exceptional value, for speeds up to {SLOW_UP_TO:g} m/s" if slow else "general value"
+        yield Check("C103", "specific_load", pressure, limit, AT_MOST, f"{load_limit.source}; {which}")
+    name = limited_temperature(values)
     if case.limits.temperature is not None:
         yield Check("C104", name, values[name], case.limits.temperature, AT_MOST, USER)
     else:
@@ -86,7 +127,7 @@ def metal_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]
     if metal is None:
         return
     limits = metal.limits(case.bearing.load_character)
-    hottest = limited_temperature(case)
+    hottest = limited_temperature(values)
 
     def check(code: str, name: str, limit: SourcedValue | None, *, advisory: bool = False) -> Iterator[Check]:
         if limit is not None:
@@ -111,15 +152,16 @@ def validity_checks(values: Mapping[str, float]) -> Iterator[Check]:
     )
     if "transition_speed" in values:
         source = "speed at which the film thins to the film limit of the surfaces"
-        yield Check("C111", "angular_speed", values["angular_speed"], values["transition_speed"], AT_LEAST, source)
+        speed = values["hydrodynamic_speed"]
+        yield Check("C111", "hydrodynamic_speed", speed, values["transition_speed"], AT_LEAST, source)
 
 
-def clearance_check(values: Mapping[str, float]) -> Check:
+def clearance_check(case: Designed, values: Mapping[str, float]) -> Check:
     """Advice on the mean relative clearance."""
     return Check(
         "C114",
         "relative_clearance",
-        values["relative_clearance"],
+        case.bearing.mean_relative_clearance,
         values["recommended_relative_clearance"],
         AT_LEAST,
         "0.8e-3 U^(1/4) (Vogelpohl)",

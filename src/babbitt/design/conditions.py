@@ -110,6 +110,8 @@ class DesignedBearing(Protocol):
     @property
     def surfaces(self) -> Surfaces | None: ...  # noqa: D102
     @property
+    def mean_relative_clearance(self) -> float: ...  # noqa: D102
+    @property
     def metal(self) -> BearingMetal | None: ...  # noqa: D102
     @property
     def load_character(self) -> LoadCharacter: ...  # noqa: D102
@@ -130,6 +132,8 @@ class Designed(Protocol):
     def lubricant(self) -> Lubricant: ...  # noqa: D102
     @property
     def journal_speed(self) -> float: ...  # noqa: D102
+    @property
+    def duty(self) -> GivenLoad | GivenEccentricity: ...  # noqa: D102
     @property
     def bearing_speed(self) -> float: ...  # noqa: D102
 

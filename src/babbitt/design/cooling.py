@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-STILL_AIR_COEFFICIENT = 20.0
+STILL_AIR_COEFFICIENT = 15.0
 """W/(m² K). The standards name 15 to 20 for a housing in still or little moved air; textbook value."""
 
 MOVING_AIR_FROM = 1.2
@@ -30,7 +30,7 @@ def heat_transfer_coefficient(air_speed: float) -> float:
     Examples
     --------
     >>> heat_transfer_coefficient(4.0), heat_transfer_coefficient(0.5)
-    (31.0, 20.0)
+    (31.0, 15.0)
     """
     return 7.0 + 12.0 * math.sqrt(air_speed) if air_speed > MOVING_AIR_FROM else STILL_AIR_COEFFICIENT
 

@@ -26,6 +26,10 @@ def doubts_about_film(case: Designed, values: Mapping[str, float]) -> Iterator[N
             f"T_eff = {temperature - 273.15:.1f} °C lies outside {coldest - 273.15:.0f} to "
             f"{hottest - 273.15:.0f} °C, for which {case.lubricant.name} is described",
         )
+    leaving = values.get("outlet_temperature", temperature)
+    if case.oil_supply is not None and leaving < case.oil_supply.temperature - 1e-6:
+        colder = case.oil_supply.temperature - leaving
+        yield Notice("W118", f"the oil leaves at {leaving - 273.15:.1f} °C, {colder:.1f} K colder than it enters")
     clearance = 0.5 * values["operating_relative_clearance"] * case.bearing.diameter
     depth, eccentricity = 1.0 - values["minimum_film_thickness"] / clearance, values["eccentricity_ratio"]
     if depth > RIGID_FILM_UP_TO:

@@ -47,9 +47,9 @@ class Duct:
 
         ``Δp = (λ l/d + Σζ) ρ v²/2`` with the mean velocity v (Darcy-Weisbach).
         """
-        if flow <= 0.0:
-            return 0.0
         velocity = flow / self.number / (math.pi / 4.0 * self.diameter**2)
         reynolds_number = velocity * self.diameter / kinematic_viscosity
+        if reynolds_number <= 0.0:
+            return 0.0
         friction = pipe_friction_factor(reynolds_number) * self.length / self.diameter
         return (friction + self.loss_coefficient) * density * velocity**2 / 2.0

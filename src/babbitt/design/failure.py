@@ -1,31 +1,36 @@
-"""How far an unsolved case came, in words."""
+"""How far an unsolved case came and what to try, in words."""
 
 from __future__ import annotations
 
+from babbitt.design.conditions import Designed, GivenLoad
 from babbitt.design.heat_balance import Equilibrium, FilmT
+from babbitt.notices import EXPLANATIONS
 from babbitt.results import Outcome
 
 
-def failure(found: Equilibrium[FilmT], most: str = "an eccentricity of 0.99") -> str:
-    """Say how far an unsolved case came.
-
-    Parameters
-    ----------
-    found : Equilibrium
-    most : str
-        The thinnest film that the method knows.
-    """
+def failure(case: Designed, found: Equilibrium[FilmT]) -> str:
+    """Say how far an unsolved case came, and what to try."""
     reached = f"{found.last_temperature - 273.15:.1f} °C"
     match found.outcome:
-        case Outcome.OVERLOADED if found.film is None:
-            return f"already at {reached} the load is more than {most} carries"
         case Outcome.OVERLOADED:
-            return f"the film collapses at {reached} ({most.removeprefix('an ')}) while friction still heats it"
+            far = f"at {reached} {_carried(found.capacity)}"
+            if isinstance(case.duty, GivenLoad):
+                far += f", less than the load of {case.duty.load / 1e3:.4g} kN"
         case Outcome.THERMAL_RUNAWAY:
-            return f"at {reached} the friction power still exceeds the heat carried away"
+            far = f"at {reached} the friction power still exceeds the heat carried away"
         case Outcome.NO_CLEARANCE:
-            return f"the clearance is used up at {reached}"
+            far = f"the clearance is used up at {reached}"
+        case Outcome.NO_LUBRICANT_DATA:
+            far = f"the laws of {case.lubricant.name} were followed to {reached}"
         case _ if found.film is None:
-            return f"no equilibrium of the journal was found at {reached}"
+            far = f"no equilibrium of the journal was found at {reached}"
         case _:
-            return f"the last effective temperature was {reached}"
+            far = f"the last effective temperature was {reached}"
+    remedy = EXPLANATIONS[found.outcome.code].remedy
+    return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"
+
+
+def _carried(capacity: float | None) -> str:
+    if capacity is None:
+        return "the film carries too little"
+    return f"the film carries {capacity / 1e3:.4g} kN at the largest eccentricity, 0.99"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Protocol
 
 from babbitt.design.conditions import Designed, contact_film, surface_speed
-from babbitt.design.heat_balance import WarmFilm, heat_paths
+from babbitt.design.heat_balance import WarmFilm, heat_paths, outlet_temperature
 from babbitt.design.numbers import critical_reynolds_number, film_reynolds_number
 from babbitt.materials import empirical_minimum_film_thickness
 
@@ -73,11 +73,12 @@ def heat_values(case: Designed, film: DesignFilm) -> Named:
 
 def supply_values(case: Designed, film: DesignFilm) -> Named:
     """Oil that comes and goes; empty without a supply."""
-    if case.oil_supply is None:
+    leaving = outlet_temperature(film.temperature, case)
+    if case.oil_supply is None or leaving is None:
         return {}
     return {
         "supply_temperature": case.oil_supply.temperature,
-        "outlet_temperature": 2.0 * film.temperature - case.oil_supply.temperature,
+        "outlet_temperature": leaving,
         "supply_pressure": case.oil_supply.pressure,
     }
 

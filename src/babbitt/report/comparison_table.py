@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rich.table import Table
+from rich.text import Text
 
 from babbitt.quantities import QUANTITIES
 from babbitt.report.table import console
@@ -32,11 +33,12 @@ COMPARED = (
 """What is put side by side."""
 
 
-def print_comparison(comparisons: Sequence[Comparison]) -> None:
-    """Print every bearing with its variants side by side, and what each assumes or neglects."""
+def print_comparison(comparisons: Sequence[Comparison]) -> bool:
+    """Print every bearing with its variants side by side; say whether the case as given has a solution."""
     to = console()
     for comparison in comparisons:
-        table = Table(title=plain_text(comparison.name), title_justify="left", title_style="bold")
+        title = Text(plain_text(comparison.name), style="bold")  # a name is never read as markup
+        table = Table(title=title, title_justify="left")
         table.add_column("quantity")
         table.add_column("unit")
         for variant in comparison.variants:
@@ -60,3 +62,4 @@ def print_comparison(comparisons: Sequence[Comparison]) -> None:
                     f"  {variant.label}: {variant.result.outcome.value}; {variant.result.message}", markup=False
                 )
         to.print()
+    return all(comparison.variants[0].result.outcome.solved for comparison in comparisons)

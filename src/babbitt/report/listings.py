@@ -28,23 +28,32 @@ def print_lubricants() -> None:
 
 def print_materials() -> None:
     """Bearing metals with their limits, then shaft and housing materials."""
-    from babbitt.materials import LoadCharacter, bearing_metals, structural_materials
+    from babbitt.materials import BearingMetal, LoadCharacter, bearing_metals, structural_materials
     from babbitt.materials.sourced import SourcedValue
 
     def shown(value: SourcedValue | None, scale: float = 1.0, offset: float = 0.0) -> str:
         return f"{value.value * scale + offset:.4g}" if value else "–"
 
-    metals = _table("bearing metal", "family", "p̄ MPa", "U m/s", "p̄U MPa m/s", "T °C", "standard")
+    def sources(metal: BearingMetal) -> list[str]:
+        calm = metal.limits(LoadCharacter.CALM)
+        limits = (calm.specific_load, calm.sliding_speed, calm.pv, metal.limiting_temperature)
+        return list(dict.fromkeys([metal.standard, *(limit.source for limit in limits if limit)]))
+
+    metals = _table(
+        "bearing metal", "family", "p̄ MPa", "shock", "U m/s", "p̄U MPa m/s", "T °C", "advice °C", "sources"
+    )
     for metal in bearing_metals():
         calm = metal.limits(LoadCharacter.CALM)
         metals.add_row(
             metal.name,
             metal.family.value,
             shown(calm.specific_load, 1e-6),
+            shown(metal.limits(LoadCharacter.SHOCK).specific_load, 1e-6),
             shown(calm.sliding_speed),
             shown(calm.pv, 1e-6),
             shown(metal.limiting_temperature, 1.0, -273.15),
-            metal.standard,
+            shown(metal.recommended_temperature, 1.0, -273.15),
+            "; ".join(sources(metal)),
         )
     others = _table("material", "kind", "α 1e-6/K", "λ W/(m K)", "E GPa", "source")
     for material in structural_materials():
@@ -75,9 +84,9 @@ def print_cases() -> None:
     """Published cases that `babbitt validate` runs."""
     from babbitt.validation import cases
 
-    table = _table("case", "title")
+    table = _table("case", "title", "source")
     for case in cases():
-        table.add_row(case.name, case.title)
+        table.add_row(case.name, case.title, case.story.source)
     console().print(table)
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from babbitt.notices import InputError
+from babbitt.report.writing import require_writable, write_whole
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult
@@ -24,6 +25,11 @@ class Target:
     report: Path | None
     plots: Path | None
 
+    def files(self) -> tuple[Path, ...]:
+        """The files that will be written, without the plots."""
+        json = Path(self.json) if self.json is not None and self.json != STANDARD_OUTPUT else None
+        return tuple(path for path in (json, self.report) if path is not None)
+
     def write(self, machine: MachineResult) -> None:
         """Write what was asked for.
 
@@ -38,7 +44,7 @@ class Target:
             if self.json == STANDARD_OUTPUT:
                 sys.stdout.write(write_json(machine))
             else:
-                _write_text(Path(self.json), write_json(machine))
+                write_whole(Path(self.json), write_json(machine).encode())
         if self.report is not None:
             from babbitt.report.document import write_report
 
@@ -58,60 +64,59 @@ class Outputs:
 
 
 def outputs(files: Sequence[Path], json: str | None, report: Path | None, plots: Path | None) -> Outputs:
-    """Plan the outputs of a run.
+    """Plan the outputs of a run, and make sure that each can be written.
 
     With several case files, each option names a folder that exists and receives one file per case, named after it.
 
     Raises
     ------
     InputError
-        E007 for a folder that does not exist, an unknown suffix, or one file for several cases.
+        E007 for a path that cannot be written, an unknown suffix, one file for several outputs, or an output that
+        would replace a case file.
     """
-    if len(files) == 1:
-        _require_folder_of(json if json != STANDARD_OUTPUT else None)
-        _require_folder_of(report)
-        _require_suffix(report)
-        return Outputs((Target(json, report, plots),), json == STANDARD_OUTPUT)
+    targets = [Target(json, report, plots)] if len(files) == 1 else _one_each(files, json, report, plots)
+    _refuse_collisions(files, targets)
+    for target in targets:
+        _require_suffix(target.report)
+        for path in target.files():
+            require_writable(path)
+        if target.plots is not None:
+            require_writable(target.plots / "figure" if target.plots.is_dir() else target.plots)
+            if target.plots.is_file():
+                raise InputError("E007", f"cannot write {target.plots}: it is a file; --plots names a folder")
+    return Outputs(tuple(targets), json == STANDARD_OUTPUT)
+
+
+def _one_each(files: Sequence[Path], json: str | None, report: Path | None, plots: Path | None) -> list[Target]:
+    """One file per case in the folders that the options name."""
     if json == STANDARD_OUTPUT:
         raise InputError(
             "E007", "standard output takes the JSON of one case; give --json a folder for several files"
         )
-    for option, path in (("--json", json), ("--report", report)):
+    for option, path in (("--json", json), ("--report", report), ("--plots", plots)):
         if path is not None and not Path(path).is_dir():
             raise InputError("E007", f"{option} {path}: with several case files name a folder that exists")
-    targets = (
+    return [
         Target(
             str(Path(json) / f"{file.stem}.json") if json else None,
             report / f"{file.stem}.pdf" if report else None,
             plots / file.stem if plots else None,
         )
         for file in files
-    )
-    return Outputs(tuple(targets), False)
+    ]
 
 
-def _require_folder_of(path: str | Path | None) -> None:
-    if path is None:
-        return
-    folder = Path(path).parent
-    if not folder.is_dir():
-        raise InputError("E007", f"cannot write {path}: the folder {folder} does not exist")
-    if Path(path).is_dir():
-        raise InputError("E007", f"cannot write {path}: it is a folder; name a file")
+def _refuse_collisions(files: Sequence[Path], targets: Sequence[Target]) -> None:
+    taken = {file.resolve(): "a case file" for file in files}
+    for target in targets:
+        for path in (*target.files(), *([target.plots] if target.plots else [])):
+            if path.resolve() in taken:
+                says = f"cannot write {path}: it is {taken[path.resolve()]}; nothing was written"
+                raise InputError("E007", f"{says}. Give each output, and each case file, a name of its own.")
+            taken[path.resolve()] = "the target of another output"
 
 
 def _require_suffix(report: Path | None) -> None:
     if report is not None and report.suffix.lower() not in (".pdf", ".html"):
-        raise InputError(
-            "E007", f"--report {report}: the report is .pdf or .html, not {report.suffix or 'without suffix'}"
-        )
-
-
-def _write_text(path: Path, text: str) -> None:
-    partial = path.with_name(path.name + ".part")
-    try:
-        partial.write_text(text, encoding="utf-8")
-        partial.replace(path)
-    except OSError as error:
-        partial.unlink(missing_ok=True)
-        raise InputError("E007", f"cannot write {path}: {error.strerror}") from None
+        given = report.suffix or "without suffix"
+        raise InputError("E007", f"--report {report}: the report is .pdf or .html, not {given}")

@@ -17,12 +17,15 @@ def print_validation(case: ValidationCase) -> bool:
     """Run a published case, print it side by side, and say whether every judged value agrees."""
     rows = case.run()
     table = Table(title=f"{case.name}: {case.title}", title_justify="left", title_style="bold")
-    for column in ("quantity", "unit", "published", "computed", "difference", "tolerance", "verdict"):
+    for column in ("quantity", "unit", "reference", "computed", "difference", "tolerance", "verdict"):
         table.add_column(column, justify="left" if column in ("quantity", "unit", "verdict") else "right")
     for row in rows:
         table.add_row(*row.cells())
     to = console()
     to.print(table)
+    for row in rows:
+        if row.suspect:
+            to.print(f"  set aside: {row.label}. {row.suspect}", markup=False)
     to.print(summary(rows).sentence, markup=False)
     to.print()
     return all(row.ok for row in rows)

@@ -60,5 +60,8 @@ def require_writable(path: Path) -> None:
         raise InputError("E007", f"cannot write {path}: the folder {path.parent} does not exist")
     if path.is_dir():
         raise InputError("E007", f"cannot write {path}: it is a folder; name a file in it")
-    if not os.access(path.parent, os.W_OK):
-        raise InputError("E007", f"cannot write {path}: no permission to write into {path.parent}")
+    try:  # the one honest answer: permissions, full disks and odd file systems are all in it
+        with tempfile.TemporaryFile(dir=path.parent):
+            pass
+    except OSError as error:
+        raise InputError("E007", f"cannot write {path}: {error.strerror or error}") from None

@@ -5,6 +5,7 @@ from babbitt.units.fields import (
     Area,
     Density,
     Dimensionless,
+    EitherSense,
     FlowRate,
     Force,
     HeatTransferCoefficient,
@@ -19,16 +20,18 @@ from babbitt.units.fields import (
     ThermalExpansion,
     Viscosity,
     Volume,
+    either_sense,
     si,
 )
 from babbitt.units.kinds import KINDS, Kind
-from babbitt.units.reading import QuantityError, read, written
+from babbitt.units.reading import QuantityError, bare_number, read, written
 
 __all__ = [
     "Angle",
     "Area",
     "Density",
     "Dimensionless",
+    "EitherSense",
     "FlowRate",
     "Force",
     "HeatTransferCoefficient",
@@ -46,6 +49,8 @@ __all__ = [
     "ThermalExpansion",
     "Viscosity",
     "Volume",
+    "bare_number",
+    "either_sense",
     "read",
     "si",
     "written",

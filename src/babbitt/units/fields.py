@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, Any
 
 from babbitt.units.kinds import KINDS, Kind
-from babbitt.units.reading import QuantityError, plausible_unit, read
+from babbitt.units.reading import QuantityError, bare_number, plausible_unit, read
 
 if TYPE_CHECKING:
     from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
@@ -50,9 +50,13 @@ class SiField:
         """
         return f"{self.lowest} to {self.highest}" if self.highest else ""
 
+    def ranged(self, value: float) -> float:
+        """What of an SI value is held to the range: the value."""
+        return value
+
     def holds(self, value: float) -> bool:
         """Whether an SI value lies in the range."""
-        return self.bounds is None or self.bounds[0] <= value <= self.bounds[1]
+        return self.bounds is None or self.bounds[0] <= self.ranged(value) <= self.bounds[1]
 
     def __call__(self, given: object) -> float:
         """Read and check what was given.
@@ -66,13 +70,15 @@ class SiField:
         value = read(given, self.unit)
         if self.bounds is None or self.holds(value):
             return value
-        bare = _bare_number(given)
-        if bare is None or self.unit == "1":
-            side = "too small" if value < self.bounds[0] else "too large"
-            shown = given if bare is not None else f"'{str(given).strip()}'"
-            raise QuantityError(f"{shown} is {side}", self.allowed)
-        meant = plausible_unit(bare, self.kind, *self.bounds)
+        bare = bare_number(given)
+        meant = None if bare is None else plausible_unit(self.ranged(bare), self.kind, *self.bounds)
+        if self.unit == "1" and meant != self.highest.partition(" ")[2]:
+            meant = None  # 500 is no eccentricity of 500 permille; a clearance, whose range is in permille, may be
         hint = f"write '{bare:.12g} {meant}'" if meant else ""
+        if bare is None or self.unit == "1":
+            side = "too small" if self.ranged(value) < self.bounds[0] else "too large"
+            shown = given if bare is not None else f"'{str(given).strip()}'"
+            raise QuantityError(f"{shown} is {side}", self.allowed, hint)
         raise QuantityError(f"{bare:.12g} without unit is {bare:.12g} {self.unit}", self.allowed, hint)
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
@@ -81,12 +87,15 @@ class SiField:
 
         return core_schema.no_info_before_validator_function(self, handler(source))
 
+    def numbers(self) -> list[dict[str, Any]]:
+        """Give the schema of a number in SI."""
+        if self.bounds is None:
+            return [{"type": "number"}]
+        return [{"type": "number", "minimum": self.bounds[0], "maximum": self.bounds[1]}]
+
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
         """Tell editors: a number in SI, or text with a unit."""
-        number: dict[str, Any] = {"type": "number"}
-        if self.bounds is not None:
-            number |= {"minimum": self.bounds[0], "maximum": self.bounds[1]}
-        described: JsonSchemaValue = {"anyOf": [number, {"type": "string"}], "x-unit": self.unit}
+        described: JsonSchemaValue = {"anyOf": [*self.numbers(), {"type": "string"}], "x-unit": self.unit}
         if self.unit != "1":
             described["x-example"] = self.kind.example
         if self.allowed:
@@ -94,16 +103,38 @@ class SiField:
         return described
 
 
+@dataclass(frozen=True)
+class EitherSense(SiField):
+    """Pydantic metadata of a float whose sign says the sense of rotation and whose magnitude has the range."""
+
+    @property
+    def allowed(self) -> str:
+        """The range in words.
+
+        >>> either_sense("rad/s", "1 rpm", "9000 rpm").allowed
+        '1 rpm to 9000 rpm, with either sign'
+        """
+        return f"{super().allowed}, with either sign"
+
+    def ranged(self, value: float) -> float:
+        """What of an SI value is held to the range: its magnitude."""
+        return abs(value)
+
+    def numbers(self) -> list[dict[str, Any]]:
+        """Give the schema of a number in SI, of one range for each sense."""
+        (counter_clockwise,) = super().numbers()
+        lowest, highest = counter_clockwise["minimum"], counter_clockwise["maximum"]
+        return [counter_clockwise, {"type": "number", "minimum": -highest, "maximum": -lowest}]
+
+
 def si(unit: str, lowest: str = "", highest: str = "") -> SiField:
     """Make the metadata of a quantity field: ``Annotated[float, si("m", "1 mm", "3 m")]``."""
     return SiField(unit, lowest, highest)
 
 
-def _bare_number(given: object) -> float | None:
-    try:
-        return float(given) if isinstance(given, int | float | str) else None
-    except ValueError:
-        return None
+def either_sense(unit: str, lowest: str, highest: str) -> EitherSense:
+    """Make the metadata of a quantity whose sign says the sense of rotation, with the range of its magnitude."""
+    return EitherSense(unit, lowest, highest)
 
 
 Length = Annotated[float, si("m")]

@@ -110,9 +110,9 @@ _ALL = (
         "a rotational speed",
         "3000 rpm",
         {"rpm": TURN / 60.0, "1/min": TURN / 60.0, "min-1": TURN / 60.0, "/min": TURN / 60.0}
-        | {"r/min": TURN / 60.0, "rev/min": TURN / 60.0, "turn/min": TURN / 60.0, "rad/s": 1.0}
-        | {"Hz": TURN, "kHz": 1e3 * TURN, "1/s": TURN, "s-1": TURN, "/s": TURN, "r/s": TURN, "rev/s": TURN}
-        | {"rps": TURN, "turn/s": TURN, "rad/min": 1.0 / 60.0, "deg/s": TURN / 360.0},
+        | {"r/min": TURN / 60.0, "rev/min": TURN / 60.0, "turn/min": TURN / 60.0, "U/min": TURN / 60.0}
+        | {"rad/s": 1.0, "Hz": TURN, "kHz": 1e3 * TURN, "1/s": TURN, "s-1": TURN, "/s": TURN, "r/s": TURN}
+        | {"rev/s": TURN, "rps": TURN, "turn/s": TURN, "rad/min": 1.0 / 60.0, "deg/s": TURN / 360.0},
         open_to_pint=False,
     ),
     Kind(

@@ -37,11 +37,13 @@ class QuantityError(ValueError):
         What would do; empty where `says` tells.
     hint : str
         What to write instead, where that can be guessed.
+    given : Kind or None
+        The kind of quantity that was given, where it is known and another than was asked for.
     """
 
-    def __init__(self, says: str, allowed: str = "", hint: str = "") -> None:
+    def __init__(self, says: str, allowed: str = "", hint: str = "", given: Kind | None = None) -> None:
         super().__init__("; ".join([says] + [f"allowed: {allowed}"] * bool(allowed) + [hint] * bool(hint)))
-        self.says, self.allowed, self.hint = says, allowed, hint
+        self.says, self.allowed, self.hint, self.given = says, allowed, hint, given
 
 
 def read(given: object, unit: str) -> float:
@@ -93,6 +95,20 @@ def written(value: float, unit: str) -> str:
     if kind is None:
         raise KeyError(unit)
     return f"{kind.from_si(value, unit):.5g} {unit}".rstrip()
+
+
+def bare_number(given: object) -> float | None:
+    """Give the number that stands without unit, None where there is none or a unit stands with it.
+
+    >>> bare_number(3000), bare_number("3000"), bare_number("3000 rpm")
+    (3000.0, 3000.0, None)
+    """
+    if isinstance(given, bool) or not isinstance(given, int | float | str):
+        return None
+    try:
+        return float(given)
+    except (ValueError, OverflowError):
+        return None
 
 
 def plausible_unit(number: float, kind: Kind, lowest: float, highest: float) -> str | None:
@@ -147,7 +163,7 @@ def _normal(unit: str) -> str:
 def _with_pint(number: float, unit: str, kind: Kind, text: str) -> float:
     other = kind_of(unit)
     if other is not None:
-        raise QuantityError(f"{_quoted(text)} is {other.phrase}", _wanted(kind))
+        raise QuantityError(f"{_quoted(text)} is {other.phrase}", _wanted(kind), given=other)
     if not _UNIT.fullmatch(unit):
         raise QuantityError(f"{_quoted(text)} is not a quantity", _wanted(kind))
     registry = _registry()
@@ -161,9 +177,9 @@ def _with_pint(number: float, unit: str, kind: Kind, text: str) -> float:
         not kind.open_to_pint
         or factors.dimensionality != registry.parse_units(_for_pint(kind.unit)).dimensionality
     ):
-        raise QuantityError(
-            f"{_quoted(text)} is {_phrase(factors)}", _wanted(kind), _nearest(unit, kind, cutoff=1.0)
-        )
+        found = _kind_by_dimension(factors)
+        phrase = found.phrase if found is not None else "of another kind"
+        raise QuantityError(f"{_quoted(text)} is {phrase}", _wanted(kind), _same_letters(unit, kind), found)
     return float(registry.Quantity(number, factors).to(_for_pint(kind.unit)).magnitude)
 
 
@@ -181,21 +197,34 @@ def _for_pint(unit: str) -> str:
     return text.replace(" ", "*")
 
 
-def _phrase(factors: Any) -> str:
+def _kind_by_dimension(factors: Any) -> Kind | None:
     registry = _registry()
     for kind in KINDS.values():
         if (
             kind.open_to_pint
             and registry.parse_units(_for_pint(kind.unit)).dimensionality == factors.dimensionality
         ):
-            return kind.phrase
-    return "of another kind"
+            return kind
+    return None
 
 
-def _nearest(unit: str, kind: Kind, cutoff: float = 0.5) -> str:
-    close = [known for known in kind.everyday if known.lower() == unit.lower()]
-    close = close or difflib.get_close_matches(unit, kind.everyday, n=1, cutoff=cutoff)
-    return f"did you mean '{close[0]}'?" if close else ""
+def _same_letters(unit: str, kind: Kind) -> str:
+    return _meant([known for known in kind.everyday if known.lower() == unit.lower()])
+
+
+def _nearest(unit: str, kind: Kind) -> str:
+    """Hint at a unit: capitals mixed up, else one letter mistyped, else whatever looks alike."""
+    mistyped = [known for known in kind.everyday if len(unit) > 1 and _differ_by_one_letter(unit, known)]
+    alike = difflib.get_close_matches(unit, kind.everyday, n=1, cutoff=0.5)
+    return _same_letters(unit, kind) or _meant(mistyped) or _meant(alike)
+
+
+def _differ_by_one_letter(one: str, other: str) -> bool:
+    return len(one) == len(other) and sum(a != b for a, b in zip(one, other, strict=True)) == 1
+
+
+def _meant(units: list[str]) -> str:
+    return f"did you mean '{units[0]}'?" if units else ""
 
 
 def _finite(value: float, shown: str, kind: Kind) -> float:

@@ -23,7 +23,7 @@ class Verdict(Enum):
 
     AGREES = "agrees"
     DIFFERS = "DIFFERS"
-    SUSPECT = "suspect print"
+    SUSPECT = "set aside"
     SHOWN = "not judged"
 
 

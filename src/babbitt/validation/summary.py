@@ -16,7 +16,7 @@ class Summary:
     Attributes
     ----------
     values, judged, suspect, shown, differing : int
-        Numbers of rows: all, judged, suspect prints, shown as information, and judged rows that disagree.
+        Numbers of rows: all, judged, set aside as doubtful prints, shown as information, and judged rows that disagree.
     worst : Comparison or None
         The judged row that uses most of its tolerance.
     """
@@ -41,7 +41,7 @@ class Summary:
     @property
     def sentence(self) -> str:
         """The summary in words."""
-        unjudged = [f"{self.suspect} suspect"] if self.suspect else []
+        unjudged = [f"{self.suspect} set aside"] if self.suspect else []
         if self.shown:
             unjudged.append(f"{self.shown} shown without judgement")
         counted = f"{self.values} values, {self.judged} judged"

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from babbitt.design.checks import clearance_check, limit_checks
+from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.results import Bound, Check
 from babbitt.standards.iso7902.model import DesignCase
 from babbitt.standards.iso7902.screening import WHIRL_SAFE_FROM
+
+__all__ = ["checks_not_made", "checks_of"]
 
 
 def checks_of(case: DesignCase, values: Mapping[str, float]) -> tuple[Check, ...]:
@@ -19,7 +21,7 @@ def checks_of(case: DesignCase, values: Mapping[str, float]) -> tuple[Check, ...
     values : Mapping[str, float]
         Named results in SI, with the limits among them.
     """
-    return (*limit_checks(case, values), *_whirl_checks(values), clearance_check(values))
+    return (*limit_checks(case, values), *_whirl_checks(values), clearance_check(case, values))
 
 
 def _whirl_checks(values: Mapping[str, float]) -> Iterator[Check]:

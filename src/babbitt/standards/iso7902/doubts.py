@@ -15,6 +15,9 @@ from babbitt.standards.iso7902.supply import FIT_RANGE, CircumferentialGroove, H
 STANDARD_WIDTH_RATIOS = (0.125, 1.0)
 """Range of B/D in the tables of the standard."""
 
+CURVES_FROM = 0.01
+"""Eccentricity ratio at which the computed characteristics begin."""
+
 
 def doubts_of(
     case: DesignCase, film: Film, values: Mapping[str, float], checks: tuple[Check, ...], change: Transition | None
@@ -36,6 +39,9 @@ def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice
         yield Notice("W102", f"B/D = {ratio:.3g} lies outside {least:g} to {most:g} of ISO 7902-2")
     if case.curves is Curves.CLOSED_FORM:
         yield Notice("W113", "closed forms of DIN 31652: up to 7 % in So and 2.5° in attitude angle")
+    eccentricity = values["eccentricity_ratio"]
+    if eccentricity < CURVES_FROM:
+        yield Notice("W119", f"ε = {eccentricity:.2g} < {CURVES_FROM:g}, the first node of the tables")
     if case.bearing_speed:
         yield Notice("W114", "the bearing rotates; friction power counts the journal speed only")
 
@@ -47,7 +53,7 @@ def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:
         return
     if isinstance(element, Holes | Pockets):
         s = element.relative_width(case.bearing.width)
-        if not FIT_RANGE[0] <= s <= FIT_RANGE[1]:
+        if not FIT_RANGE[0] - 1e-9 <= s <= FIT_RANGE[1] + 1e-9:
             bound = FIT_RANGE[0] if s < FIT_RANGE[0] else FIT_RANGE[1]
             yield Notice(
                 "W103",

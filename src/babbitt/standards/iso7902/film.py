@@ -9,9 +9,11 @@ from dataclasses import dataclass
 
 from babbitt.characteristics import BearingCurves, ClosedFormCurves, curves
 from babbitt.design.conditions import GivenEccentricity, surface_speed
-from babbitt.design.heat_balance import FilmCollapseError, NoClearanceError
+from babbitt.design.heat_balance import NoFilmError
+from babbitt.design.oil import properties_at
 from babbitt.design.values import hydrodynamic_speed
 from babbitt.fits import operating_relative_clearance
+from babbitt.results import Outcome
 from babbitt.standards.iso7902.friction import friction_number
 from babbitt.standards.iso7902.model import Curves, DesignCase
 from babbitt.standards.iso7902.supply_pressure import Feed, feed
@@ -75,19 +77,17 @@ def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
 
     Raises
     ------
-    NoClearanceError
-        When the relative clearance is not positive at this temperature.
-    FilmCollapseError
-        When So exceeds the largest tabulated one.
+    NoFilmError
+        When the relative clearance is not positive at this temperature, So exceeds the largest tabulated one, or
+        a law of the lubricant has no usable value.
     """
     bearing, oil = case.bearing, case.lubricant
     psi = operating_relative_clearance(
         bearing.relative_clearance, bearing.expansion_bearing, bearing.expansion_journal, temperature
     )
     if psi <= 0.0:
-        raise NoClearanceError
-    density = oil.density(temperature)
-    viscosity = oil.kinematic_viscosity(temperature) * density
+        raise NoFilmError(Outcome.NO_CLEARANCE)
+    density, viscosity, heat_capacity = properties_at(oil, temperature)
     scale = load_scale(case, viscosity, psi)
     if isinstance(case.duty, GivenEccentricity):
         eccentricity = case.duty.eccentricity_ratio
@@ -97,7 +97,7 @@ def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
         load = case.duty.load
         so = load / scale
         if so > shape.largest_sommerfeld_number:
-            raise FilmCollapseError
+            raise NoFilmError(Outcome.OVERLOADED, scale * shape.largest_sommerfeld_number)
         eccentricity = shape.eccentricity_ratio(so)
     number = case.friction_factor * friction_number(case.friction, shape, eccentricity, so)
     flow_scale = bearing.diameter**3 * psi * hydrodynamic_speed(case)
@@ -108,7 +108,7 @@ def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
         relative_clearance=psi,
         density=density,
         viscosity=viscosity,
-        volumetric_heat_capacity=oil.volumetric_heat_capacity(temperature),
+        volumetric_heat_capacity=heat_capacity,
         load=load,
         sommerfeld_number=so,
         eccentricity_ratio=eccentricity,

@@ -24,7 +24,8 @@ def friction_number(
         Operating point.
     """
     if model is Friction.CURVE360:
-        return of_full_bearing(eccentricity_ratio, curves(360, shape.width_ratio))
+        full = shape if shape.span_degrees == 360 else curves(360, shape.width_ratio)
+        return of_full_bearing(eccentricity_ratio, full)
     attitude = shape.attitude_angle(eccentricity_ratio)
     if model is Friction.ARC:
         return film_on_arc(sommerfeld_number, eccentricity_ratio, attitude, math.radians(shape.span_degrees))

@@ -75,13 +75,21 @@ class Bearing:
         """B/D."""
         return self.width / self.diameter
 
+    @property
+    def mean_relative_clearance(self) -> float:
+        """Relative clearance in the middle of its tolerance, at 20 °C."""
+        tolerance = self.clearance_tolerance
+        return sum(tolerance) / 2.0 if tolerance else self.relative_clearance
+
 
 @dataclass(frozen=True)
 class DesignCase:
     """One bearing at one operating point with all choices made.
 
     Speeds in rad/s. At least one of `oil_supply` and `cooling` carries the heat away, unless the effective
-    temperature (K) is prescribed. `doubts` arose while the case was made and ride along to the result.
+    temperature (K) is prescribed. `given` holds names and
+    words of the case that these numbers came from (a fit, a material), for the report. `doubts` arose while the
+    case was made and ride along to the result.
     """
 
     name: str
@@ -96,6 +104,7 @@ class DesignCase:
     friction_factor: float = 1.0
     curves: Curves = Curves.COMPUTED
     limits: Limits = field(default_factory=Limits)
+    given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()
     doubts: tuple[Notice, ...] = ()
     kind: str = "journal"

@@ -21,7 +21,7 @@ from babbitt.design.values import (
     supply_values,
 )
 from babbitt.results import Result
-from babbitt.standards.iso7902.checks import checks_of
+from babbitt.standards.iso7902.checks import checks_not_made, checks_of
 from babbitt.standards.iso7902.doubts import doubts_of
 from babbitt.standards.iso7902.film import Film, curves_of, film_at
 from babbitt.standards.iso7902.model import DesignCase
@@ -87,14 +87,15 @@ def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
             METHOD,
             found.outcome,
             {"wall_time": perf_counter() - start},
+            warnings=case.doubts,
             assumptions=(*case.lubricant.assumptions, *case.assumptions),
-            message=failure(found),
+            message=failure(case, found),
             settings=_settings(case),
         )
     change = _transition(case, found.film)
     values = _values(case, found.film, change)
     checks = checks_of(case, values)
-    warnings = doubts_of(case, found.film, values, checks, change) if found.outcome.solved else ()
+    warnings = doubts_of(case, found.film, values, checks, change) if found.outcome.solved else case.doubts
     values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
     return Result(
@@ -105,8 +106,9 @@ def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
         values,
         checks if found.outcome.solved else (),
         warnings,
+        checks_not_made(case, values) if found.outcome.solved else (),
         (*case.lubricant.assumptions, *case.assumptions),
-        "" if found.outcome.solved else failure(found),
+        "" if found.outcome.solved else failure(case, found),
         _settings(case),
     )
 

@@ -32,7 +32,7 @@ def orlov_relative_clearance(
 
 @dataclass(frozen=True)
 class Transition:
-    """Where mixed friction begins: eccentricity, and journal speed in rad/s at the temperature of the case.
+    """Where mixed friction begins: eccentricity, and hydrodynamic speed in rad/s at the temperature of the case.
 
     `beyond_tables` marks a film limit so small that the largest tabulated eccentricity stands in for it; the
     speed is then an upper bound.
