@@ -6,39 +6,42 @@ same everywhere. Terms follow ISO 4378; symbols follow ISO 7902 where it has one
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
 class DisplayUnit:
-    """How an SI value is shown: ``shown = si * scale + offset``, with a number of decimals."""
+    """How an SI value is shown: ``shown = si * scale + offset``, in tables with a fixed number of decimals."""
 
     label: str
     scale: float = 1.0
     offset: float = 0.0
+    decimals: int = 3
 
 
 SI = {
     "": DisplayUnit(""),
+    "count": DisplayUnit("", decimals=0),
     "permille": DisplayUnit("‰", 1e3),
-    "mm": DisplayUnit("mm", 1e3),
-    "um": DisplayUnit("µm", 1e6),
-    "MPa": DisplayUnit("MPa", 1e-6),
-    "degC": DisplayUnit("°C", 1.0, -273.15),
-    "rpm": DisplayUnit("rpm", 9.549296585513721),
-    "deg": DisplayUnit("°", 57.29577951308232),
-    "kN": DisplayUnit("kN", 1e-3),
-    "Nm": DisplayUnit("N m"),
-    "kW": DisplayUnit("kW", 1e-3),
-    "L/min": DisplayUnit("L/min", 6e4),
-    "mPas": DisplayUnit("mPa s", 1e3),
-    "mm2/s": DisplayUnit("mm²/s", 1e6),
-    "m/s": DisplayUnit("m/s"),
-    "kg/m3": DisplayUnit("kg/m³"),
+    "mm": DisplayUnit("mm", 1e3, decimals=2),
+    "um": DisplayUnit("µm", 1e6, decimals=1),
+    "MPa": DisplayUnit("MPa", 1e-6, decimals=2),
+    "degC": DisplayUnit("°C", 1.0, -273.15, decimals=1),
+    "rpm": DisplayUnit("rpm", 9.549296585513721, decimals=0),
+    "deg": DisplayUnit("°", 57.29577951308232, decimals=1),
+    "kN": DisplayUnit("kN", 1e-3, decimals=2),
+    "Nm": DisplayUnit("N m", decimals=2),
+    "kW": DisplayUnit("kW", 1e-3, decimals=2),
+    "L/min": DisplayUnit("L/min", 6e4, decimals=1),
+    "mPas": DisplayUnit("mPa s", 1e3, decimals=2),
+    "mm2/s": DisplayUnit("mm²/s", 1e6, decimals=2),
+    "m/s": DisplayUnit("m/s", decimals=2),
+    "kg/m3": DisplayUnit("kg/m³", decimals=1),
     "MJ/m3K": DisplayUnit("MJ/(m³ K)", 1e-6),
-    "pv": DisplayUnit("MPa m/s", 1e-6),
-    "kPa": DisplayUnit("kPa", 1e-3),
-    "1e-6/K": DisplayUnit("1e-6/K", 1e6),
+    "pv": DisplayUnit("MPa m/s", 1e-6, decimals=1),
+    "kPa": DisplayUnit("kPa", 1e-3, decimals=1),
+    "1e-6/K": DisplayUnit("1e-6/K", 1e6, decimals=1),
     "s": DisplayUnit("s"),
     "t": DisplayUnit("t", 1e-3),
     "MN/m": DisplayUnit("MN/m", 1e-6),
@@ -78,25 +81,26 @@ class Quantity:
         return value * self.display.scale + self.display.offset
 
     def format(self, value: float) -> str:
-        """Write an SI value in the engineer's unit, without the unit.
+        """Write an SI value in the engineer's unit, without the unit, as every table and check shows it.
 
-        >>> QUANTITIES["minimum_film_thickness"].format(52.34e-6)
-        '52.3'
+        The decimals are those of the unit, whatever the size of the number, so that equal quantities look equal;
+        a number below one keeps three significant digits.
+
+        >>> film, power = QUANTITIES["minimum_film_thickness"], QUANTITIES["friction_power"]
+        >>> film.format(52.34e-6), power.format(28503.0), power.format(141.8)
+        ('52.3', '28.50', '0.142')
         """
-        return plain(self.shown(value), self.digits)
+        shown, decimals = self.shown(value), self.display.decimals
+        if shown == 0.0 and not self.display.offset:
+            return "0"
+        size = abs(shown)
+        if not self.display.offset and round(size, decimals) < 1.0:
+            decimals = max(decimals, LEAST_DIGITS - 1 - math.floor(math.log10(size)))
+        return f"{shown:.{decimals}f}" if decimals <= LONGEST and size < 1e7 else f"{shown:.{LEAST_DIGITS - 1}e}"
 
 
-def plain(number: float, digits: int) -> str:
-    """Write a number with a number of significant digits and without an exponent where that reads well.
-
-    >>> plain(1234.56, 3), plain(0.012345, 3), plain(1.6e-7, 2)
-    ('1235', '0.0123', '1.6e-07')
-    """
-    if number == 0:
-        return "0"
-    if abs(number) >= 10 ** (digits - 1):
-        return f"{number:.0f}" if abs(number) < 1e7 else f"{number:.{digits - 1}e}"
-    return f"{number:#.{digits}g}" if abs(number) >= 1e-4 else f"{number:.{digits - 1}e}"
+LEAST_DIGITS, LONGEST = 3, 6
+"""Significant digits of a number below one; decimals beyond which an exponent reads better."""
 
 
 def _q(name: str, symbol: str, unit: str, display: str, digits: int, meaning: str) -> Quantity:
@@ -138,8 +142,8 @@ QUANTITIES: dict[str, Quantity] = {
         _q("supply_flow_number", "Q_p*", "1", "", 4, "Supply flow Qp η/(D³ ψ³ p_en)"),
         _q("supply_flow", "Q_p", "m3/s", "L/min", 3, "Oil flow due to the supply pressure"),
         _q("total_flow", "Q", "m3/s", "L/min", 3, "Total oil flow Q3 + Qp"),
-        _q("film_reynolds_number", "Re", "1", "", 3, "Reynolds number of the film ρ U c/η"),
-        _q("critical_reynolds_number", "Re_cr", "1", "", 4, "Reynolds number where laminar flow ends"),
+        _q("film_reynolds_number", "Re", "1", "count", 3, "Reynolds number of the film ρ U c/η"),
+        _q("critical_reynolds_number", "Re_cr", "1", "count", 4, "Reynolds number where laminar flow ends"),
         # oil and heat
         _q("supply_temperature", "T_en", "K", "degC", 3, "Oil temperature at the inlet"),
         _q("outlet_temperature", "T_ex", "K", "degC", 3, "Oil temperature at the outlet"),
@@ -225,7 +229,7 @@ QUANTITIES: dict[str, Quantity] = {
         _q("lobe_clearance", "c_l", "m", "um", 4, "Radial clearance of the lobes"),
         _q("mass_balance_error", "δ_m", "1", "", 2, "Oil lost in the film over the oil supplied"),
         _q("energy_balance_error", "δ_E", "1", "", 2, "Heat balance defect over friction power"),
-        _q("iterations", "n", "1", "", 3, "Evaluations of the temperature iteration"),
+        _q("iterations", "n", "1", "count", 3, "Evaluations of the temperature iteration"),
         _q("wall_time", "t", "s", "s", 3, "Time taken"),
         # statics of the shaft
         _q("reaction_1", "R₁", "N", "kN", 5, "Load on the bearing far from the coupling"),

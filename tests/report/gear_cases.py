@@ -122,6 +122,12 @@ def varied_cases() -> dict[str, DesignCase]:
         "groove": replace(EXAMPLE, bearing=replace(bearing, supply_element=CircumferentialGroove(0.006))),
         "no element": replace(EXAMPLE, bearing=replace(bearing, supply_element=None)),
         "both": replace(EXAMPLE, cooling=cooling),
+        "housing below inlet": replace(
+            EXAMPLE,
+            cooling=HousingCooling(20.0 + ZERO_CELSIUS, 60.0, 3.0),
+            duty=GivenLoad(4e3),
+            journal_speed=300.0 * RPM,
+        ),
         "self-cooled": replace(
             EXAMPLE, oil_supply=None, cooling=cooling, journal_speed=200.0 * RPM, duty=GivenLoad(8e3)
         ),

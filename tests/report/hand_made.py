@@ -36,6 +36,9 @@ class HandMadeMachine:
     design_cases: tuple[object, ...] = ()
     case_hash: str = "0f1e2d3c4b5a69788796a5b4c3d2e1f00f1e2d3c4b5a69788796a5b4c3d2e1f0"
     version: str = "0.1.0"
+    case_text: str = ""
+    source: str = ""
+    notes: str = ""
 
 
 def hand_made_result(row: tuple[object, ...]) -> Result:

@@ -31,6 +31,9 @@ class Solved:
     results: tuple[Result, ...]
     case_hash: str = "ab" * 32
     version: str = "0.1.0"
+    case_text: str = ""
+    source: str = ""
+    notes: str = ""
 
 
 def solved(name: str, *cases: DesignCase) -> Solved:
@@ -138,6 +141,19 @@ def test_a_name_is_shown_as_it_stands(name):
 
 
 @pytest.mark.usefixtures("no_figures")
+@pytest.mark.parametrize("said", HOSTILE)
+def test_words_of_the_case_file_are_shown_as_they_stand(said):
+    machine = solved("Words", replace(GEAR[0], given=(("Clearance", said),)), GEAR[1])
+    machine = replace(machine, source=said, notes=said, case_text=f"name: {said}\n  # {said}")
+    page = Reader(report(machine, "html"))
+    assert page.text.count(said) >= 5
+    assert page.all("script") == []
+    assert page.all("img") == []
+    assert not [key for _, attributes in page.elements for key in attributes if key.startswith("on")]
+    assert report(machine, "pdf").startswith(b"%PDF-")
+
+
+@pytest.mark.usefixtures("no_figures")
 def test_control_characters_go_and_the_rest_stays():
     name = "a\x1b[2Jb\x00c\u202ed\ne"
     page = Reader(report(solved(name, replace(GEAR[0], name=name)), "html"))
@@ -194,6 +210,115 @@ def test_eleven_bearings_on_paper(tmp_path):
     write_report(solved("Marine reverse gear", *GEAR), path)
     assert path.read_bytes().startswith(b"%PDF-")
     assert [file.name for file in tmp_path.iterdir()] == ["gear.pdf"]
+
+
+# -- what was given, what was not, and what is on the first page -------------------------------------------------
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_inputs_begin_with_the_words_of_the_case():
+    words = (("Clearance", "Fit H7/e7"), ("Journal material", "C45"))
+    page = Reader(report(solved("Fit", replace(GEAR[0], given=words)), "html"))
+    inputs = page.text[page.text.index("Inputs") :]
+    places = [inputs.index(said) for said in ("As given", "Fit H7/e7", "C45", "Geometry")]
+    assert places == sorted(places)
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_the_case_file_is_an_annex_line_by_line():
+    text = "kind: journal\r\n\tname: x\n    speed: 1\x1b[31m rpm\n"
+    page = Reader(report(replace(solved("Annex", GEAR[0]), case_text=text), "html"))
+    annex = page.text[page.text.index("Case file as read") :]
+    assert "kind: journal\n    name: x\n    speed: 1[31m rpm" in annex
+    assert "ab" * 32 in annex
+    assert len(page.all("pre")) == 1
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_without_a_case_file_there_is_no_annex(one_page):
+    assert "Case file as read" not in one_page.text
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_checks_that_could_not_be_made_stand_on_the_first_page_and_with_the_checks():
+    bare = replace(GEAR[0], bearing=replace(GEAR[0].bearing, surfaces=None, metal=None))
+    machine = solved("Bare", bare, GEAR[1])
+    lacking = machine.results[0].not_checked
+    assert len(lacking) > 3
+    page = Reader(report(machine, "html"))
+    first, *rest = page.text.split("Prepared")
+    chapter, _ = rest[0].split(GEAR[1].name)
+    for part in (first, chapter):
+        told = part[part.index("Not checked") :]
+        assert all(notice.code in told and notice.message in told for notice in lacking)
+    assert f"{len(lacking)} checks not made" in chapter
+    assert "that could be checked" in first
+    assert "that could be checked" not in Reader(report(solved("Full", GEAR[0]), "html")).text
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_the_first_page_names_every_bearing_that_misses_an_advice():
+    machine = solved("Gear", *GEAR)
+    missing = [r.name for r in machine.results if any(c.code == "C109" and not c.ok for c in r.checks)]
+    page = Reader(report(machine, "html"))
+    line = next(line for line in page.text.split("C109")[1:] if "worst" in line).split("C1")[0]
+    assert 2 < len(missing) < len(GEAR)
+    assert "more" not in line
+    if "all 11 bearings but" in line:
+        assert all((name in line) != (name in missing) for name in {row[0] for row in gear_cases.GEAR})
+    else:
+        assert all(name in line for name in missing)
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_the_first_page_sums_up_a_machine():
+    machine = solved("Gear", *GEAR[:2])
+    flow = 6e4 * sum(result.total_flow for result in machine.results)
+    first = Reader(report(machine, "html")).text.split("Prepared")[0]
+    assert f"{flow:.1f}\xa0L/min" in first.split("Total of 2 bearings")[1]
+    assert "Total" not in Reader(report(solved("One", GEAR[0]), "html")).text.split("Prepared")[0]
+
+
+def clearances(case):
+    for which, factor in (("minimum", 0.8), ("mean", 1.0), ("maximum", 1.2)):
+        bearing = replace(case.bearing, relative_clearance=factor * case.bearing.relative_clearance)
+        yield replace(case, name=f"{case.name} ({which} clearance)", bearing=bearing)
+
+
+def test_clearances_stand_side_by_side_and_the_rest_once():
+    machine = solved("Gear", *clearances(GEAR[0]), GEAR[1])
+    page = Reader(report(machine, "html"))
+    assert [attributes["id"] for attributes in page.all("h2")] == ["bearing-1", "bearing-2"]
+    assert {link["href"] for link in page.all("a")} == {"#bearing-1", "#bearing-2"}
+    assert len(page.all("img")) == 2 * 4
+    chapter = page.text.split("Prepared")[1].split(GEAR[1].name)[0]
+    assert chapter.count("Inputs") == 1
+    for result in machine.results[:3]:
+        assert f"{result.minimum_film_thickness * 1e6:.1f}" in chapter
+        assert f"{result.outlet_temperature - 273.15:.1f} ≤ 100.0" in chapter
+    assert report(machine, "pdf").startswith(b"%PDF-")
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_a_clearance_without_operating_point_says_so_beside_the_others():
+    *narrow, wide = clearances(GEAR[0])
+    stuck = replace(wide, bearing=replace(wide.bearing, relative_clearance=1e-5))
+    machine = solved("Gear", *narrow, stuck)
+    assert not machine.results[2].outcome.solved
+    chapter = Reader(report(machine, "html")).text.split("Prepared")[1]
+    assert "Maximum clearance: " in chapter
+    assert "No solution" in chapter
+    assert f"{machine.results[1].minimum_film_thickness * 1e6:.1f}" in chapter
+
+
+@pytest.mark.usefixtures("no_figures")
+def test_a_narrow_window_scrolls_tables_and_not_the_page(one_page):
+    html = report(solved("One", GEAR[0]), "html").decode()
+    assert 'name="viewport"' in html
+    assert html.count("<table") == html.count('<div class="wide"><table')
+    assert ".wide { overflow-x: auto; }" in html
+    for who in ("Prepared", "Checked", "Approved"):
+        assert f"{who}: name, date, signature" in one_page.text
 
 
 # -- where it goes ------------------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@ from dataclasses import replace
 import jsonschema
 import pytest
 
+from babbitt.notices import Notice
 from babbitt.report.export import to_json, write_json
 from babbitt.results import Bound, Check
 
@@ -114,3 +115,22 @@ def test_any_name_survives_the_way_through_a_file(reverse_gear, good, name):
 
 def test_common_letters_are_not_escaped(reverse_gear, good):
     assert "Вал" in write_json(replace(reverse_gear, results=(replace(good, name="Вал"),)))
+
+
+def test_the_verdict_is_that_of_the_table(reverse_gear, good, violated, unsolved):
+    advice = Check("C104", "outlet_temperature", 350.0, 343.15, Bound.AT_MOST, "advice", advisory=True)
+    advised = replace(good, checks=(*good.checks, advice))
+    record = to_json(replace(reverse_gear, results=(good, advised, violated, unsolved)))
+    assert [bearing["verdict"] for bearing in record["bearings"]] == ["ok", "advice", "fail", "no_solution"]
+
+
+def test_checks_not_made_are_told_with_what_is_missing(reverse_gear, good):
+    lacking = replace(good, not_checked=(Notice("C105", "no bearing metal is given"),))
+    first, second = to_json(replace(reverse_gear, results=(lacking, good)))["bearings"]
+    assert first["not_checked"] == [{"code": "C105", "message": "no bearing metal is given"}]
+    assert second["not_checked"] == []
+
+
+def test_totals_are_in_si_and_absent_for_one_bearing(reverse_gear, good):
+    assert to_json(reverse_gear)["totals"] == {"friction_power": pytest.approx(11 * 28.3e3)}
+    assert "totals" not in to_json(replace(reverse_gear, results=(good,)))

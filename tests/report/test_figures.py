@@ -14,9 +14,11 @@ from hand_made import HandMadeMachine
 from babbitt.notices import InputError
 from babbitt.quantities import QUANTITIES
 from babbitt.standards.iso7902 import check
-from babbitt.standards.iso7902.model import Curves, GivenLoad
+from babbitt.standards.iso7902.model import Curves, GivenEccentricity, GivenLoad
 
 pytest.importorskip("matplotlib")
+
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from babbitt.report import painters
 from babbitt.report.drawing import Drawing, mathematics, style
@@ -76,6 +78,24 @@ def test_every_axis_has_a_name_and_a_unit_where_it_needs_one():
     assert lower.get_xlabel().endswith("in ‰")
     assert lower.get_ylabel().endswith("in µm")
     assert figure.axes[0].get_ylabel().endswith("in °C")
+
+
+@pytest.mark.parametrize("eccentricity", [0.1, 0.5, 0.708, 0.9, 0.97])
+@pytest.mark.parametrize("name", ["full", "arc", "pockets"])
+def test_the_label_of_the_load_number_stays_within_the_axes(name, eccentricity):
+    case = replace(CASES[name], duty=GivenEccentricity(eccentricity))
+    result = check(case)
+    assert result.outcome.solved
+    with style():
+        figure = painters.load_capacity(case, result)
+        (panel,) = figure.axes
+        frame, drawn = panel.get_window_extent(), panel.texts[-1]
+        label = drawn.get_window_extent(FigureCanvasAgg(figure).get_renderer())
+    assert "ε = " in drawn.get_text()
+    assert frame.x0 <= label.x0
+    assert label.x1 <= frame.x1
+    assert frame.y0 <= label.y0
+    assert label.y1 <= frame.y1
 
 
 def test_a_load_beyond_the_film_is_a_gap_and_no_error():

@@ -9,7 +9,9 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
-from babbitt.report.table import COLUMNS, console, print_machine
+from babbitt.notices import Notice
+from babbitt.report.columns import columns_of
+from babbitt.report.table import console, print_machine
 from babbitt.report.verdict import Verdict, verdict
 from babbitt.results import Bound, Check
 
@@ -24,7 +26,7 @@ def test_one_row_a_bearing_in_the_engineers_units(reverse_gear):
     text = shown(reverse_gear)
     row = next(line for line in text.splitlines() if line.startswith("Second-stage pinion (a)"))
     assert " ".join(row.split()) == (
-        "Second-stage pinion (a) 2.51 24.0 1.080 50.0 → 88.0 0.710 47.0 / 16.0 28.30 8.5 4.0 226 / 1259 ok"
+        "Second-stage pinion (a) 2.51 24.00 1.080 50.0 → 88.0 0.710 47.0 / 16.0 28.30 8.5 4.0 226 / 1259 ok"
     )
     assert "all limits kept" in text
 
@@ -124,4 +126,58 @@ def test_a_pipe_is_wide_enough_for_every_column(reverse_gear, monkeypatch, capsy
     monkeypatch.delenv("COLUMNS", raising=False)
     print_machine(reverse_gear, console())
     text = capsys.readouterr().out
-    assert all(column.heading in text for column in COLUMNS)
+    assert all(column.heading in text for column in columns_of(reverse_gear.results))
+
+
+# -- what is not there ----------------------------------------------------------------------------------------
+
+
+def lacking(result, *codes):
+    return replace(result, not_checked=tuple(Notice(code, "no bearing metal is given") for code in codes))
+
+
+def test_checks_that_could_not_be_made_are_told_once_with_their_codes(reverse_gear):
+    results = tuple(lacking(result, "C105", "C106", "C107") for result in reverse_gear.results)
+    text = " ".join(shown(replace(reverse_gear, results=results)).split())
+    assert text.count("no bearing metal is given") == 1
+    assert "C105, C106, C107" in text.split("Not checked")[1]
+    assert "[all 11 bearings]" in text
+
+
+def test_less_input_does_not_look_like_a_better_verdict(reverse_gear, good):
+    incomplete = lacking(good, "C105", "C106")
+    alone = shown(replace(reverse_gear, results=(incomplete,)))
+    assert "2 checks not made" in alone.splitlines()[0]
+    assert "all limits kept" not in alone
+    row = next(
+        line for line in shown(replace(reverse_gear, results=(incomplete, good))).splitlines() if " ok" in line
+    )
+    assert row.split()[-2:] == ["ok", "2"]
+
+
+def test_where_everything_was_checked_nothing_is_said_of_it(reverse_gear):
+    assert "not made" not in shown(reverse_gear)
+    assert "Not checked" not in shown(reverse_gear)
+
+
+@pytest.fixture
+def self_cooled(good):
+    """Cooled by its housing: no oil comes in and none goes out."""
+    gone = ("supply_temperature", "outlet_temperature")
+    values = {name: value for name, value in good.values.items() if name not in gone}
+    temperatures = {"ambient_temperature": 293.15, "bearing_temperature": 329.55}
+    return replace(good, name="Self-cooled", values={**values, **temperatures})
+
+
+def test_a_bearing_temperature_never_stands_under_those_of_the_oil(reverse_gear, good, self_cooled):
+    for results in ((self_cooled, good), (self_cooled, replace(self_cooled, name="b"))):
+        columns = {column.heading: column.cells(results) for column in columns_of(results)}
+        assert columns["T_B"][0] == "56.4"
+        assert columns.get("T_en → T_ex", ["–"])[0] == "–"
+        assert columns.get("Q_p", ["–"])[0] == "–"
+    assert "T_en" not in shown(replace(reverse_gear, results=(self_cooled, replace(self_cooled, name="b"))))
+
+
+def test_a_total_stands_below_a_machine_and_not_below_a_bearing(reverse_gear, good):
+    assert "Total of 11 bearings: friction power P_f = 311.30 kW" in shown(reverse_gear)
+    assert "Total" not in shown(replace(reverse_gear, results=(good,)))

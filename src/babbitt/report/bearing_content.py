@@ -1,16 +1,18 @@
-"""What a report says of one bearing, as plain data."""
+"""What a chapter of the report says, as plain data: one bearing at one operating point."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from babbitt.notices import EXPLANATIONS
 from babbitt.quantities import QUANTITIES
+from babbitt.report import findings
 from babbitt.report import verdict as judge
 from babbitt.report.calculation import calculation
-from babbitt.report.columns import is_film
+from babbitt.report.chapters import Chapter, Member
+from babbitt.report.check_content import check_content, compared_checks, solved_checks, sources_of
+from babbitt.report.columns import ABSENT, is_fed, is_film
 from babbitt.report.drawing import Drawing
 from babbitt.report.expression import text
 from babbitt.report.figures import clearance_range, draw
@@ -19,11 +21,8 @@ from babbitt.report.labels import label
 from babbitt.report.line import Line
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_text
-from babbitt.results import Bound, Check, Result
+from babbitt.results import Result
 from babbitt.standards.iso7902.model import DesignCase
-
-if TYPE_CHECKING:
-    from babbitt.cases.build import AnyDesign
 
 Data = dict[str, Any]
 
@@ -60,38 +59,43 @@ NOT_FOR_PAPER = ("wall_time", "iterations")
 """Results that tell of the run rather than of the bearing, and differ from run to run."""
 
 
-def bearing_content(case: AnyDesign | None, result: Result) -> Data:
+def bearing_content(chapter: Chapter) -> Data:
     """Everything that the report says of one bearing.
 
     Parameters
     ----------
-    case : DesignCase, FilmCase or None
-        What the result was computed from; None for kinds without a film.
-    result : Result
+    chapter : Chapter
+        One result, or several that differ in the clearance only: those stand side by side, and inputs,
+        calculation and figures are those of one of them.
 
     Returns
     -------
     dict
         Strings, numbers, lists and dictionaries only.
     """
-    solved = result.outcome.solved
-    sources = list(dict.fromkeys(plain_text(check.source) for check in result.checks)) if solved else []
+    shown, several = chapter.shown, len(chapter.members) > 1
+    case, result = chapter.shown_case, shown.result
     drawings: tuple[Drawing, ...] = ()
     by_standard = case if isinstance(case, DesignCase) else None
-    if by_standard is not None and solved:
+    if by_standard is not None and result.outcome.solved:
         drawings = draw(by_standard, result, clearance_range(by_standard))
+    sources = sources_of(chapter.results)
+    checks = [check_content(check, sources) for check in solved_checks(result)]
     return {
-        "name": plain_text(result.name),
-        "verdict": judge.verdict(result).value,
+        "name": plain_text(chapter.name),
+        "clearances": [f"{member.clearance} clearance" for member in chapter.members] if several else [],
+        "shown": f"{shown.clearance} clearance" if several else "",
+        "verdict": judge.worst_verdict(chapter.results).value,
+        "unchecked": judge.unchecked(result),
         "method": _method(result),
-        "outcome": _outcome(result),
+        "outcomes": [_outcome(member) for member in chapter.members if not member.result.outcome.solved],
         "heading": "Operating point" if is_film(result) else "Results",
-        "results": _key_results(result) if solved else [],
+        "results": _key_results(chapter) if result.outcome.solved else [],
         "inputs": [
             {"title": group.title, "rows": [vars(row) for row in group.rows]}
             for group in (inputs(case) if case is not None else ())
         ],
-        "assumptions": list(dict.fromkeys(plain_text(said) for said in result.assumptions)),
+        "assumptions": list(dict.fromkeys(plain_text(said) for r in chapter.results for said in r.assumptions)),
         "sections": [
             {
                 "title": section.title,
@@ -100,18 +104,13 @@ def bearing_content(case: AnyDesign | None, result: Result) -> Data:
             }
             for section in (calculation(by_standard, result) if by_standard is not None else ())
         ],
-        "checks": [check_content(check, sources) for check in result.checks] if solved else [],
+        "checks": compared_checks(chapter, sources) if several else checks,
         "sources": sources,
-        "warnings": [
-            {
-                "code": notice.code,
-                "title": EXPLANATIONS[notice.code].title,
-                "message": plain_text(notice.message),
-                "meaning": EXPLANATIONS[notice.code].meaning,
-                "remedy": EXPLANATIONS[notice.code].remedy,
-            }
-            for notice in result.warnings
+        "not_checked": [
+            {"code": group.code, "title": group.title, "message": _said(group)}
+            for group in findings.not_checked(chapter.results)
         ],
+        "warnings": _warnings(chapter),
         "figures": [
             {"name": drawing.name, "caption": drawing.caption, "svg": drawing.image.decode()}
             for drawing in drawings
@@ -125,32 +124,37 @@ def _method(result: Result) -> str:
     )
 
 
-def _outcome(result: Result) -> Data | None:
-    if result.outcome.solved:
-        return None
-    explanation = EXPLANATIONS.get(result.outcome.code)
-    message = plain_text(result.message).removesuffix(".")
+def _outcome(member: Member) -> Data:
+    outcome = member.result.outcome
+    explanation = EXPLANATIONS.get(outcome.code)
+    message = plain_text(member.result.message).removesuffix(".")
     return {
-        "code": result.outcome.code,
-        "title": result.outcome.value,
+        "clearance": f"{member.clearance.capitalize()} clearance: " if member.clearance else "",
+        "code": outcome.code,
+        "title": outcome.value,
         "message": message[:1].upper() + message[1:],
         "remedy": explanation.remedy if explanation else "",
     }
 
 
-def _key_results(result: Result) -> list[Data]:
+def _key_results(chapter: Chapter) -> list[Data]:
+    result = chapter.shown.result
     film = "minimum_film_thickness" in result.values
-    names = KEY_RESULTS if film else [name for name in result.values if name not in NOT_FOR_PAPER]
+    names = KEY_RESULTS if film else tuple(name for name in result.values if name not in NOT_FOR_PAPER)
+    if film and not is_fed(result):
+        names = tuple(name for name in names if name not in ("supply_flow", "total_flow"))
+    if len(chapter.members) > 1:
+        names = ("relative_clearance", *names)
     rows = []
     for name in names:
-        value = result.values.get(name, math.nan)
-        if name in QUANTITIES and math.isfinite(value):
+        values = [r.values.get(name, math.nan) if r.outcome.solved else math.nan for r in chapter.results]
+        if name in QUANTITIES and any(map(math.isfinite, values)):
             quantity = QUANTITIES[name]
             rows.append(
                 {
                     "label": label(name),
                     "symbol": symbol_node(quantity.symbol),
-                    "value": quantity.format(value),
+                    "values": [quantity.format(value) if math.isfinite(value) else ABSENT for value in values],
                     "unit": quantity.display.label,
                 }
             )
@@ -169,18 +173,26 @@ def _line(line: Line) -> Data:
     }
 
 
-def check_content(check: Check, sources: Sequence[str] = ()) -> Data:
-    """One check; its source as the place in a list of `sources`, counted from 1."""
-    quantity = QUANTITIES.get(check.quantity)
-    return {
-        "code": check.code,
-        "quantity": label(check.quantity),
-        "symbol": symbol_node(quantity.symbol) if quantity else None,
-        "value": judge.written(check.quantity, check.value),
-        "sign": "≤" if check.bound is Bound.AT_MOST else "≥",
-        "limit": judge.written(check.quantity, check.limit),
-        "margin": judge.margin(check).replace("-", "−"),
-        "verdict": judge.check_verdict(check).value,
-        "advisory": check.advisory,
-        "source": str(1 + sources.index(plain_text(check.source))) if sources else "",
-    }
+def _said(group: findings.Group) -> str:
+    return group.message if set(group.names) == set(group.of) else f"{group.message}: {group.bearings}"
+
+
+def _warnings(chapter: Chapter) -> list[Data]:
+    """Warnings of all members, one a code; those that some members lack say whose they are."""
+    found: dict[str, dict[str, list[str]]] = {}
+    for member in chapter.members:
+        for notice in member.result.warnings:
+            messages = found.setdefault(notice.code, {})
+            messages.setdefault(plain_text(notice.message), []).append(member.clearance)
+    return [
+        {
+            "code": code,
+            "title": EXPLANATIONS[code].title,
+            "message": "; ".join(
+                f"{message} ({', '.join(whose)} clearance)" if 0 < len(whose) < len(chapter.members) else message
+                for message, whose in messages.items()
+            ),
+            "remedy": EXPLANATIONS[code].remedy,
+        }
+        for code, messages in found.items()
+    ]

@@ -157,8 +157,11 @@ def _side_flow(sheet: Worksheet) -> Iterator[Line]:
 
 def _heat(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
     if case.oil_supply is not None:
-        yield sheet.line("effective_temperature", "(supply_temperature + outlet_temperature) / 2")
         outlet, inlet = sheet["outlet_temperature"], sheet["supply_temperature"]
+        if math.isclose(sheet["effective_temperature"], (inlet + outlet) / 2.0, abs_tol=1e-6):
+            yield sheet.line("effective_temperature", "(supply_temperature + outlet_temperature) / 2")
+        else:
+            yield sheet.given("outlet_temperature", "that of the surroundings, which the oil cannot fall below")
         cancelled = math.floor(math.log10(max(abs(outlet) / max(abs(outlet - inlet), 1e-6), 1.0)))
         yield sheet.line(
             "heat_to_oil",

@@ -9,16 +9,21 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from babbitt.report import findings
 from babbitt.report import verdict as judge
-from babbitt.report.bearing_content import Data, bearing_content, check_content
-from babbitt.report.columns import COLUMNS, is_film
+from babbitt.report.bearing_content import Data, bearing_content
+from babbitt.report.chapters import Chapter, chapters
+from babbitt.report.check_content import check_content
+from babbitt.report.columns import columns_of, is_film
+from babbitt.report.findings import Group
+from babbitt.report.names import counted_results
 from babbitt.report.symbols import symbol_node
-from babbitt.report.text import counted_results, plain_text
-from babbitt.report.verdict import Group, Verdict
+from babbitt.report.text import plain_lines, plain_text
+from babbitt.report.totals import Totals, totals
+from babbitt.report.verdict import Verdict
 from babbitt.results import Result
 
 if TYPE_CHECKING:
-    from babbitt.cases.build import AnyDesign
     from babbitt.solving import MachineResult
 
 
@@ -35,25 +40,34 @@ def content(machine: MachineResult) -> Data:
         Strings, numbers, lists and dictionaries only.
     """
     results = machine.results
-    cases: Sequence[AnyDesign | None] = machine.design_cases or [None] * len(results)
+    parts = chapters(machine.design_cases, results)
+    summed = totals(results)
     return {
         "name": plain_text(machine.name) or "Unnamed case",
         "version": machine.version,
         "hash": machine.case_hash,
+        "source": plain_text(machine.source),
+        "notes": plain_text(machine.notes),
         "count": _count(results),
-        "columns": [{"heading": _heading(c.heading), "unit": c.unit} for c in COLUMNS],
-        "rows": _rows(results),
+        "columns": [{"heading": _heading(c.heading), "unit": c.unit} for c in columns_of(results)],
+        "rows": _rows(parts, results),
+        "incomplete": any(result.not_checked for result in results),
+        "totals": _totals(summed) if summed else None,
         "worst": [_worst_case(results, code) for code in _codes(results)],
         "findings": _findings(results),
-        "bearings": [bearing_content(case, result) for case, result in zip(cases, results, strict=True)],
+        "bearings": [bearing_content(part) for part in parts],
+        "case_text": plain_lines(machine.case_text).strip("\n"),
     }
 
 
 def _count(results: Sequence[Result]) -> str:
     found = Counter(judge.verdict(result) for result in results)
+    incomplete = any(result.not_checked for result in results)
     said = {
-        Verdict.OK: "within all limits and advice",
-        Verdict.ADVICE: "within the limits, against some advice",
+        Verdict.OK: "within all limits and advice" + (" that could be checked" if incomplete else ""),
+        Verdict.ADVICE: "within the limits"
+        + (" that could be checked" if incomplete else "")
+        + ", against some advice",
         Verdict.FAIL: "beyond a limit",
         Verdict.UNSOLVED: "without a solution",
     }
@@ -61,6 +75,13 @@ def _count(results: Sequence[Result]) -> str:
     if not any(result.checks for result in results) and set(found) == {Verdict.OK}:
         return ""
     return f"{counted_results([result.name for result in results])}: {', '.join(parts)}."
+
+
+def _totals(summed: Totals) -> Data:
+    return {
+        "heading": summed.heading,
+        "sums": [{**vars(part), "symbol": symbol_node(part.symbol)} for part in summed.sums],
+    }
 
 
 def _heading(heading: str) -> list[Any]:
@@ -72,15 +93,19 @@ def _heading(heading: str) -> list[Any]:
     return [symbol_node(heading)]
 
 
-def _rows(results: Sequence[Result]) -> list[Data]:
+def _rows(parts: Sequence[Chapter], results: Sequence[Result]) -> list[Data]:
+    """One row a result, with the place of its chapter, counted from 1."""
     if not any(is_film(result) for result in results):
         return []
-    columns = [column.cells(results) for column in COLUMNS]
+    columns = [column.cells(results) for column in columns_of(results)]
+    chapter_of = [place for place, part in enumerate(parts, start=1) for _ in part.members]
     return [
         {
             "name": plain_text(result.name),
+            "chapter": chapter_of[place],
             "cells": [cells[place] for cells in columns],
             "verdict": judge.verdict(result).value,
+            "unchecked": str(len(result.not_checked) or ""),
         }
         for place, result in enumerate(results)
     ]
@@ -107,10 +132,11 @@ def _worst_case(results: Sequence[Result], of: tuple[str, str]) -> Data:
 
 def _findings(results: Sequence[Result]) -> list[Data]:
     sections = (
-        ("No solution", judge.unsolved(results)),
-        ("Limits violated", judge.missed_limits(results)),
-        ("Advice not followed", judge.missed_advice(results)),
-        ("Warnings", judge.gathered_warnings(results)),
+        ("No solution", findings.unsolved(results)),
+        ("Limits violated", findings.missed_limits(results)),
+        ("Advice not followed", findings.missed_advice(results)),
+        ("Warnings", findings.gathered_warnings(results)),
+        ("Not checked, for want of data", findings.not_checked(results)),
     )
     return [
         {"heading": heading, "groups": [_group(group) for group in groups]}

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
+from babbitt.notices import Notice
+from babbitt.report.totals import totals
+from babbitt.report.verdict import verdict
 from babbitt.results import Check, Matrix, Result
 
 if TYPE_CHECKING:
@@ -25,14 +29,19 @@ def to_json(machine: MachineResult) -> dict[str, Any]:
         ``babbitt``, ``case``, ``bearings`` as the public contract has them, and ``case_hash``. Values in SI.
         A bearing without a solution has no ``results``; the last state its iteration reached stands under
         ``last_state``, so that no program takes it for an operating point. Numbers that do not exist are
-        absent, or null where a key must stand; NaN and infinity never appear.
+        absent, or null where a key must stand; NaN and infinity never appear. ``totals`` stands where a sum over
+        the bearings means something.
     """
-    return {
+    record: dict[str, Any] = {
         "babbitt": machine.version,
         "case": machine.name,
         "case_hash": machine.case_hash,
         "bearings": [_bearing(result) for result in machine.results],
     }
+    summed = totals(machine.results)
+    if summed is not None:
+        record["totals"] = _finite(summed.values)
+    return record
 
 
 def write_json(machine: MachineResult) -> str:
@@ -47,17 +56,19 @@ def write_json(machine: MachineResult) -> str:
 
 
 def _bearing(result: Result) -> dict[str, Any]:
-    numbers: dict[str, Any] = {name: float(value) for name, value in result.values.items() if math.isfinite(value)}
-    numbers |= {name: [list(row) for row in rows] for name, rows in result.arrays.items() if _finite(rows)}
+    numbers: dict[str, Any] = {**_finite(result.values)}
+    numbers |= {name: [list(row) for row in rows] for name, rows in result.arrays.items() if _all_finite(rows)}
     solved = result.outcome.solved
     record: dict[str, Any] = {
         "name": result.name,
         "kind": result.kind,
         "method": result.method,
         "status": result.outcome.name.lower(),
+        "verdict": verdict(result).key,
         "results": numbers if solved else {},
         "checks": [_check(check) for check in result.checks] if solved else [],
-        "warnings": [{"code": notice.code, "message": notice.message} for notice in result.warnings],
+        "not_checked": _notices(result.not_checked),
+        "warnings": _notices(result.warnings),
         "assumptions": list(result.assumptions),
         "settings": dict(result.settings),
         "message": result.message,
@@ -65,6 +76,14 @@ def _bearing(result: Result) -> dict[str, Any]:
     if not solved:
         record["last_state"] = numbers
     return record
+
+
+def _notices(notices: Iterable[Notice]) -> list[dict[str, str]]:
+    return [{"code": notice.code, "message": notice.message} for notice in notices]
+
+
+def _finite(values: Mapping[str, float]) -> dict[str, float]:
+    return {name: float(value) for name, value in values.items() if math.isfinite(value)}
 
 
 def _check(check: Check) -> dict[str, Any]:
@@ -81,7 +100,7 @@ def _check(check: Check) -> dict[str, Any]:
     }
 
 
-def _finite(rows: Matrix) -> bool:
+def _all_finite(rows: Matrix) -> bool:
     return all(math.isfinite(value) for row in rows for value in row)
 
 

@@ -40,7 +40,7 @@ FRICTION = {
     Friction.CURVE360: "friction number of the full bearing at the same eccentricity",
 }
 
-UNITS = {"1e-6/K": "10⁻⁶/K"}
+UNITS = {"1e-6/K": "× 10⁻⁶/K"}
 """Units as they look on paper, where the vocabulary writes them for a plain terminal."""
 
 PLACES = {
@@ -83,6 +83,7 @@ def inputs(case: AnyDesign) -> tuple[InputGroup, ...]:
     geometry = _film_geometry(case) if isinstance(case, FilmCase) else _geometry(case)
     method = _film_method(case) if isinstance(case, FilmCase) else _method(case)
     groups = (
+        InputGroup("As given", tuple(Row(plain_text(what), plain_text(words)) for what, words in case.given)),
         InputGroup("Geometry", tuple(geometry)),
         InputGroup("Operation", tuple(_operation(case))),
         InputGroup("Lubricant", tuple(_lubricant(case))),

@@ -75,12 +75,15 @@ def _about(centre: float, low: float, high: float) -> Array:
 def _transition(top: Axes, bottom: Axes, rpm: float) -> None:
     for panel in (top, bottom):
         panel.axvline(rpm, color=GREY, linewidth=0.8, linestyle=":")
+    low, high = top.get_xlim()
+    beyond_middle = rpm > (low * high) ** 0.5  # of a logarithmic axis
     top.annotate(
         f"{mathematics('N_tr')} = {rpm:.0f} rpm",
         (rpm, 1.0),
         xycoords=top.get_xaxis_transform(),
-        xytext=(2, -1),
+        xytext=(-2 if beyond_middle else 2, -1),
         textcoords="offset points",
+        ha="right" if beyond_middle else "left",
         va="top",
         fontsize=7,
         color="0.3",
@@ -113,14 +116,11 @@ def load_capacity(case: DesignCase, result: Result) -> Figure:
     starts.append((float(load_number[0]), case.bearing.span))
     _label_starts(panel, float(eccentricity[0]), starts)
     mark(panel, result.eccentricity_ratio, result.sommerfeld_number)
-    low = result.eccentricity_ratio < 0.75
-    panel.annotate(
+    panel.annotate(  # the corner that no curve reaches, as the load number rises with the eccentricity
         f"{case.bearing.span}°: ε = {result.eccentricity_ratio:.3f}, So = {result.sommerfeld_number:.3g}",
-        (result.eccentricity_ratio, result.sommerfeld_number),
-        xytext=(6, -3) if low else (-6, 3),
-        textcoords="offset points",
-        ha="left" if low else "right",
-        va="top" if low else "bottom",
+        (0.03, 0.97),
+        xycoords="axes fraction",
+        va="top",
         fontsize=7,
     )
     panel.set(

@@ -1,25 +1,25 @@
-"""Tables for the terminal: the machine at a glance, or one bearing in full."""
+"""What the terminal shows: the machine at a glance or one bearing in full, then misses and doubts."""
 
 from __future__ import annotations
 
-import math
 import sys
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from rich import box
 from rich.cells import cell_len
 from rich.console import Console, Group, RenderableType
 from rich.padding import Padding
-from rich.table import Table
 from rich.text import Text
 
-from babbitt.quantities import QUANTITIES
+from babbitt.report import findings
 from babbitt.report import verdict as judge
-from babbitt.report.columns import COLUMNS, Column, is_film
-from babbitt.report.text import counted_results, plain_text
+from babbitt.report.bearing_table import STYLES, bearing_table, engineers_table
+from babbitt.report.columns import Column, columns_of, is_film
+from babbitt.report.names import counted_results
+from babbitt.report.text import plain_text
+from babbitt.report.totals import totals
 from babbitt.report.verdict import Verdict
-from babbitt.results import Check, Result
+from babbitt.results import Result
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult
@@ -36,7 +36,8 @@ NAME_LIMIT = 48
 GAP = 2
 """Columns between two columns of the table."""
 
-STYLES = {Verdict.OK: "green", Verdict.ADVICE: "yellow", Verdict.FAIL: "bold red", Verdict.UNSOLVED: "bold red"}
+NOT_CHECKED = "not made"
+"""Heading of the column that counts checks for which data are missing."""
 
 
 def console(width: int | None = None) -> Console:
@@ -77,51 +78,57 @@ def render(name: str, results: Sequence[Result], width: int) -> RenderableType:
     journals = [result for result in results if is_film(result)]
     parts: list[RenderableType] = []
     if len(results) == 1 or not journals:
-        parts += [_single(result) for result in results]
+        parts += [bearing_table(result) for result in results]
     else:
         parts.append(_machine(name, journals, width))
-        parts += [_single(result) for result in results if result not in journals]
+        parts += [bearing_table(result) for result in results if result not in journals]
     parts += _remarks(results)
     return Group(*parts)
 
 
 def _machine(name: str, results: Sequence[Result], width: int) -> RenderableType:
-    shown, hidden = _fitting(results, width)
-    table = _table(title=Text(plain_text(name), style="bold"), title_justify="left")
+    incomplete = any(result.not_checked for result in results)
+    shown, hidden = _fitting(results, width - (len(NOT_CHECKED) + GAP if incomplete else 0))
+    table = engineers_table(title=Text(plain_text(name), style="bold"), title_justify="left")
     table.add_column(
         Text("Bearing"), overflow="fold", min_width=min(NAME_WIDTH, _longest_name(results)), max_width=NAME_LIMIT
     )
     for column in shown:
         table.add_column(Text(f"{column.heading}\n{column.unit}"), justify="right", no_wrap=True)
     table.add_column(Text("verdict"), no_wrap=True)
-    rows = zip(*(column.cells(results) for column in shown), strict=True)
+    if incomplete:
+        table.add_column(Text(f"checks\n{NOT_CHECKED}"), justify="right", no_wrap=True)
+    rows = zip(*(column.cells(results) for column in shown), strict=True) if shown else ((),) * len(results)
     for result, cells in zip(results, rows, strict=True):
         word = judge.verdict(result)
-        table.add_row(Text(plain_text(result.name)), *map(Text, cells), Text(word.value, style=STYLES[word]))
-    if not hidden:
-        return table
-    names = ", ".join(column.heading for column in hidden)
-    return Group(table, Text(f"Left out for want of width: {names}", style="dim"))
-
-
-def _table(**settings: Any) -> Table:
-    return Table(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False, padding=(0, 1, 0, 0), **settings)
+        missing = [Text(str(len(result.not_checked)) if result.not_checked else "")] if incomplete else []
+        name_and_cells = (Text(plain_text(result.name)), *map(Text, cells))
+        table.add_row(*name_and_cells, Text(word.value, style=STYLES[word]), *missing)
+    parts: list[RenderableType] = [table]
+    if hidden:
+        names = ", ".join(column.heading for column in hidden)
+        parts.append(Text(f"Left out for want of width: {names}", style="dim"))
+    summed = totals(results)
+    if summed is not None:
+        parts.append(Text(f"\n{summed.sentence}"))
+    return Group(*parts)
 
 
 def _fitting(results: Sequence[Result], width: int) -> tuple[list[Column], list[Column]]:
     """Columns that fit beside a name column, and those that do not."""
-    shown = list(COLUMNS)
+    columns = columns_of(results)
+    shown = list(columns)
 
     def needed() -> int:
         name, word = min(NAME_WIDTH, _longest_name(results)), len(Verdict.UNSOLVED.value)
         return name + word + sum(_column_width(column, results) + GAP for column in shown) + 2 * GAP
 
-    while needed() > width:
+    while shown and needed() > width:
         loosest = max(shown, key=lambda column: column.rank)
         if loosest.rank == 0:
             break
         shown.remove(loosest)
-    return shown, [column for column in COLUMNS if column not in shown]
+    return shown, [column for column in columns if column not in shown]
 
 
 def _column_width(column: Column, results: Sequence[Result]) -> int:
@@ -132,53 +139,15 @@ def _longest_name(results: Sequence[Result]) -> int:
     return max(cell_len(plain_text(result.name)) for result in results)
 
 
-def _single(result: Result) -> RenderableType:
-    word = judge.verdict(result)
-    heading = Text(plain_text(result.name), style="bold")
-    heading.append(f"   {result.method}   ", style="dim")
-    heading.append(word.value, style=STYLES[word])
-    if word is Verdict.UNSOLVED:
-        return heading
-    table = _table()
-    table.add_column("quantity", overflow="fold")
-    table.add_column("symbol")
-    table.add_column("value", justify="right", no_wrap=True)
-    table.add_column("unit", no_wrap=True)
-    for name, value in result.values.items():
-        quantity = QUANTITIES.get(name)
-        if quantity is not None and math.isfinite(value) and name != "wall_time":
-            shown = f"{value:.0f}" if name == "iterations" else quantity.format(value)
-            table.add_row(quantity.meaning, quantity.symbol, shown, quantity.display.label)
-    return Group(heading, table, *([_checks(result.checks)] if result.checks else []))
-
-
-def _checks(checks: Sequence[Check]) -> RenderableType:
-    table = _table()
-    for heading in ("check", "comparison"):
-        table.add_column(heading, no_wrap=True)
-    table.add_column("margin", justify="right", no_wrap=True)
-    table.add_column("verdict", no_wrap=True)
-    table.add_column("source", overflow="fold")
-    for check in checks:
-        word = judge.check_verdict(check)
-        table.add_row(
-            check.code,
-            Text(judge.comparison(check)),
-            judge.margin(check),
-            Text(word.value, style=STYLES[word]),
-            Text(plain_text(check.source)),
-        )
-    return table
-
-
 def _remarks(results: Sequence[Result]) -> list[RenderableType]:
     parts: list[RenderableType] = []
     several = len(results) > 1
     sections = (
-        ("No solution", judge.unsolved(results), "bold red"),
-        ("Limits violated", judge.missed_limits(results), "bold red"),
-        ("Advice", judge.missed_advice(results), "yellow"),
-        ("Warnings", judge.gathered_warnings(results), "yellow"),
+        ("No solution", findings.unsolved(results), "bold red"),
+        ("Limits violated", findings.missed_limits(results), "bold red"),
+        ("Advice", findings.missed_advice(results), "yellow"),
+        ("Warnings", findings.gathered_warnings(results), "yellow"),
+        ("Not checked", findings.not_checked(results), "yellow"),
     )
     for heading, groups, style in sections:
         if groups:
@@ -191,8 +160,8 @@ def _remarks(results: Sequence[Result]) -> list[RenderableType]:
     return parts
 
 
-def _line(group: judge.Group, several: bool) -> Text:
+def _line(group: findings.Group, several: bool) -> Text:
     line = Text(f"{group.code}  " if group.code else "", style="bold")
     said = f"{group.title}: {group.message}" if group.message else group.title
     line.append(said, style="default")
-    return line.append(f"  [{group.bearings}]", style="default") if several else line
+    return line.append(f"  [{group.some_bearings}]", style="default") if several else line

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Sequence
 
 _DIRECTION_MARKS = {chr(c) for c in (*range(0x202A, 0x202F), *range(0x2066, 0x206A), 0x200E, 0x200F, 0x061C)}
 _TYPEFACE_RANGES = (
@@ -53,23 +52,17 @@ def counted(number: int, noun: str) -> str:
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
-_POINT_AND_CLEARANCE = re.compile(r"( \[[^\]]*\])?( \((minimum|mean|maximum) clearance\))?$")
+def plain_lines(text: str) -> str:
+    """The lines of a file as visible characters: line breaks and indentation stay, tabs become spaces.
 
-
-def counted_results(names: Sequence[str]) -> str:
-    """How many bearings the results of a machine are, or how many cases of how many bearings.
-
-    Parameters
-    ----------
-    names : sequence of str
-        As `babbitt.cases.design_cases` gives them: ``Bearing [point] (minimum clearance)``.
-
-    Examples
-    --------
-    >>> counted_results(["A", "B"]), counted_results(["A (minimum clearance)", "A (maximum clearance)"])
-    ('2 bearings', '2 cases of 1 bearing')
+    >>> plain_lines("a:\\r\\n\\tb\\x1b[31m")
+    'a:\\n    b[31m'
     """
-    bearings = len({_POINT_AND_CLEARANCE.sub("", name) for name in names})
-    if bearings == len(names):
-        return counted(bearings, "bearing")
-    return f"{counted(len(names), 'case')} of {counted(bearings, 'bearing')}"
+    lines = (line.expandtabs(4) for line in text.splitlines())
+    return "\n".join("".join(_plain_character(c) for c in line).rstrip() for line in lines)
+
+
+def _plain_character(character: str) -> str:
+    if character.isspace():
+        return " "
+    return character if _is_visible(character) else ""

@@ -1,0 +1,65 @@
+"""One bearing in full, for the terminal."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from rich import box
+from rich.console import Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from babbitt.quantities import QUANTITIES
+from babbitt.report import verdict as judge
+from babbitt.report.text import plain_text
+from babbitt.report.verdict import Verdict
+from babbitt.results import Check, Result
+
+STYLES = {Verdict.OK: "green", Verdict.ADVICE: "yellow", Verdict.FAIL: "bold red", Verdict.UNSOLVED: "bold red"}
+
+
+def engineers_table(**settings: Any) -> Table:
+    """An empty table: a rule below its heading, and nothing else drawn."""
+    return Table(box=box.SIMPLE_HEAD, show_edge=False, pad_edge=False, padding=(0, 1, 0, 0), **settings)
+
+
+def bearing_table(result: Result) -> RenderableType:
+    """All quantities and checks of a bearing; for an unsolved one its name alone."""
+    word = judge.verdict(result)
+    heading = Text(plain_text(result.name), style="bold")
+    heading.append(f"   {result.method}   ", style="dim")
+    heading.append(word.value, style=STYLES[word])
+    heading.append(f"   {judge.unchecked(result)}" if result.not_checked else "")
+    if word is Verdict.UNSOLVED:
+        return heading
+    table = engineers_table()
+    table.add_column("quantity", overflow="fold")
+    table.add_column("symbol")
+    table.add_column("value", justify="right", no_wrap=True)
+    table.add_column("unit", no_wrap=True)
+    for name, value in result.values.items():
+        quantity = QUANTITIES.get(name)
+        if quantity is not None and math.isfinite(value) and name != "wall_time":
+            table.add_row(quantity.meaning, quantity.symbol, quantity.format(value), quantity.display.label)
+    return Group(heading, table, *([_checks(result.checks)] if result.checks else []))
+
+
+def _checks(checks: Sequence[Check]) -> RenderableType:
+    table = engineers_table()
+    for heading in ("check", "comparison"):
+        table.add_column(heading, no_wrap=True)
+    table.add_column("margin", justify="right", no_wrap=True)
+    table.add_column("verdict", no_wrap=True)
+    table.add_column("source", overflow="fold")
+    for check in checks:
+        word = judge.check_verdict(check)
+        table.add_row(
+            check.code,
+            Text(judge.comparison(check)),
+            judge.margin(check),
+            Text(word.value, style=STYLES[word]),
+            Text(plain_text(check.source)),
+        )
+    return table

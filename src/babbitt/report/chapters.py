@@ -1,0 +1,105 @@
+"""The chapters of a report: one for each bearing and operating point, its clearance cases together.
+
+Cases that differ in nothing but the clearance share inputs and assumptions, and a reader wants their results side
+by side: one of them, the mean, is shown in full.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from babbitt.bearings.model import FilmCase
+from babbitt.report.names import split_clearance
+from babbitt.results import Result
+
+if TYPE_CHECKING:
+    from babbitt.cases.build import AnyDesign
+
+
+@dataclass(frozen=True)
+class Member:
+    """One result of a chapter; `clearance` is ``minimum``, ``mean``, ``maximum``, or empty for the only one."""
+
+    clearance: str
+    case: AnyDesign | None
+    result: Result
+
+
+@dataclass(frozen=True)
+class Chapter:
+    """A bearing at one operating point, in one clearance or in several."""
+
+    name: str
+    members: tuple[Member, ...]
+
+    @property
+    def shown(self) -> Member:
+        """The member shown in full: the mean clearance, or the first with an operating point."""
+        solved = [member for member in self.members if member.result.outcome.solved]
+        mean = [member for member in solved if member.clearance == "mean"]
+        return (mean or solved or list(self.members))[0]
+
+    @property
+    def shown_case(self) -> AnyDesign | None:
+        """The case shown in full, with those words of the case file that hold for every member."""
+        case = self.shown.case
+        if case is None:
+            return None
+        others = [set(member.case.given) for member in self.members if member.case is not None]
+        return replace(case, given=tuple(row for row in case.given if all(row in given for given in others)))
+
+    @property
+    def results(self) -> tuple[Result, ...]:
+        """The results of all members."""
+        return tuple(member.result for member in self.members)
+
+
+def chapters(cases: Sequence[AnyDesign], results: Sequence[Result]) -> tuple[Chapter, ...]:
+    """Gather the results of a machine into chapters, in their order.
+
+    Parameters
+    ----------
+    cases : sequence of DesignCase or FilmCase
+        What the results were computed from; empty for kinds without a film.
+    results : sequence of Result
+
+    Returns
+    -------
+    tuple of Chapter
+    """
+    gathered: list[list[Member]] = []
+    for member in _members(cases, results):
+        if gathered and _belongs(member, gathered[-1][-1]):
+            gathered[-1].append(member)
+        else:
+            gathered.append([member])
+    return tuple(_chapter(members) for members in gathered)
+
+
+def _members(cases: Sequence[AnyDesign], results: Sequence[Result]) -> Iterator[Member]:
+    known: Sequence[AnyDesign | None] = cases or [None] * len(results)
+    for case, result in zip(known, results, strict=True):
+        yield Member(split_clearance(result.name)[1], case, result)
+
+
+def _belongs(member: Member, before: Member) -> bool:
+    """Whether two results are those of one bearing that differ in nothing but the clearance."""
+    if member.case is None or before.case is None or "" in (member.clearance, before.clearance):
+        return False
+    same_name = split_clearance(member.result.name)[0] == split_clearance(before.result.name)[0]
+    return same_name and _without_clearance(member.case) == _without_clearance(before.case)
+
+
+def _without_clearance(case: AnyDesign) -> AnyDesign:
+    if isinstance(case, FilmCase):
+        return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
+    return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
+
+
+def _chapter(members: Sequence[Member]) -> Chapter:
+    name = members[0].result.name
+    if len(members) == 1:
+        return Chapter(name, (replace(members[0], clearance=""),))
+    return Chapter(split_clearance(name)[0], tuple(members))

@@ -1,0 +1,82 @@
+"""The checks of a report as plain data: of one result, or of several clearances side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from babbitt.quantities import QUANTITIES
+from babbitt.report import verdict as judge
+from babbitt.report.chapters import Chapter
+from babbitt.report.columns import ABSENT
+from babbitt.report.labels import label
+from babbitt.report.symbols import symbol_node
+from babbitt.report.text import plain_text
+from babbitt.results import Bound, Check, Result
+
+Data = dict[str, Any]
+
+SIGNS = {Bound.AT_MOST: "≤", Bound.AT_LEAST: "≥"}
+
+
+def sources_of(results: Iterable[Result]) -> list[str]:
+    """Where the limits of some results come from, each source once."""
+    said = (plain_text(check.source) for result in results for check in solved_checks(result))
+    return list(dict.fromkeys(said))
+
+
+def solved_checks(result: Result) -> tuple[Check, ...]:
+    """The checks of an operating point; none for an unsolved result."""
+    return result.checks if result.outcome.solved else ()
+
+
+def check_content(check: Check, sources: Sequence[str] = ()) -> Data:
+    """One check; its source as the place in a list of `sources`, counted from 1."""
+    return {
+        **_what(check),
+        "value": judge.written(check.quantity, check.value),
+        "sign": SIGNS[check.bound],
+        "limit": judge.written(check.quantity, check.limit),
+        "margin": judge.margin(check).replace("-", "−"),
+        "verdict": judge.check_verdict(check).value,
+        "source": str(1 + sources.index(plain_text(check.source))) if sources else "",
+    }
+
+
+def compared_checks(chapter: Chapter, sources: Sequence[str]) -> list[Data]:
+    """The checks of a chapter with several clearances, one row a check and one cell a clearance."""
+    by_member = [{(c.code, c.quantity): c for c in solved_checks(result)} for result in chapter.results]
+    rows = []
+    for key in sorted({key for checks in by_member for key in checks}):
+        found = [checks.get(key) for checks in by_member]
+        present = [check for check in found if check is not None]
+        quantity = QUANTITIES.get(present[0].quantity)
+        places = sorted({1 + sources.index(plain_text(check.source)) for check in present})
+        rows.append(
+            {
+                **_what(present[0]),
+                "unit": quantity.display.label if quantity else "",
+                "compared": [_compared(check) for check in found],
+                "source": ", ".join(map(str, places)),
+            }
+        )
+    return rows
+
+
+def _what(check: Check) -> Data:
+    quantity = QUANTITIES.get(check.quantity)
+    return {
+        "code": check.code,
+        "quantity": label(check.quantity),
+        "symbol": symbol_node(quantity.symbol) if quantity else None,
+    }
+
+
+def _compared(check: Check | None) -> Data:
+    if check is None:
+        return {"said": ABSENT, "verdict": ""}
+    value, limit = (judge.number(check.quantity, number) for number in (check.value, check.limit))
+    return {
+        "said": f"{value} {SIGNS[check.bound]} {limit}",
+        "verdict": judge.check_verdict(check).value,
+    }

@@ -1,0 +1,142 @@
+"""Misses, doubts and checks that could not be made: those of many bearings gathered by code."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+
+from babbitt.notices import EXPLANATIONS, Notice
+from babbitt.quantities import QUANTITIES
+from babbitt.report.names import listed, shortened
+from babbitt.report.text import plain_text
+from babbitt.report.verdict import comparison
+from babbitt.results import Check, Result
+
+
+@dataclass(frozen=True)
+class Group:
+    """What one code, or several with the same cause, says about one or more bearings.
+
+    Attributes
+    ----------
+    code, title : str
+        The code and what it means in general.
+    names : tuple of str
+        Which results, the worst first where one can be worse than another.
+    of : tuple of str
+        All results of the machine.
+    message : str
+        The numbers of the case.
+    remedy : str
+        What to do; empty when the register knows none.
+    """
+
+    code: str
+    title: str
+    names: tuple[str, ...]
+    of: tuple[str, ...]
+    message: str
+    remedy: str = ""
+
+    @property
+    def bearings(self) -> str:
+        """Every bearing concerned."""
+        return listed(self.names, self.of)
+
+    @property
+    def some_bearings(self) -> str:
+        """The first bearings concerned, the others counted."""
+        return shortened(self.names, self.of)
+
+
+def missed_limits(results: Sequence[Result]) -> tuple[Group, ...]:
+    """Violated limits of solved bearings, gathered by code, the worst margin first in each group."""
+    return _missed(results, lambda check: not check.advisory)
+
+
+def missed_advice(results: Sequence[Result]) -> tuple[Group, ...]:
+    """Missed recommendations of solved bearings, gathered by code."""
+    return _missed(results, lambda check: check.advisory)
+
+
+def _missed(results: Sequence[Result], concerned: Callable[[Check], bool]) -> tuple[Group, ...]:
+    found: dict[tuple[str, str], list[tuple[Result, Check]]] = {}
+    for result in results:
+        if result.outcome.solved:
+            for check in result.checks:
+                if not check.ok and concerned(check):
+                    found.setdefault((check.code, check.quantity), []).append((result, check))
+    groups = []
+    for (code, quantity), misses in sorted(found.items()):
+        misses.sort(key=lambda miss: miss[1].margin)
+        check = misses[0][1]
+        known = QUANTITIES.get(quantity)
+        groups.append(
+            Group(
+                code,
+                known.meaning if known else quantity,
+                tuple(result.name for result, _ in misses),
+                _names(results),
+                comparison(check) if len(misses) == 1 else f"worst {comparison(check)}",
+                EXPLANATIONS[code].remedy if code in EXPLANATIONS else "",
+            )
+        )
+    return tuple(groups)
+
+
+def gathered_warnings(results: Sequence[Result]) -> tuple[Group, ...]:
+    """Warnings of all bearings, one group a code."""
+    return _gathered(results, lambda result: result.warnings)
+
+
+def not_checked(results: Sequence[Result]) -> tuple[Group, ...]:
+    """Checks that could not be made, one group for all that lack the same data."""
+    together: dict[tuple[str, tuple[str, ...]], list[Group]] = {}
+    for group in _gathered(results, lambda result: result.not_checked):
+        together.setdefault((group.message, group.names), []).append(group)
+    return tuple(
+        Group(
+            ", ".join(group.code for group in groups),
+            ", ".join(group.title for group in groups),
+            names,
+            _names(results),
+            message,
+        )
+        for (message, names), groups in together.items()
+    )
+
+
+def _gathered(results: Sequence[Result], told: Callable[[Result], Iterable[Notice]]) -> tuple[Group, ...]:
+    found: dict[str, list[tuple[Result, str]]] = {}
+    for result in results:
+        for notice in told(result):
+            found.setdefault(notice.code, []).append((result, plain_text(notice.message)))
+    groups = []
+    for code, notices in sorted(found.items()):
+        messages = list(dict.fromkeys(message for _, message in notices))
+        message = messages[0] if len(messages) == 1 else f"for example: {messages[0]}"
+        explanation = EXPLANATIONS[code]
+        concerned = {id(result): result.name for result, _ in notices}
+        names = tuple(concerned.values())
+        groups.append(Group(code, explanation.title, names, _names(results), message, explanation.remedy))
+    return tuple(groups)
+
+
+def unsolved(results: Sequence[Result]) -> tuple[Group, ...]:
+    """Bearings without an operating point, and why."""
+    return tuple(
+        Group(
+            result.outcome.code,
+            result.outcome.value,
+            (result.name,),
+            _names(results),
+            plain_text(result.message),
+            EXPLANATIONS[result.outcome.code].remedy if result.outcome.code in EXPLANATIONS else "",
+        )
+        for result in results
+        if not result.outcome.solved
+    )
+
+
+def _names(results: Sequence[Result]) -> tuple[str, ...]:
+    return tuple(result.name for result in results)

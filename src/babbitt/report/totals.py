@@ -1,0 +1,86 @@
+"""What all bearings of a machine need together: the numbers that size its pump and its cooler."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from babbitt.quantities import QUANTITIES
+from babbitt.report.columns import is_fed, is_film
+from babbitt.report.names import bearing_of
+from babbitt.report.text import counted
+from babbitt.results import Result
+
+NAMES = {
+    "total_flow": "oil flow",
+    "friction_power": "friction power",
+    "heat_to_oil": "heat to the oil",
+    "heat_to_surroundings": "heat to the surroundings",
+}
+"""What is summed up, and how it is called."""
+
+
+@dataclass(frozen=True)
+class Sum:
+    """One sum as it is shown."""
+
+    name: str
+    symbol: str
+    value: str
+    unit: str
+
+
+@dataclass(frozen=True)
+class Totals:
+    """Sums over all bearings of a machine, in SI under the names of the quantities."""
+
+    bearings: int
+    values: Mapping[str, float]
+
+    @property
+    def heading(self) -> str:
+        """What the sums are of."""
+        return f"Total of {counted(self.bearings, 'bearing')}"
+
+    @property
+    def sums(self) -> tuple[Sum, ...]:
+        """The sums in the engineer's units."""
+        known = [(name, value, QUANTITIES[name]) for name, value in self.values.items()]
+        return tuple(Sum(NAMES[name], q.symbol, q.format(value), q.display.label) for name, value, q in known)
+
+    @property
+    def sentence(self) -> str:
+        """The sums in one line.
+
+        >>> Totals(2, {"total_flow": 6e-4, "friction_power": 9.5e3}).sentence
+        'Total of 2 bearings: oil flow Q = 36.0 L/min, friction power P_f = 9.50 kW'
+        """
+        return f"{self.heading}: " + ", ".join(f"{s.name} {s.symbol} = {s.value} {s.unit}" for s in self.sums)
+
+
+def totals(results: Sequence[Result]) -> Totals | None:
+    """Sum up a machine.
+
+    Parameters
+    ----------
+    results : sequence of Result
+
+    Returns
+    -------
+    Totals or None
+        None for a single bearing, where a bearing stands in the list more than once (operating points, clearance
+        cases), and where one has no operating point: such a sum would be that of no machine.
+    """
+    films = [result for result in results if is_film(result)]
+    apart = {bearing_of(result.name) for result in films}
+    if len(films) < 2 or len(apart) < len(films) or not all(result.outcome.solved for result in films):
+        return None
+    fed = [result for result in films if is_fed(result)]
+    cooled = [result for result in films if "ambient_temperature" in result.values]
+    concerned = {"total_flow": fed, "friction_power": films, "heat_to_oil": fed, "heat_to_surroundings": cooled}
+    values = {
+        name: sum(result.values[name] for result in of)
+        for name, of in concerned.items()
+        if of and all(name in result.values for result in of)
+    }
+    return Totals(len(films), values) if values else None

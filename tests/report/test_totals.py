@@ -1,0 +1,47 @@
+"""What a machine needs: sums where they mean something, and none where they do not."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import gear_cases
+import pytest
+
+from babbitt.report.totals import totals
+from babbitt.standards.iso7902 import check
+from babbitt.standards.iso7902.model import GivenLoad
+
+CASES = gear_cases.varied_cases()
+TWO = (check(CASES["full"]), check(CASES["surfaces"]))
+
+
+def test_the_sums_are_those_of_the_bearings():
+    found = totals(TWO)
+    assert found.values["friction_power"] == pytest.approx(sum(r.friction_power for r in TWO), rel=1e-12)
+    assert found.values["total_flow"] == pytest.approx(sum(r.side_flow + r.supply_flow for r in TWO), rel=1e-12)
+    assert found.values["heat_to_oil"] == pytest.approx(found.values["friction_power"], rel=1e-7)
+    assert "heat_to_surroundings" not in found.values
+
+
+def test_oil_that_stays_in_its_housing_does_not_size_the_pump():
+    cooled = check(CASES["self-cooled"])
+    assert cooled.outcome.solved
+    assert cooled.side_flow > 0.0
+    found = totals((*TWO, replace(cooled, name="self-cooled")))
+    assert found.values["total_flow"] == pytest.approx(totals(TWO).values["total_flow"], rel=1e-12)
+    assert found.values["heat_to_surroundings"] == pytest.approx(cooled.friction_power, rel=1e-6)
+    carried = found.values["heat_to_oil"] + found.values["heat_to_surroundings"]
+    assert carried == pytest.approx(found.values["friction_power"], rel=1e-7)
+
+
+@pytest.mark.parametrize("suffix", [" [half load]", " (maximum clearance)", " [half load] (mean clearance)"])
+def test_a_bearing_that_appears_twice_has_no_sum(suffix):
+    again = replace(TWO[0], name=TWO[0].name + suffix)
+    assert totals((*TWO, again)) is None
+
+
+def test_no_sum_of_one_bearing_or_with_one_missing():
+    overloaded = check(replace(CASES["full"], name="too much", duty=GivenLoad(9e7)))
+    assert not overloaded.outcome.solved
+    assert totals(TWO[:1]) is None
+    assert totals((*TWO, overloaded)) is None
