@@ -94,7 +94,7 @@ class Quantity:
         if shown == 0.0 and not self.display.offset:
             return "0"
         size = abs(shown)
-        if not self.display.offset and round(size, decimals) < 1.0:
+        if not self.display.offset and round(size, LEAST_DIGITS) < 1.0:
             decimals = max(decimals, LEAST_DIGITS - 1 - math.floor(math.log10(size)))
         return f"{shown:.{decimals}f}" if decimals <= LONGEST and size < 1e7 else f"{shown:.{LEAST_DIGITS - 1}e}"
 

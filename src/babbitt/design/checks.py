@@ -55,7 +55,7 @@ def _not_made(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
     if bearing.surfaces is None:
         yield Notice("C102", "roughness, tilt and waviness are not given (surfaces)")
     if case.limits.specific_load is None and (metal is None or specific_load_limit(metal.family) is None):
-        yield Notice("C103", "no limit for the specific load: " + _without_metal(case))
+        yield Notice("C103", _without_metal(case))
     if metal is None:
         for code in METAL_CHECKS:
             yield Notice(code, "no bearing metal is given (materials: bearing_metal)")

@@ -16,7 +16,7 @@ class Summary:
     Attributes
     ----------
     values, judged, suspect, shown, differing : int
-        Numbers of rows: all, judged, set aside as doubtful prints, shown as information, and judged rows that disagree.
+        Numbers of rows: all, judged, set aside as doubtful prints, shown as information, judged but disagreeing.
     worst : Comparison or None
         The judged row that uses most of its tolerance.
     """
