@@ -17,7 +17,7 @@ from babbitt.design.checks import USER, checks_not_made, clearance_check, limit_
 from babbitt.design.conditions import GivenEccentricity, contact_film
 from babbitt.design.doubts import doubt_about_supply, doubts_about_film, doubts_about_running
 from babbitt.design.failure import failure
-from babbitt.design.heat_balance import at_prescribed_temperature, find_equilibrium
+from babbitt.design.heat_balance import SPARING, at_prescribed_temperature, find_equilibrium
 from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import (
     cooling_values,
@@ -57,7 +57,7 @@ def film_check(case: FilmCase) -> Result:
     if case.effective_temperature is not None:
         found = at_prescribed_temperature(case.effective_temperature, film_at)
     else:
-        found = find_equilibrium(case, film_at)
+        found = find_equilibrium(case, film_at, SPARING)
     solved = found.outcome.solved
     values: dict[str, float] = {}
     checks: tuple[Check, ...] = ()
