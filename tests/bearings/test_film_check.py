@@ -3,12 +3,16 @@
 import math
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from film_bearings import GROOVES, answer, case, solved
+from film_bearings import GROOVES, answer, case, film, solved
 
 from babbitt.bearings.bore import Arc, LobedBore, MeasuredBore, TaperedBore, WornBore
+from babbitt.bearings.layout import film_of
+from babbitt.bearings.model import Hollow
+from babbitt.notices import InputError
 from babbitt.results import Outcome
 from babbitt.solving import solve
 
@@ -215,14 +219,46 @@ def test_profiles_follow_their_description():
     assert measured.at(-0.001) == pytest.approx(1e-6, abs=1e-9)
 
 
-def test_misalignment_thins_the_film_at_the_edges():
-    straight = answer(effective_temperature="60 degC")
-    askew = answer(effective_temperature="60 degC", misalignment={"x": 0.0, "y": "0.4 mrad"})
+NARROW = {
+    "pockets": {"pockets": POCKETS},
+    "holes": {"holes": [{"angle": "90 deg", "diameter": "12 mm"}, {"angle": "20 deg", "diameter": "8 mm"}]},
+    "circumferential groove": {"pockets": [{"angle": "90 deg", "extent": "360 deg", "width": "20 mm"}]},
+    "by rule": {"span": "180 deg", "supply_element": {"kind": "pocket", "place": "both_sides", "width": "60 mm"}},
+}
+"""Bores for which the tilted journal is computed: everything that feeds them is narrower than the bearing."""
+
+
+@pytest.mark.parametrize("feed", NARROW)
+def test_misalignment_thins_the_film_at_the_edges(feed):
+    given = {"grooves": None, "effective_temperature": "60 degC"} | NARROW[feed]
+    straight = answer(**given)
+    askew = answer(**given, misalignment={"x": 0.0, "y": "0.4 mrad"})
     assert askew.minimum_film_thickness < straight.minimum_film_thickness - 0.2 * 0.4e-3 * 0.06
-    other = answer(effective_temperature="60 degC", misalignment={"x": 0.0, "y": "-0.4 mrad"})
+    other = answer(**given, misalignment={"x": 0.0, "y": "-0.4 mrad"})
     assert other.eccentricity_ratio == pytest.approx(
         askew.eccentricity_ratio, rel=1e-6
     )  # mirrored in the mid-plane
+    assert askew.mass_balance_error < 1e-10
+
+
+@pytest.mark.parametrize("feed", NARROW)
+def test_a_vanishing_tilt_is_none(feed):
+    # the aligned bearing is solved on half the width, the tilted one on all of it: two grids, one answer
+    given = {"grooves": None, "effective_temperature": "60 degC"} | NARROW[feed]
+    straight, askew = answer(**given), answer(**given, misalignment={"x": "0.1 nrad", "y": "0.1 nrad"})
+    assert askew.mass_balance_error < 1e-10
+    assert askew.minimum_film_thickness == pytest.approx(straight.minimum_film_thickness, rel=1e-3)
+    for name in ("total_flow", "friction_power", "stiffness_yy", "damping_yy"):
+        assert askew.values[name] == pytest.approx(straight.values[name], rel=3e-3), name
+
+
+@pytest.mark.parametrize("besides", [{"hollows": (Hollow(1.0, 0.3, 0.05),)}, {"misalignment": (1e-4, 0.0)}])
+def test_the_film_of_full_width_grooves_takes_neither_pockets_nor_tilt(besides):
+    plain = film(effective_temperature="60 degC")
+    more = {"hollows": (*plain.bearing.hollows, *besides.get("hollows", ()))}
+    bearing = replace(plain.bearing, **(besides | more))
+    with pytest.raises(InputError, match="open ends"):
+        film_of(replace(plain, bearing=bearing), 1.5e-3, 0.02, 1e5)
 
 
 def test_a_threshold_is_where_the_critical_mass_meets_the_rotor():

@@ -8,6 +8,7 @@ from dataclasses import replace
 from babbitt.bearings.bore import Arc
 from babbitt.bearings.model import FilmCase, Hollow
 from babbitt.film.model import FilmStart, JournalFilm, Land, Pocket
+from babbitt.notices import InputError
 
 __all__ = ["film_of", "load_vector", "without_pressure"]
 
@@ -30,11 +31,18 @@ def film_of(case: FilmCase, relative_clearance: float, viscosity: float, element
     Raises
     ------
     InputError
-        E101 for a layout that the film engine refuses.
+        E101 for a layout that the film engine refuses, or cannot answer rightly: an open groove across the whole
+        width besides pockets, holes or misalignment.
     """
     bearing = case.bearing
     clearance = 0.5 * relative_clearance * bearing.diameter
     grooves = [hollow for hollow in bearing.hollows if hollow.width is None]
+    if grooves and (len(grooves) < len(bearing.hollows) or bearing.misalignment != (0.0, 0.0)):
+        raise InputError(
+            "E101",
+            "a groove as wide as the bearing goes together with neither pockets or holes nor misalignment: the flow "
+            "through its open ends would come out wrong, without bound. Give grooves as hollows of their true width.",
+        )
     pockets = [(hollow, hollow.width) for hollow in bearing.hollows if hollow.width is not None]
     return JournalFilm(
         diameter=bearing.diameter,

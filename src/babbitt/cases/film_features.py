@@ -185,12 +185,31 @@ __all__ = [
 ]
 
 
+OPEN_ENDS = "the flow through open ends would come out wrong, without bound"
+AS_POCKETS = "give the grooves as pockets of their true width, which ends before the edge of the bearing"
+
+
+def complaint_about_tilt(full_width: bool) -> Iterator[Complaint]:
+    """Complain about a tilted journal in a bore that is fed over its whole width.
+
+    Parameters
+    ----------
+    full_width : bool
+        Whether a groove or a line of supply is as wide as the bearing.
+    """
+    if full_width:
+        says = "a tilted journal does not go together with a groove or line of supply as wide as the bearing: "
+        yield Complaint(
+            ("misalignment",), says + OPEN_ENDS, "bores fed by pockets, holes or circumferential grooves", AS_POCKETS
+        )
+
+
 def complaints_about_hollows(
     hollows: list[tuple[tuple[str | int, ...], GrooveGiven | PocketGiven | SupplyHoleGiven]],
     width: float | None,
     diameter: float,
 ) -> Iterator[Complaint]:
-    """Complain about hollows that reach beyond the bearing, overlap, or leave no land.
+    """Complain about hollows that reach beyond the bearing, overlap, do not go together, or leave no land.
 
     Parameters
     ----------
@@ -215,9 +234,15 @@ def complaints_about_hollows(
                 says = f"it reaches {written(beyond, 'mm')} from the mid-plane, beyond the bearing"
                 yield Complaint((*path, "axial_position"), says, f"up to {written((width - length) / 2.0, 'mm')}")
     grooves = [(path, hollow) for path, hollow in hollows if isinstance(hollow, GrooveGiven)]
+    narrow = [path for path, hollow in hollows if not isinstance(hollow, GrooveGiven)]
+    if grooves and narrow:
+        says = f"grooves as wide as the bearing do not go together with pockets or holes: {OPEN_ENDS}"
+        yield Complaint(narrow[0], says, "grooves alone, or pockets and holes alone", AS_POCKETS)
     for index, (path, hollow) in enumerate(hollows):
         for other_path, other in hollows[:index]:
-            if _overlap(hollow, other, diameter):
+            if isinstance(hollow, GrooveGiven) is isinstance(other, GrooveGiven) and _overlap(
+                hollow, other, diameter
+            ):
                 says = f"it overlaps {other_path[0]}[{other_path[1]}]"
                 yield Complaint((*path, "angle"), says, "hollows that leave land between them")
                 break
@@ -236,6 +261,6 @@ def _overlap(
     apart = abs(math.remainder(one.angle - other.angle, TURN))
     if apart >= (extent + other_extent) / 2.0 * (1.0 - 1e-9) and (apart > 0.0 or extent + other_extent > 0.0):
         return False
-    if isinstance(one, GrooveGiven) or isinstance(other, GrooveGiven):
+    if isinstance(one, GrooveGiven):
         return True
     return abs(one.axial_position - other.axial_position) < (length + other_length) / 2.0 * (1.0 - 1e-9)

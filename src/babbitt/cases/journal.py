@@ -19,6 +19,7 @@ from babbitt.cases.film_features import (
     MisalignmentGiven,
     PocketGiven,
     SupplyHoleGiven,
+    complaint_about_tilt,
     complaints_about_hollows,
 )
 from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
@@ -272,6 +273,18 @@ class JournalBearing(Duty, SharedInputs):
         if offset >= play:
             says = f"the journal touches at the edges: it leans {written(offset, 'um')} there"
             yield Complaint(("misalignment",), says, f"less than the radial clearance, {written(play, 'um')}")
+
+    @rule
+    def _tilt_needs_narrow_supplies(self) -> Iterator[Complaint]:
+        width = self.actual_width
+        if self.misalignment is None or self.method != "film" or width is None or self.film_start == "widest_gap":
+            return
+        from babbitt.cases.film_layout import film_layout  # it reads this model
+
+        if not self.hollows() and any(self.span_at(point) is None for point in self.operating_points or (None,)):
+            return
+        layouts = (film_layout(self, point, width, 1.0) for point in self.operating_points or (None,))
+        yield from complaint_about_tilt(any(hollow.width is None for at in layouts for hollow in at.hollows))
 
     @rule
     def _lobes_lie_between_grooves(self) -> Iterator[Complaint]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from babbitt.bearings.model import FilmCase
 from babbitt.notices import EXPLANATIONS
 from babbitt.quantities import QUANTITIES
 from babbitt.report import findings
@@ -16,6 +17,7 @@ from babbitt.report.columns import ABSENT, is_fed, is_film
 from babbitt.report.drawing import Drawing
 from babbitt.report.expression import text
 from babbitt.report.figures import clearance_range, draw
+from babbitt.report.film_figures import report_figures
 from babbitt.report.inputs import inputs
 from babbitt.report.labels import label
 from babbitt.report.line import Line
@@ -79,6 +81,8 @@ def bearing_content(chapter: Chapter) -> Data:
     by_standard = case if isinstance(case, DesignCase) else None
     if by_standard is not None and result.outcome.solved:
         drawings = draw(by_standard, result, clearance_range(by_standard))
+    elif isinstance(case, FilmCase):
+        drawings = report_figures(case, result)
     sources = sources_of(chapter.results)
     checks = [check_content(check, sources) for check in solved_checks(result)]
     return {
@@ -112,7 +116,12 @@ def bearing_content(chapter: Chapter) -> Data:
         ],
         "warnings": _warnings(chapter),
         "figures": [
-            {"name": drawing.name, "caption": drawing.caption, "svg": drawing.image.decode()}
+            {
+                "name": drawing.name,
+                "caption": drawing.caption,
+                "svg": drawing.image.decode(),
+                "wide": drawing.wide,
+            }
             for drawing in drawings
         ],
     }

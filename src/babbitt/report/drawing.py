@@ -72,11 +72,14 @@ class Drawing:
         What it shows, in a sentence or two.
     image : bytes
         In the format asked for.
+    wide : bool
+        Whether it takes the width of a page rather than half of it.
     """
 
     name: str
     caption: str
     image: bytes
+    wide: bool = False
 
 
 @contextmanager

@@ -1,0 +1,152 @@
+"""The bearing seen along the shaft: mid-plane pressure on the bore, journal, load and attitude."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from babbitt.bearings.field import FilmField, supply_patches
+from babbitt.bearings.model import FilmCase
+from babbitt.film.ring import GROOVE_GAP, bore_gap
+from babbitt.film.solution import FilmSolution
+from babbitt.report.drawing import GREY, INK, Array, Sheet
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+JOURNAL, PLAY, HIGHEST, DEEP = 1.0, 0.22, 0.85, 0.1
+"""Radius of the journal, radial clearance, highest pressure and depth of a groove as drawn."""
+
+
+def polar(case: FilmCase, solution: FilmSolution, field: FilmField) -> Figure:
+    """Mid-plane pressure around the bore, the clearance enlarged."""
+    figure, ((panel,),) = Sheet(81.0, 81.0, left=2.0, bottom=2.0).panels()
+    panel.set_aspect("equal")
+    panel.axis("off")
+    bore = JOURNAL + PLAY * np.minimum(bore_gap(solution.film, field.theta), 0.5 * GROOVE_GAP)
+    edge = _bore(panel, solution, field)
+    _pressure(panel, field, edge)
+    _journal(panel, case, solution)
+    reach = max(float(bore[bore < 3.0].max(initial=JOURNAL)), float(edge.max())) + HIGHEST + 0.22
+    panel.set(xlim=(-reach, reach), ylim=(-reach, reach))
+    _load(panel, case, solution, float(edge.max()) + 0.12)
+    return figure
+
+
+def _bore(panel: Axes, solution: FilmSolution, field: FilmField) -> Array:
+    """Draw the bore and return its drawn radius at the angles of the field: grooves and pockets are notches."""
+    film = solution.film
+    gap = bore_gap(film, field.theta)
+    fed = np.zeros(field.theta.size, dtype=bool)
+    for patch in supply_patches(film):
+        if patch.z[0] <= 0.0 <= patch.z[1]:
+            extent = patch.theta[1] - patch.theta[0]
+            fed |= np.remainder(field.theta - patch.theta[0] + 1e-9, 2.0 * math.pi) <= extent + 2e-9
+    radius = JOURNAL + PLAY * np.where(gap < 0.5 * GROOVE_GAP, gap, 1.0)
+    panel.plot(radius * np.cos(field.theta), radius * np.sin(field.theta), color=INK, linewidth=0.9)
+    for patch in supply_patches(film):
+        if patch.z[0] <= 0.0 <= patch.z[1]:
+            _notch(panel, field, radius, patch.theta)
+    return np.asarray(radius)
+
+
+def _notch(panel: Axes, field: FilmField, radius: Array, ends: tuple[float, float]) -> None:
+    angles = np.linspace(*ends, 30)
+    inner = np.interp(angles, field.theta, radius, period=2.0 * math.pi)
+    outer = inner + DEEP
+    x = np.concatenate((inner * np.cos(angles), (outer * np.cos(angles))[::-1]))
+    y = np.concatenate((inner * np.sin(angles), (outer * np.sin(angles))[::-1]))
+    panel.fill(x, y, facecolor="white", edgecolor=INK, linewidth=0.7, zorder=3)
+
+
+def _pressure(panel: Axes, field: FilmField, radius: Array) -> None:
+    pressure = field.mid_plane_pressure
+    highest = float(pressure.max())
+    if not highest > 0.0:
+        return
+    angles = np.linspace(field.theta[0], field.theta[-1], 721)
+    height = HIGHEST * np.interp(angles, field.theta, np.maximum(pressure, 0.0)) / highest
+    base = np.interp(angles, field.theta, radius)
+    outer = base + height
+    x, y = np.cos(angles), np.sin(angles)
+    panel.fill(
+        np.concatenate((base * x, (outer * x)[::-1])), np.concatenate((base * y, (outer * y)[::-1])),
+        facecolor="0.85", edgecolor="none", zorder=1,
+    )  # fmt: skip
+    panel.plot(np.where(height > 1e-3, outer * x, np.nan), np.where(height > 1e-3, outer * y, np.nan), color="0.2",
+               linewidth=0.8, zorder=2)  # fmt: skip
+    for angle in np.arange(math.ceil(field.theta[0] / 0.1745329), field.theta[-1] / 0.1745329) * 0.17453292519943295:
+        here = float(np.interp(angle, angles, height))
+        low = float(np.interp(angle, angles, base))
+        if here > 0.02:
+            panel.plot([low * math.cos(angle), (low + here) * math.cos(angle)],
+                       [low * math.sin(angle), (low + here) * math.sin(angle)],
+                       color="0.55", linewidth=0.4, zorder=2)  # fmt: skip
+    top = int(pressure.argmax())
+    angle, out = field.theta[top], radius[top] + HIGHEST
+    panel.annotate(
+        f"{1e-6 * highest:.3g} MPa", (out * math.cos(angle), out * math.sin(angle)),
+        xytext=(5 * math.cos(angle), 5 * math.sin(angle)), textcoords="offset points", fontsize=7,
+        ha="left" if math.cos(angle) > 0.35 else "right" if math.cos(angle) < -0.35 else "center",
+        va="bottom" if math.sin(angle) > 0.35 else "top" if math.sin(angle) < -0.35 else "center",
+    )  # fmt: skip
+
+
+def _journal(panel: Axes, case: FilmCase, solution: FilmSolution) -> None:
+    """Journal at its place in the enlarged clearance, line of centres and attitude angle."""
+    from matplotlib.patches import Arc, Circle
+
+    x, y = PLAY * solution.position / solution.film.clearance
+    panel.add_patch(Circle((x, y), JOURNAL, facecolor="0.96", edgecolor=INK, linewidth=0.9, zorder=4))
+    panel.plot([0.0], [0.0], "+", color=GREY, markersize=6, markeredgewidth=0.8, zorder=6)
+    panel.plot([x], [y], "o", color=INK, markersize=3, zorder=6)
+    sense, towards, centres = case.rotation.sense, case.load_angle, math.atan2(y, x)
+    reach = 0.8 * JOURNAL
+    panel.plot([0.0, reach * math.cos(centres)], [0.0, reach * math.sin(centres)], color=INK, linewidth=0.6, zorder=5)
+    panel.plot([0.0, reach * math.cos(towards)], [0.0, reach * math.sin(towards)], color=GREY, linewidth=0.6,
+               linestyle=(0, (6, 2, 1, 2)), zorder=5)  # fmt: skip
+    first, last = sorted((towards, towards + sense * solution.attitude_angle))
+    panel.add_patch(
+        Arc((0.0, 0.0), 1.3, 1.3, theta1=math.degrees(first), theta2=math.degrees(last), linewidth=0.6, zorder=5)
+    )
+    middle = 0.5 * (first + last)
+    panel.annotate(
+        f"$β$ = {math.degrees(solution.attitude_angle):.1f}°", (0.5 * math.cos(middle), 0.5 * math.sin(middle)),
+        fontsize=7, ha="center", va="center", zorder=7, bbox={"facecolor": "0.96", "edgecolor": "none", "pad": 0.5},
+    )  # fmt: skip
+    away = towards + math.pi
+    panel.annotate(
+        f"$ε$ = {solution.eccentricity_ratio:.3f}", (0.32 * math.cos(away), 0.32 * math.sin(away)), fontsize=7,
+        ha="center", va="center", zorder=7,
+    )  # fmt: skip
+    _turning(panel, away, sense)
+
+
+def _turning(panel: Axes, about: float, sense: float) -> None:
+    """An arrow within the journal, in the sense of its rotation."""
+    angles = about + sense * np.linspace(-0.55, 0.55, 25)
+    radius = 0.72 * JOURNAL
+    panel.plot(radius * np.cos(angles), radius * np.sin(angles), color=INK, linewidth=0.7, zorder=5)
+    panel.annotate(
+        "", (radius * math.cos(angles[-1]), radius * math.sin(angles[-1])),
+        xytext=(radius * math.cos(angles[-3]), radius * math.sin(angles[-3])), zorder=5,
+        arrowprops={"arrowstyle": "-|>", "linewidth": 0.7, "color": INK, "mutation_scale": 6, "shrinkA": 0, "shrinkB": 0},
+    )  # fmt: skip
+
+
+def _load(panel: Axes, case: FilmCase, solution: FilmSolution, inner: float) -> None:
+    """The load as an arrow onto the journal, from outside the bore."""
+    away = case.load_angle + math.pi
+    c, s = math.cos(away), math.sin(away)
+    tail = inner + 0.62
+    panel.annotate(
+        "", (inner * c, inner * s), xytext=(tail * c, tail * s), zorder=6,
+        arrowprops={"arrowstyle": "-|>", "linewidth": 1.0, "color": INK, "mutation_scale": 8, "shrinkA": 0, "shrinkB": 0},
+    )  # fmt: skip
+    panel.annotate(
+        f"$F$ = {1e-3 * solution.load:.4g} kN", (tail * c, tail * s), xytext=(4 * abs(s), 0), textcoords="offset points",
+        fontsize=7, va="center" if abs(s) > 0.35 else "bottom", ha="left" if c > -0.35 else "right",
+    )  # fmt: skip
