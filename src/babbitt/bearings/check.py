@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from functools import partial
 from time import perf_counter
 
 from babbitt.bearings.bore import LobedBore
 from babbitt.bearings.layout import without_pressure
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.transition import transition_speed
-from babbitt.bearings.warm_film import FilmState, film_at_temperature
+from babbitt.bearings.warm_film import FilmState, operating_film
 from babbitt.bearings.whirl import Whirl, whirl_of
 from babbitt.design.checks import USER, checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import GivenEccentricity, contact_film
 from babbitt.design.doubts import doubt_about_supply, doubts_about_film, doubts_about_running
 from babbitt.design.failure import failure
-from babbitt.design.heat_balance import SPARING, at_prescribed_temperature, find_equilibrium
 from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import (
     cooling_values,
@@ -53,11 +51,7 @@ def film_check(case: FilmCase) -> Result:
     leaves with ``T_ex``, and ``T_eff`` is the mean of both; without oil supply ``T_eff`` is that of the bearing.
     """
     start = perf_counter()
-    film_at = partial(film_at_temperature, case=case)
-    if case.effective_temperature is not None:
-        found = at_prescribed_temperature(case.effective_temperature, film_at)
-    else:
-        found = find_equilibrium(case, film_at, SPARING)
+    found = operating_film(case)
     solved = found.outcome.solved
     values: dict[str, float] = {}
     checks: tuple[Check, ...] = ()

@@ -1,12 +1,14 @@
 """The film at one assumed temperature: clearance, viscosity, position, friction and flow.
 
-Everything the heat balance needs is a function of the effective temperature; `WarmFilms` is that function.
+Everything the heat balance needs is a function of the effective temperature; `film_at_temperature` is that function, and `operating_film` where it
+settles.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.compiling import announced
@@ -14,7 +16,13 @@ from babbitt.bearings.layout import film_of, load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.design.conditions import GivenEccentricity
 from babbitt.design.feeding import Arrival, arrival
-from babbitt.design.heat_balance import NoFilmError
+from babbitt.design.heat_balance import (
+    SPARING,
+    Equilibrium,
+    NoFilmError,
+    at_prescribed_temperature,
+    find_equilibrium,
+)
 from babbitt.design.oil import properties_at
 from babbitt.design.roots import bracketed_root
 from babbitt.film.model import JournalFilm, Resolution
@@ -42,6 +50,17 @@ class FilmState:
     total_flow: float
     feed: Arrival | None
     solution: FilmSolution
+
+
+def operating_film(case: FilmCase) -> Equilibrium[FilmState]:
+    """Film at the temperature at which its heat balance closes, or at the one that the case prescribes.
+
+    Always ends with a status; see `babbitt.design.heat_balance.find_equilibrium`.
+    """
+    film_at = partial(film_at_temperature, case=case)
+    if case.effective_temperature is not None:
+        return at_prescribed_temperature(case.effective_temperature, film_at)
+    return find_equilibrium(case, film_at, SPARING)
 
 
 def resolution_of(case: FilmCase) -> Resolution:

@@ -45,6 +45,8 @@ STYLE: dict[str, Any] = {
     "ytick.minor.width": 0.3,
     "lines.linewidth": 1.1,
     "lines.markersize": 4.5,
+    "hatch.linewidth": 0.35,
+    "hatch.color": "0.35",
     "savefig.facecolor": "none",
     "svg.fonttype": "path",
     "svg.hashsalt": "babbitt",

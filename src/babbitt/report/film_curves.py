@@ -32,6 +32,8 @@ LINES: dict[str, dict[str, object]] = {
 
 def locus(case: FilmCase, state: FilmState, swept: Swept) -> Figure:
     """Journal centre over the load, inside the room that the bore leaves it."""
+    from matplotlib.ticker import MaxNLocator
+
     figure, ((panel,),) = Sheet(81.0, 81.0, left=11.0, bottom=9.5).panels()
     panel.set_aspect("equal")
     film = state.solution.film
@@ -54,6 +56,9 @@ def locus(case: FilmCase, state: FilmState, swept: Swept) -> Figure:
         textcoords="offset points", fontsize=7, color="0.3", va="center",
     )  # fmt: skip
     panel.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel="$x/c$", ylabel="$y/c$")
+    for axis in (panel.xaxis, panel.yaxis):
+        axis.set_major_locator(MaxNLocator(5))
+        axis.set_major_formatter("{x:g}")
     return figure
 
 
@@ -65,7 +70,7 @@ def _tick_loads(panel: Axes, shares: Array, centres: Array) -> None:
             continue
         at = np.array([np.interp(math.log(wanted), np.log(shares), column) for column in centres.T])
         taken = np.array([]) if last is None else last
-        if taken.size and np.hypot(*(taken - at).T).min() < 0.085:
+        if taken.size and np.hypot(*(taken - at).T).min() < 0.12:
             continue
         last = at[None, :] if last is None else np.concatenate((last, at[None, :]))
         if wanted != 1.0:
@@ -117,21 +122,54 @@ def _family(panel: Axes, x: Array, values: Array, symbol: str) -> None:
     panel.set_ylim(low, high)
     panel.set_xlim(x[0], x[-1] * (x[-1] / x[0]) ** 0.13)
     plain_ticks(panel.xaxis)
-    apart = 0.055 * (high - low)
-    level = -math.inf
-    for value, axis in sorted(ends):
-        level = max(min(max(value, low), high), level + apart)
+    apart = 0.06 * (high - low)
+    groups = _grouped([(min(max(value, low), high), axis) for value, axis in sorted(ends)], 0.25 * apart)
+    for level, (_, axes) in zip(_spaced([value for value, _ in groups], apart), groups, strict=True):
         panel.annotate(
-            mathematics(f"{symbol}_{axis}"), (x[-1], level), xytext=(2, 0), textcoords="offset points", fontsize=7,
-            va="center", color=str(LINES[axis]["color"]), annotation_clip=False,
+            ", ".join(mathematics(f"{symbol}_{axis}") for axis in axes), (x[-1], level), xytext=(2, 0),
+            textcoords="offset points", fontsize=7, va="center", color=str(LINES[axes[0]]["color"]),
+            annotation_clip=False,
         )  # fmt: skip
+
+
+def _grouped(ends: list[tuple[float, str]], near: float) -> list[tuple[float, list[str]]]:
+    """Curves that end at the same place share a name."""
+    groups: list[tuple[float, list[str]]] = []
+    for value, axis in ends:
+        if groups and value - groups[-1][0] < near and LINES[axis]["color"] == LINES[groups[-1][1][0]]["color"]:
+            groups[-1][1].append(axis)
+        else:
+            groups.append((value, [axis]))
+    return groups
+
+
+def _spaced(values: list[float], apart: float) -> list[float]:
+    """Ascending places at least so far apart, each as near its value as its neighbours allow.
+
+    >>> _spaced([0.0, 0.1, 5.0], 1.0)
+    [-0.45, 0.55, 5.0]
+    """
+    blocks: list[list[float]] = []
+    for value in values:
+        blocks.append([value])
+        while len(blocks) > 1 and _low(blocks[-1], apart) - _high(blocks[-2], apart) < apart:
+            blocks[-2:] = [blocks[-2] + blocks[-1]]
+    return [round(_low(block, apart) + place * apart, 12) for block in blocks for place in range(len(block))]
+
+
+def _low(block: list[float], apart: float) -> float:
+    return sum(block) / len(block) - 0.5 * apart * (len(block) - 1)
+
+
+def _high(block: list[float], apart: float) -> float:
+    return sum(block) / len(block) + 0.5 * apart * (len(block) - 1)
 
 
 def _focus(values: Array) -> tuple[float, float]:
     """Range that shows the curves without letting one steep end flatten all the others."""
     low, high = float(values.min()), float(values.max())
     largest = np.sort(np.abs(values).max(axis=(1, 2)))
-    cut = 3.0 * float(np.median(largest))
+    cut = 4.0 * float(np.median(largest))
     low, high = max(low, -cut), min(high, cut)
     room = 0.06 * (high - low)
     return min(low, 0.0) - room, high + room
@@ -156,7 +194,7 @@ def stability(case: FilmCase, state: FilmState, loads: Array, speeds: Array) -> 
     if found.any():
         panel.fill_between(x, y, high, where=found.tolist(), color="0.9", linewidth=0.0)
         panel.plot(x, y, color=INK)
-        place = np.flatnonzero(found)[found.sum() // 2]
+        place = np.flatnonzero(found)[found.sum() // 6]  # away from the operating point in the middle
         _word(panel, x[place], math.sqrt(y[place] * high), "whirls")
         _word(panel, x[place], math.sqrt(y[place] * low), "stable")
     else:

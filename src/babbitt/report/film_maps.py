@@ -23,10 +23,14 @@ RUPTURED = 0.995
 WIDEST_LEVEL = 4.0
 """Gaps are told apart up to this many radial clearances over the smallest."""
 
+SURFACE_LINES = 91
+"""Across the pressure surface."""
+
 
 def unrolled(case: FilmCase, solution: FilmSolution, field: FilmField) -> Figure:
     """Pressure and film thickness over angle and width."""
     figure, axes = Sheet(166.0, 92.0, 2, 1, left=12.0, between=5.5).panels(sharex=True, sharey=True)
+    figure.subplots_adjust(top=1.0 - 6.0 / 92.0)  # room for what stands above the upper panel
     top, bottom = axes[0][0], axes[1][0]
     _pressure(top, field)
     _thickness(bottom, solution, field)
@@ -50,10 +54,14 @@ def surface(field: FilmField) -> Figure:
 
     figure = Figure(figsize=(130.0 * MILLIMETRE, 95.0 * MILLIMETRE))
     panel = figure.add_subplot(projection="3d")
-    theta, z = np.meshgrid(np.degrees(field.theta), 1e3 * field.z, indexing="ij")
+    places, z = np.degrees(field.theta), 1e3 * field.z[::2]
+    steps = np.linspace(places[0], places[-1], SURFACE_LINES)
+    flanks = places[:-1][np.diff(places) < 1e-4]
+    theta = np.unique(np.concatenate((steps, flanks, flanks + 2e-5)))
+    pressure = np.array([np.interp(theta, places, 1e-6 * row) for row in field.pressure.T[::2]])
     panel.plot_surface(
-        theta, z, 1e-6 * field.pressure, rcount=90, ccount=21, color="0.92", edgecolor="0.2", linewidth=0.25,
-        shade=True, antialiased=True,
+        *np.meshgrid(theta, z), pressure, rstride=1, cstride=1, color="white", edgecolor="0.25", linewidth=0.25,
+        shade=False, antialiased=True,
     )  # fmt: skip
     degrees(panel, field)
     panel.set(xlabel="θ in °", ylabel="$z$ in mm", zlabel="$p$ in MPa")
@@ -102,8 +110,16 @@ def _thickness(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
         )
         lines = panel.contour(theta, z, shown.T, levels=levels, colors="0.25", linewidths=0.45)
         panel.clabel(lines, levels[1::2], fontsize=6, fmt="%g", inline_spacing=2)
-    row, column = np.unravel_index(int(np.nanargmin(field.film_thickness)), field.film_thickness.shape)
+    row, column = _thinnest(field)
     _point(panel, theta[row], z[column], f"{1e6 * solution.minimum_film_thickness:.3g}")
+
+
+def _thinnest(field: FilmField) -> tuple[int, int]:
+    """Place of the thinnest film; of equal ones that in the mid-plane."""
+    gap = np.where(np.isnan(field.film_thickness), math.inf, field.film_thickness)
+    row, column = np.unravel_index(int(gap.argmin()), gap.shape)
+    middle = field.z.size // 2
+    return int(row), middle if gap[row, middle] <= gap[row, column] * (1.0 + 1e-9) else int(column)
 
 
 def _steps(highest: float, about: int) -> list[float]:
@@ -114,7 +130,7 @@ def _steps(highest: float, about: int) -> list[float]:
     """
     raw = highest / about
     decade = 10.0 ** math.floor(math.log10(raw))
-    step = next(factor * decade for factor in (1.0, 2.0, 5.0, 10.0) if factor * decade >= 0.999 * raw)
+    step = next(factor * decade for factor in (1.0, 2.0, 2.5, 5.0, 10.0) if factor * decade >= 0.999 * raw)
     return [round(step * place, 12) for place in range(1, int(highest / step * (1.0 - 1e-9)) + 1)]
 
 

@@ -112,10 +112,10 @@ def _journal(panel: Axes, case: FilmCase, solution: FilmSolution) -> None:
     panel.add_patch(
         Arc((0.0, 0.0), 1.3, 1.3, theta1=math.degrees(first), theta2=math.degrees(last), linewidth=0.6, zorder=5)
     )
-    middle = 0.5 * (first + last)
+    beside = towards - sense * 0.62  # on the far side of the load line, where the arc is not
     panel.annotate(
-        f"$β$ = {math.degrees(solution.attitude_angle):.1f}°", (0.5 * math.cos(middle), 0.5 * math.sin(middle)),
-        fontsize=7, ha="center", va="center", zorder=7, bbox={"facecolor": "0.96", "edgecolor": "none", "pad": 0.5},
+        f"$β$ = {math.degrees(solution.attitude_angle):.1f}°", (0.6 * math.cos(beside), 0.6 * math.sin(beside)),
+        fontsize=7, ha="center", va="center", zorder=7,
     )  # fmt: skip
     away = towards + math.pi
     panel.annotate(

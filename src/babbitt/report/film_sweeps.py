@@ -18,10 +18,10 @@ from babbitt.results import Result
 if TYPE_CHECKING:
     from babbitt.film.solution import FilmSolution
 
-LOADS, SPEEDS, THRESHOLDS = 25, 25, 9
+LOADS, SPEEDS, THRESHOLDS = 41, 41, 9
 """Points of each sweep, odd, so that the operating point is one of them."""
 
-LOAD_SPAN, SPEED_SPAN, THRESHOLD_SPAN = (0.02, 8.0), (0.2, 2.5), (0.2, 5.0)
+LOAD_SPAN, SPEED_SPAN, THRESHOLD_SPAN = (0.02, 8.0), (0.25, 2.5), (0.2, 5.0)
 """Ends of the sweeps over the operating point."""
 
 
