@@ -196,7 +196,8 @@ def export(
     other_end: Annotated[
         bool,
         typer.Option(
-            "--other-end", help="See the bearing from the other end of the shaft, where clockwise is counter-clockwise."
+            "--other-end",
+            help="See the bearing from the other end of the shaft, where clockwise is counter-clockwise.",
         ),
     ] = False,
 ) -> None:

@@ -58,7 +58,8 @@ def test_speeds_are_read_with_their_units():
 
 
 @pytest.mark.parametrize(
-    "text", ["", "fast", "0 rpm", "-100 rpm", "10:20", "20:10:3", "10:20:1", f"1:9:{MOST_SPEEDS + 1}", "1:9:2.5", "5 m"]
+    "text",
+    ["", "fast", "0 rpm", "-100 rpm", "10:20", "20:10:3", "10:20:1", f"1:9:{MOST_SPEEDS + 1}", "1:9:2.5", "5 m"],
 )
 def test_speeds_that_cannot_be_read(text):
     with pytest.raises(InputError, match="--speeds"):

@@ -10,7 +10,7 @@ from babbitt.cases.journal import JournalBearing
 from babbitt.cases.materials import Materials
 from babbitt.cases.operating_point import OperatingPoint
 from babbitt.cases.supply import Supply
-from babbitt.cases.supply_element import SlotElement, UnevenPockets
+from babbitt.cases.supply_element import HoleElement, SlotElement, UnevenPockets
 from babbitt.cases.surfaces import DrawingSurfaces
 from babbitt.design.cooling import MOVING_AIR_FROM, STILL_AIR_COEFFICIENT
 from babbitt.standards.iso7902.supply import equivalent_holes
@@ -51,6 +51,7 @@ def common_assumptions_of(
         *_of_surfaces(bearing),
         *_of_materials(materials),
         *_of_friction_factor(bearing),
+        *_of_limits(bearing),
     )
 
 
@@ -77,9 +78,15 @@ def _of_supply_element(
 ) -> Iterator[str]:
     element = bearing.element_at(point)
     if supply is None:
+        if isinstance(element, UnevenPockets):
+            yield "No supply is given: the pockets set the span and are ignored otherwise."
+        elif element is not None:
+            yield "No supply is given: the supply element is ignored."
         return
     if element is None:
         yield "No supply element is given: the supply pressure drives no flow of its own through the film."
+    if isinstance(element, HoleElement) and element.number > 1:
+        yield f"The {element.number} holes at each place are taken as not interacting."
     if isinstance(element, SlotElement):
         diameter, number = equivalent_holes(element.length, element.width)
         yield f"A slot is computed as {number:.3f} holes of {written(diameter, 'mm')}, same perimeter and area."
@@ -127,6 +134,11 @@ def _of_materials(materials: Materials) -> Iterator[str]:
 def _of_friction_factor(bearing: JournalBearing) -> Iterator[str]:
     if bearing.friction.factor != 1.0:
         yield f"The friction coefficient is multiplied by {bearing.friction.factor:g}."
+
+
+def _of_limits(bearing: JournalBearing) -> Iterator[str]:
+    if (own := bearing.limits.own_tables()) is not None:
+        yield f"Limits by experience are those of the case: {own.source}."
 
 
 def _of_friction_model(bearing: JournalBearing) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""Measured bores from a table: two columns, angle and departure, with their units in the heading."""
+"""Files that a case names: measured bores (CSV, angle and departure) and tables of limits (TOML)."""
 
 from __future__ import annotations
 
@@ -10,6 +10,8 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from babbitt.cases.plain_words import Path, shown
+from babbitt.materials import parse_experience_limits
+from babbitt.notices import InputError
 from babbitt.units import QuantityError, read
 
 POINTS = 360
@@ -23,6 +25,11 @@ CLOSES_TO = 1e-6
 
 LARGEST_TABLE = 1_000_000
 """Bytes."""
+
+LARGEST_LIMITS = 100_000
+"""Bytes."""
+
+LIMITS_FORM = "a TOML file in the form of the shipped limits.toml"
 
 HEADING = re.compile(r"^\s*[^\[\](]+?\s*[\[(]\s*(?P<unit>[^\])]+?)\s*[\])]\s*$")
 
@@ -38,7 +45,7 @@ class TableError(Exception):
 
 
 def with_tables(given: dict[str, Any], folder: FilePath) -> dict[str, Any]:
-    """Put the points of every measured bore of a case in the place of its file.
+    """Put the points of every measured bore, and the text of every table of limits, in the place of its file.
 
     Parameters
     ----------
@@ -63,6 +70,30 @@ def with_tables(given: dict[str, Any], folder: FilePath) -> dict[str, Any]:
 
 
 def _with_table(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:
+    return _with_limits(_with_bore(bearing, path, folder), path, folder)
+
+
+def _with_limits(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:
+    limits = bearing.get("limits")
+    if not (isinstance(limits, dict) and isinstance(limits.get("tables"), str)):
+        return bearing
+    name, at = limits["tables"], (*path, "limits", "tables")
+    if "\n" in name:  # the text itself, of a case that was read before
+        return bearing
+    file = folder / name
+    try:
+        if file.stat().st_size > LARGEST_LIMITS:
+            raise TableError(at, f"{file.name} is larger than {LARGEST_LIMITS // 1000} kB", LIMITS_FORM)
+        text = file.read_text(encoding="utf-8-sig")
+        parse_experience_limits(text, file.name)
+    except (OSError, UnicodeDecodeError, ValueError):
+        raise TableError(at, f"{shown(file.name)} cannot be read", LIMITS_FORM) from None
+    except InputError as error:
+        raise TableError(at, error.message, LIMITS_FORM) from None
+    return bearing | {"limits": limits | {"tables": text}}
+
+
+def _with_bore(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:
     bore = bearing.get("bore")
     if not (
         isinstance(bore, dict) and bore.get("kind") == "measured" and "file" in bore and "departures" not in bore

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Iterator
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from babbitt.bearings.model import FilmCase
 from babbitt.cases.film_cases import film_case
@@ -14,6 +14,7 @@ from babbitt.cases.joined_inputs import Inputs, Point, inputs
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import Case, JournalCase, Machine
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
+from babbitt.cases.part import Part
 from babbitt.standards.iso7902.model import DesignCase
 
 AnyDesign = DesignCase | FilmCase
@@ -77,6 +78,8 @@ def film_cases(bearing: JournalBearing, case: Case) -> tuple[FilmCase, ...]:
 def case_hash(case: Case) -> str:
     """SHA-256 of a case in canonical JSON: the same for files that differ only in layout, units and defaults.
 
+    Numbers count to twelve significant digits, beyond which a change of units may leave its traces.
+
     Parameters
     ----------
     case : JournalCase, Machine or OverhungCouplingCase
@@ -86,9 +89,26 @@ def case_hash(case: Case) -> str:
     str
         64 hexadecimal digits.
     """
-    content = case.model_dump(mode="json", exclude_defaults=True)
+    content = _rounded(case)
     canonical = json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=True, allow_nan=False)
     return hashlib.sha256(canonical.encode("ascii")).hexdigest()
+
+
+def _rounded(value: Any) -> Any:
+    """What JSON can hold, floats to twelve significant digits, fields that have their default left out."""
+    match value:
+        case Part():
+            fields = type(value).model_fields
+            pairs = ((name, _rounded(getattr(value, name)), fields[name]) for name in fields)
+            return {
+                name: own for name, own, field in pairs if field.is_required() or own != _rounded(field.default)
+            }
+        case float():
+            return float(f"{value:.12g}")
+        case tuple():
+            return [_rounded(one) for one in value]
+        case _:
+            return value
 
 
 def _expanded(bearing: JournalBearing, case: Case, make: Maker[DesignT]) -> Iterator[DesignT]:

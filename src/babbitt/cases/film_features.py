@@ -200,7 +200,10 @@ def complaint_about_tilt(full_width: bool) -> Iterator[Complaint]:
     if full_width:
         says = "a tilted journal does not go together with a groove or line of supply as wide as the bearing: "
         yield Complaint(
-            ("misalignment",), says + OPEN_ENDS, "bores fed by pockets, holes or circumferential grooves", AS_POCKETS
+            ("misalignment",),
+            says + OPEN_ENDS,
+            "bores fed by pockets, holes or circumferential grooves",
+            AS_POCKETS,
         )
 
 

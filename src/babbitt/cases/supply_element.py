@@ -178,6 +178,12 @@ def complaints_about(element: SupplyElementGiven, width: float, diameter: float)
             f"{written(width, 'mm')}",
             f"less than {written(width, 'mm')}",
         )
+    elif isinstance(element, HoleElement) and element.number * element.diameter > math.pi * diameter:
+        says = f"{element.number} holes of {written(element.diameter, 'mm')} take {written(element.number * element.diameter, 'mm')}"
+        around = written(math.pi * diameter, "mm")
+        yield Complaint(
+            ("supply_element", "number"), says, f"up to the circumference, {around}", "fewer or smaller holes"
+        )
     elif isinstance(element, SlotElement):
         if element.length >= math.pi * diameter:
             says = f"the slot is longer than the circumference {written(math.pi * diameter, 'mm')}"

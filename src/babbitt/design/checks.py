@@ -54,7 +54,9 @@ def _not_made(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
         yield Notice("C101", f"no experience value for a diameter of {bearing.diameter * 1e3:.4g} mm")
     if bearing.surfaces is None:
         yield Notice("C102", "roughness, tilt and waviness are not given (surfaces)")
-    if case.limits.specific_load is None and (metal is None or specific_load_limit(metal.family) is None):
+    if case.limits.specific_load is None and (
+        metal is None or specific_load_limit(metal.family, case.limits.tables) is None
+    ):
         yield Notice("C103", _without_metal(case))
     if metal is None:
         for code in METAL_CHECKS:
@@ -78,8 +80,8 @@ def _without_metal(case: Designed) -> str:
 def temperature_limit(case: Designed) -> ExperienceLimit:
     """Temperature limit in K by experience, by the way the bearing is cooled."""
     if case.oil_supply is None:
-        return self_cooled_temperature_limit()
-    return pressure_fed_temperature_limit(case.oil_supply.circulation_time)
+        return self_cooled_temperature_limit(case.limits.tables)
+    return pressure_fed_temperature_limit(case.oil_supply.circulation_time, case.limits.tables)
 
 
 def limited_temperature(values: Mapping[str, float]) -> str:
@@ -96,7 +98,8 @@ def film_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:
     if case.limits.minimum_film_thickness is not None:
         yield Check("C101", name, film, case.limits.minimum_film_thickness, AT_LEAST, USER)
     elif "empirical_film_limit" in values:
-        source = "experience value for diameter and surface speed"
+        own = case.limits.tables
+        source = "experience value for diameter and surface speed" if own is None else own.source
         yield Check("C101", name, film, values["empirical_film_limit"], AT_LEAST, source)
     if "geometric_film_limit" in values:
         source = "roughness, tilt, deflection and waviness of the case"
@@ -108,7 +111,7 @@ def load_and_temperature_checks(case: Designed, values: Mapping[str, float]) -> 
     pressure, metal = values["specific_load"], case.bearing.metal
     if case.limits.specific_load is not None:
         yield Check("C103", "specific_load", pressure, case.limits.specific_load, AT_MOST, USER)
-    elif metal is not None and (load_limit := specific_load_limit(metal.family)) is not None:
+    elif metal is not None and (load_limit := specific_load_limit(metal.family, case.limits.tables)) is not None:
         slow = surface_speed(case) <= SLOW_UP_TO
         limit = load_limit.exceptional if slow else load_limit.general
         which = f"exceptional value, for speeds up to {SLOW_UP_TO:g} m/s" if slow else "general value"

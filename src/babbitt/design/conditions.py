@@ -8,7 +8,7 @@ from typing import Protocol
 
 from babbitt.design.ducts import Duct
 from babbitt.lubricants import Lubricant
-from babbitt.materials import BearingMetal, LoadCharacter
+from babbitt.materials import BearingMetal, ExperienceLimits, LoadCharacter
 
 
 @dataclass(frozen=True)
@@ -92,12 +92,16 @@ class HousingCooling:
 
 @dataclass(frozen=True)
 class Limits:
-    """Limits that the user sets in place of those by experience; None takes the latter."""
+    """Limits that the user sets in place of those by experience; None takes the latter.
+
+    `tables` replaces the shipped tables of experience themselves.
+    """
 
     minimum_film_thickness: float | None = None
     specific_load: float | None = None
     temperature: float | None = None
     transition_film_thickness: float | None = None
+    tables: ExperienceLimits | None = None
 
 
 class DesignedBearing(Protocol):

@@ -93,7 +93,7 @@ def cooling_values(case: Designed, film: DesignFilm) -> Named:
 def limit_values(case: Designed) -> Named:
     """Film thicknesses that limit the film, as far as the case and experience know them."""
     values: Named = {}
-    experience = empirical_minimum_film_thickness(case.bearing.diameter, surface_speed(case))
+    experience = empirical_minimum_film_thickness(case.bearing.diameter, surface_speed(case), case.limits.tables)
     if experience is not None:
         values["empirical_film_limit"] = experience
     if case.bearing.surfaces is not None:

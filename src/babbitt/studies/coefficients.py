@@ -81,7 +81,9 @@ def run_over_speed(case: FilmCase, speeds: Iterable[float]) -> SpeedRun:
     if not taken or not all(math.isfinite(speed) and speed > 0.0 for speed in taken):
         raise InputError("E003", f"{case.name}: give one speed or more, each positive, in rad/s")
     if case.bearing_speed:
-        raise InputError("E004", f"{case.name}: the bearing turns, too; no table over the journal speed holds for it")
+        raise InputError(
+            "E004", f"{case.name}: the bearing turns, too; no table over the journal speed holds for it"
+        )
     sense = case.rotation.sense
     found = tuple(operating_film(replace(case, journal_speed=sense * speed)) for speed in taken)
     return SpeedRun(case, taken, found)
