@@ -111,8 +111,13 @@ def check(files: Files) -> None:
         except CaseError as error:
             problems += error.problems
             continue
-        count = len(design_cases(case))
+        designs = design_cases(case)
+        count = len(designs)
         print(f"{path}: usable, kind {case.kind}" + (f", {count} calculation{'s' * (count > 1)}" if count else ""))
+        for said in dict.fromkeys(
+            f"{doubt.code} {doubt.message}" for design in designs for doubt in design.doubts
+        ):
+            print(f"  {said}")
     if problems:
         raise CaseError(problems)
 

@@ -30,11 +30,11 @@ def of(*cases):
     return chapters(cases, tuple(check(case) for case in cases))
 
 
-def test_clearances_of_one_bearing_are_one_chapter_and_the_mean_is_shown():
+def test_clearances_of_one_bearing_are_one_chapter_and_the_one_nearest_a_limit_is_shown():
     (chapter,) = of(*THREE)
     assert chapter.name == "Example A"
     assert [member.clearance for member in chapter.members] == ["minimum", "mean", "maximum"]
-    assert chapter.shown.case is THREE[1]
+    assert chapter.shown.clearance == "minimum"  # the hottest
     assert chapter.shown_case.given == (("Clearance", "fit H7/e7"),)
 
 
@@ -42,7 +42,7 @@ def test_where_the_mean_has_no_operating_point_another_is_shown():
     results = [check(case) for case in THREE]
     results[1] = check(replace(THREE[1], duty=GivenLoad(9e7)))
     (chapter,) = chapters(THREE, results)
-    assert chapter.shown.clearance == "minimum"
+    assert chapter.shown.clearance in ("minimum", "maximum")
 
 
 @pytest.mark.parametrize(

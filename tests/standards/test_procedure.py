@@ -200,7 +200,7 @@ def test_overload_ends_with_a_status_and_no_operating_point():
     assert result.outcome is Outcome.OVERLOADED
     assert not result.checks
     assert "58.0 °C" in result.message
-    assert "less than the load of 3.6e+04 kN" in result.message
+    assert "less than the load of 36000 kN" in result.message
     assert "Try: a wider or larger bearing" in result.message
 
 

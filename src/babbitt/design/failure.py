@@ -15,7 +15,7 @@ def failure(case: Designed, found: Equilibrium[FilmT]) -> str:
         case Outcome.OVERLOADED:
             far = f"at {reached} {_carried(found.capacity)}"
             if isinstance(case.duty, GivenLoad):
-                far += f", less than the load of {case.duty.load / 1e3:.4g} kN"
+                far += f", less than the load of {_kilonewtons(case.duty.load)} kN"
         case Outcome.THERMAL_RUNAWAY:
             far = f"at {reached} the friction power still exceeds the heat carried away"
         case Outcome.NO_CLEARANCE:
@@ -33,4 +33,9 @@ def failure(case: Designed, found: Equilibrium[FilmT]) -> str:
 def _carried(capacity: float | None) -> str:
     if capacity is None:
         return "the film carries too little"
-    return f"the film carries {capacity / 1e3:.4g} kN at the largest eccentricity, 0.99"
+    return f"the film carries {_kilonewtons(capacity)} kN at the largest eccentricity, 0.99"
+
+
+def _kilonewtons(force: float) -> str:
+    """A force in kN with four digits and no exponent."""
+    return f"{force / 1e3:.0f}" if force >= 1e6 else f"{force / 1e3:.4g}"

@@ -1,11 +1,12 @@
 """The chapters of a report: one for each bearing and operating point, its clearance cases together.
 
 Cases that differ in nothing but the clearance share inputs and assumptions, and a reader wants their results side
-by side: one of them, the mean, is shown in full.
+by side: one of them, that which comes closest to a limit, is shown in full.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -36,10 +37,9 @@ class Chapter:
 
     @property
     def shown(self) -> Member:
-        """The member shown in full: the mean clearance, or the first with an operating point."""
-        solved = [member for member in self.members if member.result.outcome.solved]
-        mean = [member for member in solved if member.clearance == "mean"]
-        return (mean or solved or list(self.members))[0]
+        """The member shown in full: the solved one that comes closest to a limit, the mean if none is checked."""
+        solved = [member for member in self.members if member.result.outcome.solved] or list(self.members)
+        return min(solved, key=lambda member: (_least_margin(member.result), member.clearance != "mean"))
 
     @property
     def shown_case(self) -> AnyDesign | None:
@@ -54,6 +54,10 @@ class Chapter:
     def results(self) -> tuple[Result, ...]:
         """The results of all members."""
         return tuple(member.result for member in self.members)
+
+
+def _least_margin(result: Result) -> float:
+    return min((check.margin for check in result.checks if not check.advisory), default=math.inf)
 
 
 def chapters(cases: Sequence[AnyDesign], results: Sequence[Result]) -> tuple[Chapter, ...]:

@@ -17,6 +17,8 @@ from babbitt.results import Bound, Check, Result
 Data = dict[str, Any]
 
 SIGNS = {Bound.AT_MOST: "≤", Bound.AT_LEAST: "≥"}
+BROKEN = {Bound.AT_MOST: ">", Bound.AT_LEAST: "<"}
+"""What holds between value and limit: where the limit is kept, and where it is not."""
 
 
 def sources_of(results: Iterable[Result]) -> list[str]:
@@ -77,6 +79,6 @@ def _compared(check: Check | None) -> Data:
         return {"said": ABSENT, "verdict": ""}
     value, limit = (judge.number(check.quantity, number) for number in (check.value, check.limit))
     return {
-        "said": f"{value} {SIGNS[check.bound]} {limit}",
+        "said": f"{value} {SIGNS[check.bound] if check.ok else BROKEN[check.bound]} {limit}",
         "verdict": judge.check_verdict(check).value,
     }

@@ -17,7 +17,7 @@ FEW = 3
 """How many bearings may be left out of a list that says "all but"."""
 
 _CLEARANCE = re.compile(r" \((minimum|mean|maximum) clearance\)$")
-_POINT = re.compile(r" \[[^\]]*\]$")
+_POINT = re.compile(r" \[.*\]$")
 
 
 def split_clearance(name: str) -> tuple[str, str]:

@@ -25,6 +25,10 @@ def write_whole(path: Path, content: bytes) -> None:
         E007 naming the path and what the operating system says.
     """
     require_writable(path)
+    path = path.resolve()  # a link stays a link; what it points to is written
+    if path.exists() and not path.is_file():  # a device or a pipe takes the content as it comes
+        _write_through(path, content)
+        return
     partial: Path | None = None
     try:
         handle, name = tempfile.mkstemp(prefix=f".{path.name[:40]}.", dir=path.parent)
@@ -39,6 +43,14 @@ def write_whole(path: Path, content: bytes) -> None:
         if partial is not None:
             with suppress(OSError):
                 partial.unlink()
+
+
+def _write_through(path: Path, content: bytes) -> None:
+    try:
+        with path.open("wb") as file:
+            file.write(content)
+    except OSError as error:
+        raise InputError("E007", f"cannot write {path}: {error.strerror or error}") from None
 
 
 def _umask() -> int:
