@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,7 +32,8 @@ class FilmField:
     Attributes
     ----------
     theta : ndarray, shape (n,)
-        rad, counter-clockwise from +x, ascending over one turn, both ends included. The lines of the film among them.
+        rad, counter-clockwise from +x, ascending over one turn, both ends included. The lines of the film are
+        among them.
     z : ndarray, shape (k,)
         m, from one side edge to the other.
     pressure : ndarray, shape (n, k)
@@ -78,15 +80,19 @@ def field_of(solution: FilmSolution, start: float = 0.0) -> FilmField:
 
     Notes
     -----
-    Across the width the pressure of a full line is the polynomial that the film engine solved for. On a line that is
-    partly ruptured it is monotone between the nodes, since a polynomial would swing below the cavitation pressure.
-    Around the bore it is linear between the lines.
+    Across the width the pressure of a full line is the polynomial that the film engine solved for. On a line that
+    is partly ruptured, or on the edge of a groove, it is monotone between the nodes, where a polynomial would
+    swing. Around the bore it is linear between the lines.
     """
     film, half = solution.film, 0.5 * solution.film.width
     z = np.linspace(-half, half, AXIAL_POINTS)
     lines = solution.angles.ravel()
     patches = supply_patches(film)
-    flanks = [end for first, last in (patch.theta for patch in patches) for end in (first + 2.0 * EDGE, last - 2.0 * EDGE)]
+    flanks = [
+        end
+        for first, last in (patch.theta for patch in patches)
+        for end in (first + 2.0 * EDGE, last - 2.0 * EDGE)
+    ]
     inner = start + np.remainder(np.concatenate((lines, flanks)) - start, TURN)
     theta = np.unique(np.concatenate(([start], inner, [start + TURN])).round(12))
     pressure = _around(theta, lines, _across(solution, z))
@@ -173,14 +179,15 @@ def _across(solution: FilmSolution, z: Array) -> Array:
     count = nodes.size
     lines = solution.pressure.reshape(-1, count)
     values = lines @ _polynomials(solution, places).T
-    ruptured = (solution.void.reshape(-1, count)[:, : count - 1] > 0.0).any(axis=1)
+    monotone = (solution.void.reshape(-1, count)[:, : count - 1] > 0.0).any(axis=1)
+    monotone |= np.ptp(lines[:, 1 : count - 1], axis=1) == 0.0  # a groove edge: level, and a step at the side
     if symmetric:  # the mirror image makes the slope vanish in the mid-plane
-        own, nodes = lines[ruptured], np.concatenate((-nodes[:0:-1], nodes))
+        own, nodes = lines[monotone], np.concatenate((-nodes[:0:-1], nodes))
         mirrored = np.concatenate((own[:, :0:-1], own), axis=1)
     else:
-        mirrored = lines[ruptured]
-    if ruptured.any():
-        values[ruptured] = PchipInterpolator(nodes, mirrored, axis=1)(z)
+        mirrored = lines[monotone]
+    if monotone.any():
+        values[monotone] = PchipInterpolator(nodes, mirrored, axis=1)(z)
     return np.asarray(np.maximum(values, solution.film.cavitation_pressure))
 
 
@@ -209,7 +216,7 @@ def _polynomials(solution: FilmSolution, places: Array) -> Array:
     breaks = [i for i, node in enumerate(nodes) if any(abs(node - end) < 1e-9 * film.width for end in ends)]
     breaks = sorted({0, *breaks, nodes.size - 1})
     matrix = np.zeros((places.size, nodes.size))
-    for first, last in zip(breaks, breaks[1:], strict=False):
+    for first, last in pairwise(breaks):
         here = (places >= nodes[first] - 1e-12) & (places <= nodes[last] + 1e-12)
         matrix[here] = 0.0
         matrix[here, first : last + 1] = _lagrange(nodes[first : last + 1], places[here])

@@ -180,6 +180,14 @@ def mark(axes: Axes, x: float, y: float) -> None:
     axes.plot([x], [y], "o", color=INK, zorder=5, clip_on=False)
 
 
+def arrow(
+    axes: Axes, tip: tuple[float, float], tail: tuple[float, float], *, size: float = 7.0, colour: str = INK
+) -> None:
+    """An arrow between two places of the data; `size` in points is that of its head."""
+    drawn = {"arrowstyle": "-|>", "linewidth": 0.12 * size, "color": colour, "mutation_scale": size}
+    axes.annotate("", tip, xytext=tail, zorder=6, arrowprops={**drawn, "shrinkA": 0, "shrinkB": 0})
+
+
 def limit_line(axes: Axes, y: float, label: str, *, at: float = 0.99) -> None:
     """A horizontal limit with its name on it, `at` a fraction of the width."""
     axes.axhline(y, color=GREY, linewidth=0.7, linestyle=(0, (5, 2)), zorder=1)

@@ -10,9 +10,8 @@ import numpy as np
 from babbitt.bearings.field import clearance_outline
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState
-from babbitt.bearings.whirl import FASTEST
 from babbitt.quantities import QUANTITIES
-from babbitt.report.drawing import GREY, INK, PALE, Array, Sheet, axis_label, mark, mathematics
+from babbitt.report.drawing import GREY, INK, PALE, Array, Sheet, arrow, axis_label, mark, mathematics
 from babbitt.report.film_sweeps import Swept
 from babbitt.report.painters import plain_ticks
 
@@ -47,14 +46,9 @@ def locus(case: FilmCase, state: FilmState, swept: Swept) -> Figure:
     _tick_loads(panel, swept.points / state.load, centres)
     mark(panel, here[0], here[1])
     reach = 1.04 * float(np.abs(np.concatenate((room * np.cos(directions), room * np.sin(directions)))).max())
-    panel.annotate(
-        "", (0.0, 0.0), xytext=(-0.3 * math.cos(case.load_angle), -0.3 * math.sin(case.load_angle)),
-        arrowprops={"arrowstyle": "-|>", "linewidth": 0.8, "color": GREY, "mutation_scale": 7, "shrinkA": 0, "shrinkB": 4},
-    )  # fmt: skip
-    panel.annotate(
-        "load", (-0.3 * math.cos(case.load_angle), -0.3 * math.sin(case.load_angle)), xytext=(3, 0),
-        textcoords="offset points", fontsize=7, color="0.3", va="center",
-    )  # fmt: skip
+    tail = -0.3 * math.cos(case.load_angle), -0.3 * math.sin(case.load_angle)
+    arrow(panel, (0.2 * tail[0], 0.2 * tail[1]), tail, colour=GREY)
+    panel.annotate("load", tail, xytext=(3, 0), textcoords="offset points", fontsize=7, color="0.3", va="center")
     panel.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel="$x/c$", ylabel="$y/c$")
     for axis in (panel.xaxis, panel.yaxis):
         axis.set_major_locator(MaxNLocator(5))
@@ -75,11 +69,20 @@ def _tick_loads(panel: Axes, shares: Array, centres: Array) -> None:
         last = at[None, :] if last is None else np.concatenate((last, at[None, :]))
         if wanted != 1.0:
             panel.plot(*at, "o", markersize=2.6, markerfacecolor="white", markeredgecolor=INK, markeredgewidth=0.7)
-        middle = centres.mean(axis=0)
-        side = 1.0 if at[0] >= min(middle[0], 0.0) and centres[:, 0].max() > -centres[:, 0].min() else -1.0
+        aside = _aside(shares, centres, wanted)
         text = "$F$" if wanted == 1.0 else f"{wanted:g} $F$"
-        panel.annotate(text, tuple(at), xytext=(5 * side, 0), textcoords="offset points", fontsize=7, va="center",
-                       ha="left" if side > 0 else "right")  # fmt: skip
+        panel.annotate(
+            text, tuple(at), xytext=tuple(5.5 * aside), textcoords="offset points", fontsize=7, va="center",
+            ha="left" if aside[0] > 0.0 else "right",
+        )  # fmt: skip
+
+
+def _aside(shares: Array, centres: Array, share: float) -> Array:
+    """Direction across the locus at a load, to the right of the picture."""
+    place = int(np.clip(np.searchsorted(shares, share), 1, shares.size - 2))
+    along = centres[place + 1] - centres[place - 1]
+    across = np.array([-along[1], along[0]]) / max(math.hypot(*along), 1e-12)
+    return np.asarray(across if across[0] > 0.0 else -across)
 
 
 def coefficients(state: FilmState, swept: Swept) -> Figure:
@@ -95,7 +98,9 @@ def coefficients(state: FilmState, swept: Swept) -> Figure:
         here = getattr(state.solution, name)
         top, bottom = axes[0][column], axes[1][column]
         _family(top, rpm * swept.points, values * shown.display.scale, symbol)
-        _family(bottom, numbers, values * np.broadcast_to(units[column], swept.points.shape)[:, None, None], symbol)
+        _family(
+            bottom, numbers, values * np.broadcast_to(units[column], swept.points.shape)[:, None, None], symbol
+        )
         own = units[0] if column == 0 else film.clearance * abs(film.angular_speed) / load
         for place, axis in enumerate(AXES):
             value = here[place // 2][place % 2]
@@ -187,18 +192,19 @@ def stability(case: FilmCase, state: FilmState, loads: Array, speeds: Array) -> 
     figure, ((panel,),) = Sheet(81.0, 62.0).panels()
     rpm, kilo = QUANTITIES["threshold_speed"].display.scale, QUANTITIES["load"].display.scale
     here = rpm * abs(state.solution.film.angular_speed)
-    found = np.isfinite(speeds)
+    found = np.isfinite(speeds) & (speeds > 0.0)
     panel.set(xscale="log", yscale="log")
     x, y = kilo * loads, rpm * speeds
     low, high = min([0.5 * here, *(0.7 * y[found])]), max([2.0 * here, *(1.5 * y[found])])
-    if found.any():
-        panel.fill_between(x, y, high, where=found.tolist(), color="0.9", linewidth=0.0)
-        panel.plot(x, y, color=INK)
-        place = np.flatnonzero(found)[found.sum() // 6]  # away from the operating point in the middle
-        _word(panel, x[place], math.sqrt(y[place] * high), "whirls")
-        _word(panel, x[place], math.sqrt(y[place] * low), "stable")
-    else:
-        _word(panel, x[x.size // 2], 0.6 * high, f"no threshold between 1/{FASTEST:g} and {FASTEST:g} of the speed")
+    edge = np.clip(y, low, high)  # always whirling: from the bottom on; always stable: up to the top
+    panel.fill_between(x, edge, high, where=(~np.isnan(y)).tolist(), color="0.9", linewidth=0.0)
+    panel.plot(x[found], y[found], color=INK)
+    aside = x[0] * (x[-1] / x[0]) ** 0.2  # away from the operating point in the middle
+    border = math.exp(np.interp(math.log(aside), np.log(x), np.log(np.nan_to_num(edge, nan=high))))
+    if border < 0.9 * high:
+        _word(panel, aside, math.sqrt(border * high), "whirls")
+    if border > 1.1 * low and not np.isnan(y).all():
+        _word(panel, aside, math.sqrt(border * low), "stable")
     mark(panel, kilo * state.load, here)
     panel.set(xlim=(x[0], x[-1]), ylim=(low, high), xlabel=axis_label(QUANTITIES["load"]), ylabel="$N$ in rpm")
     plain_ticks(panel.xaxis)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState
+from babbitt.bearings.whirl import FASTEST
 from babbitt.report.drawing import Drawing, rendered, style
 from babbitt.results import Result
 
@@ -17,8 +18,8 @@ if TYPE_CHECKING:
 KEPT = "clearance and viscosity of the operating point kept"
 
 LEFT_OUT = (
-    " Curves over load and speed are left out of the report: this film is not symmetrical about the mid-plane, which "
-    "makes each of their points slow. Write them with --plots."
+    " Curves over load and speed are left out of the report: the film of this bearing has so many grid points "
+    "that they take long. The option --plots writes them."
 )
 
 Painted = tuple[str, str, "Figure", bool]
@@ -39,13 +40,13 @@ def report_figures(case: FilmCase, result: Result, image_format: str = "svg") ->
     -------
     tuple of Drawing
     """
-    from babbitt.report.film_sweeps import state_of, whole_width
+    from babbitt.report.film_sweeps import is_slow, state_of
 
     if not result.outcome.solved:
         return ()
     state = state_of(case, result)
     with style():
-        if whole_width(state):
+        if is_slow(state):
             return _drawn(_at_rest(case, state, LEFT_OUT), image_format)
         return _drawn((*_at_rest(case, state), *_swept(case, state)), image_format)
 
@@ -86,8 +87,8 @@ def _at_rest(case: FilmCase, state: FilmState, remark: str = "") -> Iterator[Pai
     field = field_of(state.solution, case.load_angle - math.pi)
     yield (
         "pressure-map",
-        "Pressure (above) and film thickness (below) over the unrolled bore. White: grooves, pockets and holes; hatched "
-        "within the broken line: the film is ruptured; crosses: highest pressure, thinnest film." + remark,
+        "Pressure (above) and film thickness (below) over the unrolled bore. White: grooves, pockets and holes; "
+        "hatched within the broken line: the film is ruptured; crosses: highest pressure, thinnest film." + remark,
         film_maps.unrolled(case, state.solution, field),
         True,
     )
@@ -113,21 +114,23 @@ def _swept(case: FilmCase, state: FilmState) -> Iterator[Painted]:
 
     yield (
         "journal-locus",
-        f"Journal centre over the load within the room that the bore leaves it, {KEPT}. Filled: the operating point.",
+        f"Journal centre over the load within the room that the bore leaves it, {KEPT}. Filled: the operating "
+        "point.",
         film_curves.locus(case, state, over_load(case, state)),
         False,
     )
     yield (
         "coefficients",
-        f"Stiffness and damping over the speed at the given load, {KEPT}; below, the same films without dimension over "
-        "the Sommerfeld number. Filled: the operating point.",
+        f"Stiffness and damping over the speed at the given load, {KEPT}; below, the same films without dimension "
+        "over the Sommerfeld number. Filled: the operating point.",
         film_curves.coefficients(state, over_speed(case, state)),
         True,
     )
     mass = "of the given mass" if case.rotor_mass is not None else "whose weight is the load"
     yield (
         "stability",
-        f"Speed at which a rigid rotor {mass} begins to whirl, over the load, {KEPT}. Filled: the operating point.",
+        f"Speed at which a rigid rotor {mass} begins to whirl, over the load, {KEPT}. Filled: the operating "
+        f"point; speeds from a tenth to {FASTEST:g} times its speed were searched.",
         film_curves.stability(case, state, *thresholds(case, state)),
         False,
     )

@@ -1,4 +1,4 @@
-"""Maps over the unrolled bore: pressure, film thickness, supplies, where the film is ruptured; pressure as a surface."""
+"""Maps over the unrolled bore: pressure, film thickness, supplies, rupture; the pressure as a surface."""
 
 from __future__ import annotations
 
@@ -50,9 +50,8 @@ def unrolled(case: FilmCase, solution: FilmSolution, field: FilmField) -> Figure
 def surface(field: FilmField) -> Figure:
     """Pressure as a surface over the unrolled bore."""
     from matplotlib.figure import Figure
-    from mpl_toolkits.mplot3d import Axes3D  # noqa: F401  registers the projection
 
-    figure = Figure(figsize=(130.0 * MILLIMETRE, 95.0 * MILLIMETRE))
+    figure = Figure(figsize=(130.0 * MILLIMETRE, 80.0 * MILLIMETRE))
     panel = figure.add_subplot(projection="3d")
     places, z = np.degrees(field.theta), 1e3 * field.z[::2]
     steps = np.linspace(places[0], places[-1], SURFACE_LINES)
@@ -65,7 +64,7 @@ def surface(field: FilmField) -> Figure:
     )  # fmt: skip
     degrees(panel, field)
     panel.set(xlabel="θ in °", ylabel="$z$ in mm", zlabel="$p$ in MPa")
-    panel.set_box_aspect((2.2, 1.0, 0.9), zoom=1.05)
+    panel.set_box_aspect((2.2, 1.0, 0.9), zoom=1.2)
     panel.view_init(elev=28.0, azim=-62.0)
     for axis in (panel.xaxis, panel.yaxis, panel.zaxis):
         axis.pane.set(facecolor="none", edgecolor="0.8")
@@ -87,7 +86,7 @@ def _pressure(panel: Axes, field: FilmField) -> None:
     shown, highest = 1e-6 * field.pressure, 1e-6 * float(field.pressure.max())
     if not highest > 0.0:
         return
-    levels = np.array(_steps(highest, 8))
+    levels = np.array(_steps(0.0, 0.98 * highest, 8))
     theta, z = np.degrees(field.theta), 1e3 * field.z
     shades = [str(round(1.0 - 0.42 * place / levels.size, 3)) for place in range(levels.size)]
     panel.contourf(theta, z, shown.T, levels=[*levels, 1.01 * max(highest, levels[-1])], colors=shades)
@@ -101,7 +100,7 @@ def _thickness(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
     shown = np.ma.masked_invalid(1e6 * field.film_thickness)
     lowest, highest = float(shown.min()), float(shown.max())
     top = min(highest, lowest + WIDEST_LEVEL * 1e6 * solution.film.clearance)
-    levels = np.array([level for level in _steps(top, 9) if level > lowest])
+    levels = np.array(_steps(lowest, top, 9))
     theta, z = np.degrees(field.theta), 1e3 * field.z
     if levels.size:
         shades = [str(round(0.58 + 0.42 * place / levels.size, 3)) for place in range(levels.size + 1)]
@@ -122,20 +121,25 @@ def _thinnest(field: FilmField) -> tuple[int, int]:
     return int(row), middle if gap[row, middle] <= gap[row, column] * (1.0 + 1e-9) else int(column)
 
 
-def _steps(highest: float, about: int) -> list[float]:
-    """Round levels from the first step up to below the highest value.
+def _steps(lowest: float, highest: float, about: int) -> list[float]:
+    """Round levels between two values.
 
-    >>> _steps(3.2, 6)
-    [0.5, 1.0, 1.5, 2.0, 2.5, 3.0]
+    >>> _steps(0.0, 3.2, 6)
+    [1.0, 2.0, 3.0]
+    >>> _steps(0.7, 3.2, 5)
+    [1.0, 1.5, 2.0, 2.5, 3.0]
     """
-    raw = highest / about
+    raw = (highest - lowest) / about
+    if not raw > 0.0:
+        return []
     decade = 10.0 ** math.floor(math.log10(raw))
     step = next(factor * decade for factor in (1.0, 2.0, 2.5, 5.0, 10.0) if factor * decade >= 0.999 * raw)
-    return [round(step * place, 12) for place in range(1, int(highest / step * (1.0 - 1e-9)) + 1)]
+    first = math.floor(lowest / step * (1.0 + 1e-9)) + 1
+    return [round(step * place, 12) for place in range(first, int(highest / step * (1.0 - 1e-9)) + 1)]
 
 
 def _point(panel: Axes, x: float, y: float, text: str) -> None:
-    panel.plot([x], [y], "+", color=INK, markersize=6, markeredgewidth=0.9, zorder=6)
+    panel.plot([x], [y], "+", color=INK, markersize=6, markeredgewidth=0.9, zorder=6, clip_on=False)
     low, high = panel.get_xlim()
     aside = -4 if x > low + 0.9 * (high - low) else 4
     panel.annotate(

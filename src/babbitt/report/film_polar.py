@@ -11,7 +11,7 @@ from babbitt.bearings.field import FilmField, supply_patches
 from babbitt.bearings.model import FilmCase
 from babbitt.film.ring import GROOVE_GAP, bore_gap
 from babbitt.film.solution import FilmSolution
-from babbitt.report.drawing import GREY, INK, Array, Sheet
+from babbitt.report.drawing import GREY, INK, Array, Sheet, arrow
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,11 +26,10 @@ def polar(case: FilmCase, solution: FilmSolution, field: FilmField) -> Figure:
     figure, ((panel,),) = Sheet(81.0, 81.0, left=2.0, bottom=2.0).panels()
     panel.set_aspect("equal")
     panel.axis("off")
-    bore = JOURNAL + PLAY * np.minimum(bore_gap(solution.film, field.theta), 0.5 * GROOVE_GAP)
     edge = _bore(panel, solution, field)
     _pressure(panel, field, edge)
     _journal(panel, case, solution)
-    reach = max(float(bore[bore < 3.0].max(initial=JOURNAL)), float(edge.max())) + HIGHEST + 0.22
+    reach = float(edge.max()) + HIGHEST + 0.25
     panel.set(xlim=(-reach, reach), ylim=(-reach, reach))
     _load(panel, case, solution, float(edge.max()) + 0.12)
     return figure
@@ -40,12 +39,8 @@ def _bore(panel: Axes, solution: FilmSolution, field: FilmField) -> Array:
     """Draw the bore and return its drawn radius at the angles of the field: grooves and pockets are notches."""
     film = solution.film
     gap = bore_gap(film, field.theta)
-    fed = np.zeros(field.theta.size, dtype=bool)
-    for patch in supply_patches(film):
-        if patch.z[0] <= 0.0 <= patch.z[1]:
-            extent = patch.theta[1] - patch.theta[0]
-            fed |= np.remainder(field.theta - patch.theta[0] + 1e-9, 2.0 * math.pi) <= extent + 2e-9
-    radius = JOURNAL + PLAY * np.where(gap < 0.5 * GROOVE_GAP, gap, 1.0)
+    land = gap < 0.5 * GROOVE_GAP
+    radius = JOURNAL + PLAY * np.interp(field.theta, field.theta[land], gap[land], period=2.0 * math.pi)
     panel.plot(radius * np.cos(field.theta), radius * np.sin(field.theta), color=INK, linewidth=0.9)
     for patch in supply_patches(film):
         if patch.z[0] <= 0.0 <= patch.z[1]:
@@ -78,7 +73,9 @@ def _pressure(panel: Axes, field: FilmField, radius: Array) -> None:
     )  # fmt: skip
     panel.plot(np.where(height > 1e-3, outer * x, np.nan), np.where(height > 1e-3, outer * y, np.nan), color="0.2",
                linewidth=0.8, zorder=2)  # fmt: skip
-    for angle in np.arange(math.ceil(field.theta[0] / 0.1745329), field.theta[-1] / 0.1745329) * 0.17453292519943295:
+    for angle in (
+        np.arange(math.ceil(field.theta[0] / 0.1745329), field.theta[-1] / 0.1745329) * 0.17453292519943295
+    ):
         here = float(np.interp(angle, angles, height))
         low = float(np.interp(angle, angles, base))
         if here > 0.02:
@@ -87,11 +84,11 @@ def _pressure(panel: Axes, field: FilmField, radius: Array) -> None:
                        color="0.55", linewidth=0.4, zorder=2)  # fmt: skip
     top = int(pressure.argmax())
     angle, out = field.theta[top], radius[top] + HIGHEST
-    panel.annotate(
-        f"{1e-6 * highest:.3g} MPa", (out * math.cos(angle), out * math.sin(angle)),
-        xytext=(5 * math.cos(angle), 5 * math.sin(angle)), textcoords="offset points", fontsize=7,
-        ha="left" if math.cos(angle) > 0.35 else "right" if math.cos(angle) < -0.35 else "center",
-        va="bottom" if math.sin(angle) > 0.35 else "top" if math.sin(angle) < -0.35 else "center",
+    c, s = math.cos(angle), math.sin(angle)
+    panel.annotate(  # above or below, never beyond the sides of the sheet
+        f"{1e-6 * highest:.3g} MPa", (out * c, out * s), xytext=(0, 4 if s > 0.0 else -4),
+        textcoords="offset points", fontsize=7, va="bottom" if s > 0.0 else "top",
+        ha="right" if c > 0.6 else "left" if c < -0.6 else "center",
     )  # fmt: skip
 
 
@@ -105,7 +102,9 @@ def _journal(panel: Axes, case: FilmCase, solution: FilmSolution) -> None:
     panel.plot([x], [y], "o", color=INK, markersize=3, zorder=6)
     sense, towards, centres = case.rotation.sense, case.load_angle, math.atan2(y, x)
     reach = 0.8 * JOURNAL
-    panel.plot([0.0, reach * math.cos(centres)], [0.0, reach * math.sin(centres)], color=INK, linewidth=0.6, zorder=5)
+    panel.plot(
+        [0.0, reach * math.cos(centres)], [0.0, reach * math.sin(centres)], color=INK, linewidth=0.6, zorder=5
+    )
     panel.plot([0.0, reach * math.cos(towards)], [0.0, reach * math.sin(towards)], color=GREY, linewidth=0.6,
                linestyle=(0, (6, 2, 1, 2)), zorder=5)  # fmt: skip
     first, last = sorted((towards, towards + sense * solution.attitude_angle))
@@ -130,11 +129,8 @@ def _turning(panel: Axes, about: float, sense: float) -> None:
     angles = about + sense * np.linspace(-0.55, 0.55, 25)
     radius = 0.72 * JOURNAL
     panel.plot(radius * np.cos(angles), radius * np.sin(angles), color=INK, linewidth=0.7, zorder=5)
-    panel.annotate(
-        "", (radius * math.cos(angles[-1]), radius * math.sin(angles[-1])),
-        xytext=(radius * math.cos(angles[-3]), radius * math.sin(angles[-3])), zorder=5,
-        arrowprops={"arrowstyle": "-|>", "linewidth": 0.7, "color": INK, "mutation_scale": 6, "shrinkA": 0, "shrinkB": 0},
-    )  # fmt: skip
+    tip, tail = ((radius * math.cos(angle), radius * math.sin(angle)) for angle in (angles[-1], angles[-3]))
+    arrow(panel, tip, tail, size=6.0)
 
 
 def _load(panel: Axes, case: FilmCase, solution: FilmSolution, inner: float) -> None:
@@ -142,11 +138,11 @@ def _load(panel: Axes, case: FilmCase, solution: FilmSolution, inner: float) -> 
     away = case.load_angle + math.pi
     c, s = math.cos(away), math.sin(away)
     tail = inner + 0.62
+    arrow(panel, (inner * c, inner * s), (tail * c, tail * s), size=8.0)
+    level = abs(s) < 0.5  # then the text stands over the arrow and reaches inwards
+    right = c < 0.0 if level else c > -0.35
     panel.annotate(
-        "", (inner * c, inner * s), xytext=(tail * c, tail * s), zorder=6,
-        arrowprops={"arrowstyle": "-|>", "linewidth": 1.0, "color": INK, "mutation_scale": 8, "shrinkA": 0, "shrinkB": 0},
-    )  # fmt: skip
-    panel.annotate(
-        f"$F$ = {1e-3 * solution.load:.4g} kN", (tail * c, tail * s), xytext=(4 * abs(s), 0), textcoords="offset points",
-        fontsize=7, va="center" if abs(s) > 0.35 else "bottom", ha="left" if c > -0.35 else "right",
+        f"$F$ = {1e-3 * solution.load:.4g} kN", (tail * c, tail * s),
+        xytext=(0, 3) if level else (4 if right else -4, 0), textcoords="offset points",
+        fontsize=7, va="bottom" if level else "center", ha="left" if right else "right",
     )  # fmt: skip
