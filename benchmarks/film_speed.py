@@ -1,7 +1,7 @@
 """Seconds of the film engine: one equilibrium with coefficients, dense lines, a batch over all cores.
 
-Run ``python benchmarks/film_speed.py`` on a quiet machine; medians, warm, one thread but for the batch. The reference
-bearing: two lands of 176 degrees, D = 0.4 m, B = 0.263 m, c = 195 um, 900 rpm, 112.8 kN, 20.75 mPa s.
+Run ``python benchmarks/film_speed.py`` on a quiet machine; medians, warm, one thread but for the batch. The
+reference bearing: two lands of 176 degrees, D = 0.4 m, B = 0.263 m, c = 195 um, 900 rpm, 112.8 kN, 20.75 mPa s.
 """
 
 import math

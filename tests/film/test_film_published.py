@@ -122,3 +122,42 @@ def test_lund_thomsen(row):
     stiffness = along @ found.stiffness @ along.T * CLEARANCE / load
     damping = along @ found.damping @ along.T * CLEARANCE * SPEED / load
     np.testing.assert_allclose([*stiffness.ravel(), *damping.ravel()], row[3:], atol=0.05)
+
+
+# Someya (ed.) (1989), Journal-Bearing Databook, table 1: two axial grooves, L/D = 0.5; x along the load. The print
+# does not say how wide the grooves are; 10 degrees and the Reynolds condition give its eps, angle and damping. Its
+# stiffness is not that of fixed grooves but of a load curve that turns with the journal.
+SOMEYA = [
+    (5.96, 0.075, 82.6, 13.6, -13.1, 27.2, 2.06, 14.9),
+    (2.07, 0.2, 71.6, 5.63, -4.41, 11.2, 2.22, 6.43),
+    (0.517, 0.5, 51.1, 3.57, -0.924, 6.81, 2.1, 2.6),
+    (0.0926, 0.8, 31.2, 4.46, 0.527, 8.17, 2.05, 1.24),
+]
+
+
+def turning_stiffness(solved, lighter, heavier):
+    """K over W in axes along and across the load, for a film that turns with the journal."""
+    eps, angle = solved.eccentricity_ratio, solved.attitude_angle
+    pair = [s.load / solved.load * np.array([-math.cos(s.attitude_angle), math.sin(s.attitude_angle)])
+            for s in (lighter, heavier)]  # fmt: skip
+    radial = (pair[1] - pair[0]) / (heavier.eccentricity_ratio - lighter.eccentricity_ratio)
+    across = np.array([-math.sin(angle), -math.cos(angle)]) / eps
+    turn = np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+    return -turn @ np.column_stack((radial, across)) @ turn.T
+
+
+@pytest.mark.parametrize("row", SOMEYA, ids=lambda row: f"S={row[0]}")
+def test_someya_two_grooves(row):
+    width = 0.5 * DIAMETER
+    load = VISCOSITY * SPEED / (2.0 * math.pi) * width * DIAMETER / row[0] * (0.5 * DIAMETER / CLEARANCE) ** 2
+    lands = grooved_bore((0.0, math.pi), math.radians(10.0))
+    film = JournalFilm(DIAMETER, width, CLEARANCE, VISCOSITY, SPEED, lands, Cavitation.REYNOLDS)
+    lighter, found, heavier = (solve_journal(film, (0.0, -k * load), FINE) for k in (0.999, 1.0, 1.001))
+    assert found.eccentricity_ratio == pytest.approx(row[1], abs=1.5e-3)
+    assert math.degrees(found.attitude_angle) == pytest.approx(row[2], abs=0.9)
+    along = np.array([[0.0, -1.0], [1.0, 0.0]])
+    damping = (along @ found.damping @ along.T * CLEARANCE * SPEED / load).ravel()
+    np.testing.assert_allclose(damping, [row[5], row[6], row[6], row[7]], rtol=0.10)
+    stiffness = turning_stiffness(found, lighter, heavier)
+    assert stiffness[0, 1] == pytest.approx(row[3], rel=0.04)
+    assert stiffness[1, 0] == pytest.approx(row[4], rel=0.04, abs=0.07)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from babbitt.film._compiling import compiled
 from babbitt.film._equilibrium import find_equilibrium
 from babbitt.film._forces import RESULT_SIZE
-from babbitt.film._structs import Bearing, compiled
+from babbitt.film._structs import Bearing
 
 HEAD = 5  # x, y, status, steps, smallest gap; the result vector follows
 
@@ -27,7 +28,7 @@ def find_equilibria(
     last,
     found,
 ):
-    """Equilibria of the bearings first..last - 1; lands (bearings, lands, columns), found (bearings, HEAD + ...)."""
+    """Equilibria of bearings first..last - 1; lands (bearings, lands, columns), found (bearings, HEAD + 10)."""
     profiles = np.zeros((lands.shape[1], 0))
     result = np.zeros(RESULT_SIZE)
     for b in range(first, last):

@@ -5,17 +5,20 @@ Rows, divided by sqrt(w_j), with u = sqrt(w) p and sigma = sqrt(w) s, s = 1 - li
     sqrt(w_j) (Q_i - Q_i-1 + S_i) + T_i (u_i - u_i+1)_j - T_i-1 (u_i-1 - u_i)_j
         + kappa H_i (K~ (u_i - p_side sqrt(w)))_j = 0,        kappa = (D/B)^2 / 12.
 
-A dry node (p = 0) of the Reynolds condition loses its row and its column. A dry node of the mass-conserving condition
-keeps its row; its column carries sigma, transported downstream: -(Q_i + S_i) here and +Q_i in the next line.
+A dry node (p = 0) of the Reynolds condition loses its row and its column. A dry node of the mass-conserving
+condition keeps its row; its column carries sigma, transported downstream: -(Q_i + S_i) here and +Q_i in the
+next line.
 
 Either way the matrix is block tridiagonal with diagonal coupling, and  S_i = D_i - L_i S_i-1^-1 U_i.
-Lines that are full across the width, counted from the start of the land, are diagonal in the modes of K~ and cost O(m);
-from the first line with a dry node on, blocks are inverted. The adjoints A^T l = -d(F)/du use the same factors.
+Lines that are full across the width, counted from the start of the land, are diagonal in the modes of K~ and cost
+O(m); from the first line with a dry node on, blocks are inverted. The adjoints A^T l = -d(F)/du use the same
+factors.
 """
 
 from __future__ import annotations
 
-from babbitt.film._structs import END_PRESSURE, START_PRESSURE, inlined
+from babbitt.film._compiling import inlined
+from babbitt.film._structs import END_PRESSURE, START_PRESSURE
 
 
 @inlined
@@ -37,7 +40,7 @@ def count_wet(grid, k, lines, m):
 
 @inlined
 def solve_land(axial, bearing, grid, k, film, lines, nodal_from):
-    """Solve land k for pressure (or void) and the adjoints of both force components, with the wet set as it stands.
+    """Solve land k for pressure (or void) and the adjoints of both force components; the wet set stands.
 
     Lines are treated in modes up to the line before the first one with a dry node, but at most to nodal_from - 1.
     """
@@ -132,7 +135,7 @@ def rotate(matrix, vectors, result, first, last, m):
 
 @inlined
 def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken):
-    """Forward elimination in nodal coordinates from the first broken line on: block, its inverse, right-hand sides."""
+    """Forward elimination in nodal coordinates from the first broken line on."""
     m = len(axial.size)
     n = film.conductance.size
     conserving, wet = bearing.conserving, grid.wet
@@ -193,7 +196,7 @@ def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken):
 
 @inlined
 def invert(blocks, i, m):
-    """Invert block i in place, Gauss-Jordan without pivoting (wet rows are diagonally heavy, dry columns diagonal)."""
+    """Invert block i in place, Gauss-Jordan without pivoting (wet rows are heavy there, dry columns diagonal)."""
     for c in range(m):
         pivot = 1.0 / blocks[i, c, c]
         blocks[i, c, c] = 1.0

@@ -11,6 +11,7 @@ import math
 
 import numpy as np
 
+from babbitt.film._compiling import compiled, inner, spliced
 from babbitt.film._elimination import solve_land
 from babbitt.film._forces import add_forces, end_at_rupture, update_wet_set
 from babbitt.film._grids import (
@@ -22,12 +23,14 @@ from babbitt.film._grids import (
     smallest_gap,
     uniform_lines,
 )
-from babbitt.film._structs import compiled
 
 CONVERGED, TOO_MANY_STEPS, NO_FILM = 0, 1, 2
 MODERATE_LOAD = 6.0  # dimensionless load up to which the centred journal is a good start
+LIGHT_LOAD = 0.02  # where an attempt in small steps begins
 PATIENCE = 40  # updates of the wet set before a patient step
-PATIENT_STEPS = 6  # patient steps before the lines are graded anew: a grid that does not see the thin film fails to stop
+PATIENT_STEPS = 6  # patient steps before the lines are graded anew: a grid blind to the thin film never settles
+THINNEST = 1e-3  # of the clearance: a film that settles below, or ends there unsettled, is overloaded
+CONTACT = 1e-6  # of the clearance: where a search gives up
 CYCLING = 30  # steps after which a node that changes sides for ever is let be, if the load is carried within 1e-4
 
 
@@ -39,7 +42,8 @@ def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, re
 
     Between two lines the rupture moves without the wet set noticing, and the adjoints end on a line: stiffness and
     damping are the exact derivatives of the discrete film, but jump by a per cent when a node changes sides.
-    With ``smooth`` the adjoints are solved once more and end at the rupture itself.
+    With ``smooth`` the adjoints are solved once more and end at the rupture itself. (Callers write bool(0): for
+    the literal False the compiler would make a second kernel.)
     """
     result[:] = 0.0
     changed = 0
@@ -51,14 +55,16 @@ def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, re
             solve_land(axial, bearing, grid, k, film, lines, nodal_from)
             if again == 1:
                 lines.ending[:] = 0.0
-                lines.solution[:, 0, :] = grid.value[k]
+                for i in range(n + 1):
+                    for j in range(len(axial.size)):
+                        lines.solution[i, 0, j] = grid.value[k, i, j]
             else:
                 for i in range(n + 1):
                     for j in range(len(axial.size)):
                         grid.value[k, i, j] = lines.solution[i, 0, j]
-                if smooth == 1:
+                if smooth:
                     nodal_from = end_at_rupture(axial, bearing, grid, k, film, lines)
-            if smooth == 0 or nodal_from == n:
+            if not smooth or nodal_from == n:
                 break
         add_forces(axial, bearing, grid, k, film, lines, result)
         changed += update_wet_set(axial, bearing, grid, k, film, lines)
@@ -92,12 +98,12 @@ def damped_step(result, rx, ry, size, last_size, load, gap, step_time):
     return (kyy * rx - kxy * ry) / det, (kxx * ry - kyx * rx) / det, step_time
 
 
-@compiled
+@inner
 def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, max_steps, patient, result):
     """Move the journal from (x, y) until the film on this grid carries the load.
 
-    One update of the wet set per step is fast but can lose the film on the way; ``patient`` finds the wet set anew, from
-    all wet, before every step.
+    One update of the wet set per step is fast but can lose the film on the way; ``patient`` finds the wet set
+    anew, from all wet, before every step.
     """
     load = math.hypot(load_x, load_y)
     floor = tolerance * load + 1e-13
@@ -110,7 +116,7 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
         if patient:
             grid.wet[:] = True
         for _ in range(PATIENCE if patient else 1):
-            changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, 0, result)
+            changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, bool(0), result)
             if changed == 0:
                 break
         rx, ry = result[0] + load_x, result[1] + load_y
@@ -130,19 +136,21 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
         while not new_gap > shrink * gap and halvings < 60:
             dx, dy, halvings = 0.5 * dx, 0.5 * dy, halvings + 1
             new_gap = smallest_gap(grid, x + dx, y + dy)
+        if not new_gap > CONTACT:
+            return x, y, NO_FILM, step, gap
         x, y, gap = x + dx, y + dy, new_gap
     return x, y, TOO_MANY_STEPS, max_steps, gap
 
 
-@compiled
-def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient, result):
-    """Equilibrium on a coarse grid, heavier loads in steps of four: returns x, y, status, steps and the last grid."""
+@spliced
+def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient, first, factor, result):
+    """Equilibrium on a coarse grid, load raised from ``first`` by ``factor``: x, y, status, steps, grid."""
     m, count = len(axial.size), bearing.lands.shape[0]
     coarse, other = new_grid(count, n_coarse, m), new_grid(count, n_coarse, m)
     film, lines = new_film(n_coarse), new_lines(n_coarse, m)
     uniform_lines(bearing, coarse)
     load = math.hypot(load_x, load_y)
-    share = min(1.0, MODERATE_LOAD / max(load, 1e-300))
+    share = min(1.0, first / max(load, 1e-300))
     total, gap, status = 0, np.inf, CONVERGED
     steps_per_grid = PATIENT_STEPS if patient else max_steps
     for _ in range(60):
@@ -164,14 +172,14 @@ def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient,
         )
         total += steps
         settled = status == CONVERGED
-        if status == NO_FILM or not (settled or patient) or gap < 1e-9:
+        if status == NO_FILM or not (settled or patient):
             break
         if settled and (share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap)):
             break
         graded_lines(bearing, coarse, x, y, other)
         coarse, other = other, coarse
         if settled and share < 1.0:
-            growth = min(4.0, 1.0 / share)
+            growth = min(factor, 1.0 / share)
             share = min(1.0, share * growth)
             radius = math.hypot(x, y)
             if 0.0 < radius < 1.0:  # (1 - eps) falls with the root of the load
@@ -185,24 +193,27 @@ def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient,
 def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tolerance, max_steps, result):
     """Equilibrium on graded lines: returns x, y, status, steps, smallest gap and the grid; fills ``result``.
 
-    A fast attempt first; if it loses the film, a patient one.
+    A fast attempt first; if it loses the film, a patient one; then one that raises the load in small steps.
     """
     fine = new_grid(bearing.lands.shape[0], n_fine, len(axial.size))
     film, lines = new_film(n_fine), new_lines(n_fine, len(axial.size))
     status, total, gap, x0, y0 = NO_FILM, 0, 0.0, x, y
-    for attempt in range(2):
+    for attempt in range(3):
+        first, factor = (LIGHT_LOAD, 1.5) if attempt == 2 else (MODERATE_LOAD, 4.0)
         x, y, status, steps, coarse = approach(
-            axial, bearing, n_coarse, load_x, load_y, x0, y0, max_steps, attempt == 1, result
+            axial, bearing, n_coarse, load_x, load_y, x0, y0, max_steps, attempt > 0, first, factor, result
         )
         total += steps
         if status == CONVERGED:
             graded_lines(bearing, coarse, x, y, fine)
             x, y, status, steps, gap = settle(
-                axial, bearing, fine, film, lines, load_x, load_y, x, y, tolerance, max_steps, attempt == 1, result
+                axial, bearing, fine, film, lines, load_x, load_y, x, y, tolerance, max_steps, attempt > 0, result
             )
             total += steps
         if status == CONVERGED:
             break
+    if gap < THINNEST:
+        status = NO_FILM
     if bearing.smooth and status == CONVERGED:
-        evaluate(axial, bearing, fine, film, lines, x, y, 0.0, 0.0, 1, result)
+        evaluate(axial, bearing, fine, film, lines, x, y, 0.0, 0.0, bearing.smooth, result)
     return x, y, status, total, gap, fine

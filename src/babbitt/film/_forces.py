@@ -8,7 +8,8 @@ film ends with p = dp/dn = 0 the first-order pressure vanishes on the unperturbe
 
 from __future__ import annotations
 
-from babbitt.film._structs import END_PRESSURE, START_PRESSURE, inlined
+from babbitt.film._compiling import inlined
+from babbitt.film._structs import END_PRESSURE, START_PRESSURE
 
 TIE = 1e-12  # a pressure or void this far below zero counts as zero
 FORCE, STIFFNESS, DAMPING = slice(0, 2), slice(2, 6), slice(6, 10)
@@ -55,8 +56,8 @@ def update_wet_set(axial, bearing, grid, k, film, lines):
 def end_at_rupture(axial, bearing, grid, k, film, lines):
     """Let the adjoints vanish at the rupture instead of the first dry line; returns the first line concerned.
 
-    Near the rupture p'' is constant. In the discrete film the pressure d intervals before the first dry line is then
-    g (d^2/2 + e d), with g = (Q_i+1 - Q_i)/T_i the surplus of the dry line, and its slope is that of the
+    Near the rupture p'' is constant. In the discrete film the pressure d intervals before the first dry line is
+    then g (d^2/2 + e d), with g = (Q_i+1 - Q_i)/T_i the surplus of the dry line, and its slope is that of the
     parabola that ends e intervals behind that line: e = p_i/g - 1/2. The conductance from the last wet line to
     the end of the film is T_i / (1 + e) instead of T_i.
     """

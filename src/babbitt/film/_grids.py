@@ -13,6 +13,7 @@ import math
 
 import numpy as np
 
+from babbitt.film._compiling import compiled, inlined, inner
 from babbitt.film._structs import (
     CENTRE_X,
     CENTRE_Y,
@@ -23,8 +24,6 @@ from babbitt.film._structs import (
     Film,
     Grid,
     Lines,
-    compiled,
-    inlined,
 )
 
 GAUSS = 0.5 / math.sqrt(3.0)  # distance of a Gauss point from the middle, in intervals
@@ -85,13 +84,13 @@ def uniform_lines(bearing, grid):
     fill_grid(bearing, grid)
 
 
-@compiled
+@inner
 def graded_lines(bearing, coarse, x, y, grid):
     """Lines with a density proportional to crowding * h^-exponent, both known on the intervals of a coarse grid.
 
     The deeper the journal, the larger the exponent; the crowding draws lines to the rupture. The cumulated
-    density is linear over a coarse interval and is inverted exactly. A fine node is wet if one of the coarse nodes beside
-    it is: too many wet nodes cost one update of the wet set, too few cost one update a line.
+    density is linear over a coarse interval and is inverted exactly. A fine node is wet if one of the coarse nodes
+    beside it is: too many wet nodes cost one update of the wet set, too few cost one update a line.
     """
     cells, n, m = coarse.step.shape[1], grid.step.shape[1], grid.wet.shape[2]
     depth = min(max(0.0, 1.0 - smallest_gap(coarse, x, y)), 1.0)
@@ -122,7 +121,7 @@ def graded_lines(bearing, coarse, x, y, grid):
     fill_grid(bearing, grid)
 
 
-@compiled
+@inner
 def fill_grid(bearing, grid):
     """Steps, trigonometry, gap of the centred journal and load weights of the lines already placed."""
     n = grid.step.shape[1]

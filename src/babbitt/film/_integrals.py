@@ -2,13 +2,14 @@
 
 Called once for a settled position. The node on the side edge is a column of its own (index m): its pressure is the
 side pressure, its row gives the oil that leaves. Where less oil arrives than the gap could carry, the edge runs
-partly filled; no oil is drawn in from outside, so that inflow = outflow + side flow + squeezed volume in every land.
+partly filled; no oil is drawn in from outside, so that inflow = outflow + side flow + squeezed volume in
+every land.
 """
 
 from __future__ import annotations
 
+from babbitt.film._compiling import compiled, inner
 from babbitt.film._grids import film_coefficients
-from babbitt.film._structs import compiled
 
 INFLOW, OUTFLOW, SIDE_FLOW, IMBALANCE, JOURNAL_TORQUE, BEARING_TORQUE, TOTALS = range(7)
 
@@ -42,9 +43,9 @@ def integrate(axial, bearing, grid, film, x, y, x_rate, y_rate, pressure, void, 
         totals[k, IMBALANCE] = totals[k, INFLOW] - totals[k, OUTFLOW] - totals[k, SIDE_FLOW] - stored
 
 
-@compiled
+@inner
 def inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals):
-    """Flux and friction along the column of an inner node; finds the void behind a Reynolds rupture by continuity."""
+    """Flux and friction along the column of an inner node; the void behind a Reynolds rupture by continuity."""
     n = film.conductance.size
     weight = axial.root_weights[j] ** 2
     flux = 0.0
@@ -64,7 +65,7 @@ def inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals)
     totals[k, OUTFLOW] += weight * flux
 
 
-@compiled
+@inner
 def edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals):
     """Side flow: what the row of the edge node cannot pass on."""
     m = len(axial.size)
@@ -74,22 +75,22 @@ def edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals):
     if bearing.conserving and not grid.wet[k, 1, m - 1]:
         flux = film.inlet[0]
     totals[k, INFLOW] += weight * flux
-    add_friction(bearing, grid, k, 0, film, x, y, weight, flux, True, 0.0, 0.0, 0.0, totals)
-    for i in range(1, n):
-        arriving = weight * (flux - film.squeeze[i])
-        for j in range(m + 1):
-            arriving -= bearing.kappa * film.cubed[i] * axial.edge_stiffness[j] * pressure[k, i, j]
-        flux = film.couette[i]
-        if bearing.side_pressure <= 0.0:
-            flux = min(flux, max(arriving / weight, 0.0))
-        if film.couette[i] > 0.0:
-            void[k, i, m] = 1.0 - flux / film.couette[i]
-        totals[k, SIDE_FLOW] += arriving - weight * flux
-        add_friction(bearing, grid, k, i, film, x, y, weight, flux, False, 0.0, 0.0, void[k, i, m], totals)
+    for i in range(n):
+        if i > 0:
+            arriving = weight * (flux - film.squeeze[i])
+            for j in range(m + 1):
+                arriving -= bearing.kappa * film.cubed[i] * axial.edge_stiffness[j] * pressure[k, i, j]
+            flux = film.couette[i]
+            if bearing.side_pressure <= 0.0:
+                flux = min(flux, max(arriving / weight, 0.0))
+            if film.couette[i] > 0.0:
+                void[k, i, m] = 1.0 - flux / film.couette[i]
+            totals[k, SIDE_FLOW] += arriving - weight * flux
+        add_friction(bearing, grid, k, i, film, x, y, weight, flux, i == 0, 0.0, 0.0, void[k, i, m], totals)
     totals[k, OUTFLOW] += weight * flux
 
 
-@compiled
+@inner
 def add_friction(bearing, grid, k, i, film, x, y, weight, flux, full, p_here, p_behind, void, totals):
     """Shear of one interval of one column: Couette part with the liquid fraction, and +- (h/2) dp/dtheta.
 

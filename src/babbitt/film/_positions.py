@@ -1,26 +1,26 @@
-"""Kernels: the film at a prescribed position, and equilibrium of a round bore whose film starts at the widest gap."""
+"""Kernels: the film at a prescribed position, and equilibrium where the film starts at the widest gap."""
 
 from __future__ import annotations
 
 import math
 
+from babbitt.film._compiling import compiled, spliced
 from babbitt.film._equilibrium import CONVERGED, NO_FILM, TOO_MANY_STEPS, evaluate
 from babbitt.film._grids import graded_lines, new_film, new_grid, new_lines, smallest_gap, uniform_lines
-from babbitt.film._structs import compiled
 
 
-@compiled
+@spliced
 def find_wet_set(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, max_steps, result):
     """Repeat the film at one position until no node changes; returns the number of solutions, or -1."""
     for step in range(1, max_steps + 1):
-        if evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, 0, result) == 0:
+        if evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, bool(0), result) == 0:
             return step
     return -1
 
 
 @compiled
 def film_at(axial, bearing, n_coarse, n_fine, x, y, x_rate, y_rate, max_steps, result):
-    """Film at a position and velocity on graded lines: returns status, steps, smallest gap, grid; fills ``result``."""
+    """Film at a position and velocity on graded lines: returns status, steps, gap, grid; fills ``result``."""
     m, count = len(axial.size), bearing.lands.shape[0]
     n = n_coarse
     grid = new_grid(count, n, m)
@@ -41,7 +41,7 @@ def film_at(axial, bearing, n_coarse, n_fine, x, y, x_rate, y_rate, max_steps, r
         total += steps
         if n == n_fine:
             if bearing.smooth:
-                evaluate(axial, bearing, finer, film, lines, x, y, x_rate, y_rate, 1, result)
+                evaluate(axial, bearing, finer, film, lines, x, y, x_rate, y_rate, bearing.smooth, result)
             return CONVERGED, total, gap, finer
         grid = finer
         n = min(4 * n, n_fine)

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from numba import njit
 from numpy import bool_, float64, int64
 from numpy.typing import NDArray
 
@@ -21,17 +20,11 @@ Array = NDArray[float64]
 START, END, CLEARANCE, CENTRE_X, CENTRE_Y, START_PRESSURE, END_PRESSURE = range(7)
 LAND_COLUMNS = 7
 
-compiled = njit(cache=True, error_model="numpy", nogil=True, fastmath={"contract", "reassoc"})
-"""Decorator of every kernel: cached on disk, IEEE division, no GIL."""
-
-inlined = njit(cache=True, error_model="numpy", nogil=True, fastmath={"contract", "reassoc"}, forceinline=True)
-"""Decorator of kernels that run once a line or once a land: handing over the tuples would cost as much as they do."""
-
 
 class Axial(NamedTuple):
     """The axial operator in the symmetric variable u = sqrt(w) p (see ``babbitt.film.axial``)."""
 
-    size: tuple[int, ...]  # m zeros: the compiler knows the length of a tuple, so loops over m unroll
+    size: tuple[int, ...] | NDArray[int64]  # m zeros; in a tuple the compiler knows m and unrolls its loops
     root_weights: Array  # sqrt(w_j), (m,)
     stiffness: Array  # K~ = W^-1/2 K W^-1/2, (m, m)
     load: Array  # K~ sqrt(w): what a uniform side pressure does, (m,)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from babbitt.film._compiling import compiled, inner
 from babbitt.film._forces import TIE, shortening
-from babbitt.film._structs import compiled
-from babbitt.film._surface import solve_surface, surface_coefficients
+from babbitt.film._surface import solve_surface
+from babbitt.film._surface_film import surface_coefficients
 
 
 @compiled
@@ -14,21 +15,25 @@ def evaluate_surface(surface, film, work, at, rate, smooth, force, stiffness, da
     With ``smooth`` the adjoints are solved once more and end at the rupture, as in ``_equilibrium.evaluate``.
     """
     surface_coefficients(surface, at, rate, film)
-    solve_surface(surface, film, work)
-    if smooth:
-        pressure = work.solution[0].copy()
-        end_adjoints_at_rupture(surface, film, work)
+    for again in range(2 if smooth else 1):
+        if again == 1:
+            end_adjoints_at_rupture(surface, film, work)
         solve_surface(surface, film, work)
-        work.solution[0] = pressure
-        work.ending[:] = 0.0
+        for i in range(work.pressure.shape[0]):
+            for j in range(work.pressure.shape[1]):
+                if again == 0:
+                    work.pressure[i, j] = work.solution[0, i, j]
+                else:
+                    work.solution[0, i, j] = work.pressure[i, j]
+    work.ending[:] = 0.0
     balance_rows(surface, film, work)
     reduce_surface(surface, film, work, force, stiffness, damping)
     return update_surface(surface, film, work)
 
 
-@compiled
+@inner
 def balance_rows(surface, film, work):
-    """Split the solution into pressure and liquid fraction and balance every node; a held node's row is its supply."""
+    """Split the solution into pressure and liquid fraction and balance every node; a held node's row is supply."""
     lines, nodes = surface.held.shape
     for i in range(lines):
         for j in range(nodes):
@@ -58,7 +63,7 @@ def balance_rows(surface, film, work):
             work.row[after, j] -= flux
 
 
-@compiled
+@inner
 def update_surface(surface, film, work):
     """Semismooth Newton step on the wet set; returns the number of changes."""
     lines, nodes = surface.held.shape
@@ -74,7 +79,7 @@ def update_surface(surface, film, work):
     return changed
 
 
-@compiled
+@inner
 def end_adjoints_at_rupture(surface, film, work):
     """Conductance from the last wet line to the rupture itself, see ``_forces.end_at_rupture``."""
     lines, nodes = surface.held.shape
@@ -94,7 +99,7 @@ def end_adjoints_at_rupture(surface, film, work):
                 work.ending[i, j] += film.conductance[before, j] * shortening(pressure, surplus)
 
 
-@compiled
+@inner
 def reduce_surface(surface, film, work, force, stiffness, damping):
     """Forces from the reference pressure; stiffness and damping from the adjoints (``_forces.add_forces``)."""
     lines, nodes = surface.held.shape
@@ -135,12 +140,12 @@ def reduce_surface(surface, film, work, force, stiffness, damping):
 
 @compiled
 def carry_streamers(surface, film, work):
-    """Liquid fraction behind a Reynolds rupture by continuity, so that flows and friction count only the oil there."""
+    """Liquid fraction behind a Reynolds rupture by continuity: flows and friction count only the oil there."""
     lines, nodes = surface.held.shape
     n = surface.step.size
     for j in range(nodes):
         flux = -1.0  # unknown until the column has passed a film
-        for turn in range(2 if surface.cyclic else 1):
+        for _ in range(2 if surface.cyclic else 1):
             for i in range(n):
                 after = (i + 1) % lines
                 old = work.fill[i, j]

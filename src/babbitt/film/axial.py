@@ -62,7 +62,7 @@ def lobatto_rule(degree: int) -> tuple[Array, Array]:
         inner = inner - legendre.legval(inner, slope) / legendre.legval(inner, curvature)
     nodes = np.concatenate(([-1.0], inner, [1.0]))
     nodes = 0.5 * (nodes - nodes[::-1])  # exactly antisymmetric
-    weights = 2.0 / (degree * (degree + 1) * legendre.legval(nodes, series) ** 2)
+    weights = np.asarray(2.0 / (degree * (degree + 1) * legendre.legval(nodes, series) ** 2), dtype=np.float64)
     for array in (nodes, weights):
         array.setflags(write=False)
     return nodes, weights

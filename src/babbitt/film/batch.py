@@ -87,6 +87,8 @@ def solve_batch(
     check_lands(lands, 0.0)
     if any(land.clearance is not None or land.centre != (0.0, 0.0) or land.profile for land in lands):
         raise InputError("E101", "a batch takes round lands only; solve lobes and measured bores one by one.")
+    if cavitation is Cavitation.HALF_SOMMERFELD:
+        raise InputError("E101", "a batch has no half-Sommerfeld condition; solve such films one by one.")
     force = np.atleast_2d(np.asarray(load, dtype=float))
     values = [np.asarray(v, dtype=float) for v in (diameter, width, clearance, viscosity, angular_speed)]
     count = np.broadcast_shapes(*(v.shape for v in values), force.shape[:1])[0]

@@ -1,24 +1,26 @@
-"""Equilibrium of films that differ across the width (``ring``): pockets, holes, tilt, axial viscosity, closed rings."""
+"""Equilibrium of films that differ across the width (``ring``): pockets, holes, tilt, viscosity, closed rings."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film._equilibrium import (
+    CONTACT,
     CONVERGED,
     CYCLING,
     MODERATE_LOAD,
     NO_FILM,
     PATIENCE,
     PATIENT_STEPS,
+    THINNEST,
     TOO_MANY_STEPS,
     damped_step,
 )
-from babbitt.film._surface import (
+from babbitt.film._surface_film import (
     SurfaceFilm,
     SurfaceWork,
     new_surface_film,
@@ -35,6 +37,13 @@ Array = NDArray[np.float64]
 ZERO = np.zeros(2)
 
 
+@dataclass
+class Effort:
+    """What a search may still spend, in multiplications: a bound that is the same on every machine."""
+
+    left: float = 1.8e8
+
+
 @dataclass(eq=False)
 class Sample:
     """A ring with its workspace and the last result."""
@@ -45,17 +54,26 @@ class Sample:
     force: Array
     stiffness: Array
     damping: Array
+    effort: Effort
 
     @classmethod
-    def of(cls, ring: Ring) -> Sample:
+    def of(cls, ring: Ring, effort: Effort) -> Sample:
         """Workspace with all nodes wet."""
         two = np.zeros((2, 2))
         return cls(
-            ring, new_surface_film(ring.surface), new_surface_work(ring.surface), np.zeros(2), two, two.copy()
+            ring,
+            new_surface_film(ring.surface),
+            new_surface_work(ring.surface),
+            np.zeros(2),
+            two,
+            two.copy(),
+            effort,
         )
 
     def evaluate(self, at: Array, rate: Array = ZERO, smooth: bool = False) -> int:
         """Force, stiffness and damping at a position; number of nodes that changed sides."""
+        lines, nodes = self.work.wet.shape
+        self.effort.left -= lines * nodes**2 * (nodes + 10)
         return int(
             evaluate_surface(
                 self.ring.surface, self.film, self.work, at, rate, smooth, self.force, self.stiffness, self.damping
@@ -111,12 +129,14 @@ def rest(
             sample.work.wet[:] = True
         for _ in range(PATIENCE if patient else 1):
             changed = sample.evaluate(at)
-            if changed == 0:
+            if changed == 0 or sample.effort.left < 0.0:
                 break
         residual = sample.force + load
         size = math.hypot(*residual)
         if not math.isfinite(size):
             return at, NO_FILM, step, gap
+        if sample.effort.left < 0.0:
+            return at, TOO_MANY_STEPS, step, gap
         if size <= floor or (step > CYCLING and size <= 1e-4 * size_of_load):
             calm += 1
             if changed == 0 or calm > 4:
@@ -130,20 +150,29 @@ def rest(
         while not new_gap > shrink * gap and halvings < 60:
             move, halvings = 0.5 * move, halvings + 1
             new_gap = sample.gap(at + move)
+        if not new_gap > CONTACT:
+            return at, NO_FILM, step, gap
         at, gap = at + move, new_gap
     return at, TOO_MANY_STEPS, max_steps, gap
 
 
 def rest_ring(film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int) -> SettledRing:
     """Equilibrium under a dimensionless load: a fast attempt, and if that loses the film, a patient one."""
-    settled = attempt(film, unit, load, resolution, max_steps, patient=False)
-    if settled.status == CONVERGED:
-        return settled
-    return attempt(film, unit, load, resolution, max_steps, patient=True)
+    effort = Effort()
+    settled = attempt(film, unit, load, resolution, max_steps, effort, patient=False)
+    if settled.status != CONVERGED:
+        settled = attempt(film, unit, load, resolution, max_steps, effort, patient=True)
+    return replace(settled, status=NO_FILM) if settled.gap < THINNEST else settled
 
 
 def attempt(
-    film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int, patient: bool
+    film: JournalFilm,
+    unit: float,
+    load: Array,
+    resolution: Resolution,
+    max_steps: int,
+    effort: Effort,
+    patient: bool,
 ) -> SettledRing:
     """Coarse rings first, heavier loads step by step, then the fine ring."""
     per_turn = resolution.ring_intervals
@@ -153,14 +182,14 @@ def attempt(
     coarse: Sample | None = None
     steps_per_grid = PATIENT_STEPS if patient else max_steps
     for _ in range(60):
-        sample = Sample.of(build_ring(film, unit, per_turn // 4, resolution.axial_unknowns, density))
+        sample = Sample.of(build_ring(film, unit, per_turn // 4, resolution.axial_unknowns, density), effort)
         if coarse is not None:
             sample.start_from(coarse)
         coarse = sample
         at, status, steps, gap = rest(sample, share * load, at, 1e-2, steps_per_grid, patient)
         total += steps
         settled = status == CONVERGED
-        if status == NO_FILM or not (settled or patient) or gap < 1e-9:
+        if status == NO_FILM or effort.left < 0.0 or not (settled or patient):
             return SettledRing(sample, at, status, total, gap)
         density = line_density(film, at, gap)
         if settled and share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap):
@@ -168,7 +197,7 @@ def attempt(
         last_gap = gap
         if settled:
             share = min(1.0, 4.0 * share)
-    fine = Sample.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density))
+    fine = Sample.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density), effort)
     fine.start_from(sample)
     at, status, steps, gap = rest(fine, load, at, resolution.tolerance, max_steps, patient)
     if status == CONVERGED:
@@ -178,9 +207,9 @@ def attempt(
 
 def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: Resolution) -> SettledRing:
     """Film at a position and velocity."""
-    total, coarse, density = 0, None, None
+    total, coarse, density, effort = 0, None, None, Effort(math.inf)
     for per_turn in (resolution.ring_intervals // 4, resolution.ring_intervals):
-        sample = Sample.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density))
+        sample = Sample.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density), effort)
         gap = sample.gap(at)
         if not gap > 0.0:
             return SettledRing(sample, at, NO_FILM, total, gap)

@@ -18,6 +18,7 @@ class Cavitation(Enum):
     REYNOLDS = (
         "Swift-Stieber: pressure and its gradient vanish where the film ends, oil is not accounted for behind"
     )
+    HALF_SOMMERFELD = "Gumbel: suctions of the full film count as nothing; no coefficients and no flows"
 
 
 class FilmStart(Enum):
@@ -75,8 +76,8 @@ class Land:
     start_pressure, end_pressure : float
         Gauge pressures of the grooves at either edge, Pa.
     profile : tuple of float
-        Departure of the bore from its circle, m, outward positive, at equally spaced angles from edge to edge (wear,
-        measured form). Empty: none.
+        Departure of the bore from its circle, m, outward positive, at equally spaced angles from edge to edge
+        (wear, measured form). Empty: none.
     """
 
     start_angle: float
@@ -183,6 +184,8 @@ class JournalFilm:
         if self.film_start is FilmStart.WIDEST_GAP:
             check_round(self)
         check_pockets(self)
+        if self.cavitation is Cavitation.HALF_SOMMERFELD:
+            check_plain_ring(self)
 
 
 def check_lands(lands: tuple[Land, ...], cavitation_pressure: float) -> None:
@@ -203,8 +206,8 @@ def check_lands(lands: tuple[Land, ...], cavitation_pressure: float) -> None:
     for land, following in zip(ordered, [*ordered[1:], ordered[0]], strict=True):
         distance = (following.start_angle - land.start_angle) % turn or turn
         if land.end_angle - land.start_angle > distance * (1.0 + 1e-12) + 1e-12:
-            raise InputError("E101", f"the land that starts at {land.start_angle} rad overlaps the one that starts at "
-                             f"{following.start_angle} rad.")  # fmt: skip
+            raise InputError("E101", f"the land that starts at {land.start_angle} rad overlaps that which starts "
+                             f"at {following.start_angle} rad.")  # fmt: skip
 
 
 def check_round(film: JournalFilm) -> None:
@@ -212,7 +215,15 @@ def check_round(film: JournalFilm) -> None:
     land = film.lands[0]
     whole = abs(land.end_angle - land.start_angle - 2.0 * math.pi) < 1e-9
     if len(film.lands) > 1 or not whole or land.profile or land.centre != (0.0, 0.0):
-        raise InputError("E101", "film_start is the widest gap; that needs one round land of 360 degrees.")
+        raise InputError("E101", "this start or end of the film needs one round land of 360 degrees.")
+
+
+def check_plain_ring(film: JournalFilm) -> None:
+    """Refuse half-Sommerfeld films other than the closed, plain, round ring for which the condition is used."""
+    if film.film_start is not FilmStart.PERIODIC or film.pockets or film.misalignment != (0.0, 0.0):
+        raise InputError("E101", "the half-Sommerfeld condition is for a plain closed ring; choose "
+                         "FilmStart.PERIODIC without pockets and tilt, or another condition.")  # fmt: skip
+    check_round(film)
 
 
 def check_pockets(film: JournalFilm) -> None:
@@ -230,8 +241,8 @@ def check_pockets(film: JournalFilm) -> None:
         if len(film.lands) > 1:
             raise InputError("E101", "film_start is periodic; that needs one land of 360 degrees.")
         if film.cavitation is Cavitation.MASS_CONSERVING and not film.pockets:
-            raise InputError("E101", "nothing feeds this closed ring: a mass-conserving film would run dry. Give pockets "
-                             "or holes, or choose Cavitation.REYNOLDS.")  # fmt: skip
+            raise InputError("E101", "nothing feeds this closed ring: a mass-conserving film would run dry. Give "
+                             "pockets or holes, or choose Cavitation.REYNOLDS.")  # fmt: skip
 
 
 def grooved_bore(

@@ -12,6 +12,9 @@ from babbitt.film.axial import even_axial_operator
 __all__ = ["kernel_operator"]
 
 
+UNROLLED = 4  # the size for which kernels are compiled with loops unrolled; all others share one compilation
+
+
 @lru_cache(maxsize=32)
 def kernel_operator(unknowns: int) -> Axial:
     """Even GLL operator with ``unknowns`` nodes per line, in the symmetric variable u = sqrt(w) p."""
@@ -20,7 +23,7 @@ def kernel_operator(unknowns: int) -> Axial:
     stiffness = np.ascontiguousarray(operator.stiffness[:-1, :-1] / np.outer(root, root))
     modes = np.ascontiguousarray(operator.modes)
     return Axial(
-        size=(0,) * unknowns,
+        size=(0,) * unknowns if unknowns == UNROLLED else np.zeros(unknowns, dtype=np.int64),
         root_weights=root,
         stiffness=stiffness,
         load=stiffness @ root,

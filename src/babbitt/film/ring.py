@@ -1,18 +1,19 @@
 """The unrolled bearing of a film that differs across the width: lines, nodes, what is held, and the gap.
 
-One surface from a groove once round the bearing (or a closed ring where no groove spans the width). Lines fall on every
-groove and pocket edge; axial elements end on every pocket edge, for the pressure has kinks there.
+One surface from a groove once round the bearing (or a closed ring where no groove spans the width). Lines fall on
+every groove and pocket edge; axial elements end on every pocket edge, for the pressure has kinks there.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._surface import Surface
+from babbitt.film._surface_film import Surface
 from babbitt.film.axial import AxialMesh, element_axial_mesh, even_axial_mesh
 from babbitt.film.model import Cavitation, FilmStart, JournalFilm, Land
 
@@ -96,8 +97,9 @@ def build_ring(film: JournalFilm, pressure_unit: float, per_turn: int, degree: i
     surface = Surface(
         step=np.diff(theta), trigonometry=trigonometry, gap_a=gap_a, gap_b=gap_b, viscosity=viscosity,
         zeta=mesh.points, share=mesh.share, node=mesh.node_of_point, slope=mesh.slope, held=held,
-        held_pressure=pressure, motions=2, cyclic=closed, reference=base, kappa=(film.diameter / film.width) ** 2 / 12.0,
-        speed=1.0 if film.angular_speed else 0.0, conserving=film.cavitation is Cavitation.MASS_CONSERVING,
+        held_pressure=pressure, motions=2, cyclic=closed, reference=base,
+        kappa=(film.diameter / film.width) ** 2 / 12.0, speed=1.0 if film.angular_speed else 0.0,
+        conserving=film.cavitation is Cavitation.MASS_CONSERVING,
     )  # fmt: skip
     return Ring(surface, theta, mesh, supply)
 
@@ -155,7 +157,7 @@ def circumferential_lines(
     per_turn: int,
     density: Array | None,
 ) -> Array:
-    """Lines over one turn from ``start``: on every edge, between edges at the wanted density, none inside a groove."""
+    """Lines over one turn: on every edge, between them at the wanted density, none inside a groove."""
     edges = {0.0, TURN}
     for first, last, *_ in [*grooves, *pockets]:
         for edge in (first, last):
@@ -171,7 +173,7 @@ def circumferential_lines(
     mass = np.concatenate(([0.0], np.cumsum(0.5 * (wanted[1:] + wanted[:-1]))))
     mass *= per_turn / mass[-1]
     pieces = [np.zeros(1)]
-    for left, right in zip(marks[:-1], marks[1:], strict=True):
+    for left, right in pairwise(marks):
         count = 1
         if not any(
             within(np.array([start + 0.5 * (left + right)]), first, last)[0] for first, last, *_ in grooves
@@ -185,7 +187,7 @@ def circumferential_lines(
 
 
 def gaps(film: JournalFilm, theta: Array, mesh: AxialMesh) -> tuple[Array, Array, Array]:
-    """Gap of the centred journal at both Gauss points of every interval and every axial point, and cos, sin there."""
+    """Gap of the centred journal at both Gauss points of every interval and axial point, and cos, sin there."""
     step, middle = np.diff(theta), 0.5 * (theta[1:] + theta[:-1])
     offset = step * (0.5 / math.sqrt(3.0))
     a, b = middle - offset, middle + offset

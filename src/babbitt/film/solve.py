@@ -1,7 +1,7 @@
 """The door of the film engine: find where the journal rests, or what the film does at a position.
 
-Inside everything is dimensionless and the journal turns counter-clockwise; a clockwise journal is solved in the mirror
-(theta -> -theta). Lengths c, pressures mu omega (R/c)^2, forces mu omega (R/c)^2 R B, flows omega R c B,
+Inside everything is dimensionless and the journal turns counter-clockwise; a clockwise journal is solved in the
+mirror (theta -> -theta). Lengths c, pressures mu omega (R/c)^2, forces mu omega (R/c)^2 R B, flows omega R c B,
 torques mu omega R^3 B / c.
 """
 
@@ -71,6 +71,10 @@ def solve_journal(
     if film.angular_speed == 0.0:
         raise InputError("E101", "angular_speed is zero; a film at rest carries no steady load. Give a speed, or "
                          "prescribe position and velocity (film_at_position).")  # fmt: skip
+    if film.cavitation is Cavitation.HALF_SOMMERFELD:
+        from babbitt.film.half_sommerfeld import half_sommerfeld_equilibrium
+
+        return half_sommerfeld_equilibrium(film, load, resolution)
     scales = Scales.of(film, abs(film.angular_speed))
     if film.differs_across_width:
         from babbitt.film.general import rest_ring
@@ -126,6 +130,10 @@ def film_at_position(
         raise InputError("E101", "angular_speed and velocity are both zero; nothing drives the film.")
     if film.angular_speed == 0.0 and film.cavitation is Cavitation.MASS_CONSERVING:
         raise InputError("E101", "a film that is only squeezed has no steady void; choose Cavitation.REYNOLDS.")
+    if film.cavitation is Cavitation.HALF_SOMMERFELD:
+        from babbitt.film.half_sommerfeld import half_sommerfeld_at
+
+        return half_sommerfeld_at(film, position, velocity, resolution)
     scales = Scales.of(film, rate)
     at = np.asarray(position) * scales.sense / scales.length
     moving = np.asarray(velocity) * scales.sense / (scales.length * scales.rate)
