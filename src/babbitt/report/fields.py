@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import tempfile
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -112,10 +113,11 @@ def write_fields(case: FilmCase, result: Result, path: str | Path) -> None:
         raise InputError("E007", f"cannot write {path}: fields are saved as NetCDF, in a file that ends in .nc")
     require_writable(path)
     dataset = fields(case, result)
-    try:
-        import h5netcdf  # noqa: F401  the engine of xarray
-    except ImportError:
-        raise _missing("h5netcdf") from None
+    for engine in ("h5netcdf", "h5py"):  # xarray writes with the first, which rests on the second
+        try:
+            import_module(engine)
+        except ImportError:
+            raise _missing(engine) from None
     with tempfile.TemporaryDirectory(prefix="babbitt-") as folder:
         partial = Path(folder) / "fields.nc"
         dataset.to_netcdf(partial, engine="h5netcdf")

@@ -11,6 +11,7 @@ from babbitt.bearings.field import FilmField, supply_patches
 from babbitt.bearings.model import FilmCase
 from babbitt.film.model import JournalFilm
 from babbitt.film.solution import FilmSolution
+from babbitt.quantities import QUANTITIES
 from babbitt.report.drawing import GREY, INK, MILLIMETRE, Array, Sheet
 
 if TYPE_CHECKING:
@@ -60,7 +61,7 @@ def surface(field: FilmField) -> Figure:
     pressure = np.array([np.interp(theta, places, 1e-6 * row) for row in field.pressure.T[::2]])
     panel.plot_surface(
         *np.meshgrid(theta, z), pressure, rstride=1, cstride=1, color="white", edgecolor="0.25", linewidth=0.25,
-        shade=False, antialiased=True,
+        shade=False, antialiased=True, clip_on=False,
     )  # fmt: skip
     degrees(panel, field)
     panel.set(xlabel="θ in °", ylabel="$z$ in mm", zlabel="$p$ in MPa")
@@ -110,7 +111,9 @@ def _thickness(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
         lines = panel.contour(theta, z, shown.T, levels=levels, colors="0.25", linewidths=0.45)
         panel.clabel(lines, levels[1::2], fontsize=6, fmt="%g", inline_spacing=2)
     row, column = _thinnest(field)
-    _point(panel, theta[row], z[column], f"{1e6 * solution.minimum_film_thickness:.3g}")
+    _point(
+        panel, theta[row], z[column], QUANTITIES["minimum_film_thickness"].format(solution.minimum_film_thickness)
+    )
 
 
 def _thinnest(field: FilmField) -> tuple[int, int]:

@@ -29,7 +29,10 @@ def polar(case: FilmCase, solution: FilmSolution, field: FilmField) -> Figure:
     edge = _bore(panel, solution, field)
     _pressure(panel, field, edge)
     _journal(panel, case, solution)
-    reach = float(edge.max()) + HIGHEST + 0.25
+    aside = abs(
+        math.cos(field.theta[field.mid_plane_pressure.argmax()])
+    )  # the name of the highest pressure is wide
+    reach = float(edge.max()) + HIGHEST + 0.25 + 0.25 * aside
     panel.set(xlim=(-reach, reach), ylim=(-reach, reach))
     _load(panel, case, solution, float(edge.max()) + 0.12)
     return figure
@@ -85,10 +88,10 @@ def _pressure(panel: Axes, field: FilmField, radius: Array) -> None:
     top = int(pressure.argmax())
     angle, out = field.theta[top], radius[top] + HIGHEST
     c, s = math.cos(angle), math.sin(angle)
-    panel.annotate(  # above or below, never beyond the sides of the sheet
-        f"{1e-6 * highest:.3g} MPa", (out * c, out * s), xytext=(0, 4 if s > 0.0 else -4),
-        textcoords="offset points", fontsize=7, va="bottom" if s > 0.0 else "top",
-        ha="right" if c > 0.6 else "left" if c < -0.6 else "center",
+    panel.annotate(
+        f"{1e-6 * highest:.3g} MPa", (out * c, out * s), xytext=(11 * c, 6 * s), textcoords="offset points",
+        fontsize=7, ha="center", va="center" if abs(s) < 0.3 else "bottom" if s > 0.0 else "top",
+        bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5},
     )  # fmt: skip
 
 
