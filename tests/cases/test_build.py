@@ -7,11 +7,11 @@ import pytest
 import yaml
 
 from babbitt.cases import CaseError, case_from_dict, case_hash, design_cases, load_case, parse_case, template
+from babbitt.design.cooling import STILL_AIR_COEFFICIENT
 from babbitt.fits import Clearance
 from babbitt.lubricants import lubricant
 from babbitt.materials import LoadCharacter, bearing_metal, structural_material
 from babbitt.standards.iso7902 import check
-from babbitt.design.cooling import STILL_AIR_COEFFICIENT
 from babbitt.standards.iso7902.model import (
     Curves,
     DesignCase,

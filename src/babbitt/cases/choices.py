@@ -48,8 +48,8 @@ class LimitsGiven(Part):
 
     tables: Annotated[str, Field(max_length=100_000)] | None = Field(
         None,
-        description="TOML file with your own tables of limits by experience, in the form of the shipped limits.toml; "
-        "named from the folder of the case.",
+        description="TOML file with your own tables of limits by experience, in the form of the shipped "
+        "limits.toml; named from the folder of the case.",
     )
 
     def limits(self) -> Limits:
@@ -63,7 +63,7 @@ class LimitsGiven(Part):
         )
 
     def own_tables(self) -> ExperienceLimits | None:
-        """Give the tables that stand in place of the shipped ones; reading a case puts their text into the field."""
+        """Give the tables in place of the shipped ones; whoever reads a case puts their text into the field."""
         return None if self.tables is None else parse_experience_limits(self.tables, "of the case")
 
     @rule

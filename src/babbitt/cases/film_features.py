@@ -264,6 +264,6 @@ def _overlap(
     apart = abs(math.remainder(one.angle - other.angle, TURN))
     if apart >= (extent + other_extent) / 2.0 * (1.0 - 1e-9) and (apart > 0.0 or extent + other_extent > 0.0):
         return False
-    if isinstance(one, GrooveGiven):
+    if isinstance(one, GrooveGiven) or isinstance(other, GrooveGiven):
         return True
     return abs(one.axial_position - other.axial_position) < (length + other_length) / 2.0 * (1.0 - 1e-9)

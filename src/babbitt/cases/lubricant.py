@@ -100,7 +100,7 @@ class TwoPointLubricant(OwnLubricant):
     )
     form: Literal["walther", "astm_d341"] = Field(
         "walther",
-        description="Law through the points: lg lg (nu + 0.7), or ASTM D341 with its terms for oils below 2 mm2/s.",
+        description="Law through the points: lg lg (nu + 0.7), or ASTM D341 with its term for oils below 2 mm2/s.",
     )
 
     def lubricant(self) -> Lubricant:

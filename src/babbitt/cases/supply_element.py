@@ -179,7 +179,8 @@ def complaints_about(element: SupplyElementGiven, width: float, diameter: float)
             f"less than {written(width, 'mm')}",
         )
     elif isinstance(element, HoleElement) and element.number * element.diameter > math.pi * diameter:
-        says = f"{element.number} holes of {written(element.diameter, 'mm')} take {written(element.number * element.diameter, 'mm')}"
+        together = written(element.number * element.diameter, "mm")
+        says = f"{element.number} holes of {written(element.diameter, 'mm')} take {together}"
         around = written(math.pi * diameter, "mm")
         yield Complaint(
             ("supply_element", "number"), says, f"up to the circumference, {around}", "fewer or smaller holes"

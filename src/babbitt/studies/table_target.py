@@ -48,8 +48,8 @@ def require_target(format_name: str, film: FilmCase, file: Path, output: Path, o
         do = "leave out --other-end" if other_end else "add --other-end, and build the rotor from that end"
         raise InputError(
             "E004",
-            f"{film.name} turns {turned}, but {format_name} takes counter-clockwise rotation for granted and would "
-            f"take the cross-coupling with the wrong sign; {do}, or choose csv or json",
+            f"{film.name} turns {turned}, but {format_name} takes counter-clockwise rotation for granted and "
+            f"would take the cross-coupling with the wrong sign; {do}, or choose csv or json",
         )
     if output.suffix.lower() not in wanted.suffixes:
         raise InputError("E007", f"cannot write {output}: {format_name} is {' or '.join(wanted.suffixes)}")
