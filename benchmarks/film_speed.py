@@ -83,7 +83,7 @@ def main():
     angle = -0.5 * math.pi + rng.uniform(-0.5, 0.5, count)
     load = size[:, None] * np.stack((np.cos(angle), np.sin(angle)), axis=1)
     one = np.ones(count)
-    for cavitation in Cavitation:
+    for cavitation in (Cavitation.REYNOLDS, Cavitation.MASS_CONSERVING):
         for intervals in (48, 96):
             grid = Resolution(4, intervals)
 
