@@ -1,14 +1,19 @@
 """The command line holds its contract: exit statuses, standard output, nothing written on bad input."""
 
 import json
+import math
 import re
 import sys
+from functools import partial
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from babbitt import cli
-from babbitt.cases import kinds, template
+from babbitt.cases import kinds, parse_case, template
+from babbitt.interop import mirrored, read_ansys, read_csv, read_json, read_ross, read_xltrc2
+from babbitt.solving import solve
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 BAD = Path(__file__).parent / "cases" / "bad"
@@ -135,7 +140,8 @@ def test_compare_puts_the_variants_side_by_side(run, tmp_path):
     (tmp_path / "half.yaml").write_text(full.replace("span: 360 deg", "span: 180 deg"))
     status, out, _ = run("compare", "full.yaml")
     assert status == 0
-    assert "as given" in out
+    assert "ISO 7902" in out
+    assert "film, Reynolds" in out
     assert "closed forms" in out
     status, out, _ = run("compare", "half.yaml")
     assert status == 0
@@ -196,6 +202,107 @@ def test_several_files_need_a_folder_and_fill_it(run, tmp_path):
     status, _, err = run("solve", "one.yaml", "two.yaml", "--json", "out")
     assert status == 0, err
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["one.json", "two.json"]
+
+
+def film_journal(**fields) -> str:
+    """A grooved bearing for the film method; a field that is None is left out."""
+    lines = {
+        "kind": "journal",
+        "name": "Pump",
+        "method": "film",
+        "diameter": "200 mm",
+        "width": "120 mm",
+        "clearance": "{kind: relative, mean: 1.5 permille}",
+        "grooves": "[{angle: 0 deg, extent: 20 deg}, {angle: 180 deg, extent: 20 deg}]",
+        "materials": "{bearing: C10, journal: C45}",
+        "lubricant": "ISO VG 46",
+        "supply": "{temperature: 45 degC, pressure: 0.15 MPa}",
+        "load": "30 kN",
+        "speed": "3000 rpm",
+    } | fields
+    return "".join(f"{name}: {value}\n" for name, value in lines.items() if value is not None)
+
+
+@pytest.mark.parametrize(
+    ("format_name", "suffix", "read"),
+    [
+        ("ross2", ".json", partial(read_ross, version=2)),
+        ("ross3", ".toml", partial(read_ross, version=3)),
+        ("xltrc2", ".csv", read_xltrc2),
+        ("ansys", ".txt", read_ansys),
+        ("csv", ".csv", lambda path: read_csv(path)[0]),
+        ("json", ".json", lambda path: read_json(path)[0]),
+    ],
+)
+def test_export_writes_every_format_and_declares_the_frame(run, tmp_path, format_name, suffix, read):
+    (tmp_path / "case.yaml").write_text(film_journal())
+    out_file = tmp_path / f"table{suffix}"
+    arguments = ("export", "case.yaml", "--format", format_name, "--speeds", "1000 rpm:3000 rpm:5", "-o", out_file)
+    status, out, err = run(*arguments)
+    assert (status, out) == (0, ""), err
+    assert "5 speeds; rotation counter-clockwise, x axis at 0 deg, load at -90 deg" in err
+    table = read(out_file)
+    assert table.frame.rotation.value == "counter-clockwise"
+    film = solve(parse_case(film_journal()))["Pump"]
+    assert table.speeds[-1] == pytest.approx(3000.0 * math.pi / 30.0, rel=1e-6)
+    assert table.stiffness[-1] == pytest.approx(np.array(film.stiffness), rel=1e-6)
+    assert table.damping[-1] == pytest.approx(np.array(film.damping), rel=1e-6)
+
+
+def test_export_of_a_clockwise_bearing_needs_a_decision(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(film_journal(speed="-3000 rpm"))
+    common = ("export", "case.yaml", "--speeds", "2000 rpm")
+    status, out, err = run(*common, "--format", "ansys", "-o", "table.txt")
+    assert (status, out) == (2, "")
+    assert "--other-end" in err
+    assert not (tmp_path / "table.txt").exists()
+    assert run(*common, "--format", "ansys", "-o", "table.txt", "--other-end")[0] == 0
+    assert run(*common, "--format", "csv", "-o", "table.csv")[0] == 0
+    (clockwise,) = read_csv(tmp_path / "table.csv")
+    seen = read_ansys(tmp_path / "table.txt")
+    assert clockwise.frame.rotation.value == "clockwise"
+    assert seen.frame.rotation.value == "counter-clockwise"
+    assert seen.stiffness[0] == pytest.approx(mirrored(clockwise).stiffness[0], rel=1e-6)
+
+
+def test_export_without_equilibrium_ends_with_three_and_writes_nothing(run, tmp_path):
+    (tmp_path / "case.yaml").write_text(film_journal(load="300 MN", effective_temperature="60 degC"))
+    status, out, err = run(
+        "export", "case.yaml", "--format", "csv", "--speeds", "0.1 rpm, 1 rpm", "-o", "table.csv"
+    )
+    assert (status, out) == (3, "")
+    assert "at 0 rpm" in err
+    assert "nothing was written" in err
+    assert not (tmp_path / "table.csv").exists()
+
+
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [
+        ({"--format": "ross"}, "ross2, ross3"),
+        ({"--format": "ross3", "-o": "table.csv"}, ".json or .toml"),
+        ({"--speeds": "fast"}, "--speeds 'fast'"),
+        ({"--bearing": "Pmup"}, "there are: Pump"),
+        ({"-o": "nowhere/table.csv"}, "folder does not exist"),
+        ({"-o": "case.csv", "case": "case.csv"}, "case file"),
+        ({"case": "standard.yaml"}, "method: film"),
+        ({"case": "two.yaml"}, "--bearing: Pump [a], Pump [b]"),
+    ],
+)
+def test_mistakes_of_export(run, tmp_path, changed, words):
+    points = "[{name: a, load: 20 kN}, {name: b, load: 10 kN}]"
+    for name, text in (
+        ("case.yaml", film_journal()),
+        ("case.csv", film_journal()),
+        ("standard.yaml", template("journal")),
+        ("two.yaml", film_journal(load=None, operating_points=points)),
+    ):
+        (tmp_path / name).write_text(text)
+    given = {"case": "case.yaml", "--format": "csv", "--speeds": "1000 rpm", "-o": "table.csv"} | changed
+    status, out, err = run("export", given.pop("case"), *(word for pair in given.items() for word in pair))
+    assert (status, out) == (2, "")
+    assert words in err
+    assert not (tmp_path / "table.csv").exists()
 
 
 def test_links_and_devices_stay_what_they_are(run, tmp_path):

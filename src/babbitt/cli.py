@@ -1,4 +1,4 @@
-"""The command line: solve, check, new, validate, compare, list, explain, cite, schema.
+"""The command line: solve, check, new, validate, compare, export, list, explain, cite, schema.
 
 Nothing but results goes to standard output; messages go to standard error. Heavy modules are imported by the
 command that needs them, so that ``babbitt --help`` answers at once.
@@ -6,6 +6,7 @@ command that needs them, so that ``babbitt --help`` answers at once.
 
 from __future__ import annotations
 
+import math
 import os
 import sys
 from collections.abc import Callable
@@ -179,6 +180,52 @@ def compare(file: Annotated[Path, typer.Argument(metavar="FILE", help="A case fi
 
     if not print_comparison(compare_methods(load_case(file))):
         raise typer.Exit(NO_SOLUTION)
+
+
+@app.command()
+def export(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file with method: film.")],
+    format_name: Annotated[
+        str, typer.Option("--format", metavar="FORMAT", help="ross2, ross3, xltrc2, ansys, csv or json.")
+    ],
+    speeds: Annotated[
+        str,
+        typer.Option(
+            metavar="SPEEDS", help="'500 rpm, 1000 rpm', or first:last:number, as '500 rpm:5000 rpm:10'."
+        ),
+    ],
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="OUT", help="Where to write the table.")],
+    bearing: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Which bearing, where the file has several.")
+    ] = None,
+    other_end: Annotated[
+        bool,
+        typer.Option(
+            "--other-end",
+            help="See the bearing from the other end of the shaft, where clockwise is counter-clockwise.",
+        ),
+    ] = False,
+) -> None:
+    """Write stiffness and damping over speed for a rotor program; the heat balance is closed at each speed."""
+    from babbitt.cases import design_cases, load_case
+    from babbitt.interop import export as write_table
+    from babbitt.interop import mirrored
+    from babbitt.interop.frame import declaration
+    from babbitt.studies.coefficients import run_over_speed
+    from babbitt.studies.speed_range import speeds_of
+    from babbitt.studies.table_target import chosen_film, require_target
+
+    film = chosen_film(design_cases(load_case(file)), file, bearing)
+    require_target(format_name, film, file, output, other_end)
+    run = run_over_speed(film, speeds_of(speeds))
+    if run.unsolved:
+        for speed, outcome in run.unsolved:
+            print(f"{film.name}: {outcome.value} at {speed * 30.0 / math.pi:.0f} rpm", file=sys.stderr)
+        print("nothing was written; leave these speeds out", file=sys.stderr)
+        raise typer.Exit(NO_SOLUTION)
+    table = mirrored(run.table()) if other_end else run.table()
+    write_table(table, output, format_name)
+    print(f"wrote {output}: {table.speeds.size} speeds; {declaration(table.frame)}", file=sys.stderr)
 
 
 @app.command(name="list")

@@ -209,6 +209,15 @@ EXPLANATIONS: dict[str, Explanation] = {
         "Below an eccentricity of 0.01 the characteristics follow their limit of small eccentricity.",
         "Check load and units; a bearing without load tends to whirl.",
     ),
+    "W120": Explanation(
+        "The journal whirls",
+        "The rotor is heavier than the critical mass: in this film a rigid rotor leaves its place and "
+        "whirls at about "
+        "half the speed.",
+        "A larger clearance, a thinner oil, a narrower bearing, a bore with preload, or tilting pads; "
+        "with an elastic "
+        "rotor make a rotordynamic analysis with stiffness and damping of the film.",
+    ),
     # -- no solution --------------------------------------------------------------------------------------------
     "S001": Explanation(
         "No film can carry the load",
@@ -306,6 +315,12 @@ EXPLANATIONS: dict[str, Explanation] = {
         "Whirl screening by Dmitriev",
         "Advice only: the eccentricity ratio should exceed 0.60; below 0.55 whirl is possible.",
         "A larger clearance, a thinner oil, a narrower bearing.",
+    ),
+    "C115": Explanation(
+        "Critical mass",
+        "The mass above which a rigid rotor whirls is compared with the mass of the rotor (`rotor_mass`), or, as "
+        "advice only, with the load over g.",
+        "A larger clearance, a thinner oil, a narrower bearing, or a bore with preload.",
     ),
     "C114": Explanation(
         "Recommended clearance",

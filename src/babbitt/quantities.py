@@ -43,6 +43,9 @@ SI = {
     "kPa": DisplayUnit("kPa", 1e-3, decimals=1),
     "1e-6/K": DisplayUnit("1e-6/K", 1e6, decimals=1),
     "s": DisplayUnit("s"),
+    "t": DisplayUnit("t", 1e-3),
+    "MN/m": DisplayUnit("MN/m", 1e-6),
+    "kNs/m": DisplayUnit("kN s/m", 1e-3),
 }
 
 
@@ -186,6 +189,45 @@ QUANTITIES: dict[str, Quantity] = {
             3,
             "Recommended mean relative clearance",
         ),
+        # dynamics of the film
+        _q("stiffness", "K", "N/m", "MN/m", 4, "Film stiffness, dF = -K dx, [[xx, xy], [yx, yy]]"),
+        *(
+            _q(
+                f"stiffness_{axes}",
+                f"k_{axes}",
+                "N/m",
+                "MN/m",
+                4,
+                f"Film stiffness, force in {row} over move in {column}",
+            )
+            for axes, row, column in (("xx", "x", "x"), ("xy", "x", "y"), ("yx", "y", "x"), ("yy", "y", "y"))
+        ),
+        _q("damping", "C", "N s/m", "kNs/m", 4, "Film damping, dF = -C dx', [[xx, xy], [yx, yy]]"),
+        *(
+            _q(
+                f"damping_{axes}",
+                f"c_{axes}",
+                "N s/m",
+                "kNs/m",
+                4,
+                f"Film damping, force in {row} over speed in {column}",
+            )
+            for axes, row, column in (("xx", "x", "x"), ("xy", "x", "y"), ("yx", "y", "x"), ("yy", "y", "y"))
+        ),
+        _q("rotor_mass", "m", "kg", "t", 4, "Mass of the rigid rotor carried by the bearing"),
+        _q("critical_mass", "m_cr", "kg", "t", 4, "Mass above which a rigid rotor whirls"),
+        _q(
+            "whirl_frequency_ratio",
+            "ν_w",
+            "1",
+            "",
+            3,
+            "Whirl frequency over rotational frequency; 0: cannot whirl",
+        ),
+        _q("threshold_speed", "N_w", "rad/s", "rpm", 4, "Speed above which the rotor whirls"),
+        _q("preload", "m_l", "1", "", 3, "Preload of the lobes, 1 - c/c_l"),
+        _q("lobe_clearance", "c_l", "m", "um", 4, "Radial clearance of the lobes"),
+        _q("mass_balance_error", "δ_m", "1", "", 2, "Oil lost in the film over the oil supplied"),
         _q("energy_balance_error", "δ_E", "1", "", 2, "Heat balance defect over friction power"),
         _q("iterations", "n", "1", "count", 3, "Evaluations of the temperature iteration"),
         _q("wall_time", "t", "s", "s", 3, "Time taken"),

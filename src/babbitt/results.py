@@ -8,6 +8,9 @@ from enum import Enum
 
 from babbitt.notices import Notice
 
+Matrix = tuple[tuple[float, ...], ...]
+"""Rows of numbers in SI."""
+
 
 class Outcome(Enum):
     """How a calculation ended, in the words the engineer reads."""
@@ -106,6 +109,10 @@ class Result:
         What was assumed because neither the case nor a published source says it.
     message : str
         For an unsolved result: how far it came and what to try.
+    settings : Mapping[str, str]
+        Choices that the numbers depend on.
+    arrays : Mapping[str, Matrix]
+        Named quantities of several numbers, in SI: ``stiffness`` and ``damping`` as [[xx, xy], [yx, yy]].
     """
 
     name: str
@@ -119,11 +126,27 @@ class Result:
     assumptions: tuple[str, ...] = ()
     message: str = ""
     settings: Mapping[str, str] = field(default_factory=dict)
+    arrays: Mapping[str, Matrix] = field(default_factory=dict)
 
     @property
     def within_limits(self) -> bool:
         """Whether every check that is not merely advice is kept."""
         return all(check.ok for check in self.checks if not check.advisory)
+
+    @property
+    def stiffness(self) -> Matrix:
+        """Film stiffness in N/m, [[xx, xy], [yx, yy]]."""
+        return self._array("stiffness")
+
+    @property
+    def damping(self) -> Matrix:
+        """Film damping in N s/m, [[xx, xy], [yx, yy]]."""
+        return self._array("damping")
+
+    def _array(self, name: str) -> Matrix:
+        if name in self.arrays:
+            return self.arrays[name]
+        raise AttributeError  # leads to __getattr__, which tells what there is
 
     def __getattr__(self, name: str) -> float:
         """Give the named quantities as attributes: ``result.minimum_film_thickness``."""
@@ -131,4 +154,6 @@ class Result:
         try:
             return values[name]
         except KeyError:
-            raise AttributeError(f"{name!r} is not among the results: {', '.join(values)}") from None
+            arrays: Mapping[str, Matrix] = self.__dict__.get("arrays", {})
+            there = ", ".join((*values, *arrays))
+            raise AttributeError(f"{name!r} is not among the results: {there}") from None

@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from babbitt import __version__
+from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case, JournalCase, Machine, OverhungCouplingCase, case_hash, design_cases
+from babbitt.cases.build import AnyDesign
 from babbitt.results import Outcome, Result
 from babbitt.shafts import bearing_loads
-from babbitt.standards.iso7902 import DesignCase
 from babbitt.standards.iso7902 import check as iso7902_check
 
 
@@ -21,7 +22,7 @@ class MachineResult:
     name : str
     results : tuple of Result
         One per bearing, operating point and clearance.
-    design_cases : tuple of DesignCase
+    design_cases : tuple of DesignCase or FilmCase
         What each result was computed from, in the same order; empty for kinds without a film.
     case_hash : str
         SHA-256 of the validated case.
@@ -35,7 +36,7 @@ class MachineResult:
 
     name: str
     results: tuple[Result, ...]
-    design_cases: tuple[DesignCase, ...]
+    design_cases: tuple[AnyDesign, ...]
     case_hash: str
     version: str = __version__
     case_text: str = ""
@@ -86,7 +87,7 @@ def solve(case: Case) -> MachineResult:
     if isinstance(case, OverhungCouplingCase):
         results: tuple[Result, ...] = (_shaft_result(case),)
     else:
-        results = tuple(iso7902_check(design) for design in designs)
+        results = tuple(solve_design(design) for design in designs)
     return MachineResult(
         case.name,
         results,
@@ -96,6 +97,24 @@ def solve(case: Case) -> MachineResult:
         source=case.source,
         notes=case.notes,
     )
+
+
+def solve_design(design: AnyDesign) -> Result:
+    """Solve one design case by its method.
+
+    Parameters
+    ----------
+    design : DesignCase or FilmCase
+
+    Returns
+    -------
+    Result
+    """
+    if isinstance(design, FilmCase):
+        from babbitt.bearings.check import film_check  # numba is imported when the first film is solved
+
+        return film_check(design)
+    return iso7902_check(design)
 
 
 def _shaft_result(case: OverhungCouplingCase) -> Result:

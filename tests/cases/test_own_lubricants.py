@@ -39,6 +39,21 @@ def test_two_points():
         assert oil.density(288.15) == pytest.approx(895.0)
 
 
+def test_two_points_by_the_full_law_for_thin_oils():
+    thin = {"kind": "two_points", "nu40": "2.4 mm2/s", "nu100": "1 mm2/s"}
+    full, short = made(thin | {"form": "astm_d341"}), made(thin)
+    assert made(thin | {"form": "walther"}).kinematic_viscosity(423.15) == short.kinematic_viscosity(423.15)
+    for oil in (full, short):
+        assert oil.kinematic_viscosity(313.15) == pytest.approx(2.4e-6)
+        assert oil.kinematic_viscosity(373.15) == pytest.approx(1.0e-6)
+    # ASTM D341 above 2 mm2/s is Walther's law; below, its terms count
+    assert abs(full.kinematic_viscosity(423.15) / short.kinematic_viscosity(423.15) - 1.0) > 0.02
+    thick = {"kind": "two_points", "nu40": "46 mm2/s", "nu100": "6.8 mm2/s"}
+    assert made(thick | {"form": "astm_d341"}).kinematic_viscosity(333.15) == pytest.approx(
+        made(thick).kinematic_viscosity(333.15), rel=1e-6
+    )
+
+
 def test_viscosity_index_and_grade():
     oil = made({"kind": "viscosity_index", "nu40": "50 mm2/s", "viscosity_index": 90})
     assert oil.kinematic_viscosity(373.15) == pytest.approx(6.874e-6, rel=1e-3)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
+from babbitt.design.ducts import Duct
 from babbitt.lubricants import OilProperties, lubricant, lubricant_from_points
 from babbitt.materials import bearing_metal
-from babbitt.standards.iso7902.losses import Duct
 from babbitt.standards.iso7902.model import (
     Bearing,
     DesignCase,

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from babbitt.standards.iso7902.cooling import (
+from babbitt.design.cooling import (
     STILL_AIR_COEFFICIENT,
     cylindrical_housing_surface,
     heat_transfer_coefficient,

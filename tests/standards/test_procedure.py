@@ -9,6 +9,8 @@ from design_cases import CASE_A, CASE_C, RPM, oil
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from babbitt.design.ducts import Duct
+from babbitt.design.heat_balance import NoFilmError, heat_paths
 from babbitt.lubricants import (
     ConstantViscosity,
     OilProperties,
@@ -18,9 +20,7 @@ from babbitt.lubricants import (
 )
 from babbitt.materials import LoadCharacter, bearing_metal, structural_material
 from babbitt.results import Outcome
-from babbitt.standards.iso7902.film import NoFilmError, curves_of, film_at
-from babbitt.standards.iso7902.heat_balance import heat_paths
-from babbitt.standards.iso7902.losses import Duct
+from babbitt.standards.iso7902.film import curves_of, film_at
 from babbitt.standards.iso7902.model import (
     Bearing,
     Curves,

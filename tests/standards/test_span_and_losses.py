@@ -7,7 +7,7 @@ from design_cases import oil
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt.standards.iso7902.losses import Duct, pipe_friction_factor
+from babbitt.design.ducts import Duct, pipe_friction_factor
 from babbitt.standards.iso7902.span import SpanRounding, conventional_span
 
 

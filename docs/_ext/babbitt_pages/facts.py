@@ -5,10 +5,10 @@ from __future__ import annotations
 from importlib.metadata import metadata
 
 from babbitt.characteristics import SPANS_DEGREES, table
+from babbitt.design import heat_balance
 from babbitt.lubricants import catalogue
 from babbitt.materials import bearing_metals, structural_materials
 from babbitt.notices import EXPLANATIONS
-from babbitt.standards.iso7902 import heat_balance
 
 
 def facts() -> dict[str, str]:

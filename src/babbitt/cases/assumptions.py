@@ -10,9 +10,9 @@ from babbitt.cases.journal import JournalBearing
 from babbitt.cases.materials import Materials
 from babbitt.cases.operating_point import OperatingPoint
 from babbitt.cases.supply import Supply
-from babbitt.cases.supply_element import SlotElement, UnevenPockets
+from babbitt.cases.supply_element import HoleElement, SlotElement, UnevenPockets
 from babbitt.cases.surfaces import DrawingSurfaces
-from babbitt.standards.iso7902.cooling import MOVING_AIR_FROM, STILL_AIR_COEFFICIENT
+from babbitt.design.cooling import MOVING_AIR_FROM, STILL_AIR_COEFFICIENT
 from babbitt.standards.iso7902.supply import equivalent_holes
 from babbitt.units import written
 
@@ -35,11 +35,23 @@ def assumptions_of(
     """
     return (
         *_of_span(bearing, point),
-        *_of_supply(bearing, point, supply),
+        *_of_supply_element(bearing, point, supply),
+        *common_assumptions_of(bearing, supply, cooling, materials),
+        *_of_friction_model(bearing),
+    )
+
+
+def common_assumptions_of(
+    bearing: JournalBearing, supply: Supply | None, cooling: Cooling | None, materials: Materials
+) -> tuple[str, ...]:
+    """Give the assumptions that stand behind a bearing by any method."""
+    return (
+        *_of_supply(supply),
         *_of_cooling(cooling),
         *_of_surfaces(bearing),
         *_of_materials(materials),
-        *_of_friction(bearing),
+        *_of_friction_factor(bearing),
+        *_of_limits(bearing),
     )
 
 
@@ -61,15 +73,28 @@ def _of_span(bearing: JournalBearing, point: OperatingPoint | None) -> Iterator[
     yield "The unevenness of the pockets is ignored in the supply flow."
 
 
-def _of_supply(bearing: JournalBearing, point: OperatingPoint | None, supply: Supply | None) -> Iterator[str]:
+def _of_supply_element(
+    bearing: JournalBearing, point: OperatingPoint | None, supply: Supply | None
+) -> Iterator[str]:
     element = bearing.element_at(point)
     if supply is None:
+        if isinstance(element, UnevenPockets):
+            yield "No supply is given: the pockets set the span and are ignored otherwise."
+        elif element is not None:
+            yield "No supply is given: the supply element is ignored."
         return
     if element is None:
         yield "No supply element is given: the supply pressure drives no flow of its own through the film."
+    if isinstance(element, HoleElement) and element.number > 1:
+        yield f"The {element.number} holes at each place are taken as not interacting."
     if isinstance(element, SlotElement):
         diameter, number = equivalent_holes(element.length, element.width)
         yield f"A slot is computed as {number:.3f} holes of {written(diameter, 'mm')}, same perimeter and area."
+
+
+def _of_supply(supply: Supply | None) -> Iterator[str]:
+    if supply is None:
+        return
     if not supply.tubes and not supply.holes:
         yield "No losses on the way: the supply pressure is that at the supply element."
     if supply.circulation_time is None:
@@ -106,8 +131,16 @@ def _of_materials(materials: Materials) -> Iterator[str]:
         yield "The load is taken as calm."
 
 
-def _of_friction(bearing: JournalBearing) -> Iterator[str]:
+def _of_friction_factor(bearing: JournalBearing) -> Iterator[str]:
     if bearing.friction.factor != 1.0:
         yield f"The friction coefficient is multiplied by {bearing.friction.factor:g}."
+
+
+def _of_limits(bearing: JournalBearing) -> Iterator[str]:
+    if (own := bearing.limits.own_tables()) is not None:
+        yield f"Limits by experience are those of the case: {own.source}."
+
+
+def _of_friction_model(bearing: JournalBearing) -> Iterator[str]:
     if bearing.friction.model == "curve360":
         yield "The friction number is that of the full bearing at the same eccentricity."

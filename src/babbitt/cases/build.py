@@ -4,37 +4,30 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator
+from typing import Any, TypeVar
 
-from babbitt.cases.as_given import words_of
-from babbitt.cases.assumptions import assumptions_of
-from babbitt.cases.cooling import Cooling
-from babbitt.cases.doubts import doubts_about
+from babbitt.bearings.model import FilmCase
+from babbitt.cases.film_cases import film_case
+from babbitt.cases.iso7902_cases import iso7902_case
+from babbitt.cases.joined_inputs import Inputs, Point, inputs
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import Case, JournalCase, Machine
-from babbitt.cases.materials import Materials
-from babbitt.cases.operating_point import LOADS, SPEEDS, OperatingPoint, stating
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
-from babbitt.cases.shared import merged
-from babbitt.cases.supply import Supply
-from babbitt.lubricants import Lubricant
-from babbitt.materials import LoadCharacter, bearing_metal
-from babbitt.standards.iso7902.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coefficient
-from babbitt.standards.iso7902.model import (
-    Bearing,
-    Curves,
-    DesignCase,
-    Friction,
-    GivenEccentricity,
-    GivenLoad,
-    HousingCooling,
-    OilSupply,
-)
+from babbitt.cases.part import Part
+from babbitt.standards.iso7902.model import DesignCase
+
+AnyDesign = DesignCase | FilmCase
+"""What a method computes: the design case of ISO 7902, or that of the film."""
+
+DesignT = TypeVar("DesignT")
+
+Maker = Callable[[Inputs, Point], DesignT]
 
 
-def design_cases(case: Case) -> tuple[DesignCase, ...]:
-    """Expand a case into one design case per bearing, operating point and clearance.
+def design_cases(case: Case) -> tuple[AnyDesign, ...]:
+    """Expand a case into one design case per bearing, operating point and clearance, by the method of each
+    bearing.
 
     Parameters
     ----------
@@ -42,22 +35,50 @@ def design_cases(case: Case) -> tuple[DesignCase, ...]:
 
     Returns
     -------
-    tuple of DesignCase
+    tuple of DesignCase or FilmCase
         In the order of the file; empty for the statics of a shaft. Names are ``Bearing``, ``Bearing [point]``,
         ``Bearing (minimum clearance)``, ``Bearing [point] (minimum clearance)``.
     """
+    return tuple(
+        design
+        for bearing in bearings_of(case)
+        for design in (film_cases(bearing, case) if bearing.method == "film" else iso7902_cases(bearing, case))
+    )
+
+
+def bearings_of(case: Case) -> tuple[JournalBearing, ...]:
+    """Bearings of a case; empty for the statics of a shaft."""
     match case:
-        case OverhungCouplingCase():
-            return ()
         case Machine():
-            bearings: tuple[JournalBearing, ...] = case.bearings
+            return case.bearings
         case JournalCase():
-            bearings = (case,)
-    return tuple(design_case for bearing in bearings for design_case in _expanded(bearing, case))
+            return (case,)
+        case _:
+            return ()
+
+
+def iso7902_cases(bearing: JournalBearing, case: Case) -> tuple[DesignCase, ...]:
+    """Design cases of ISO 7902 of one bearing of a case, whatever method it names; empty if the standard knows
+    it not.
+
+    The standard knows round bores with an aligned journal and a tabulated span.
+    """
+    known = bearing.bore is None or bearing.bore.kind == "round"
+    spans = all(bearing.span_at(point) is not None for point in bearing.operating_points or (None,))
+    if not (known and spans and bearing.misalignment is None):
+        return ()
+    return tuple(_expanded(bearing, case, iso7902_case))
+
+
+def film_cases(bearing: JournalBearing, case: Case) -> tuple[FilmCase, ...]:
+    """Film cases of one bearing of a case, whatever method it names."""
+    return tuple(_expanded(bearing, case, film_case))
 
 
 def case_hash(case: Case) -> str:
     """SHA-256 of a case in canonical JSON: the same for files that differ only in layout, units and defaults.
+
+    Numbers count to twelve significant digits, beyond which a change of units may leave its traces.
 
     Parameters
     ----------
@@ -68,148 +89,39 @@ def case_hash(case: Case) -> str:
     str
         64 hexadecimal digits.
     """
-    content = case.model_dump(mode="json", exclude_defaults=True)
+    content = _rounded(case)
     canonical = json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=True, allow_nan=False)
     return hashlib.sha256(canonical.encode("ascii")).hexdigest()
 
 
-@dataclass(frozen=True)
-class _Inputs:
-    """A bearing with what it shares with its machine."""
+def _rounded(value: Any) -> Any:
+    """What JSON can hold, floats to twelve significant digits, fields that have their default left out."""
+    match value:
+        case Part():
+            fields = type(value).model_fields
+            pairs = ((name, _rounded(getattr(value, name)), fields[name]) for name in fields)
+            return {
+                name: own for name, own, field in pairs if field.is_required() or own != _rounded(field.default)
+            }
+        case float():
+            return float(f"{value:.12g}")
+        case tuple():
+            return [_rounded(one) for one in value]
+        case _:
+            return value
 
-    bearing: JournalBearing
-    lubricant: Lubricant
-    supply: Supply | None
-    cooling: Cooling | None
-    materials: Materials
-    width: float
-    shared_assumptions: tuple[str, ...]
 
-
-def _expanded(bearing: JournalBearing, shared: JournalCase | Machine) -> Iterator[DesignCase]:
-    inputs = _inputs(bearing, shared)
+def _expanded(bearing: JournalBearing, case: Case, make: Maker[DesignT]) -> Iterator[DesignT]:
+    if isinstance(case, OverhungCouplingCase):
+        return
+    joined = inputs(bearing, case)
     relative = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter)
     tolerance = (relative.minimum, relative.maximum) if relative.minimum < relative.maximum else None
-    every = (bearing.clearance_cases or shared.clearance_cases) == "all"
+    every = (bearing.clearance_cases or case.clearance_cases) == "all"
     for point in bearing.operating_points or (None,):
         for clearance_case in ("minimum", "mean", "maximum") if every else ("mean",):
-            design = _design_case(inputs, point, clearance_case, getattr(relative, clearance_case))
-            name = f"{design.name} ({clearance_case} clearance)" if every else design.name
-            yield replace(design, name=name, bearing=replace(design.bearing, clearance_tolerance=tolerance))
-
-
-def _inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> _Inputs:
-    lubricant = bearing.lubricant or shared.lubricant
-    width = bearing.actual_width
-    if lubricant is None or width is None:
-        raise ValueError("a case that was not validated: the bearing has no lubricant or no width")
-    return _Inputs(
-        bearing,
-        lubricant.lubricant(),
-        merged(bearing.supply, shared.supply),
-        merged(bearing.cooling, shared.cooling),
-        merged(bearing.materials, shared.materials) or Materials(),
-        width,
-        shared.assumptions if isinstance(shared, Machine) else (),
-    )
-
-
-def _design_case(
-    inputs: _Inputs, point: OperatingPoint | None, clearance_case: str, clearance: float
-) -> DesignCase:
-    bearing = inputs.bearing
-    return DesignCase(
-        name=bearing.name if point is None else f"{bearing.name} [{point.name}]",
-        bearing=_bearing(inputs, point, clearance),
-        duty=_duty(inputs, point),
-        journal_speed=_journal_speed(bearing, point),
-        lubricant=inputs.lubricant,
-        oil_supply=_oil_supply(inputs.supply, point),
-        cooling=_housing_cooling(inputs),
-        bearing_speed=bearing.bearing_speed,
-        friction=Friction(bearing.friction.model),
-        friction_factor=bearing.friction.factor,
-        curves=Curves(bearing.characteristics),
-        limits=bearing.limits.limits(),
-        given=words_of(bearing, point, clearance_case, inputs.cooling, inputs.materials),
-        assumptions=(
-            *inputs.shared_assumptions,
-            *bearing.assumptions,
-            *assumptions_of(bearing, point, inputs.supply, inputs.cooling, inputs.materials),
-        ),
-        doubts=doubts_about(bearing, point),
-        kind=bearing.kind,
-    )
-
-
-def _bearing(inputs: _Inputs, point: OperatingPoint | None, clearance: float) -> Bearing:
-    bearing, materials = inputs.bearing, inputs.materials
-    span, element = bearing.span_at(point), bearing.element_at(point)
-    if span is None or materials.bearing is None or materials.journal is None:
-        raise ValueError("a case that was not validated: the bearing has no span or no materials")
-    return Bearing(
-        diameter=bearing.diameter,
-        width=inputs.width,
-        relative_clearance=clearance,
-        span=span,
-        expansion_bearing=materials.bearing.expansion(),
-        expansion_journal=materials.journal.expansion(),
-        supply_element=element.element() if element is not None else None,
-        surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,
-        metal=bearing_metal(materials.bearing_metal) if materials.bearing_metal is not None else None,
-        load_character=LoadCharacter(materials.load_character or LoadCharacter.CALM),
-    )
-
-
-def _duty(inputs: _Inputs, point: OperatingPoint | None) -> GivenLoad | GivenEccentricity:
-    bearing = inputs.bearing
-    given = stating(LOADS, bearing, point)
-    if given.eccentricity_ratio is not None:
-        return GivenEccentricity(given.eccentricity_ratio)
-    if given.load is not None:
-        return GivenLoad(given.load)
-    if given.specific_load is None:
-        raise ValueError("a case that was not validated: the bearing has no load")
-    return GivenLoad(given.specific_load * inputs.width * bearing.diameter)
-
-
-def _journal_speed(bearing: JournalBearing, point: OperatingPoint | None) -> float:
-    given = stating(SPEEDS, bearing, point)
-    if given.speed is not None:
-        return given.speed
-    if given.surface_speed is None:
-        raise ValueError("a case that was not validated: the bearing has no speed")
-    return 2.0 * given.surface_speed / bearing.diameter
-
-
-def _oil_supply(supply: Supply | None, point: OperatingPoint | None) -> OilSupply | None:
-    if supply is None:
-        return None
-    temperature, pressure = supply.temperature, supply.pressure
-    if point is not None:
-        temperature = point.supply_temperature or temperature
-        pressure = point.supply_pressure or pressure
-    if temperature is None or pressure is None:
-        raise ValueError("a case that was not validated: the supply has no temperature or no pressure")
-    return OilSupply(
-        temperature,
-        pressure,
-        tuple(tube.duct() for tube in supply.tubes),
-        tuple(hole.duct() for hole in supply.holes),
-        supply.circulation_time,
-    )
-
-
-def _housing_cooling(inputs: _Inputs) -> HousingCooling | None:
-    cooling = inputs.cooling
-    if cooling is None:
-        return None
-    coefficient, surface = cooling.heat_transfer_coefficient, cooling.surface
-    if coefficient is None:
-        still = cooling.air_speed is None
-        coefficient = STILL_AIR_COEFFICIENT if still else heat_transfer_coefficient(cooling.air_speed or 0.0)
-    if surface is None and cooling.housing is not None:
-        surface = cooling.housing.surface(inputs.bearing.diameter, inputs.width)
-    if surface is None or cooling.ambient_temperature is None:
-        raise ValueError("a case that was not validated: the cooling has no surface or no ambient temperature")
-    return HousingCooling(cooling.ambient_temperature, coefficient, surface)
+            name = bearing.name if point is None else f"{bearing.name} [{point.name}]"
+            if every:
+                name += f" ({clearance_case} clearance)"
+            at = Point(name, point, clearance_case, getattr(relative, clearance_case), tolerance)
+            yield make(joined, at)

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.cases.part import Part
-from babbitt.standards.iso7902.model import Limits
+from babbitt.cases.part import Complaint, Part, refused, rule
+from babbitt.design.conditions import Limits
+from babbitt.materials import ExperienceLimits, parse_experience_limits
 from babbitt.units import si
 
 
@@ -44,8 +46,26 @@ class LimitsGiven(Part):
         None, description="Film thickness at which mixed friction begins."
     )
 
+    tables: Annotated[str, Field(max_length=100_000)] | None = Field(
+        None,
+        description="TOML file with your own tables of limits by experience, in the form of the shipped "
+        "limits.toml; named from the folder of the case.",
+    )
+
     def limits(self) -> Limits:
         """Give the limits of the calculation."""
         return Limits(
-            self.minimum_film_thickness, self.specific_load, self.temperature, self.transition_film_thickness
+            self.minimum_film_thickness,
+            self.specific_load,
+            self.temperature,
+            self.transition_film_thickness,
+            self.own_tables(),
         )
+
+    def own_tables(self) -> ExperienceLimits | None:
+        """Give the tables in place of the shipped ones; whoever reads a case puts their text into the field."""
+        return None if self.tables is None else parse_experience_limits(self.tables, "of the case")
+
+    @rule
+    def _tables_can_be_used(self) -> Iterator[Complaint]:
+        yield from refused(("tables",), self.own_tables)

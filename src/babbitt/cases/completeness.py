@@ -48,8 +48,12 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
     supply = merged(bearing.supply, shared.supply)
     cooling = merged(bearing.cooling, shared.cooling)
     materials = merged(bearing.materials, shared.materials)
-    if supply is None and cooling is None:
-        yield lacks("", "supply", "supply (oil carries the heat away), cooling (the housing does), or both")
+    if supply is None and cooling is None and bearing.effective_temperature is None:
+        yield lacks(
+            "",
+            "supply",
+            "supply (oil carries the heat away), cooling (the housing does), or effective_temperature",
+        )
     if supply is not None:
         points = bearing.operating_points
         if supply.temperature is None and not _all_give(points, "supply_temperature"):

@@ -8,7 +8,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Discriminator, Field
 
 from babbitt.cases.part import Complaint, Part, at_most_one, rule
-from babbitt.standards.iso7902.cooling import (
+from babbitt.design.cooling import (
     MACHINE_SURFACE_FACTORS,
     STILL_AIR_COEFFICIENT,
     cylindrical_housing_surface,

@@ -30,8 +30,12 @@ def doubts_about(bearing: JournalBearing, point: OperatingPoint | None) -> tuple
     bearing : JournalBearing
     point : OperatingPoint or None
     """
+    return (*_about_span(bearing, point), *doubts_about_numbers(bearing, point))
+
+
+def doubts_about_numbers(bearing: JournalBearing, point: OperatingPoint | None) -> tuple[Notice, ...]:
+    """Give the doubts about numbers without unit of one bearing at one operating point."""
     return (
-        *_about_span(bearing, point),
         *_about_speed(stating(SPEEDS, bearing, point), "speed"),
         *_about_speed(bearing, "bearing_speed"),
         *_about_load(stating(LOADS, bearing, point)),

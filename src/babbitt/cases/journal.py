@@ -12,6 +12,16 @@ from babbitt.cases import clearance, cooling, supply_element
 from babbitt.cases.choices import FrictionGiven, LimitsGiven
 from babbitt.cases.clearance import ClearanceGiven
 from babbitt.cases.fields import Name, Prose, Span
+from babbitt.cases.film_features import (
+    BoreGiven,
+    GrooveGiven,
+    LobedBoreGiven,
+    MisalignmentGiven,
+    PocketGiven,
+    SupplyHoleGiven,
+    complaint_about_tilt,
+    complaints_about_hollows,
+)
 from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
 from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_bare, is_given, rule
 from babbitt.cases.shared import SharedInputs
@@ -36,7 +46,9 @@ class JournalBearing(Duty, SharedInputs):
 
     kind: Literal["journal"] = Field(description="Circular cylindrical journal bearing.")
     name: Name = Field(description="Name of the bearing in tables and reports.")
-    method: Literal["iso7902"] = Field("iso7902", description="Method of calculation: ISO 7902.")
+    method: Literal["iso7902", "film"] = Field(
+        "iso7902", description="Method of calculation: the procedure of ISO 7902, or the film in two dimensions."
+    )
 
     diameter: Annotated[float, si("m", "1 mm", "3 m")] = Field(description="Nominal bearing inside diameter D.")
     width: Annotated[float, si("m", "0.1 mm", "4.5 m")] | None = Field(None, description="Bearing width B.")
@@ -54,6 +66,23 @@ class JournalBearing(Duty, SharedInputs):
         None, description="Angular span of the loaded arc. Uneven pockets set it if it is not given."
     )
     supply_element: SupplyElementGiven | None = Field(None, description="What feeds the film.")
+    grooves: tuple[GrooveGiven, ...] = Field(
+        (),
+        max_length=12,
+        description="Axial grooves as wide as the bearing. Film method, in place of supply_element.",
+    )
+    pockets: tuple[PocketGiven, ...] = Field(
+        (),
+        max_length=12,
+        description="Pockets and circumferential grooves. Film method, in place of supply_element.",
+    )
+    holes: tuple[SupplyHoleGiven, ...] = Field(
+        (), max_length=24, description="Holes in the bore. Film method, in place of supply_element."
+    )
+    bore: BoreGiven | None = Field(None, description="Form of the bore, for the film method. round if not given.")
+    misalignment: MisalignmentGiven | None = Field(
+        None, description="Slopes of the journal axis in the bore, for the film method."
+    )
     surfaces: SurfacesGiven | None = Field(None, description="Roughness, tilt and waviness of the surfaces.")
 
     bearing_speed: Annotated[float, si("rad/s", "-1000000 rpm", "1000000 rpm")] = Field(
@@ -64,6 +93,15 @@ class JournalBearing(Duty, SharedInputs):
         description="Direction of the load, counter-clockwise from the x axis. -90 deg is downward. "
         "ISO 7902 takes the load through the middle of the arc, whatever its direction.",
     )
+    rotor_mass: Annotated[float, si("kg", "1 g", "10000 t")] | None = Field(
+        None,
+        description="Part of the mass of the rotor that the bearing carries, for the threshold of whirl "
+        "by the film "
+        "method. Without it the load is taken as weight.",
+    )
+    effective_temperature: Annotated[float, si("K", "-30 degC", "290 degC")] | None = Field(
+        None, description="Effective temperature of the film, in place of a heat balance."
+    )
     operating_points: tuple[OperatingPoint, ...] = Field(
         (), max_length=200, description="Operating points, each with what differs from the bearing."
     )
@@ -72,6 +110,24 @@ class JournalBearing(Duty, SharedInputs):
     characteristics: Literal["computed", "closed_form"] = Field(
         "computed",
         description="Own solutions of the Reynolds equation, or the closed forms of DIN 31652 (360 deg).",
+    )
+    cavitation: Literal["mass_conserving", "reynolds"] = Field(
+        "mass_conserving",
+        description="What the film method does where the film breaks up: conserve the oil (JFO), or let "
+        "pressure and "
+        "its gradient vanish (Reynolds, as in most published tables).",
+    )
+    cavitation_pressure: Annotated[float, si("Pa", "-1 MPa", "0 Pa")] = Field(
+        0.0, description="Gauge pressure at which the film breaks, for the film method."
+    )
+    film_start: Literal["groove", "widest_gap"] | None = Field(
+        None,
+        description="Where the film method lets the film begin: at what feeds it, or at the widest gap of "
+        "a full round "
+        "bore (as the characteristics of the standard). groove if not given.",
+    )
+    accuracy: Literal["draft", "engineering", "reference"] = Field(
+        "engineering", description="How fine the grid of the film method is."
     )
     limits: LimitsGiven = Field(LimitsGiven(), description="Limits in place of those by experience.")
     assumptions: tuple[Prose, ...] = Field(
@@ -169,12 +225,15 @@ class JournalBearing(Duty, SharedInputs):
 
     @rule
     def _span_is_known(self) -> Iterator[Complaint]:
+        if self.method == "film" and (self.hollows() or self.film_start == "widest_gap"):
+            return
         for point in self.operating_points or (None,):
             if self.span_at(point) is None:
+                besides = ", or grooves, pockets or holes" if self.method == "film" else ""
                 yield Complaint(
                     ("span",),
                     "is missing",
-                    "360, 180, 150, 120, 90 deg, or a supply_element of kind uneven_pockets",
+                    f"360, 180, 150, 120, 90 deg, or a supply_element of kind uneven_pockets{besides}",
                     code="E003",
                 )
                 return
@@ -186,6 +245,83 @@ class JournalBearing(Duty, SharedInputs):
         if self.characteristics == "closed_form" and others:
             says = f"closed forms exist for a span of 360 deg, not {others[0]} deg"
             yield Complaint(("characteristics",), says, "computed, or span 360 deg")
+
+    @rule
+    def _hollows_fit(self) -> Iterator[Complaint]:
+        yield from complaints_about_hollows(self.hollows(), self.actual_width, self.diameter)
+
+    @rule
+    def _method_knows_the_bearing(self) -> Iterator[Complaint]:
+        if self.method == "film":
+            return
+        if self.bore is not None and self.bore.kind != "round":
+            yield Complaint(("bore",), f"ISO 7902 knows round bores only, not {self.bore.kind}", "method: film")
+        if self.misalignment is not None:
+            yield Complaint(("misalignment",), "ISO 7902 knows no misaligned journal", "method: film")
+        for path, duty in self._duties():
+            if duty.attitude_angle is not None:
+                says = "ISO 7902 finds the attitude angle itself"
+                yield Complaint((*path, "attitude_angle"), says, "method: film, or leave it out")
+
+    @rule
+    def _tilt_leaves_a_film(self) -> Iterator[Complaint]:
+        width = self.actual_width
+        if self.misalignment is None or width is None:
+            return
+        play = self.clearance.at_20_degrees(self.diameter).relative(self.diameter).minimum * self.diameter / 2.0
+        offset = math.hypot(self.misalignment.x, self.misalignment.y) * width / 2.0
+        if offset >= play:
+            says = f"the journal touches at the edges: it leans {written(offset, 'um')} there"
+            yield Complaint(("misalignment",), says, f"less than the radial clearance, {written(play, 'um')}")
+
+    @rule
+    def _tilt_needs_narrow_supplies(self) -> Iterator[Complaint]:
+        width = self.actual_width
+        if self.misalignment is None or self.method != "film" or width is None or self.film_start == "widest_gap":
+            return
+        from babbitt.cases.film_layout import film_layout  # it reads this model
+
+        if not self.hollows() and any(self.span_at(point) is None for point in self.operating_points or (None,)):
+            return
+        layouts = (film_layout(self, point, width, 1.0) for point in self.operating_points or (None,))
+        yield from complaint_about_tilt(any(hollow.width is None for at in layouts for hollow in at.hollows))
+
+    @rule
+    def _lobes_lie_between_grooves(self) -> Iterator[Complaint]:
+        if isinstance(self.bore, LobedBoreGiven) and len(self.grooves) < 2:
+            says = f"lobes lie between grooves; {len(self.grooves)} given"
+            yield Complaint(("bore",), says, "as many grooves as lobes, at least two")
+
+    @rule
+    def _widest_gap_is_of_a_plain_bore(self) -> Iterator[Complaint]:
+        if self.film_start != "widest_gap" or self.method != "film":
+            return
+        if self.hollows():
+            says = "a film that starts at the widest gap has no grooves, pockets or holes"
+            yield Complaint(("film_start",), says, "groove")
+        if (self.bore is not None and self.bore.kind != "round") or self.misalignment is not None:
+            says = "a film that starts at the widest gap needs a round bore and an aligned journal"
+            yield Complaint(("film_start",), says, "groove")
+        if self.span not in (None, 360):
+            says = f"a film that starts at the widest gap surrounds the journal; span is {self.span} deg"
+            yield Complaint(("film_start",), says, "groove, or span 360 deg")
+        if self.cavitation == "mass_conserving":
+            says = "a film that starts at the widest gap does not conserve the oil"
+            yield Complaint(("cavitation",), says, "reynolds")
+
+    @rule
+    def _grooves_stand_still(self) -> Iterator[Complaint]:
+        if self.method == "film" and self.bearing_speed and self.film_start != "widest_gap":
+            says = "grooves and pockets that turn with the bearing leave no steady film"
+            yield Complaint(("bearing_speed",), says, "0 rpm, or film_start: widest_gap")
+
+    def hollows(self) -> list[tuple[tuple[str | int, ...], GrooveGiven | PocketGiven | SupplyHoleGiven]]:
+        """Grooves, pockets and holes, each with its path in the case."""
+        return [
+            ((name, index), hollow)
+            for name in ("grooves", "pockets", "holes")
+            for index, hollow in enumerate(getattr(self, name))
+        ]
 
     def span_at(self, point: OperatingPoint | None) -> int | None:
         """Angular span in degrees at an operating point (None: the bearing as such), None while unknown."""

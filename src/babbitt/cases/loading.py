@@ -8,6 +8,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from babbitt.cases.bore_file import TableError, with_tables
 from babbitt.cases.document import DocumentError, Node, read_document
 from babbitt.cases.machine import Case, JournalCase, Machine
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
@@ -45,7 +46,7 @@ def load_case(path: str | FilePath) -> Case:
     CaseError
         With every problem of the file.
     """
-    return parse_case(_text_of(FilePath(path)), str(path))
+    return _parsed(_text_of(FilePath(path)), str(path), FilePath(path).parent)
 
 
 def parse_case(text: str, name: str = "<text>") -> Case:
@@ -63,6 +64,11 @@ def parse_case(text: str, name: str = "<text>") -> Case:
     CaseError
         With every problem of the text.
 
+    Notes
+    -----
+    Tables that the case names are sought from the working folder; `load_case` seeks them from the folder of the
+    file.
+
     Examples
     --------
     >>> parse_case("kind: jurnal", "a.yaml")
@@ -70,12 +76,16 @@ def parse_case(text: str, name: str = "<text>") -> Case:
     babbitt.cases.problems.CaseError: a.yaml:1: kind: 'jurnal' is not a kind of case; allowed: journal, machine,
     overhung_coupling; did you mean 'journal'? [E003]
     """
+    return _parsed(text, name, FilePath())
+
+
+def _parsed(text: str, name: str, folder: FilePath) -> Case:
     try:
         root = read_document(text)
     except DocumentError as error:
         problem = Problem(name, error.line, "", error.says, allowed=error.allowed, hint=error.hint, code="E002")
         raise CaseError([problem]) from None
-    return _case(root.plain(), name, root).with_text(text)
+    return _case(root.plain(), name, root, folder).with_text(text)
 
 
 def case_from_dict(given: Mapping[str, Any], name: str = "<case>") -> Case:
@@ -86,7 +96,7 @@ def case_from_dict(given: Mapping[str, Any], name: str = "<case>") -> Case:
     CaseError
         With every problem; lines are 0.
     """
-    return _case(dict(given), name, None)
+    return _case(dict(given), name, None, FilePath())
 
 
 def load_cases(paths: Iterable[str | FilePath]) -> tuple[Case, ...]:
@@ -118,7 +128,7 @@ def check_files(paths: Iterable[str | FilePath]) -> tuple[Problem, ...]:
     return ()
 
 
-def _case(given: Any, name: str, root: Node | None) -> Case:
+def _case(given: Any, name: str, root: Node | None, folder: FilePath) -> Case:
     if not isinstance(given, dict):
         says = f"the file holds {shown(given)}"
         raise CaseError([Problem(name, 1, "", says, allowed="a mapping of fields that begins with kind: ...")])
@@ -132,7 +142,9 @@ def _case(given: Any, name: str, root: Node | None) -> Case:
         hint = nearest(kind, KINDS) if isinstance(kind, str) else ""
         raise CaseError([_problem(name, root, given, ("kind",), says, ", ".join(KINDS), hint)])
     try:
-        return KINDS[kind].model_validate(given)
+        return KINDS[kind].model_validate(with_tables(given, folder))
+    except TableError as error:
+        raise CaseError([_problem(name, root, given, error.path, error.says, error.allowed)]) from None
     except ValidationError as error:
         found = [(details["loc"], details["ctx"]) for details in error.errors(include_url=False)]
     raise CaseError(

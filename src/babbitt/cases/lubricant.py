@@ -20,12 +20,14 @@ from babbitt.cases.own_lubricant import (
 from babbitt.cases.part import Complaint, Part, at_most_one, exactly_one, is_given, refused, rule
 from babbitt.cases.shorthand import Shorthand
 from babbitt.lubricants import (
+    AstmD341,
     ConstantViscosity,
     Exponential,
     Lubricant,
     PowerLaw,
     ViscosityKind,
     Vogel,
+    Walther,
     lubricant,
     lubricant_from_law,
     lubricant_from_points,
@@ -96,6 +98,10 @@ class TwoPointLubricant(OwnLubricant):
     points: tuple[KinematicPoint, KinematicPoint] | None = Field(
         None, description="Two viscosities at other temperatures, in place of nu40 and nu100."
     )
+    form: Literal["walther", "astm_d341"] = Field(
+        "walther",
+        description="Law through the points: lg lg (nu + 0.7), or ASTM D341 with its term for oils below 2 mm2/s.",
+    )
 
     def lubricant(self) -> Lubricant:
         """Give the lubricant of the calculation."""
@@ -103,7 +109,8 @@ class TwoPointLubricant(OwnLubricant):
             colder, warmer = (point.pair for point in self.points)
         else:
             colder, warmer = (_AT_40, self.nu40 or 0.0), (_AT_100, self.nu100 or 0.0)
-        return lubricant_from_points(self.name, colder, warmer, self.properties, source=self.source)
+        law = AstmD341 if self.form == "astm_d341" else Walther
+        return lubricant_from_points(self.name, colder, warmer, self.properties, source=self.source, law=law)
 
     @rule
     def _lubricant_can_be_made(self) -> Iterator[Complaint]:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Annotated, ClassVar
 
 from pydantic import Field
 
 from babbitt.cases.fields import Name, Span
-from babbitt.cases.part import Part
+from babbitt.cases.part import Complaint, Part, rule
 from babbitt.cases.supply import GaugePressure, OilTemperature
 from babbitt.cases.supply_element import SupplyElementGiven
 from babbitt.units import either_sense, si
@@ -28,12 +29,23 @@ class Duty(Part):
     eccentricity_ratio: Annotated[float, si("1", "0.01", "0.99")] | None = Field(
         None, description="Prescribed relative eccentricity, in place of the load, which is then found."
     )
+    attitude_angle: Annotated[float, si("rad", "-180 deg", "180 deg")] | None = Field(
+        None,
+        description="Besides the eccentricity ratio, for the film method: from the load angle to the journal "
+        "centre in the sense of rotation. The direction of the load is then found, too.",
+    )
     speed: Annotated[float, either_sense("rad/s", "0.1 rpm", "1000000 rpm")] | None = Field(
         None, description="Rotational speed of the journal, positive counter-clockwise."
     )
     surface_speed: Annotated[float, either_sense("m/s", "1 mm/s", "200 m/s")] | None = Field(
         None, description="Surface speed of the journal, in place of the rotational speed."
     )
+
+    @rule
+    def _attitude_needs_eccentricity(self) -> Iterator[Complaint]:
+        if self.attitude_angle is not None and self.eccentricity_ratio is None:
+            says = "an attitude angle prescribes the position only together with eccentricity_ratio"
+            yield Complaint(("attitude_angle",), says, "eccentricity_ratio besides it")
 
 
 class OperatingPoint(Duty):

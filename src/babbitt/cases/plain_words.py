@@ -22,6 +22,9 @@ ERROR_TYPE = "case"
 Path = tuple[str | int, ...]
 Metadata = TypeVar("Metadata")
 
+MOST_LISTED = 24
+"""Fields that a message lists at most."""
+
 _EXPECTED = {
     "string_type": "text",
     "string_too_short": "at least one character",
@@ -107,6 +110,14 @@ def nearest(name: str, known: Iterable[str]) -> str:
     return f"did you mean '{close[0]}'?" if close else ""
 
 
+def _listed(names: Iterable[str]) -> str:
+    """List names, the first of many only."""
+    every = list(names)
+    if len(every) <= MOST_LISTED:
+        return ", ".join(every)
+    return f"{', '.join(every[:MOST_LISTED])} and {len(every) - MOST_LISTED} more (`babbitt schema` lists them)"
+
+
 def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, str]:
     name = str(path[-1]) if path else ""
     given, context = details["input"], details.get("ctx", {})
@@ -115,7 +126,7 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
             return "is missing", "", _described(cls, name)
         case "extra_forbidden":
             hint = nearest(name, cls.model_fields)
-            return "is not a field here", "" if hint else ", ".join(cls.model_fields), hint
+            return "is not a field here", "" if hint else _listed(cls.model_fields), hint
         case "union_tag_not_found" | "union_tag_invalid":
             return _say_branch(cls, path, given)
         case "model_attributes_type" | "model_type" if path and len(_branches(cls, str(path[0]))) > 1:

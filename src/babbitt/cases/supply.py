@@ -8,7 +8,7 @@ from pydantic import Field
 
 from babbitt.cases.fields import WholeNumber
 from babbitt.cases.part import Part
-from babbitt.standards.iso7902.losses import Duct
+from babbitt.design.ducts import Duct
 from babbitt.units import si
 
 OilTemperature = Annotated[float, si("K", "-30 degC", "200 degC")]

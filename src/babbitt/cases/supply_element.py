@@ -77,6 +77,9 @@ class PocketElement(Part):
     kind: Literal["pocket"] = Field(description="Pockets placed evenly about the load.")
     width: Hollow = Field(description="Size of the pocket along the shaft.")
     place: Place = Field(description=PLACE)
+    extent: Annotated[float, si("rad", "0.1 deg", "180 deg")] | None = Field(
+        None, description="Circumferential extent of each pocket; the film method takes 20 deg without it."
+    )
 
     @property
     def axial_size(self) -> float:
@@ -174,6 +177,13 @@ def complaints_about(element: SupplyElementGiven, width: float, diameter: float)
             f"the {what} reaches outside the bearing: {written(element.axial_size, 'mm')} in a width of "
             f"{written(width, 'mm')}",
             f"less than {written(width, 'mm')}",
+        )
+    elif isinstance(element, HoleElement) and element.number * element.diameter > math.pi * diameter:
+        together = written(element.number * element.diameter, "mm")
+        says = f"{element.number} holes of {written(element.diameter, 'mm')} take {together}"
+        around = written(math.pi * diameter, "mm")
+        yield Complaint(
+            ("supply_element", "number"), says, f"up to the circumference, {around}", "fewer or smaller holes"
         )
     elif isinstance(element, SlotElement):
         if element.length >= math.pi * diameter:

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Discriminator, Field
 
 from babbitt.cases.part import Part
-from babbitt.standards.iso7902.model import Surfaces
+from babbitt.design.conditions import Surfaces
 from babbitt.units import si
 
 Height = Annotated[float, si("m", "0 um", "1 mm")]

@@ -23,6 +23,8 @@ class ExportFormat:
     suffixes: tuple[str, ...]
     meaning: str
     write: Callable[[CoefficientTable, Path], None]
+    either_rotation: bool = False
+    """Whether the format has a place for the rotation sense; the others hold counter-clockwise tables only."""
 
 
 def _ross(version: RossVersion) -> Callable[[CoefficientTable, Path], None]:
@@ -36,8 +38,8 @@ FORMATS: dict[str, ExportFormat] = {
         ExportFormat("ross3", (".json", ".toml"), "bearing element of ROSS, version 3", _ross(RossVersion.THREE)),
         ExportFormat("xltrc2", (".csv", ".xlsx"), "table with a row of units, as XLTRC2 has it", write_xltrc2),
         ExportFormat("ansys", (".txt",), "bearing characteristics of Ansys Mechanical APDL", write_ansys),
-        ExportFormat("csv", (".csv",), "tidy table in SI, unit in each column name", write_csv),
-        ExportFormat("json", (".json",), "everything in SI, unit in each key", write_json),
+        ExportFormat("csv", (".csv",), "tidy table in SI, unit in each column name", write_csv, True),
+        ExportFormat("json", (".json",), "everything in SI, unit in each key", write_json, True),
     )
 }
 

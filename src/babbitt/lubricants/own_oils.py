@@ -14,7 +14,7 @@ from babbitt.lubricants.lubricant import Lubricant
 from babbitt.lubricants.property_laws import ConstantProperty, LinearProperty, PropertyLaw, ShiftedLaw
 from babbitt.lubricants.viscosity_index import nu100_from_viscosity_index
 from babbitt.lubricants.viscosity_laws import OIL_TEMPERATURE_RANGE, ViscosityLaw
-from babbitt.lubricants.walther import Walther
+from babbitt.lubricants.walther import AstmD341, Walther
 from babbitt.notices import InputError
 
 _AT_40 = 40.0 + CELSIUS_ZERO
@@ -133,8 +133,9 @@ def lubricant_from_points(
     *,
     source: str = "given by the user",
     temperature_range: tuple[float, float] = OIL_TEMPERATURE_RANGE,
+    law: type[Walther] | type[AstmD341] = Walther,
 ) -> Lubricant:
-    """Build a lubricant from two kinematic viscosities, by Walther's law.
+    """Build a lubricant from two kinematic viscosities, by Walther's law or the full law of ASTM D341.
 
     Parameters
     ----------
@@ -146,6 +147,8 @@ def lubricant_from_points(
         As of `lubricant_from_law`.
     temperature_range : tuple of float
         Where the numbers hold, in K.
+    law : type
+        `Walther`, or `AstmD341` for thin oils below 2 mm²/s.
 
     Raises
     ------
@@ -158,8 +161,8 @@ def lubricant_from_points(
     >>> round(oil.dynamic_viscosity(323.15) * 1e3, 2)
     25.57
     """
-    law = Walther.through(colder, warmer, temperature_range=temperature_range)
-    return lubricant_from_law(name, law, properties, source=source)
+    through = law.through(colder, warmer, temperature_range=temperature_range)
+    return lubricant_from_law(name, through, properties, source=source)
 
 
 def lubricant_from_dynamic_points(

@@ -18,6 +18,7 @@ from babbitt.materials.experience_tables import (
     ExperienceLimits,
     FilmThicknessTable,
     experience_limits,
+    parse_experience_limits,
     read_experience_limits,
 )
 from babbitt.materials.sourced import SourcedText, SourcedValue
@@ -39,6 +40,7 @@ __all__ = [
     "empirical_minimum_film_thickness",
     "experience_limits",
     "pressure_fed_temperature_limit",
+    "parse_experience_limits",
     "read_experience_limits",
     "self_cooled_temperature_limit",
     "specific_load_limit",

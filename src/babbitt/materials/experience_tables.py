@@ -123,14 +123,32 @@ def read_experience_limits(path: Path) -> ExperienceLimits:
         text = path.read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
         raise InputError("E001", f"the limits file {path} cannot be read: {error}") from None
+    return parse_experience_limits(text, str(path))
+
+
+def parse_experience_limits(text: str, name: str = "<text>") -> ExperienceLimits:
+    """Tables from the text of such a file.
+
+    Parameters
+    ----------
+    text : str
+        TOML.
+    name : str
+        What to call the text in messages.
+
+    Raises
+    ------
+    InputError
+        E003 if it is not of the form of the shipped ``limits.toml``.
+    """
     try:
         return _parse(tomllib.loads(text))
     except tomllib.TOMLDecodeError as error:
-        raise InputError("E003", f"the limits file {path} is not valid TOML: {error}") from None
+        raise InputError("E003", f"the limits file {name} is not valid TOML: {error}") from None
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise InputError(
             "E003",
-            f"the limits file {path} does not have the form of the shipped limits.toml: "
+            f"the limits file {name} does not have the form of the shipped limits.toml: "
             f"{type(error).__name__} {error}",
         ) from None
 

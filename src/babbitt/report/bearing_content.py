@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from babbitt.bearings.model import FilmCase
 from babbitt.notices import EXPLANATIONS
 from babbitt.quantities import QUANTITIES
 from babbitt.report import findings
@@ -16,12 +17,14 @@ from babbitt.report.columns import ABSENT, is_fed, is_film
 from babbitt.report.drawing import Drawing
 from babbitt.report.expression import text
 from babbitt.report.figures import clearance_range, draw
+from babbitt.report.film_figures import report_figures
 from babbitt.report.inputs import inputs
 from babbitt.report.labels import label
 from babbitt.report.line import Line
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_text
 from babbitt.results import Result
+from babbitt.standards.iso7902.model import DesignCase
 
 Data = dict[str, Any]
 
@@ -45,6 +48,12 @@ KEY_RESULTS = (
     "effective_viscosity",
     "film_reynolds_number",
     "transition_speed",
+    *(f"{name}_{axes}" for name in ("stiffness", "damping") for axes in ("xx", "xy", "yx", "yy")),
+    "critical_mass",
+    "whirl_frequency_ratio",
+    "threshold_speed",
+    "lobe_clearance",
+    "preload",
 )
 """Results shown at the head of a bearing; kinds without a film show all they have."""
 
@@ -69,8 +78,11 @@ def bearing_content(chapter: Chapter) -> Data:
     shown, several = chapter.shown, len(chapter.members) > 1
     case, result = chapter.shown_case, shown.result
     drawings: tuple[Drawing, ...] = ()
-    if case is not None and result.outcome.solved:
-        drawings = draw(case, result, clearance_range(case))
+    by_standard = case if isinstance(case, DesignCase) else None
+    if by_standard is not None and result.outcome.solved:
+        drawings = draw(by_standard, result, clearance_range(by_standard))
+    elif isinstance(case, FilmCase):
+        drawings = report_figures(case, result)
     sources = sources_of(chapter.results)
     checks = [check_content(check, sources) for check in solved_checks(result)]
     return {
@@ -94,7 +106,7 @@ def bearing_content(chapter: Chapter) -> Data:
                 "remark": section.remark,
                 "lines": [_line(line) for line in section.lines],
             }
-            for section in (calculation(case, result) if case is not None else ())
+            for section in (calculation(by_standard, result) if by_standard is not None else ())
         ],
         "checks": compared_checks(chapter, sources) if several else checks,
         "sources": sources,
@@ -104,14 +116,21 @@ def bearing_content(chapter: Chapter) -> Data:
         ],
         "warnings": _warnings(chapter),
         "figures": [
-            {"name": drawing.name, "caption": drawing.caption, "svg": drawing.image.decode()}
+            {
+                "name": drawing.name,
+                "caption": drawing.caption,
+                "svg": drawing.image.decode(),
+                "wide": drawing.wide,
+            }
             for drawing in drawings
         ],
     }
 
 
 def _method(result: Result) -> str:
-    return {"iso7902": "ISO 7902", "statics": "Statics of the shaft"}.get(result.method, plain_text(result.method))
+    return {"iso7902": "ISO 7902", "film": "Film in two dimensions", "statics": "Statics of the shaft"}.get(
+        result.method, plain_text(result.method)
+    )
 
 
 def _outcome(member: Member) -> Data:

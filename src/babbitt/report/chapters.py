@@ -11,11 +11,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from babbitt.bearings.model import FilmCase
 from babbitt.report.names import split_clearance
 from babbitt.results import Result
 
 if TYPE_CHECKING:
-    from babbitt.standards.iso7902 import DesignCase
+    from babbitt.cases.build import AnyDesign
 
 
 @dataclass(frozen=True)
@@ -23,7 +24,7 @@ class Member:
     """One result of a chapter; `clearance` is ``minimum``, ``mean``, ``maximum``, or empty for the only one."""
 
     clearance: str
-    case: DesignCase | None
+    case: AnyDesign | None
     result: Result
 
 
@@ -41,7 +42,7 @@ class Chapter:
         return min(solved, key=lambda member: (_least_margin(member.result), member.clearance != "mean"))
 
     @property
-    def shown_case(self) -> DesignCase | None:
+    def shown_case(self) -> AnyDesign | None:
         """The case shown in full, with those words of the case file that hold for every member."""
         case = self.shown.case
         if case is None:
@@ -59,12 +60,12 @@ def _least_margin(result: Result) -> float:
     return min((check.margin for check in result.checks if not check.advisory), default=math.inf)
 
 
-def chapters(cases: Sequence[DesignCase], results: Sequence[Result]) -> tuple[Chapter, ...]:
+def chapters(cases: Sequence[AnyDesign], results: Sequence[Result]) -> tuple[Chapter, ...]:
     """Gather the results of a machine into chapters, in their order.
 
     Parameters
     ----------
-    cases : sequence of DesignCase
+    cases : sequence of DesignCase or FilmCase
         What the results were computed from; empty for kinds without a film.
     results : sequence of Result
 
@@ -81,8 +82,8 @@ def chapters(cases: Sequence[DesignCase], results: Sequence[Result]) -> tuple[Ch
     return tuple(_chapter(members) for members in gathered)
 
 
-def _members(cases: Sequence[DesignCase], results: Sequence[Result]) -> Iterator[Member]:
-    known: Sequence[DesignCase | None] = cases or [None] * len(results)
+def _members(cases: Sequence[AnyDesign], results: Sequence[Result]) -> Iterator[Member]:
+    known: Sequence[AnyDesign | None] = cases or [None] * len(results)
     for case, result in zip(known, results, strict=True):
         yield Member(split_clearance(result.name)[1], case, result)
 
@@ -95,7 +96,9 @@ def _belongs(member: Member, before: Member) -> bool:
     return same_name and _without_clearance(member.case) == _without_clearance(before.case)
 
 
-def _without_clearance(case: DesignCase) -> DesignCase:
+def _without_clearance(case: AnyDesign) -> AnyDesign:
+    if isinstance(case, FilmCase):
+        return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
     return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
 
 

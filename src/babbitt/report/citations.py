@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from babbitt import __version__
+from babbitt.bearings.bore import WornBore
+from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case, design_cases
-from babbitt.standards.iso7902.model import Curves
+from babbitt.film.model import Cavitation
+from babbitt.standards.iso7902.model import Curves, DesignCase
 
 BABBITT = f"The Babbitt developers: Babbitt {__version__}, calculation and design of fluid-film bearings, 2026."
 ISO_7902 = (
@@ -18,6 +21,21 @@ REYNOLDS = (
 DIN_31652 = (
     "DIN 31652-2: Plain bearings, hydrodynamic plain journal bearings, functions (closed-form approximations)."
 )
+JFO = (
+    "B. Jakobsson, L. Floberg: The finite journal bearing, considering vaporization. Transactions of "
+    "Chalmers University "
+    "of Technology 190 (1957); K.-O. Olsson: Cavitation in dynamically loaded bearings, ibid. 308 (1965)."
+)
+LUND = (
+    "J. W. Lund, K. K. Thomsen: A calculation method and data for the dynamic coefficients of "
+    "oil-lubricated journal "
+    "bearings. Topics in Fluid Film Bearing and Rotor Bearing System Design and Optimization, ASME (1978) 1-28."
+)
+DUFRANE = (
+    "K. F. Dufrane, J. W. Kannel, T. H. McCloskey: Wear of steam turbine journal bearings at low "
+    "operating speeds. "
+    "Journal of Lubrication Technology 105 (1983) 313-317."
+)
 VISCOSITY = "ASTM D341: Viscosity-temperature equations and charts for liquid petroleum or hydrocarbon products."
 
 
@@ -25,13 +43,21 @@ def citations_of(case: Case) -> tuple[str, ...]:
     """References for the software, the procedure, the characteristics and the lubricant of a case."""
     found = [BABBITT]
     designs = design_cases(case)
-    if designs:
+    standard = [design for design in designs if isinstance(design, DesignCase)]
+    films = [design for design in designs if isinstance(design, FilmCase)]
+    if standard:
         found.append(ISO_7902)
-    kinds = {design.curves for design in designs}
-    if Curves.COMPUTED in kinds:
+    kinds = {design.curves for design in standard}
+    if Curves.COMPUTED in kinds or films:
         found.append(REYNOLDS)
     if Curves.CLOSED_FORM in kinds:
         found.append(DIN_31652)
+    if any(film.cavitation is Cavitation.MASS_CONSERVING for film in films):
+        found.append(JFO)
+    if films:
+        found.append(LUND)
+    if any(isinstance(film.bearing.bore, WornBore) for film in films):
+        found.append(DUFRANE)
     oils = {design.lubricant.name: design.lubricant for design in designs}
     found += [f"{oil.name}: {oil.source}" for oil in oils.values()]
     return tuple(found)

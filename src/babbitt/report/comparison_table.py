@@ -15,6 +15,7 @@ from babbitt.studies.comparison import Comparison
 COMPARED = (
     "sommerfeld_number",
     "eccentricity_ratio",
+    "attitude_angle",
     "minimum_film_thickness",
     "effective_temperature",
     "outlet_temperature",
@@ -22,8 +23,12 @@ COMPARED = (
     "friction_power",
     "side_flow",
     "supply_flow",
+    "total_flow",
     "maximum_pressure",
     "film_reynolds_number",
+    "critical_mass",
+    "whirl_frequency_ratio",
+    "threshold_speed",
 )
 """What is put side by side."""
 

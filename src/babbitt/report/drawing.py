@@ -45,6 +45,8 @@ STYLE: dict[str, Any] = {
     "ytick.minor.width": 0.3,
     "lines.linewidth": 1.1,
     "lines.markersize": 4.5,
+    "hatch.linewidth": 0.35,
+    "hatch.color": "0.35",
     "savefig.facecolor": "none",
     "svg.fonttype": "path",
     "svg.hashsalt": "babbitt",
@@ -72,11 +74,14 @@ class Drawing:
         What it shows, in a sentence or two.
     image : bytes
         In the format asked for.
+    wide : bool
+        Whether it takes the width of a page rather than half of it.
     """
 
     name: str
     caption: str
     image: bytes
+    wide: bool = False
 
 
 @contextmanager
@@ -173,6 +178,14 @@ def in_engineers_unit(name: str, values: Array) -> Array:
 def mark(axes: Axes, x: float, y: float) -> None:
     """The operating point."""
     axes.plot([x], [y], "o", color=INK, zorder=5, clip_on=False)
+
+
+def arrow(
+    axes: Axes, tip: tuple[float, float], tail: tuple[float, float], *, size: float = 7.0, colour: str = INK
+) -> None:
+    """An arrow between two places of the data; `size` in points is that of its head."""
+    drawn = {"arrowstyle": "-|>", "linewidth": 0.12 * size, "color": colour, "mutation_scale": size}
+    axes.annotate("", tip, xytext=tail, zorder=6, arrowprops={**drawn, "shrinkA": 0, "shrinkB": 0})
 
 
 def limit_line(axes: Axes, y: float, label: str, *, at: float = 0.99) -> None:

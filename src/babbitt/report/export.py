@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from babbitt.notices import Notice
 from babbitt.report.totals import totals
 from babbitt.report.verdict import verdict
-from babbitt.results import Check, Result
+from babbitt.results import Check, Matrix, Result
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult
@@ -56,7 +56,8 @@ def write_json(machine: MachineResult) -> str:
 
 
 def _bearing(result: Result) -> dict[str, Any]:
-    numbers = _finite(result.values)
+    numbers: dict[str, Any] = {**_finite(result.values)}
+    numbers |= {name: [list(row) for row in rows] for name, rows in result.arrays.items() if _all_finite(rows)}
     solved = result.outcome.solved
     record: dict[str, Any] = {
         "name": result.name,
@@ -97,6 +98,10 @@ def _check(check: Check) -> dict[str, Any]:
         "advisory": check.advisory,
         "source": check.source,
     }
+
+
+def _all_finite(rows: Matrix) -> bool:
+    return all(math.isfinite(value) for row in rows for value in row)
 
 
 def _number(value: float) -> float | None:

@@ -7,9 +7,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from babbitt.bearings.model import FilmCase
+from babbitt.cases.build import AnyDesign
 from babbitt.notices import InputError
 from babbitt.report import painters
 from babbitt.report.drawing import FORMATS, Drawing, rendered, style
+from babbitt.report.film_figures import all_figures
 from babbitt.report.writing import write_whole
 from babbitt.results import Result
 from babbitt.standards.iso7902.model import DesignCase, GivenLoad
@@ -21,6 +24,9 @@ if TYPE_CHECKING:
 
 SUPPOSED_TOLERANCE = 0.3
 """Relative width of the clearance shown on either side where the case gives no tolerance."""
+
+WIDE = ("speed-and-load", "spans")
+"""Figures that take the width of a page."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +88,10 @@ def draw(
         ),
     )
     with style():
-        return tuple(Drawing(name, caption, rendered(paint(), image_format)) for name, caption, paint in figures)
+        return tuple(
+            Drawing(name, caption, rendered(paint(), image_format), wide=name in WIDE)
+            for name, caption, paint in figures
+        )
 
 
 def _speed_and_load_caption(result: Result) -> str:
@@ -101,6 +110,12 @@ def _clearance_caption(clearance: ClearanceRange) -> str:
         return f"{shown}from the smallest to the largest clearance of the case."
     about = f"{shown}±{SUPPOSED_TOLERANCE:.0%} about the one computed"
     return f"{about} (the case gives no tolerance)."
+
+
+def _all_of(case: AnyDesign, result: Result, image_format: str) -> tuple[Drawing, ...]:
+    if isinstance(case, FilmCase):
+        return all_figures(case, result, image_format)
+    return draw(case, result, clearance_range(case), image_format)
 
 
 def write_plots(machine: MachineResult, folder: Path, image_format: str = "svg") -> tuple[Path, ...]:
@@ -127,7 +142,7 @@ def write_plots(machine: MachineResult, folder: Path, image_format: str = "svg")
         raise InputError("E007", f"no figures as {image_format!r}; there are {', '.join(FORMATS)}")
     made = {}
     for place, (case, result) in enumerate(zip(machine.design_cases, machine.results, strict=False), start=1):
-        for drawing in draw(case, result, clearance_range(case), image_format):
+        for drawing in _all_of(case, result, image_format):
             made[folder / f"{place:02d}-{drawing.name}.{image_format}"] = drawing.image
     try:
         folder.mkdir(parents=True, exist_ok=True)

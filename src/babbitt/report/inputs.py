@@ -6,12 +6,15 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from babbitt.bearings.model import FilmCase
+from babbitt.cases.build import AnyDesign
+from babbitt.design.ducts import Duct
 from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, PowerLaw, Vogel, Walther
 from babbitt.report.expression import Node, number_node, text
+from babbitt.report.film_inputs import CAVITATION, FILM_START, said_of_bore, said_of_hollow
 from babbitt.report.labels import label
 from babbitt.report.line import VOCABULARY, symbol
 from babbitt.report.text import plain_text
-from babbitt.standards.iso7902.losses import Duct
 from babbitt.standards.iso7902.model import Curves, DesignCase, Friction, GivenEccentricity
 from babbitt.standards.iso7902.supply import (
     Arrangement,
@@ -65,28 +68,30 @@ class InputGroup:
     rows: tuple[Row, ...]
 
 
-def inputs(case: DesignCase) -> tuple[InputGroup, ...]:
+def inputs(case: AnyDesign) -> tuple[InputGroup, ...]:
     """All inputs of a case, grouped.
 
     Parameters
     ----------
-    case : DesignCase
+    case : DesignCase or FilmCase
 
     Returns
     -------
     tuple of InputGroup
         Groups that say nothing are left out.
     """
+    geometry = _film_geometry(case) if isinstance(case, FilmCase) else _geometry(case)
+    method = _film_method(case) if isinstance(case, FilmCase) else _method(case)
     groups = (
         InputGroup("As given", tuple(Row(plain_text(what), plain_text(words)) for what, words in case.given)),
-        InputGroup("Geometry", tuple(_geometry(case))),
+        InputGroup("Geometry", tuple(geometry)),
         InputGroup("Operation", tuple(_operation(case))),
         InputGroup("Lubricant", tuple(_lubricant(case))),
         InputGroup("Oil supply", tuple(_supply(case))),
         InputGroup("Cooling by the surroundings", tuple(_cooling(case))),
         InputGroup("Surfaces", tuple(_surfaces(case))),
         InputGroup("Material", tuple(_material(case))),
-        InputGroup("Method", tuple(_method(case))),
+        InputGroup("Method", (*method, *_limits(case))),
     )
     return tuple(group for group in groups if group.rows)
 
@@ -132,17 +137,53 @@ def _element(element: SupplyElement) -> Iterator[Row]:
             yield Row("Supply element", type(element).__name__)
 
 
-def _operation(case: DesignCase) -> Iterator[Row]:
+def _film_geometry(case: FilmCase) -> Iterator[Row]:
+    bearing = case.bearing
+    yield _named("diameter", bearing.diameter)
+    yield _named("width", bearing.width)
+    yield _named("width_ratio", bearing.width_ratio)
+    yield _named("relative_clearance", bearing.relative_clearance)
+    yield _named("expansion_bearing", bearing.expansion_bearing)
+    yield _named("expansion_journal", bearing.expansion_journal)
+    yield Row("Form of the bore", said_of_bore(bearing.bore))
+    for hollow in bearing.hollows:
+        yield Row(*said_of_hollow(hollow))
+    if bearing.misalignment != (0.0, 0.0):
+        slopes = ", ".join(f"{1e3 * slope:.4g}" for slope in bearing.misalignment)
+        yield Row("Slopes of the journal axis dx/dz, dy/dz", slopes, None, "mm/m")
+
+
+def _film_method(case: FilmCase) -> Iterator[Row]:
+    yield Row("Film", "Reynolds equation in two dimensions, laminar, one viscosity")
+    yield Row("Where the film breaks up", CAVITATION[case.cavitation])
+    yield Row("Where the film begins", FILM_START[case.bearing.film_start])
+    yield Row("Grid", case.accuracy.value)
+    if case.cavitation_pressure:
+        yield Row("Cavitation pressure (gauge)", f"{1e-3 * case.cavitation_pressure:.4g}", None, "kPa")
+    if case.friction_factor != 1.0:
+        yield _named("friction_factor", case.friction_factor)
+
+
+def _operation(case: AnyDesign) -> Iterator[Row]:
     if isinstance(case.duty, GivenEccentricity):
         yield _named("eccentricity_ratio", case.duty.eccentricity_ratio, "Prescribed eccentricity e/c")
+        if case.duty.attitude_angle is not None:
+            yield _named("attitude_angle", case.duty.attitude_angle, "Prescribed attitude angle")
     else:
         yield _named("load", case.duty.load)
     yield _named("angular_speed", case.journal_speed)
     if case.bearing_speed:
         yield Row("Rotational speed of the bearing", f"{case.bearing_speed * 30.0 / math.pi:.4g}", None, "rpm")
+    if isinstance(case, FilmCase):
+        yield Row("Sense of rotation (x right, y up)", case.rotation.value.replace("_", "-"))
+        yield Row("Direction of the load from +x", f"{math.degrees(case.load_angle):.4g}", None, "°")
+        if case.rotor_mass is not None:
+            yield _named("rotor_mass", case.rotor_mass)
+    if case.effective_temperature is not None:
+        yield _named("effective_temperature", case.effective_temperature, "Prescribed effective temperature")
 
 
-def _lubricant(case: DesignCase) -> Iterator[Row]:
+def _lubricant(case: AnyDesign) -> Iterator[Row]:
     oil = case.lubricant
     yield Row("Name", plain_text(oil.name))
     yield Row("Viscosity law", LAWS.get(type(oil.viscosity_law), type(oil.viscosity_law).__name__))
@@ -160,7 +201,7 @@ def _lubricant(case: DesignCase) -> Iterator[Row]:
     yield Row("Source", plain_text(oil.source))
 
 
-def _supply(case: DesignCase) -> Iterator[Row]:
+def _supply(case: AnyDesign) -> Iterator[Row]:
     supply = case.oil_supply
     if supply is None:
         return
@@ -178,21 +219,21 @@ def _duct(duct: Duct) -> str:
     return said if duct.number == 1.0 else f"{duct.number:.4g} × ({said})"
 
 
-def _cooling(case: DesignCase) -> Iterator[Row]:
+def _cooling(case: AnyDesign) -> Iterator[Row]:
     if case.cooling is not None:
         yield _named("ambient_temperature", case.cooling.ambient_temperature)
         yield _named("heat_transfer_coefficient", case.cooling.heat_transfer_coefficient)
         yield _named("cooling_surface", case.cooling.surface)
 
 
-def _surfaces(case: DesignCase) -> Iterator[Row]:
+def _surfaces(case: AnyDesign) -> Iterator[Row]:
     surfaces = case.bearing.surfaces
     if surfaces is not None:
         for name, value in vars(surfaces).items():
             yield _named(name, value)
 
 
-def _material(case: DesignCase) -> Iterator[Row]:
+def _material(case: AnyDesign) -> Iterator[Row]:
     metal = case.bearing.metal
     if metal is not None:
         yield Row("Bearing metal", plain_text(metal.name))
@@ -209,6 +250,9 @@ def _method(case: DesignCase) -> Iterator[Row]:
     yield Row("Friction", FRICTION[case.friction])
     if case.friction_factor != 1.0:
         yield _named("friction_factor", case.friction_factor)
+
+
+def _limits(case: AnyDesign) -> Iterator[Row]:
     limits = case.limits
     for name, value, said in (
         ("minimum_film_thickness", limits.minimum_film_thickness, "Least film thickness set"),

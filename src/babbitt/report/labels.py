@@ -46,6 +46,15 @@ SHORT = {
     "transition_speed": "Speed of transition",
     "stability_relative_clearance": "Least clearance against whirl",
     "recommended_relative_clearance": "Recommended clearance",
+    **{f"stiffness_{axes}": "Film stiffness" for axes in ("xx", "xy", "yx", "yy")},
+    **{f"damping_{axes}": "Film damping" for axes in ("xx", "xy", "yx", "yy")},
+    "rotor_mass": "Mass of the rotor",
+    "critical_mass": "Critical mass",
+    "whirl_frequency_ratio": "Whirl frequency over speed",
+    "threshold_speed": "Threshold speed of whirl",
+    "preload": "Preload of the lobes",
+    "lobe_clearance": "Clearance of the lobes",
+    "mass_balance_error": "Oil lost in the film",
 }
 
 

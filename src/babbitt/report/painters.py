@@ -56,11 +56,11 @@ def speed_and_load(case: DesignCase, result: Result) -> Figure:
         axes[1][column].set_xlabel(
             f"{mathematics('N')} in rpm" if name == "angular_speed" else axis_label(quantity)
         )
-        _plain_ticks(axes[1][column].xaxis)
+        plain_ticks(axes[1][column].xaxis)
     _film_limit(axes[1][0], result)
     _film_limit(axes[1][1], result, at=0.01)
     for panel in axes[:, 0]:
-        _plain_ticks(panel.yaxis)
+        plain_ticks(panel.yaxis)
     if "transition_speed" in result.values:
         _transition(axes[0][0], axes[1][0], QUANTITIES["transition_speed"].shown(result.transition_speed))
     return figure
@@ -130,7 +130,7 @@ def load_capacity(case: DesignCase, result: Result) -> Figure:
         xlabel=axis_label(QUANTITIES["eccentricity_ratio"]),
     )
     panel.set_ylabel(axis_label(QUANTITIES["sommerfeld_number"]))
-    _plain_ticks(panel.yaxis)
+    plain_ticks(panel.yaxis)
     return figure
 
 
@@ -204,7 +204,7 @@ def _film_limit_if_near(panel: Axes, result: Result) -> None:
         _film_limit(panel, result)
 
 
-def _plain_ticks(axis: Axis) -> None:
+def plain_ticks(axis: Axis) -> None:
     """Numbers instead of powers on a logarithmic axis of about a decade or two."""
     from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 

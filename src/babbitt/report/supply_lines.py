@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from babbitt.design.ducts import LAMINAR_UP_TO, TURBULENT_FROM, Duct, pipe_friction_factor
 from babbitt.report.line import Line
 from babbitt.report.worksheet import Worksheet
-from babbitt.standards.iso7902.losses import LAMINAR_UP_TO, TURBULENT_FROM, Duct, pipe_friction_factor
 from babbitt.standards.iso7902.supply import (
     Arrangement,
     CircumferentialGroove,

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from babbitt.cases import Case, design_cases
+from babbitt.bearings.model import FilmCase
+from babbitt.cases import Case
+from babbitt.cases.build import bearings_of, film_cases, iso7902_cases
+from babbitt.cases.journal import JournalBearing
+from babbitt.film.model import Cavitation, FilmStart
 from babbitt.notices import InputError
 from babbitt.results import Result
+from babbitt.solving import solve_design
 from babbitt.standards.iso7902 import DesignCase, check
 from babbitt.standards.iso7902.model import Curves, Friction
 
@@ -35,29 +41,68 @@ FRICTION_LABELS = {
 }
 
 
+CAVITATION_LABELS = {
+    Cavitation.MASS_CONSERVING: (
+        "film",
+        "sees the feeding; conserves the oil; assumes one temperature for the whole film",
+    ),
+    Cavitation.REYNOLDS: (
+        "film, Reynolds",
+        "as film, but reforms the film without asking where the oil comes from",
+    ),
+}
+
+ISO_LABEL = "ISO 7902"
+
+
 def compare_methods(case: Case) -> tuple[Comparison, ...]:
-    """Solve every bearing of a case by every variant of the ISO 7902 procedure that applies to it.
+    """Solve every bearing of a case by every method and variant that applies to it.
 
     Parameters
     ----------
     case : Case
+
+    Returns
+    -------
+    tuple of Comparison
+        The method that the case names stands first in each; the standard is left out where it does not know the
+        bearing.
 
     Raises
     ------
     InputError
         E004 when the case has no bearing with a film.
     """
-    designs = design_cases(case)
-    if not designs:
+    bearings = bearings_of(case)
+    if not bearings:
         raise InputError(
             "E004", f"{case.name}: a case of kind {case.kind!r} has no film; there is nothing to compare"
         )
-    return tuple(Comparison(design.name, _variants(design)) for design in designs)
+    return tuple(found for bearing in bearings for found in _compared(bearing, case))
+
+
+def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
+    standard, films = iso7902_cases(bearing, case), film_cases(bearing, case)
+    for index, film in enumerate(films):
+        by_standard = _variants(standard[index]) if standard else ()
+        by_film = _film_variants(film)
+        ordered = (*by_film, *by_standard) if bearing.method == "film" else (*by_standard, *by_film)
+        yield Comparison(film.name, ordered)
+
+
+def _film_variants(film: FilmCase) -> tuple[Variant, ...]:
+    found = []
+    for cavitation in dict.fromkeys((film.cavitation, *CAVITATION_LABELS)):
+        if film.bearing.film_start is FilmStart.WIDEST_GAP and cavitation is not Cavitation.REYNOLDS:
+            continue
+        label, remark = CAVITATION_LABELS[cavitation]
+        found.append(Variant(label, remark, solve_design(replace(film, cavitation=cavitation))))
+    return tuple(found)
 
 
 def _variants(design: DesignCase) -> tuple[Variant, ...]:
     common = "assumes one temperature for the whole film; rupture as on a centred arc; rigid parallel surfaces"
-    found = [Variant("as given", common, check(design))]
+    found = [Variant(ISO_LABEL, common, check(design))]
     if design.bearing.span < 360:  # all friction models agree on a full bearing
         for model, (label, remark) in FRICTION_LABELS.items():
             plain = replace(design, friction=model, friction_factor=1.0)

@@ -5,33 +5,18 @@ Everything the heat balance needs is a function of the effective temperature; `f
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 from babbitt.characteristics import BearingCurves, ClosedFormCurves, curves
+from babbitt.design.conditions import GivenEccentricity, surface_speed
+from babbitt.design.heat_balance import NoFilmError
+from babbitt.design.oil import properties_at
+from babbitt.design.values import hydrodynamic_speed
 from babbitt.fits import operating_relative_clearance
-from babbitt.notices import InputError
 from babbitt.results import Outcome
 from babbitt.standards.iso7902.friction import friction_number
-from babbitt.standards.iso7902.model import Curves, DesignCase, GivenEccentricity
+from babbitt.standards.iso7902.model import Curves, DesignCase
 from babbitt.standards.iso7902.supply_pressure import Feed, feed
-
-
-class NoFilmError(Exception):
-    """There is no film at this temperature.
-
-    Attributes
-    ----------
-    outcome : Outcome
-        Why: the clearance has closed, the load is too large, or the lubricant's laws do not reach there.
-    capacity : float or None
-        Largest load in N at the largest eccentricity of the characteristics, if the load is too large.
-    """
-
-    def __init__(self, outcome: Outcome, capacity: float | None = None) -> None:
-        super().__init__(outcome.value)
-        self.outcome = outcome
-        self.capacity = capacity
 
 
 @dataclass(frozen=True)
@@ -79,16 +64,6 @@ def load_scale(case: DesignCase, viscosity: float, relative_clearance: float) ->
     return bearing.width * bearing.diameter * viscosity * hydrodynamic_speed(case) / relative_clearance**2
 
 
-def hydrodynamic_speed(case: DesignCase) -> float:
-    """Effective hydrodynamic speed ``ω_h = ω_J + ω_B`` in rad/s, whichever way it turns."""
-    return abs(case.journal_speed + case.bearing_speed)
-
-
-def surface_speed(case: DesignCase) -> float:
-    """Surface speed of the journal in m/s."""
-    return abs(case.journal_speed) * case.bearing.diameter / 2.0
-
-
 def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
     """Film at an effective temperature in K.
 
@@ -112,14 +87,7 @@ def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
     )
     if psi <= 0.0:
         raise NoFilmError(Outcome.NO_CLEARANCE)
-    try:
-        density = oil.density(temperature)
-        viscosity = oil.kinematic_viscosity(temperature) * density
-        heat_capacity = oil.volumetric_heat_capacity(temperature)
-    except InputError:
-        raise NoFilmError(Outcome.NO_LUBRICANT_DATA) from None
-    if min(density, viscosity, heat_capacity) <= 0.0:
-        raise NoFilmError(Outcome.NO_LUBRICANT_DATA)
+    density, viscosity, heat_capacity = properties_at(oil, temperature)
     scale = load_scale(case, viscosity, psi)
     if isinstance(case.duty, GivenEccentricity):
         eccentricity = case.duty.eccentricity_ratio
@@ -150,23 +118,3 @@ def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
         side_flow=side_flow,
         feed=feed(case, eccentricity, psi, viscosity, side_flow),
     )
-
-
-def minimum_film_thickness(eccentricity_ratio: float, relative_clearance: float, diameter: float) -> float:
-    """``h_min = ψ D (1 - ε)/2`` in m."""
-    return relative_clearance * diameter * (1.0 - eccentricity_ratio) / 2.0
-
-
-def film_reynolds_number(film: Film, case: DesignCase) -> float:
-    """``Re = ρ U c/η`` with the radial clearance."""
-    radial_clearance = film.relative_clearance * case.bearing.diameter / 2.0
-    return film.density * surface_speed(case) * radial_clearance / film.viscosity
-
-
-def critical_reynolds_number(relative_clearance: float) -> float:
-    """Reynolds number up to which the film is laminar: ``41.3 sqrt(D/C)`` (Taylor, as in ISO 7902).
-
-    >>> round(critical_reynolds_number(1.4705e-3))
-    1077
-    """
-    return 41.3 / math.sqrt(relative_clearance)

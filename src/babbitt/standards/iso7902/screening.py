@@ -1,4 +1,4 @@
-"""Rules beside the standard: recommended clearance, whirl screening, transition to mixed friction."""
+"""Rules beside the standard: whirl screening, transition to mixed friction."""
 
 from __future__ import annotations
 
@@ -12,18 +12,6 @@ WHIRL_SAFE_FROM = 0.60
 
 WHIRL_FEARED_BELOW = 0.55
 """Eccentricity ratio below which self-excited whirl is possible (Dmitriev)."""
-
-ROTORDYNAMIC_CHECK_ABOVE = 20.0
-"""Surface speed in m/s above which a rotordynamic check is recommended."""
-
-
-def recommended_relative_clearance(surface_speed: float) -> float:
-    """Recommended mean relative clearance ``0.8e-3 U^(1/4)`` for a surface speed in m/s (Vogelpohl).
-
-    >>> round(1e3 * recommended_relative_clearance(45.0), 1)
-    2.1
-    """
-    return 0.8e-3 * math.pow(surface_speed, 0.25)
 
 
 def orlov_relative_clearance(

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from scipy.optimize import brentq
-
-from babbitt.standards.iso7902.losses import Duct
+from babbitt.design.feeding import arrival
 from babbitt.standards.iso7902.model import DesignCase
 
 
@@ -39,27 +37,12 @@ def feed(
         return Feed(0.0, 0.0, supply.pressure, 0.0, 0.0)
     number = element.supply_flow_number(eccentricity_ratio, bearing.width, bearing.width_ratio)
     conductance = number * bearing.diameter**3 * relative_clearance**3 / viscosity
-    if not supply.tubes and not supply.holes:
-        return Feed(number, conductance * supply.pressure, supply.pressure, 0.0, 0.0)
-
-    density = case.lubricant.density(supply.temperature)
-    kinematic = case.lubricant.kinematic_viscosity(supply.temperature)
-
-    def losses(ducts: tuple[Duct, ...], flow: float) -> float:
-        return sum(duct.pressure_loss(flow, density, kinematic) for duct in ducts)
-
-    def surplus(pressure: float) -> float:
-        flow = side_flow + conductance * pressure
-        return supply.pressure - losses(supply.tubes, flow) - losses(supply.holes, flow) - pressure
-
-    starved = surplus(0.0) <= 0.0
-    pressure = 0.0 if starved else brentq(surplus, 0.0, supply.pressure, xtol=1e-6, rtol=1e-12)
-    flow = conductance * pressure
+    found = arrival(supply, case.lubricant, lambda pressure: side_flow + conductance * pressure)
     return Feed(
         number,
-        flow,
-        pressure,
-        losses(supply.tubes, side_flow + flow),
-        losses(supply.holes, side_flow + flow),
-        starved,
+        conductance * found.element_pressure,
+        found.element_pressure,
+        found.tube_loss,
+        found.hole_loss,
+        found.starved,
     )

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from babbitt.design.ducts import Duct
 from babbitt.lubricants import lubricant
-from babbitt.standards.iso7902.losses import Duct
 from babbitt.standards.iso7902.supply import equivalent_holes
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK

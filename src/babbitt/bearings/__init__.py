@@ -1,0 +1,5 @@
+"""Journal bearings whose film is solved: from description to film, heat balance and answer.
+
+``model`` and ``bore`` describe, ``layout`` draws the film, ``warm_film`` finds it at a temperature,
+``check`` answers.
+"""

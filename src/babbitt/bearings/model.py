@@ -1,0 +1,143 @@
+"""What a film design check needs to know: SI numbers and chosen methods, nothing of files or units."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from enum import Enum
+
+from babbitt.bearings.bore import Bore, RoundBore
+from babbitt.design.conditions import GivenEccentricity, GivenLoad, HousingCooling, Limits, OilSupply, Surfaces
+from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Resolution
+from babbitt.lubricants import Lubricant
+from babbitt.materials import BearingMetal, LoadCharacter
+from babbitt.notices import Notice
+
+__all__ = ["Accuracy", "FilmBearing", "FilmCase", "Hollow", "Rotation"]
+
+
+class Accuracy(Enum):
+    """How fine the grid of the film is."""
+
+    DRAFT = "draft"
+    ENGINEERING = "engineering"
+    REFERENCE = "reference"
+
+    @property
+    def resolution(self) -> Resolution:
+        """Grid of the film engine."""
+        return {"draft": DRAFT, "engineering": ENGINEERING, "reference": REFERENCE}[self.value]
+
+
+class Rotation(Enum):
+    """Sense in which the journal turns, seen against the z axis (x right, y up)."""
+
+    COUNTER_CLOCKWISE = "counter_clockwise"
+    CLOCKWISE = "clockwise"
+
+    @property
+    def sense(self) -> float:
+        """1 or -1."""
+        return 1.0 if self is Rotation.COUNTER_CLOCKWISE else -1.0
+
+
+@dataclass(frozen=True)
+class Hollow:
+    """A groove, pocket or hole that feeds the film.
+
+    Attributes
+    ----------
+    angle, extent : float
+        Of the centre and around the bore, rad, counter-clockwise from +x.
+    width : float or None
+        Along the shaft, m; None reaches over the whole bearing (axial groove).
+    axial_position : float
+        Of the centre from the mid-plane, m.
+    pressure : float or None
+        Gauge, Pa; None is that of the oil supply behind its losses.
+    """
+
+    angle: float
+    extent: float
+    width: float | None = None
+    axial_position: float = 0.0
+    pressure: float | None = None
+
+    @classmethod
+    def hole(
+        cls, angle: float, diameter: float, bore: float, axial_position: float = 0.0, pressure: float | None = None
+    ) -> Hollow:
+        """A round hole as a square of the same area; ``bore`` is the diameter of the bearing, all m."""
+        side = 0.5 * math.sqrt(math.pi) * diameter
+        return cls(angle, 2.0 * side / bore, side, axial_position, pressure)
+
+
+@dataclass(frozen=True)
+class FilmBearing:
+    """A journal bearing as the film sees it; lengths in m, clearance at 20 °C.
+
+    `misalignment` holds the slopes dx/dz and dy/dz of the journal axis in rad. `clearance_tolerance` holds the
+    least and the greatest relative clearance where a tolerance is known.
+    """
+
+    diameter: float
+    width: float
+    relative_clearance: float
+    expansion_bearing: float
+    expansion_journal: float
+    hollows: tuple[Hollow, ...] = ()
+    bore: Bore = field(default_factory=RoundBore)
+    film_start: FilmStart = FilmStart.GROOVE
+    misalignment: tuple[float, float] = (0.0, 0.0)
+    surfaces: Surfaces | None = None
+    metal: BearingMetal | None = None
+    load_character: LoadCharacter = LoadCharacter.CALM
+    clearance_tolerance: tuple[float, float] | None = None
+
+    @property
+    def width_ratio(self) -> float:
+        """B/D."""
+        return self.width / self.diameter
+
+    @property
+    def mean_relative_clearance(self) -> float:
+        """Relative clearance in the middle of its tolerance, at 20 °C."""
+        tolerance = self.clearance_tolerance
+        return sum(tolerance) / 2.0 if tolerance else self.relative_clearance
+
+
+@dataclass(frozen=True)
+class FilmCase:
+    """One bearing at one operating point with all choices made.
+
+    Speeds in rad/s, positive counter-clockwise; `load_angle` in rad from +x. At least one of `oil_supply`
+    and `cooling` carries the heat away, unless `effective_temperature` (K) is prescribed. `rotor_mass` (kg) is the
+    part of a rigid rotor that this bearing carries. `doubts` arose while the case was made and ride along.
+    """
+
+    name: str
+    bearing: FilmBearing
+    duty: GivenLoad | GivenEccentricity
+    journal_speed: float
+    lubricant: Lubricant
+    oil_supply: OilSupply | None = None
+    cooling: HousingCooling | None = None
+    bearing_speed: float = 0.0
+    load_angle: float = -math.pi / 2.0
+    cavitation: Cavitation = Cavitation.MASS_CONSERVING
+    cavitation_pressure: float = 0.0
+    accuracy: Accuracy = Accuracy.ENGINEERING
+    effective_temperature: float | None = None
+    friction_factor: float = 1.0
+    rotor_mass: float | None = None
+    limits: Limits = field(default_factory=Limits)
+    given: tuple[tuple[str, str], ...] = ()
+    assumptions: tuple[str, ...] = ()
+    doubts: tuple[Notice, ...] = ()
+    kind: str = "journal"
+
+    @property
+    def rotation(self) -> Rotation:
+        """Sense in which the film is sheared."""
+        turns = self.journal_speed + self.bearing_speed
+        return Rotation.COUNTER_CLOCKWISE if turns >= 0.0 else Rotation.CLOCKWISE

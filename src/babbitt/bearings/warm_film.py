@@ -1,0 +1,153 @@
+"""The film at one assumed temperature: clearance, viscosity, position, friction and flow.
+
+Everything the heat balance needs is a function of the effective temperature; `film_at_temperature` is that
+function, and `operating_film` is the film where it settles.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import TYPE_CHECKING
+
+from babbitt.bearings.compiling import announced
+from babbitt.bearings.layout import film_of, load_vector
+from babbitt.bearings.model import FilmCase
+from babbitt.design.conditions import GivenEccentricity
+from babbitt.design.feeding import Arrival, arrival
+from babbitt.design.heat_balance import (
+    SPARING,
+    Equilibrium,
+    NoFilmError,
+    at_prescribed_temperature,
+    find_equilibrium,
+)
+from babbitt.design.oil import properties_at
+from babbitt.design.roots import bracketed_root
+from babbitt.film.model import JournalFilm, Resolution
+from babbitt.fits import operating_relative_clearance
+from babbitt.results import Outcome
+
+if TYPE_CHECKING:
+    from babbitt.film.solution import FilmSolution
+
+LOAD_TOLERANCE = 1e-9
+"""Of the film force over the load; small, so that the heat balance closes to 1e-8."""
+
+
+@dataclass(frozen=True, eq=False)
+class FilmState:
+    """State of the film at one effective temperature, SI."""
+
+    temperature: float
+    relative_clearance: float
+    density: float
+    viscosity: float
+    volumetric_heat_capacity: float
+    load: float
+    friction_power: float
+    total_flow: float
+    feed: Arrival | None
+    solution: FilmSolution
+
+
+def operating_film(case: FilmCase) -> Equilibrium[FilmState]:
+    """Film at the temperature at which its heat balance closes, or at the one that the case prescribes.
+
+    Always ends with a status; see `babbitt.design.heat_balance.find_equilibrium`.
+    """
+    film_at = partial(film_at_temperature, case=case)
+    if case.effective_temperature is not None:
+        return at_prescribed_temperature(case.effective_temperature, film_at)
+    return find_equilibrium(case, film_at, SPARING)
+
+
+def resolution_of(case: FilmCase) -> Resolution:
+    """Grid of a case, with the tolerance that its heat balance needs."""
+    return replace(case.accuracy.resolution, tolerance=LOAD_TOLERANCE)
+
+
+def film_at_temperature(temperature: float, case: FilmCase) -> FilmState:
+    """Film at an effective temperature in K.
+
+    Raises
+    ------
+    NoFilmError
+        When the relative clearance is not positive at this temperature, no film carries the load, the film engine
+        ends without an answer, or a law of the lubricant has no usable value.
+    """
+    bearing, oil = case.bearing, case.lubricant
+    psi = operating_relative_clearance(
+        bearing.relative_clearance, bearing.expansion_bearing, bearing.expansion_journal, temperature
+    )
+    if psi <= 0.0:
+        raise NoFilmError(Outcome.NO_CLEARANCE)
+    density, viscosity, heat_capacity = properties_at(oil, temperature)
+
+    def solved(pressure: float) -> FilmSolution:
+        return resting_film(case, film_of(case, psi, viscosity, pressure))
+
+    feed = None
+    if case.oil_supply is not None:
+        feed = arrival(case.oil_supply, oil, lambda pressure: float(solved(pressure).side_flow.sum()))
+    solution = solved(feed.element_pressure if feed else 0.0)
+    return FilmState(
+        temperature=temperature,
+        relative_clearance=psi,
+        density=density,
+        viscosity=viscosity,
+        volumetric_heat_capacity=heat_capacity,
+        load=solution.load,
+        friction_power=case.friction_factor * solution.friction_torque * abs(case.journal_speed),
+        total_flow=float(solution.side_flow.sum()),
+        feed=feed,
+        solution=solution,
+    )
+
+
+def resting_film(case: FilmCase, film: JournalFilm) -> FilmSolution:
+    """Film that carries the load of the case, or that stands at its prescribed position."""
+    with announced():
+        from babbitt.film.solve import solve_journal
+
+        if isinstance(case.duty, GivenEccentricity):
+            return _accepted(_at_eccentricity(case, case.duty, film))
+        return _accepted(solve_journal(film, load_vector(case, case.duty.load), resolution_of(case)))
+
+
+def film_at_angle(case: FilmCase, film: JournalFilm, eccentricity_ratio: float, attitude: float) -> FilmSolution:
+    """Film with the journal at an eccentricity and an attitude angle in rad."""
+    from babbitt.film.solve import film_at_position
+
+    eccentricity = eccentricity_ratio * film.clearance
+    angle = case.load_angle + case.rotation.sense * attitude
+    position = (eccentricity * math.cos(angle), eccentricity * math.sin(angle))
+    return _accepted(film_at_position(film, position, resolution=resolution_of(case)))
+
+
+def _at_eccentricity(case: FilmCase, duty: GivenEccentricity, film: JournalFilm) -> FilmSolution:
+    """At the given attitude, or at the one for which the film force opposes the direction of the load."""
+    if duty.attitude_angle is not None:
+        return film_at_angle(case, film, duty.eccentricity_ratio, duty.attitude_angle)
+
+    def aside(attitude: float) -> float:
+        fx, fy = film_at_angle(case, film, duty.eccentricity_ratio, attitude).force
+        away = math.atan2(-fy, -fx) - case.load_angle
+        return math.pi - (math.pi - away) % (2.0 * math.pi)
+
+    steps = [math.radians(degrees) for degrees in range(0, 181, 12)]
+    offs = [aside(step) for step in steps]
+    for low, high, before, behind in zip(steps, steps[1:], offs, offs[1:], strict=False):
+        if before * behind <= 0.0 and abs(before - behind) < math.pi:
+            attitude = bracketed_root(aside, low, high, absolute=1e-13)
+            return film_at_angle(case, film, duty.eccentricity_ratio, attitude)
+    raise NoFilmError(Outcome.NOT_CONVERGED)
+
+
+def _accepted(solution: FilmSolution) -> FilmSolution:
+    if solution.outcome is Outcome.OVERLOADED:
+        raise NoFilmError(Outcome.OVERLOADED)
+    if not solution.outcome.solved:
+        raise NoFilmError(Outcome.NOT_CONVERGED)
+    return solution

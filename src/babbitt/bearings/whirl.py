@@ -1,0 +1,102 @@
+"""When the journal whirls in its film: critical mass, whirl frequency, threshold speed of a rigid rotor."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from babbitt.bearings.layout import load_vector
+from babbitt.bearings.model import FilmCase
+from babbitt.bearings.warm_film import FilmState
+from babbitt.design.roots import bracketed_root
+
+if TYPE_CHECKING:
+    from babbitt.film.solution import FilmSolution
+
+STANDARD_GRAVITY = 9.80665
+"""m/s²."""
+
+FASTEST = 10.0
+"""The threshold is sought up to this many times the speed, and down to its inverse."""
+
+SEARCH_STEP = 1.25
+"""Ratio of the speeds at which the search looks."""
+
+
+@dataclass(frozen=True)
+class Whirl:
+    """Stability of a rigid rotor in this film: kg, ratio to the speed, rad/s.
+
+    `threshold_speed` is None where no speed within the search changes what the journal does.
+    """
+
+    critical_mass: float
+    frequency_ratio: float
+    rotor_mass: float
+    threshold_speed: float | None
+
+
+def whirl_of(case: FilmCase, state: FilmState) -> Whirl:
+    """Stability at the operating point, and the speed at which the rotor begins to whirl.
+
+    The threshold keeps load, viscosity and clearance of the operating point. Without a mass of the rotor, the
+    load is taken as its weight.
+    """
+    from babbitt.film.stability import critical_mass, whirl_frequency
+
+    stiffness, damping = state.solution.stiffness, state.solution.damping
+    speed = abs(state.solution.film.angular_speed)
+    mass = case.rotor_mass if case.rotor_mass is not None else state.load / STANDARD_GRAVITY
+    return Whirl(
+        critical_mass(stiffness, damping),
+        whirl_frequency(stiffness, damping) / speed,
+        mass,
+        threshold_speed(case, state, mass),
+    )
+
+
+def at_speed(case: FilmCase, state: FilmState, speed: float) -> FilmSolution:
+    """The film under the same load, with the same oil, at another speed in rad/s."""
+    from babbitt.film.solve import solve_journal
+
+    film = replace(state.solution.film, angular_speed=case.rotation.sense * speed)
+    return solve_journal(film, load_vector(case, state.load), case.accuracy.resolution)
+
+
+def threshold_speed(case: FilmCase, state: FilmState, mass: float) -> float | None:
+    """Speed in rad/s above which a rigid rotor whirls, nearest to the operating speed; None if none is in
+    sight."""
+    from babbitt.film.stability import critical_mass
+
+    def excess(speed: float) -> float:
+        found = at_speed(case, state, speed)
+        if not found.outcome.solved:
+            return math.nan
+        critical = critical_mass(found.stiffness, found.damping)
+        return (
+            math.atan(math.log(critical / mass))
+            if 0.0 < critical < math.inf
+            else math.copysign(2.0, critical - mass)
+        )
+
+    return crossing(excess, abs(state.solution.film.angular_speed))
+
+
+def crossing(excess: Callable[[float], float], speed: float) -> float | None:
+    """Speed at which a function turns from positive to negative: above a stable speed, below an unstable one."""
+    here = excess(speed)
+    if math.isnan(here):
+        return None
+    step = SEARCH_STEP if here > 0.0 else 1.0 / SEARCH_STEP
+    near = speed
+    while 1.0 / FASTEST <= near * step / speed <= FASTEST:
+        far = near * step
+        there = excess(far)
+        if math.isnan(there):
+            return None
+        if here * there <= 0.0:
+            return bracketed_root(excess, min(near, far), max(near, far), relative=1e-5)
+        near, here = far, there
+    return None

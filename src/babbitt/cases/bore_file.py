@@ -1,0 +1,154 @@
+"""Files that a case names: measured bores (CSV, angle and departure) and tables of limits (TOML)."""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from itertools import pairwise
+from pathlib import Path as FilePath
+from typing import Any
+
+from babbitt.cases.plain_words import Path, shown
+from babbitt.materials import parse_experience_limits
+from babbitt.notices import InputError
+from babbitt.units import QuantityError, read
+
+POINTS = 360
+"""Points at equal steps to which a table is interpolated."""
+
+LARGEST_STEP = math.radians(45.0)
+"""Largest angle between two points of a table."""
+
+CLOSES_TO = 1e-6
+"""m. First and last point of a table over a whole turn may differ by this."""
+
+LARGEST_TABLE = 1_000_000
+"""Bytes."""
+
+LARGEST_LIMITS = 100_000
+"""Bytes."""
+
+LIMITS_FORM = "a TOML file in the form of the shipped limits.toml"
+
+HEADING = re.compile(r"^\s*[^\[\](]+?\s*[\[(]\s*(?P<unit>[^\])]+?)\s*[\])]\s*$")
+
+EXAMPLE = "two columns with the heading 'angle [deg],departure [um]'"
+
+
+class TableError(Exception):
+    """A table that cannot be used: where in the case, what is wrong, what would do."""
+
+    def __init__(self, path: Path, says: str, allowed: str = "") -> None:
+        super().__init__(says)
+        self.path, self.says, self.allowed = path, says, allowed
+
+
+def with_tables(given: dict[str, Any], folder: FilePath) -> dict[str, Any]:
+    """Put the points of every measured bore, and the text of every table of limits, in the place of its file.
+
+    Parameters
+    ----------
+    given : dict
+        A case as it stands in the file; it is not changed.
+    folder : Path
+        What the files are named from.
+
+    Raises
+    ------
+    TableError
+        For the first table that cannot be used.
+    """
+    made = _with_table(given, (), folder)
+    bearings = given.get("bearings")
+    if isinstance(bearings, list):
+        made["bearings"] = [
+            _with_table(one, ("bearings", index), folder) if isinstance(one, dict) else one
+            for index, one in enumerate(bearings)
+        ]
+    return made
+
+
+def _with_table(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:
+    return _with_limits(_with_bore(bearing, path, folder), path, folder)
+
+
+def _with_limits(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:
+    limits = bearing.get("limits")
+    if not (isinstance(limits, dict) and isinstance(limits.get("tables"), str)):
+        return bearing
+    name, at = limits["tables"], (*path, "limits", "tables")
+    if "\n" in name:  # the text itself, of a case that was read before
+        return bearing
+    file = folder / name
+    try:
+        if file.stat().st_size > LARGEST_LIMITS:
+            raise TableError(at, f"{file.name} is larger than {LARGEST_LIMITS // 1000} kB", LIMITS_FORM)
+        text = file.read_text(encoding="utf-8-sig")
+        parse_experience_limits(text, file.name)
+    except (OSError, UnicodeDecodeError, ValueError):
+        raise TableError(at, f"{shown(file.name)} cannot be read", LIMITS_FORM) from None
+    except InputError as error:
+        raise TableError(at, error.message, LIMITS_FORM) from None
+    return bearing | {"limits": limits | {"tables": text}}
+
+
+def _with_bore(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:
+    bore = bearing.get("bore")
+    if not (
+        isinstance(bore, dict) and bore.get("kind") == "measured" and "file" in bore and "departures" not in bore
+    ):
+        return dict(bearing)
+    at = (*path, "bore", "file")
+    if not isinstance(bore["file"], str):
+        raise TableError(at, f"{shown(bore['file'])} is not the name of a file", EXAMPLE)
+    rest = {name: value for name, value in bore.items() if name != "file"}
+    return bearing | {"bore": rest | {"departures": departures_of(folder / bore["file"], at)}}
+
+
+def departures_of(file: FilePath, at: Path) -> list[float]:
+    """Departures in m at equal steps from angle 0, interpolated linearly between the points of a table."""
+    try:
+        if file.stat().st_size > LARGEST_TABLE:
+            raise TableError(at, f"{file.name} is larger than {LARGEST_TABLE // 1_000_000} MB", EXAMPLE)
+        rows = [row for row in csv.reader(file.read_text(encoding="utf-8-sig").splitlines()) if any(row)]
+    except (OSError, UnicodeDecodeError, csv.Error):
+        raise TableError(at, f"{file.name} cannot be read", EXAMPLE) from None
+    units = [HEADING.match(cell) for cell in rows[0]] if rows else []
+    if len(units) != 2 or not units[0] or not units[1]:
+        raise TableError(at, f"{file.name} has no heading with units", EXAMPLE)
+    kinds = ((units[0]["unit"], "rad"), (units[1]["unit"], "m"))
+    points = []
+    for line, row in enumerate(rows[1:], start=2):
+        try:
+            angle, departure = (
+                read(f"{float(cell)} {unit}", si) for cell, (unit, si) in zip(row, kinds, strict=True)
+            )
+        except (ValueError, QuantityError):
+            raise TableError(at, f"row {line} of {file.name} is {shown(','.join(row))}", EXAMPLE) from None
+        points.append((angle, departure))
+    return _once_around(points, file.name, at)
+
+
+def _once_around(points: list[tuple[float, float]], name: str, at: Path) -> list[float]:
+    turn = 2.0 * math.pi
+    if len(points) < 8:
+        raise TableError(at, f"{name} has {len(points)} points", "at least 8")
+    steps = [after[0] - before[0] for before, after in pairwise(points)]
+    whole = points[-1][0] - points[0][0]
+    if min(steps) <= 0.0 or whole > turn * (1.0 + 1e-6):
+        raise TableError(at, f"the angles of {name} do not rise once around", "rising angles over one turn")
+    if whole > turn * (1.0 - 1e-6):
+        if abs(points[-1][1] - points[0][1]) > CLOSES_TO:
+            gap = 1e6 * abs(points[-1][1] - points[0][1])
+            raise TableError(
+                at, f"{name} does not close: its ends are {gap:.3g} um apart", "equal values at both ends"
+            )
+        points = points[:-1]
+    if max(*steps, turn - whole) > LARGEST_STEP:
+        raise TableError(at, f"{name} leaves a gap between its points", "steps of at most 45 deg all around")
+    import numpy as np
+
+    places = np.arange(POINTS) * (turn / POINTS)
+    found = np.interp(places, [angle for angle, _ in points], [value for _, value in points], period=turn)
+    return [float(value) for value in found]

@@ -1,0 +1,71 @@
+"""From a bearing, as the engineer wrote it, to the case of its film."""
+
+from __future__ import annotations
+
+import math
+
+from babbitt.bearings.bore import RoundBore
+from babbitt.bearings.model import Accuracy, FilmBearing, FilmCase, Hollow
+from babbitt.cases.as_given import words_of
+from babbitt.cases.assumptions import common_assumptions_of
+from babbitt.cases.doubts import doubts_about_numbers
+from babbitt.cases.film_layout import film_layout
+from babbitt.cases.joined_inputs import Inputs, Point, duty, housing_cooling, journal_speed, oil_supply
+from babbitt.film.model import Cavitation, FilmStart
+from babbitt.materials import LoadCharacter, bearing_metal
+
+
+def film_case(inputs: Inputs, at: Point) -> FilmCase:
+    """Film case of one bearing at one operating point and clearance."""
+    bearing, point = inputs.bearing, at.given
+    speed = journal_speed(bearing, point)
+    layout = film_layout(bearing, point, inputs.width, math.copysign(1.0, speed))
+    return FilmCase(
+        name=at.name,
+        bearing=_film_bearing(inputs, at, layout.hollows),
+        duty=duty(inputs, point),
+        journal_speed=speed,
+        lubricant=inputs.lubricant,
+        oil_supply=oil_supply(inputs.supply, point),
+        cooling=housing_cooling(inputs),
+        bearing_speed=bearing.bearing_speed,
+        load_angle=bearing.load_angle,
+        cavitation=Cavitation[bearing.cavitation.upper()],
+        cavitation_pressure=bearing.cavitation_pressure,
+        accuracy=Accuracy(bearing.accuracy),
+        effective_temperature=bearing.effective_temperature,
+        friction_factor=bearing.friction.factor,
+        rotor_mass=bearing.rotor_mass,
+        limits=bearing.limits.limits(),
+        given=words_of(bearing, point, at.clearance_case, inputs.cooling, inputs.materials),
+        assumptions=(
+            *inputs.shared_assumptions,
+            *bearing.assumptions,
+            *layout.assumptions,
+            *common_assumptions_of(bearing, inputs.supply, inputs.cooling, inputs.materials),
+        ),
+        doubts=doubts_about_numbers(bearing, point),
+        kind=bearing.kind,
+    )
+
+
+def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[Hollow, ...]) -> FilmBearing:
+    bearing, materials = inputs.bearing, inputs.materials
+    if materials.bearing is None or materials.journal is None:
+        raise ValueError("a case that was not validated: the bearing has no materials")
+    askew = bearing.misalignment
+    return FilmBearing(
+        diameter=bearing.diameter,
+        width=inputs.width,
+        relative_clearance=at.clearance,
+        expansion_bearing=materials.bearing.expansion(),
+        expansion_journal=materials.journal.expansion(),
+        hollows=hollows,
+        bore=bearing.bore.bore() if bearing.bore is not None else RoundBore(),
+        film_start=FilmStart[(bearing.film_start or "groove").upper()],
+        misalignment=(askew.x, askew.y) if askew is not None else (0.0, 0.0),
+        surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,
+        metal=bearing_metal(materials.bearing_metal) if materials.bearing_metal is not None else None,
+        load_character=LoadCharacter(materials.load_character or LoadCharacter.CALM),
+        clearance_tolerance=at.tolerance,
+    )

@@ -1,0 +1,269 @@
+"""What the film method sees beyond the standard: grooves, pockets, holes, form of the bore, misalignment,
+choices."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Annotated, Literal
+
+from pydantic import Discriminator, Field
+
+from babbitt.bearings.bore import Bore, LobedBore, MeasuredBore, RoundBore, TaperedBore, WornBore
+from babbitt.bearings.model import Hollow
+from babbitt.cases.part import Complaint, Part, exactly_one, rule
+from babbitt.units import si, written
+
+Angle = Annotated[float, si("rad", "-360 deg", "360 deg")]
+HollowPressure = Annotated[float, si("Pa", "0 Pa", "50 MPa")]
+Depth = Annotated[float, si("m", "0.1 um", "5 mm")]
+
+ANGLE = "Direction of its centre, counter-clockwise from the x axis."
+PRESSURE = "Gauge pressure, if not that of the supply."
+POSITION = "Axial position of its centre from the mid-plane."
+TURN = 2.0 * math.pi
+
+
+class GrooveGiven(Part):
+    """An axial groove as wide as the bearing."""
+
+    angle: Angle = Field(description=ANGLE)
+    extent: Annotated[float, si("rad", "0 deg", "180 deg")] = Field(
+        description="Angle it takes around the bore; 0 is a line of supply."
+    )
+    pressure: HollowPressure | None = Field(None, description=PRESSURE)
+
+    def hollow(self, diameter: float) -> Hollow:
+        """Give the hollow of the film."""
+        return Hollow(self.angle, self.extent, pressure=self.pressure)
+
+    def reach(self, diameter: float) -> tuple[float, float]:
+        """Angle and length along the shaft that it covers, rad and m."""
+        return self.extent, math.inf
+
+
+class PocketGiven(Part):
+    """A rectangular pocket, narrower than the bearing; one of 360 deg is a circumferential groove."""
+
+    angle: Angle = Field(description=ANGLE)
+    extent: Annotated[float, si("rad", "0.1 deg", "360 deg")] = Field(
+        description="Angle it takes around the bore; 360 deg makes a circumferential groove."
+    )
+    width: Annotated[float, si("m", "0.1 mm", "3 m")] = Field(description="Size along the shaft.")
+    axial_position: Annotated[float, si("m", "-3 m", "3 m")] = Field(0.0, description=POSITION)
+    pressure: HollowPressure | None = Field(None, description=PRESSURE)
+
+    def hollow(self, diameter: float) -> Hollow:
+        """Give the hollow of the film."""
+        return Hollow(self.angle, self.extent, self.width, self.axial_position, self.pressure)
+
+    def reach(self, diameter: float) -> tuple[float, float]:
+        """Angle and length along the shaft that it covers, rad and m."""
+        return self.extent, self.width
+
+
+class SupplyHoleGiven(Part):
+    """A round hole in the bore."""
+
+    angle: Angle = Field(description=ANGLE)
+    diameter: Annotated[float, si("m", "0.1 mm", "1 m")] = Field(description="Diameter of the hole.")
+    axial_position: Annotated[float, si("m", "-3 m", "3 m")] = Field(0.0, description=POSITION)
+    pressure: HollowPressure | None = Field(None, description=PRESSURE)
+
+    def hollow(self, diameter: float) -> Hollow:
+        """Give the hollow of the film, a square of the same area."""
+        return Hollow.hole(self.angle, self.diameter, diameter, self.axial_position, self.pressure)
+
+    def reach(self, diameter: float) -> tuple[float, float]:
+        """Angle and length along the shaft that it covers, rad and m."""
+        return 2.0 * self.diameter / diameter, self.diameter
+
+
+class MisalignmentGiven(Part):
+    """How the journal axis stands askew in the bore."""
+
+    x: Annotated[float, si("rad", "-0.05 rad", "0.05 rad")] = Field(
+        0.0, description="Slope dx/dz of the journal axis: towards x along the shaft."
+    )
+    y: Annotated[float, si("rad", "-0.05 rad", "0.05 rad")] = Field(
+        0.0, description="Slope dy/dz of the journal axis: towards y along the shaft."
+    )
+
+
+class RoundBoreGiven(Part):
+    """A round bore."""
+
+    kind: Literal["round"] = Field(description="A round bore.")
+
+    def bore(self) -> Bore:
+        """Give the bore of the film."""
+        return RoundBore()
+
+
+class LobedBoreGiven(Part):
+    """A bore of lobes: every land between two grooves is an arc of a larger circle."""
+
+    kind: Literal["lobes"] = Field(
+        description="Lobes between grooves: lemon bore, three or four lobes, offset halves (offset 1)."
+    )
+    preload: Annotated[float, si("1", "0", "0.95")] = Field(
+        description="Preload 1 - c/c_l: c is the clearance of the assembled bearing, c_l that of a lobe."
+    )
+    offset: Annotated[float, si("1", "0", "1")] = Field(
+        0.5,
+        description="Where on the lobe the gap of a centred journal is smallest: 0.5 in the middle, 1 at its end.",
+    )
+
+    def bore(self) -> Bore:
+        """Give the bore of the film."""
+        return LobedBore(self.preload, self.offset)
+
+
+class TaperedBoreGiven(Part):
+    """Lands that are cut back where the oil enters."""
+
+    kind: Literal["taper_land"] = Field(description="Every land is tapered where the oil enters.")
+    depth: Depth = Field(description="Depth of the taper at the leading edge of the land.")
+    share: Annotated[float, si("1", "0.02", "1")] = Field(description="Share of the land that is tapered.")
+
+    def bore(self) -> Bore:
+        """Give the bore of the film."""
+        return TaperedBore(self.depth, self.share)
+
+
+class WornBoreGiven(Part):
+    """A bore worn by its journal."""
+
+    kind: Literal["wear"] = Field(description="An arc of the journal is worn into the bore (Dufrane).")
+    depth: Depth = Field(description="Depth of the wear at its deepest place.")
+    angle: Angle = Field(description="Direction of the deepest place, counter-clockwise from the x axis.")
+
+    def bore(self) -> Bore:
+        """Give the bore of the film."""
+        return WornBore(self.depth, self.angle)
+
+
+class MeasuredBoreGiven(Part):
+    """A bore as it was measured."""
+
+    kind: Literal["measured"] = Field(description="Departures from the circle, measured around the bore.")
+    departures: tuple[Annotated[float, si("m", "-1 mm", "1 mm")], ...] | None = Field(
+        None,
+        min_length=8,
+        max_length=720,
+        description="Departures from the circle of the given clearance, outward positive, at equal steps once "
+        "around in counter-clockwise order; the last point lies one step before the first.",
+    )
+    file: str | None = Field(
+        None,
+        max_length=1000,
+        description="CSV table of angle and departure in place of them, named from the folder of the case; its "
+        "heading has the units: angle [deg],departure [um].",
+    )
+    start: Angle = Field(0.0, description="Direction of the first point, counter-clockwise from the x axis.")
+
+    def bore(self) -> Bore:
+        """Give the bore of the film."""
+        return MeasuredBore(self.departures or (0.0,), self.start)
+
+    @rule
+    def _one_source(self) -> Iterator[Complaint]:
+        yield from exactly_one(self, "departures", "file")
+
+
+BoreGiven = Annotated[
+    RoundBoreGiven | LobedBoreGiven | TaperedBoreGiven | WornBoreGiven | MeasuredBoreGiven, Discriminator("kind")
+]
+
+__all__ = [
+    "BoreGiven",
+    "GrooveGiven",
+    "LobedBoreGiven",
+    "MisalignmentGiven",
+    "PocketGiven",
+    "SupplyHoleGiven",
+]
+
+
+OPEN_ENDS = "the flow through open ends would come out wrong, without bound"
+AS_POCKETS = "give the grooves as pockets of their true width, which ends before the edge of the bearing"
+
+
+def complaint_about_tilt(full_width: bool) -> Iterator[Complaint]:
+    """Complain about a tilted journal in a bore that is fed over its whole width.
+
+    Parameters
+    ----------
+    full_width : bool
+        Whether a groove or a line of supply is as wide as the bearing.
+    """
+    if full_width:
+        says = "a tilted journal does not go together with a groove or line of supply as wide as the bearing: "
+        yield Complaint(
+            ("misalignment",),
+            says + OPEN_ENDS,
+            "bores fed by pockets, holes or circumferential grooves",
+            AS_POCKETS,
+        )
+
+
+def complaints_about_hollows(
+    hollows: list[tuple[tuple[str | int, ...], GrooveGiven | PocketGiven | SupplyHoleGiven]],
+    width: float | None,
+    diameter: float,
+) -> Iterator[Complaint]:
+    """Complain about hollows that reach beyond the bearing, overlap, do not go together, or leave no land.
+
+    Parameters
+    ----------
+    hollows : list
+        Each with its path in the case.
+    width : float or None
+        Of the bearing, m; None while unknown.
+    diameter : float
+        m.
+    """
+    for path, hollow in hollows:
+        if width is not None and not isinstance(hollow, GrooveGiven):
+            _, length = hollow.reach(diameter)
+            size = "diameter" if isinstance(hollow, SupplyHoleGiven) else "width"
+            beyond = abs(hollow.axial_position) + length / 2.0
+            if length >= width:
+                says = f"{written(length, 'mm')} is not narrower than the bearing, {written(width, 'mm')}"
+                yield Complaint(
+                    (*path, size), says, f"less than {written(width, 'mm')}", "a groove spans the width"
+                )
+            elif beyond > width / 2.0 * (1.0 + 1e-9):
+                says = f"it reaches {written(beyond, 'mm')} from the mid-plane, beyond the bearing"
+                yield Complaint((*path, "axial_position"), says, f"up to {written((width - length) / 2.0, 'mm')}")
+    grooves = [(path, hollow) for path, hollow in hollows if isinstance(hollow, GrooveGiven)]
+    narrow = [path for path, hollow in hollows if not isinstance(hollow, GrooveGiven)]
+    if grooves and narrow:
+        says = f"grooves as wide as the bearing do not go together with pockets or holes: {OPEN_ENDS}"
+        yield Complaint(narrow[0], says, "grooves alone, or pockets and holes alone", AS_POCKETS)
+    for index, (path, hollow) in enumerate(hollows):
+        for other_path, other in hollows[:index]:
+            if isinstance(hollow, GrooveGiven) is isinstance(other, GrooveGiven) and _overlap(
+                hollow, other, diameter
+            ):
+                says = f"it overlaps {other_path[0]}[{other_path[1]}]"
+                yield Complaint((*path, "angle"), says, "hollows that leave land between them")
+                break
+    covered = sum(groove.extent for _, groove in grooves)
+    if covered > TURN - math.radians(10.0):
+        says = f"the grooves take {written(covered, 'deg')} of the bore"
+        yield Complaint(grooves[-1][0], says, "at most 350 deg together")
+
+
+def _overlap(
+    one: GrooveGiven | PocketGiven | SupplyHoleGiven,
+    other: GrooveGiven | PocketGiven | SupplyHoleGiven,
+    diameter: float,
+) -> bool:
+    (extent, length), (other_extent, other_length) = one.reach(diameter), other.reach(diameter)
+    apart = abs(math.remainder(one.angle - other.angle, TURN))
+    if apart >= (extent + other_extent) / 2.0 * (1.0 - 1e-9) and (apart > 0.0 or extent + other_extent > 0.0):
+        return False
+    if isinstance(one, GrooveGiven) or isinstance(other, GrooveGiven):
+        return True
+    return abs(one.axial_position - other.axial_position) < (length + other_length) / 2.0 * (1.0 - 1e-9)

@@ -1,0 +1,58 @@
+"""From a bearing, as the engineer wrote it, to the design case of ISO 7902."""
+
+from __future__ import annotations
+
+from babbitt.cases.as_given import words_of
+from babbitt.cases.assumptions import assumptions_of
+from babbitt.cases.doubts import doubts_about
+from babbitt.cases.joined_inputs import Inputs, Point, duty, housing_cooling, journal_speed, oil_supply
+from babbitt.materials import LoadCharacter, bearing_metal
+from babbitt.standards.iso7902.model import Bearing, Curves, DesignCase, Friction
+
+
+def iso7902_case(inputs: Inputs, at: Point) -> DesignCase:
+    """Design case of ISO 7902 of one bearing at one operating point and clearance (relative, at 20 °C)."""
+    bearing, point = inputs.bearing, at.given
+    return DesignCase(
+        name=at.name,
+        bearing=_iso_bearing(inputs, at),
+        duty=duty(inputs, point),
+        journal_speed=journal_speed(bearing, point),
+        lubricant=inputs.lubricant,
+        oil_supply=oil_supply(inputs.supply, point),
+        cooling=housing_cooling(inputs),
+        bearing_speed=bearing.bearing_speed,
+        friction=Friction(bearing.friction.model),
+        friction_factor=bearing.friction.factor,
+        curves=Curves(bearing.characteristics),
+        limits=bearing.limits.limits(),
+        given=words_of(bearing, point, at.clearance_case, inputs.cooling, inputs.materials),
+        assumptions=(
+            *inputs.shared_assumptions,
+            *bearing.assumptions,
+            *assumptions_of(bearing, point, inputs.supply, inputs.cooling, inputs.materials),
+        ),
+        doubts=doubts_about(bearing, point),
+        kind=bearing.kind,
+        effective_temperature=bearing.effective_temperature,
+    )
+
+
+def _iso_bearing(inputs: Inputs, at: Point) -> Bearing:
+    bearing, materials, point = inputs.bearing, inputs.materials, at.given
+    span, element = bearing.span_at(point), bearing.element_at(point)
+    if span is None or materials.bearing is None or materials.journal is None:
+        raise ValueError("a case that was not validated: the bearing has no span or no materials")
+    return Bearing(
+        diameter=bearing.diameter,
+        width=inputs.width,
+        relative_clearance=at.clearance,
+        span=span,
+        expansion_bearing=materials.bearing.expansion(),
+        expansion_journal=materials.journal.expansion(),
+        supply_element=element.element() if element is not None else None,
+        surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,
+        metal=bearing_metal(materials.bearing_metal) if materials.bearing_metal is not None else None,
+        load_character=LoadCharacter(materials.load_character or LoadCharacter.CALM),
+        clearance_tolerance=at.tolerance,
+    )

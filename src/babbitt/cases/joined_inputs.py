@@ -1,0 +1,119 @@
+"""What a bearing brings to a calculation by any method, joined with what it shares with its machine."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from babbitt.cases.cooling import Cooling
+from babbitt.cases.journal import JournalBearing
+from babbitt.cases.machine import JournalCase, Machine
+from babbitt.cases.materials import Materials
+from babbitt.cases.operating_point import LOADS, SPEEDS, OperatingPoint, stating
+from babbitt.cases.shared import merged
+from babbitt.cases.supply import Supply
+from babbitt.design.conditions import GivenEccentricity, GivenLoad, HousingCooling, OilSupply
+from babbitt.design.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coefficient
+from babbitt.lubricants import Lubricant
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """A bearing with what it shares with its machine."""
+
+    bearing: JournalBearing
+    lubricant: Lubricant
+    supply: Supply | None
+    cooling: Cooling | None
+    materials: Materials
+    width: float
+    shared_assumptions: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Point:
+    """Where a bearing is computed: operating point (None: the bearing as such), clearance case, relative
+    clearance.
+
+    `clearance` and `tolerance` hold at 20 °C; `clearance_case` is ``minimum``, ``mean`` or ``maximum``.
+    """
+
+    name: str
+    given: OperatingPoint | None
+    clearance_case: str
+    clearance: float
+    tolerance: tuple[float, float] | None
+
+
+def inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> Inputs:
+    """Join a bearing with what it shares."""
+    lubricant = bearing.lubricant or shared.lubricant
+    width = bearing.actual_width
+    if lubricant is None or width is None:
+        raise ValueError("a case that was not validated: the bearing has no lubricant or no width")
+    return Inputs(
+        bearing,
+        lubricant.lubricant(),
+        merged(bearing.supply, shared.supply),
+        merged(bearing.cooling, shared.cooling),
+        merged(bearing.materials, shared.materials) or Materials(),
+        width,
+        shared.assumptions if isinstance(shared, Machine) else (),
+    )
+
+
+def duty(inputs: Inputs, point: OperatingPoint | None) -> GivenLoad | GivenEccentricity:
+    """What the bearing carries: the load, or the prescribed position."""
+    bearing = inputs.bearing
+    given = stating(LOADS, bearing, point)
+    if given.eccentricity_ratio is not None:
+        return GivenEccentricity(given.eccentricity_ratio, given.attitude_angle)
+    if given.load is not None:
+        return GivenLoad(given.load)
+    if given.specific_load is None:
+        raise ValueError("a case that was not validated: the bearing has no load")
+    return GivenLoad(given.specific_load * inputs.width * bearing.diameter)
+
+
+def journal_speed(bearing: JournalBearing, point: OperatingPoint | None) -> float:
+    """Speed of the journal in rad/s."""
+    given = stating(SPEEDS, bearing, point)
+    if given.speed is not None:
+        return given.speed
+    if given.surface_speed is None:
+        raise ValueError("a case that was not validated: the bearing has no speed")
+    return 2.0 * given.surface_speed / bearing.diameter
+
+
+def oil_supply(supply: Supply | None, point: OperatingPoint | None) -> OilSupply | None:
+    """Oil supply with what the operating point changes; None where no oil is fed."""
+    if supply is None:
+        return None
+    temperature, pressure = supply.temperature, supply.pressure
+    if point is not None:
+        temperature = point.supply_temperature or temperature
+        pressure = point.supply_pressure or pressure
+    if temperature is None or pressure is None:
+        raise ValueError("a case that was not validated: the supply has no temperature or no pressure")
+    return OilSupply(
+        temperature,
+        pressure,
+        tuple(tube.duct() for tube in supply.tubes),
+        tuple(hole.duct() for hole in supply.holes),
+        supply.circulation_time,
+    )
+
+
+def housing_cooling(inputs: Inputs) -> HousingCooling | None:
+    """Cooling by the surroundings; None where there is none."""
+    cooling = inputs.cooling
+    if cooling is None:
+        return None
+    coefficient, surface = cooling.heat_transfer_coefficient, cooling.surface
+    if coefficient is None:
+        still = cooling.air_speed is None
+        coefficient = STILL_AIR_COEFFICIENT if still else heat_transfer_coefficient(cooling.air_speed or 0.0)
+    if surface is None and cooling.housing is not None:
+        surface = cooling.housing.surface(inputs.bearing.diameter, inputs.width)
+    if surface is None or cooling.ambient_temperature is None:
+        raise ValueError("a case that was not validated: the cooling has no surface or no ambient temperature")
+    return HousingCooling(cooling.ambient_temperature, coefficient, surface)

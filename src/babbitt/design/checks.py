@@ -1,0 +1,172 @@
+"""Verdicts on an operating point that do not depend on the method: each with code, value, limit and source."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from babbitt.design.conditions import Designed, surface_speed
+from babbitt.materials import (
+    ExperienceLimit,
+    SourcedValue,
+    pressure_fed_temperature_limit,
+    self_cooled_temperature_limit,
+    specific_load_limit,
+)
+from babbitt.notices import Notice
+from babbitt.results import Bound, Check
+
+USER = "limit set in the case"
+AT_MOST, AT_LEAST = Bound.AT_MOST, Bound.AT_LEAST
+
+
+SLOW_UP_TO = 1.0
+"""Surface speed in m/s up to which the exceptional specific load is granted (an assumption)."""
+
+METAL_CHECKS = ("C105", "C106", "C107", "C108")
+"""Limits of the bearing metal: specific load, speed, their product, temperature."""
+
+
+def limit_checks(case: Designed, values: Mapping[str, float]) -> tuple[Check, ...]:
+    """Checks of film thickness, load, temperature and metal that the data of the case allow.
+
+    Parameters
+    ----------
+    case : Designed
+    values : Mapping[str, float]
+        Named results in SI, with the limits among them.
+    """
+    return (
+        *film_checks(case, values),
+        *load_and_temperature_checks(case, values),
+        *metal_checks(case, values),
+        *validity_checks(values),
+    )
+
+
+def checks_not_made(case: Designed, values: Mapping[str, float]) -> tuple[Notice, ...]:
+    """The checks of the design that lack data, each with what is missing."""
+    return tuple(_not_made(case, values))
+
+
+def _not_made(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
+    bearing, metal = case.bearing, case.bearing.metal
+    if case.limits.minimum_film_thickness is None and "empirical_film_limit" not in values:
+        yield Notice("C101", f"no experience value for a diameter of {bearing.diameter * 1e3:.4g} mm")
+    if bearing.surfaces is None:
+        yield Notice("C102", "roughness, tilt and waviness are not given (surfaces)")
+    if case.limits.specific_load is None and (
+        metal is None or specific_load_limit(metal.family, case.limits.tables) is None
+    ):
+        yield Notice("C103", _without_metal(case))
+    if metal is None:
+        for code in METAL_CHECKS:
+            yield Notice(code, "no bearing metal is given (materials: bearing_metal)")
+    else:
+        limits = metal.limits(bearing.load_character)
+        sources = (limits.specific_load, limits.sliding_speed, limits.pv, metal.limiting_temperature)
+        for code, limit in zip(METAL_CHECKS, sources, strict=True):
+            if limit is None:
+                yield Notice(code, f"no public limit of {metal.name} is on board")
+    if "transition_speed" not in values:
+        missing = "transition_film_thickness" not in values
+        yield Notice("C111", "surfaces are not given" if missing else "the film limit exceeds the clearance")
+
+
+def _without_metal(case: Designed) -> str:
+    metal = case.bearing.metal
+    return "no bearing metal is given" if metal is None else f"no experience value for {metal.family.value} alloys"
+
+
+def temperature_limit(case: Designed) -> ExperienceLimit:
+    """Temperature limit in K by experience, by the way the bearing is cooled."""
+    if case.oil_supply is None:
+        return self_cooled_temperature_limit(case.limits.tables)
+    return pressure_fed_temperature_limit(case.oil_supply.circulation_time, case.limits.tables)
+
+
+def limited_temperature(values: Mapping[str, float]) -> str:
+    """Name of the hottest temperature known of oil and bearing, for which the limits hold."""
+    names = ("outlet_temperature", "bearing_temperature", "supply_temperature")
+    known = [name for name in names if name in values]
+    return max(known, key=lambda name: values[name], default="effective_temperature")
+
+
+def film_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:
+    """Film thickness against experience and against the surfaces."""
+    film = values["minimum_film_thickness"]
+    name = "minimum_film_thickness"
+    if case.limits.minimum_film_thickness is not None:
+        yield Check("C101", name, film, case.limits.minimum_film_thickness, AT_LEAST, USER)
+    elif "empirical_film_limit" in values:
+        own = case.limits.tables
+        source = "experience value for diameter and surface speed" if own is None else own.source
+        yield Check("C101", name, film, values["empirical_film_limit"], AT_LEAST, source)
+    if "geometric_film_limit" in values:
+        source = "roughness, tilt, deflection and waviness of the case"
+        yield Check("C102", name, film, values["geometric_film_limit"], AT_LEAST, source)
+
+
+def load_and_temperature_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:
+    """Specific load and temperature against experience, or against the limits of the case."""
+    pressure, metal = values["specific_load"], case.bearing.metal
+    if case.limits.specific_load is not None:
+        yield Check("C103", "specific_load", pressure, case.limits.specific_load, AT_MOST, USER)
+    elif metal is not None and (load_limit := specific_load_limit(metal.family, case.limits.tables)) is not None:
+        slow = surface_speed(case) <= SLOW_UP_TO
+        limit = load_limit.exceptional if slow else load_limit.general
+        which = f"exceptional value, for speeds up to {SLOW_UP_TO:g} m/s" if slow else "general value"
+        yield Check("C103", "specific_load", pressure, limit, AT_MOST, f"{load_limit.source}; {which}")
+    name = limited_temperature(values)
+    if case.limits.temperature is not None:
+        yield Check("C104", name, values[name], case.limits.temperature, AT_MOST, USER)
+    else:
+        by_experience = temperature_limit(case)
+        yield Check("C104", name, values[name], by_experience.general, AT_MOST, by_experience.source)
+
+
+def metal_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:
+    """Load, speed and temperature against the bearing metal."""
+    metal = case.bearing.metal
+    if metal is None:
+        return
+    limits = metal.limits(case.bearing.load_character)
+    hottest = limited_temperature(values)
+
+    def check(code: str, name: str, limit: SourcedValue | None, *, advisory: bool = False) -> Iterator[Check]:
+        if limit is not None:
+            yield Check(code, name, values[name], limit.value, AT_MOST, limit.source, advisory)
+
+    yield from check("C105", "specific_load", limits.specific_load)
+    yield from check("C106", "surface_speed", limits.sliding_speed)
+    yield from check("C107", "pressure_speed_product", limits.pv)
+    yield from check("C108", hottest, metal.limiting_temperature)
+    yield from check("C109", hottest, metal.recommended_temperature, advisory=True)
+
+
+def validity_checks(values: Mapping[str, float]) -> Iterator[Check]:
+    """Laminar film and distance from mixed friction."""
+    yield Check(
+        "C110",
+        "film_reynolds_number",
+        values["film_reynolds_number"],
+        values["critical_reynolds_number"],
+        AT_MOST,
+        "41.3 sqrt(D/C), end of the laminar film (ISO 7902-1)",
+    )
+    if "transition_speed" in values:
+        source = "speed at which the film thins to the film limit of the surfaces"
+        speed = values["hydrodynamic_speed"]
+        yield Check("C111", "hydrodynamic_speed", speed, values["transition_speed"], AT_LEAST, source)
+
+
+def clearance_check(case: Designed, values: Mapping[str, float]) -> Check:
+    """Advice on the mean relative clearance."""
+    return Check(
+        "C114",
+        "relative_clearance",
+        case.bearing.mean_relative_clearance,
+        values["recommended_relative_clearance"],
+        AT_LEAST,
+        "0.8e-3 U^(1/4) (Vogelpohl)",
+        advisory=True,
+    )

@@ -1,0 +1,158 @@
+"""Under what conditions a bearing runs and what limits it, whatever the method. SI numbers only."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Protocol
+
+from babbitt.design.ducts import Duct
+from babbitt.lubricants import Lubricant
+from babbitt.materials import BearingMetal, ExperienceLimits, LoadCharacter
+
+
+@dataclass(frozen=True)
+class Surfaces:
+    """What keeps the surfaces apart at least: roughness, tilt, deflection, waviness; all in m.
+
+    Attributes
+    ----------
+    roughness_bearing, roughness_journal : float
+        Mean peak-to-valley height Rz.
+    tilt_offset : float
+        Offset of the journal axis over the bearing width.
+    mean_deflection : float
+        Of the journal within the bearing.
+    waviness : float
+        Wave height of both surfaces together.
+    wave_factor : float
+        Ratio E/G of the functions of effective waviness, which are not public; 1 is an assumption.
+    """
+
+    roughness_bearing: float
+    roughness_journal: float
+    tilt_offset: float = 0.0
+    mean_deflection: float = 0.0
+    waviness: float = 0.0
+    wave_factor: float = 1.0
+
+    @property
+    def film_limit(self) -> float:
+        """Permissible film thickness ``Rz_B + Rz_J + B_y/2 + y/2 + h_wav,eff`` in m."""
+        return (
+            self.roughness_bearing
+            + self.roughness_journal
+            + self.tilt_offset / 2.0
+            + self.mean_deflection / 2.0
+            + self.waviness * self.wave_factor
+        )
+
+
+@dataclass(frozen=True)
+class GivenLoad:
+    """The load in N is given, the position is found."""
+
+    load: float
+
+
+@dataclass(frozen=True)
+class GivenEccentricity:
+    """The relative eccentricity is prescribed, the load is found.
+
+    `attitude_angle` (rad) fixes the direction as well, where the method allows it: the direction of the load is
+    then found, too. None: the load keeps its direction.
+    """
+
+    eccentricity_ratio: float
+    attitude_angle: float | None = None
+
+
+@dataclass(frozen=True)
+class OilSupply:
+    """Oil fed under pressure: inlet temperature in K, gauge pressure in Pa, losses on the way.
+
+    `circulation_time` (s, whole oil volume over whole flow) decides which temperature limit holds; None: unknown.
+    """
+
+    temperature: float
+    pressure: float
+    tubes: tuple[Duct, ...] = ()
+    holes: tuple[Duct, ...] = ()
+    circulation_time: float | None = None
+
+
+@dataclass(frozen=True)
+class HousingCooling:
+    """Heat given to the surroundings: ambient temperature in K, W/(m² K), emitting surface in m²."""
+
+    ambient_temperature: float
+    heat_transfer_coefficient: float
+    surface: float
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Limits that the user sets in place of those by experience; None takes the latter.
+
+    `tables` replaces the shipped tables of experience themselves.
+    """
+
+    minimum_film_thickness: float | None = None
+    specific_load: float | None = None
+    temperature: float | None = None
+    transition_film_thickness: float | None = None
+    tables: ExperienceLimits | None = None
+
+
+class DesignedBearing(Protocol):
+    """What the limits need to know of a bearing of any method."""
+
+    @property
+    def diameter(self) -> float: ...  # noqa: D102
+    @property
+    def width(self) -> float: ...  # noqa: D102
+    @property
+    def surfaces(self) -> Surfaces | None: ...  # noqa: D102
+    @property
+    def mean_relative_clearance(self) -> float: ...  # noqa: D102
+    @property
+    def metal(self) -> BearingMetal | None: ...  # noqa: D102
+    @property
+    def load_character(self) -> LoadCharacter: ...  # noqa: D102
+
+
+class Designed(Protocol):
+    """What heat balance, limits and doubts need to know of a case of any method."""
+
+    @property
+    def bearing(self) -> DesignedBearing: ...  # noqa: D102
+    @property
+    def oil_supply(self) -> OilSupply | None: ...  # noqa: D102
+    @property
+    def cooling(self) -> HousingCooling | None: ...  # noqa: D102
+    @property
+    def limits(self) -> Limits: ...  # noqa: D102
+    @property
+    def lubricant(self) -> Lubricant: ...  # noqa: D102
+    @property
+    def journal_speed(self) -> float: ...  # noqa: D102
+    @property
+    def duty(self) -> GivenLoad | GivenEccentricity: ...  # noqa: D102
+    @property
+    def bearing_speed(self) -> float: ...  # noqa: D102
+
+
+Values = Mapping[str, float]
+"""Named results in SI."""
+
+
+def surface_speed(case: Designed) -> float:
+    """Surface speed of the journal in m/s."""
+    return abs(case.journal_speed) * case.bearing.diameter / 2.0
+
+
+def contact_film(case: Designed) -> float | None:
+    """Film thickness in m at which mixed friction begins: of the case, else of the surfaces."""
+    if case.limits.transition_film_thickness is not None:
+        return case.limits.transition_film_thickness
+    return case.bearing.surfaces.film_limit if case.bearing.surfaces else None

@@ -1,0 +1,60 @@
+"""Warnings that do not depend on the method: where the result leaves the ground on which it stands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from babbitt.design.conditions import Designed, surface_speed
+from babbitt.design.screening import ROTORDYNAMIC_CHECK_ABOVE
+from babbitt.notices import Notice
+from babbitt.results import Check
+
+RIGID_FILM_UP_TO = 0.95
+"""Eccentricity ratio above which the rigid isoviscous film is too simple."""
+
+
+def doubts_about_film(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
+    """Laminar film, range of the lubricant data, rigid surfaces."""
+    reynolds, critical = values["film_reynolds_number"], values["critical_reynolds_number"]
+    if reynolds > critical:
+        yield Notice("W101", f"film Reynolds number {reynolds:.0f} > {critical:.0f} = 41.3 sqrt(D/C) (ISO 7902-1)")
+    coldest, hottest = case.lubricant.temperature_range
+    temperature = values["effective_temperature"]
+    if not coldest <= temperature <= hottest:
+        yield Notice(
+            "W107",
+            f"T_eff = {temperature - 273.15:.1f} °C lies outside {coldest - 273.15:.0f} to "
+            f"{hottest - 273.15:.0f} °C, for which {case.lubricant.name} is described",
+        )
+    leaving = values.get("outlet_temperature", temperature)
+    if case.oil_supply is not None and leaving < case.oil_supply.temperature - 1e-6:
+        colder = case.oil_supply.temperature - leaving
+        yield Notice("W118", f"the oil leaves at {leaving - 273.15:.1f} °C, {colder:.1f} K colder than it enters")
+    clearance = 0.5 * values["operating_relative_clearance"] * case.bearing.diameter
+    depth, eccentricity = 1.0 - values["minimum_film_thickness"] / clearance, values["eccentricity_ratio"]
+    if depth > RIGID_FILM_UP_TO:
+        round_bore = abs(depth - eccentricity) < 1e-3
+        said = f"ε = {depth:.3f}" if round_bore else f"1 - h_min/c = {depth:.3f}"
+        yield Notice("W116", f"{said} > {RIGID_FILM_UP_TO:g}, end of the rigid film")
+
+
+def doubt_about_supply(starved: bool) -> Iterator[Notice]:
+    """Whether any supply pressure is left at the supply element."""
+    if starved:
+        yield Notice("W111", "losses in tubes and holes use up the whole supply pressure; supply flow taken as 0")
+
+
+def doubts_about_running(
+    case: Designed, values: Mapping[str, float], checks: tuple[Check, ...]
+) -> Iterator[Notice]:
+    """Speed, heat without pressure feed, and limits that no experience tells."""
+    speed = surface_speed(case)
+    if speed > ROTORDYNAMIC_CHECK_ABOVE:
+        yield Notice("W109", f"surface speed {speed:.1f} m/s > {ROTORDYNAMIC_CHECK_ABOVE:g} m/s")
+    too_hot = any(check.code == "C104" and not check.ok for check in checks)
+    if case.oil_supply is None and case.cooling is not None and too_hot:
+        yield Notice("W110", f"T_B = {values['bearing_temperature'] - 273.15:.0f} °C without pressure feed")
+    if "transition_film_thickness" in values and "transition_speed" not in values:
+        yield Notice("W112", "the film limit of the surfaces exceeds the radial clearance: no transition speed")
+    if case.limits.minimum_film_thickness is None and "empirical_film_limit" not in values:
+        yield Notice("W115", f"no experience value of h_lim for D = {case.bearing.diameter * 1e3:.4g} mm")

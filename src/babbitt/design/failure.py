@@ -1,0 +1,41 @@
+"""How far an unsolved case came and what to try, in words."""
+
+from __future__ import annotations
+
+from babbitt.design.conditions import Designed, GivenLoad
+from babbitt.design.heat_balance import Equilibrium, FilmT
+from babbitt.notices import EXPLANATIONS
+from babbitt.results import Outcome
+
+
+def failure(case: Designed, found: Equilibrium[FilmT]) -> str:
+    """Say how far an unsolved case came, and what to try."""
+    reached = f"{found.last_temperature - 273.15:.1f} °C"
+    match found.outcome:
+        case Outcome.OVERLOADED:
+            far = f"at {reached} {_carried(found.capacity)}"
+            if isinstance(case.duty, GivenLoad):
+                far += f", less than the load of {_kilonewtons(case.duty.load)} kN"
+        case Outcome.THERMAL_RUNAWAY:
+            far = f"at {reached} the friction power still exceeds the heat carried away"
+        case Outcome.NO_CLEARANCE:
+            far = f"the clearance is used up at {reached}"
+        case Outcome.NO_LUBRICANT_DATA:
+            far = f"the laws of {case.lubricant.name} were followed to {reached}"
+        case _ if found.film is None:
+            far = f"no equilibrium of the journal was found at {reached}"
+        case _:
+            far = f"the last effective temperature was {reached}"
+    remedy = EXPLANATIONS[found.outcome.code].remedy
+    return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"
+
+
+def _carried(capacity: float | None) -> str:
+    if capacity is None:
+        return "the film carries too little"
+    return f"the film carries {_kilonewtons(capacity)} kN at the largest eccentricity, 0.99"
+
+
+def _kilonewtons(force: float) -> str:
+    """A force in kN with four digits and no exponent."""
+    return f"{force / 1e3:.0f}" if force >= 1e6 else f"{force / 1e3:.4g}"

@@ -1,0 +1,300 @@
+"""Where the friction heat goes, and the temperature at which what is made equals what is carried away.
+
+One balance covers oil cooling, housing cooling and both:
+``P_f = k_A A (T_eff - T_amb) + ρ c Q (T_ex - T_en)`` with ``T_eff = (T_en + T_ex)/2`` for the oil and
+``T_eff = T_B`` for the housing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Generic, Protocol, TypeVar
+
+from babbitt.design.conditions import Designed
+from babbitt.design.roots import find_root
+from babbitt.results import Outcome
+
+CEILING = 573.15
+"""Temperature in K (300 °C) beyond which no lubricating oil is followed; an equilibrium above is a runaway."""
+
+
+@dataclass(frozen=True)
+class SearchPolicy:
+    """How closely the coolest equilibrium is sought, and at what cost.
+
+    Attributes
+    ----------
+    step : float
+        First step in K from the coolest possible film upward.
+    growth, largest_step : float
+        Each step is `growth` times the one before, up to `largest_step` in K.
+    fine_step : float
+        Step in K with which a step is walked again in which the surplus changed its sign or the film gave way.
+    edge, dip : float
+        In K: how closely the last temperature with a film and the least surplus between three steps are found.
+    tolerance : float
+        Of the temperature at which the balance closes, K.
+    most_evaluations : int
+        Films after which the search gives up as not converged.
+    """
+
+    step: float
+    growth: float
+    largest_step: float
+    fine_step: float
+    edge: float
+    dip: float
+    tolerance: float
+    most_evaluations: int
+
+
+THOROUGH = SearchPolicy(2.0, 1.0, 2.0, 2.0, 1e-9, 1e-6, 1e-12, 2000)
+"""For films that cost microseconds: two equilibria may lie only kelvins apart, and even a bearing that warms by
+millikelvins closes its heat balance to 1e-8."""
+
+SPARING = SearchPolicy(2.0, 1.6, 16.0, 4.0, 0.05, 0.1, 1e-9, 100)
+"""For films that cost milliseconds, and more where they collapse: large steps first, small where they count."""
+
+MOST_STEPS = 200
+"""Bound on the steps of the root finder."""
+
+
+class NoFilmError(Exception):
+    """There is no film at this temperature.
+
+    Attributes
+    ----------
+    outcome : Outcome
+        Why: the clearance has closed, the load is too large, the lubricant's laws do not reach there, or the
+        search for the film ended without an answer.
+    capacity : float or None
+        Largest load in N that the method knows a film for, if the load is too large.
+    """
+
+    def __init__(self, outcome: Outcome, capacity: float | None = None) -> None:
+        super().__init__(outcome.value)
+        self.outcome = outcome
+        self.capacity = capacity
+
+
+class WarmFilm(Protocol):
+    """What the heat balance needs to know of a film: temperature in K, J/(m3 K), m3/s, W."""
+
+    @property
+    def temperature(self) -> float: ...  # noqa: D102
+    @property
+    def volumetric_heat_capacity(self) -> float: ...  # noqa: D102
+    @property
+    def total_flow(self) -> float: ...  # noqa: D102
+    @property
+    def friction_power(self) -> float: ...  # noqa: D102
+
+
+FilmT = TypeVar("FilmT", bound=WarmFilm)
+
+
+@dataclass(frozen=True)
+class Equilibrium(Generic[FilmT]):
+    """How the heat balance ended: the film there (the last one reached if unsolved) and the work it took.
+
+    `capacity` is the largest load in N at the temperature where the film gave way, for an overloaded bearing.
+    """
+
+    outcome: Outcome
+    film: FilmT | None
+    evaluations: int
+    last_temperature: float
+    capacity: float | None = None
+
+
+def outlet_temperature(effective_temperature: float, case: Designed) -> float | None:
+    """Temperature in K of the oil that leaves: ``2 T_eff - T_en``; None where no oil is supplied.
+
+    A film that gives its heat to a cool housing cannot leave colder than the surroundings: there the mean rule
+    ends, and the oil leaves at the coolest temperature around.
+    """
+    if case.oil_supply is None:
+        return None
+    return max(2.0 * effective_temperature - case.oil_supply.temperature, coolest_temperature(case))
+
+
+def heat_paths(film: WarmFilm, case: Designed) -> tuple[float, float]:
+    """Heat to the oil and to the surroundings in W, at the temperature of the film."""
+    to_oil = to_surroundings = 0.0
+    leaving = outlet_temperature(film.temperature, case)
+    if case.oil_supply is not None and leaving is not None:
+        to_oil = film.volumetric_heat_capacity * film.total_flow * (leaving - case.oil_supply.temperature)
+    if case.cooling is not None:
+        cooling = case.cooling
+        conductance = cooling.heat_transfer_coefficient * cooling.surface
+        to_surroundings = conductance * (film.temperature - cooling.ambient_temperature)
+    return to_oil, to_surroundings
+
+
+def coolest_temperature(case: Designed) -> float:
+    """Temperature in K below which the film cannot settle: the coolest of inlet and ambient."""
+    sinks = []
+    if case.oil_supply is not None:
+        sinks.append(case.oil_supply.temperature)
+    if case.cooling is not None:
+        sinks.append(case.cooling.ambient_temperature)
+    return min(sinks)
+
+
+def find_equilibrium(
+    case: Designed, film_at: Callable[[float], FilmT], policy: SearchPolicy = THOROUGH
+) -> Equilibrium[FilmT]:
+    """Find the coolest temperature at which the heat balance closes; always ends with a status.
+
+    A cold film makes more heat than it gives away. The temperature is raised step by step until the surplus turns
+    negative, or until three steps enclose a least surplus that is negative in between; Brent's method closes in on
+    this coolest equilibrium, the stable one. A large step in which something happens is walked again in fine ones.
+    Where the film gives way on the way, the step to the last temperature with a film is looked at as well.
+
+    Parameters
+    ----------
+    case : Designed
+        Supply and cooling.
+    film_at : callable
+        Film at a temperature in K; may raise `NoFilmError`.
+    policy : SearchPolicy
+        `THOROUGH` for cheap films, `SPARING` for dear ones.
+    """
+    search = _Search(case, film_at, policy)
+    try:
+        return _coolest(case, search, policy)
+    except _SpentError:
+        return search.given_up()
+
+
+def _coolest(case: Designed, search: _Search[FilmT], policy: SearchPolicy) -> Equilibrium[FilmT]:
+    low, step, largest = coolest_temperature(case), policy.step, policy.largest_step
+    while True:  # a law may not reach the coolest temperature; a warm film needs it only from where it is defined
+        try:
+            surplus = search.surplus(low)
+            break
+        except NoFilmError as failure:
+            if failure.outcome is not Outcome.NO_LUBRICANT_DATA or low >= CEILING:
+                return search.ended(failure, low)
+            low += policy.step
+    if surplus <= 0.0 and low > coolest_temperature(case):
+        return search.unsolved(Outcome.NO_LUBRICANT_DATA, low)
+    before = (low, surplus)
+    while surplus > 0.0:
+        high = min(low + step, CEILING)
+        coarse = step > policy.fine_step
+        try:
+            following = search.surplus(high)
+        except NoFilmError as failure:
+            if coarse:
+                step = largest = policy.fine_step
+                continue
+            high = search.last_with_film(low, high)
+            following = search.surplus(high)
+            if following > 0.0:
+                return search.ended(failure, high)
+        if following <= 0.0 and coarse:
+            step = largest = policy.fine_step
+            continue
+        if following > 0.0 and before[1] > surplus < following:
+            dip = search.least(before[0], high)
+            if search.surplus(dip) <= 0.0:
+                return search.closed_in(before[0], dip)
+        if following > 0.0 and high >= CEILING:
+            return search.unsolved(Outcome.THERMAL_RUNAWAY, high)
+        before, low, surplus = (low, surplus), high, following
+        step = min(step * policy.growth, largest)
+    return search.closed_in(before[0], low)
+
+
+def at_prescribed_temperature(temperature: float, film_at: Callable[[float], FilmT]) -> Equilibrium[FilmT]:
+    """Film at a temperature in K that is given instead of sought."""
+    try:
+        return Equilibrium(Outcome.CONVERGED, film_at(temperature), 1, temperature)
+    except NoFilmError as failure:
+        return Equilibrium(failure.outcome, None, 1, temperature, failure.capacity)
+
+
+class _SpentError(Exception):
+    """The search has had all the films that its policy allows."""
+
+
+class _Search(Generic[FilmT]):
+    """The surplus of friction heat over temperature, and the ways a search for its root can end."""
+
+    def __init__(self, case: Designed, film_at: Callable[[float], FilmT], policy: SearchPolicy) -> None:
+        self._case = case
+        self._film_at = film_at
+        self._policy = policy
+        self._evaluations = 0
+        self._last: tuple[float, FilmT | NoFilmError] | None = None
+
+    def surplus(self, temperature: float) -> float:
+        """Friction power less the heat carried away, W."""
+        if self._evaluations >= self._policy.most_evaluations:
+            raise _SpentError
+        self._evaluations += 1
+        film = self._film(temperature)
+        return film.friction_power - sum(heat_paths(film, self._case))
+
+    def least(self, low: float, high: float) -> float:
+        """Temperature of the least surplus between two temperatures."""
+        from scipy.optimize import minimize_scalar
+
+        options = {"xatol": self._policy.dip}
+        found = minimize_scalar(self.surplus, bounds=(low, high), method="bounded", options=options)
+        return float(found.x)
+
+    def last_with_film(self, good: float, bad: float) -> float:
+        """Highest temperature with a film between one that has and one that has not, by bisection."""
+        while bad - good > self._policy.edge:
+            middle = (good + bad) / 2.0
+            try:
+                self.surplus(middle)
+            except NoFilmError:
+                bad = middle
+            else:
+                good = middle
+        return good
+
+    def closed_in(self, low: float, high: float) -> Equilibrium[FilmT]:
+        """Root of the surplus between two temperatures that enclose it."""
+        if low == high:  # the coolest film already gives away all its heat
+            return Equilibrium(Outcome.CONVERGED, self._film(low), self._evaluations, low)
+        try:
+            root = find_root(self.surplus, low, high, self._policy.tolerance, most_steps=MOST_STEPS)
+        except NoFilmError as failure:
+            return self.ended(failure, low)
+        outcome = Outcome.CONVERGED if root.converged else Outcome.NOT_CONVERGED
+        return Equilibrium(outcome, self._film(root.value), self._evaluations, root.value)
+
+    def unsolved(self, outcome: Outcome, temperature: float) -> Equilibrium[FilmT]:
+        """End without an equilibrium at a temperature that has a film."""
+        return Equilibrium(outcome, self._film(temperature), self._evaluations, temperature)
+
+    def ended(self, failure: NoFilmError, temperature: float) -> Equilibrium[FilmT]:
+        """End where the film gave way."""
+        try:
+            film: FilmT | None = self._film(temperature)
+        except NoFilmError:
+            film = None
+        return Equilibrium(failure.outcome, film, self._evaluations, temperature, failure.capacity)
+
+    def given_up(self) -> Equilibrium[FilmT]:
+        """End where the films allowed have run out."""
+        temperature, found = self._last or (coolest_temperature(self._case), None)
+        film = None if found is None or isinstance(found, NoFilmError) else found
+        return Equilibrium(Outcome.NOT_CONVERGED, film, self._evaluations, temperature)
+
+    def _film(self, temperature: float) -> FilmT:
+        """Film at a temperature; that of the last one is kept, for most searches end where they looked last."""
+        if self._last is None or self._last[0] != temperature:
+            try:
+                self._last = temperature, self._film_at(temperature)
+            except NoFilmError as failure:
+                self._last = temperature, failure
+        found = self._last[1]
+        if isinstance(found, NoFilmError):
+            raise found
+        return found

@@ -1,0 +1,17 @@
+"""Rules of thumb that hold for every journal bearing."""
+
+from __future__ import annotations
+
+import math
+
+ROTORDYNAMIC_CHECK_ABOVE = 20.0
+"""Surface speed in m/s above which a rotordynamic check is recommended."""
+
+
+def recommended_relative_clearance(surface_speed: float) -> float:
+    """Recommended mean relative clearance ``0.8e-3 U^(1/4)`` for a surface speed in m/s (Vogelpohl).
+
+    >>> round(1e3 * recommended_relative_clearance(45.0), 1)
+    2.1
+    """
+    return 0.8e-3 * math.pow(surface_speed, 0.25)

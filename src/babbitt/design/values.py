@@ -1,0 +1,104 @@
+"""Named results that every method gives in the same way."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from babbitt.design.conditions import Designed, contact_film, surface_speed
+from babbitt.design.heat_balance import WarmFilm, heat_paths, outlet_temperature
+from babbitt.design.numbers import critical_reynolds_number, film_reynolds_number
+from babbitt.materials import empirical_minimum_film_thickness
+
+Named = dict[str, float]
+
+
+class DesignFilm(WarmFilm, Protocol):
+    """What the named results need to know of a film of any method, SI."""
+
+    @property
+    def relative_clearance(self) -> float: ...  # noqa: D102
+    @property
+    def density(self) -> float: ...  # noqa: D102
+    @property
+    def viscosity(self) -> float: ...  # noqa: D102
+    @property
+    def load(self) -> float: ...  # noqa: D102
+
+
+def hydrodynamic_speed(case: Designed) -> float:
+    """Effective hydrodynamic speed ``ω_h = ω_J + ω_B`` in rad/s, whichever way it turns."""
+    return abs(case.journal_speed + case.bearing_speed)
+
+
+def duty_values(case: Designed, film: DesignFilm) -> Named:
+    """Load and speed."""
+    pressure, speed = film.load / (case.bearing.width * case.bearing.diameter), surface_speed(case)
+    return {
+        "load": film.load,
+        "specific_load": pressure,
+        "angular_speed": abs(case.journal_speed),
+        "hydrodynamic_speed": hydrodynamic_speed(case),
+        "surface_speed": speed,
+        "pressure_speed_product": pressure * speed,
+    }
+
+
+def oil_values(case: Designed, film: DesignFilm) -> Named:
+    """The oil at the effective temperature, and whether the film is laminar."""
+    psi, diameter = film.relative_clearance, case.bearing.diameter
+    reynolds = film_reynolds_number(film.density, surface_speed(case), psi, diameter, film.viscosity)
+    return {
+        "film_reynolds_number": reynolds,
+        "critical_reynolds_number": critical_reynolds_number(psi),
+        "effective_viscosity": film.viscosity,
+        "effective_kinematic_viscosity": film.viscosity / film.density,
+        "density": film.density,
+        "volumetric_heat_capacity": film.volumetric_heat_capacity,
+    }
+
+
+def heat_values(case: Designed, film: DesignFilm) -> Named:
+    """The temperature and where the heat goes."""
+    values = {"effective_temperature": film.temperature}
+    if case.oil_supply is None and case.cooling is None:
+        return values
+    to_oil, to_surroundings = heat_paths(film, case)
+    open_balance = film.friction_power - to_oil - to_surroundings
+    return values | {
+        "heat_to_oil": to_oil,
+        "heat_to_surroundings": to_surroundings,
+        "energy_balance_error": open_balance / film.friction_power,
+    }
+
+
+def supply_values(case: Designed, film: DesignFilm) -> Named:
+    """Oil that comes and goes; empty without a supply."""
+    leaving = outlet_temperature(film.temperature, case)
+    if case.oil_supply is None or leaving is None:
+        return {}
+    return {
+        "supply_temperature": case.oil_supply.temperature,
+        "outlet_temperature": leaving,
+        "supply_pressure": case.oil_supply.pressure,
+    }
+
+
+def cooling_values(case: Designed, film: DesignFilm) -> Named:
+    """What the housing cools; empty without cooling."""
+    if case.cooling is None:
+        return {}
+    return {"ambient_temperature": case.cooling.ambient_temperature, "bearing_temperature": film.temperature}
+
+
+def limit_values(case: Designed) -> Named:
+    """Film thicknesses that limit the film, as far as the case and experience know them."""
+    values: Named = {}
+    experience = empirical_minimum_film_thickness(case.bearing.diameter, surface_speed(case), case.limits.tables)
+    if experience is not None:
+        values["empirical_film_limit"] = experience
+    if case.bearing.surfaces is not None:
+        values["geometric_film_limit"] = case.bearing.surfaces.film_limit
+    contact = contact_film(case)
+    if contact is not None:
+        values["transition_film_thickness"] = contact
+    return values

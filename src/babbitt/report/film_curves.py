@@ -1,0 +1,216 @@
+"""Curves of a film: locus of the journal, coefficients over speed and load number, threshold of whirl."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from babbitt.bearings.field import clearance_outline
+from babbitt.bearings.model import FilmCase
+from babbitt.bearings.warm_film import FilmState
+from babbitt.quantities import QUANTITIES
+from babbitt.report.drawing import GREY, INK, PALE, Array, Sheet, arrow, axis_label, mark, mathematics
+from babbitt.report.film_sweeps import Swept
+from babbitt.report.painters import plain_ticks
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+AXES = ("xx", "xy", "yx", "yy")
+LINES: dict[str, dict[str, object]] = {
+    "xx": {"color": INK, "linestyle": "-"},
+    "yy": {"color": INK, "linestyle": (0, (6, 1.5))},
+    "xy": {"color": GREY, "linestyle": "-"},
+    "yx": {"color": GREY, "linestyle": (0, (6, 1.5))},
+}
+"""Direct coefficients in ink, cross-coupled ones in grey; the second of each pair dashed."""
+
+
+def locus(case: FilmCase, state: FilmState, swept: Swept) -> Figure:
+    """Journal centre over the load, inside the room that the bore leaves it."""
+    from matplotlib.ticker import MaxNLocator
+
+    figure, ((panel,),) = Sheet(81.0, 81.0, left=11.0, bottom=9.5).panels()
+    panel.set_aspect("equal")
+    film = state.solution.film
+    directions = np.linspace(0.0, 2.0 * math.pi, 361)
+    room = clearance_outline(film, directions) / film.clearance
+    panel.plot(room * np.cos(directions), room * np.sin(directions), color=INK, linewidth=0.8)
+    panel.plot([0.0], [0.0], "+", color=GREY, markersize=6, markeredgewidth=0.8)
+    centres = np.array([found.position for found in swept.films]) / film.clearance
+    panel.plot(centres[:, 0], centres[:, 1], color=INK)
+    here = state.solution.position / film.clearance
+    _tick_loads(panel, swept.points / state.load, centres)
+    mark(panel, here[0], here[1])
+    reach = 1.04 * float(np.abs(np.concatenate((room * np.cos(directions), room * np.sin(directions)))).max())
+    tail = -0.3 * math.cos(case.load_angle), -0.3 * math.sin(case.load_angle)
+    arrow(panel, (0.2 * tail[0], 0.2 * tail[1]), tail, colour=GREY)
+    panel.annotate("load", tail, xytext=(3, 0), textcoords="offset points", fontsize=7, color="0.3", va="center")
+    panel.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel="$x/c$", ylabel="$y/c$")
+    for axis in (panel.xaxis, panel.yaxis):
+        axis.set_major_locator(MaxNLocator(5))
+        axis.set_major_formatter("{x:g}")
+    return figure
+
+
+def _tick_loads(panel: Axes, shares: Array, centres: Array) -> None:
+    """Name some loads along the locus, as multiples of that of the operating point."""
+    last: Array | None = None
+    for wanted in (1.0, 8.0, 4.0, 2.0, 0.5, 0.25, 0.1, 0.02):
+        if not shares.min() * 0.999 <= wanted <= shares.max() * 1.001:
+            continue
+        at = np.array([np.interp(math.log(wanted), np.log(shares), column) for column in centres.T])
+        taken = np.array([]) if last is None else last
+        if taken.size and np.hypot(*(taken - at).T).min() < 0.12:
+            continue
+        last = at[None, :] if last is None else np.concatenate((last, at[None, :]))
+        if wanted != 1.0:
+            panel.plot(*at, "o", markersize=2.6, markerfacecolor="white", markeredgecolor=INK, markeredgewidth=0.7)
+        aside = _aside(shares, centres, wanted)
+        text = "$F$" if wanted == 1.0 else f"{wanted:g} $F$"
+        panel.annotate(
+            text, tuple(at), xytext=tuple(5.5 * aside), textcoords="offset points", fontsize=7, va="center",
+            ha="left" if aside[0] > 0.0 else "right",
+        )  # fmt: skip
+
+
+def _aside(shares: Array, centres: Array, share: float) -> Array:
+    """Direction across the locus at a load, to the right of the picture."""
+    place = int(np.clip(np.searchsorted(shares, share), 1, shares.size - 2))
+    along = centres[place + 1] - centres[place - 1]
+    across = np.array([-along[1], along[0]]) / max(math.hypot(*along), 1e-12)
+    return np.asarray(across if across[0] > 0.0 else -across)
+
+
+def coefficients(state: FilmState, swept: Swept) -> Figure:
+    """Stiffness and damping over the speed, and without dimension over the load number."""
+    figure, axes = Sheet(166.0, 112.0, 2, 2, across=15.0, between=11.0).panels()
+    film, load = state.solution.film, state.load
+    rpm = QUANTITIES["angular_speed"].display.scale
+    numbers = np.array([found.sommerfeld_number for found in swept.films])
+    units = film.clearance / load, film.clearance * swept.points / load
+    for column, (name, symbol) in enumerate((("stiffness", "K"), ("damping", "C"))):
+        shown = QUANTITIES[name]
+        values = np.array([getattr(found, name) for found in swept.films])
+        here = getattr(state.solution, name)
+        top, bottom = axes[0][column], axes[1][column]
+        _family(top, rpm * swept.points, values * shown.display.scale, symbol)
+        _family(
+            bottom, numbers, values * np.broadcast_to(units[column], swept.points.shape)[:, None, None], symbol
+        )
+        own = units[0] if column == 0 else film.clearance * abs(film.angular_speed) / load
+        for place, axis in enumerate(AXES):
+            value = here[place // 2][place % 2]
+            mark_small(top, rpm * abs(film.angular_speed), value * shown.display.scale, axis)
+            mark_small(bottom, state.solution.sommerfeld_number, value * own, axis)
+        top.set(xlabel="$N$ in rpm", ylabel=axis_label(shown))
+        bottom.set(xlabel=axis_label(QUANTITIES["sommerfeld_number"]),
+                   ylabel="$K\\,c/F$" if column == 0 else "$C\\,c\\,ω/F$")  # fmt: skip
+    return figure
+
+
+def _family(panel: Axes, x: Array, values: Array, symbol: str) -> None:
+    """Four coefficients over one abscissa, linear above zero and below, each named at its right end."""
+    order = np.argsort(x)
+    x = x[order]
+    panel.set_xscale("log")
+    panel.axhline(0.0, color=PALE, linewidth=0.5, zorder=0)
+    ends = []
+    for place, axis in enumerate(AXES):
+        curve = values[order, place // 2, place % 2]
+        panel.plot(x, curve, **LINES[axis])  # type: ignore[arg-type]
+        ends.append((float(curve[-1]), axis))
+    low, high = _focus(values)
+    panel.set_ylim(low, high)
+    panel.set_xlim(x[0], x[-1] * (x[-1] / x[0]) ** 0.13)
+    plain_ticks(panel.xaxis)
+    apart = 0.06 * (high - low)
+    groups = _grouped([(min(max(value, low), high), axis) for value, axis in sorted(ends)], 0.25 * apart)
+    for level, (_, axes) in zip(_spaced([value for value, _ in groups], apart), groups, strict=True):
+        panel.annotate(
+            ", ".join(mathematics(f"{symbol}_{axis}") for axis in axes), (x[-1], level), xytext=(2, 0),
+            textcoords="offset points", fontsize=7, va="center", color=str(LINES[axes[0]]["color"]),
+            annotation_clip=False,
+        )  # fmt: skip
+
+
+def _grouped(ends: list[tuple[float, str]], near: float) -> list[tuple[float, list[str]]]:
+    """Curves that end at the same place share a name."""
+    groups: list[tuple[float, list[str]]] = []
+    for value, axis in ends:
+        if groups and value - groups[-1][0] < near and LINES[axis]["color"] == LINES[groups[-1][1][0]]["color"]:
+            groups[-1][1].append(axis)
+        else:
+            groups.append((value, [axis]))
+    return groups
+
+
+def _spaced(values: list[float], apart: float) -> list[float]:
+    """Ascending places at least so far apart, each as near its value as its neighbours allow.
+
+    >>> _spaced([0.0, 0.1, 5.0], 1.0)
+    [-0.45, 0.55, 5.0]
+    """
+    blocks: list[list[float]] = []
+    for value in values:
+        blocks.append([value])
+        while len(blocks) > 1 and _low(blocks[-1], apart) - _high(blocks[-2], apart) < apart:
+            blocks[-2:] = [blocks[-2] + blocks[-1]]
+    return [round(_low(block, apart) + place * apart, 12) for block in blocks for place in range(len(block))]
+
+
+def _low(block: list[float], apart: float) -> float:
+    return sum(block) / len(block) - 0.5 * apart * (len(block) - 1)
+
+
+def _high(block: list[float], apart: float) -> float:
+    return sum(block) / len(block) + 0.5 * apart * (len(block) - 1)
+
+
+def _focus(values: Array) -> tuple[float, float]:
+    """Range that shows the curves without letting one steep end flatten all the others."""
+    low, high = float(values.min()), float(values.max())
+    largest = np.sort(np.abs(values).max(axis=(1, 2)))
+    cut = 4.0 * float(np.median(largest))
+    low, high = max(low, -cut), min(high, cut)
+    room = 0.06 * (high - low)
+    return min(low, 0.0) - room, high + room
+
+
+def mark_small(panel: Axes, x: float, y: float, axis: str) -> None:
+    """The operating point on one of several curves."""
+    low, high = panel.get_ylim()
+    if low <= y <= high:
+        panel.plot([x], [y], "o", color=LINES[axis]["color"], markersize=3.2, zorder=5)
+
+
+def stability(case: FilmCase, state: FilmState, loads: Array, speeds: Array) -> Figure:
+    """Speed at which a rigid rotor begins to whirl, over the load; the operating point below or above it."""
+    figure, ((panel,),) = Sheet(81.0, 62.0).panels()
+    rpm, kilo = QUANTITIES["threshold_speed"].display.scale, QUANTITIES["load"].display.scale
+    here = rpm * abs(state.solution.film.angular_speed)
+    found = np.isfinite(speeds) & (speeds > 0.0)
+    panel.set(xscale="log", yscale="log")
+    x, y = kilo * loads, rpm * speeds
+    low, high = min([0.5 * here, *(0.7 * y[found])]), max([2.0 * here, *(1.5 * y[found])])
+    edge = np.clip(y, low, high)  # always whirling: from the bottom on; always stable: up to the top
+    panel.fill_between(x, edge, high, where=(~np.isnan(y)).tolist(), color="0.9", linewidth=0.0)
+    panel.plot(x[found], y[found], color=INK)
+    aside = x[0] * (x[-1] / x[0]) ** 0.2  # away from the operating point in the middle
+    border = math.exp(np.interp(math.log(aside), np.log(x), np.log(np.nan_to_num(edge, nan=high))))
+    if border < 0.9 * high:
+        _word(panel, aside, math.sqrt(border * high), "whirls")
+    if border > 1.1 * low and not np.isnan(y).all():
+        _word(panel, aside, math.sqrt(border * low), "stable")
+    mark(panel, kilo * state.load, here)
+    panel.set(xlim=(x[0], x[-1]), ylim=(low, high), xlabel=axis_label(QUANTITIES["load"]), ylabel="$N$ in rpm")
+    plain_ticks(panel.xaxis)
+    plain_ticks(panel.yaxis)
+    return figure
+
+
+def _word(panel: Axes, x: float, y: float, text: str) -> None:
+    panel.annotate(text, (x, y), fontsize=7, ha="center", va="center", color="0.3")

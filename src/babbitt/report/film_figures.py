@@ -1,0 +1,136 @@
+"""Figures of one film bearing: maps, the bearing seen along the shaft, locus, coefficients, threshold of whirl."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from babbitt.bearings.model import FilmCase
+from babbitt.bearings.warm_film import FilmState
+from babbitt.bearings.whirl import FASTEST
+from babbitt.report.drawing import Drawing, rendered, style
+from babbitt.results import Result
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+KEPT = "clearance and viscosity of the operating point kept"
+
+LEFT_OUT = (
+    " Curves over load and speed are left out of the report: the film of this bearing has so many grid points "
+    "that they take long. The option --plots writes them."
+)
+
+Painted = tuple[str, str, "Figure", bool]
+"""Name, caption, figure, whether it takes the width of the page."""
+
+
+def report_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tuple[Drawing, ...]:
+    """Figures for the report of a solved bearing; those that take long are left out, and the caption says so.
+
+    Parameters
+    ----------
+    case : FilmCase
+    result : Result
+        Its answer; an unsolved one has no figures.
+    image_format : {"svg", "pdf", "png"}
+
+    Returns
+    -------
+    tuple of Drawing
+    """
+    from babbitt.report.film_sweeps import is_slow, state_of
+
+    if not result.outcome.solved:
+        return ()
+    state = state_of(case, result)
+    with style():
+        if is_slow(state):
+            return _drawn(_at_rest(case, state, LEFT_OUT), image_format)
+        return _drawn((*_at_rest(case, state), *_swept(case, state)), image_format)
+
+
+def all_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tuple[Drawing, ...]:
+    """Every figure of a solved bearing, the pressure as a surface included.
+
+    Parameters
+    ----------
+    case : FilmCase
+    result : Result
+        Its answer; an unsolved one has no figures.
+    image_format : {"svg", "pdf", "png"}
+
+    Returns
+    -------
+    tuple of Drawing
+    """
+    from babbitt.report.film_sweeps import state_of
+
+    if not result.outcome.solved:
+        return ()
+    state = state_of(case, result)
+    with style():
+        return _drawn((*_at_rest(case, state), *_surface(case, state), *_swept(case, state)), image_format)
+
+
+def _drawn(painted: Iterator[Painted] | tuple[Painted, ...], image_format: str) -> tuple[Drawing, ...]:
+    return tuple(
+        Drawing(name, caption, rendered(figure, image_format), wide) for name, caption, figure, wide in painted
+    )
+
+
+def _at_rest(case: FilmCase, state: FilmState, remark: str = "") -> Iterator[Painted]:
+    from babbitt.bearings.field import field_of
+    from babbitt.report import film_maps, film_polar
+
+    field = field_of(state.solution, case.load_angle - math.pi)
+    yield (
+        "pressure-map",
+        "Pressure (above) and film thickness (below) over the unrolled bore. White: grooves, pockets and holes; "
+        "hatched within the broken line: the film is ruptured; crosses: highest pressure, thinnest film." + remark,
+        film_maps.unrolled(case, state.solution, field),
+        True,
+    )
+    yield (
+        "pressure-polar",
+        "Pressure in the mid-plane on the bore, against the rotation axis; the clearance is enlarged.",
+        film_polar.polar(case, state.solution, field),
+        False,
+    )
+
+
+def _surface(case: FilmCase, state: FilmState) -> Iterator[Painted]:
+    from babbitt.bearings.field import field_of
+    from babbitt.report import film_maps
+
+    field = field_of(state.solution, case.load_angle - math.pi)
+    yield "pressure-surface", "Pressure over the unrolled bore.", film_maps.surface(field), True
+
+
+def _swept(case: FilmCase, state: FilmState) -> Iterator[Painted]:
+    from babbitt.report import film_curves
+    from babbitt.report.film_sweeps import over_load, over_speed, thresholds
+
+    yield (
+        "journal-locus",
+        f"Journal centre over the load within the room that the bore leaves it, {KEPT}. Filled: the operating "
+        "point.",
+        film_curves.locus(case, state, over_load(case, state)),
+        False,
+    )
+    yield (
+        "coefficients",
+        f"Stiffness and damping over the speed at the given load, {KEPT}; below, the same films without dimension "
+        "over the Sommerfeld number. Filled: the operating point.",
+        film_curves.coefficients(state, over_speed(case, state)),
+        True,
+    )
+    mass = "of the given mass" if case.rotor_mass is not None else "whose weight is the load"
+    yield (
+        "stability",
+        f"Speed at which a rigid rotor {mass} begins to whirl, over the load, {KEPT}. Filled: the operating "
+        f"point; speeds from a tenth to {FASTEST:g} times its speed were searched.",
+        film_curves.stability(case, state, *thresholds(case, state)),
+        False,
+    )

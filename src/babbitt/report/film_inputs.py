@@ -1,0 +1,50 @@
+"""Bore, hollows and choices of a film in words."""
+
+from __future__ import annotations
+
+import math
+
+from babbitt.bearings.bore import Bore, LobedBore, MeasuredBore, TaperedBore, WornBore
+from babbitt.bearings.model import Hollow
+from babbitt.film.model import Cavitation, FilmStart
+
+CAVITATION = {
+    Cavitation.MASS_CONSERVING: "the oil is conserved (Jakobsson, Floberg, Olsson)",
+    Cavitation.REYNOLDS: "pressure and its gradient vanish (Reynolds, Swift-Stieber)",
+}
+
+FILM_START = {
+    FilmStart.GROOVE: "at the grooves, pockets and holes",
+    FilmStart.PERIODIC: "at the grooves, pockets and holes",
+    FilmStart.WIDEST_GAP: "at the widest gap, at ambient pressure",
+}
+
+
+def said_of_bore(bore: Bore) -> str:
+    """Say what form a bore has."""
+    match bore:
+        case LobedBore():
+            return f"lobes, preload {bore.preload:.3g}, narrowest at {bore.offset:.3g} of the lobe"
+        case TaperedBore():
+            return f"lands tapered by {1e6 * bore.depth:.4g} µm over {bore.share:.3g} of their length"
+        case WornBore():
+            return f"worn {1e6 * bore.depth:.4g} µm deep at {math.degrees(bore.angle):.4g}°"
+        case MeasuredBore():
+            return f"measured at {len(bore.departures)} points"
+        case _:
+            return "round"
+
+
+def said_of_hollow(hollow: Hollow) -> tuple[str, str]:
+    """Say what a hollow is, and where it is."""
+    extent = math.degrees(hollow.extent)
+    where = f"at {math.degrees(math.remainder(hollow.angle, 2.0 * math.pi)):.4g}°, {extent:.3g}° long"
+    if hollow.pressure is not None:
+        where += f", {1e-3 * hollow.pressure:.4g} kPa"
+    if hollow.width is None:
+        return ("Line of supply" if hollow.extent == 0.0 else "Axial groove"), f"{where}, as wide as the bearing"
+    if hollow.axial_position:
+        where += f", {1e3 * hollow.axial_position:.4g} mm from the mid-plane"
+    if extent > 359.9:
+        return "Circumferential groove", f"{1e3 * hollow.width:.4g} mm wide"
+    return "Pocket or hole", f"{where}, {1e3 * hollow.width:.4g} mm wide"

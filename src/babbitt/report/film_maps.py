@@ -1,0 +1,213 @@
+"""Maps over the unrolled bore: pressure, film thickness, supplies, rupture; the pressure as a surface."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from babbitt.bearings.field import FilmField, supply_patches
+from babbitt.bearings.model import FilmCase
+from babbitt.film.model import JournalFilm
+from babbitt.film.solution import FilmSolution
+from babbitt.quantities import QUANTITIES
+from babbitt.report.drawing import GREY, INK, MILLIMETRE, Array, Sheet
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+RUPTURED = 0.995
+"""Liquid fraction below which the film is drawn as ruptured."""
+
+WIDEST_LEVEL = 4.0
+"""Gaps are told apart up to this many radial clearances over the smallest."""
+
+SURFACE_LINES = 91
+"""Across the pressure surface."""
+
+
+def unrolled(case: FilmCase, solution: FilmSolution, field: FilmField) -> Figure:
+    """Pressure and film thickness over angle and width."""
+    figure, axes = Sheet(166.0, 92.0, 2, 1, left=12.0, between=5.5).panels(sharex=True, sharey=True)
+    figure.subplots_adjust(top=1.0 - 6.0 / 92.0)  # room for what stands above the upper panel
+    top, bottom = axes[0][0], axes[1][0]
+    _pressure(top, field)
+    _thickness(bottom, solution, field)
+    for panel in (top, bottom):
+        _ruptured(panel, field)
+        _supplies(panel, solution.film, field)
+        _load_line(panel, case)
+        panel.set_ylabel("$z$ in mm")
+    degrees(top, field)
+    bottom.set_xlabel("θ in °, counter-clockwise from $+x$")
+    _says(top, "pressure in MPa")
+    _says(bottom, "film thickness in µm")
+    _rotation(top, case)
+    return figure
+
+
+def surface(field: FilmField) -> Figure:
+    """Pressure as a surface over the unrolled bore."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(130.0 * MILLIMETRE, 80.0 * MILLIMETRE))
+    panel = figure.add_subplot(projection="3d")
+    places, z = np.degrees(field.theta), 1e3 * field.z[::2]
+    steps = np.linspace(places[0], places[-1], SURFACE_LINES)
+    flanks = places[:-1][np.diff(places) < 1e-4]
+    theta = np.unique(np.concatenate((steps, flanks, flanks + 2e-5)))
+    pressure = np.array([np.interp(theta, places, 1e-6 * row) for row in field.pressure.T[::2]])
+    panel.plot_surface(
+        *np.meshgrid(theta, z), pressure, rstride=1, cstride=1, color="white", edgecolor="0.25", linewidth=0.25,
+        shade=False, antialiased=True, clip_on=False,
+    )  # fmt: skip
+    degrees(panel, field)
+    panel.set(xlabel="θ in °", ylabel="$z$ in mm", zlabel="$p$ in MPa")
+    panel.set_box_aspect((2.2, 1.0, 0.9), zoom=1.2)
+    panel.view_init(elev=28.0, azim=-62.0)
+    for axis in (panel.xaxis, panel.yaxis, panel.zaxis):
+        axis.pane.set(facecolor="none", edgecolor="0.8")
+        axis._axinfo["grid"].update(color="0.85", linewidth=0.3)
+    figure.subplots_adjust(left=0.0, right=0.96, bottom=0.04, top=1.0)
+    return figure
+
+
+def degrees(panel: Axes, field: FilmField) -> None:
+    """Angles on the axis, named within one turn."""
+    from matplotlib.ticker import FuncFormatter, MultipleLocator
+
+    panel.set_xlim(math.degrees(field.theta[0]), math.degrees(field.theta[-1]))
+    panel.xaxis.set_major_locator(MultipleLocator(45.0))
+    panel.xaxis.set_major_formatter(FuncFormatter(lambda angle, _: f"{round(angle) % 360}"))
+
+
+def _pressure(panel: Axes, field: FilmField) -> None:
+    shown, highest = 1e-6 * field.pressure, 1e-6 * float(field.pressure.max())
+    if not highest > 0.0:
+        return
+    levels = np.array(_steps(0.0, 0.98 * highest, 8))
+    theta, z = np.degrees(field.theta), 1e3 * field.z
+    shades = [str(round(1.0 - 0.42 * place / levels.size, 3)) for place in range(levels.size)]
+    panel.contourf(theta, z, shown.T, levels=[*levels, 1.01 * max(highest, levels[-1])], colors=shades)
+    lines = panel.contour(theta, z, shown.T, levels=levels, colors="0.25", linewidths=0.45)
+    panel.clabel(lines, levels[1::2], fontsize=6, fmt="%g", inline_spacing=2)
+    row, column = np.unravel_index(int(field.pressure.argmax()), field.pressure.shape)
+    _point(panel, theta[row], z[column], f"{highest:.3g}")
+
+
+def _thickness(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
+    shown = np.ma.masked_invalid(1e6 * field.film_thickness)
+    lowest, highest = float(shown.min()), float(shown.max())
+    top = min(highest, lowest + WIDEST_LEVEL * 1e6 * solution.film.clearance)
+    levels = np.array(_steps(lowest, top, 9))
+    theta, z = np.degrees(field.theta), 1e3 * field.z
+    if levels.size:
+        shades = [str(round(0.58 + 0.42 * place / levels.size, 3)) for place in range(levels.size + 1)]
+        panel.contourf(
+            theta, z, shown.T, levels=[0.0, *levels, max(1.01 * highest, 1.01 * levels[-1])], colors=shades
+        )
+        lines = panel.contour(theta, z, shown.T, levels=levels, colors="0.25", linewidths=0.45)
+        panel.clabel(lines, levels[1::2], fontsize=6, fmt="%g", inline_spacing=2)
+    row, column = _thinnest(field)
+    _point(
+        panel, theta[row], z[column], QUANTITIES["minimum_film_thickness"].format(solution.minimum_film_thickness)
+    )
+
+
+def _thinnest(field: FilmField) -> tuple[int, int]:
+    """Place of the thinnest film; of equal ones that in the mid-plane."""
+    gap = np.where(np.isnan(field.film_thickness), math.inf, field.film_thickness)
+    row, column = np.unravel_index(int(gap.argmin()), gap.shape)
+    middle = field.z.size // 2
+    return int(row), middle if gap[row, middle] <= gap[row, column] * (1.0 + 1e-9) else int(column)
+
+
+def _steps(lowest: float, highest: float, about: int) -> list[float]:
+    """Round levels between two values.
+
+    >>> _steps(0.0, 3.2, 6)
+    [1.0, 2.0, 3.0]
+    >>> _steps(0.7, 3.2, 5)
+    [1.0, 1.5, 2.0, 2.5, 3.0]
+    """
+    raw = (highest - lowest) / about
+    if not raw > 0.0:
+        return []
+    decade = 10.0 ** math.floor(math.log10(raw))
+    step = next(factor * decade for factor in (1.0, 2.0, 2.5, 5.0, 10.0) if factor * decade >= 0.999 * raw)
+    first = math.floor(lowest / step * (1.0 + 1e-9)) + 1
+    return [round(step * place, 12) for place in range(first, int(highest / step * (1.0 - 1e-9)) + 1)]
+
+
+def _point(panel: Axes, x: float, y: float, text: str) -> None:
+    panel.plot([x], [y], "+", color=INK, markersize=6, markeredgewidth=0.9, zorder=6, clip_on=False)
+    low, high = panel.get_xlim()
+    aside = -4 if x > low + 0.9 * (high - low) else 4
+    panel.annotate(
+        text, (x, y), xytext=(aside, 4), textcoords="offset points", fontsize=7, zorder=6,
+        ha="left" if aside > 0 else "right", bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6},
+    )  # fmt: skip
+
+
+def _ruptured(panel: Axes, field: FilmField) -> None:
+    """Hatch where the film is not full, and name it once."""
+    if not (field.liquid_fraction < RUPTURED).any():
+        return
+    theta, z = np.degrees(field.theta), 1e3 * field.z
+    panel.contourf(theta, z, field.liquid_fraction.T, levels=[-1.0, RUPTURED], colors="none", hatches=["////"])
+    panel.contour(theta, z, field.liquid_fraction.T, levels=[RUPTURED], colors=INK, linewidths=0.9,
+                  linestyles="--")  # fmt: skip
+    place = _largest_run(field.liquid_fraction[:, field.z.size // 2] < RUPTURED, theta)
+    if place is not None:
+        panel.annotate(
+            "ruptured", (place, 0.0), ha="center", va="center", fontsize=7, zorder=5,
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
+        )  # fmt: skip
+
+
+def _largest_run(there: Array | np.ndarray[tuple[int, ...], np.dtype[np.bool_]], places: Array) -> float | None:
+    """Middle of the longest stretch that is there and wide enough for a word."""
+    edges = np.flatnonzero(np.diff(np.concatenate(([0], there.astype(int), [0]))))
+    runs = [(places[last - 1] - places[first], first, last) for first, last in edges.reshape(-1, 2)]
+    width, first, last = max(runs, default=(0.0, 0, 1))
+    return 0.5 * float(places[first] + places[last - 1]) if width > 25.0 else None
+
+
+def _supplies(panel: Axes, film: JournalFilm, field: FilmField) -> None:
+    """Grooves, pockets and holes as white areas with an outline."""
+    from matplotlib.patches import Rectangle
+
+    start = field.theta[0]
+    turn = 2.0 * math.pi
+    for patch in supply_patches(film):
+        extent = patch.theta[1] - patch.theta[0]
+        first = start + (patch.theta[0] - start) % turn
+        for low in (first, first - turn):  # a patch over the seam shows on both sides
+            if low + extent < start - 1e-9 or low > start + turn:
+                continue
+            corner = (math.degrees(low), 1e3 * patch.z[0])
+            width, height = math.degrees(extent), 1e3 * (patch.z[1] - patch.z[0])
+            panel.add_patch(
+                Rectangle(corner, width, height, facecolor="white", edgecolor=INK, linewidth=0.8, zorder=4)
+            )
+
+
+def _load_line(panel: Axes, case: FilmCase) -> None:
+    panel.axvline(math.degrees(case.load_angle), color=GREY, linewidth=0.8, linestyle=(0, (6, 2, 1, 2)), zorder=3)
+    panel.annotate(
+        "load", (math.degrees(case.load_angle), 1.0), xycoords=panel.get_xaxis_transform(), xytext=(0, 1),
+        textcoords="offset points", fontsize=7, ha="center", va="bottom", color="0.3", annotation_clip=False,
+    )  # fmt: skip
+
+
+def _says(panel: Axes, text: str) -> None:
+    panel.annotate(text, (0.0, 1.0), xycoords="axes fraction", xytext=(0, 1.5), textcoords="offset points",
+                   fontsize=7.5, va="bottom", annotation_clip=False)  # fmt: skip
+
+
+def _rotation(panel: Axes, case: FilmCase) -> None:
+    text = "rotation →" if case.rotation.sense > 0.0 else "← rotation"
+    panel.annotate(text, (1.0, 1.0), xycoords="axes fraction", xytext=(0, 1.5), textcoords="offset points",
+                   fontsize=7.5, ha="right", va="bottom", annotation_clip=False)  # fmt: skip

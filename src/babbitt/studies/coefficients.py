@@ -1,0 +1,99 @@
+"""Stiffness and damping of a bearing over its speed, each at the equilibrium of that speed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from babbitt.bearings.model import FilmCase, Rotation
+from babbitt.bearings.warm_film import FilmState, operating_film
+from babbitt.design.heat_balance import Equilibrium
+from babbitt.interop import CoefficientTable, coefficient_table
+from babbitt.notices import InputError
+from babbitt.results import Outcome
+
+STATIC = {
+    "effective_temperature": "temperature",
+    "effective_viscosity": "viscosity",
+    "total_flow": "total_flow",
+    "friction_power": "friction_power",
+}
+"""What is carried along of the heat balance: quantity, and its name in the state of the film."""
+
+
+@dataclass(frozen=True, eq=False)
+class SpeedRun:
+    """One bearing at several speeds, in rad/s and ascending; everything else stays as in the case."""
+
+    case: FilmCase
+    speeds: tuple[float, ...]
+    found: tuple[Equilibrium[FilmState], ...]
+
+    @property
+    def unsolved(self) -> tuple[tuple[float, Outcome], ...]:
+        """Speeds in rad/s without an equilibrium, and how the search ended there."""
+        pairs = zip(self.speeds, self.found, strict=True)
+        return tuple((speed, one.outcome) for speed, one in pairs if not one.outcome.solved)
+
+    def table(self) -> CoefficientTable:
+        """Give the coefficients over speed, with the equilibria and heat balances they belong to.
+
+        Raises
+        ------
+        InputError
+            E003 when a speed has no equilibrium, E004 when the direction of the load changes with the speed.
+        """
+        if self.unsolved:
+            speed, outcome = self.unsolved[0]
+            rpm = speed * 30.0 / math.pi
+            raise InputError("E003", f"{self.case.name}: no equilibrium at {rpm:.0f} rpm ({outcome.value})")
+        states = [one.film for one in self.found if one.film is not None]
+        table = coefficient_table(self.case.name, (state.solution for state in states), _method(self.case))
+        heat = {name: np.array([getattr(state, own) for state in states]) for name, own in STATIC.items()}
+        return replace(table, static={**table.static, **heat})
+
+
+def run_over_speed(case: FilmCase, speeds: Iterable[float]) -> SpeedRun:
+    """Solve a bearing at several speeds, its heat balance anew at each.
+
+    Parameters
+    ----------
+    case : FilmCase
+        Load, oil and supply hold at every speed; the sense of rotation is that of the case.
+    speeds : iterable of float
+        Of the journal, rad/s, positive.
+
+    Returns
+    -------
+    SpeedRun
+        With a status at every speed.
+
+    Raises
+    ------
+    InputError
+        E003 for a speed that is not positive, E004 for a bearing that turns, too: coefficients over the speed of
+        the journal alone do not describe it.
+    """
+    taken = tuple(sorted(set(speeds)))
+    if not taken or not all(math.isfinite(speed) and speed > 0.0 for speed in taken):
+        raise InputError("E003", f"{case.name}: give one speed or more, each positive, in rad/s")
+    if case.bearing_speed:
+        raise InputError(
+            "E004", f"{case.name}: the bearing turns, too; no table over the journal speed holds for it"
+        )
+    sense = case.rotation.sense
+    found = tuple(operating_film(replace(case, journal_speed=sense * speed)) for speed in taken)
+    return SpeedRun(case, taken, found)
+
+
+def is_clockwise(case: FilmCase) -> bool:
+    """Whether the journal turns against the sense that rotor programs take for granted."""
+    return case.rotation is Rotation.CLOCKWISE
+
+
+def _method(case: FilmCase) -> str:
+    heat = "heat balance at each speed" if case.effective_temperature is None else "one effective temperature"
+    return f"Babbitt film, {case.cavitation.name.lower().replace('_', ' ')} cavitation, {heat}"

@@ -1,0 +1,59 @@
+"""Which bearing a table is made of and where it goes: decided before anything is computed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from babbitt.bearings.model import FilmCase
+from babbitt.cases.build import AnyDesign
+from babbitt.interop import FORMATS
+from babbitt.notices import InputError
+from babbitt.studies.coefficients import is_clockwise
+
+
+def chosen_film(designs: Sequence[AnyDesign], file: Path, name: str | None) -> FilmCase:
+    """Give the film case of a name, or the only one.
+
+    Raises
+    ------
+    InputError
+        E004 when no bearing names the film method or several could be meant, E005 for an unknown name.
+    """
+    films = {design.name: design for design in designs if isinstance(design, FilmCase)}
+    if not films:
+        raise InputError(
+            "E004", f"{file}: no bearing names the film method, which alone has coefficients; write method: film"
+        )
+    if name is None and len(films) > 1:
+        raise InputError("E004", f"{file}: several bearings; choose with --bearing: {', '.join(films)}")
+    if name is not None and name not in films:
+        raise InputError("E005", f"{file}: no film of '{name}'; there are: {', '.join(films)}")
+    return films[name] if name is not None else next(iter(films.values()))
+
+
+def require_target(format_name: str, film: FilmCase, file: Path, output: Path, other_end: bool) -> None:
+    """Refuse a format that does not exist or cannot hold the rotation sense, and a file that is not of the format.
+
+    Raises
+    ------
+    InputError
+        E005 for an unknown format, E004 for a rotation sense that it has no place for, E007 for the file.
+    """
+    if format_name not in FORMATS:
+        raise InputError("E005", f"no format '{format_name}'; there are: {', '.join(FORMATS)}")
+    wanted = FORMATS[format_name]
+    if is_clockwise(film) is not other_end and not wanted.either_rotation:
+        turned = "clockwise from the other end" if other_end else "clockwise"
+        do = "leave out --other-end" if other_end else "add --other-end, and build the rotor from that end"
+        raise InputError(
+            "E004",
+            f"{film.name} turns {turned}, but {format_name} takes counter-clockwise rotation for granted and "
+            f"would take the cross-coupling with the wrong sign; {do}, or choose csv or json",
+        )
+    if output.suffix.lower() not in wanted.suffixes:
+        raise InputError("E007", f"cannot write {output}: {format_name} is {' or '.join(wanted.suffixes)}")
+    if output.resolve() == file.resolve():
+        raise InputError("E007", f"cannot write {output}: it is a case file; nothing was written")
+    if not output.parent.is_dir() or output.is_dir():
+        raise InputError("E007", f"cannot write {output}: its folder does not exist, or it is a folder itself")

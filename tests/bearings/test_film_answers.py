@@ -1,0 +1,76 @@
+"""What the film method hands to the table, to JSON, to the report and to the comparison."""
+
+import json
+
+import pytest
+from film_bearings import case, solved
+
+from babbitt.report.content import content
+from babbitt.report.export import to_json, write_json
+from babbitt.report.table import render
+from babbitt.studies.comparison import compare_methods
+
+
+@pytest.fixture(scope="module")
+def machine():
+    return solved()
+
+
+def test_json_has_matrices_in_the_order_of_the_contract(machine):
+    (bearing,) = json.loads(write_json(machine))["bearings"]
+    results = bearing["results"]
+    assert bearing["method"] == "film"
+    assert results["stiffness"] == [
+        [results["stiffness_xx"], results["stiffness_xy"]],
+        [results["stiffness_yx"], results["stiffness_yy"]],
+    ]
+    assert results["damping"][0][1] == results["damping_xy"]
+    for name in ("critical_mass", "whirl_frequency_ratio", "mass_balance_error", "wall_time", "total_flow"):
+        assert name in results
+    assert bearing["settings"]["cavitation"] == "mass_conserving"
+
+
+def test_a_film_that_cannot_whirl_has_no_critical_mass():
+    found = solved(load="600 kN", effective_temperature="60 degC")
+    (bearing,) = to_json(found)["bearings"]
+    assert bearing["results"]["whirl_frequency_ratio"] == 0.0
+    assert "critical_mass" not in bearing["results"]
+
+
+def test_the_report_shows_a_film_without_formulas_of_the_standard(machine):
+    (bearing,) = content(machine)["bearings"]
+    assert bearing["method"] == "Film in two dimensions"
+    assert bearing["sections"] == []
+    shown = {row["label"]: row["value"] for group in bearing["inputs"] for row in group["rows"]}
+    assert shown["Form of the bore"] == "round"
+    assert shown["Sense of rotation (x right, y up)"] == "counter-clockwise"
+    assert "Angular span" not in shown
+    assert {"Critical mass", "Film stiffness", "Threshold speed of whirl"} <= {
+        row["label"] for row in bearing["results"]
+    }
+    assert "C115" in {check["code"] for check in bearing["checks"]}
+
+
+def test_the_table_lists_the_coefficients(machine, capsys):
+    from babbitt.report.table import console
+
+    console(140).print(render("Bearing", machine.results, 140))
+    out = capsys.readouterr().out
+    assert "k_yx" in out
+    assert "c_xx" in out
+    assert "film" in out
+
+
+def test_comparison_puts_the_named_method_first():
+    given = {"grooves": None, "span": "180 deg", "supply_element": {"kind": "groove_180", "width": "10 mm"}}
+    (by_film,), (by_standard,) = (compare_methods(case(**given, method=method)) for method in ("film", "iso7902"))
+    labels = [variant.label for variant in by_film.variants]
+    assert labels[:3] == ["film", "film, Reynolds", "ISO 7902"]
+    assert by_standard.variants[0].label == "ISO 7902"
+    assert sorted(labels) == sorted(variant.label for variant in by_standard.variants)
+
+
+def test_comparison_leaves_the_standard_out_where_it_does_not_know_the_bearing():
+    lemon = compare_methods(case(bore={"kind": "lobes", "preload": 0.5}))[0]
+    assert [variant.label for variant in lemon.variants] == ["film", "film, Reynolds"]
+    assert len(compare_methods(case())[0].variants) == 2  # grooves alone tell no span

@@ -1,0 +1,99 @@
+"""Where the film is fed: what a case says, and the rule for bearings described for the standard."""
+
+import math
+
+import pytest
+from film_bearings import film
+
+from babbitt.bearings.layout import film_of
+from babbitt.film.model import FilmStart
+
+
+def angles(case):
+    return [round(math.degrees(math.remainder(hollow.angle, 2.0 * math.pi)), 9) for hollow in case.bearing.hollows]
+
+
+def by_rule(**given):
+    return film(grooves=None, **given)
+
+
+@pytest.mark.parametrize(("speed", "sense"), [("3000 rpm", 1.0), ("-3000 rpm", -1.0)])
+def test_uneven_pockets_stand_where_they_are(speed, sense):
+    element = {
+        "kind": "uneven_pockets",
+        "width": "80 mm",
+        "entry_angle": "75 deg",
+        "exit_angle": "104 deg",
+        "extent": "20 deg",
+    }
+    case = by_rule(supply_element=element, load_angle="0 deg", speed=speed)
+    assert angles(case) == [-75.0 * sense, 104.0 * sense]  # the entry side lies before the load
+    assert all(hollow.width == pytest.approx(0.08) for hollow in case.bearing.hollows)
+    assert any("true angles" in said for said in case.assumptions)
+
+
+def test_pockets_begin_where_the_arc_ends():
+    element = {"kind": "pocket", "width": "80 mm", "place": "both_sides"}
+    case = by_rule(supply_element=element, span="150 deg")
+    first, second = case.bearing.hollows
+    assert first.angle + first.extent / 2.0 == pytest.approx(math.radians(-90.0 - 75.0))
+    assert second.angle - second.extent / 2.0 == pytest.approx(math.radians(-90.0 + 75.0))
+    assert math.degrees(first.extent) == pytest.approx(20.0)
+    wide = by_rule(supply_element=element | {"extent": "30 deg"}, span="150 deg")
+    assert math.degrees(wide.bearing.hollows[0].extent) == pytest.approx(30.0)
+
+
+@pytest.mark.parametrize(("kind", "around"), [("groove_180", 180.0), ("groove_360", 360.0)])
+def test_circumferential_grooves_are_pockets(kind, around):
+    (groove,) = by_rule(supply_element={"kind": kind, "width": "8 mm"}, span="180 deg").bearing.hollows
+    assert math.degrees(groove.extent) == pytest.approx(around)
+    assert math.degrees(groove.angle) == pytest.approx(90.0)
+    assert groove.width == pytest.approx(0.008)
+
+
+def test_holes_share_the_width_and_keep_their_area():
+    element = {"kind": "hole", "diameter": "10 mm", "place": "opposite", "number": 3}
+    holes = by_rule(supply_element=element, span="360 deg").bearing.hollows
+    assert [round(1e3 * hole.axial_position, 9) for hole in holes] == [-40.0, 0.0, 40.0]
+    assert all(hole.width * hole.extent * 0.1 == pytest.approx(math.pi / 4.0 * 0.01**2) for hole in holes)
+
+
+@pytest.mark.parametrize(
+    ("place", "where"), [("opposite", [90.0]), ("side", [180.0]), ("both_sides", [180.0, 0.0])]
+)
+def test_places_are_seen_from_the_load(place, where):
+    element = {"kind": "pocket", "width": "80 mm", "place": place}
+    assert [abs(angle) for angle in angles(by_rule(supply_element=element, span="360 deg"))] == where
+
+
+def test_any_other_arc_ends_at_lines_of_supply():
+    case = by_rule(span="120 deg")
+    assert sorted(angles(case)) == [-150.0, -30.0]
+    made = film_of(case, 1.5e-3, 0.02, 2e5)
+    assert made.film_start is FilmStart.GROOVE
+    extents = sorted(round(math.degrees(land.end_angle - land.start_angle), 6) for land in made.lands)
+    assert extents == [120.0, 240.0]
+    assert all(land.start_pressure == land.end_pressure == 2e5 for land in made.lands)
+
+
+def test_own_pressures_replace_that_of_the_supply():
+    vented = {"angle": "0 deg", "extent": "20 deg", "pressure": "0 Pa"}
+    fed = {"angle": "180 deg", "extent": "20 deg"}
+    made = film_of(film(grooves=[vented, fed]), 1.5e-3, 0.02, 2e5)
+    upper, lower = made.lands
+    assert (upper.start_pressure, upper.end_pressure) == (0.0, 2e5)
+    assert (lower.start_pressure, lower.end_pressure) == (2e5, 0.0)
+
+
+def test_pockets_without_grooves_close_the_ring():
+    case = film(grooves=None, pockets=[{"angle": "90 deg", "extent": "30 deg", "width": "60 mm"}])
+    made = film_of(case, 1.5e-3, 0.02, 2e5)
+    assert made.film_start is FilmStart.PERIODIC
+    assert made.pockets[0].pressure == 2e5
+    assert made.angular_speed > 0.0
+    assert film_of(film(speed="-3000 rpm"), 1.5e-3, 0.02, 0.0).angular_speed < 0.0
+
+
+def test_own_hollows_replace_the_element():
+    element = {"kind": "hole", "diameter": "10 mm", "place": "opposite"}
+    assert film(supply_element=element, span="360 deg").bearing.hollows == film().bearing.hollows

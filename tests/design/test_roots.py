@@ -1,0 +1,50 @@
+"""Brent's method against scipy's, and where it must give up."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.optimize import brentq
+
+from babbitt.design.roots import bracketed_root, find_root
+
+FUNCTIONS = (
+    (lambda x: x**3 - 2.0 * x - 5.0, 2.0, 3.0),
+    (lambda x: math.exp(-x) - x, -1.0, 4.0),
+    (lambda x: math.atan(x - 0.3), -50.0, 80.0),
+    (lambda x: 1.0 if x > 0.7 else -1.0, 0.0, 1.0),
+    (lambda x: (x - 1.0) ** 3, 0.0, 3.0),
+)
+
+
+@pytest.mark.parametrize(("function", "low", "high"), FUNCTIONS)
+def test_agrees_with_scipy_at_no_more_cost(function, low, high):
+    calls = []
+
+    def counted(x):
+        calls.append(x)
+        return function(x)
+
+    root = find_root(counted, low, high, 1e-12)
+    theirs, report = brentq(function, low, high, xtol=1e-12, rtol=1e-15, maxiter=500, full_output=True)
+    assert root.converged
+    assert root.value == pytest.approx(theirs, abs=1e-11)
+    assert len(calls) <= 1.3 * report.function_calls + 5
+    assert all(low <= x <= high for x in calls)
+
+
+@given(st.floats(-10.0, 10.0), st.floats(0.1, 10.0), st.floats(0.1, 10.0))
+def test_finds_any_root_of_a_cubic(root, below, above):
+    found = bracketed_root(lambda x: (x - root) * (1.0 + (x - root) ** 2), root - below, root + above)
+    assert found == pytest.approx(root, abs=1e-12)
+
+
+def test_a_root_at_a_bound_and_none():
+    assert bracketed_root(lambda x: x, 0.0, 1.0) == 0.0
+    with pytest.raises(ValueError, match="same sign"):
+        bracketed_root(lambda x: 1.0 + x * x, 0.0, 1.0)
+
+
+def test_steps_are_bounded():
+    assert not find_root(lambda x: math.tanh(1e6 * (x - 0.123456)), 0.0, 1.0, most_steps=3).converged

@@ -1,0 +1,394 @@
+"""Figures and fields of film bearings: true to the film they show, readable, nothing left behind on failure."""
+
+from __future__ import annotations
+
+import math
+import re
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import film_bearings
+import numpy as np
+import pytest
+from scipy.integrate import simpson
+
+from babbitt.bearings.check import film_check
+from babbitt.bearings.field import clearance_outline, field_of, supply_patches
+from babbitt.bearings.model import Accuracy
+from babbitt.cases import design_cases, load_case
+from babbitt.film.model import Cavitation
+from babbitt.notices import InputError
+from babbitt.quantities import QUANTITIES
+from babbitt.report.film_sweeps import SLOW, over_load, over_speed, state_of, thresholds
+from babbitt.solving import MachineResult
+
+pytest.importorskip("matplotlib")
+
+from babbitt.report import film_curves, film_maps, film_polar
+from babbitt.report.bearing_content import bearing_content
+from babbitt.report.chapters import chapters
+from babbitt.report.drawing import style
+from babbitt.report.figures import write_plots
+from babbitt.report.film_figures import LEFT_OUT, all_figures, report_figures
+
+GEAR = Path(__file__).parents[2] / "examples" / "reverse_gear_film.yaml"
+LOBES = [{"angle": f"{angle} deg", "extent": "15 deg"} for angle in (90, 210, 330)]
+POCKETS = [{"angle": f"{angle} deg", "extent": "20 deg", "width": "90 mm"} for angle in (0, 180)]
+REPORTED = ["pressure-map", "pressure-polar", "journal-locus", "coefficients", "stability"]
+RPM = QUANTITIES["angular_speed"].display.scale
+NAMES = ("two", "clockwise", "reynolds", "lobes", "pinion", "tilted")
+
+
+@cache
+def bearing(name):
+    """Case, result and film of a bearing."""
+    case = {
+        "two": lambda: film_bearings.film(),
+        "clockwise": lambda: film_bearings.film(speed="-3000 rpm", load_angle="-60 deg"),
+        "reynolds": lambda: replace(film_bearings.film(), cavitation=Cavitation.REYNOLDS),
+        "lobes": lambda: film_bearings.film(
+            grooves=LOBES, bore={"kind": "lobes", "preload": 0.5}, load="5 kN", speed="-6000 rpm"
+        ),
+        "pinion": lambda: design_cases(load_case(GEAR))[2],
+        "tilted": lambda: film_bearings.film(
+            grooves=None, pockets=POCKETS, misalignment={"x": "1e-4", "y": "2e-4"}
+        ),
+    }[name]()
+    result = film_check(case)
+    assert result.outcome.solved, result.message
+    return case, result, state_of(case, result)
+
+
+@cache
+def field(name):
+    case, _, state = bearing(name)
+    return field_of(state.solution, case.load_angle - math.pi)
+
+
+@cache
+def drawn(name):
+    case, result, _ = bearing(name)
+    return all_figures(case, result)
+
+
+# -- the field ---------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_pressure_carries_the_load(name):
+    _, _, state = bearing(name)
+    found = field(name)
+    per_angle = simpson(found.pressure, x=found.z, axis=1) * 0.5 * state.solution.film.diameter
+    force = [-np.trapezoid(per_angle * part(found.theta), found.theta) for part in (np.cos, np.sin)]
+    assert np.hypot(*(force - state.solution.force)) < 1.5e-3 * state.load
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_field_covers_one_turn_and_closes(name):
+    case, _, state = bearing(name)
+    found = field(name)
+    assert found.theta[0] == pytest.approx(case.load_angle - math.pi)
+    assert found.theta[-1] - found.theta[0] == pytest.approx(2.0 * math.pi)
+    assert np.all(np.diff(found.theta) > 0.0)
+    assert np.allclose(found.pressure[0], found.pressure[-1], atol=1e-3)
+    assert found.z[[0, -1]] == pytest.approx([-0.5 * case.bearing.width, 0.5 * case.bearing.width])
+    assert found.pressure.min() >= state.solution.film.cavitation_pressure
+    assert found.liquid_fraction.min() >= 0.0
+    assert found.liquid_fraction.max() == 1.0
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_extremes_of_the_field_are_those_of_the_result(name):
+    _, result, _ = bearing(name)
+    found = field(name)
+    assert found.pressure.max() == pytest.approx(result.values["maximum_pressure"], rel=0.01)
+    assert np.nanmin(found.film_thickness) == pytest.approx(result.values["minimum_film_thickness"], rel=1e-3)
+
+
+def test_an_aligned_film_is_symmetrical_and_a_tilted_one_is_not():
+    for name, even in (("two", True), ("pinion", True), ("tilted", False)):
+        found = field(name)
+        scale = found.pressure.max()
+        assert bool(np.abs(found.pressure - found.pressure[:, ::-1]).max() < 1e-9 * scale) is even, name
+
+
+def test_pockets_are_held_at_their_pressure_and_have_no_film_thickness():
+    _, _, state = bearing("pinion")
+    found = field("pinion")
+    for patch in supply_patches(state.solution.film):
+        middle = 0.5 * sum(patch.theta)
+        row = int(np.abs(np.remainder(found.theta - middle + math.pi, 2.0 * math.pi) - math.pi).argmin())
+        across = np.abs(found.z) < 0.9 * patch.z[1]
+        assert found.pressure[row, across] == pytest.approx(patch.pressure)
+        assert np.isnan(found.film_thickness[row, across]).all()
+        assert np.isfinite(found.film_thickness[row, [0, -1]]).all()
+
+
+def test_a_full_film_has_no_void_where_there_is_pressure():
+    found = field("two")
+    assert (found.liquid_fraction[found.pressure > 0.02 * found.pressure.max()] > 0.995).all()
+    assert (found.liquid_fraction < 0.9).any()
+
+
+def test_the_room_of_the_journal_is_the_clearance_of_a_round_bore():
+    _, _, state = bearing("pinion")
+    room = clearance_outline(state.solution.film, np.linspace(0.0, 6.0, 25))
+    assert room == pytest.approx(state.solution.film.clearance, rel=1e-5)
+
+
+def test_a_lobed_bore_leaves_the_assembled_clearance_towards_the_middle_of_a_lobe_and_more_between():
+    film = bearing("lobes")[2].solution.film
+    towards, between = clearance_outline(film, np.radians([270.0, 90.0]))
+    assert towards == pytest.approx(film.clearance, rel=1e-4)
+    assert between > 1.25 * film.clearance
+
+
+# -- sweeps ------------------------------------------------------------------------------------------------------
+
+
+def test_sweeps_pass_through_the_operating_point():
+    case, _, state = bearing("two")
+    by_load, by_speed = over_load(case, state), over_speed(case, state)
+    middle = by_load.points.size // 2
+    assert by_load.points[middle] == pytest.approx(state.load)
+    assert by_load.films[middle].position == pytest.approx(state.solution.position, rel=1e-4)
+    assert by_speed.films[by_speed.points.size // 2].stiffness == pytest.approx(state.solution.stiffness, rel=1e-3)
+    eccentricities = [film.eccentricity_ratio for film in by_load.films]
+    assert np.all(np.diff(eccentricities) > 0.0)
+
+
+def test_the_threshold_at_the_load_is_that_of_the_result():
+    case, result, state = bearing("two")
+    loads, speeds = thresholds(case, state)
+    assert loads[loads.size // 2] == pytest.approx(state.load)
+    assert speeds[loads.size // 2] == pytest.approx(result.values["threshold_speed"], rel=1e-4)
+
+
+def test_a_rotor_that_always_whirls_and_one_that_never_does_have_no_threshold():
+    case, _, state = bearing("two")
+    assert thresholds(replace(case, rotor_mass=1e9), state)[1][0] == 0.0
+    assert np.isinf(thresholds(replace(case, rotor_mass=1e-3), state)[1]).all()
+
+
+# -- what is drawn -----------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_bearing_has_all_figures_readable_in_grey(name):
+    assert [drawing.name for drawing in drawn(name)] == [*REPORTED[:2], "pressure-surface", *REPORTED[2:]]
+    for drawing in drawn(name):
+        assert ET.fromstring(drawing.image).tag.endswith("svg")
+        assert drawing.caption.endswith(".")
+        colours = set(re.findall(rb"#([0-9a-f]{6})", drawing.image))
+        assert all(colour[0:2] == colour[2:4] == colour[4:6] for colour in colours), drawing.name
+
+
+def test_equal_input_gives_equal_bytes():
+    case, result, _ = bearing("lobes")
+    assert [drawing.image for drawing in all_figures(case, result)] == [
+        drawing.image for drawing in drawn("lobes")
+    ]
+
+
+def test_maps_have_names_units_and_ranges():
+    case, _, state = bearing("two")
+    with style():
+        figure = film_maps.unrolled(case, state.solution, field("two"))
+    top, bottom = figure.axes
+    assert bottom.get_xlabel().startswith("θ in °")
+    assert top.get_ylabel() == bottom.get_ylabel() == "$z$ in mm"
+    assert bottom.get_xlim() == pytest.approx((-270.0, 90.0))
+    assert bottom.get_ylim() == pytest.approx((-60.0, 60.0))
+    said = [text.get_text() for panel in figure.axes for text in panel.texts]
+    assert {"pressure in MPa", "film thickness in µm", "ruptured", "load", "rotation →"} <= set(said)
+    assert f"{1e6 * state.solution.minimum_film_thickness:.1f}" in said
+    assert [bottom.xaxis.get_major_formatter()(angle) for angle in (-225.0, -90.0, 45.0)] == ["135", "270", "45"]
+    outlines = [patch for patch in top.patches if patch.get_width() == pytest.approx(20.0)]
+    assert len(outlines) == 2
+
+
+def test_a_groove_over_the_seam_is_drawn_on_both_sides():
+    case, _, state = bearing("lobes")
+    with style():
+        figure = film_maps.unrolled(case, state.solution, field("lobes"))
+    middles = sorted(patch.get_x() + 7.5 for patch in figure.axes[0].patches if patch.get_width() < 16.0)
+    assert middles == pytest.approx([-270.0, -150.0, -30.0, 90.0])
+    assert "← rotation" in [text.get_text() for text in figure.axes[0].texts]
+
+
+def test_the_polar_figure_says_pressure_load_and_position():
+    case, result, state = bearing("clockwise")
+    with style():
+        figure = film_polar.polar(case, state.solution, field("clockwise"))
+    said = [text.get_text() for text in figure.axes[0].texts]
+    assert f"{1e-6 * field('clockwise').mid_plane_pressure.max():.3g} MPa" in said
+    assert "$F$ = 30 kN" in said
+    assert f"$ε$ = {result.values['eccentricity_ratio']:.3f}" in said
+    assert f"$β$ = {math.degrees(result.values['attitude_angle']):.1f}°" in said
+
+
+def test_the_locus_ends_inside_the_bore_and_marks_the_operating_point():
+    case, _, state = bearing("two")
+    with style():
+        figure = film_curves.locus(case, state, over_load(case, state))
+    (panel,) = figure.axes
+    assert (panel.get_xlabel(), panel.get_ylabel()) == ("$x/c$", "$y/c$")
+    room, curve, point = panel.lines[0], panel.lines[2], panel.lines[-1]
+    assert np.hypot(*room.get_data()).min() >= 1.0 - 1e-4
+    assert np.hypot(*curve.get_data()).max() < 1.0
+    here = state.solution.position / state.solution.film.clearance
+    assert np.ravel(point.get_data()) == pytest.approx(here)
+
+
+def test_coefficients_pass_through_those_of_the_result():
+    case, result, state = bearing("two")
+    with style():
+        figure = film_curves.coefficients(state, over_speed(case, state))
+    assert [panel.get_xlabel() for panel in figure.axes] == ["$N$ in rpm", "$N$ in rpm", *2 * ["$\\mathrm{So}$"]]
+    assert figure.axes[0].get_ylabel().endswith("in MN/m")
+    assert figure.axes[1].get_ylabel().endswith("in kN s/m")
+    curve = figure.axes[0].lines[1]  # the first line is zero
+    speed = RPM * result.values["angular_speed"] if "angular_speed" in result.values else 3000.0
+    assert np.interp(speed, *curve.get_data()) == pytest.approx(1e-6 * result.values["stiffness_xx"], rel=1e-3)
+    own = result.values["stiffness_xx"] * state.solution.film.clearance / state.load
+    curve = figure.axes[2].lines[1]
+    assert np.interp(result.values["sommerfeld_number"], *curve.get_data()) == pytest.approx(own, rel=1e-3)
+    named = [text.get_text() for text in figure.axes[0].texts]
+    assert all(mark in "".join(named) for mark in ("{xx}", "{xy}", "{yx}", "{yy}"))
+
+
+def test_the_stability_map_shows_the_point_below_its_threshold():
+    case, result, state = bearing("two")
+    with style():
+        figure = film_curves.stability(case, state, *thresholds(case, state))
+    (panel,) = figure.axes
+    assert panel.get_xlabel().endswith("in kN")
+    assert panel.get_ylabel() == "$N$ in rpm"
+    curve, point = panel.lines
+    assert np.ravel(point.get_data()) == pytest.approx([30.0, 3000.0], rel=1e-3)
+    assert np.interp(30.0, *curve.get_data()) == pytest.approx(RPM * result.values["threshold_speed"], rel=1e-3)
+    assert [text.get_text() for text in panel.texts] == ["whirls", "stable"]
+
+
+# -- where they go -----------------------------------------------------------------------------------------------
+
+
+def test_the_report_has_the_figures_of_a_film():
+    case, result, _ = bearing("two")
+    (chapter,) = chapters((case,), (result,))
+    figures = bearing_content(chapter)["figures"]
+    assert [figure["name"] for figure in figures] == REPORTED
+    assert [figure["name"] for figure in figures if figure["wide"]] == ["pressure-map", "coefficients"]
+
+
+def test_a_slow_film_says_in_the_report_what_is_left_out(monkeypatch):
+    case, result, state = bearing("tilted")
+    assert state.solution.pressure.size < SLOW
+    monkeypatch.setattr("babbitt.report.film_sweeps.SLOW", 10)
+    drawings = report_figures(case, result)
+    assert [drawing.name for drawing in drawings] == REPORTED[:2]
+    assert drawings[0].caption.endswith(LEFT_OUT)
+
+
+def machine(*names):
+    solved = [bearing(name) for name in names]
+    return MachineResult("m", tuple(s[1] for s in solved), tuple(s[0] for s in solved), "0" * 64)
+
+
+def test_plots_of_a_film_are_written_numbered_as_the_bearings(tmp_path):
+    written = write_plots(machine("two", "pinion"), tmp_path / "plots")
+    assert len(written) == 12
+    assert written[0].name == "01-pressure-map.svg"
+    assert sorted((tmp_path / "plots").iterdir()) == sorted(written)
+
+
+def test_an_unsolved_film_has_no_figures(tmp_path):
+    case = film_bearings.film(load="90 MN")
+    result = film_check(case)
+    assert not result.outcome.solved
+    assert report_figures(case, result) == all_figures(case, result) == ()
+    assert write_plots(MachineResult("m", (result,), (case,), "0" * 64), tmp_path) == ()
+
+
+def test_a_figure_that_fails_leaves_no_file_and_no_folder(tmp_path, monkeypatch):
+    def broken(*_):
+        raise ZeroDivisionError
+
+    monkeypatch.setattr(film_maps, "surface", broken)
+    with pytest.raises(ZeroDivisionError):
+        write_plots(machine("two"), tmp_path / "plots")
+    assert list(tmp_path.iterdir()) == []
+
+
+# -- fields in files ---------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def dataset():
+    pytest.importorskip("xarray")
+    from babbitt.report.fields import fields
+
+    case, result, _ = bearing("pinion")
+    return fields(case, result)
+
+
+def test_every_variable_has_a_name_and_a_unit(dataset):
+    for name in (*dataset.variables,):
+        assert dataset[name].attrs["long_name"], name
+        assert dataset[name].attrs["units"], name
+    assert dataset["pressure"].dims == ("theta", "z")
+    assert dataset["pressure"].attrs["units"] == "Pa"
+    assert dataset.attrs["rotation"] == "counter_clockwise"
+
+
+def test_the_dataset_holds_the_field_and_the_values(dataset):
+    _, result, _ = bearing("pinion")
+    assert np.array_equal(dataset["pressure"], field("pinion").pressure)
+    assert float(dataset["stiffness_xx"]) == result.values["stiffness_xx"]
+    assert np.all(np.isnan(dataset["film_thickness"].values) <= (dataset["supply"].values == 1))
+    assert "wall_time" not in dataset
+
+
+def test_fields_survive_the_file(dataset, tmp_path):
+    pytest.importorskip("h5netcdf")
+    pytest.importorskip("h5py")
+    import xarray
+
+    from babbitt.report.fields import write_fields
+
+    case, result, _ = bearing("pinion")
+    write_fields(case, result, tmp_path / "film.nc")
+    with xarray.open_dataset(tmp_path / "film.nc", engine="h5netcdf") as read:
+        xarray.testing.assert_identical(read.load(), dataset)
+    assert [path.name for path in tmp_path.iterdir()] == ["film.nc"]
+
+
+@pytest.mark.usefixtures("dataset")
+def test_fields_that_cannot_be_written_leave_nothing(tmp_path):
+    from babbitt.report.fields import write_fields
+
+    case, result, _ = bearing("two")
+    with pytest.raises(InputError, match=r"ends in \.nc"):
+        write_fields(case, result, tmp_path / "film.csv")
+    with pytest.raises(InputError, match="does not exist"):
+        write_fields(case, result, tmp_path / "none" / "film.nc")
+    unsolved = film_check(film_bearings.film(load="90 MN", accuracy=Accuracy.DRAFT.value))
+    with pytest.raises(InputError, match="without an operating point"):
+        write_fields(case, unsolved, tmp_path / "film.nc")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("package", ["xarray", "h5netcdf", "h5py"])
+def test_a_missing_extra_is_named(package, tmp_path, monkeypatch):
+    pytest.importorskip("xarray")
+    import sys
+
+    from babbitt.report.fields import write_fields
+
+    monkeypatch.setitem(sys.modules, package, None)
+    case, result, _ = bearing("two")
+    with pytest.raises(InputError, match=r"babbitt\[files\]"):
+        write_fields(case, result, tmp_path / "film.nc")
+    assert list(tmp_path.iterdir()) == []
