@@ -116,7 +116,7 @@ def _journal(panel: Axes, case: FilmCase, solution: FilmSolution) -> None:
     )
     beside = towards - sense * 0.95  # on the far side of the load line, where the arc is not
     panel.annotate(
-        f"$β$ = {math.degrees(solution.attitude_angle):.1f}°", (0.58 * math.cos(beside), 0.58 * math.sin(beside)),
+        f"$β$ = {math.degrees(solution.attitude_angle):.1f}°", (0.53 * math.cos(beside), 0.53 * math.sin(beside)),
         fontsize=7, ha="center", va="center", zorder=7,
     )  # fmt: skip
     away = towards + math.pi
