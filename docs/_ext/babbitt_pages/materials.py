@@ -102,7 +102,7 @@ def _experience() -> str:
     return "\n".join(
         [
             f"Source: {text(limits.source)}. Values by experience are no material constants; set your "
-            "own with `limits` in the case.\n",
+            "own with `limits` in the case, one by one or as whole tables (`limits: {tables: FILE.toml}`).\n",
             "Least permissible film thickness of steadily loaded bearings, in µm:\n",
             _film_table(),
             "Specific load in MPa by family of bearing metal:\n",

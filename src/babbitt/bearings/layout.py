@@ -41,8 +41,8 @@ def film_of(case: FilmCase, relative_clearance: float, viscosity: float, element
         raise InputError(
             "E101",
             "a groove as wide as the bearing goes together with neither pockets or holes nor misalignment: the "
-            "flow through its open ends would come out wrong, without bound. Give grooves as hollows of their true "
-            "width.",
+            "flow through its open ends would come out wrong, without bound. Give grooves as hollows of their "
+            "true width.",
         )
     pockets = [(hollow, hollow.width) for hollow in bearing.hollows if hollow.width is not None]
     return JournalFilm(

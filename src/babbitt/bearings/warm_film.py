@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.compiling import announced
@@ -85,6 +85,7 @@ def film_at_temperature(temperature: float, case: FilmCase) -> FilmState:
         raise NoFilmError(Outcome.NO_CLEARANCE)
     density, viscosity, heat_capacity = properties_at(oil, temperature)
 
+    @cache  # the balance of the supply ends at a pressure that it has looked at
     def solved(pressure: float) -> FilmSolution:
         return resting_film(case, film_of(case, psi, viscosity, pressure))
 

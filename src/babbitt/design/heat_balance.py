@@ -53,7 +53,7 @@ THOROUGH = SearchPolicy(2.0, 1.0, 2.0, 2.0, 1e-9, 1e-6, 1e-12, 2000)
 """For films that cost microseconds: two equilibria may lie only kelvins apart, and even a bearing that warms by
 millikelvins closes its heat balance to 1e-8."""
 
-SPARING = SearchPolicy(2.0, 1.6, 16.0, 4.0, 0.05, 0.1, 1e-9, 100)
+SPARING = SearchPolicy(2.0, 1.6, 16.0, 4.0, 0.05, 0.1, 1e-9, 60)
 """For films that cost milliseconds, and more where they collapse: large steps first, small where they count."""
 
 MOST_STEPS = 200

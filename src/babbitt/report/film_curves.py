@@ -33,7 +33,7 @@ def locus(case: FilmCase, state: FilmState, swept: Swept) -> Figure:
     """Journal centre over the load, inside the room that the bore leaves it."""
     from matplotlib.ticker import MaxNLocator
 
-    figure, ((panel,),) = Sheet(81.0, 81.0, left=11.0, bottom=9.5).panels()
+    figure, ((panel,),) = Sheet(81.0, 67.0, left=11.0, bottom=9.5).panels()
     panel.set_aspect("equal")
     film = state.solution.film
     directions = np.linspace(0.0, 2.0 * math.pi, 361)
@@ -64,7 +64,7 @@ def _tick_loads(panel: Axes, shares: Array, centres: Array) -> None:
             continue
         at = np.array([np.interp(math.log(wanted), np.log(shares), column) for column in centres.T])
         taken = np.array([]) if last is None else last
-        if taken.size and np.hypot(*(taken - at).T).min() < 0.12:
+        if taken.size and np.hypot(*(taken - at).T).min() < 0.15:
             continue
         last = at[None, :] if last is None else np.concatenate((last, at[None, :]))
         if wanted != 1.0:
@@ -73,7 +73,7 @@ def _tick_loads(panel: Axes, shares: Array, centres: Array) -> None:
         text = "$F$" if wanted == 1.0 else f"{wanted:g} $F$"
         panel.annotate(
             text, tuple(at), xytext=tuple(5.5 * aside), textcoords="offset points", fontsize=7, va="center",
-            ha="left" if aside[0] > 0.0 else "right",
+            ha="left" if aside[0] > 0.0 else "right", bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.3},
         )  # fmt: skip
 
 
@@ -87,7 +87,7 @@ def _aside(shares: Array, centres: Array, share: float) -> Array:
 
 def coefficients(state: FilmState, swept: Swept) -> Figure:
     """Stiffness and damping over the speed, and without dimension over the load number."""
-    figure, axes = Sheet(166.0, 112.0, 2, 2, across=15.0, between=11.0).panels()
+    figure, axes = Sheet(166.0, 94.0, 2, 2, across=15.0, between=11.0).panels()
     film, load = state.solution.film, state.load
     rpm = QUANTITIES["angular_speed"].display.scale
     numbers = np.array([found.sommerfeld_number for found in swept.films])
@@ -127,7 +127,7 @@ def _family(panel: Axes, x: Array, values: Array, symbol: str) -> None:
     panel.set_ylim(low, high)
     panel.set_xlim(x[0], x[-1] * (x[-1] / x[0]) ** 0.13)
     plain_ticks(panel.xaxis)
-    apart = 0.06 * (high - low)
+    apart = 0.08 * (high - low)
     groups = _grouped([(min(max(value, low), high), axis) for value, axis in sorted(ends)], 0.25 * apart)
     for level, (_, axes) in zip(_spaced([value for value, _ in groups], apart), groups, strict=True):
         panel.annotate(
@@ -189,7 +189,7 @@ def mark_small(panel: Axes, x: float, y: float, axis: str) -> None:
 
 def stability(case: FilmCase, state: FilmState, loads: Array, speeds: Array) -> Figure:
     """Speed at which a rigid rotor begins to whirl, over the load; the operating point below or above it."""
-    figure, ((panel,),) = Sheet(81.0, 62.0).panels()
+    figure, ((panel,),) = Sheet(81.0, 50.0).panels()
     rpm, kilo = QUANTITIES["threshold_speed"].display.scale, QUANTITIES["load"].display.scale
     here = rpm * abs(state.solution.film.angular_speed)
     found = np.isfinite(speeds) & (speeds > 0.0)

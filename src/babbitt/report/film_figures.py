@@ -15,7 +15,7 @@ from babbitt.results import Result
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-KEPT = "clearance and viscosity of the operating point kept"
+KEPT = "at the clearance and viscosity of the operating point"
 
 LEFT_OUT = (
     " Curves over load and speed are left out of the report: the film of this bearing has so many grid points "
@@ -114,8 +114,8 @@ def _swept(case: FilmCase, state: FilmState) -> Iterator[Painted]:
 
     yield (
         "journal-locus",
-        f"Journal centre over the load within the room that the bore leaves it, {KEPT}. Filled: the operating "
-        "point.",
+        f"Journal centre over the load within the room that the bore leaves it, {KEPT}. Filled: "
+        "the operating point.",
         film_curves.locus(case, state, over_load(case, state)),
         False,
     )
@@ -129,8 +129,8 @@ def _swept(case: FilmCase, state: FilmState) -> Iterator[Painted]:
     mass = "of the given mass" if case.rotor_mass is not None else "whose weight is the load"
     yield (
         "stability",
-        f"Speed at which a rigid rotor {mass} begins to whirl, over the load, {KEPT}. Filled: the operating "
-        f"point; speeds from a tenth to {FASTEST:g} times its speed were searched.",
+        f"Speed at which a rigid rotor {mass} begins to whirl, {KEPT}. Filled: the operating point; searched from "
+        f"a tenth to {FASTEST:g} times its speed.",
         film_curves.stability(case, state, *thresholds(case, state)),
         False,
     )

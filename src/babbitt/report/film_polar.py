@@ -23,7 +23,7 @@ JOURNAL, PLAY, HIGHEST, DEEP = 1.0, 0.22, 0.85, 0.1
 
 def polar(case: FilmCase, solution: FilmSolution, field: FilmField) -> Figure:
     """Mid-plane pressure around the bore, the clearance enlarged."""
-    figure, ((panel,),) = Sheet(81.0, 81.0, left=2.0, bottom=2.0).panels()
+    figure, ((panel,),) = Sheet(81.0, 67.0, left=2.0, bottom=2.0).panels()
     panel.set_aspect("equal")
     panel.axis("off")
     edge = _bore(panel, solution, field)
@@ -114,9 +114,9 @@ def _journal(panel: Axes, case: FilmCase, solution: FilmSolution) -> None:
     panel.add_patch(
         Arc((0.0, 0.0), 1.3, 1.3, theta1=math.degrees(first), theta2=math.degrees(last), linewidth=0.6, zorder=5)
     )
-    beside = towards - sense * 0.62  # on the far side of the load line, where the arc is not
+    beside = towards - sense * 0.95  # on the far side of the load line, where the arc is not
     panel.annotate(
-        f"$β$ = {math.degrees(solution.attitude_angle):.1f}°", (0.6 * math.cos(beside), 0.6 * math.sin(beside)),
+        f"$β$ = {math.degrees(solution.attitude_angle):.1f}°", (0.53 * math.cos(beside), 0.53 * math.sin(beside)),
         fontsize=7, ha="center", va="center", zorder=7,
     )  # fmt: skip
     away = towards + math.pi
