@@ -39,7 +39,7 @@ $(VENV)/.demo: $(VENV)/.pip pyproject.toml constraints.txt
 	touch $@
 
 $(VENV)/.test: $(VENV)/.demo
-	$(PIP) --group test
+	$(PIP) --editable '.[report,files]' --group test
 	touch $@
 
 $(VENV)/.lint: $(VENV)/.test

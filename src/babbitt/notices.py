@@ -209,6 +209,13 @@ EXPLANATIONS: dict[str, Explanation] = {
         "Below an eccentricity of 0.01 the characteristics follow their limit of small eccentricity.",
         "Check load and units; a bearing without load tends to whirl.",
     ),
+    "W121": Explanation(
+        "Flow of open grooves",
+        "A groove as wide as the bearing meets the open side: the flow out of its corners grows without bound as "
+        "the grid is refined, and what runs straight out of its ends is not counted. Pressure, position and "
+        "coefficients hardly feel it; supply flow and outlet temperature do.",
+        "Describe grooves that end before the side as pockets with their true width.",
+    ),
     "W120": Explanation(
         "The journal whirls",
         "The rotor is heavier than the critical mass: in this film a rigid rotor leaves its place and "

@@ -182,6 +182,12 @@ def _doubts(
     if case.bearing_speed:
         yield Notice("W114", "the bearing rotates; friction power counts the journal speed only")
     yield from doubt_about_supply(state.feed is not None and state.feed.starved)
+    grooved = any(hollow.width is None for hollow in case.bearing.hollows)
+    if grooved and without_pressure(state.solution.film) != state.solution.film:
+        flow = values["supply_flow"] * 6e4
+        yield Notice(
+            "W121", f"supply flow of {flow:.2g} L/min from grooves as wide as the bearing: a rough estimate"
+        )
     if whirl.critical_mass < whirl.rotor_mass:
         yield Notice(
             "W120",
