@@ -212,9 +212,15 @@ EXPLANATIONS: dict[str, Explanation] = {
     "W121": Explanation(
         "Flow of open grooves",
         "A groove as wide as the bearing meets the open side: the flow out of its corners grows without bound as "
-        "the grid is refined, and what runs straight out of its ends is not counted. Pressure, position and "
-        "coefficients hardly feel it; supply flow and outlet temperature do.",
+        "the grid is refined, and what runs straight out of its ends is not counted. Supply flow and, through the "
+        "heat balance, temperature and film thickness inherit this; a finer `accuracy` does not cure it.",
         "Describe grooves that end before the side as pockets with their true width.",
+    ),
+    "W122": Explanation(
+        "The film reforms without oil",
+        "The Reynolds condition lets the film begin again behind the ruptured zone without asking where the oil "
+        "comes from. Flows, and with them the heat balance, count oil that no supply delivers.",
+        "Use `cavitation: mass_conserving` (the default) where flows and temperatures matter.",
     ),
     "W120": Explanation(
         "The journal whirls",
@@ -245,7 +251,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     "S004": Explanation(
         "Not converged",
         "The iteration used up its steps without meeting its tolerance; the last state is no operating point.",
-        "Loosen the tolerance or start from another temperature, and report the case to the developers.",
+        "Move supplies out of the loaded zone and try another accuracy; if the bearing is an ordinary one, report "
+        "the case to the developers.",
     ),
     "S005": Explanation(
         "Lubricant data end",

@@ -30,6 +30,9 @@ from babbitt.results import Bound, Check, Result
 
 METHOD = "film"
 
+OIL_INVENTED_FROM = 0.05
+"""Mass balance error above which a film without mass conservation is doubted."""
+
 AXES = ("xx", "xy", "yx", "yy")
 
 
@@ -182,6 +185,9 @@ def _doubts(
     if case.bearing_speed:
         yield Notice("W114", "the bearing rotates; friction power counts the journal speed only")
     yield from doubt_about_supply(state.feed is not None and state.feed.starved)
+    if values["mass_balance_error"] > OIL_INVENTED_FROM:
+        share = values["mass_balance_error"]
+        yield Notice("W122", f"{share:.0%} of the oil that passes the film comes from nowhere")
     grooved = any(hollow.width is None for hollow in case.bearing.hollows)
     if grooved and without_pressure(state.solution.film) != state.solution.film:
         flow = values["supply_flow"] * 6e4
@@ -199,6 +205,8 @@ def _doubts(
 
 def _assumptions(case: FilmCase) -> Iterator[str]:
     yield "One viscosity for the whole film, that at the effective temperature; rigid surfaces; laminar film."
+    if case.bearing.hollows:
+        yield "Grooves, pockets and holes are deep: the oil in them is not sheared."
     if case.rotor_mass is None:
         yield "The mass of the rotor is not given: stability is judged as if the load were its weight."
     if isinstance(case.duty, GivenEccentricity) and case.duty.attitude_angle is not None:

@@ -138,6 +138,11 @@ class WornBoreGiven(Part):
     depth: Depth = Field(description="Depth of the wear at its deepest place.")
     angle: Angle = Field(description="Direction of the deepest place, counter-clockwise from the x axis.")
 
+    @property
+    def largest_departure(self) -> float:
+        """Largest departure from the circle, m."""
+        return self.depth
+
     def bore(self) -> Bore:
         """Give the bore of the film."""
         return WornBore(self.depth, self.angle)
@@ -161,6 +166,11 @@ class MeasuredBoreGiven(Part):
         "heading has the units: angle [deg],departure [um].",
     )
     start: Angle = Field(0.0, description="Direction of the first point, counter-clockwise from the x axis.")
+
+    @property
+    def largest_departure(self) -> float:
+        """Largest departure from the circle, m."""
+        return max(abs(departure) for departure in self.departures or (0.0,))
 
     def bore(self) -> Bore:
         """Give the bore of the film."""
@@ -246,13 +256,22 @@ def complaints_about_hollows(
             if isinstance(hollow, GrooveGiven) is isinstance(other, GrooveGiven) and _overlap(
                 hollow, other, diameter
             ):
-                says = f"it overlaps {other_path[0]}[{other_path[1]}]"
-                yield Complaint((*path, "angle"), says, "hollows that leave land between them")
+                says = f"it touches or overlaps {other_path[0]}[{other_path[1]}]"
+                yield Complaint(
+                    (*path, "angle"), says, "hollows with land between them, at least 1 deg for grooves"
+                )
                 break
     covered = sum(groove.extent for _, groove in grooves)
     if covered > TURN - math.radians(10.0):
         says = f"the grooves take {written(covered, 'deg')} of the bore"
         yield Complaint(grooves[-1][0], says, "at most 350 deg together")
+
+
+MOST_DEPARTURE = 3.0
+"""Largest departure of a worn or measured bore over the radial clearance; beyond it is another bearing."""
+
+LEAST_LAND = math.radians(1.0)
+"""Least land between two grooves in rad; less is no film that a grid could see."""
 
 
 def _overlap(
@@ -262,8 +281,8 @@ def _overlap(
 ) -> bool:
     (extent, length), (other_extent, other_length) = one.reach(diameter), other.reach(diameter)
     apart = abs(math.remainder(one.angle - other.angle, TURN))
+    if isinstance(one, GrooveGiven) or isinstance(other, GrooveGiven):
+        return apart < (extent + other_extent) / 2.0 + LEAST_LAND
     if apart >= (extent + other_extent) / 2.0 * (1.0 - 1e-9) and (apart > 0.0 or extent + other_extent > 0.0):
         return False
-    if isinstance(one, GrooveGiven) or isinstance(other, GrooveGiven):
-        return True
     return abs(one.axial_position - other.axial_position) < (length + other_length) / 2.0 * (1.0 - 1e-9)

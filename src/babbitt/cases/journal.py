@@ -13,12 +13,15 @@ from babbitt.cases.choices import FrictionGiven, LimitsGiven
 from babbitt.cases.clearance import ClearanceGiven
 from babbitt.cases.fields import Name, Prose, Span
 from babbitt.cases.film_features import (
+    MOST_DEPARTURE,
     BoreGiven,
     GrooveGiven,
     LobedBoreGiven,
+    MeasuredBoreGiven,
     MisalignmentGiven,
     PocketGiven,
     SupplyHoleGiven,
+    WornBoreGiven,
     complaint_about_tilt,
     complaints_about_hollows,
 )
@@ -285,6 +288,17 @@ class JournalBearing(Duty, SharedInputs):
             return
         layouts = (film_layout(self, point, width, 1.0) for point in self.operating_points or (None,))
         yield from complaint_about_tilt(any(hollow.width is None for at in layouts for hollow in at.hollows))
+
+    @rule
+    def _departures_are_of_the_size_of_the_clearance(self) -> Iterator[Complaint]:
+        if not isinstance(self.bore, WornBoreGiven | MeasuredBoreGiven):
+            return
+        largest = self.bore.largest_departure
+        clearance = self.clearance.at_20_degrees(self.diameter).mean / 2.0
+        if largest > MOST_DEPARTURE * clearance:
+            says = f"the bore departs by {written(largest, 'um')} from its circle"
+            allowed = f"up to {MOST_DEPARTURE:g} times the radial clearance of {written(clearance, 'um')}"
+            yield Complaint(("bore",), says, allowed)
 
     @rule
     def _lobes_lie_between_grooves(self) -> Iterator[Complaint]:

@@ -89,7 +89,10 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
 
 
 def friction(settled: SettledRing) -> tuple[float, float]:
-    """Torques on journal and bearing: Couette shear with the liquid fraction, and -+ (h/2) dp/dtheta."""
+    """Torques on journal and bearing: Couette shear with the liquid fraction, and -+ (h/2) dp/dtheta.
+
+    Grooves, pockets and holes are deep beside the film: the oil in them is not sheared.
+    """
     sample, surface = settled.sample, settled.sample.ring.surface
     work, node = sample.work, surface.node
     x, y = settled.position
@@ -100,6 +103,24 @@ def friction(settled: SettledRing) -> tuple[float, float]:
     after = (np.arange(n) + 1) % work.pressure.shape[0]
     half = 0.5 * surface.step[:, None]
     shear = surface.speed * surface.viscosity * half * (1.0 / ha + 1.0 / hb) * work.fill[:n][:, node]
+    shear[_in_hollow(settled, after)] = 0.0
     slope = 0.25 * (ha + hb) * (work.pressure[after] - work.pressure[:n])[:, node]
     couette, pressure = float((shear @ surface.share).sum()), float((slope @ surface.share).sum())
     return couette + pressure, couette - pressure
+
+
+def _in_hollow(settled: SettledRing, after: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Whether a piece of the surface, one interval long and one axial element wide, lies in a hollow.
+
+    Elements end at the edges of hollows, so a piece lies in one when every node around it is held by a supply; the
+    nodes on the sides of a groove as wide as the bearing are held by the surroundings instead.
+    """
+    ring = settled.sample.ring
+    held, node = ring.supply, ring.surface.node
+    lines = np.arange(after.size)
+    starts = np.flatnonzero(np.concatenate(([True], np.diff(ring.mesh.points) <= 0.0)))
+    fed = (held[lines] >= 0) & (held[after] >= 0)
+    closed = fed | ((held[lines] == -2) & (held[after] == -2))
+    inside = np.logical_and.reduceat(closed[:, node], starts, axis=1)
+    inside &= np.logical_or.reduceat(fed[:, node], starts, axis=1)
+    return np.repeat(inside, np.diff(np.append(starts, ring.mesh.points.size)), axis=1)

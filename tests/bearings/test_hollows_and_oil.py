@@ -1,0 +1,54 @@
+"""What hollows do to friction, and oil that comes from nowhere."""
+
+import math
+
+import pytest
+
+from babbitt import parse_case, solve
+
+BASE = """
+kind: journal
+method: film
+name: hollows
+diameter: 100 mm
+width: 60 mm
+clearance: {kind: relative, mean: 1.5 permille}
+materials: {bearing: {thermal_expansion: 11e-6 1/K}, journal: {thermal_expansion: 11e-6 1/K}}
+lubricant: ISO VG 46
+supply: {temperature: 50 degC, pressure: 0.02 MPa}
+effective_temperature: 55 degC
+speed: 1500 rpm
+"""
+
+
+def solved(extra: str):
+    return solve(parse_case(BASE + extra)).results[0]
+
+
+def test_oil_in_a_pocket_is_not_sheared():
+    # pockets almost as wide as the bearing rub as little as grooves as wide as the bearing
+    places = ("0 deg", "180 deg")
+    grooves = "".join(f"  - {{angle: {at}, extent: 40 deg}}\n" for at in places)
+    pockets = "".join(f"  - {{angle: {at}, extent: 40 deg, width: 59.9 mm}}\n" for at in places)
+    grooved = solved("load: 600 N\ngrooves:\n" + grooves).values
+    pocketed = solved("load: 600 N\npockets:\n" + pockets).values
+    assert pocketed["friction_torque"] == pytest.approx(grooved["friction_torque"], rel=0.01)
+
+
+def test_a_circumferential_groove_rubs_no_more_than_its_two_lands():
+    whole = solved("load: 600 N\npockets:\n  - {angle: 90 deg, extent: 360 deg, width: 30 mm}\n").values
+    eta, omega, eps = whole["effective_viscosity"], whole["angular_speed"], whole["eccentricity_ratio"]
+    clearance = whole["operating_relative_clearance"] * 0.05
+    shear = 2.0 * math.pi * eta * omega * 0.05**3 * 0.030 / clearance / math.sqrt(1.0 - eps**2)
+    pressure = 0.5 * eps * clearance * 600.0 * math.sin(whole["attitude_angle"])
+    # the film of both lands all around at this position is the most there can be; half of it stays unbroken
+    assert 0.5 * shear < whole["friction_torque"] <= shear + pressure
+
+
+def test_a_film_that_reforms_without_oil_is_doubted():
+    extra = "load: 12 kN\ncavitation: {}\nholes:\n  - {{angle: 90 deg, diameter: 8 mm}}\n"
+    reynolds, conserving = solved(extra.format("reynolds")), solved(extra.format("mass_conserving"))
+    assert reynolds.values["mass_balance_error"] > 0.05
+    assert "W122" in {notice.code for notice in reynolds.warnings}
+    assert conserving.values["mass_balance_error"] < 1e-9
+    assert "W122" not in {notice.code for notice in conserving.warnings}
