@@ -118,7 +118,7 @@ def _in_hollow(settled: SettledRing, after: NDArray[np.int64]) -> NDArray[np.boo
     ring = settled.sample.ring
     held, node = ring.supply, ring.surface.node
     lines = np.arange(after.size)
-    starts = np.flatnonzero(np.concatenate(([True], np.diff(ring.mesh.points) <= 0.0)))
+    starts = np.flatnonzero(np.concatenate(([True], np.diff(ring.mesh.points) < 1e-9)))
     fed = (held[lines] >= 0) & (held[after] >= 0)
     closed = fed | ((held[lines] == -2) & (held[after] == -2))
     inside = np.logical_and.reduceat(closed[:, node], starts, axis=1)
