@@ -7,7 +7,15 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from babbitt.bearings.bore import Bore, RoundBore
-from babbitt.design.conditions import GivenEccentricity, GivenLoad, HousingCooling, Limits, OilSupply, Surfaces
+from babbitt.design.conditions import (
+    GivenEccentricity,
+    GivenLoad,
+    HousingCooling,
+    Limits,
+    OilSupply,
+    Proportions,
+    Surfaces,
+)
 from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Resolution
 from babbitt.lubricants import Lubricant
 from babbitt.materials import BearingMetal, LoadCharacter
@@ -73,7 +81,7 @@ class Hollow:
 
 
 @dataclass(frozen=True)
-class FilmBearing:
+class FilmBearing(Proportions):
     """A journal bearing as the film sees it; lengths in m, clearance at 20 °C.
 
     `misalignment` holds the slopes dx/dz and dy/dz of the journal axis in rad. `clearance_tolerance` holds the
@@ -93,17 +101,6 @@ class FilmBearing:
     metal: BearingMetal | None = None
     load_character: LoadCharacter = LoadCharacter.CALM
     clearance_tolerance: tuple[float, float] | None = None
-
-    @property
-    def width_ratio(self) -> float:
-        """B/D."""
-        return self.width / self.diameter
-
-    @property
-    def mean_relative_clearance(self) -> float:
-        """Relative clearance in the middle of its tolerance, at 20 °C."""
-        tolerance = self.clearance_tolerance
-        return sum(tolerance) / 2.0 if tolerance else self.relative_clearance
 
 
 @dataclass(frozen=True)

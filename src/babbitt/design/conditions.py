@@ -104,6 +104,26 @@ class Limits:
     tables: ExperienceLimits | None = None
 
 
+class Proportions:
+    """What follows from the sizes of a bearing, however it is described further."""
+
+    diameter: float
+    width: float
+    relative_clearance: float
+    clearance_tolerance: tuple[float, float] | None
+
+    @property
+    def width_ratio(self) -> float:
+        """B/D."""
+        return self.width / self.diameter
+
+    @property
+    def mean_relative_clearance(self) -> float:
+        """Relative clearance in the middle of its tolerance, at 20 °C."""
+        tolerance = self.clearance_tolerance
+        return sum(tolerance) / 2.0 if tolerance else self.relative_clearance
+
+
 class DesignedBearing(Protocol):
     """What the limits need to know of a bearing of any method."""
 

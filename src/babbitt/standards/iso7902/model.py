@@ -11,6 +11,7 @@ from babbitt.design.conditions import (
     HousingCooling,
     Limits,
     OilSupply,
+    Proportions,
     Surfaces,
 )
 from babbitt.lubricants import Lubricant
@@ -52,7 +53,7 @@ class Curves(Enum):
 
 
 @dataclass(frozen=True)
-class Bearing:
+class Bearing(Proportions):
     """A circular cylindrical bearing; lengths in m, clearance at 20 °C, span in degrees of a tabulated arc.
 
     `clearance_tolerance` holds the least and the greatest relative clearance where a tolerance is known.
@@ -69,17 +70,6 @@ class Bearing:
     metal: BearingMetal | None = None
     load_character: LoadCharacter = LoadCharacter.CALM
     clearance_tolerance: tuple[float, float] | None = None
-
-    @property
-    def width_ratio(self) -> float:
-        """B/D."""
-        return self.width / self.diameter
-
-    @property
-    def mean_relative_clearance(self) -> float:
-        """Relative clearance in the middle of its tolerance, at 20 °C."""
-        tolerance = self.clearance_tolerance
-        return sum(tolerance) / 2.0 if tolerance else self.relative_clearance
 
 
 @dataclass(frozen=True)
