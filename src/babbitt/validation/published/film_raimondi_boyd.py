@@ -7,11 +7,8 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from babbitt.characteristics.friction import film_around
 from babbitt.validation.case import Comparison, Story, ValidationCase
-from babbitt.validation.figure import GREY, INK, LINES, MARKERS, draw_deviations
 from babbitt.validation.published.film_bearings import (
     CLEARANCE,
     DIAMETER,
@@ -20,14 +17,13 @@ from babbitt.validation.published.film_bearings import (
     at_position,
     round_film,
 )
-from babbitt.validation.published.raimondi_boyd_1958 import COARSE_GRID
+from babbitt.validation.published.raimondi_boyd_1958 import COARSE_GRID, COLUMNS, draw_charts
 from babbitt.validation.reference_data import reference_data
 from babbitt.validation.tolerance import Within
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_COLUMNS = {"infinitely_wide": math.inf, "width_ratio_1": 1.0, "width_ratio_0.25": 0.25}
 _WIDE = (8.0, 16.0)
 _TOLERANCES = {
     "S": Within(relative=0.015),
@@ -93,7 +89,7 @@ def run() -> tuple[Comparison, ...]:
 def _rows() -> Iterator[Comparison]:
     data = reference_data("raimondi_boyd_1958")
     coarse = data["suspect"][0]["reason"]
-    for name, ratio in _COLUMNS.items():
+    for name, ratio in COLUMNS.items():
         width = "∞" if math.isinf(ratio) else f"{ratio:g}"
         for film, *printed in data[name]:
             ours = characteristics(ratio, 1.0 - film)
@@ -120,30 +116,8 @@ def _doubt(quantity: str, film: float, ratio: float, coarse: str) -> str:
 
 def draw(figure: Figure) -> None:
     """Three charts of the paper with the engine's curves, and all deviations."""
-    figure.set_size_inches(7.2, 6.0)
-    panels = figure.subplots(2, 2).ravel()
-    data, films = reference_data("raimondi_boyd_1958"), np.linspace(0.03, 0.95, 40).tolist()
     charts = (("S", 1, "bearing number S"), ("φ", 2, "attitude angle φ in °"), ("Q", 4, "flow Q/(R c N L)"))
-    for (name, ratio), line, marker in zip(_COLUMNS.items(), LINES, MARKERS, strict=False):
-        ours = [characteristics(ratio, 1.0 - film) for film in films]
-        for axes, (quantity, column, label) in zip(panels, charts, strict=False):
-            axes.plot(films, [each[quantity] for each in ours], linestyle=line, color=GREY)
-            axes.plot(
-                [row[0] for row in data[name]],
-                [row[column] for row in data[name]],
-                marker=marker,
-                color=INK,
-                markerfacecolor="none",
-                linestyle="none",
-                label="∞" if math.isinf(ratio) else f"{ratio:g}",
-            )
-            axes.set_xlabel("smallest film over clearance h₀/c")
-            axes.set_ylabel(label)
-    panels[0].set_yscale("log")
-    panels[0].legend(title="L/D (print)", title_fontsize=8)
-    rows = run()
-    draw_deviations(panels[3], rows)
-    panels[3].set_title(f"all {len(rows)} values")
+    draw_charts(figure, charts, characteristics, run(), "L/D (print)")
 
 
 CASE = ValidationCase(

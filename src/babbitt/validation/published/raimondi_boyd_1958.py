@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -20,7 +20,7 @@ from babbitt.validation.tolerance import Within
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_COLUMNS = {"infinitely_wide": math.inf, "width_ratio_1": 1.0, "width_ratio_0.25": 0.25}
+COLUMNS = {"infinitely_wide": math.inf, "width_ratio_1": 1.0, "width_ratio_0.25": 0.25}
 COARSE_GRID = {(0.03, 1.0, "p/p_max"), (0.03, 0.25, "S"), (0.03, 0.25, "f/ψ"), (0.03, 0.25, "p/p_max")}
 """Entries at the smallest film of the tables, which their grid does not resolve: h₀/c, B/D, quantity."""
 
@@ -86,7 +86,7 @@ def _force(film: ArcSolution) -> complex:
 def _tables() -> Iterator[Comparison]:
     data = reference_data("raimondi_boyd_1958")
     coarse = data["suspect"][0]["reason"]
-    for name, ratio in _COLUMNS.items():
+    for name, ratio in COLUMNS.items():
         width = "∞" if math.isinf(ratio) else f"{ratio:g}"
         for film, s, angle, friction, flow, share, pressure in data[name]:
             ours = characteristics(ratio, 1.0 - film)
@@ -145,16 +145,36 @@ def _half_bearing() -> Iterator[Comparison]:
         yield Comparison("f/ψ", place, printed_friction, friction, _THREE_DIGITS, "", source, decimals[2])
 
 
-def draw(figure: Figure) -> None:
-    """Three charts of the paper with our curves, and all deviations."""
+Chart = tuple[str, int, str]
+"""A chart of the paper: quantity, column of the data, label of the axis."""
+
+
+def draw_charts(
+    figure: Figure,
+    charts: tuple[Chart, Chart, Chart],
+    ours: Callable[[float, float], dict[str, float]],
+    rows: Sequence[Comparison],
+    legend: str,
+) -> None:
+    """Three charts of the paper, printed points on our curves, and all deviations beside them.
+
+    Parameters
+    ----------
+    figure : Figure
+    charts : tuple of Chart
+    ours : callable
+        Quantities by name, of B/D and eccentricity ratio.
+    rows : sequence of Comparison
+    legend : str
+        Title of the legend.
+    """
     figure.set_size_inches(7.2, 6.0)
     panels = figure.subplots(2, 2).ravel()
-    data, films = reference_data("raimondi_boyd_1958"), np.linspace(0.03, 0.95, 60).tolist()
-    charts = (("S", 1, "bearing number S"), ("β", 2, "attitude angle β in °"), ("f/ψ", 3, "friction variable f/ψ"))
-    for (name, ratio), line, marker in zip(_COLUMNS.items(), LINES, MARKERS, strict=False):
-        ours = [characteristics(ratio, 1.0 - film) for film in films]
+    data, films = reference_data("raimondi_boyd_1958"), np.linspace(0.03, 0.95, 40).tolist()
+    for (name, ratio), line, marker in zip(COLUMNS.items(), LINES, MARKERS, strict=False):
+        curves_of_ratio = [ours(ratio, 1.0 - film) for film in films]
         for axes, (quantity, column, label) in zip(panels, charts, strict=False):
-            axes.plot(films, [each[quantity] for each in ours], linestyle=line, color=GREY)
+            axes.plot(films, [each[quantity] for each in curves_of_ratio], linestyle=line, color=GREY)
             axes.plot(
                 [row[0] for row in data[name]],
                 [row[column] for row in data[name]],
@@ -166,12 +186,17 @@ def draw(figure: Figure) -> None:
             )
             axes.set_xlabel("smallest film over clearance h₀/c")
             axes.set_ylabel(label)
-    panels[0].set_yscale("log")
-    panels[2].set_yscale("log")
-    panels[0].legend(title="B/D (print)", title_fontsize=8)
-    rows = run()
+            if quantity in ("S", "f/ψ"):
+                axes.set_yscale("log")
+    panels[0].legend(title=legend, title_fontsize=8)
     draw_deviations(panels[3], rows)
     panels[3].set_title(f"all {len(rows)} values")
+
+
+def draw(figure: Figure) -> None:
+    """Three charts of the paper with our curves, and all deviations."""
+    charts = (("S", 1, "bearing number S"), ("β", 2, "attitude angle β in °"), ("f/ψ", 3, "friction variable f/ψ"))
+    draw_charts(figure, charts, characteristics, run(), "B/D (print)")
 
 
 CASE = ValidationCase(
