@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film.model import JournalFilm
-from babbitt.film.ring import bore_gap, groove_arcs
+from babbitt.film.ring import axial_gain, bore_gap, groove_arcs
 from babbitt.film.solution import FilmSolution
 
 __all__ = ["FilmField", "clearance_outline", "field_of", "journal_gap", "supply_patches"]
@@ -108,10 +108,12 @@ def journal_gap(solution: FilmSolution, theta: Array, z: Array) -> Array:
     """Gap between bore and journal, depth of grooves and pockets left out, m, shape (theta, z)."""
     film = solution.film
     x, y = solution.position
-    slope_x, slope_y = film.misalignment
-    cosine, sine = np.cos(theta)[:, None], np.sin(theta)[:, None]
-    bore = film.clearance * bore_gap(film, theta)[:, None]
-    return np.asarray(bore - (x + slope_x * z) * cosine - (y + slope_y * z) * sine)
+    bore = film.clearance * bore_gap(film, theta)[:, None] + axial_gain(film, theta, z)
+    for step in film.steps:
+        ends, half = 0.5 * step.extent, 0.5 * step.axial_length
+        along = _inside(theta, (step.centre_angle - ends, step.centre_angle + ends))
+        bore[np.ix_(along, _between(z, (step.axial_centre - half, step.axial_centre + half)))] += step.depth
+    return np.asarray(bore - x * np.cos(theta)[:, None] - y * np.sin(theta)[:, None])
 
 
 def supply_patches(film: JournalFilm) -> tuple[SupplyPatch, ...]:
@@ -120,7 +122,7 @@ def supply_patches(film: JournalFilm) -> tuple[SupplyPatch, ...]:
     whole_ring = len(film.lands) == 1 and not film.lands[0].end_angle - film.lands[0].start_angle < TURN - 1e-9
     grooves = () if whole_ring else groove_arcs(film)
     return (
-        *(SupplyPatch((first, last), (-half, half), pressure) for first, last, pressure in grooves),
+        *(SupplyPatch((arc.first, arc.last), (-half, half), arc.pressure) for arc in grooves),
         *(
             SupplyPatch(
                 (pocket.centre_angle - 0.5 * pocket.extent, pocket.centre_angle + 0.5 * pocket.extent),
@@ -195,7 +197,7 @@ def _void_across(solution: FilmSolution, z: Array) -> Array:
     """Void of every line at axial places, linear between the nodes; shape (lines, z)."""
     nodes = solution.axial_positions
     void = solution.void.reshape(-1, nodes.size).copy()
-    if solution.film.differs_across_width and solution.film.cavitation_pressure == 0.0:
+    if solution.film.is_surface and solution.film.cavitation_pressure == 0.0:
         void[:, -1] = void[:, -2]  # no pressure drives oil in from the sides: the void reaches the edge
         if nodes[0] < 0.0:
             void[:, 0] = void[:, 1]

@@ -7,8 +7,9 @@ Row of node j:
     sum_q w_q [Q_i - Q_i-1 + S_i + T_i (p_i - p_i+1) - T_i-1 (p_i-1 - p_i)]_q
         + kappa sum_q D_qj w_q H_iq sum_k D_qk p_k = 0          (q: quadrature points that fall on node j)
 
-with D the derivative at the points and w their share of the width. Journal motions d: x, y and, on request, the
-tilts, dh = -shape_d, with shapes cos, sin, zeta cos, zeta sin.
+with D the derivative at the points and w their share of the width; the metric (``_surface_film``) is in the
+coefficients. p is the reduced pressure where viscosity grows with pressure. Motions d change the gap by
+dh = -shape_d lever_d.
 """
 
 from __future__ import annotations
@@ -46,6 +47,7 @@ def couple_lines(surface, film, work):
 def fill_lines(surface, film, work):
     """Diagonal block and right-hand sides (pressure, adjoints) of every line, into ``inverse`` and ``swept``."""
     lines, nodes = surface.held.shape
+    motions = surface.lever.shape[0]
     block, right = work.inverse, work.swept
     block[:] = 0.0
     right[:] = 0.0
@@ -57,7 +59,7 @@ def fill_lines(surface, film, work):
             if work.counts[i, a]:
                 active = True
         if active:
-            for q in range(surface.zeta.size):
+            for q in range(surface.radius.size):
                 conduct = surface.kappa * surface.share[q] * film.cubed[i, q]
                 for a in range(nodes):
                     part = conduct * surface.slope[q, a]
@@ -71,13 +73,15 @@ def fill_lines(surface, film, work):
                 right[0, i, a] = surface.held_pressure[i, a] if surface.held[i, a] else 0.0
                 continue
             entering = film.couette[interval, a]
-            if surface.held[before, a] and not work.holds[i, a]:
-                entering = film.inlet[interval, a]  # a ruptured line takes from a held node what the gap lets in
+            if surface.held[before, a]:
+                if not work.holds[i, a]:
+                    entering = film.inlet[interval, a]  # a ruptured line takes from a held node what fits
+                entering *= surface.held_fill[before, a]
             right[0, i, a] = entering - film.couette[i, a] - film.squeeze[i, a]
             if work.wet[i, a]:
                 block[i, a, a] += film.conductance[interval, a] + film.conductance[i, a] + work.ending[i, a]
-                for d in range(surface.motions):
-                    right[1 + d, i, a] = -film.load[d, i, a]
+                for d in range(motions):
+                    right[1 + d, i, a] = -film.load[d, i, a] * work.stiffening[i, a]
             else:
                 block[i, a, a] = -(film.couette[i, a] + film.squeeze[i, a])
 
@@ -143,7 +147,7 @@ def back_sweep(surface, work):
     lines, nodes = surface.held.shape
     inverse, swept, solution = work.inverse, work.swept, work.solution
     for i in range(lines - 1, first - 1, -1):
-        for r in range(1 + surface.motions):
+        for r in range(solution.shape[0]):
             if i < lines - 1:
                 for b in range(nodes):
                     link = work.upper[i + 1, b] if r == 0 else work.lower[i + 1, b]
@@ -177,7 +181,7 @@ def close_ring(surface, film, work):
     V = B^-1 c:   (D_0 - r V) z = b_0 - r B^-1 b,  u = B^-1 b - V z; the adjoint uses the transposes.
     """
     lines, nodes = surface.held.shape
-    last = lines - 1
+    last, motions = lines - 1, surface.lever.shape[0]
     v, carried = work.border, np.empty((nodes, nodes))
     v[:] = 0.0
     for a in range(nodes):  # column of line 0: rows of line 1 and of the last line
@@ -214,10 +218,10 @@ def close_ring(surface, film, work):
             for b in range(nodes):
                 work.solution[0, i, a] -= v[i, a, b] * work.solution[0, 0, b]
     # adjoints: zeta = G^-T (g_0 - V^T g), then B^-T (g - r^T zeta)
-    for d in range(surface.motions):
+    for d in range(motions):
         for i in range(1, lines):
             for a in range(nodes):
-                g = -film.load[d, i, a] if work.counts[i, a] and work.wet[i, a] else 0.0
+                g = -film.load[d, i, a] * work.stiffening[i, a] if work.counts[i, a] and work.wet[i, a] else 0.0
                 for b in range(nodes):
                     right[1 + d, b] -= v[i, a, b] * g
         for a in range(nodes):
@@ -225,9 +229,9 @@ def close_ring(surface, film, work):
             for b in range(nodes):
                 work.solution[1 + d, 0, a] += schur[b, a] * right[1 + d, b]
     for i in range(1, lines):
-        for d in range(surface.motions):
+        for d in range(motions):
             for a in range(nodes):
-                g = -film.load[d, i, a] if work.counts[i, a] and work.wet[i, a] else 0.0
+                g = -film.load[d, i, a] * work.stiffening[i, a] if work.counts[i, a] and work.wet[i, a] else 0.0
                 if i == 1:
                     g -= work.upper[1, a] * work.solution[1 + d, 0, a]
                 if i == last:
@@ -239,7 +243,7 @@ def close_ring(surface, film, work):
                     g -= work.upper[i, a] * total
                 work.swept[1 + d, i, a] = g
     for i in range(last, 0, -1):
-        for d in range(surface.motions):
+        for d in range(motions):
             if i < last:
                 for b in range(nodes):
                     work.swept[1 + d, i, b] -= work.lower[i + 1, b] * work.solution[1 + d, i + 1, b]

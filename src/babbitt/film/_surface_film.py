@@ -1,4 +1,17 @@
-"""Kernels: nodes, gaps and film coefficients of a film that differs across the width (see ``_surface``)."""
+"""Kernels: nodes, gaps and film coefficients of a film that differs across its width (see ``_surface``).
+
+One metric serves the unrolled journal and the sector of a thrust bearing: lines at angle theta, points across at
+the radius r (1 for a journal, r/R for a sector), with r d theta the length along and the width across:
+
+    flux along:  q = r g h/2 - h^3/(12 r f) dp/dtheta,    squeeze: r dh/dt,    flux across: r h^3/(12 f') p'
+
+``share`` is r times the quadrature weight, ``along`` the weight over r. f and f' are the effective viscosities
+along and across (turbulent films differ), g is twice the share of the surface speed that the mean flow has (1 unless
+the viscosity varies through the gap).
+
+The gap follows the motions a_d of the runner: h = gap - sum_d a_d shape_d(theta) lever_d(r), for a journal
+cos, sin (and zeta cos, zeta sin for tilt).
+"""
 
 from __future__ import annotations
 
@@ -15,20 +28,26 @@ Array = NDArray[float64]
 
 
 class Surface(NamedTuple):
-    """Nodes of one unrolled film, what is held there, and the gap of the centred journal. a, b: Gauss points."""
+    """Nodes of one unrolled film, what is held there, and the gap of the centred runner. a, b: Gauss points."""
 
     step: Array  # (n,)
-    trigonometry: Array  # cos_a, sin_a, cos_b, sin_b of every interval, (4, n)
+    shape_a: Array  # shape_d at the Gauss points of every interval, (motions, n)
+    shape_b: Array
+    lever: Array  # lever_d of the points, (motions, points)
     gap_a: Array  # (n, points)
     gap_b: Array
     viscosity: Array  # over the reference viscosity, (n, points)
-    zeta: Array  # of the points, (points,)
-    share: Array  # w_q, summing to 1, (points,)
+    drag: Array  # g, (n, points)
+    turbulence: Array  # Reynolds number at unit gap, onset, end; factors and exponents along, across; or empty
+    radius: Array  # r of the points, (points,)
+    share: Array  # w_q r, (points,)
+    along: Array  # w_q / r, (points,)
     node: NDArray[int64]  # node on which a point falls, (points,)
     slope: Array  # D, (points, nodes)
     held: NDArray[bool_]  # nodes at given pressure, (lines, nodes); n + 1 lines, or n when cyclic
     held_pressure: Array  # (lines, nodes)
-    motions: int  # 2, or 4 with tilts
+    held_fill: Array  # liquid fraction of what a held node sends off, (lines, nodes)
+    piezo: Array  # reduced pressure, pressure and slope between them; of a constant viscosity (3, 0)
     cyclic: bool
     reference: float  # pressure from which forces count: ambient above cavitation
     kappa: float
@@ -63,7 +82,8 @@ class SurfaceWork(NamedTuple):
     lower: Array  # (lines, nodes)
     upper: Array
     ending: Array
-    pressure: Array  # zero at dry nodes, (lines, nodes)
+    pressure: Array  # reduced pressure, zero at dry nodes, (lines, nodes)
+    stiffening: Array  # dp / d(reduced pressure), (lines, nodes)
     fill: Array  # liquid fraction, (lines, nodes)
     row: Array  # balance of every node: what flows off less what arrives, (lines, nodes)
     border: Array  # response to the values on line 0, (lines, nodes, nodes); cyclic only
@@ -73,7 +93,7 @@ class SurfaceWork(NamedTuple):
 def new_surface_film(surface):
     """Coefficients for a surface, not filled yet."""
     n, lines = surface.step.size, surface.held.shape[0]
-    nodes, points, d = surface.held.shape[1], surface.zeta.size, surface.motions
+    nodes, points, d = surface.held.shape[1], surface.radius.size, surface.lever.shape[0]
     return SurfaceFilm(
         np.empty((n, nodes)), np.empty((n, nodes)), np.empty((lines, points)), np.empty((d, n, nodes)),
         np.empty((d, n, nodes)), np.empty((d, lines, points)), np.empty((lines, nodes)),
@@ -85,77 +105,124 @@ def new_surface_film(surface):
 def new_surface_work(surface):
     """Workspace for a surface, all nodes wet."""
     lines, nodes = surface.held.shape
-    d = 1 + surface.motions
+    d = 1 + surface.lever.shape[0]
     return SurfaceWork(
         np.ones((lines, nodes), np.bool_), np.zeros((d, lines, nodes)), np.zeros((d, lines, nodes)),
         np.zeros((lines, nodes, nodes)), np.ones((lines, nodes), np.bool_), np.ones((lines, nodes), np.bool_),
         np.zeros((lines, nodes)), np.zeros((lines, nodes)),
-        np.zeros((lines, nodes)), np.zeros((lines, nodes)), np.ones((lines, nodes)), np.zeros((lines, nodes)),
-        np.zeros((lines if surface.cyclic else 1, nodes, nodes)),
+        np.zeros((lines, nodes)), np.zeros((lines, nodes)), np.ones((lines, nodes)), np.ones((lines, nodes)),
+        np.zeros((lines, nodes)), np.zeros((lines if surface.cyclic else 1, nodes, nodes)),
     )  # fmt: skip
 
 
 @inner
-def tilted_position(surface, at, q):
-    """Where the journal axis is at a point of the width."""
-    if surface.motions == 4:
-        return at[0] + at[2] * surface.zeta[q], at[1] + at[3] * surface.zeta[q]
-    return at[0], at[1]
+def gap_at(surface, at, i, q):
+    """Gap at the two Gauss points of interval i, at point q of the width."""
+    ha, hb = surface.gap_a[i, q], surface.gap_b[i, q]
+    for d in range(surface.lever.shape[0]):
+        lift = at[d] * surface.lever[d, q]
+        ha -= lift * surface.shape_a[d, i]
+        hb -= lift * surface.shape_b[d, i]
+    return ha, hb
 
 
 @compiled
 def smallest_surface_gap(surface, at):
     """Smallest gap at the Gauss points."""
     smallest = np.inf
-    trig = surface.trigonometry
-    for q in range(surface.zeta.size):
-        x, y = tilted_position(surface, at, q)
+    for q in range(surface.radius.size):
         for i in range(surface.step.size):
-            a = surface.gap_a[i, q] - x * trig[0, i] - y * trig[1, i]
-            b = surface.gap_b[i, q] - x * trig[2, i] - y * trig[3, i]
-            smallest = min(smallest, min(a, b))
+            ha, hb = gap_at(surface, at, i, q)
+            smallest = min(smallest, min(ha, hb))
     return smallest
+
+
+@inner
+def thickening(surface, viscosity, radius, gap, direction):
+    """Effective over true viscosity of a turbulent film along (0) or across (1), and its d ln / d ln h.
+
+    1 + w a Re^b / 12 with Re = Re_1 r h / mu; the weight w rises from onset to end as 3 t^2 - 2 t^3.
+    """
+    law = surface.turbulence
+    if law.size == 0:
+        return 1.0, 0.0
+    number = law[0] * radius * gap / viscosity
+    if number <= law[1]:
+        return 1.0, 0.0
+    factor, exponent = law[3 + 2 * direction], law[4 + 2 * direction]
+    excess = factor * number**exponent / 12.0
+    weight, growth = 1.0, 0.0
+    if number < law[2]:
+        t = (number - law[1]) / (law[2] - law[1])
+        weight, growth = t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) * number / (law[2] - law[1])
+    total = 1.0 + weight * excess
+    return total, excess * (weight * exponent + growth) / total
+
+
+@inner
+def inlet_reach(surface, i, q, gap, rise):
+    """Growth of the gap up to where the film behind a held node ruptures, and its derivatives in gap and rise.
+
+    As ``_grids.inlet_flux``: a node at pressure p_s before a gap h_0 + g t keeps the film full up to l with
+    p_s = 3 mu r^2 g l^2 / h_0^3; ``rise`` is g times the interval, and the rupture stays inside it.
+    """
+    j = surface.node[q]
+    if i >= surface.held.shape[0] or not surface.held[i, j]:
+        return 0.0, 0.0, 0.0
+    pressure, speed = surface.held_pressure[i, j], surface.speed * surface.drag[i, q]
+    if not (pressure > 0.0 and speed > 0.0 and rise > 1e-12):
+        return 0.0, 0.0, 0.0
+    resistance = 3.0 * surface.viscosity[i, q] * surface.radius[q] ** 2 * surface.step[i] * speed
+    reach = np.sqrt(pressure * gap**3 * rise / resistance)
+    if reach > rise:
+        return rise, 0.0, 1.0
+    return reach, 1.5 * reach / gap, 0.5 * reach / rise
 
 
 @inner
 def surface_coefficients(surface, at, rate, film):
     """Fill the coefficients of the film at a position and velocity."""
-    n, lines = surface.step.size, surface.held.shape[0]
+    n, lines, motions = surface.step.size, surface.held.shape[0], surface.lever.shape[0]
     for array in (film.conductance, film.couette, film.cubed, film.squeeze, film.inlet):
         array[:] = 0.0
     for array in (film.conductance_d, film.couette_d, film.cubed_d, film.load, film.inlet_d):
         array[:] = 0.0
-    trig = surface.trigonometry
-    for q in range(surface.zeta.size):
-        j, share = surface.node[q], surface.share[q]
-        x, y = tilted_position(surface, at, q)
+    for q in range(surface.radius.size):
+        j, share, along, radius = surface.node[q], surface.share[q], surface.along[q], surface.radius[q]
         for i in range(n):
             half, after = 0.5 * surface.step[i], (i + 1) % lines
-            ha = surface.gap_a[i, q] - x * trig[0, i] - y * trig[1, i]
-            hb = surface.gap_b[i, q] - x * trig[2, i] - y * trig[3, i]
-            viscosity = surface.viscosity[i, q]
-            a2, b2 = 1.0 / (ha * ha), 1.0 / (hb * hb)
+            ha, hb = gap_at(surface, at, i, q)
+            mu, speed = surface.viscosity[i, q], surface.speed * surface.drag[i, q]
+            fa, fa_h = thickening(surface, mu, radius, ha, 0)
+            fb, fb_h = thickening(surface, mu, radius, hb, 0)
+            ga, ga_h = thickening(surface, mu, radius, ha, 1)
+            gb, gb_h = thickening(surface, mu, radius, hb, 1)
+            a2, b2 = fa / (ha * ha), fb / (hb * hb)
             j3 = a2 / ha + b2 / hb
-            t = share / (12.0 * half * viscosity * j3)
-            mean = 0.5 * surface.speed * (a2 + b2) / j3
+            t = along / (12.0 * half * mu * j3)
+            mean = 0.5 * speed * (a2 + b2) / j3
             film.conductance[i, j] += t
             film.couette[i, j] += share * mean
-            ha2, hb2 = half * ha * ha / viscosity, half * hb * hb / viscosity
+            ha2, hb2 = half * ha * ha / (mu * ga), half * hb * hb / (mu * gb)
             film.cubed[i, q] += NEAR * ha2 * ha + FAR * hb2 * hb
             film.cubed[after, q] += FAR * ha2 * ha + NEAR * hb2 * hb
             gap = ha - NEAR_END * (hb - ha)  # at the line where the interval begins
-            film.inlet[i, j] += share * 0.5 * surface.speed * gap
-            for d in range(surface.motions):
-                lever = surface.zeta[q] if d > 1 else 1.0
-                sa, sb = trig[d % 2, i] * lever, trig[2 + d % 2, i] * lever
-                j3_d = 3.0 * (sa * a2 * a2 + sb * b2 * b2) / j3
+            reach, reach_gap, reach_growth = inlet_reach(surface, i, q, gap, (hb - ha) / (2.0 * GAUSS))
+            film.inlet[i, j] += share * 0.5 * speed * (gap + reach)
+            for d in range(motions):
+                lever = surface.lever[d, q]
+                sa, sb = surface.shape_a[d, i] * lever, surface.shape_b[d, i] * lever
+                a3, b3 = sa * a2 / ha, sb * b2 / hb
+                j3_d = ((3.0 - fa_h) * a3 / ha + (3.0 - fb_h) * b3 / hb) / j3
                 film.conductance_d[d, i, j] -= t * j3_d
-                film.couette_d[d, i, j] += share * (
-                    surface.speed * (sa * a2 / ha + sb * b2 / hb) / j3 - mean * j3_d
-                )
-                film.cubed_d[d, i, q] -= 3.0 * (NEAR * ha2 * sa + FAR * hb2 * sb)
-                film.cubed_d[d, after, q] -= 3.0 * (FAR * ha2 * sa + NEAR * hb2 * sb)
-                film.inlet_d[d, i, j] -= share * 0.5 * surface.speed * (sa - NEAR_END * (sb - sa))
+                j2_d = ((2.0 - fa_h) * a3 + (2.0 - fb_h) * b3) / j3
+                film.couette_d[d, i, j] += share * (0.5 * speed * j2_d - mean * j3_d)
+                ca, cb = (3.0 - ga_h) * ha2 * sa, (3.0 - gb_h) * hb2 * sb
+                film.cubed_d[d, i, q] -= NEAR * ca + FAR * cb
+                film.cubed_d[d, after, q] -= FAR * ca + NEAR * cb
+                start, rise = sa - NEAR_END * (sb - sa), (sb - sa) / (2.0 * GAUSS)
+                start += reach_gap * start + reach_growth * rise
+                film.inlet_d[d, i, j] -= share * 0.5 * speed * start
                 here, there = share * half * (NEAR * sa + FAR * sb), share * half * (FAR * sa + NEAR * sb)
                 film.load[d, i, j] += here
                 film.load[d, after, j] += there
@@ -164,3 +231,31 @@ def surface_coefficients(surface, at, rate, film):
 
 
 NEAR_END = (0.5 - GAUSS) / (2.0 * GAUSS)  # from Gauss point a back to the line, in distances of the Gauss points
+
+
+@inner
+def true_pressure(surface, reduced):
+    """Pressure and dp / d(reduced pressure) where viscosity grows with pressure (``piezoviscosity``).
+
+    Cubic between the points of a table; beyond its last point the pressure goes on as a straight line.
+    """
+    table = surface.piezo
+    if table.shape[1] == 0 or reduced <= 0.0:
+        return reduced, 1.0
+    last = table.shape[1] - 1
+    if reduced >= table[0, last]:
+        return table[1, last] + table[2, last] * (reduced - table[0, last]), table[2, last]
+    low, high = 0, last
+    while high - low > 1:
+        middle = (low + high) // 2
+        if table[0, middle] <= reduced:
+            low = middle
+        else:
+            high = middle
+    width = table[0, high] - table[0, low]
+    t = (reduced - table[0, low]) / width
+    chord = (table[1, high] - table[1, low]) / width
+    bend_low, bend_high = table[2, low] - chord, table[2, high] - chord
+    rise = t * (1.0 - t) * (bend_low * (1.0 - t) - bend_high * t)
+    slope = bend_low * (1.0 - t) * (1.0 - 3.0 * t) - bend_high * t * (2.0 - 3.0 * t)
+    return table[1, low] + width * (t * chord + rise), chord + slope

@@ -5,7 +5,7 @@ from __future__ import annotations
 from babbitt.film._compiling import compiled, inner
 from babbitt.film._forces import TIE, shortening
 from babbitt.film._surface import solve_surface
-from babbitt.film._surface_film import surface_coefficients
+from babbitt.film._surface_film import surface_coefficients, true_pressure
 
 
 @compiled
@@ -23,6 +23,7 @@ def evaluate_surface(surface, film, work, at, rate, smooth, force, stiffness, da
             for j in range(work.pressure.shape[1]):
                 if again == 0:
                     work.pressure[i, j] = work.solution[0, i, j]
+                    work.stiffening[i, j] = true_pressure(surface, work.pressure[i, j])[1]
                 else:
                     work.solution[0, i, j] = work.pressure[i, j]
     work.ending[:] = 0.0
@@ -38,13 +39,13 @@ def balance_rows(surface, film, work):
     for i in range(lines):
         for j in range(nodes):
             value = work.solution[0, i, j]
-            work.pressure[i, j], work.fill[i, j] = value, 1.0
+            work.pressure[i, j], work.fill[i, j] = value, surface.held_fill[i, j]
             if not work.holds[i, j]:
                 work.pressure[i, j] = 0.0
                 if surface.conserving:
                     work.fill[i, j] = 1.0 - value
             work.row[i, j] = film.squeeze[i, j] * work.fill[i, j]
-        for q in range(surface.zeta.size):
+        for q in range(surface.radius.size):
             gradient = 0.0
             for b in range(nodes):
                 gradient += surface.slope[q, b] * work.pressure[i, b]
@@ -58,7 +59,7 @@ def balance_rows(surface, film, work):
             flux = film.couette[i, j] * work.fill[i, j]
             flux += film.conductance[i, j] * (work.pressure[i, j] - work.pressure[after, j])
             if surface.conserving and surface.held[i, j] and not work.holds[after, j]:
-                flux = film.inlet[i, j]
+                flux = film.inlet[i, j] * work.fill[i, j]
             work.row[i, j] += flux
             work.row[after, j] -= flux
 
@@ -103,7 +104,7 @@ def end_adjoints_at_rupture(surface, film, work):
 def reduce_surface(surface, film, work, force, stiffness, damping):
     """Forces from the reference pressure; stiffness and damping from the adjoints (``_forces.add_forces``)."""
     lines, nodes = surface.held.shape
-    n, motions = surface.step.size, surface.motions
+    n, motions = surface.step.size, surface.lever.shape[0]
     adjoint = work.solution
     for i in range(lines):  # the row of a held node is no balance: its adjoint does not count
         for j in range(nodes):
@@ -114,7 +115,8 @@ def reduce_surface(surface, film, work, force, stiffness, damping):
         total = 0.0
         for i in range(lines):
             for j in range(nodes):
-                total -= film.load[d, i, j] * (work.pressure[i, j] - surface.reference)
+                pressure = true_pressure(surface, work.pressure[i, j])[0]
+                total -= film.load[d, i, j] * (pressure - surface.reference)
         force[d] = total
         for e in range(motions):
             stiff, damp = 0.0, 0.0
@@ -124,12 +126,12 @@ def reduce_surface(surface, film, work, force, stiffness, damping):
                     flux = work.fill[i, j] * film.couette_d[e, i, j]
                     flux += (work.pressure[i, j] - work.pressure[after, j]) * film.conductance_d[e, i, j]
                     if surface.conserving and surface.held[i, j] and not work.holds[after, j]:
-                        flux = film.inlet_d[e, i, j]
+                        flux = film.inlet_d[e, i, j] * work.fill[i, j]
                     stiff += (adjoint[1 + d, i, j] - adjoint[1 + d, after, j]) * flux
             for i in range(lines):
                 for j in range(nodes):
                     damp -= adjoint[1 + d, i, j] * work.fill[i, j] * film.load[e, i, j]
-                for q in range(surface.zeta.size):
+                for q in range(surface.radius.size):
                     gradient, slope = 0.0, 0.0
                     for b in range(nodes):
                         gradient += surface.slope[q, b] * work.pressure[i, b]

@@ -182,6 +182,19 @@ class AxialMesh:
     slope: Array
     side_nodes: tuple[int, ...]
 
+    @property
+    def element_starts(self) -> NDArray[np.int64]:
+        """First point of every element, shape (elements,)."""
+        return np.flatnonzero(np.concatenate(([True], np.diff(self.points) < 1e-9)))
+
+    @property
+    def element_centres(self) -> Array:
+        """Middle of the element that a point belongs to, shape (points,)."""
+        starts = self.element_starts
+        ends = np.append(starts[1:], self.points.size)
+        middles = 0.5 * (self.points[starts] + self.points[ends - 1])
+        return np.repeat(middles, ends - starts)
+
 
 def even_axial_mesh(unknowns: int) -> AxialMesh:
     """The even operator as a mesh of one element from the mid-plane to the edge."""

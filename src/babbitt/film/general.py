@@ -29,7 +29,7 @@ from babbitt.film._surface_film import (
 )
 from babbitt.film._surface_forces import evaluate_surface
 from babbitt.film.model import JournalFilm, Resolution
-from babbitt.film.ring import Ring, bore_gap, build_ring
+from babbitt.film.ring import Density, Ring, axial_gain, bore_gap, build_ring
 
 __all__ = ["SettledRing", "rest_ring", "ring_at"]
 
@@ -97,6 +97,7 @@ class Sample:
 class SettledRing:
     """What an equilibrium search on rings returns."""
 
+    film: JournalFilm
     sample: Sample
     position: Array
     status: int
@@ -104,13 +105,18 @@ class SettledRing:
     gap: float
 
 
-def line_density(film: JournalFilm, at: Array, gap: float) -> Array:
-    """Density of lines h^-a over the turn, a rising with depth."""
-    angle = np.linspace(0.0, 2.0 * math.pi, 180, endpoint=False)
-    tilt = np.abs(np.asarray(film.misalignment)) * (0.5 * film.width / film.clearance)
-    thickness = bore_gap(film, angle) - at[0] * np.cos(angle) - at[1] * np.sin(angle) - math.hypot(*tilt)
-    depth = min(max(1.0 - gap, 0.0), 1.0)
-    return np.asarray(np.maximum(thickness, max(gap, 1e-6)) ** (-0.8 * depth**4))
+def line_density(film: JournalFilm, at: Array, gap: float) -> Density:
+    """Density of lines h^-a around the film, h the least over the width and a rising with depth."""
+    sides = np.array([-0.5, 0.0, 0.5]) * film.width
+    exponent = -0.8 * min(max(1.0 - gap, 0.0), 1.0) ** 4
+    lowest = max(gap, 1e-6)
+
+    def density(angle: Array) -> Array:
+        gain = axial_gain(film, angle, sides).min(axis=1) / film.clearance
+        thickness = bore_gap(film, angle) - at[0] * np.cos(angle) - at[1] * np.sin(angle) + gain
+        return np.asarray(np.maximum(thickness, lowest) ** exponent)
+
+    return density
 
 
 def rest(
@@ -190,7 +196,7 @@ def attempt(
         total += steps
         settled = status == CONVERGED
         if status == NO_FILM or effort.left < 0.0 or not (settled or patient):
-            return SettledRing(sample, at, status, total, gap)
+            return SettledRing(film, sample, at, status, total, gap)
         density = line_density(film, at, gap)
         if settled and share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap):
             break
@@ -202,7 +208,7 @@ def attempt(
     at, status, steps, gap = rest(fine, load, at, resolution.tolerance, max_steps, patient)
     if status == CONVERGED:
         fine.evaluate(at, smooth=True)
-    return SettledRing(fine, at, status, total + steps, gap)
+    return SettledRing(film, fine, at, status, total + steps, gap)
 
 
 def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: Resolution) -> SettledRing:
@@ -212,7 +218,7 @@ def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: 
         sample = Sample.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density), effort)
         gap = sample.gap(at)
         if not gap > 0.0:
-            return SettledRing(sample, at, NO_FILM, total, gap)
+            return SettledRing(film, sample, at, NO_FILM, total, gap)
         if coarse is not None:
             sample.start_from(coarse)
         density = line_density(film, at, gap)
@@ -221,7 +227,7 @@ def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: 
             if sample.evaluate(at, rate) == 0:
                 break
         else:
-            return SettledRing(sample, at, TOO_MANY_STEPS, total, gap)
+            return SettledRing(film, sample, at, TOO_MANY_STEPS, total, gap)
         coarse = sample
     sample.evaluate(at, rate, smooth=True)
-    return SettledRing(sample, at, CONVERGED, total, gap)
+    return SettledRing(film, sample, at, CONVERGED, total, gap)

@@ -6,9 +6,11 @@ import math
 from dataclasses import dataclass
 from enum import Enum
 
+from babbitt.film.piezoviscosity import PressureViscosity
+from babbitt.film.turbulence import FilmTurbulence
 from babbitt.notices import InputError
 
-__all__ = ["Cavitation", "FilmStart", "JournalFilm", "Land", "Pocket", "Resolution", "grooved_bore"]
+__all__ = ["Cavitation", "FilmStart", "JournalFilm", "Land", "Pocket", "Resolution", "Step", "grooved_bore"]
 
 
 class Cavitation(Enum):
@@ -78,6 +80,9 @@ class Land:
     profile : tuple of float
         Departure of the bore from its circle, m, outward positive, at equally spaced angles from edge to edge
         (wear, measured form). Empty: none.
+    start_fill : float
+        Share of the gap that the groove before the land can fill: 1 flooded, less where it is starved (its
+        pressure is then that of the cavity).
     """
 
     start_angle: float
@@ -87,6 +92,7 @@ class Land:
     start_pressure: float = 0.0
     end_pressure: float = 0.0
     profile: tuple[float, ...] = ()
+    start_fill: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -101,6 +107,8 @@ class Pocket:
         m, from the mid-plane.
     pressure : float
         Gauge, Pa.
+    fill : float
+        Share of the gap behind it that it can fill: 1 flooded, less where it is starved.
     """
 
     centre_angle: float
@@ -108,6 +116,7 @@ class Pocket:
     axial_length: float
     axial_centre: float = 0.0
     pressure: float = 0.0
+    fill: float = 1.0
 
     @classmethod
     def hole(
@@ -119,8 +128,33 @@ class Pocket:
 
 
 @dataclass(frozen=True)
+class Step:
+    """A rectangle of the bore that lies deeper and is part of the film: dam, relief track, shallow pocket.
+
+    Attributes
+    ----------
+    centre_angle, extent : float
+        rad.
+    axial_centre, axial_length : float
+        m, from the mid-plane.
+    depth : float
+        m; negative where the rectangle stands out.
+    """
+
+    centre_angle: float
+    extent: float
+    axial_length: float
+    depth: float
+    axial_centre: float = 0.0
+
+
+Field = tuple[tuple[float, ...], ...]
+"""Values once around from +x (rows, the last a step before the first) and from side to side (columns)."""
+
+
+@dataclass(frozen=True)
 class JournalFilm:
-    """A journal bearing with an isoviscous film.
+    """A film between a journal and its bore.
 
     Attributes
     ----------
@@ -142,6 +176,20 @@ class JournalFilm:
         Slopes dx/dz and dy/dz of the journal axis against the bore, rad.
     axial_viscosity : tuple of float
         Viscosity over ``viscosity`` at equally spaced places from one side to the other. Empty: uniform.
+    viscosity_field : tuple of tuple of float
+        Viscosity over ``viscosity`` on the whole film; see ``Field``. Empty: uniform.
+    steps : tuple of Step
+        Dams, relief tracks and shallow pockets.
+    crowning : tuple of float
+        What the radius of the journal lacks, m, at equally spaced places from one side to the other.
+    displacement : tuple of tuple of float
+        What the gap gains by elastic and thermal displacement, m; see ``Field``.
+    side_pressures : tuple of float
+        Gauge pressures at the sides z = -B/2 and B/2, Pa.
+    turbulence : FilmTurbulence or None
+        None: laminar.
+    pressure_viscosity : PressureViscosity or None
+        None: viscosity does not depend on pressure.
     """
 
     diameter: float
@@ -156,15 +204,43 @@ class JournalFilm:
     pockets: tuple[Pocket, ...] = ()
     misalignment: tuple[float, float] = (0.0, 0.0)
     axial_viscosity: tuple[float, ...] = ()
+    viscosity_field: Field = ()
+    steps: tuple[Step, ...] = ()
+    crowning: tuple[float, ...] = ()
+    displacement: Field = ()
+    side_pressures: tuple[float, float] = (0.0, 0.0)
+    turbulence: FilmTurbulence | None = None
+    pressure_viscosity: PressureViscosity | None = None
 
     @property
-    def differs_across_width(self) -> bool:
-        """Whether the lines of the film need a gap, a viscosity or a supply of their own across the width."""
+    def is_surface(self) -> bool:
+        """Whether the film is solved node by node (``ring``); all others separate into modes of the width."""
         return bool(
             self.pockets
             or self.misalignment != (0.0, 0.0)
             or self.axial_viscosity
+            or self.viscosity_field
+            or self.steps
+            or self.crowning
+            or self.displacement
+            or self.side_pressures != (0.0, 0.0)
+            or self.turbulence
+            or self.pressure_viscosity
             or self.film_start is FilmStart.PERIODIC
+            or any(land.start_pressure > 0.0 or land.end_pressure > 0.0 for land in self.lands)
+            or any(land.start_fill < 1.0 for land in self.lands)
+        )
+
+    @property
+    def is_symmetric(self) -> bool:
+        """Whether both halves of the width are alike."""
+        return (
+            self.misalignment == (0.0, 0.0)
+            and all(part.axial_centre == 0.0 for part in (*self.pockets, *self.steps))
+            and all(row == row[::-1] for row in (*self.viscosity_field, *self.displacement))
+            and self.axial_viscosity == self.axial_viscosity[::-1]
+            and self.crowning == self.crowning[::-1]
+            and self.side_pressures[0] == self.side_pressures[1]
         )
 
     def __post_init__(self) -> None:
@@ -184,6 +260,10 @@ class JournalFilm:
         if self.film_start is FilmStart.WIDEST_GAP:
             check_round(self)
         check_pockets(self)
+        check_steps(self)
+        if min(self.side_pressures) < self.cavitation_pressure:
+            raise InputError("E101", f"side_pressures are {self.side_pressures} Pa; both must be at least the "
+                             f"cavitation pressure, {self.cavitation_pressure} Pa.")  # fmt: skip
         if self.cavitation is Cavitation.HALF_SOMMERFELD:
             check_plain_ring(self)
 
@@ -243,6 +323,15 @@ def check_pockets(film: JournalFilm) -> None:
         if film.cavitation is Cavitation.MASS_CONSERVING and not film.pockets:
             raise InputError("E101", "nothing feeds this closed ring: a mass-conserving film would run dry. Give "
                              "pockets or holes, or choose Cavitation.REYNOLDS.")  # fmt: skip
+
+
+def check_steps(film: JournalFilm) -> None:
+    """Refuse steps without size or outside the bearing."""
+    for step in film.steps:
+        if not (0.0 < step.extent <= 2.0 * math.pi * (1.0 + 1e-12) and step.axial_length > 0.0):
+            raise InputError("E101", "a step has no size; extent (to one turn) and axial_length must be positive.")
+        if abs(step.axial_centre) + 0.5 * step.axial_length > 0.5 * film.width * (1.0 + 1e-12):
+            raise InputError("E101", f"the step at {step.centre_angle} rad reaches beyond the bearing's width.")
 
 
 def grooved_bore(

@@ -7,6 +7,7 @@ every groove and pocket edge; axial elements end on every pocket edge, for the p
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -15,13 +16,19 @@ from numpy.typing import NDArray
 
 from babbitt.film._surface_film import Surface
 from babbitt.film.axial import AxialMesh, element_axial_mesh, even_axial_mesh
-from babbitt.film.model import Cavitation, FilmStart, JournalFilm, Land
+from babbitt.film.model import Cavitation, Field, FilmStart, JournalFilm, Land, Pocket, Step
+from babbitt.film.piezoviscosity import pressure_table, reduced_pressure
 
 __all__ = ["Ring", "build_ring", "circumferential_lines"]
 
 Array = NDArray[np.float64]
+Density = Callable[[Array], Array]
 TURN = 2.0 * math.pi
 GROOVE_GAP = 20.0  # gap over a groove or pocket, in clearances: deep, and never the smallest
+PLUG = 1e12  # viscosity there
+END_DAM = 0.025
+"""Share of the width over which the pressure of a groove as wide as the bearing falls to that of the side, either
+end. Assumption: real grooves end before the edge, or leak through their ends by an amount that no film knows."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +51,9 @@ class Ring:
     supply: NDArray[np.int64]
 
 
-def build_ring(film: JournalFilm, pressure_unit: float, per_turn: int, degree: int, density: Array | None) -> Ring:
+def build_ring(
+    film: JournalFilm, pressure_unit: float, per_turn: int, degree: int, density: Density | None, motions: int = 2
+) -> Ring:
     """Surface of a film in dimensionless quantities (counter-clockwise journal).
 
     Parameters
@@ -56,70 +65,126 @@ def build_ring(film: JournalFilm, pressure_unit: float, per_turn: int, degree: i
         Intervals around the bearing.
     degree : int
         Unknowns across the half width, or degree of the elements.
-    density : ndarray, shape (k,), or None
-        Wanted density of lines at k equal steps from angle 0; None: uniform.
+    density : callable or None
+        Wanted density of lines at given angles, in any unit; None: uniform.
+    motions : int
+        2 for x and y, 4 with the tilts: what the journal axis gains in x and y from the mid-plane to the side.
 
     Returns
     -------
     Ring
     """
-    mesh = axial_mesh(film, degree)
+    mesh = axial_mesh(film, degree, halved=film.is_symmetric and motions == 2)
     grooves = [gap for gap in groove_arcs(film) if film.film_start is not FilmStart.PERIODIC]
-    pockets = [(p.centre_angle - 0.5 * p.extent, p.centre_angle + 0.5 * p.extent) for p in film.pockets]
-    start = grooves[0][1] if grooves else film.lands[0].start_angle
-    theta = circumferential_lines(start, grooves, pockets, per_turn, density)
-    n = theta.size - 1
-    closed = not grooves
-    lines = n if closed else n + 1
+    start = grooves[0].first + grooves[0].extent if grooves else film.lands[0].start_angle
+    arcs = [(arc.first, arc.last) for arc in grooves]
+    theta = circumferential_lines(start, arcs, rectangles(film), per_turn, density)
+    inside = np.zeros(theta.size - 1, dtype=bool)
+    for arc in grooves:
+        inside |= within(0.5 * (theta[1:] + theta[:-1]), arc.first, arc.last)
     base = -film.cavitation_pressure / pressure_unit  # ambient above cavitation
-    held = np.zeros((lines, mesh.nodes.size), dtype=bool)
-    pressure = np.zeros_like(held, dtype=float)
-    supply = np.full(held.shape, -1)
-    inside = np.zeros(n, dtype=bool)  # intervals that lie over a groove
-    middle = 0.5 * (theta[1:] + theta[:-1])
-    for number, (first, last, value) in enumerate(grooves):
-        touched = within(theta[:lines], first, last)
-        held[touched], pressure[touched], supply[touched] = True, value / pressure_unit + base, number
-        inside |= within(middle, first, last)
-    for number, (pocket, (first, last)) in enumerate(zip(film.pockets, pockets, strict=True), len(grooves)):
-        covered = axial_cover(film, pocket.axial_centre, pocket.axial_length, mesh)
-        touched = within(theta[:lines], first, last)[:, None] & covered[None, :]
-        held |= touched
-        pressure[touched], supply[touched] = pocket.pressure / pressure_unit + base, number
-    sides = list(mesh.side_nodes)
-    held[:, sides], pressure[:, sides], supply[:, sides] = True, base, -2
-    gap_a, gap_b, trigonometry = gaps(film, theta, mesh)
+    table = piezo_table(film, pressure_unit, base)
+    lines = theta.size if grooves else theta.size - 1
+    held = hold_nodes(film, theta[:lines], mesh, grooves)
+    pressure = np.where(held.mask, held.pressure / pressure_unit + base, 0.0)
+    gap_a, gap_b = gaps(film, theta, mesh)
     gap_a[inside], gap_b[inside] = GROOVE_GAP, GROOVE_GAP
-    viscosity = np.ones_like(gap_a)
-    if film.axial_viscosity:
-        places = np.linspace(-1.0, 1.0, len(film.axial_viscosity))
-        viscosity *= np.interp(mesh.points, places, film.axial_viscosity)[None, :]
+    viscosity = viscosities(film, theta, mesh)
+    viscosity[inside] = PLUG  # nothing flows in the groove itself: its ends are closed, and its nodes are held
+    shapes = [shape_of_motions(angles, motions) for angles in gauss_angles(theta)]
+    levers = np.ones((motions, mesh.points.size))
+    levers[2:] = mesh.points
     surface = Surface(
-        step=np.diff(theta), trigonometry=trigonometry, gap_a=gap_a, gap_b=gap_b, viscosity=viscosity,
-        zeta=mesh.points, share=mesh.share, node=mesh.node_of_point, slope=mesh.slope, held=held,
-        held_pressure=pressure, motions=2, cyclic=closed, reference=base,
+        step=np.diff(theta), shape_a=shapes[0], shape_b=shapes[1], lever=levers, gap_a=gap_a, gap_b=gap_b,
+        viscosity=viscosity, drag=np.ones_like(gap_a), turbulence=turbulence_row(film),
+        radius=np.ones_like(mesh.share), share=mesh.share, along=mesh.share, node=mesh.node_of_point,
+        slope=mesh.slope, held=held.mask, held_pressure=reduced_in(table, pressure), held_fill=held.fill,
+        piezo=table, cyclic=not grooves, reference=base + 0.5 * sum(film.side_pressures) / pressure_unit,
         kappa=(film.diameter / film.width) ** 2 / 12.0, speed=1.0 if film.angular_speed else 0.0,
         conserving=film.cavitation is Cavitation.MASS_CONSERVING,
     )  # fmt: skip
-    return Ring(surface, theta, mesh, supply)
+    return Ring(surface, theta, mesh, held.supply)
 
 
-def axial_mesh(film: JournalFilm, degree: int) -> AxialMesh:
+@dataclass(frozen=True, eq=False)
+class HeldNodes:
+    """Nodes at given pressure: which, gauge Pa, liquid fraction sent off, and by which supply (-2: the side)."""
+
+    mask: NDArray[np.bool_]
+    pressure: Array
+    fill: Array
+    supply: NDArray[np.int64]
+
+
+def hold_nodes(film: JournalFilm, theta: Array, mesh: AxialMesh, grooves: list[GrooveArc]) -> HeldNodes:
+    """Nodes held by grooves, pockets and sides.
+
+    Where a groove as wide as the bearing is under pressure, its edge falls to that of the side over ``END_DAM``: a
+    jump there would let out oil without bound, the more the finer the grid.
+    """
+    shape = (theta.size, mesh.nodes.size)
+    held = HeldNodes(np.zeros(shape, dtype=bool), np.zeros(shape), np.ones(shape), np.full(shape, -1))
+    sides = np.where(mesh.nodes < 0.0, film.side_pressures[0], film.side_pressures[1])
+    share = np.clip((1.0 - np.abs(mesh.nodes)) / (2.0 * END_DAM), 0.0, 1.0)
+    for number, arc in enumerate(grooves):
+        at = within(theta, arc.first, arc.last)
+        held.mask[at], held.fill[at], held.supply[at] = True, arc.fill, number
+        held.pressure[at] = sides + share * (arc.pressure - sides)
+    for number, pocket in enumerate(film.pockets, len(grooves)):
+        covered = axial_cover(film, pocket.axial_centre, pocket.axial_length, mesh)
+        half = 0.5 * pocket.extent
+        touched = within(theta, pocket.centre_angle - half, pocket.centre_angle + half)[:, None] & covered[None, :]
+        held.mask[touched], held.fill[touched], held.supply[touched] = True, pocket.fill, number
+        held.pressure[touched] = pocket.pressure
+    edges = list(mesh.side_nodes)
+    held.mask[:, edges], held.fill[:, edges], held.supply[:, edges] = True, 1.0, -2
+    held.pressure[:, edges] = sides[edges]
+    return held
+
+
+def rectangles(film: JournalFilm) -> list[tuple[float, float]]:
+    """Arcs of pockets and steps, rad."""
+    parts: tuple[Pocket | Step, ...] = (*film.pockets, *film.steps)
+    return [(part.centre_angle - 0.5 * part.extent, part.centre_angle + 0.5 * part.extent) for part in parts]
+
+
+def piezo_table(film: JournalFilm, pressure_unit: float, base: float) -> Array:
+    """Reduced pressure and pressure above cavitation and dp/dr of the oil; the kernels' units."""
+    law = film.pressure_viscosity
+    if law is None:
+        return np.zeros((3, 0))
+    table = pressure_table(law)
+    table[:2] = table[:2] / pressure_unit + base
+    return table if base == 0.0 else np.concatenate((np.array([[0.0], [0.0], [1.0]]), table), axis=1)
+
+
+def reduced_in(table: Array, pressure: Array) -> Array:
+    """Reduced pressure above cavitation."""
+    return reduced_pressure(table, pressure) if table.size else pressure
+
+
+def turbulence_row(film: JournalFilm) -> Array:
+    """Law of the turbulent film as the kernels take it."""
+    if film.turbulence is None:
+        return np.zeros(0)
+    speed = abs(film.angular_speed) * 0.5 * film.diameter
+    return film.turbulence.kernel_row(film.turbulence.density * speed * film.clearance / film.viscosity)
+
+
+def axial_mesh(film: JournalFilm, degree: int, *, halved: bool) -> AxialMesh:
     """Mesh of half the width where everything is symmetric, of the whole width otherwise."""
     half = 0.5 * film.width
-    ends = sorted(
-        {round(end / half, 12) for p in film.pockets
-         for end in (p.axial_centre - 0.5 * p.axial_length, p.axial_centre + 0.5 * p.axial_length)}
-    )  # fmt: skip
-    symmetric = (
-        film.misalignment == (0.0, 0.0)
-        and all(p.axial_centre == 0.0 for p in film.pockets)
-        and tuple(film.axial_viscosity) == tuple(reversed(film.axial_viscosity))
-    )
-    if symmetric and not ends:
+    parts: tuple[Pocket | Step, ...] = (*film.pockets, *film.steps)
+    ends = {
+        round(end / half, 12) for part in parts
+        for end in (part.axial_centre - 0.5 * part.axial_length, part.axial_centre + 0.5 * part.axial_length)
+    }  # fmt: skip
+    if film.film_start is not FilmStart.PERIODIC and any(arc.pressure > 0.0 for arc in groove_arcs(film)):
+        ends |= {-1.0 + 2.0 * END_DAM, 1.0 - 2.0 * END_DAM}
+    inner = [end for end in sorted(ends) if -1.0 + 1e-9 < end < 1.0 - 1e-9 and (not halved or end > 1e-9)]
+    if halved and not inner:
         return even_axial_mesh(degree)
-    inner = [end for end in ends if -1.0 + 1e-9 < end < 1.0 - 1e-9 and (not symmetric or end > 1e-9)]
-    boundaries = (0.0 if symmetric else -1.0, *inner, 1.0)
+    boundaries = (0.0 if halved else -1.0, *inner, 1.0)
     if not inner:
         return element_axial_mesh(boundaries, (2 * degree,))
     lengths = np.diff(boundaries)
@@ -134,14 +199,29 @@ def axial_cover(film: JournalFilm, centre: float, length: float, mesh: AxialMesh
     return np.asarray((mesh.nodes >= low - 1e-9) & (mesh.nodes <= high + 1e-9))
 
 
-def groove_arcs(film: JournalFilm) -> list[tuple[float, float, float]]:
-    """Grooves between the lands: start, end (rad, end >= start) and gauge pressure."""
+@dataclass(frozen=True)
+class GrooveArc:
+    """A groove between two lands: rad, gauge Pa, and the share of the gap that it fills."""
+
+    first: float
+    extent: float
+    pressure: float
+    fill: float = 1.0
+
+    @property
+    def last(self) -> float:
+        """Where the groove ends, rad."""
+        return self.first + self.extent
+
+
+def groove_arcs(film: JournalFilm) -> list[GrooveArc]:
+    """Grooves between the lands."""
     lands = sorted(film.lands, key=lambda land: land.start_angle % TURN)
     arcs = []
     for land, following in zip(lands, [*lands[1:], lands[0]], strict=True):
-        start = land.end_angle
-        extent = (following.start_angle - start + 1e-9) % TURN - 1e-9
-        arcs.append((start, start + max(extent, 0.0), 0.5 * (land.end_pressure + following.start_pressure)))
+        extent = (following.start_angle - land.end_angle + 1e-9) % TURN - 1e-9
+        pressure = 0.5 * (land.end_pressure + following.start_pressure)
+        arcs.append(GrooveArc(land.end_angle, max(extent, 0.0), pressure, following.start_fill))
     return arcs
 
 
@@ -152,52 +232,109 @@ def within(angles: Array, first: float, last: float) -> NDArray[np.bool_]:
 
 def circumferential_lines(
     start: float,
-    grooves: list[tuple[float, float, float]],
+    grooves: list[tuple[float, float]],
     pockets: list[tuple[float, float]],
     per_turn: int,
-    density: Array | None,
+    density: Density | None,
 ) -> Array:
     """Lines over one turn: on every edge, between them at the wanted density, none inside a groove."""
     edges = {0.0, TURN}
-    for first, last, *_ in [*grooves, *pockets]:
+    for first, last in [*grooves, *pockets]:
         for edge in (first, last):
             edges.add(round((edge - start + 1e-9) % TURN - 1e-9, 10) + 0.0)
     marks = np.array(sorted(edge for edge in edges if edge >= 0.0))
-    marks = marks[np.concatenate(([True], np.diff(marks) > 1e-8))]
-    marks[-1] = TURN
-    fine = np.linspace(0.0, TURN, 721)
-    wanted = np.ones(721)
-    if density is not None:
-        steps = np.linspace(0.0, TURN, density.size + 1)
-        wanted = np.interp((fine + start) % TURN, steps, np.append(density, density[0]))
-    mass = np.concatenate(([0.0], np.cumsum(0.5 * (wanted[1:] + wanted[:-1]))))
-    mass *= per_turn / mass[-1]
-    pieces = [np.zeros(1)]
+    marks = start + marks[np.concatenate(([True], np.diff(marks) > 1e-8))]
+    marks[-1] = start + TURN
+    spans = []
     for left, right in pairwise(marks):
-        count = 1
-        if not any(
-            within(np.array([start + 0.5 * (left + right)]), first, last)[0] for first, last, *_ in grooves
-        ):
-            low, high = np.interp((left, right), fine, mass)
-            count = max(2, round(high - low))
-            inner = np.interp(np.linspace(low, high, count + 1)[1:-1], mass, fine)
-            pieces.append(inner)
-        pieces.append(np.array([right]))
-    return start + np.concatenate(pieces)
+        fine = np.linspace(left, right, 8 + int(720 * (right - left) / TURN))
+        wanted = np.ones(fine.size) if density is None else density(fine)
+        spans.append((fine, cumulative_trapezoid(wanted, fine)))
+    per_mass = per_turn / sum(mass[-1] for _, mass in spans)
+    pieces = [marks[:1]]
+    for fine, mass in spans:
+        middle = np.array([0.5 * (fine[0] + fine[-1])])
+        over_groove = any(within(middle, first, last)[0] for first, last in grooves)
+        count = 1 if over_groove else max(2, round(per_mass * mass[-1]))
+        pieces.append(np.interp(mass[-1] * np.arange(1, count) / count, mass, fine))
+        pieces.append(fine[-1:])
+    return np.concatenate(pieces)
 
 
-def gaps(film: JournalFilm, theta: Array, mesh: AxialMesh) -> tuple[Array, Array, Array]:
-    """Gap of the centred journal at both Gauss points of every interval and axial point, and cos, sin there."""
-    step, middle = np.diff(theta), 0.5 * (theta[1:] + theta[:-1])
-    offset = step * (0.5 / math.sqrt(3.0))
-    a, b = middle - offset, middle + offset
-    tilt = np.asarray(film.misalignment) * (0.5 * film.width / film.clearance)
-    found = []
-    for angle in (a, b):
-        gap = np.repeat(bore_gap(film, angle)[:, None], mesh.points.size, axis=1)
-        gap -= mesh.points[None, :] * (tilt[0] * np.cos(angle) + tilt[1] * np.sin(angle))[:, None]
-        found.append(gap)
-    return found[0], found[1], np.array([np.cos(a), np.sin(a), np.cos(b), np.sin(b)])
+def cumulative_trapezoid(values: Array, at: Array) -> Array:
+    """Integral from the first place to every other, shape (n,)."""
+    return np.concatenate(([0.0], np.cumsum(0.5 * (values[1:] + values[:-1]) * np.diff(at))))
+
+
+def gauss_angles(theta: Array) -> tuple[Array, Array]:
+    """Both Gauss points of every interval, rad."""
+    offset, middle = np.diff(theta) * (0.5 / math.sqrt(3.0)), 0.5 * (theta[1:] + theta[:-1])
+    return middle - offset, middle + offset
+
+
+def shape_of_motions(angle: Array, motions: int) -> Array:
+    """cos and sin for x and y, and once more for the tilts; shape (motions, n)."""
+    return np.array([np.cos(angle), np.sin(angle)] * (motions // 2))
+
+
+def gaps(film: JournalFilm, theta: Array, mesh: AxialMesh) -> tuple[Array, Array]:
+    """Gap of the centred journal at both Gauss points of every interval and axial point, in clearances."""
+    z = mesh.points * (0.5 * film.width)
+    deeper = step_depths(film, theta, mesh)
+    first, second = (
+        bore_gap(film, angle)[:, None] + (axial_gain(film, angle, z) + deeper) / film.clearance
+        for angle in gauss_angles(theta)
+    )
+    return first, second
+
+
+def axial_gain(film: JournalFilm, angle: Array, z: Array) -> Array:
+    """What the gap of the centred journal gains over that of the bore by tilt, crowning and displacement, m."""
+    slope_x, slope_y = film.misalignment
+    gain = -(slope_x * np.cos(angle) + slope_y * np.sin(angle))[:, None] * z[None, :]
+    if film.crowning:
+        gain = gain + np.interp(z, across(film, len(film.crowning)), film.crowning)[None, :]
+    if film.displacement:
+        gain = gain + field_at(film, film.displacement, angle, z)
+    return np.asarray(gain)
+
+
+def step_depths(film: JournalFilm, theta: Array, mesh: AxialMesh) -> Array:
+    """Depth of the steps over every interval and point, m; lines and elements end on their edges."""
+    depth = np.zeros((theta.size - 1, mesh.points.size))
+    middle, centre = 0.5 * (theta[1:] + theta[:-1]), mesh.element_centres * (0.5 * film.width)
+    for step in film.steps:
+        half = 0.5 * step.extent
+        along = within(middle, step.centre_angle - half, step.centre_angle + half)
+        depth[np.ix_(along, np.abs(centre - step.axial_centre) < 0.5 * step.axial_length)] += step.depth
+    return depth
+
+
+def viscosities(film: JournalFilm, theta: Array, mesh: AxialMesh) -> Array:
+    """Viscosity over the reference, at the middle of every interval and at the points, shape (n, points)."""
+    z = mesh.points * (0.5 * film.width)
+    found = np.ones((theta.size - 1, z.size))
+    if film.axial_viscosity:
+        found *= np.interp(z, across(film, len(film.axial_viscosity)), film.axial_viscosity)
+    if film.viscosity_field:
+        found *= field_at(film, film.viscosity_field, 0.5 * (theta[1:] + theta[:-1]), z)
+    return found
+
+
+def across(film: JournalFilm, count: int) -> Array:
+    """Equally spaced places from side to side, m."""
+    return np.linspace(-0.5 * film.width, 0.5 * film.width, count)
+
+
+def field_at(film: JournalFilm, field: Field, angle: Array, z: Array) -> Array:
+    """Values of a field, linear between its own, shape (angles, z)."""
+    values = np.asarray(field)
+    columns = across(film, values.shape[1])
+    share = (angle % TURN) / TURN * values.shape[0]
+    row = share.astype(int) % values.shape[0]
+    part = (share - np.floor(share))[:, None]
+    around = (1.0 - part) * values[row] + part * values[(row + 1) % values.shape[0]]
+    return np.array([np.interp(z, columns, line) for line in around])
 
 
 def bore_gap(film: JournalFilm, angle: Array) -> Array:

@@ -9,9 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film._equilibrium import CONVERGED, NO_FILM
+from babbitt.film._surface_film import Surface
 from babbitt.film._surface_forces import carry_streamers
 from babbitt.film.general import SettledRing
-from babbitt.film.model import JournalFilm, Land
+from babbitt.film.model import Field, JournalFilm, Land
+from babbitt.film.piezoviscosity import pressure_of
 from babbitt.film.scales import Scales
 from babbitt.film.solution import FilmSolution
 from babbitt.results import Outcome
@@ -35,12 +37,18 @@ def mirrored(film: JournalFilm) -> JournalFilm:
             profile=land.profile[::-1],
         )
 
+    def reverse(field: Field) -> Field:
+        return (field[0], *field[:0:-1]) if field else ()
+
     return replace(
         film,
         angular_speed=-film.angular_speed,
         lands=tuple(flip(land) for land in film.lands),
         pockets=tuple(replace(pocket, centre_angle=-pocket.centre_angle) for pocket in film.pockets),
+        steps=tuple(replace(step, centre_angle=-step.centre_angle) for step in film.steps),
         misalignment=(film.misalignment[0], -film.misalignment[1]),
+        viscosity_field=reverse(film.viscosity_field),
+        displacement=reverse(film.displacement),
     )
 
 
@@ -75,7 +83,7 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
         minimum_film_thickness=settled.gap * scales.length,
         angles=scales.sense[1] * ring.theta[None, :lines],
         axial_positions=ring.mesh.nodes * (0.5 * film.width),
-        pressure=work.pressure[None] * scales.pressure + film.cavitation_pressure,
+        pressure=true_pressures(ring.surface, work.pressure)[None] * scales.pressure + film.cavitation_pressure,
         void=1.0 - work.fill[None],
         supply_flow=flows * scales.flow,
         outflow=np.zeros(count),
@@ -95,18 +103,27 @@ def friction(settled: SettledRing) -> tuple[float, float]:
     """
     sample, surface = settled.sample, settled.sample.ring.surface
     work, node = sample.work, surface.node
-    x, y = settled.position
-    trig = surface.trigonometry
-    ha = surface.gap_a - (x * trig[0] + y * trig[1])[:, None]
-    hb = surface.gap_b - (x * trig[2] + y * trig[3])[:, None]
+    lift = settled.position[:, None] * surface.lever
+    ha, hb = surface.gap_a - surface.shape_a.T @ lift, surface.gap_b - surface.shape_b.T @ lift
     n = surface.step.size
     after = (np.arange(n) + 1) % work.pressure.shape[0]
     half = 0.5 * surface.step[:, None]
-    shear = surface.speed * surface.viscosity * half * (1.0 / ha + 1.0 / hb) * work.fill[:n][:, node]
+    viscosity = surface.viscosity * (0.5 * (work.stiffening[:n] + work.stiffening[after]))[:, node]
+    factors = [np.ones_like(ha)] * 2
+    turbulence = settled.film.turbulence
+    if turbulence is not None:
+        factors = [turbulence.shear_factor(surface.turbulence[0] * gap / viscosity) for gap in (ha, hb)]
+    shear = surface.speed * viscosity * half * (factors[0] / ha + factors[1] / hb) * work.fill[:n][:, node]
     shear[_in_hollow(settled, after)] = 0.0
-    slope = 0.25 * (ha + hb) * (work.pressure[after] - work.pressure[:n])[:, node]
-    couette, pressure = float((shear @ surface.share).sum()), float((slope @ surface.share).sum())
-    return couette + pressure, couette - pressure
+    pressure = true_pressures(surface, work.pressure)
+    slope = 0.25 * (ha + hb) * (pressure[after] - pressure[:n])[:, node]
+    couette, hydraulic = float((shear @ surface.share).sum()), float((slope @ surface.share).sum())
+    return couette + hydraulic, couette - hydraulic
+
+
+def true_pressures(surface: Surface, reduced: Array) -> Array:
+    """Pressures above cavitation from the reduced ones that the kernels solve for."""
+    return pressure_of(surface.piezo, reduced) if surface.piezo.size else reduced
 
 
 def _in_hollow(settled: SettledRing, after: NDArray[np.int64]) -> NDArray[np.bool_]:
@@ -118,7 +135,7 @@ def _in_hollow(settled: SettledRing, after: NDArray[np.int64]) -> NDArray[np.boo
     ring = settled.sample.ring
     held, node = ring.supply, ring.surface.node
     lines = np.arange(after.size)
-    starts = np.flatnonzero(np.concatenate(([True], np.diff(ring.mesh.points) < 1e-9)))
+    starts = ring.mesh.element_starts
     fed = (held[lines] >= 0) & (held[after] >= 0)
     closed = fed | ((held[lines] == -2) & (held[after] == -2))
     inside = np.logical_and.reduceat(closed[:, node], starts, axis=1)

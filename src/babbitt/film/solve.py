@@ -76,7 +76,7 @@ def solve_journal(
 
         return half_sommerfeld_equilibrium(film, load, resolution)
     scales = Scales.of(film, abs(film.angular_speed))
-    if film.differs_across_width:
+    if film.is_surface:
         from babbitt.film.general import rest_ring
         from babbitt.film.ring_solution import mirrored, ring_solution
 
@@ -137,7 +137,7 @@ def film_at_position(
     scales = Scales.of(film, rate)
     at = np.asarray(position) * scales.sense / scales.length
     moving = np.asarray(velocity) * scales.sense / (scales.length * scales.rate)
-    if film.differs_across_width:
+    if film.is_surface:
         from babbitt.film.general import ring_at
         from babbitt.film.ring_solution import mirrored, ring_solution
 

@@ -46,7 +46,7 @@ def state_of(case: FilmCase, result: Result) -> FilmState:
 
 def at_draft(case: FilmCase, state: FilmState) -> FilmCase:
     """The case as the sweeps solve it: a film that differs across the width takes a draft grid."""
-    return replace(case, accuracy=Accuracy.DRAFT) if state.solution.film.differs_across_width else case
+    return replace(case, accuracy=Accuracy.DRAFT) if state.solution.film.is_surface else case
 
 
 def is_slow(state: FilmState) -> bool:
@@ -107,7 +107,7 @@ def spread(centre: float, span: tuple[float, float], count: int) -> Array:
 
 
 def _either(state: FilmState, cheap: int, dear: int) -> int:
-    return dear if state.solution.film.differs_across_width else cheap
+    return dear if state.solution.film.is_surface else cheap
 
 
 def _solved(points: Array, films: list[FilmSolution]) -> Swept:
