@@ -6,8 +6,8 @@ the radius r (1 for a journal, r/R for a sector), with r d theta the length alon
     flux along:  q = r g h/2 - h^3/(12 r f) dp/dtheta,    squeeze: r dh/dt,    flux across: r h^3/(12 f') p'
 
 ``share`` is r times the quadrature weight, ``along`` the weight over r. f and f' are the effective viscosities
-along and across (turbulent films differ), g is twice the share of the surface speed that the mean flow has (1 unless
-the viscosity varies through the gap).
+along and across (turbulent films differ), g is twice the share of the surface speed that the mean flow has (1
+unless the viscosity varies through the gap).
 
 The gap follows the motions a_d of the runner: h = gap - sum_d a_d shape_d(theta) lever_d(r), for a journal
 cos, sin (and zeta cos, zeta sin for tilt).

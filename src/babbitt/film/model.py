@@ -236,7 +236,8 @@ class JournalFilm:
         """Whether both halves of the width are alike."""
         return (
             self.misalignment == (0.0, 0.0)
-            and all(part.axial_centre == 0.0 for part in (*self.pockets, *self.steps))
+            and all(pocket.axial_centre == 0.0 for pocket in self.pockets)
+            and all(step.axial_centre == 0.0 for step in self.steps)
             and all(row == row[::-1] for row in (*self.viscosity_field, *self.displacement))
             and self.axial_viscosity == self.axial_viscosity[::-1]
             and self.crowning == self.crowning[::-1]
