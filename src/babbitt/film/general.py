@@ -59,14 +59,15 @@ class Sample:
     @classmethod
     def of(cls, ring: Ring, effort: Effort) -> Sample:
         """Workspace with all nodes wet."""
-        two = np.zeros((2, 2))
+        motions = ring.surface.lever.shape[0]
+        square = np.zeros((motions, motions))
         return cls(
             ring,
             new_surface_film(ring.surface),
             new_surface_work(ring.surface),
-            np.zeros(2),
-            two,
-            two.copy(),
+            np.zeros(motions),
+            square,
+            square.copy(),
             effort,
         )
 
