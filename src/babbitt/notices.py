@@ -231,7 +231,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W125": Explanation(
         "No estimate of the grid error",
-        "The film was found on the grid of the case, but not on a finer one, with which `error_estimate` compares it.",
+        "The film was found on the grid of the case, but not on a finer one, with which `error_estimate` compares "
+        "it.",
         "Choose another `accuracy`; that numbers of two accuracies agree is an estimate, too.",
     ),
     # -- no solution --------------------------------------------------------------------------------------------
@@ -335,8 +336,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "C115": Explanation(
         "Critical mass",
-        "The mass above which a rigid rotor whirls, and with `shaft_stiffness` that of a rotor on an elastic shaft, "
-        "is compared with the mass of the rotor (`rotor_mass`), or, as advice only, with the load over g.",
+        "The mass above which a rigid rotor whirls, and with `shaft_stiffness` that of a rotor on an elastic "
+        "shaft, is compared with the mass of the rotor (`rotor_mass`), or, as advice only, with the load over g.",
         "A larger clearance, a thinner oil, a narrower bearing, or a bore with preload.",
     ),
     "C114": Explanation(

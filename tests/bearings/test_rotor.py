@@ -30,7 +30,9 @@ def films(draw):
 
 @st.composite
 def whirling_films(draw):
-    """Cross-coupling of opposite signs, strong beside the difference of the direct stiffnesses: these can whirl."""
+    """Cross-coupling of opposite signs, strong beside the difference of the direct stiffnesses: these can
+    whirl.
+    """
     one, other = draw(direct), draw(direct)
     middle, apart = draw(direct), draw(st.floats(-0.9, 0.9)) * math.sqrt(one * other)
     k = np.array([[middle + 10.0 + apart, one], [-other, middle + 10.0 - apart]])
@@ -59,7 +61,7 @@ def test_at_its_critical_mass_a_rotor_neither_grows_nor_dies_away(film, shaft):
     for stiff in (RIGID, shaft):
         critical = critical_mass_of_rotor(stiffness, damping, stiff)
         frequency = whirl_frequency(stiffness, damping)
-        assert 0.0 < frequency
+        assert frequency > 0.0
         below, at, above = growth_rates(np.array([0.95, 1.0, 1.05]) * critical, stiffness, damping, stiff)
         assert abs(at) < 1e-7 * frequency
         assert below < 0.0

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 __all__ = ["finer", "grid_errors"]
 
 REFINEMENTS, FINEST = (4, 2), 768
-"""The finer grid has so many times as many intervals, the first of them that has an answer; none has more than this,
-unless twice as many as the grid of the case are."""
+"""The finer grid has so many times as many intervals, the first of them that has an answer; none has more than
+this, unless twice as many as the grid of the case are."""
 
 MORE_UNKNOWNS, MOST_UNKNOWNS = 4, 12
 """And so many more unknowns across half the width, whose error falls faster than any power."""
@@ -62,9 +62,10 @@ def grid_errors(case: FilmCase, state: FilmState) -> dict[str, float]:
     -----
     The circumferential error falls with the square of the interval h. With the film f(h) and a grid r times as
     fine, ``|f(h) - f(0)| = |f(h/r) - f(h)| r² / (r² - 1)``. Source: Roache P.J. (1994), Perspective: a method for
-    uniform reporting of grid refinement studies, J. Fluids Engineering 116, 405-413. The finer grid is finer across
-    the width, too, and the share of that direction in the difference is enlarged along with the rest. The film
-    boundaries jump from line to line, so that the coefficients approach their limit less evenly than the position.
+    uniform reporting of grid refinement studies, J. Fluids Engineering 116, 405-413. The finer grid is finer
+    across the width, too, and the share of that direction in the difference is enlarged along with the rest. The
+    film boundaries jump from line to line, so that the coefficients approach their limit less evenly than the
+    position.
     """
     grid = resolution_of(case)
     for fine in (finer(grid, times) for times in REFINEMENTS):

@@ -32,9 +32,10 @@ def critical_mass_of_rotor(stiffness: Any, damping: Any, shaft_stiffness: float 
 
     Notes
     -----
-    On the threshold everything oscillates with the frequency Ω. The mass m at the end of a shaft of stiffness k moves
-    k / (k - m Ω²) times as far as the journal and pushes it as the effective mass ``m k / (k - m Ω²)`` at the journal
-    would. That mass is the critical one of the rigid rotor, m_0, at the same Ω: ``m = m_0 / (1 + m_0 Ω² / k)``.
+    On the threshold everything oscillates with the frequency Ω. The mass m at the end of a shaft of stiffness k
+    moves k / (k - m Ω²) times as far as the journal and pushes it as the effective mass ``m k / (k - m Ω²)`` at
+    the journal would. That mass is the critical one of the rigid rotor, m_0, at the same Ω:
+    ``m = m_0 / (1 + m_0 Ω² / k)``.
 
     Examples
     --------
@@ -91,7 +92,7 @@ def growth_rates(mass: Any, stiffness: Any, damping: Any, shaft_stiffness: float
     return rates
 
 
-def _rigid(m: Array, k: Array, c: Array, shaft: float) -> Array:  # noqa: ARG001
+def _rigid(m: Array, k: Array, c: Array, shaft: float) -> Array:
     nothing, one = np.zeros_like(k), np.broadcast_to(np.eye(2), k.shape)
     return np.block([[nothing, one], [-k / m, -c / m]])
 

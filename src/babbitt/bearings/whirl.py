@@ -7,7 +7,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from babbitt.bearings.layout import load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.rotor import RIGID, critical_mass_of_rotor
 from babbitt.bearings.warm_film import FilmState
@@ -79,11 +78,13 @@ def mass_of_rotor(case: FilmCase, load: float) -> float:
 
 
 def at_speed(case: FilmCase, state: FilmState, speed: float) -> FilmSolution:
-    """The film under the same load, with the same oil, at another speed in rad/s."""
+    """The film under the same load in the direction found, with the same oil, at another speed in rad/s."""
     from babbitt.film.solve import solve_journal
 
     film = replace(state.solution.film, angular_speed=case.rotation.sense * speed)
-    return solve_journal(film, load_vector(case, state.load), case.accuracy.resolution)
+    share = -state.load / math.hypot(*state.solution.force)
+    load = share * float(state.solution.force[0]), share * float(state.solution.force[1])
+    return solve_journal(film, load, case.accuracy.resolution)
 
 
 def threshold_speed(case: FilmCase, state: FilmState, mass: float, shaft_stiffness: float = RIGID) -> float | None:

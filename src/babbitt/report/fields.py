@@ -52,7 +52,7 @@ def fields(case: FilmCase, result: Result) -> xarray.Dataset:
         raise _missing("xarray") from None
     import numpy as np
 
-    from babbitt.report.film_sweeps import state_of
+    from babbitt.report.film_state import state_of
 
     if not result.outcome.solved:
         raise InputError("E003", f"{result.name}: no fields without an operating point ({result.outcome.value})")
