@@ -51,9 +51,8 @@ def test_load_presses_the_journal_down_and_speed_lifts_it():
 
 
 def test_without_supply_pressure_the_place_depends_on_the_sommerfeld_number_alone():
-    case = film_bearings.film(
-        effective_temperature="60 degC", supply={"temperature": "45 degC", "pressure": "0 Pa"}
-    )
+    dry = [groove | {"pressure": "0 Pa"} for groove in film_bearings.GROOVES]
+    case = film_bearings.film(effective_temperature="60 degC", grooves=dry)
     state = operating_film(case).film
     speeds = abs(case.journal_speed) * np.array([0.5, 1.0, 2.0])
     by_speed = locus_over_speed(case, state, speeds)
