@@ -61,7 +61,10 @@ class CaseVariation:
             if name in others and isinstance(place, dict):
                 for other in others:
                     place.pop(other, None)
-        place[_key(place, name)] = value
+        try:
+            place[_key(place, name)] = value
+        except LookupError:
+            raise InputError("E005", f"{self.file}: there is no '{self.path}'") from None
         return build_case(varied, f"{self.file} with {self.path}: {value}", self.file.parent)
 
     def _container(self, given: Any) -> Any:

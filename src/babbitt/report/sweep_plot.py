@@ -34,6 +34,9 @@ LINES: tuple[dict[str, Any], ...] = tuple(
 )
 """So many bearings can be told apart; more share lines."""
 
+MARKERS = ("o", "s", "^")
+"""Where there are more bearings than lines."""
+
 MOST_MARKED = 25
 """Points of a curve that are still marked one by one."""
 
@@ -68,11 +71,11 @@ def sweep_figure(sweep: CaseSweep) -> Figure:
     """Four panels over the field, a line per bearing; what the file itself has in the field is marked."""
     names = sweep.names
     legend = 4.5 * math.ceil(len(names) / 3) if len(names) > 1 else 0.0
-    height = 98.0 + legend
+    height = 100.0 + legend
     figure, axes = Sheet(166.0, height, 2, 2, across=16.0, between=5.0).panels(sharex=True)
-    figure.subplots_adjust(top=1.0 - (3.0 + legend) / height)
+    figure.subplots_adjust(top=1.0 - (5.0 + legend) / height)
     for panel, choice in zip(axes.ravel(), SHOWN, strict=True):
-        _panel(panel, sweep, choice)
+        _panel(panel, sweep, choice, titled=panel in axes[0])
     for panel in axes[1]:
         panel.set_xlabel(f"{sweep.path} in {sweep.values.unit}" if sweep.values.unit else sweep.path)
     if legend:
@@ -82,7 +85,7 @@ def sweep_figure(sweep: CaseSweep) -> Figure:
     return figure
 
 
-def _panel(panel: Axes, sweep: CaseSweep, choice: tuple[str, ...]) -> None:
+def _panel(panel: Axes, sweep: CaseSweep, choice: tuple[str, ...], *, titled: bool) -> None:
     there = {name for _, result in sweep.rows() if result.outcome.solved for name in result.values}
     name = next((one for one in choice if one in there), choice[-1])
     numbers = sweep.values.numbers
@@ -95,12 +98,17 @@ def _panel(panel: Axes, sweep: CaseSweep, choice: tuple[str, ...]) -> None:
             if result.name == bearing and result.outcome.solved:
                 y[place] = result.values.get(name, math.nan)
         order = np.argsort(x)
-        marker: dict[str, Any] = {"marker": "o", "markersize": 2.4} if x.size <= MOST_MARKED else {}
+        marker: dict[str, Any] = (
+            {"marker": MARKERS[line // len(LINES) % len(MARKERS)], "markersize": 2.4}
+            if x.size <= MOST_MARKED
+            else {}
+        )
         panel.plot(x[order], in_engineers_unit(name, y[order]), **LINES[line % len(LINES)], **marker)
     if sweep.present is not None and x.min() <= sweep.present <= x.max():
         panel.axvline(sweep.present, color=GREY, linewidth=0.6, linestyle=(0, (1, 2)), zorder=0)
-        panel.annotate(
-            "as in the file", (sweep.present, 1.0), xycoords=("data", "axes fraction"), xytext=(2, -1),
-            textcoords="offset points", fontsize=6, color="0.4", va="top", rotation=90,
-        )  # fmt: skip
+        if titled:
+            panel.annotate(
+                "as in the file", (sweep.present, 1.0), xycoords=("data", "axes fraction"), xytext=(0, 2),
+                textcoords="offset points", fontsize=6, color="0.4", ha="center",
+            )  # fmt: skip
     panel.set_ylabel(axis_label(QUANTITIES[name]))
