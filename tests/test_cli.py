@@ -373,9 +373,8 @@ bearings:
 
 def test_a_sweep_prints_one_line_a_value_and_writes_csv_and_plot(run, tmp_path):
     (tmp_path / "film.yaml").write_text(GROOVED)
-    status, out, err = run(
-        "sweep", "film.yaml", "load", "10 kN:50 kN:3", "--csv", "load.csv", "--plot", "load.svg"
-    )
+    outputs = ("--csv", "load.csv", "--plot", "load.svg")
+    status, out, err = run("sweep", "film.yaml", "load", "10 kN:50 kN:3", *outputs)
     assert status == 0, err
     lines = out.splitlines()
     assert "load" in lines[1]

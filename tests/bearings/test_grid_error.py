@@ -31,6 +31,7 @@ POCKETS = {
 BEARINGS = {
     "two": {},
     "heavy": {"load": "120 kN"},
+    "light": {"load": "2 kN"},
     "narrow": {"width": "50 mm", "load": "10 kN"},
     "wide": {"width": "240 mm", "load": "40 kN"},
     "lobes": LOBES,
@@ -38,7 +39,7 @@ BEARINGS = {
 }
 BEYOND = Resolution(12, 1536, 48, 1e-10)
 BEYOND_POCKETS = Resolution(10, 640, 48, 1e-9)
-FACTOR = 2.0
+FACTOR, LIGHT_FACTOR = 2.0, 3.0
 
 
 @pytest.mark.parametrize("accuracy", [Accuracy.DRAFT, Accuracy.ENGINEERING])
@@ -65,8 +66,9 @@ def test_the_estimate_brackets_the_true_error(name, accuracy, cavitation):
     }
     estimated = grid_errors(case, state)
     assert estimated.keys() == errors.keys()
+    factor = LIGHT_FACTOR if name == "light" else FACTOR
     for quantity, error in errors.items():
-        assert abs(error) / FACTOR < estimated[quantity] < abs(error) * FACTOR, quantity
+        assert abs(error) / factor < estimated[quantity] < abs(error) * factor, quantity
 
 
 def test_a_finer_accuracy_has_a_smaller_estimated_error():

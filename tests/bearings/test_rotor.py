@@ -6,11 +6,13 @@ import math
 
 import numpy as np
 import pytest
-from film_bearings import answer
+from film_bearings import answer, film
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from babbitt.bearings.rotor import RIGID, critical_mass_of_rotor, growth_rates
+from babbitt.bearings.warm_film import operating_film
+from babbitt.bearings.whirl import at_speed
 from babbitt.film.stability import hurwitz_margins, is_stable, whirl_frequency
 
 entries = st.integers(-100, 100).map(lambda tenths: 0.1 * tenths)
@@ -40,8 +42,8 @@ def whirling_films(draw):
 
 
 @given(films(), st.floats(0.05, 50.0))
-def test_routh_hurwitz_agrees_with_the_roots_of_the_characteristic_polynomial(film, mass):
-    stiffness, damping = film
+def test_routh_hurwitz_agrees_with_the_roots_of_the_characteristic_polynomial(coefficients, mass):
+    stiffness, damping = coefficients
     a3, a2, a1, a0, _ = hurwitz_margins(mass, stiffness, damping)
     rate = float(np.roots([1.0, a3, a2, a1, a0]).real.max())
     assume(abs(rate) > 1e-6)
@@ -105,3 +107,9 @@ def test_the_threshold_of_a_bearing_on_an_elastic_shaft_is_where_its_critical_ma
 
 def test_without_shaft_stiffness_nothing_is_said_of_an_elastic_shaft():
     assert not [name for name in answer(effective_temperature="60 degC").values if "elastic" in name]
+
+
+def test_at_another_speed_the_load_keeps_the_direction_that_was_found():
+    case = film(load=None, eccentricity_ratio=0.5, attitude_angle="20 deg", effective_temperature="60 degC")
+    state = operating_film(case).film
+    assert at_speed(case, state, abs(case.journal_speed)).position == pytest.approx(state.solution.position, rel=1e-5)

@@ -106,7 +106,7 @@ def test_a_path_that_leads_nowhere_is_told(film, path, words):
 
 
 def test_a_list_without_that_place_is_told(film):
-    with pytest.raises(InputError, match="no 'grooves.7'"):
+    with pytest.raises(InputError, match=r"no 'grooves\.7'"):
         sweep_case(case_variation(film, "grooves.7"), values_of("1, 2"))
 
 
