@@ -112,4 +112,6 @@ def test_without_shaft_stiffness_nothing_is_said_of_an_elastic_shaft():
 def test_at_another_speed_the_load_keeps_the_direction_that_was_found():
     case = film(load=None, eccentricity_ratio=0.5, attitude_angle="20 deg", effective_temperature="60 degC")
     state = operating_film(case).film
-    assert at_speed(case, state, abs(case.journal_speed)).position == pytest.approx(state.solution.position, rel=1e-5)
+    assert at_speed(case, state, abs(case.journal_speed)).position == pytest.approx(
+        state.solution.position, rel=1e-5
+    )
