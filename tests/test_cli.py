@@ -409,6 +409,13 @@ def test_a_sweep_of_a_machine_names_its_bearings(run):
     assert "First-stage" not in out
 
 
+def test_values_of_a_sweep_may_be_negative(run, tmp_path):
+    (tmp_path / "film.yaml").write_text(GROOVED)
+    status, out, err = run("sweep", "film.yaml", "load_angle", "-120 deg:-60 deg:3")
+    assert status == 0, err
+    assert [line.split()[0] for line in out.splitlines()[4:7]] == ["-120", "-90", "-60"]
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

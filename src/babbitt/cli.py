@@ -190,7 +190,7 @@ def compare(file: Annotated[Path, typer.Argument(metavar="FILE", help="A case fi
         raise typer.Exit(NO_SOLUTION)
 
 
-@app.command()
+@app.command(context_settings={"ignore_unknown_options": True})  # VALUES may begin with a minus sign
 def sweep(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file.")],
     path: Annotated[

@@ -210,7 +210,7 @@ def _doubts(
         yield Notice("W125", "the film on the finer grid was not found")
     least = min(_critical_masses(whirl).values())
     if least < whirl.rotor_mass:
-        shaft = " on its elastic shaft" if whirl.critical_mass >= whirl.rotor_mass else ""
+        shaft = " on its elastic shaft" if whirl.elastic is not None else ""
         yield Notice(
             "W120",
             f"critical mass{shaft} {least:.4g} kg < {whirl.rotor_mass:.4g} kg; whirl at "

@@ -58,18 +58,22 @@ def _map(panel: Axes, state: FilmState, found: StabilityMap) -> None:
     if levels:
         lines = panel.contour(x, y, reserve, levels=levels, colors=["0.6"], linewidths=[0.5])
         panel.clabel(lines, fmt=lambda level: f"{10.0**level:.0f} m", fontsize=6, inline_spacing=2)
-    _words(panel, x, y, found)
-    mark(panel, kilo * state.load, rpm * abs(state.solution.film.angular_speed))
+    here = kilo * state.load, rpm * abs(state.solution.film.angular_speed)
+    _words(panel, x, y, found, here)
+    mark(panel, *here)
     panel.set(xlabel=axis_label(QUANTITIES["load"]), ylabel="$N$ in rpm")
     plain_ticks(panel.xaxis)
     plain_ticks(panel.yaxis)
 
 
-def _words(panel: Axes, x: Array, y: Array, found: StabilityMap) -> None:
-    """Name the regions in their middle, as far as they are large enough for a word."""
+def _words(panel: Axes, x: Array, y: Array, found: StabilityMap, here: tuple[float, float]) -> None:
+    """Name the regions in their middle beside the operating point, as far as they have room for a word."""
+    column, row = np.abs(np.log(x / here[0])).argmin(), np.abs(np.log(y / here[1])).argmin()
     film = found.points.solved.reshape(found.growth.shape)
     for text, region in (("stable", found.stable), ("whirls", film & ~found.stable), ("no film", ~film)):
-        place = _middle(region)
+        open_region = region.copy()
+        open_region[column, row] = False
+        place = _middle(open_region)
         if place is not None:
             panel.annotate(
                 text, (x[place[0]], y[place[1]]), fontsize=7, ha="center", va="center", color="0.2",
