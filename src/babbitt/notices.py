@@ -224,12 +224,16 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W120": Explanation(
         "The journal whirls",
-        "The rotor is heavier than the critical mass: in this film a rigid rotor leaves its place and "
-        "whirls at about "
-        "half the speed.",
-        "A larger clearance, a thinner oil, a narrower bearing, a bore with preload, or tilting pads; "
-        "with an elastic "
-        "rotor make a rotordynamic analysis with stiffness and damping of the film.",
+        "The rotor is heavier than the critical mass: in this film it leaves its place and whirls at about half "
+        "the speed. The rotor is rigid, or one mass on an elastic shaft where `shaft_stiffness` is given.",
+        "A larger clearance, a thinner oil, a narrower bearing, a bore with preload, or tilting pads; for a rotor "
+        "of several masses make a rotordynamic analysis with stiffness and damping of the film.",
+    ),
+    "W125": Explanation(
+        "No estimate of the grid error",
+        "The film was found on the grid of the case, but not on a finer one, with which `error_estimate` compares "
+        "it.",
+        "Choose another `accuracy`; that numbers of two accuracies agree is an estimate, too.",
     ),
     # -- no solution --------------------------------------------------------------------------------------------
     "S001": Explanation(
@@ -332,8 +336,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "C115": Explanation(
         "Critical mass",
-        "The mass above which a rigid rotor whirls is compared with the mass of the rotor (`rotor_mass`), or, as "
-        "advice only, with the load over g.",
+        "The mass above which a rigid rotor whirls, and with `shaft_stiffness` that of a rotor on an elastic "
+        "shaft, is compared with the mass of the rotor (`rotor_mass`), or, as advice only, with the load over g.",
         "A larger clearance, a thinner oil, a narrower bearing, or a bore with preload.",
     ),
     "C114": Explanation(

@@ -23,6 +23,7 @@ class DisplayUnit:
 SI = {
     "": DisplayUnit(""),
     "count": DisplayUnit("", decimals=0),
+    "percent": DisplayUnit("%", 1e2, decimals=2),
     "permille": DisplayUnit("‰", 1e3),
     "mm": DisplayUnit("mm", 1e3, decimals=2),
     "um": DisplayUnit("µm", 1e6, decimals=1),
@@ -225,10 +226,27 @@ QUANTITIES: dict[str, Quantity] = {
             "Whirl frequency over rotational frequency; 0: cannot whirl",
         ),
         _q("threshold_speed", "N_w", "rad/s", "rpm", 4, "Speed above which the rotor whirls"),
+        _q("shaft_stiffness", "k_s", "N/m", "MN/m", 4, "Stiffness of the shaft between rotor mass and journal"),
+        _q(
+            "critical_mass_elastic", "m_cr,e", "kg", "t", 4, "Mass above which a rotor on the elastic shaft whirls"
+        ),
+        _q(
+            "threshold_speed_elastic",
+            "N_w,e",
+            "rad/s",
+            "rpm",
+            4,
+            "Speed above which the rotor on the elastic shaft whirls",
+        ),
         _q("preload", "m_l", "1", "", 3, "Preload of the lobes, 1 - c/c_l"),
         _q("lobe_clearance", "c_l", "m", "um", 4, "Radial clearance of the lobes"),
         _q("mass_balance_error", "δ_m", "1", "", 2, "Oil lost in the film over the oil supplied"),
         _q("energy_balance_error", "δ_E", "1", "", 2, "Heat balance defect over friction power"),
+        _q("minimum_film_thickness_error", "δ_h", "1", "percent", 2, "Error of h_min by the grid, estimated"),
+        _q("position_error", "δ_e", "1", "percent", 2, "Error of the position by the grid over c, estimated"),
+        _q("load_error", "δ_F", "1", "percent", 2, "Error of the load found by the grid, estimated"),
+        _q("stiffness_error", "δ_K", "1", "percent", 2, "Error of the stiffness matrix by the grid, estimated"),
+        _q("damping_error", "δ_C", "1", "percent", 2, "Error of the damping matrix by the grid, estimated"),
         _q("iterations", "n", "1", "count", 3, "Evaluations of the temperature iteration"),
         _q("wall_time", "t", "s", "s", 3, "Time taken"),
         # statics of the shaft

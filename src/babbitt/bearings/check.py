@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from time import perf_counter
 
 from babbitt.bearings.bore import LobedBore
+from babbitt.bearings.grid_error import grid_errors
 from babbitt.bearings.layout import without_pressure
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.transition import transition_speed
@@ -68,6 +69,7 @@ def film_check(case: FilmCase) -> Result:
         if solved:
             whirl = whirl_of(case, state)
             values |= _running_values(case, state, whirl)
+            values |= grid_errors(case, state) if case.error_estimate else {}
             checks = (*limit_checks(case, values), *_whirl_checks(case, whirl), clearance_check(case, values))
             not_made = checks_not_made(case, values)
             warnings = tuple(_doubts(case, state, values, checks, whirl))
@@ -161,6 +163,12 @@ def _running_values(case: FilmCase, state: FilmState, whirl: Whirl) -> dict[str,
         values["critical_mass"] = whirl.critical_mass
     if whirl.threshold_speed is not None:
         values["threshold_speed"] = whirl.threshold_speed
+    if whirl.elastic is not None and case.shaft_stiffness is not None:
+        values["shaft_stiffness"] = case.shaft_stiffness
+        if math.isfinite(whirl.elastic.critical_mass):
+            values["critical_mass_elastic"] = whirl.elastic.critical_mass
+        if whirl.elastic.threshold_speed is not None:
+            values["threshold_speed_elastic"] = whirl.elastic.threshold_speed
     contact = contact_film(case)
     slow = transition_speed(case, state, contact) if contact is not None else None
     if slow is not None:
@@ -169,12 +177,16 @@ def _running_values(case: FilmCase, state: FilmState, whirl: Whirl) -> dict[str,
 
 
 def _whirl_checks(case: FilmCase, whirl: Whirl) -> Iterator[Check]:
-    if math.isfinite(whirl.critical_mass):
-        own = case.rotor_mass is not None
-        source = USER if own else "load over g, as if the load were the weight of the rotor"
-        yield Check(
-            "C115", "critical_mass", whirl.critical_mass, whirl.rotor_mass, Bound.AT_LEAST, source, not own
-        )
+    own = case.rotor_mass is not None
+    source = USER if own else "load over g, as if the load were the weight of the rotor"
+    for name, critical in _critical_masses(whirl).items():
+        if math.isfinite(critical):
+            yield Check("C115", name, critical, whirl.rotor_mass, Bound.AT_LEAST, source, not own)
+
+
+def _critical_masses(whirl: Whirl) -> dict[str, float]:
+    rigid = {"critical_mass": whirl.critical_mass}
+    return rigid if whirl.elastic is None else rigid | {"critical_mass_elastic": whirl.elastic.critical_mass}
 
 
 def _doubts(
@@ -194,10 +206,14 @@ def _doubts(
         yield Notice(
             "W121", f"supply flow of {flow:.2g} L/min from grooves as wide as the bearing: a rough estimate"
         )
-    if whirl.critical_mass < whirl.rotor_mass:
+    if case.error_estimate and "stiffness_error" not in values:
+        yield Notice("W125", "the film on the finer grid was not found")
+    least = min(_critical_masses(whirl).values())
+    if least < whirl.rotor_mass:
+        shaft = " on its elastic shaft" if whirl.elastic is not None else ""
         yield Notice(
             "W120",
-            f"critical mass {whirl.critical_mass:.4g} kg < {whirl.rotor_mass:.4g} kg; whirl at "
+            f"critical mass{shaft} {least:.4g} kg < {whirl.rotor_mass:.4g} kg; whirl at "
             f"{whirl.frequency_ratio:.2f} of the speed",
         )
     yield from doubts_about_running(case, values, checks)

@@ -109,7 +109,9 @@ class FilmCase:
 
     Speeds in rad/s, positive counter-clockwise; `load_angle` in rad from +x. At least one of `oil_supply`
     and `cooling` carries the heat away, unless `effective_temperature` (K) is prescribed. `rotor_mass` (kg) is the
-    part of a rigid rotor that this bearing carries. `doubts` arose while the case was made and ride along.
+    part of a rotor that this bearing carries, `shaft_stiffness` (N/m) the stiffness of the shaft between that mass
+    and the journal; None is rigid. `error_estimate` asks for the error of the grid. `doubts` arose while the case
+    was made and ride along.
     """
 
     name: str
@@ -127,6 +129,8 @@ class FilmCase:
     effective_temperature: float | None = None
     friction_factor: float = 1.0
     rotor_mass: float | None = None
+    shaft_stiffness: float | None = None
+    error_estimate: bool = False
     limits: Limits = field(default_factory=Limits)
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()

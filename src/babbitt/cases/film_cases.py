@@ -36,6 +36,8 @@ def film_case(inputs: Inputs, at: Point) -> FilmCase:
         effective_temperature=bearing.effective_temperature,
         friction_factor=bearing.friction.factor,
         rotor_mass=bearing.rotor_mass,
+        shaft_stiffness=bearing.shaft_stiffness,
+        error_estimate=bearing.error_estimate,
         limits=bearing.limits.limits(),
         given=words_of(bearing, point, at.clearance_case, inputs.cooling, inputs.materials),
         assumptions=(

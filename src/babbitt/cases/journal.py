@@ -102,6 +102,12 @@ class JournalBearing(Duty, SharedInputs):
         "by the film "
         "method. Without it the load is taken as weight.",
     )
+    shaft_stiffness: Annotated[float, si("N/m", "1 kN/m", "1000 GN/m")] | None = Field(
+        None,
+        description="Stiffness of the shaft between the rotor mass and this bearing (for a shaft on two equal "
+        "bearings half its stiffness in the middle), for the threshold of whirl by the film method. Rigid if not "
+        "given.",
+    )
     effective_temperature: Annotated[float, si("K", "-30 degC", "290 degC")] | None = Field(
         None, description="Effective temperature of the film, in place of a heat balance."
     )
@@ -131,6 +137,11 @@ class JournalBearing(Duty, SharedInputs):
     )
     accuracy: Literal["draft", "engineering", "reference"] = Field(
         "engineering", description="How fine the grid of the film method is."
+    )
+    error_estimate: bool = Field(
+        False,
+        description="Solve the film on a finer grid, too, and say how far film thickness, position, stiffness and "
+        "damping may be wrong by the grid. Film method.",
     )
     limits: LimitsGiven = Field(LimitsGiven(), description="Limits in place of those by experience.")
     assumptions: tuple[Prose, ...] = Field(

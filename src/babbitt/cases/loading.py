@@ -79,12 +79,41 @@ def parse_case(text: str, name: str = "<text>") -> Case:
     return _parsed(text, name, FilePath())
 
 
-def _parsed(text: str, name: str, folder: FilePath) -> Case:
+def read_file(path: FilePath) -> dict[str, Any]:
+    """What stands in a case file, not yet checked but for being a mapping.
+
+    Raises
+    ------
+    CaseError
+        When it cannot be read, or is no document of the case language.
+    """
+    given = _document(_text_of(path), str(path)).plain()
+    if not isinstance(given, dict):
+        load_case(path)  # tells what is wrong
+    return dict(given)
+
+
+def build_case(given: Mapping[str, Any], name: str, folder: FilePath) -> Case:
+    """Read a case from a dictionary whose tables are named from a folder.
+
+    Raises
+    ------
+    CaseError
+        With every problem; lines are 0.
+    """
+    return _case(dict(given), name, None, folder)
+
+
+def _document(text: str, name: str) -> Node:
     try:
-        root = read_document(text)
+        return read_document(text)
     except DocumentError as error:
         problem = Problem(name, error.line, "", error.says, allowed=error.allowed, hint=error.hint, code="E002")
         raise CaseError([problem]) from None
+
+
+def _parsed(text: str, name: str, folder: FilePath) -> Case:
+    root = _document(text, name)
     return _case(root.plain(), name, root, folder).with_text(text)
 
 

@@ -52,8 +52,15 @@ KEY_RESULTS = (
     "critical_mass",
     "whirl_frequency_ratio",
     "threshold_speed",
+    "critical_mass_elastic",
+    "threshold_speed_elastic",
     "lobe_clearance",
     "preload",
+    "minimum_film_thickness_error",
+    "position_error",
+    "load_error",
+    "stiffness_error",
+    "damping_error",
 )
 """Results shown at the head of a bearing; kinds without a film show all they have."""
 

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState
-from babbitt.bearings.whirl import FASTEST
 from babbitt.report.drawing import Drawing, rendered, style
 from babbitt.results import Result
 
@@ -40,7 +39,7 @@ def report_figures(case: FilmCase, result: Result, image_format: str = "svg") ->
     -------
     tuple of Drawing
     """
-    from babbitt.report.film_sweeps import is_slow, state_of
+    from babbitt.report.film_state import is_slow, state_of
 
     if not result.outcome.solved:
         return ()
@@ -65,7 +64,7 @@ def all_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tu
     -------
     tuple of Drawing
     """
-    from babbitt.report.film_sweeps import state_of
+    from babbitt.report.film_state import state_of
 
     if not result.outcome.solved:
         return ()
@@ -109,28 +108,35 @@ def _surface(case: FilmCase, state: FilmState) -> Iterator[Painted]:
 
 
 def _swept(case: FilmCase, state: FilmState) -> Iterator[Painted]:
-    from babbitt.report import film_curves
-    from babbitt.report.film_sweeps import over_load, over_speed, thresholds
+    from babbitt.report import film_curves, film_stability
+    from babbitt.report.progress import shown
+    from babbitt.studies.locus import locus_over_load, locus_over_speed
+    from babbitt.studies.stability_map import stability_map
 
+    by_load = locus_over_load(case, state, watch=shown(f"{case.name}: over the load"))
+    by_speed = locus_over_speed(case, state, watch=shown(f"{case.name}: over the speed"))
     yield (
         "journal-locus",
-        f"Journal centre over the load within the room that the bore leaves it, {KEPT}. Filled: "
-        "the operating point.",
-        film_curves.locus(case, state, over_load(case, state)),
+        "Journal centre over the load (line) and, from a quarter to two and a half times the speed, over the "
+        f"speed (broad, pale), within the room that the bore leaves it, {KEPT}. Filled: the operating point.",
+        film_curves.locus(case, state, by_load, by_speed),
         False,
     )
     yield (
         "coefficients",
         f"Stiffness and damping over the speed at the given load, {KEPT}; below, the same films without dimension "
         "over the Sommerfeld number. Filled: the operating point.",
-        film_curves.coefficients(state, over_speed(case, state)),
+        film_curves.coefficients(state, by_speed),
         True,
     )
-    mass = "of the given mass" if case.rotor_mass is not None else "whose weight is the load"
+    whose = "of the given mass" if case.rotor_mass is not None else "whose weight is the load"
+    shaft = "a rigid rotor" if case.shaft_stiffness is None else "a rotor on its elastic shaft"
+    found = stability_map(case, state, watch=shown(f"{case.name}: stability map"))
     yield (
-        "stability",
-        f"Speed at which a rigid rotor {mass} begins to whirl, {KEPT}. Filled: the operating point; searched from "
-        f"a tenth to {FASTEST:g} times its speed.",
-        film_curves.stability(case, state, *thresholds(case, state)),
-        False,
+        "stability-map",
+        f"Left: where {shaft} {whose} whirls (grey), over load and speed, {KEPT}; thin lines: the critical mass "
+        "as a multiple of the mass m of the rotor. Right: the critical mass without dimension over the Sommerfeld "
+        "number, for loads at the given speed. Filled: the operating point.",
+        film_stability.stability(case, state, found, by_load),
+        True,
     )

@@ -16,6 +16,7 @@ from babbitt.report.drawing import GREY, INK, MILLIMETRE, Array, Sheet
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.contour import QuadContourSet
     from matplotlib.figure import Figure
 
 RUPTURED = 0.995
@@ -33,7 +34,7 @@ def unrolled(case: FilmCase, solution: FilmSolution, field: FilmField) -> Figure
     figure, axes = Sheet(166.0, 92.0, 2, 1, left=12.0, between=5.5).panels(sharex=True, sharey=True)
     figure.subplots_adjust(top=1.0 - 6.0 / 92.0)  # room for what stands above the upper panel
     top, bottom = axes[0][0], axes[1][0]
-    _pressure(top, field)
+    _pressure(top, solution, field)
     _thickness(bottom, solution, field)
     for panel in (top, bottom):
         _ruptured(panel, field)
@@ -83,7 +84,7 @@ def degrees(panel: Axes, field: FilmField) -> None:
     panel.xaxis.set_major_formatter(FuncFormatter(lambda angle, _: f"{round(angle) % 360}"))
 
 
-def _pressure(panel: Axes, field: FilmField) -> None:
+def _pressure(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
     shown, highest = 1e-6 * field.pressure, 1e-6 * float(field.pressure.max())
     if not highest > 0.0:
         return
@@ -92,9 +93,26 @@ def _pressure(panel: Axes, field: FilmField) -> None:
     shades = [str(round(1.0 - 0.42 * place / levels.size, 3)) for place in range(levels.size)]
     panel.contourf(theta, z, shown.T, levels=[*levels, 1.01 * max(highest, levels[-1])], colors=shades)
     lines = panel.contour(theta, z, shown.T, levels=levels, colors="0.25", linewidths=0.45)
-    panel.clabel(lines, levels[1::2], fontsize=6, fmt="%g", inline_spacing=2)
+    _level_names(panel, lines, solution.film, field)
     row, column = np.unravel_index(int(field.pressure.argmax()), field.pressure.shape)
     _point(panel, theta[row], z[column], f"{highest:.3g}")
+
+
+def _level_names(panel: Axes, lines: QuadContourSet, film: JournalFilm, field: FilmField) -> None:
+    """Name every second level where there is room: within the picture, beside grooves and pockets, once."""
+    half, low, high = 1e3 * field.z[-1], math.degrees(field.theta[0]), math.degrees(field.theta[-1])
+    for level, segments in list(zip(lines.levels, lines.allsegs, strict=True))[1::2]:
+        places = np.concatenate([np.empty((0, 2)), *(np.asarray(line) for line in segments if len(line) > 1)])
+        free = (np.abs(places[:, 1]) < 0.8 * half) & (places[:, 0] > low + 8.0) & (places[:, 0] < high - 8.0)
+        for patch in supply_patches(film):
+            first, last = np.degrees(patch.theta)
+            around = np.remainder(places[:, 0] - first + 8.0, 360.0) < last - first + 16.0
+            free &= ~(around & (places[:, 1] > 1e3 * patch.z[0] - 0.2 * half)
+                      & (places[:, 1] < 1e3 * patch.z[1] + 0.2 * half))  # fmt: skip
+        if free.any():
+            kept = places[free]
+            place = kept[np.abs(kept[:, 1] + 0.55 * half).argmin()]
+            panel.clabel(lines, [level], fontsize=6, fmt="%g", inline_spacing=2, manual=[tuple(place)])
 
 
 def _thickness(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
@@ -109,7 +127,7 @@ def _thickness(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
             theta, z, shown.T, levels=[0.0, *levels, max(1.01 * highest, 1.01 * levels[-1])], colors=shades
         )
         lines = panel.contour(theta, z, shown.T, levels=levels, colors="0.25", linewidths=0.45)
-        panel.clabel(lines, levels[1::2], fontsize=6, fmt="%g", inline_spacing=2)
+        _level_names(panel, lines, solution.film, field)
     row, column = _thinnest(field)
     _point(
         panel, theta[row], z[column], QUANTITIES["minimum_film_thickness"].format(solution.minimum_film_thickness)

@@ -179,6 +179,8 @@ def _operation(case: AnyDesign) -> Iterator[Row]:
         yield Row("Direction of the load from +x", f"{math.degrees(case.load_angle):.4g}", None, "°")
         if case.rotor_mass is not None:
             yield _named("rotor_mass", case.rotor_mass)
+        if case.shaft_stiffness is not None:
+            yield _named("shaft_stiffness", case.shaft_stiffness)
     if case.effective_temperature is not None:
         yield _named("effective_temperature", case.effective_temperature, "Prescribed effective temperature")
 

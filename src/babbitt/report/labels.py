@@ -52,9 +52,16 @@ SHORT = {
     "critical_mass": "Critical mass",
     "whirl_frequency_ratio": "Whirl frequency over speed",
     "threshold_speed": "Threshold speed of whirl",
+    "critical_mass_elastic": "Critical mass, elastic shaft",
+    "threshold_speed_elastic": "Threshold, elastic shaft",
     "preload": "Preload of the lobes",
     "lobe_clearance": "Clearance of the lobes",
     "mass_balance_error": "Oil lost in the film",
+    "minimum_film_thickness_error": "Grid error of the film thickness",
+    "position_error": "Grid error of the position",
+    "load_error": "Grid error of the load",
+    "stiffness_error": "Grid error of the stiffness",
+    "damping_error": "Grid error of the damping",
 }
 
 
