@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from babbitt.bearings.bore import RoundBore
-from babbitt.bearings.model import Accuracy, FilmBearing, FilmCase, Hollow
+from babbitt.bearings.model import Accuracy, FilmBearing, FilmCase, Hollow, Search
 from babbitt.cases.as_given import words_of
 from babbitt.cases.assumptions import common_assumptions_of
 from babbitt.cases.doubts import doubts_about_numbers
@@ -36,6 +36,9 @@ def film_case(inputs: Inputs, at: Point) -> FilmCase:
         effective_temperature=bearing.effective_temperature,
         friction_factor=bearing.friction.factor,
         rotor_mass=bearing.rotor_mass,
+        changing_load=bearing.dynamic_load.changing_load() if bearing.dynamic_load is not None else None,
+        moving_mass=bearing.dynamic_load.moving_mass if bearing.dynamic_load is not None else 0.0,
+        search=Search[bearing.equilibria.upper()],
         limits=bearing.limits.limits(),
         given=words_of(bearing, point, at.clearance_case, inputs.cooling, inputs.materials),
         assumptions=(
@@ -62,7 +65,7 @@ def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[Hollow, ...]) -> Fil
         expansion_journal=materials.journal.expansion(),
         hollows=hollows,
         bore=bearing.bore.bore() if bearing.bore is not None else RoundBore(),
-        film_start=FilmStart[(bearing.film_start or "groove").upper()],
+        film_start=bearing.film_starts(),
         misalignment=(askew.x, askew.y) if askew is not None else (0.0, 0.0),
         surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,
         metal=bearing_metal(materials.bearing_metal) if materials.bearing_metal is not None else None,

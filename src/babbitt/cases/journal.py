@@ -12,6 +12,7 @@ from babbitt.cases import clearance, cooling, supply_element
 from babbitt.cases.choices import FrictionGiven, LimitsGiven
 from babbitt.cases.clearance import ClearanceGiven
 from babbitt.cases.fields import Name, Prose, Span
+from babbitt.cases.dynamic_load import DynamicLoadGiven
 from babbitt.cases.film_features import (
     MOST_DEPARTURE,
     BoreGiven,
@@ -30,6 +31,7 @@ from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_bare, is_
 from babbitt.cases.shared import SharedInputs
 from babbitt.cases.supply_element import SupplyElementGiven, UnevenPockets
 from babbitt.cases.surfaces import SurfacesGiven
+from babbitt.film.model import FilmStart
 from babbitt.units import si, written
 
 WIDTH_RATIOS = (0.1, 1.5)
@@ -37,6 +39,9 @@ WIDTH_RATIOS = (0.1, 1.5)
 
 LEAST_SPECIFIC_LOAD = 1e3
 """Pa. Assumption: a smaller load is a slip of unit."""
+
+CLEARANCE_GROWTH = 2.0
+"""Assumption: a clearance does not grow by more than this from 20 degC to operation; a position beyond is refused."""
 
 GREATEST_SURFACE_SPEED = 200.0
 """m/s. Assumption: a faster plain bearing is a slip of unit."""
@@ -114,23 +119,35 @@ class JournalBearing(Duty, SharedInputs):
         "computed",
         description="Own solutions of the Reynolds equation, or the closed forms of DIN 31652 (360 deg).",
     )
-    cavitation: Literal["mass_conserving", "reynolds"] = Field(
+    cavitation: Literal["mass_conserving", "reynolds", "half_sommerfeld"] = Field(
         "mass_conserving",
         description="What the film method does where the film breaks up: conserve the oil (JFO), or let "
         "pressure and "
-        "its gradient vanish (Reynolds, as in most published tables).",
+        "its gradient vanish (Reynolds, as in most published tables), or count suctions of the full film as nothing "
+        "(half-Sommerfeld, as in closed forms: a plain ring without feeding, no flows and no stiffness).",
     )
     cavitation_pressure: Annotated[float, si("Pa", "-1 MPa", "0 Pa")] = Field(
         0.0, description="Gauge pressure at which the film breaks, for the film method."
     )
-    film_start: Literal["groove", "widest_gap"] | None = Field(
+    film_start: Literal["groove", "widest_gap", "periodic"] | None = Field(
         None,
         description="Where the film method lets the film begin: at what feeds it, or at the widest gap of "
         "a full round "
-        "bore (as the characteristics of the standard). groove if not given.",
+        "bore (as the characteristics of the standard), or nowhere, for it closes around the journal (periodic). "
+        "groove if not given; periodic with cavitation: half_sommerfeld.",
     )
     accuracy: Literal["draft", "engineering", "reference"] = Field(
         "engineering", description="How fine the grid of the film method is."
+    )
+    dynamic_load: DynamicLoadGiven | None = Field(
+        None,
+        description="Load that changes while the journal turns, added to the load, for the film method: the orbit "
+        "of the journal is found.",
+    )
+    equilibria: Literal["auto", "all", "first"] = Field(
+        "auto",
+        description="Whether the film method looks for further places where the journal can rest: always, never, or "
+        "where it costs little (grooves as wide as the bearing, lobes included).",
     )
     limits: LimitsGiven = Field(LimitsGiven(), description="Limits in place of those by experience.")
     assumptions: tuple[Prose, ...] = Field(
@@ -228,7 +245,7 @@ class JournalBearing(Duty, SharedInputs):
 
     @rule
     def _span_is_known(self) -> Iterator[Complaint]:
-        if self.method == "film" and (self.hollows() or self.film_start == "widest_gap"):
+        if self.method == "film" and (self.hollows() or self.film_starts() is not FilmStart.GROOVE):
             return
         for point in self.operating_points or (None,):
             if self.span_at(point) is None:
@@ -265,6 +282,67 @@ class JournalBearing(Duty, SharedInputs):
             if duty.attitude_angle is not None:
                 says = "ISO 7902 finds the attitude angle itself"
                 yield Complaint((*path, "attitude_angle"), says, "method: film, or leave it out")
+            if duty.position is not None:
+                says = "ISO 7902 finds the attitude angle itself and takes no position"
+                yield Complaint((*path, "position"), says, "method: film, or eccentricity_ratio")
+        if self.dynamic_load is not None:
+            yield Complaint(("dynamic_load",), "ISO 7902 knows steady loads only", "method: film")
+
+    @rule
+    def _position_is_near_the_bearing(self) -> Iterator[Complaint]:
+        if self.bore is not None and self.bore.kind != "round":
+            return  # lobes and wear give more room in some directions; the calculation tells
+        play = self.clearance.at_20_degrees(self.diameter).relative(self.diameter).maximum * self.diameter / 2.0
+        for path, duty in self._duties():
+            if duty.position is None:
+                continue
+            away = math.hypot(duty.position.x, duty.position.y)
+            if away >= CLEARANCE_GROWTH * play:
+                says = f"position outside the clearance: {written(away, 'um')} from the bearing centre"
+                yield Complaint((*path, "position"), says, f"less than the radial clearance, {written(play, 'um')}")
+
+    @rule
+    def _changing_load_is_added_to_a_load(self) -> Iterator[Complaint]:
+        if self.dynamic_load is None:
+            return
+        for path, duty in self._duties():
+            prescribed = [name for name in ("eccentricity_ratio", "position") if is_given(duty, name)]
+            if prescribed:
+                says = f"a changing load moves the journal, and {prescribed[0]} holds it"
+                yield Complaint((*path, prescribed[0]), says, "load or specific_load")
+        if self.cavitation == "half_sommerfeld":
+            yield Complaint(("cavitation",), "a half-Sommerfeld film has no damping and makes no orbit", "reynolds")
+
+    @rule
+    def _half_sommerfeld_is_of_a_plain_ring(self) -> Iterator[Complaint]:
+        if self.cavitation != "half_sommerfeld" or self.method != "film":
+            return
+        allowed = "a plain round bore without grooves, pockets, holes and tilt; else cavitation: reynolds"
+        says = "the half-Sommerfeld condition is for a plain closed ring"
+        if self.film_start not in (None, "periodic"):
+            yield Complaint(("film_start",), f"{says}, where the film begins nowhere", "periodic")
+        elif self.hollows() or self.supply_element is not None:
+            yield Complaint(("cavitation",), f"{says}, and this bearing is fed", allowed)
+        elif (self.bore is not None and self.bore.kind != "round") or self.misalignment is not None:
+            yield Complaint(("cavitation",), says, allowed)
+        elif self.effective_temperature is None:
+            says = "half-Sommerfeld films have no flow to carry heat away"
+            yield Complaint(("effective_temperature",), f"{says}: it is missing", "the temperature of the film",
+                            code="E003")  # fmt: skip
+
+    @rule
+    def _closed_ring_is_plain(self) -> Iterator[Complaint]:
+        if self.film_start != "periodic" or self.method != "film":
+            return
+        if self.grooves:
+            says = "a film that closes around the journal has no grooves as wide as the bearing"
+            yield Complaint(("film_start",), says, "groove")
+        if self.span not in (None, 360):
+            says = f"a film that closes around the journal has no ends; span is {self.span} deg"
+            yield Complaint(("film_start",), says, "groove, or span 360 deg")
+        if self.cavitation == "mass_conserving" and not self.hollows():
+            says = "a mass-conserving film that nothing feeds runs dry"
+            yield Complaint(("cavitation",), says, "reynolds, half_sommerfeld, or give pockets or holes")
 
     @rule
     def _tilt_leaves_a_film(self) -> Iterator[Complaint]:
@@ -280,7 +358,7 @@ class JournalBearing(Duty, SharedInputs):
     @rule
     def _tilt_needs_narrow_supplies(self) -> Iterator[Complaint]:
         width = self.actual_width
-        if self.misalignment is None or self.method != "film" or width is None or self.film_start == "widest_gap":
+        if self.misalignment is None or self.method != "film" or width is None or self.film_starts() is not FilmStart.GROOVE:
             return
         from babbitt.cases.film_layout import film_layout  # it reads this model
 
@@ -325,9 +403,14 @@ class JournalBearing(Duty, SharedInputs):
 
     @rule
     def _grooves_stand_still(self) -> Iterator[Complaint]:
-        if self.method == "film" and self.bearing_speed and self.film_start != "widest_gap":
+        if self.method == "film" and self.bearing_speed and self.film_starts() is FilmStart.GROOVE:
             says = "grooves and pockets that turn with the bearing leave no steady film"
             yield Complaint(("bearing_speed",), says, "0 rpm, or film_start: widest_gap")
+
+    def film_starts(self) -> FilmStart:
+        """Where the film begins: as given, else nowhere under the half-Sommerfeld condition, else at grooves."""
+        unfed = "periodic" if self.cavitation == "half_sommerfeld" else "groove"
+        return FilmStart[(self.film_start or unfed).upper()]
 
     def hollows(self) -> list[tuple[tuple[str | int, ...], GrooveGiven | PocketGiven | SupplyHoleGiven]]:
         """Grooves, pockets and holes, each with its path in the case."""
