@@ -1,10 +1,11 @@
 """Every place where a journal can rest under its load: a film can have more than one.
 
-Over the room that the bore leaves the journal, the force of film and load together is a field in the plane. Its zeros
-are the equilibria. Around each cell of a mesh the direction of the field turns by a whole number of turns, the sum of
-the indices of the zeros inside; a cell with a turn is a start for a root finder with the exact stiffness. The index of
-a zero is the sign of det K, and where contact pushes inward all around, the indices sum to one (Poincaré-Hopf): an
-equilibrium more comes with a saddle more, and a sum that is not one tells that something was missed.
+Over the room that the bore leaves the journal, the force of film and load together is a field in the plane. Its
+zeros are the equilibria. Around each cell of a mesh the direction of the field turns by a whole number of turns,
+the sum of the indices of the zeros inside; a cell with a turn is a start for a root finder with the exact
+stiffness. The index of a zero is the sign of det K, and where contact pushes inward all around, the indices sum to
+one (Poincaré-Hopf): an equilibrium more comes with a saddle more, and a sum that is not one tells that something
+was missed.
 """
 
 from __future__ import annotations
@@ -105,8 +106,8 @@ def find_equilibria(
     Returns
     -------
     RestingPlaces
-        Empty where nothing carries the load. Equilibria nearer to contact than the last of `DEPTHS` are found only if
-        known.
+        Empty where nothing carries the load. Equilibria nearer to contact than the last of `DEPTHS` are found only
+        if known.
     """
     places = [RestingPlace(one) for one in known]
     wanted = np.asarray(load)
@@ -127,7 +128,7 @@ def _near(film: JournalFilm, one: FilmSolution, other: FilmSolution) -> bool:
 def _starts(film: JournalFilm, load: Array, directions: int) -> Iterator[Array]:
     """Middles of the cells around which the force turns."""
     angles = np.arange(directions) * (2.0 * math.pi / directions)
-    outline = clearance_outline(film, angles)
+    outline = clearance_outline(film, np.asarray(angles, dtype=np.float64))
     rays = outline[:, None] * np.stack((np.cos(angles), np.sin(angles)), axis=1)
     nodes = np.concatenate((np.zeros((1, directions, 2)), np.multiply.outer(DEPTHS, rays)))
     field = np.full(nodes.shape, np.nan)

@@ -117,8 +117,8 @@ class FilmCase:
 
     Speeds in rad/s, positive counter-clockwise; `load_angle` in rad from +x. At least one of `oil_supply`
     and `cooling` carries the heat away, unless `effective_temperature` (K) is prescribed. `rotor_mass` (kg) is the
-    part of a rigid rotor that this bearing carries. `changing_load` acts besides the load of the duty; `moving_mass`
-    (kg) then moves with the journal. `doubts` arose while the case was made and ride along.
+    part of a rigid rotor that this bearing carries. `changing_load` acts besides the load of the duty;
+    `moving_mass` (kg) then moves with the journal. `doubts` arose while the case was made and ride along.
     """
 
     name: str

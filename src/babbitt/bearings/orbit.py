@@ -5,8 +5,8 @@ Equation of motion ``m r'' = F(r, r') + W(t)``. Without mass the film force bala
 equation of second order. Either is integrated by LSODA with the Jacobian of the film, ``-C^-1 K`` or
 ``[[0, 1], [-K/m, -C/m]]``, for near contact the film is stiff.
 
-The film has no memory here: its void is that of the Reynolds condition at every instant, and the history of the oil in
-the ruptured zone is left out. Lengths in clearances, times in radians that the journal has turned.
+The film has no memory here: its void is that of the Reynolds condition at every instant, and the history of the
+oil in the ruptured zone is left out. Lengths in clearances, times in radians that the journal has turned.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.bearings.changing_load import ChangingLoad
+from babbitt.bearings.moving_journal import HeavyJournal, MasslessJournal, MovingJournal, NoMotionError
 from babbitt.film.model import DRAFT, Cavitation, JournalFilm, Resolution
 from babbitt.film.solution import FilmSolution
 from babbitt.film.solve import film_at_position, solve_journal
@@ -36,8 +37,8 @@ MOST_CYCLES = 40
 """Cycles after which the march ends."""
 
 CLOSED = 2e-3
-"""Distance over the thinnest film between begin and end of a cycle that counts as closed: a journal that sinks slowly
-moves little, but loses a share of its film in each cycle."""
+"""Distance over the thinnest film between begin and end of a cycle that counts as closed: a journal that sinks
+slowly moves little, but loses a share of its film in each cycle."""
 
 ACCURACY = 3e-5
 """Of a step of the march, relative; a tenth of it, over the clearance, absolute."""
@@ -45,15 +46,13 @@ ACCURACY = 3e-5
 THINNEST = 1e-3
 """Film thickness over clearance at which the film counts as squeezed out."""
 
-BALANCED, BALANCED_WHILE_MARCHING = 1e-7, 1e-4
-"""Last Newton step of the velocity, relative; the error is of its square."""
-
 GRID_DOUBT = 0.3
-"""Share of the load that a grid twice as fine does not confirm, from which the film is taken for squeezed out: where
-wedge and squeeze cancel, as for a load at half the speed, what is left to carry is the error of the grid."""
+"""Share of the load that a grid twice as fine does not confirm, from which the film is taken for squeezed out:
+where wedge and squeeze cancel, as for a load at half the speed, what is left to carry is the error of the grid."""
 
 STILL_THINNING = 2e-3
-"""Relative loss of film from one cycle to the next, at the end of the march, that tells squeezing from wandering."""
+"""Relative loss of film from one cycle to the next, at the end of the march, that tells squeezing from
+wandering."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,105 +122,6 @@ class Orbit:
         return float((self.load * self.velocity).sum(axis=1).mean())
 
 
-class _NoFilmError(Exception):
-    """The film gave no velocity."""
-
-
-class _Journal:
-    """The film as the right-hand side of an equation of motion."""
-
-    def __init__(
-        self, film: JournalFilm, steady: Array, changing: ChangingLoad, speed: float, resolution: Resolution
-    ) -> None:
-        self.film, self.steady, self.changing, self.resolution = film, steady, changing, resolution
-        self.speed = speed
-        self.c, self.rate = film.clearance, abs(speed)
-        self._last_velocity = np.zeros(2)
-
-    def load(self, turned: float) -> Array:
-        return self.steady + np.asarray(self.changing.at(math.copysign(turned, self.speed)))
-
-    def film_at(self, place: Array, velocity: Array) -> FilmSolution | None:
-        c, unit = self.c, self.c * self.rate
-        found = film_at_position(
-            self.film, (place[0] * c, place[1] * c), (velocity[0] * unit, velocity[1] * unit), self.resolution
-        )
-        if found.outcome is Outcome.OVERLOADED:
-            return None
-        if not found.outcome.solved:
-            raise _NoFilmError
-        return found
-
-    def balanced(self, turned: float, place: Array, last_step: float) -> tuple[Array, FilmSolution | None]:
-        """Velocity at which the film carries the load, and the film there; inward where there is contact."""
-        load = self.load(turned)
-        velocity = self._last_velocity
-        before = math.inf
-        for _ in range(40):
-            film = self.film_at(place, velocity)
-            if film is None:
-                return -place / math.hypot(*place), None
-            step = np.linalg.solve(film.damping, film.force + load) / (self.c * self.rate)
-            size = math.hypot(*step)
-            velocity = velocity + step * (1.0 if size < 2.0 * before else 0.5)
-            before = size
-            if size < last_step * (1.0 + math.hypot(*velocity)):
-                self._last_velocity = velocity
-                return velocity, film
-        raise _NoFilmError
-
-
-class _Massless(_Journal):
-    """State: position."""
-
-    def start(self, place: Array) -> Array:
-        return place
-
-    def slope(self, turned: float, state: Array) -> Array:
-        return self.balanced(turned, state, BALANCED_WHILE_MARCHING)[0]
-
-    def jacobian(self, turned: float, state: Array) -> Array:
-        film = self.balanced(turned, state, BALANCED_WHILE_MARCHING)[1]
-        return -np.eye(2) if film is None else -np.linalg.solve(film.damping, film.stiffness) / self.rate
-
-    def film_of(self, turned: float, state: Array) -> tuple[Array, FilmSolution]:
-        velocity, film = self.balanced(turned, state, BALANCED)
-        if film is None:
-            raise _NoFilmError
-        return velocity, film
-
-
-class _Heavy(_Journal):
-    """State: position and velocity."""
-
-    mass = 1.0
-
-    def start(self, place: Array) -> Array:
-        return np.concatenate((place, np.zeros(2)))
-
-    def slope(self, turned: float, state: Array) -> Array:
-        film = self.film_at(state[:2], state[2:])
-        if film is None:
-            return np.concatenate((-state[:2] / math.hypot(*state[:2]), np.zeros(2)))
-        push = film.force + self.load(turned)
-        return np.concatenate((state[2:], push / (self.mass * self.c * self.rate**2)))
-
-    def jacobian(self, turned: float, state: Array) -> Array:
-        film = self.film_at(state[:2], state[2:])
-        whole = np.zeros((4, 4))
-        whole[:2, 2:] = np.eye(2)
-        if film is not None:
-            whole[2:, :2] = -film.stiffness / (self.mass * self.rate**2)
-            whole[2:, 2:] = -film.damping / (self.mass * self.rate)
-        return whole
-
-    def film_of(self, turned: float, state: Array) -> tuple[Array, FilmSolution]:
-        film = self.film_at(state[:2], state[2:])
-        if film is None:
-            raise _NoFilmError
-        return state[2:], film
-
-
 def find_orbit(
     film: JournalFilm,
     changing: ChangingLoad,
@@ -257,19 +157,21 @@ def find_orbit(
     """
     begun = time.perf_counter()
     if film.cavitation is Cavitation.HALF_SOMMERFELD:
-        raise InputError("E101", "a half-Sommerfeld film has no damping and makes no orbit; choose Cavitation.REYNOLDS")
+        raise InputError(
+            "E101", "a half-Sommerfeld film has no damping and makes no orbit; choose Cavitation.REYNOLDS"
+        )
     speed = film.angular_speed if speed is None else speed
     if speed == 0.0:
         raise InputError("E101", "the journal stands still; an orbit keeps step with a journal that turns")
     thin = replace(film, cavitation=Cavitation.REYNOLDS)
-    kind = _Heavy if mass > 0.0 else _Massless
+    kind = HeavyJournal if mass > 0.0 else MasslessJournal
     journal = kind(thin, np.asarray(steady), changing, speed, resolution)
-    if isinstance(journal, _Heavy):
+    if isinstance(journal, HeavyJournal):
         journal.mass = mass
     return _marched(journal, begun)
 
 
-def _marched(journal: _Massless | _Heavy, begun: float) -> Orbit:
+def _marched(journal: MasslessJournal | HeavyJournal, begun: float) -> Orbit:
     from scipy.integrate import solve_ivp
 
     cycle = journal.changing.cycle
@@ -278,7 +180,8 @@ def _marched(journal: _Massless | _Heavy, begun: float) -> Orbit:
     states, thinnest = state[:, None].repeat(POINTS, axis=1), []
     outcome, cycles = Outcome.NOT_PERIODIC, 0
     try:
-        for cycles in range(1, MOST_CYCLES + 1):
+        while cycles < MOST_CYCLES:
+            cycles += 1
             run = solve_ivp(
                 journal.slope, (0.0, cycle), state, method="LSODA", t_eval=instants, jac=journal.jacobian,
                 rtol=ACCURACY, atol=0.1 * ACCURACY,
@@ -300,7 +203,7 @@ def _marched(journal: _Massless | _Heavy, begun: float) -> Orbit:
             if all(b < a for a, b in zip(thinnest[-6:], thinnest[-5:], strict=False)):
                 outcome = Outcome.SQUEEZED_OUT if last < (1.0 - STILL_THINNING) * before else outcome
         return _read(journal, instants[:-1], states, outcome, cycles, begun)
-    except _NoFilmError:
+    except NoMotionError:
         nothing = np.full(1, np.nan)
         two = np.full((1, 2), np.nan)
         return Orbit(
@@ -309,7 +212,7 @@ def _marched(journal: _Massless | _Heavy, begun: float) -> Orbit:
         )  # fmt: skip
 
 
-def _begin(journal: _Journal) -> Array:
+def _begin(journal: MovingJournal) -> Array:
     """Where the mean load would rest the journal, else a little below the centre."""
     cycle = journal.changing.cycle
     loads = np.array([journal.load(cycle * place / POINTS) for place in range(POINTS)])
@@ -318,23 +221,30 @@ def _begin(journal: _Journal) -> Array:
         rest = solve_journal(journal.film, (float(mean[0]), float(mean[1])), journal.resolution)
         if rest.outcome.solved:
             return np.asarray(rest.position / journal.c)
-    return 0.1 * loads[0] / max(math.hypot(*loads[0]), 1e-300)
+    return np.asarray(0.1 * loads[0] / max(math.hypot(*loads[0]), 1e-300))
 
 
-def _thinnest(journal: _Journal, states: Array) -> float:
+def _thinnest(journal: MovingJournal, states: Array) -> float:
     """Smallest film thickness of a cycle over the clearance."""
     from babbitt.film.ring import bore_gap
 
     angles = np.linspace(0.0, 2.0 * math.pi, 361)
-    gap = bore_gap(journal.film, angles)[None, :] - np.outer(states[0], np.cos(angles)) - np.outer(
-        states[1], np.sin(angles)
+    gap = (
+        bore_gap(journal.film, angles)[None, :]
+        - np.outer(states[0], np.cos(angles))
+        - np.outer(states[1], np.sin(angles))
     )
     slope = math.hypot(*journal.film.misalignment) * 0.5 * journal.film.width / journal.c
     return float(gap.min() - slope)
 
 
 def _read(
-    journal: _Massless | _Heavy, instants: Array, states: Array, outcome: Outcome, cycles: int, begun: float
+    journal: MasslessJournal | HeavyJournal,
+    instants: Array,
+    states: Array,
+    outcome: Outcome,
+    cycles: int,
+    begun: float,
 ) -> Orbit:
     """Film at every instant of a cycle."""
     found = [journal.film_of(turned, state) for turned, state in zip(instants, states.T, strict=True)]
@@ -361,7 +271,7 @@ def _read(
     )
 
 
-def _load_error(journal: _Journal, instant: int, films: list[FilmSolution], velocity: Array) -> float:
+def _load_error(journal: MovingJournal, instant: int, films: list[FilmSolution], velocity: Array) -> float:
     """Change of the film force at one instant on a grid twice as fine, over the force."""
     film, grid = films[instant], journal.resolution
     x, y = film.position

@@ -50,7 +50,8 @@ class TableError(Exception):
 
 
 def with_tables(given: dict[str, Any], folder: FilePath) -> dict[str, Any]:
-    """Put the points of measured bores and changing loads, and the text of tables of limits, in place of their files.
+    """Put the points of measured bores and changing loads, and the text of tables of limits, in place of their
+    files.
 
     Parameters
     ----------

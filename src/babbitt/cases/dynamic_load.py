@@ -67,8 +67,8 @@ class LoadTableGiven(Part):
     file: str | None = Field(
         None,
         max_length=1000,
-        description="CSV table in place of the three lists, named from the folder of the case; its heading has the "
-        "units: angle [deg],fx [kN],fy [kN].",
+        description="CSV table in place of the three lists, named from the folder of the case; its heading has "
+        "the units: angle [deg],fx [kN],fy [kN].",
     )
     moving_mass: MovingMass = Field(0.0, description=MOVING_MASS)
 

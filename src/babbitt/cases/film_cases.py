@@ -11,7 +11,7 @@ from babbitt.cases.assumptions import common_assumptions_of
 from babbitt.cases.doubts import doubts_about_numbers
 from babbitt.cases.film_layout import film_layout
 from babbitt.cases.joined_inputs import Inputs, Point, duty, housing_cooling, journal_speed, oil_supply
-from babbitt.film.model import Cavitation, FilmStart
+from babbitt.film.model import Cavitation
 from babbitt.materials import LoadCharacter, bearing_metal
 
 

@@ -11,8 +11,8 @@ from pydantic import Field
 from babbitt.cases import clearance, cooling, supply_element
 from babbitt.cases.choices import FrictionGiven, LimitsGiven
 from babbitt.cases.clearance import ClearanceGiven
-from babbitt.cases.fields import Name, Prose, Span
 from babbitt.cases.dynamic_load import DynamicLoadGiven
+from babbitt.cases.fields import Name, Prose, Span
 from babbitt.cases.film_features import (
     MOST_DEPARTURE,
     BoreGiven,
@@ -25,6 +25,12 @@ from babbitt.cases.film_features import (
     WornBoreGiven,
     complaint_about_tilt,
     complaints_about_hollows,
+)
+from babbitt.cases.film_rules import (
+    complaints_about_changing_load,
+    complaints_about_closed_ring,
+    complaints_about_half_sommerfeld,
+    complaints_about_position,
 )
 from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
 from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_bare, is_given, rule
@@ -39,9 +45,6 @@ WIDTH_RATIOS = (0.1, 1.5)
 
 LEAST_SPECIFIC_LOAD = 1e3
 """Pa. Assumption: a smaller load is a slip of unit."""
-
-CLEARANCE_GROWTH = 2.0
-"""Assumption: a clearance does not grow by more than this from 20 degC to operation; a position beyond is refused."""
 
 GREATEST_SURFACE_SPEED = 200.0
 """m/s. Assumption: a faster plain bearing is a slip of unit."""
@@ -123,8 +126,8 @@ class JournalBearing(Duty, SharedInputs):
         "mass_conserving",
         description="What the film method does where the film breaks up: conserve the oil (JFO), or let "
         "pressure and "
-        "its gradient vanish (Reynolds, as in most published tables), or count suctions of the full film as nothing "
-        "(half-Sommerfeld, as in closed forms: a plain ring without feeding, no flows and no stiffness).",
+        "its gradient vanish (Reynolds, as in most published tables), or count suctions of the full film as "
+        "nothing (half-Sommerfeld, as in closed forms: a plain ring without feeding, no flows and no stiffness).",
     )
     cavitation_pressure: Annotated[float, si("Pa", "-1 MPa", "0 Pa")] = Field(
         0.0, description="Gauge pressure at which the film breaks, for the film method."
@@ -146,8 +149,8 @@ class JournalBearing(Duty, SharedInputs):
     )
     equilibria: Literal["auto", "all", "first"] = Field(
         "auto",
-        description="Whether the film method looks for further places where the journal can rest: always, never, or "
-        "where it costs little (grooves as wide as the bearing, lobes included).",
+        description="Whether the film method looks for further places where the journal can rest: always, never, "
+        "or where it costs little (grooves as wide as the bearing, lobes included).",
     )
     limits: LimitsGiven = Field(LimitsGiven(), description="Limits in place of those by experience.")
     assumptions: tuple[Prose, ...] = Field(
@@ -182,7 +185,7 @@ class JournalBearing(Duty, SharedInputs):
     @rule
     def _loads_make_sense(self) -> Iterator[Complaint]:
         width = self.actual_width
-        for path, duty in self._duties():
+        for path, duty in self.duties():
             if duty.load is None or width is None:
                 continue
             pressure = duty.load / (width * self.diameter)
@@ -198,7 +201,7 @@ class JournalBearing(Duty, SharedInputs):
 
     @rule
     def _speeds_make_sense(self) -> Iterator[Complaint]:
-        for path, duty in self._duties():
+        for path, duty in self.duties():
             speed = duty.speed
             if speed is None and duty.surface_speed is not None:
                 speed = 2.0 * duty.surface_speed / self.diameter
@@ -278,7 +281,7 @@ class JournalBearing(Duty, SharedInputs):
             yield Complaint(("bore",), f"ISO 7902 knows round bores only, not {self.bore.kind}", "method: film")
         if self.misalignment is not None:
             yield Complaint(("misalignment",), "ISO 7902 knows no misaligned journal", "method: film")
-        for path, duty in self._duties():
+        for path, duty in self.duties():
             if duty.attitude_angle is not None:
                 says = "ISO 7902 finds the attitude angle itself"
                 yield Complaint((*path, "attitude_angle"), says, "method: film, or leave it out")
@@ -290,59 +293,19 @@ class JournalBearing(Duty, SharedInputs):
 
     @rule
     def _position_is_near_the_bearing(self) -> Iterator[Complaint]:
-        if self.bore is not None and self.bore.kind != "round":
-            return  # lobes and wear give more room in some directions; the calculation tells
-        play = self.clearance.at_20_degrees(self.diameter).relative(self.diameter).maximum * self.diameter / 2.0
-        for path, duty in self._duties():
-            if duty.position is None:
-                continue
-            away = math.hypot(duty.position.x, duty.position.y)
-            if away >= CLEARANCE_GROWTH * play:
-                says = f"position outside the clearance: {written(away, 'um')} from the bearing centre"
-                yield Complaint((*path, "position"), says, f"less than the radial clearance, {written(play, 'um')}")
+        yield from complaints_about_position(self)
 
     @rule
     def _changing_load_is_added_to_a_load(self) -> Iterator[Complaint]:
-        if self.dynamic_load is None:
-            return
-        for path, duty in self._duties():
-            prescribed = [name for name in ("eccentricity_ratio", "position") if is_given(duty, name)]
-            if prescribed:
-                says = f"a changing load moves the journal, and {prescribed[0]} holds it"
-                yield Complaint((*path, prescribed[0]), says, "load or specific_load")
-        if self.cavitation == "half_sommerfeld":
-            yield Complaint(("cavitation",), "a half-Sommerfeld film has no damping and makes no orbit", "reynolds")
+        yield from complaints_about_changing_load(self)
 
     @rule
     def _half_sommerfeld_is_of_a_plain_ring(self) -> Iterator[Complaint]:
-        if self.cavitation != "half_sommerfeld" or self.method != "film":
-            return
-        allowed = "a plain round bore without grooves, pockets, holes and tilt; else cavitation: reynolds"
-        says = "the half-Sommerfeld condition is for a plain closed ring"
-        if self.film_start not in (None, "periodic"):
-            yield Complaint(("film_start",), f"{says}, where the film begins nowhere", "periodic")
-        elif self.hollows() or self.supply_element is not None:
-            yield Complaint(("cavitation",), f"{says}, and this bearing is fed", allowed)
-        elif (self.bore is not None and self.bore.kind != "round") or self.misalignment is not None:
-            yield Complaint(("cavitation",), says, allowed)
-        elif self.effective_temperature is None:
-            says = "half-Sommerfeld films have no flow to carry heat away"
-            yield Complaint(("effective_temperature",), f"{says}: it is missing", "the temperature of the film",
-                            code="E003")  # fmt: skip
+        yield from complaints_about_half_sommerfeld(self)
 
     @rule
     def _closed_ring_is_plain(self) -> Iterator[Complaint]:
-        if self.film_start != "periodic" or self.method != "film":
-            return
-        if self.grooves:
-            says = "a film that closes around the journal has no grooves as wide as the bearing"
-            yield Complaint(("film_start",), says, "groove")
-        if self.span not in (None, 360):
-            says = f"a film that closes around the journal has no ends; span is {self.span} deg"
-            yield Complaint(("film_start",), says, "groove, or span 360 deg")
-        if self.cavitation == "mass_conserving" and not self.hollows():
-            says = "a mass-conserving film that nothing feeds runs dry"
-            yield Complaint(("cavitation",), says, "reynolds, half_sommerfeld, or give pockets or holes")
+        yield from complaints_about_closed_ring(self)
 
     @rule
     def _tilt_leaves_a_film(self) -> Iterator[Complaint]:
@@ -358,7 +321,12 @@ class JournalBearing(Duty, SharedInputs):
     @rule
     def _tilt_needs_narrow_supplies(self) -> Iterator[Complaint]:
         width = self.actual_width
-        if self.misalignment is None or self.method != "film" or width is None or self.film_starts() is not FilmStart.GROOVE:
+        if (
+            self.misalignment is None
+            or self.method != "film"
+            or width is None
+            or self.film_starts() is not FilmStart.GROOVE
+        ):
             return
         from babbitt.cases.film_layout import film_layout  # it reads this model
 
@@ -434,7 +402,8 @@ class JournalBearing(Duty, SharedInputs):
         """Supply element at an operating point (None: the bearing as such)."""
         return self.supply_element if point is None else point.supply_element or self.supply_element
 
-    def _duties(self) -> Iterator[tuple[tuple[str | int, ...], Duty]]:
+    def duties(self) -> Iterator[tuple[tuple[str | int, ...], Duty]]:
+        """Loads and speeds of the bearing and of its operating points, each with its path in the case."""
         yield (), self
         for index, point in enumerate(self.operating_points):
             yield ("operating_points", index), point

@@ -45,8 +45,8 @@ class Duty(Part):
     )
     position: PositionGiven | None = Field(
         None,
-        description="Prescribed place of the journal centre, for the film method, in place of the load. The load and "
-        "its direction are found.",
+        description="Prescribed place of the journal centre, for the film method, in place of the load. The load "
+        "and its direction are found.",
     )
     speed: Annotated[float, either_sense("rad/s", "0.1 rpm", "1000000 rpm")] | None = Field(
         None, description="Rotational speed of the journal, positive counter-clockwise."

@@ -52,6 +52,12 @@ KEY_RESULTS = (
     "critical_mass",
     "whirl_frequency_ratio",
     "threshold_speed",
+    "orbit_largest_eccentricity_ratio",
+    "orbit_minimum_film_thickness",
+    "orbit_minimum_film_direction",
+    "orbit_minimum_film_turned",
+    "orbit_maximum_pressure",
+    "orbit_friction_power",
     "lobe_clearance",
     "preload",
 )
