@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState
 from babbitt.bearings.whirl import FASTEST
+from babbitt.film.model import Cavitation
 from babbitt.report.drawing import Drawing, rendered, style
 from babbitt.results import Result
 
@@ -47,8 +48,9 @@ def report_figures(case: FilmCase, result: Result, image_format: str = "svg") ->
     state = state_of(case, result)
     with style():
         if is_slow(state):
-            return _drawn(_at_rest(case, state, LEFT_OUT), image_format)
-        return _drawn((*_at_rest(case, state), *_swept(case, state)), image_format)
+            return _drawn((*_at_rest(case, state, LEFT_OUT), *_moving(state, result)), image_format)
+        painted = (*_at_rest(case, state), *_moving(state, result), *_swept(case, state))
+        return _drawn(painted, image_format)
 
 
 def all_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tuple[Drawing, ...]:
@@ -71,7 +73,8 @@ def all_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tu
         return ()
     state = state_of(case, result)
     with style():
-        return _drawn((*_at_rest(case, state), *_surface(case, state), *_swept(case, state)), image_format)
+        at_rest = (*_at_rest(case, state), *_surface(case, state))
+        return _drawn((*at_rest, *_moving(state, result), *_swept(case, state)), image_format)
 
 
 def _drawn(painted: Iterator[Painted] | tuple[Painted, ...], image_format: str) -> tuple[Drawing, ...]:
@@ -108,9 +111,26 @@ def _surface(case: FilmCase, state: FilmState) -> Iterator[Painted]:
     yield "pressure-surface", "Pressure over the unrolled bore.", film_maps.surface(field), True
 
 
+def _moving(state: FilmState, result: Result) -> Iterator[Painted]:
+    from babbitt.report import film_orbit
+
+    if "orbit" in result.arrays:
+        yield (
+            "orbit",
+            "Orbit of the journal under the changing load within the room that the bore leaves it, named by the "
+            "angle that the journal has turned; the cross is its place under the steady load alone. Beside it the "
+            "least film thickness and, broken, the size of the load over one cycle. Filled: the thinnest film.",
+            film_orbit.orbit(state, result),
+            True,
+        )
+
+
 def _swept(case: FilmCase, state: FilmState) -> Iterator[Painted]:
     from babbitt.report import film_curves
     from babbitt.report.film_sweeps import over_load, over_speed, thresholds
+
+    if case.cavitation is Cavitation.HALF_SOMMERFELD:
+        return  # a film without stiffness and damping
 
     yield (
         "journal-locus",

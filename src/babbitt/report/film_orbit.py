@@ -1,0 +1,75 @@
+"""The orbit of a journal under a changing load, and the film over one cycle."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from babbitt.bearings.field import clearance_outline
+from babbitt.bearings.warm_film import FilmState
+from babbitt.quantities import QUANTITIES
+from babbitt.report.drawing import GREY, INK, Array, Sheet, axis_label, mark
+from babbitt.results import Result
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+NAMED = 4
+"""Instants of the cycle that are named along the orbit."""
+
+
+def orbit(state: FilmState, result: Result) -> Figure:
+    """Orbit inside the room that the bore leaves, and film thickness and load over the angle turned."""
+    turned, x, y, fx, fy, thickness, _ = np.array(result.arrays["orbit"]).T
+    figure, ((left, right),) = Sheet(166.0, 74.0, 1, 2, left=11.0, bottom=10.0, across=26.0).panels()
+    _orbit(left, state, turned, np.array([x, y]) / state.solution.film.clearance)
+    cycle = math.degrees(turned[-1] + turned[1])
+    degrees = np.append(np.degrees(turned), cycle)
+    film, load = QUANTITIES["minimum_film_thickness"], QUANTITIES["load"]
+    right.plot(degrees, film.display.scale * np.append(thickness, thickness[0]), color=INK)
+    thinnest = int(np.argmin(thickness))
+    mark(right, degrees[thinnest], film.display.scale * thickness[thinnest])
+    right.set(xlabel="angle turned by the journal in °", ylabel=axis_label(film), xlim=(0.0, cycle))
+    right.set_ylim(bottom=0.0)
+    right.set_xticks(np.linspace(0.0, cycle, 5))
+    right.xaxis.set_major_formatter("{x:g}")
+    beside = right.twinx()
+    size = load.display.scale * np.hypot(fx, fy)
+    beside.plot(degrees, np.append(size, size[0]), color=GREY, linestyle=(0, (6, 1.5)))
+    beside.set_ylabel(axis_label(load), color="0.4")
+    beside.set_ylim(bottom=0.0)
+    return figure
+
+
+def _orbit(panel: Axes, state: FilmState, turned: Array, place: Array) -> None:
+    from matplotlib.ticker import MaxNLocator
+
+    panel.set_aspect("equal")
+    directions = np.linspace(0.0, 2.0 * math.pi, 361)
+    film = state.solution.film
+    room = clearance_outline(film, directions) / film.clearance
+    panel.plot(room * np.cos(directions), room * np.sin(directions), color=INK, linewidth=0.8)
+    panel.plot([0.0], [0.0], "+", color=GREY, markersize=6, markeredgewidth=0.8)
+    panel.plot(*np.concatenate((place, place[:, :1]), axis=1), color=INK)
+    rest = state.solution.position / film.clearance
+    panel.plot(*rest, "x", color=GREY, markersize=5, markeredgewidth=0.9)
+    middle = place.mean(axis=1)
+    for instant in np.arange(NAMED) * (turned.size // NAMED):
+        at = place[:, instant]
+        panel.plot(*at, "o", markersize=2.6, markerfacecolor="white", markeredgecolor=INK, markeredgewidth=0.7)
+        away = at - middle
+        away = away / max(float(np.hypot(*away)), 1e-12)
+        panel.annotate(
+            f"{math.degrees(turned[instant]):.0f}°", tuple(at), xytext=tuple(8.0 * away), textcoords="offset "
+            "points",
+            fontsize=7, ha="center", va="center",
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.3},
+        )  # fmt: skip
+    reach = 1.04 * float(room[np.isfinite(room)].max())
+    panel.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel="$x/c$", ylabel="$y/c$")
+    for axis in (panel.xaxis, panel.yaxis):
+        axis.set_major_locator(MaxNLocator(5))
+        axis.set_major_formatter("{x:g}")
