@@ -119,7 +119,7 @@ def _moving(state: FilmState, result: Result) -> Iterator[Painted]:
             "orbit",
             "Orbit of the journal under the changing load within the room that the bore leaves it, named by the "
             "angle that the journal has turned; the cross is its place under the steady load alone. Beside it the "
-            "least film thickness and, broken, the size of the load over one cycle. Filled: the thinnest film.",
+            "least film thickness and the size of the load over one cycle. Filled: the thinnest film.",
             film_orbit.orbit(state, result),
             True,
         )

@@ -22,25 +22,28 @@ NAMED = 4
 
 
 def orbit(state: FilmState, result: Result) -> Figure:
-    """Orbit inside the room that the bore leaves, and film thickness and load over the angle turned."""
+    """Orbit inside the room that the bore leaves; film thickness and load over the angle turned."""
     turned, x, y, fx, fy, thickness, _ = np.array(result.arrays["orbit"]).T
-    figure, ((left, right),) = Sheet(166.0, 74.0, 1, 2, left=11.0, bottom=10.0, across=26.0).panels()
-    _orbit(left, state, turned, np.array([x, y]) / state.solution.film.clearance)
+    figure, axes = Sheet(166.0, 80.0, 2, 2, left=11.0, bottom=9.5, across=17.0, between=5.0).panels()
+    whole = axes[0][0].get_gridspec()[:, 0]
+    for panel in axes[:, 0]:
+        panel.remove()
+    _orbit(figure.add_subplot(whole), state, turned, np.array([x, y]) / state.solution.film.clearance)
+    above, below = axes[:, 1]
     cycle = math.degrees(turned[-1] + turned[1])
     degrees = np.append(np.degrees(turned), cycle)
-    film, load = QUANTITIES["minimum_film_thickness"], QUANTITIES["load"]
-    right.plot(degrees, film.display.scale * np.append(thickness, thickness[0]), color=INK)
+    shown = (("minimum_film_thickness", thickness, above), ("load", np.hypot(fx, fy), below))
+    for name, values, panel in shown:
+        quantity = QUANTITIES[name]
+        panel.plot(degrees, quantity.display.scale * np.append(values, values[0]), color=INK)
+        panel.set(ylabel=axis_label(quantity), xlim=(0.0, cycle))
+        panel.set_ylim(bottom=0.0)
+        panel.set_xticks(np.linspace(0.0, cycle, 5))
+        panel.xaxis.set_major_formatter("{x:g}")
+    above.tick_params(labelbottom=False)
+    below.set_xlabel("angle turned by the journal in °")
     thinnest = int(np.argmin(thickness))
-    mark(right, degrees[thinnest], film.display.scale * thickness[thinnest])
-    right.set(xlabel="angle turned by the journal in °", ylabel=axis_label(film), xlim=(0.0, cycle))
-    right.set_ylim(bottom=0.0)
-    right.set_xticks(np.linspace(0.0, cycle, 5))
-    right.xaxis.set_major_formatter("{x:g}")
-    beside = right.twinx()
-    size = load.display.scale * np.hypot(fx, fy)
-    beside.plot(degrees, np.append(size, size[0]), color=GREY, linestyle=(0, (6, 1.5)))
-    beside.set_ylabel(axis_label(load), color="0.4")
-    beside.set_ylim(bottom=0.0)
+    mark(above, degrees[thinnest], QUANTITIES["minimum_film_thickness"].display.scale * thickness[thinnest])
     return figure
 
 
@@ -63,7 +66,7 @@ def _orbit(panel: Axes, state: FilmState, turned: Array, place: Array) -> None:
         away = at - middle
         away = away / max(float(np.hypot(*away)), 1e-12)
         panel.annotate(
-            f"{math.degrees(turned[instant]):.0f}°", tuple(at), xytext=tuple(8.0 * away), textcoords="offset "
+            f"{math.degrees(turned[instant]):.0f}°", tuple(at), xytext=tuple(12.0 * away), textcoords="offset "
             "points",
             fontsize=7, ha="center", va="center",
             bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.3},
