@@ -50,12 +50,12 @@ def test_a_bearing_that_is_its_own_image_after_half_a_turn_has_image_equilibria(
 
 
 def test_every_place_is_an_equilibrium():
-    load = (0.0, -300.0)
-    found = find_equilibria(SLOW, load, ENGINEERING)
+    load, slower = (0.0, -100.0), replace(SLOW, angular_speed=3.0)
+    found = find_equilibria(slower, load, ENGINEERING)
     assert found.complete
     assert len(found.places) == 3
     for place in found.places:
-        film = film_at_position(SLOW, place.position)
+        film = film_at_position(slower, place.position)
         gap = np.linalg.solve(film.stiffness, film.force + np.array(load))
         assert math.hypot(*gap) < 1e-3 * SLOW.clearance
 
@@ -101,7 +101,7 @@ def test_the_answer_names_the_other_places():
     slow = {
         "grooves": [{"angle": "90 deg", "extent": "20 deg"}, {"angle": "-90 deg", "extent": "20 deg"}],
         "supply": {"temperature": "45 degC", "pressure": "0.5 MPa"},
-        "load": "300 N",
+        "load": "150 N",
         "speed": "60 rpm",
         "effective_temperature": "50 degC",
     }

@@ -36,9 +36,13 @@ POINTS = 144
 MOST_CYCLES = 40
 """Cycles after which the march ends."""
 
-CLOSED = 2e-3
-"""Distance over the thinnest film between begin and end of a cycle that counts as closed: a journal that sinks
-slowly moves little, but loses a share of its film in each cycle."""
+CLOSED = 1e-3
+"""Distance between begin and end of a cycle that counts as closed, over the thinnest film and the size of the
+orbit: a journal that sinks slowly moves little, but loses a share of its film in each cycle."""
+
+FAR = 0.05
+"""Distance over the clearance between begin and end of a cycle, above which the journal wanders rather than
+sinks."""
 
 ACCURACY = 3e-5
 """Of a step of the march, relative; a tenth of it, over the clearance, absolute."""
@@ -195,13 +199,13 @@ def _marched(journal: MasslessJournal | HeavyJournal, begun: float) -> Orbit:
             if thinnest[-1] < THINNEST:
                 outcome = Outcome.SQUEEZED_OUT
                 break
-            if moved < CLOSED * thinnest[-1]:
+            size = float(np.ptp(states[:2], axis=1).max())
+            if cycles > 1 and moved < max(CLOSED * min(thinnest[-1], size), ACCURACY):
                 outcome = Outcome.CONVERGED
                 break
         else:
-            last, before = thinnest[-1], thinnest[-2]
-            if all(b < a for a, b in zip(thinnest[-6:], thinnest[-5:], strict=False)):
-                outcome = Outcome.SQUEEZED_OUT if last < (1.0 - STILL_THINNING) * before else outcome
+            thins = thinnest[-1] < (1.0 - STILL_THINNING) * thinnest[-2]
+            outcome = Outcome.SQUEEZED_OUT if thins and moved < FAR else outcome
         return _read(journal, instants[:-1], states, outcome, cycles, begun)
     except NoMotionError:
         nothing = np.full(1, np.nan)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.cases.part import Complaint, is_given
+from babbitt.notices import InputError
 from babbitt.units import written
 
 if TYPE_CHECKING:
@@ -21,14 +22,14 @@ def complaints_about_position(bearing: JournalBearing) -> Iterator[Complaint]:
     """Complain about a position that no clearance reaches."""
     if bearing.bore is not None and bearing.bore.kind != "round":
         return  # lobes and wear give more room in some directions; the calculation tells
-    play = (
-        bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter).maximum
-        * bearing.diameter
-        / 2.0
-    )
     for path, duty in bearing.duties():
         if duty.position is None:
             continue
+        try:
+            clearance = bearing.clearance.at_20_degrees(bearing.diameter)
+        except InputError:  # told by its own rule
+            return
+        play = clearance.relative(bearing.diameter).maximum * bearing.diameter / 2.0
         away = math.hypot(duty.position.x, duty.position.y)
         if away >= CLEARANCE_GROWTH * play:
             says = f"position outside the clearance: {written(away, 'um')} from the bearing centre"
