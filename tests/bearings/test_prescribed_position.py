@@ -34,7 +34,6 @@ def test_the_position_found_for_a_load_gives_back_the_load_and_its_direction(spe
 def test_the_heat_balance_closes_at_a_prescribed_position():
     result = answer(**at("60 um", "-70 um"))
     assert abs(result.energy_balance_error) < 1e-8
-    assert result.equilibria if "equilibria" in result.values else True
 
 
 def test_a_position_that_touches_the_bore_is_no_film():
@@ -86,3 +85,14 @@ def test_a_half_sommerfeld_film_claims_neither_flow_nor_stiffness():
     (comparison,) = compare_methods(case(**HALF | {"width_ratio": 0.5}, eccentricity_ratio=0.5))
     labels = [variant.label for variant in comparison.variants]
     assert labels[:2] == ["film, half-Sommerfeld", "film, Reynolds"]
+
+
+def test_the_threshold_of_whirl_is_that_of_the_load_found():
+    given = AT_60 | {"load": "10 kN", "load_angle": "-20 deg", "rotor_mass": "3 t"}
+    found = answer(**given)
+    angle = math.radians(-20.0) + found.attitude_angle
+    away = found.eccentricity_ratio * 0.5 * found.operating_relative_clearance * found.diameter
+    place = at(away * math.cos(angle), away * math.sin(angle))
+    there = answer(**AT_60, rotor_mass="3 t", **place)  # its load angle is -90 deg, which nothing depends on
+    assert there.threshold_speed == pytest.approx(found.threshold_speed, rel=5e-3)
+    assert there.critical_mass == pytest.approx(found.critical_mass, rel=5e-3)

@@ -20,7 +20,7 @@ from babbitt.bearings.orbit_answer import (
 )
 from babbitt.bearings.resting import doubts_about_rest, resting_places
 from babbitt.bearings.transition import transition_speed
-from babbitt.bearings.warm_film import FilmState, operating_film
+from babbitt.bearings.warm_film import FilmState, operating_film, under_found_load
 from babbitt.bearings.whirl import Whirl, whirl_of
 from babbitt.design.checks import USER, checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import GivenEccentricity, GivenPosition, contact_film
@@ -80,8 +80,9 @@ def film_check(case: FilmCase) -> Result:
         if case.cavitation is not Cavitation.HALF_SOMMERFELD:
             arrays = {"stiffness": _rows(state.solution.stiffness), "damping": _rows(state.solution.damping)}
         if outcome.solved:
-            whirl = whirl_of(case, state) if case.cavitation is not Cavitation.HALF_SOMMERFELD else None
-            values |= _running_values(case, state, whirl)
+            loaded = under_found_load(case, state)
+            whirl = whirl_of(loaded, state) if case.cavitation is not Cavitation.HALF_SOMMERFELD else None
+            values |= _running_values(loaded, state, whirl)
             checks = (*limit_checks(case, values), *_whirl_checks(case, whirl), clearance_check(case, values))
             not_made = checks_not_made(case, values)
             warnings = tuple(_doubts(case, state, values, checks, whirl))

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from babbitt.bearings.compiling import announced
 from babbitt.bearings.layout import film_of, load_vector
 from babbitt.bearings.model import FilmCase
-from babbitt.design.conditions import GivenEccentricity, GivenPosition
+from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition
 from babbitt.design.feeding import Arrival, arrival
 from babbitt.design.heat_balance import (
     SPARING,
@@ -140,6 +140,14 @@ def film_at(case: FilmCase, film: JournalFilm, position: tuple[float, float]) ->
     if found.outcome is Outcome.OVERLOADED:
         raise NoFilmError(Outcome.OUTSIDE_CLEARANCE)
     return _accepted(found)
+
+
+def under_found_load(case: FilmCase, state: FilmState) -> FilmCase:
+    """The case with the load in the direction that was found, where the position was prescribed."""
+    if isinstance(case.duty, GivenLoad):
+        return case
+    fx, fy = state.solution.force
+    return replace(case, load_angle=math.atan2(-fy, -fx))
 
 
 def _at_eccentricity(case: FilmCase, duty: GivenEccentricity, film: JournalFilm) -> FilmSolution:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
-from babbitt.bearings.warm_film import FilmState
+from babbitt.bearings.warm_film import FilmState, under_found_load
 from babbitt.bearings.whirl import FASTEST
 from babbitt.film.model import Cavitation
 from babbitt.report.drawing import Drawing, rendered, style
@@ -46,6 +46,7 @@ def report_figures(case: FilmCase, result: Result, image_format: str = "svg") ->
     if not result.outcome.solved:
         return ()
     state = state_of(case, result)
+    case = under_found_load(case, state)
     with style():
         if is_slow(state):
             return _drawn((*_at_rest(case, state, LEFT_OUT), *_moving(state, result)), image_format)
@@ -72,6 +73,7 @@ def all_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tu
     if not result.outcome.solved:
         return ()
     state = state_of(case, result)
+    case = under_found_load(case, state)
     with style():
         at_rest = (*_at_rest(case, state), *_surface(case, state))
         return _drawn((*at_rest, *_moving(state, result), *_swept(case, state)), image_format)

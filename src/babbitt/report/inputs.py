@@ -185,7 +185,8 @@ def _operation(case: AnyDesign) -> Iterator[Row]:
         yield Row("Rotational speed of the bearing", f"{case.bearing_speed * 30.0 / math.pi:.4g}", None, "rpm")
     if isinstance(case, FilmCase):
         yield Row("Sense of rotation (x right, y up)", case.rotation.value.replace("_", "-"))
-        yield Row("Direction of the load from +x", f"{math.degrees(case.load_angle):.4g}", None, "°")
+        if not isinstance(case.duty, GivenPosition):
+            yield Row("Direction of the load from +x", f"{math.degrees(case.load_angle):.4g}", None, "°")
         if case.rotor_mass is not None:
             yield _named("rotor_mass", case.rotor_mass)
         if case.changing_load is not None:
