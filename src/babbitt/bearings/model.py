@@ -52,7 +52,7 @@ class Rotation(Enum):
 class Search(Enum):
     """Whether further equilibria of the journal are looked for."""
 
-    AUTO = "where it takes a hundredth of a second: in films fed by grooves as wide as the bearing, lobes included"
+    AUTO = "in lobed bores, and between grooves whose pressure rivals that of the wedge"
     ALL = "always"
     FIRST = "never"
 

@@ -6,15 +6,20 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from babbitt.bearings.bore import LobedBore
 from babbitt.bearings.layout import load_vector
 from babbitt.bearings.model import FilmCase, Search
 from babbitt.bearings.warm_film import FilmState
 from babbitt.design.conditions import GivenLoad
-from babbitt.film.model import Cavitation
+from babbitt.film.model import Cavitation, FilmStart, JournalFilm
 from babbitt.notices import Notice
 
 if TYPE_CHECKING:
     from babbitt.bearings.equilibria import RestingPlace, RestingPlaces
+
+SUPPLY_SHARE = 0.5
+"""Supply pressure over η ω (R/c)² from which further equilibria are sought. Assumption: two opposite grooves make
+them from 5 on."""
 
 __all__ = ["doubts_about_rest", "resting_places"]
 
@@ -23,14 +28,23 @@ def resting_places(case: FilmCase, state: FilmState) -> RestingPlaces | None:
     """All equilibria under the load of a case, that of the operating point first; None where they are not
     sought."""
     film = state.solution.film
-    cheap = not film.differs_across_width and len(film.lands) > 1
-    wanted = case.search is Search.ALL or (case.search is Search.AUTO and cheap)
+    wanted = case.search is Search.ALL or (case.search is Search.AUTO and _likely(case, film))
     if not (wanted and isinstance(case.duty, GivenLoad)) or film.cavitation is Cavitation.HALF_SOMMERFELD:
         return None
     from babbitt.bearings.equilibria import find_equilibria
 
     load = load_vector(case, case.duty.load)
     return find_equilibria(film, load, case.accuracy.resolution, (state.solution,))
+
+
+def _likely(case: FilmCase, film: JournalFilm) -> bool:
+    """Whether further equilibria are worth the time: in lobes, and where supply pressure rivals that of the
+    wedge."""
+    if film.differs_across_width or film.film_start is not FilmStart.GROOVE:
+        return False
+    wedge = film.viscosity * abs(film.angular_speed) * (0.5 * film.diameter / film.clearance) ** 2
+    supply = max(max(land.start_pressure, land.end_pressure) for land in film.lands)
+    return isinstance(case.bearing.bore, LobedBore) or supply > SUPPLY_SHARE * wedge
 
 
 def doubts_about_rest(found: RestingPlaces) -> Iterator[Notice]:

@@ -150,7 +150,7 @@ class JournalBearing(Duty, SharedInputs):
     equilibria: Literal["auto", "all", "first"] = Field(
         "auto",
         description="Whether the film method looks for further places where the journal can rest: always, never, "
-        "or where it costs little (grooves as wide as the bearing, lobes included).",
+        "or in lobed bores and between grooves whose pressure rivals that of the wedge.",
     )
     limits: LimitsGiven = Field(LimitsGiven(), description="Limits in place of those by experience.")
     assumptions: tuple[Prose, ...] = Field(
