@@ -235,6 +235,31 @@ EXPLANATIONS: dict[str, Explanation] = {
         "it.",
         "Choose another `accuracy`; that numbers of two accuracies agree is an estimate, too.",
     ),
+    "W131": Explanation(
+        "The journal can rest elsewhere",
+        "Under the same load the film has more than one equilibrium. The results are those of the first. Slow, "
+        "lightly loaded bearings with a high supply pressure are of this kind: beside a groove under pressure the "
+        "narrowing gap chokes the flow, and the oil pushes the less, the nearer the journal comes.",
+        "Lower the supply pressure, raise the speed or the load, or feed where the load does not lead the "
+        "journal.",
+    ),
+    "W132": Explanation(
+        "The journal leaves its place",
+        "The equilibrium found is a saddle: the smallest push and the journal moves to another place.",
+        "Read the further equilibria (W131); prescribe another `position` to see the film there.",
+    ),
+    "W133": Explanation(
+        "Orbit on a coarse grid",
+        "Where wedge and squeeze nearly cancel, as for a load that rotates near half the speed, the film force is "
+        "a small difference of two large ones, and the grid blurs it.",
+        "A finer `accuracy`.",
+    ),
+    "W134": Explanation(
+        "An equilibrium may be missing",
+        "The directions of the force around the clearance tell how many equilibria there must be, and another "
+        "number was found. One of them may lie nearer to contact than the search looks.",
+        "A finer `accuracy`; look at the film at the places in question with `position`.",
+    ),
     # -- no solution --------------------------------------------------------------------------------------------
     "S001": Explanation(
         "No film can carry the load",
@@ -264,6 +289,23 @@ EXPLANATIONS: dict[str, Explanation] = {
         "viscosity, density or heat capacity would be absent, zero or negative.",
         "Describe the lubricant by points that enclose the operating temperature, with a gentler slope of density "
         "and heat capacity.",
+    ),
+    "S006": Explanation(
+        "Position outside the clearance",
+        "At the prescribed position the journal touches or cuts the bore: there is no film.",
+        "A position nearer to the centre, or a larger clearance; both count at operating temperature.",
+    ),
+    "S007": Explanation(
+        "The film is squeezed out",
+        "Under the changing load the film becomes thinner from cycle to cycle until nothing is left. A load that "
+        "rotates at half the speed of the journal builds no wedge and does so always.",
+        "Another ratio of the speeds, a steady load besides, more oil, or less load.",
+    ),
+    "S008": Explanation(
+        "The orbit does not close",
+        "The journal does not come back to its place after a cycle of the load, however long it runs: it whirls, "
+        "or its orbit takes several cycles.",
+        "A smaller `moving_mass`, or a bore with preload.",
     ),
     # -- checks of the design -----------------------------------------------------------------------------------
     "C101": Explanation(

@@ -418,3 +418,26 @@ def test_a_missing_extra_is_named(package, tmp_path, monkeypatch):
     with pytest.raises(InputError, match=r"babbitt\[files\]"):
         write_fields(case, result, tmp_path / "film.nc")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_orbit_is_drawn_where_there_is_one():
+    case = film_bearings.film(dynamic_load={"kind": "rotating", "magnitude": "10 kN"})
+    result = film_check(case)
+    drawn = {drawing.name for drawing in report_figures(case, result)}
+    assert drawn == {*REPORTED, "orbit"}
+    from babbitt.report.film_orbit import orbit
+
+    with style():
+        figure = orbit(state_of(case, result), result)
+    rows = np.array(result.arrays["orbit"])
+    thickness = 1e6 * rows[:, 5]
+    (panel,) = [axes for axes in figure.axes if "µm" in axes.get_ylabel()]
+    shown, filled = panel.lines
+    assert filled.get_ydata()[0] == pytest.approx(thickness.min())
+    np.testing.assert_allclose(shown.get_ydata()[:-1], thickness)
+
+
+def test_a_film_without_stiffness_has_no_curves():
+    case = film_bearings.film(grooves=None, cavitation="half_sommerfeld", effective_temperature="60 degC")
+    drawn = [drawing.name for drawing in report_figures(case, film_check(case))]
+    assert drawn == ["pressure-map", "pressure-polar"]

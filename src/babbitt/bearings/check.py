@@ -10,11 +10,21 @@ from babbitt.bearings.bore import LobedBore
 from babbitt.bearings.grid_error import grid_errors
 from babbitt.bearings.layout import without_pressure
 from babbitt.bearings.model import FilmCase
+from babbitt.bearings.orbit_answer import (
+    orbit_assumptions,
+    orbit_checks,
+    orbit_doubts,
+    orbit_failure,
+    orbit_of,
+    orbit_rows,
+    orbit_values,
+)
+from babbitt.bearings.resting import doubts_about_rest, resting_places
 from babbitt.bearings.transition import transition_speed
-from babbitt.bearings.warm_film import FilmState, operating_film
+from babbitt.bearings.warm_film import FilmState, operating_film, under_found_load
 from babbitt.bearings.whirl import Whirl, whirl_of
 from babbitt.design.checks import USER, checks_not_made, clearance_check, limit_checks
-from babbitt.design.conditions import GivenEccentricity, contact_film
+from babbitt.design.conditions import GivenEccentricity, GivenPosition, contact_film
 from babbitt.design.doubts import doubt_about_supply, doubts_about_film, doubts_about_running
 from babbitt.design.failure import failure
 from babbitt.design.screening import recommended_relative_clearance
@@ -26,6 +36,7 @@ from babbitt.design.values import (
     oil_values,
     supply_values,
 )
+from babbitt.film.model import Cavitation
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Result
 
@@ -56,7 +67,9 @@ def film_check(case: FilmCase) -> Result:
     """
     start = perf_counter()
     found = operating_film(case)
-    solved = found.outcome.solved
+    outcome, message = found.outcome, ""
+    if not outcome.solved:
+        message = failure(case, found)
     values: dict[str, float] = {}
     checks: tuple[Check, ...] = ()
     warnings = case.doubts
@@ -65,27 +78,41 @@ def film_check(case: FilmCase) -> Result:
     if found.film is not None:
         state = found.film
         values = _values(case, state)
-        arrays = {"stiffness": _rows(state.solution.stiffness), "damping": _rows(state.solution.damping)}
-        if solved:
-            whirl = whirl_of(case, state)
-            values |= _running_values(case, state, whirl)
+        if case.cavitation is not Cavitation.HALF_SOMMERFELD:
+            arrays = {"stiffness": _rows(state.solution.stiffness), "damping": _rows(state.solution.damping)}
+        if outcome.solved:
+            loaded = under_found_load(case, state)
+            whirl = whirl_of(loaded, state) if case.cavitation is not Cavitation.HALF_SOMMERFELD else None
+            values |= _running_values(loaded, state, whirl)
             values |= grid_errors(case, state) if case.error_estimate else {}
             checks = (*limit_checks(case, values), *_whirl_checks(case, whirl), clearance_check(case, values))
             not_made = checks_not_made(case, values)
             warnings = tuple(_doubts(case, state, values, checks, whirl))
+            places = resting_places(case, state)
+            if places is not None:
+                values["equilibria"] = float(len(places.places))
+                warnings = (*warnings, *doubts_about_rest(places))
+            orbit = orbit_of(case, state)
+            if orbit is not None:
+                outcome = orbit.outcome
+                message = "" if outcome.solved else orbit_failure(orbit)
+                values |= orbit_values(case, orbit)
+                arrays["orbit"] = orbit_rows(orbit)
+                checks = (*checks, *orbit_checks(checks, values))
+                warnings = (*warnings, *orbit_doubts(case, orbit))
         values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
     return Result(
         case.name,
         case.kind,
         METHOD,
-        found.outcome,
-        values,
+        outcome,
+        {name: value for name, value in values.items() if not math.isnan(value)},
         checks,
         warnings,
         not_made,
         (*case.lubricant.assumptions, *case.assumptions, *_assumptions(case)),
-        "" if solved else failure(case, found),
+        message,
         _settings(case),
         arrays,
     )
@@ -108,6 +135,7 @@ def _values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "american_sommerfeld_number": 1.0 / (2.0 * math.pi * film.sommerfeld_number),
         "eccentricity_ratio": film.eccentricity_ratio,
         "attitude_angle": film.attitude_angle,
+        "load_angle": math.atan2(-film.force[1], -film.force[0]),
         "minimum_film_thickness": film.minimum_film_thickness,
         "maximum_pressure": film.maximum_pressure,
         "friction_number": coefficient / state.relative_clearance,
@@ -147,6 +175,8 @@ def _lobe_values(case: FilmCase, state: FilmState) -> dict[str, float]:
 def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     """Flow by film pressure and by supply pressure: the latter is what the supply adds at the same position."""
     flow, film = state.total_flow, state.solution.film
+    if math.isnan(flow):
+        return {}
     calm = without_pressure(film)
     if calm == film:
         return {"side_flow": flow, "supply_flow": 0.0, "total_flow": flow}
@@ -157,7 +187,16 @@ def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     return {"side_flow": alone, "supply_flow": flow - alone, "total_flow": flow}
 
 
-def _running_values(case: FilmCase, state: FilmState, whirl: Whirl) -> dict[str, float]:
+def _running_values(case: FilmCase, state: FilmState, whirl: Whirl | None) -> dict[str, float]:
+    values = {} if whirl is None else _whirl_values(case, whirl)
+    contact = contact_film(case)
+    slow = transition_speed(case, state, contact) if contact is not None else None
+    if slow is not None:
+        values["transition_speed"] = slow
+    return values
+
+
+def _whirl_values(case: FilmCase, whirl: Whirl) -> dict[str, float]:
     values = {"rotor_mass": whirl.rotor_mass, "whirl_frequency_ratio": whirl.frequency_ratio}
     if math.isfinite(whirl.critical_mass):
         values["critical_mass"] = whirl.critical_mass
@@ -169,14 +208,12 @@ def _running_values(case: FilmCase, state: FilmState, whirl: Whirl) -> dict[str,
             values["critical_mass_elastic"] = whirl.elastic.critical_mass
         if whirl.elastic.threshold_speed is not None:
             values["threshold_speed_elastic"] = whirl.elastic.threshold_speed
-    contact = contact_film(case)
-    slow = transition_speed(case, state, contact) if contact is not None else None
-    if slow is not None:
-        values["transition_speed"] = slow
     return values
 
 
-def _whirl_checks(case: FilmCase, whirl: Whirl) -> Iterator[Check]:
+def _whirl_checks(case: FilmCase, whirl: Whirl | None) -> Iterator[Check]:
+    if whirl is None:
+        return
     own = case.rotor_mass is not None
     source = USER if own else "load over g, as if the load were the weight of the rotor"
     for name, critical in _critical_masses(whirl).items():
@@ -190,7 +227,7 @@ def _critical_masses(whirl: Whirl) -> dict[str, float]:
 
 
 def _doubts(
-    case: FilmCase, state: FilmState, values: dict[str, float], checks: tuple[Check, ...], whirl: Whirl
+    case: FilmCase, state: FilmState, values: dict[str, float], checks: tuple[Check, ...], whirl: Whirl | None
 ) -> Iterator[Notice]:
     yield from case.doubts
     yield from doubts_about_film(case, values)
@@ -206,8 +243,14 @@ def _doubts(
         yield Notice(
             "W121", f"supply flow of {flow:.2g} L/min from grooves as wide as the bearing: a rough estimate"
         )
-    if case.error_estimate and "stiffness_error" not in values:
+    if case.error_estimate and "position_error" not in values and "load_error" not in values:
         yield Notice("W125", "the film on the finer grid was not found")
+    if whirl is not None:
+        yield from _doubts_about_whirl(whirl)
+    yield from doubts_about_running(case, values, checks)
+
+
+def _doubts_about_whirl(whirl: Whirl) -> Iterator[Notice]:
     least = min(_critical_masses(whirl).values())
     if least < whirl.rotor_mass:
         shaft = " on its elastic shaft" if whirl.elastic is not None else ""
@@ -216,16 +259,20 @@ def _doubts(
             f"critical mass{shaft} {least:.4g} kg < {whirl.rotor_mass:.4g} kg; whirl at "
             f"{whirl.frequency_ratio:.2f} of the speed",
         )
-    yield from doubts_about_running(case, values, checks)
 
 
 def _assumptions(case: FilmCase) -> Iterator[str]:
     yield "One viscosity for the whole film, that at the effective temperature; rigid surfaces; laminar film."
     if case.bearing.hollows:
         yield "Grooves, pockets and holes are deep: the oil in them is not sheared."
-    if case.rotor_mass is None:
+    if case.changing_load is not None:
+        yield from orbit_assumptions(case)
+    if case.cavitation is Cavitation.HALF_SOMMERFELD:
+        yield "Half-Sommerfeld film: neither flows nor stiffness, damping and threshold of whirl follow from it."
+    elif case.rotor_mass is None:
         yield "The mass of the rotor is not given: stability is judged as if the load were its weight."
-    if isinstance(case.duty, GivenEccentricity) and case.duty.attitude_angle is not None:
+    by_attitude = isinstance(case.duty, GivenEccentricity) and case.duty.attitude_angle is not None
+    if by_attitude or isinstance(case.duty, GivenPosition):
         yield "The position is prescribed: the load found need not point along the load angle."
     if case.effective_temperature is not None:
         yield (
@@ -237,7 +284,8 @@ def _assumptions(case: FilmCase) -> Iterator[str]:
 def _settings(case: FilmCase) -> dict[str, str]:
     """The choices that the numbers depend on."""
     grooves = sum(hollow.width is None for hollow in case.bearing.hollows)
-    return {
+    orbit = {} if case.changing_load is None else {"orbit_cavitation": Cavitation.REYNOLDS.name.lower()}
+    return orbit | {
         "lubricant": case.lubricant.name,
         "cavitation": case.cavitation.name.lower(),
         "film_start": case.bearing.film_start.name.lower(),

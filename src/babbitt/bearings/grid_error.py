@@ -11,7 +11,7 @@ import numpy as np
 from babbitt.bearings.layout import load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState, resolution_of
-from babbitt.design.conditions import GivenEccentricity
+from babbitt.design.conditions import GivenLoad
 from babbitt.film.model import Resolution
 
 if TYPE_CHECKING:
@@ -81,19 +81,19 @@ def _on_grid(case: FilmCase, state: FilmState, grid: Resolution) -> FilmSolution
     from babbitt.film.solve import film_at_position, solve_journal
 
     film = state.solution.film
-    if isinstance(case.duty, GivenEccentricity):
-        x, y = state.solution.position
-        return film_at_position(film, (x, y), resolution=grid)
-    return solve_journal(film, load_vector(case, case.duty.load), grid)
+    if isinstance(case.duty, GivenLoad):
+        return solve_journal(film, load_vector(case, case.duty.load), grid)
+    x, y = state.solution.position
+    return film_at_position(film, (x, y), resolution=grid)
 
 
 def _differences(case: FilmCase, found: FilmSolution, better: FilmSolution) -> Iterator[tuple[str, float]]:
-    if isinstance(case.duty, GivenEccentricity):
-        yield "load_error", _share(better.force - found.force, better.force)
-    else:
+    if isinstance(case.duty, GivenLoad):
         thickness = better.minimum_film_thickness
         yield "minimum_film_thickness_error", abs(thickness - found.minimum_film_thickness) / thickness
         yield "position_error", float(np.hypot(*(better.position - found.position))) / found.film.clearance
+    else:
+        yield "load_error", _share(better.force - found.force, better.force)
     yield "stiffness_error", _share(better.stiffness - found.stiffness, better.stiffness)
     yield "damping_error", _share(better.damping - found.damping, better.damping)
 

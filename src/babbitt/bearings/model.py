@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from babbitt.bearings.bore import Bore, RoundBore
+from babbitt.bearings.changing_load import ChangingLoad
 from babbitt.design.conditions import (
-    GivenEccentricity,
-    GivenLoad,
+    Duty,
     HousingCooling,
     Limits,
     OilSupply,
@@ -21,7 +21,7 @@ from babbitt.lubricants import Lubricant
 from babbitt.materials import BearingMetal, LoadCharacter
 from babbitt.notices import Notice
 
-__all__ = ["Accuracy", "FilmBearing", "FilmCase", "Hollow", "Rotation"]
+__all__ = ["Accuracy", "FilmBearing", "FilmCase", "Hollow", "Rotation", "Search"]
 
 
 class Accuracy(Enum):
@@ -47,6 +47,14 @@ class Rotation(Enum):
     def sense(self) -> float:
         """1 or -1."""
         return 1.0 if self is Rotation.COUNTER_CLOCKWISE else -1.0
+
+
+class Search(Enum):
+    """Whether further equilibria of the journal are looked for."""
+
+    AUTO = "in lobed bores, and between grooves whose pressure rivals that of the wedge"
+    ALL = "always"
+    FIRST = "never"
 
 
 @dataclass(frozen=True)
@@ -110,13 +118,14 @@ class FilmCase:
     Speeds in rad/s, positive counter-clockwise; `load_angle` in rad from +x. At least one of `oil_supply`
     and `cooling` carries the heat away, unless `effective_temperature` (K) is prescribed. `rotor_mass` (kg) is the
     part of a rotor that this bearing carries, `shaft_stiffness` (N/m) the stiffness of the shaft between that mass
-    and the journal; None is rigid. `error_estimate` asks for the error of the grid. `doubts` arose while the case
-    was made and ride along.
+    and the journal; None is rigid. `changing_load` acts besides the load of the duty; `moving_mass` (kg) then
+    moves with the journal. `error_estimate` asks for the error of the grid. `doubts` arose while the case was made
+    and ride along.
     """
 
     name: str
     bearing: FilmBearing
-    duty: GivenLoad | GivenEccentricity
+    duty: Duty
     journal_speed: float
     lubricant: Lubricant
     oil_supply: OilSupply | None = None
@@ -131,6 +140,9 @@ class FilmCase:
     rotor_mass: float | None = None
     shaft_stiffness: float | None = None
     error_estimate: bool = False
+    changing_load: ChangingLoad | None = None
+    moving_mass: float = 0.0
+    search: Search = Search.AUTO
     limits: Limits = field(default_factory=Limits)
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()

@@ -11,6 +11,7 @@ from pydantic import Field
 from babbitt.cases import clearance, cooling, supply_element
 from babbitt.cases.choices import FrictionGiven, LimitsGiven
 from babbitt.cases.clearance import ClearanceGiven
+from babbitt.cases.dynamic_load import DynamicLoadGiven
 from babbitt.cases.fields import Name, Prose, Span
 from babbitt.cases.film_features import (
     MOST_DEPARTURE,
@@ -25,11 +26,18 @@ from babbitt.cases.film_features import (
     complaint_about_tilt,
     complaints_about_hollows,
 )
+from babbitt.cases.film_rules import (
+    complaints_about_changing_load,
+    complaints_about_closed_ring,
+    complaints_about_half_sommerfeld,
+    complaints_about_position,
+)
 from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
 from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_bare, is_given, rule
 from babbitt.cases.shared import SharedInputs
 from babbitt.cases.supply_element import SupplyElementGiven, UnevenPockets
 from babbitt.cases.surfaces import SurfacesGiven
+from babbitt.film.model import FilmStart
 from babbitt.units import si, written
 
 WIDTH_RATIOS = (0.1, 1.5)
@@ -120,20 +128,22 @@ class JournalBearing(Duty, SharedInputs):
         "computed",
         description="Own solutions of the Reynolds equation, or the closed forms of DIN 31652 (360 deg).",
     )
-    cavitation: Literal["mass_conserving", "reynolds"] = Field(
+    cavitation: Literal["mass_conserving", "reynolds", "half_sommerfeld"] = Field(
         "mass_conserving",
         description="What the film method does where the film breaks up: conserve the oil (JFO), or let "
         "pressure and "
-        "its gradient vanish (Reynolds, as in most published tables).",
+        "its gradient vanish (Reynolds, as in most published tables), or count suctions of the full film as "
+        "nothing (half-Sommerfeld, as in closed forms: a plain ring without feeding, no flows and no stiffness).",
     )
     cavitation_pressure: Annotated[float, si("Pa", "-1 MPa", "0 Pa")] = Field(
         0.0, description="Gauge pressure at which the film breaks, for the film method."
     )
-    film_start: Literal["groove", "widest_gap"] | None = Field(
+    film_start: Literal["groove", "widest_gap", "periodic"] | None = Field(
         None,
         description="Where the film method lets the film begin: at what feeds it, or at the widest gap of "
         "a full round "
-        "bore (as the characteristics of the standard). groove if not given.",
+        "bore (as the characteristics of the standard), or nowhere, for it closes around the journal (periodic). "
+        "groove if not given; periodic with cavitation: half_sommerfeld.",
     )
     accuracy: Literal["draft", "engineering", "reference"] = Field(
         "engineering", description="How fine the grid of the film method is."
@@ -142,6 +152,16 @@ class JournalBearing(Duty, SharedInputs):
         False,
         description="Solve the film on a finer grid, too, and say how far film thickness, position, stiffness and "
         "damping may be wrong by the grid. Film method.",
+    )
+    dynamic_load: DynamicLoadGiven | None = Field(
+        None,
+        description="Load that changes while the journal turns, added to the load, for the film method: the orbit "
+        "of the journal is found.",
+    )
+    equilibria: Literal["auto", "all", "first"] = Field(
+        "auto",
+        description="Whether the film method looks for further places where the journal can rest: always, never, "
+        "or in lobed bores and between grooves whose pressure rivals that of the wedge.",
     )
     limits: LimitsGiven = Field(LimitsGiven(), description="Limits in place of those by experience.")
     assumptions: tuple[Prose, ...] = Field(
@@ -176,7 +196,7 @@ class JournalBearing(Duty, SharedInputs):
     @rule
     def _loads_make_sense(self) -> Iterator[Complaint]:
         width = self.actual_width
-        for path, duty in self._duties():
+        for path, duty in self.duties():
             if duty.load is None or width is None:
                 continue
             pressure = duty.load / (width * self.diameter)
@@ -192,7 +212,7 @@ class JournalBearing(Duty, SharedInputs):
 
     @rule
     def _speeds_make_sense(self) -> Iterator[Complaint]:
-        for path, duty in self._duties():
+        for path, duty in self.duties():
             speed = duty.speed
             if speed is None and duty.surface_speed is not None:
                 speed = 2.0 * duty.surface_speed / self.diameter
@@ -239,7 +259,7 @@ class JournalBearing(Duty, SharedInputs):
 
     @rule
     def _span_is_known(self) -> Iterator[Complaint]:
-        if self.method == "film" and (self.hollows() or self.film_start == "widest_gap"):
+        if self.method == "film" and (self.hollows() or self.film_starts() is not FilmStart.GROOVE):
             return
         for point in self.operating_points or (None,):
             if self.span_at(point) is None:
@@ -272,10 +292,31 @@ class JournalBearing(Duty, SharedInputs):
             yield Complaint(("bore",), f"ISO 7902 knows round bores only, not {self.bore.kind}", "method: film")
         if self.misalignment is not None:
             yield Complaint(("misalignment",), "ISO 7902 knows no misaligned journal", "method: film")
-        for path, duty in self._duties():
+        for path, duty in self.duties():
             if duty.attitude_angle is not None:
                 says = "ISO 7902 finds the attitude angle itself"
                 yield Complaint((*path, "attitude_angle"), says, "method: film, or leave it out")
+            if duty.position is not None:
+                says = "ISO 7902 finds the attitude angle itself and takes no position"
+                yield Complaint((*path, "position"), says, "method: film, or eccentricity_ratio")
+        if self.dynamic_load is not None:
+            yield Complaint(("dynamic_load",), "ISO 7902 knows steady loads only", "method: film")
+
+    @rule
+    def _position_is_near_the_bearing(self) -> Iterator[Complaint]:
+        yield from complaints_about_position(self)
+
+    @rule
+    def _changing_load_is_added_to_a_load(self) -> Iterator[Complaint]:
+        yield from complaints_about_changing_load(self)
+
+    @rule
+    def _half_sommerfeld_is_of_a_plain_ring(self) -> Iterator[Complaint]:
+        yield from complaints_about_half_sommerfeld(self)
+
+    @rule
+    def _closed_ring_is_plain(self) -> Iterator[Complaint]:
+        yield from complaints_about_closed_ring(self)
 
     @rule
     def _tilt_leaves_a_film(self) -> Iterator[Complaint]:
@@ -291,7 +332,12 @@ class JournalBearing(Duty, SharedInputs):
     @rule
     def _tilt_needs_narrow_supplies(self) -> Iterator[Complaint]:
         width = self.actual_width
-        if self.misalignment is None or self.method != "film" or width is None or self.film_start == "widest_gap":
+        if (
+            self.misalignment is None
+            or self.method != "film"
+            or width is None
+            or self.film_starts() is not FilmStart.GROOVE
+        ):
             return
         from babbitt.cases.film_layout import film_layout  # it reads this model
 
@@ -336,9 +382,14 @@ class JournalBearing(Duty, SharedInputs):
 
     @rule
     def _grooves_stand_still(self) -> Iterator[Complaint]:
-        if self.method == "film" and self.bearing_speed and self.film_start != "widest_gap":
+        if self.method == "film" and self.bearing_speed and self.film_starts() is FilmStart.GROOVE:
             says = "grooves and pockets that turn with the bearing leave no steady film"
             yield Complaint(("bearing_speed",), says, "0 rpm, or film_start: widest_gap")
+
+    def film_starts(self) -> FilmStart:
+        """Where the film begins: as given, else nowhere under the half-Sommerfeld condition, else at grooves."""
+        unfed = "periodic" if self.cavitation == "half_sommerfeld" else "groove"
+        return FilmStart[(self.film_start or unfed).upper()]
 
     def hollows(self) -> list[tuple[tuple[str | int, ...], GrooveGiven | PocketGiven | SupplyHoleGiven]]:
         """Grooves, pockets and holes, each with its path in the case."""
@@ -362,7 +413,8 @@ class JournalBearing(Duty, SharedInputs):
         """Supply element at an operating point (None: the bearing as such)."""
         return self.supply_element if point is None else point.supply_element or self.supply_element
 
-    def _duties(self) -> Iterator[tuple[tuple[str | int, ...], Duty]]:
+    def duties(self) -> Iterator[tuple[tuple[str | int, ...], Duty]]:
+        """Loads and speeds of the bearing and of its operating points, each with its path in the case."""
         yield (), self
         for index, point in enumerate(self.operating_points):
             yield ("operating_points", index), point

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from babbitt import __version__
 from babbitt.bearings.field import field_of, supply_patches
 from babbitt.bearings.model import FilmCase
+from babbitt.bearings.warm_film import under_found_load
 from babbitt.notices import InputError
 from babbitt.quantities import QUANTITIES
 from babbitt.report.writing import require_writable, write_whole
@@ -59,7 +60,8 @@ def fields(case: FilmCase, result: Result) -> xarray.Dataset:
 
     if not result.outcome.solved:
         raise InputError("E003", f"{result.name}: no fields without an operating point ({result.outcome.value})")
-    solution = state_of(case, result).solution
+    state = state_of(case, result)
+    solution, case = state.solution, under_found_load(case, state)
     field = field_of(solution, case.load_angle - math.pi)
     supply = np.zeros(field.pressure.shape, dtype=np.int8)
     for patch in supply_patches(solution.film):

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
-from babbitt.bearings.warm_film import FilmState
+from babbitt.bearings.warm_film import FilmState, under_found_load
+from babbitt.film.model import Cavitation
 from babbitt.report.drawing import Drawing, rendered, style
 from babbitt.results import Result
 
@@ -44,10 +45,12 @@ def report_figures(case: FilmCase, result: Result, image_format: str = "svg") ->
     if not result.outcome.solved:
         return ()
     state = state_of(case, result)
+    case = under_found_load(case, state)
     with style():
         if is_slow(state):
-            return _drawn(_at_rest(case, state, LEFT_OUT), image_format)
-        return _drawn((*_at_rest(case, state), *_swept(case, state)), image_format)
+            return _drawn((*_at_rest(case, state, LEFT_OUT), *_moving(state, result)), image_format)
+        painted = (*_at_rest(case, state), *_moving(state, result), *_swept(case, state))
+        return _drawn(painted, image_format)
 
 
 def all_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tuple[Drawing, ...]:
@@ -69,8 +72,10 @@ def all_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tu
     if not result.outcome.solved:
         return ()
     state = state_of(case, result)
+    case = under_found_load(case, state)
     with style():
-        return _drawn((*_at_rest(case, state), *_surface(case, state), *_swept(case, state)), image_format)
+        at_rest = (*_at_rest(case, state), *_surface(case, state))
+        return _drawn((*at_rest, *_moving(state, result), *_swept(case, state)), image_format)
 
 
 def _drawn(painted: Iterator[Painted] | tuple[Painted, ...], image_format: str) -> tuple[Drawing, ...]:
@@ -107,11 +112,28 @@ def _surface(case: FilmCase, state: FilmState) -> Iterator[Painted]:
     yield "pressure-surface", "Pressure over the unrolled bore.", film_maps.surface(field), True
 
 
+def _moving(state: FilmState, result: Result) -> Iterator[Painted]:
+    from babbitt.report import film_orbit
+
+    if "orbit" in result.arrays:
+        yield (
+            "orbit",
+            "Orbit of the journal under the changing load within the room that the bore leaves it, named by the "
+            "angle that the journal has turned; the cross is its place under the steady load alone. Beside it the "
+            "least film thickness and the size of the load over one cycle. Filled: the thinnest film.",
+            film_orbit.orbit(state, result),
+            True,
+        )
+
+
 def _swept(case: FilmCase, state: FilmState) -> Iterator[Painted]:
     from babbitt.report import film_curves, film_stability
     from babbitt.report.progress import shown
     from babbitt.studies.locus import locus_over_load, locus_over_speed
     from babbitt.studies.stability_map import stability_map
+
+    if case.cavitation is Cavitation.HALF_SOMMERFELD:
+        return  # a film without stiffness and damping
 
     by_load = locus_over_load(case, state, watch=shown(f"{case.name}: over the load"))
     by_speed = locus_over_speed(case, state, watch=shown(f"{case.name}: over the speed"))

@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 
 from babbitt.bearings.bore import Bore, LobedBore, MeasuredBore, TaperedBore, WornBore
-from babbitt.bearings.model import Hollow
+from babbitt.bearings.changing_load import ChangingLoad, RotatingLoad, TabulatedLoad
+from babbitt.bearings.model import FilmBearing, Hollow
 from babbitt.film.model import Cavitation, FilmStart
 
 CAVITATION = {
     Cavitation.MASS_CONSERVING: "the oil is conserved (Jakobsson, Floberg, Olsson)",
     Cavitation.REYNOLDS: "pressure and its gradient vanish (Reynolds, Swift-Stieber)",
+    Cavitation.HALF_SOMMERFELD: "suctions of the full film count as nothing (half-Sommerfeld, Gumbel)",
 }
 
 FILM_START = {
@@ -18,6 +20,25 @@ FILM_START = {
     FilmStart.PERIODIC: "at the grooves, pockets and holes",
     FilmStart.WIDEST_GAP: "at the widest gap, at ambient pressure",
 }
+
+
+def said_of_start(bearing: FilmBearing) -> str:
+    """Say where the film begins."""
+    if bearing.film_start is FilmStart.PERIODIC and not bearing.hollows:
+        return "nowhere: it closes around the journal, and nothing feeds it"
+    return FILM_START[bearing.film_start]
+
+
+def said_of_changing_load(load: ChangingLoad) -> str:
+    """Say what a changing load is."""
+    match load:
+        case RotatingLoad():
+            speed = f"{load.speed_ratio:.4g} times the speed of the journal"
+            return f"{1e-3 * load.magnitude:.4g} kN rotating at {speed}, from {math.degrees(load.phase):.4g}°"
+        case TabulatedLoad():
+            return f"table of {len(load.angles)} points over {math.degrees(load.cycle):.4g}°"
+        case _:
+            return "as given"
 
 
 def said_of_bore(bore: Bore) -> str:

@@ -8,10 +8,17 @@ from dataclasses import dataclass
 
 from babbitt.bearings.model import FilmCase
 from babbitt.cases.build import AnyDesign
+from babbitt.design.conditions import GivenPosition
 from babbitt.design.ducts import Duct
 from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, PowerLaw, Vogel, Walther
 from babbitt.report.expression import Node, number_node, text
-from babbitt.report.film_inputs import CAVITATION, FILM_START, said_of_bore, said_of_hollow
+from babbitt.report.film_inputs import (
+    CAVITATION,
+    said_of_bore,
+    said_of_changing_load,
+    said_of_hollow,
+    said_of_start,
+)
 from babbitt.report.labels import label
 from babbitt.report.line import VOCABULARY, symbol
 from babbitt.report.text import plain_text
@@ -156,7 +163,7 @@ def _film_geometry(case: FilmCase) -> Iterator[Row]:
 def _film_method(case: FilmCase) -> Iterator[Row]:
     yield Row("Film", "Reynolds equation in two dimensions, laminar, one viscosity")
     yield Row("Where the film breaks up", CAVITATION[case.cavitation])
-    yield Row("Where the film begins", FILM_START[case.bearing.film_start])
+    yield Row("Where the film begins", said_of_start(case.bearing))
     yield Row("Grid", case.accuracy.value)
     if case.cavitation_pressure:
         yield Row("Cavitation pressure (gauge)", f"{1e-3 * case.cavitation_pressure:.4g}", None, "kPa")
@@ -169,6 +176,8 @@ def _operation(case: AnyDesign) -> Iterator[Row]:
         yield _named("eccentricity_ratio", case.duty.eccentricity_ratio, "Prescribed eccentricity e/c")
         if case.duty.attitude_angle is not None:
             yield _named("attitude_angle", case.duty.attitude_angle, "Prescribed attitude angle")
+    elif isinstance(case.duty, GivenPosition):
+        yield Row("Prescribed position x, y", f"{1e6 * case.duty.x:.4g}, {1e6 * case.duty.y:.4g}", None, "µm")
     else:
         yield _named("load", case.duty.load)
     yield _named("angular_speed", case.journal_speed)
@@ -176,11 +185,16 @@ def _operation(case: AnyDesign) -> Iterator[Row]:
         yield Row("Rotational speed of the bearing", f"{case.bearing_speed * 30.0 / math.pi:.4g}", None, "rpm")
     if isinstance(case, FilmCase):
         yield Row("Sense of rotation (x right, y up)", case.rotation.value.replace("_", "-"))
-        yield Row("Direction of the load from +x", f"{math.degrees(case.load_angle):.4g}", None, "°")
+        if not isinstance(case.duty, GivenPosition):
+            yield Row("Direction of the load from +x", f"{math.degrees(case.load_angle):.4g}", None, "°")
         if case.rotor_mass is not None:
             yield _named("rotor_mass", case.rotor_mass)
         if case.shaft_stiffness is not None:
             yield _named("shaft_stiffness", case.shaft_stiffness)
+        if case.changing_load is not None:
+            yield Row("Changing load, added", said_of_changing_load(case.changing_load))
+        if case.moving_mass:
+            yield Row("Mass that moves with the journal", f"{case.moving_mass:.4g}", None, "kg")
     if case.effective_temperature is not None:
         yield _named("effective_temperature", case.effective_temperature, "Prescribed effective temperature")
 
