@@ -82,7 +82,7 @@ def test_ordinary_bearings_have_one_equilibrium(film, load):
     found = find_equilibria(film, load, DRAFT)
     assert found.complete
     (place,) = found.places
-    np.testing.assert_allclose(place.position, rest.position, atol=1e-3 * film.clearance)
+    np.testing.assert_allclose(place.position, rest.position, atol=2e-3 * film.clearance)
     again = find_equilibria(film, load, DRAFT, (rest,))
     assert [one.film for one in again.places] == [rest]
 

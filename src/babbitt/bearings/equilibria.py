@@ -33,6 +33,10 @@ DIRECTIONS = 16
 DEPTHS = (0.2, 0.4, 0.6, 0.8, 0.93, 0.985, 0.998)
 """Rings of the mesh: shares of the way from the centre to contact."""
 
+CONTACT = 1e3
+"""Force that pushes a journal back which touches, over the stiffness times the clearance at the start of a
+search."""
+
 SAME_PLACE = 1e-3
 """Distance over the clearance below which two equilibria are one."""
 
@@ -155,8 +159,12 @@ def _force(film: JournalFilm, at: Array) -> Array:
 
 
 def _polished(film: JournalFilm, load: Array, start: Array, resolution: Resolution) -> FilmSolution | None:
-    """The equilibrium that a root finder reaches from a start, None where it reaches none."""
-    from scipy.optimize import root
+    """The equilibrium that a root finder reaches from a start, None where it reaches none.
+
+    Powell's hybrid method is quick, but updates the stiffness by secants and gets lost where it rises steeply; least
+    squares with the exact stiffness at every step are tried then.
+    """
+    from scipy.optimize import least_squares, root
 
     c = film.clearance
     begun = film_at_position(film, (float(start[0]), float(start[1])), resolution=resolution)
@@ -164,16 +172,27 @@ def _polished(film: JournalFilm, load: Array, start: Array, resolution: Resoluti
         return None
     unit = max(float(np.linalg.norm(begun.stiffness)) * c, 1e-300)
 
-    def residual(place: Array) -> tuple[Array, Array]:
-        found = film_at_position(film, (place[0] * c, place[1] * c), resolution=resolution)
-        if not found.outcome.solved:  # contact pushes back
-            depth = math.hypot(*place)
-            return -1e3 * place / depth, -1e3 * np.eye(2) / depth
-        return (found.force + load) / unit, -found.stiffness * c / unit
+    def film_there(place: Array) -> FilmSolution:
+        return film_at_position(film, (float(place[0]) * c, float(place[1]) * c), resolution=resolution)
 
-    found = root(residual, start / c, jac=True, method="hybr", options={"xtol": 1e-9, "maxfev": 60})
-    settled = film_at_position(film, (found.x[0] * c, found.x[1] * c), resolution=resolution)
-    if not settled.outcome.solved:
-        return None
-    step = np.linalg.lstsq(settled.stiffness, settled.force + load, rcond=None)[0]
-    return settled if float(np.linalg.norm(step)) < 0.1 * SAME_PLACE * c else None
+    def residual(place: Array) -> Array:
+        found = film_there(place)
+        return (found.force + load) / unit if found.outcome.solved else -CONTACT * place / math.hypot(*place)
+
+    def slope(place: Array) -> Array:
+        found = film_there(place)
+        if not found.outcome.solved:
+            return np.asarray(-CONTACT * np.eye(2) / math.hypot(*place))
+        return np.asarray(-found.stiffness * c / unit)
+
+    def settled(place: Array) -> FilmSolution | None:
+        found = film_there(place)
+        if not found.outcome.solved:
+            return None
+        step = np.linalg.lstsq(found.stiffness, found.force + load, rcond=None)[0]
+        return found if float(np.linalg.norm(step)) < 0.1 * SAME_PLACE * c else None
+
+    quick = root(residual, start / c, jac=slope, method="hybr", options={"xtol": 1e-9, "maxfev": 60})
+    return settled(quick.x) or settled(
+        least_squares(residual, start / c, slope, xtol=1e-9, ftol=1e-14, gtol=1e-14, max_nfev=60).x
+    )

@@ -40,7 +40,7 @@ def resting_places(case: FilmCase, state: FilmState) -> RestingPlaces | None:
 def _likely(case: FilmCase, film: JournalFilm) -> bool:
     """Whether further equilibria are worth the time: in lobes, and where supply pressure rivals that of the
     wedge."""
-    if film.is_surface or film.film_start is not FilmStart.GROOVE:
+    if film.film_start is not FilmStart.GROOVE:
         return False
     wedge = film.viscosity * abs(film.angular_speed) * (0.5 * film.diameter / film.clearance) ** 2
     supply = max(max(land.start_pressure, land.end_pressure) for land in film.lands)
