@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film.model import JournalFilm
-from babbitt.film.ring import axial_gain, bore_gap, groove_arcs
+from babbitt.film.ring import axial_gain, bore_gap
+from babbitt.film.ring_mesh import groove_arcs
 from babbitt.film.solution import FilmSolution
 
 __all__ = ["FilmField", "clearance_outline", "field_of", "journal_gap", "supply_patches"]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 from babbitt.film.piezoviscosity import PressureViscosity
@@ -241,8 +241,8 @@ class JournalFilm:
         """Whether both halves of the width are alike."""
         return (
             self.misalignment == (0.0, 0.0)
-            and all(pocket.axial_centre == 0.0 for pocket in self.pockets)
-            and all(step.axial_centre == 0.0 for step in self.steps)
+            and {replace(one, axial_centre=-one.axial_centre) for one in self.pockets} == set(self.pockets)
+            and {replace(one, axial_centre=-one.axial_centre) for one in self.steps} == set(self.steps)
             and all(row == row[::-1] for row in (*self.viscosity_field, *self.displacement))
             and self.axial_viscosity == self.axial_viscosity[::-1]
             and self.crowning == self.crowning[::-1]
