@@ -1,7 +1,7 @@
 """Lines and axial elements of an unrolled bearing: on every edge of what the bore has, crowded around supplies.
 
-Oil leaves a hole through its rim, and the pressure falls within a distance of the size of the hole; a grid that does
-not see this distance sends out too much oil. Out of a long slot it leaves through the long sides, and the
+Oil leaves a hole through its rim, and the pressure falls within a distance of the size of the hole; a grid that
+does not see this distance sends out too much oil. Out of a long slot it leaves through the long sides, and the
 pressure falls evenly: the longer side of a supply is its size.
 """
 
@@ -123,11 +123,17 @@ def marked_angles(start: float, arcs: list[tuple[float, float]]) -> Array:
 
 
 def rim_density(film: JournalFilm, angle: Array, per_turn: int) -> Array:
-    """Lines per radian that the rims of pockets ask for; none within them."""
-    wanted = np.zeros(angle.size)
-    for pocket in film.pockets:
-        size = max(pocket.extent, pocket.axial_length / (0.5 * film.diameter))
-        away = np.abs((angle - pocket.centre_angle + math.pi) % TURN - math.pi) - 0.5 * pocket.extent
+    """Lines per radian that the rims of pockets and of open grooves under pressure ask for; none within them.
+
+    Of an open groove the ends leak, over a length of the size of its dams.
+    """
+    radius, wanted = 0.5 * film.diameter, np.zeros(angle.size)
+    rims = [(one.centre_angle, one.extent, max(one.extent, one.axial_length / radius)) for one in film.pockets]
+    for arc in groove_arcs(film) if film.film_start is not FilmStart.PERIODIC else []:
+        if arc.pressure > 0.0:
+            rims.append((arc.first + 0.5 * arc.extent, arc.extent, 2.0 * END_DAM * film.width / radius))
+    for centre, extent, size in rims:
+        away = np.abs((angle - centre + math.pi) % TURN - math.pi) - 0.5 * extent
         spacing = size * RIM_CELLS / per_turn + RIM_GROWTH * np.maximum(away, 0.0)
         wanted = np.where(away > -1e-9, np.maximum(wanted, 1.0 / spacing), wanted)
     return np.asarray(wanted)
@@ -181,7 +187,7 @@ def axial_ends(film: JournalFilm) -> set[float]:
 
 
 def rim_elements(film: JournalFilm, boundaries: tuple[float, ...], part: float) -> set[float]:
-    """Further boundaries at a part of the size of a supply from its rim, where the element there reaches farther."""
+    """Further boundaries at a part of the size of supplies from their rims, where elements reach farther."""
     half, more = 0.5 * film.width, set()
     for pocket in film.pockets:
         size = max(pocket.axial_length, 0.5 * pocket.extent * film.diameter) / half
