@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from time import perf_counter
+from typing import TYPE_CHECKING
 
 from babbitt.bearings.bore import LobedBore
 from babbitt.bearings.layout import without_pressure
@@ -25,8 +26,12 @@ from babbitt.design.values import (
     oil_values,
     supply_values,
 )
+from babbitt.film.model import END_DAM
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Result
+
+if TYPE_CHECKING:
+    from babbitt.film.tilt import TiltCoefficients
 
 METHOD = "film"
 
@@ -65,6 +70,12 @@ def film_check(case: FilmCase) -> Result:
         state = found.film
         values = _values(case, state)
         arrays = {"stiffness": _rows(state.solution.stiffness), "damping": _rows(state.solution.damping)}
+        if case.tilt_coefficients and solved:
+            from babbitt.film.tilt import tilt_coefficients
+
+            tilt = tilt_coefficients(state.solution, case.accuracy.resolution)
+            arrays |= {"tilt_stiffness": _rows(tilt.stiffness), "tilt_damping": _rows(tilt.damping)}
+            values |= _tilt_values(tilt)
         if solved:
             whirl = whirl_of(case, state)
             values |= _running_values(case, state, whirl)
@@ -128,6 +139,14 @@ def _values(case: FilmCase, state: FilmState) -> dict[str, float]:
     return values
 
 
+def _tilt_values(tilt: TiltCoefficients) -> dict[str, float]:
+    values = {f"film_moment_{axis}": float(one) for axis, one in zip("xy", tilt.moment, strict=True)}
+    for name, matrix in (("tilt_stiffness", tilt.stiffness), ("tilt_damping", tilt.damping)):
+        own = matrix[2:, 2:].ravel()
+        values |= {f"{name}_{axes}": float(one) for axes, one in zip(AXES, own, strict=True)}
+    return values
+
+
 def _rows(matrix: object) -> tuple[tuple[float, ...], ...]:
     import numpy as np
 
@@ -151,7 +170,7 @@ def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     from babbitt.film.solve import film_at_position
 
     x, y = state.solution.position
-    alone = float(film_at_position(calm, (x, y), resolution=case.accuracy.resolution).side_flow.sum())
+    alone = film_at_position(calm, (x, y), resolution=case.accuracy.resolution).leaving_flow
     return {"side_flow": alone, "supply_flow": flow - alone, "total_flow": flow}
 
 
@@ -205,6 +224,14 @@ def _doubts(
 
 def _assumptions(case: FilmCase) -> Iterator[str]:
     yield "One viscosity for the whole film, that at the effective temperature; rigid surfaces; laminar film."
+    grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
+    if any(hollow.pressure != 0.0 for hollow in grooves) and case.oil_supply is not None:
+        yield (
+            f"The pressure of grooves as wide as the bearing falls to that of the sides over the last "
+            f"{100.0 * END_DAM:g} % of the width at either end."
+        )
+    if case.bearing.side_pressures != (0.0, 0.0):
+        yield "Oil that a side under pressure presses into the film is as warm as that of the supply."
     if case.bearing.hollows:
         yield "Grooves, pockets and holes are deep: the oil in them is not sheared."
     if case.rotor_mass is None:

@@ -10,7 +10,21 @@ from babbitt.film.piezoviscosity import PressureViscosity
 from babbitt.film.turbulence import FilmTurbulence
 from babbitt.notices import InputError
 
-__all__ = ["Cavitation", "FilmStart", "JournalFilm", "Land", "Pocket", "Resolution", "Step", "grooved_bore"]
+__all__ = [
+    "END_DAM",
+    "Cavitation",
+    "FilmStart",
+    "JournalFilm",
+    "Land",
+    "Pocket",
+    "Resolution",
+    "Step",
+    "grooved_bore",
+]
+
+END_DAM = 0.025
+"""Share of the width over which the pressure of a groove as wide as the bearing falls to that of the side, either
+end. Assumption: real grooves end before the edge, or leak through their ends by an amount that no film knows."""
 
 
 class Cavitation(Enum):

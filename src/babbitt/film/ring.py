@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 
 from babbitt.film._surface_film import Surface
 from babbitt.film.axial import AxialMesh
-from babbitt.film.model import Cavitation, Field, FilmStart, JournalFilm, Land
+from babbitt.film.model import END_DAM, Cavitation, Field, FilmStart, JournalFilm, Land
 from babbitt.film.piezoviscosity import pressure_table, reduced_pressure
-from babbitt.film.ring_mesh import END_DAM, Density, GrooveArc, axial_mesh, groove_arcs, ring_lines, within
+from babbitt.film.ring_mesh import Density, GrooveArc, axial_mesh, groove_arcs, ring_lines, within
 
 __all__ = ["Ring", "build_ring"]
 

@@ -16,17 +16,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film.axial import AxialMesh, element_axial_mesh, even_axial_mesh
-from babbitt.film.model import FilmStart, JournalFilm, Pocket, Step
+from babbitt.film.model import END_DAM, FilmStart, JournalFilm, Pocket, Step
 
-__all__ = ["END_DAM", "Density", "GrooveArc", "axial_mesh", "groove_arcs", "ring_lines", "within"]
+__all__ = ["Density", "GrooveArc", "axial_mesh", "groove_arcs", "ring_lines", "within"]
 
 Array = NDArray[np.float64]
 Density = Callable[[Array], Array]
 TURN = 2.0 * math.pi
-END_DAM = 0.025
-"""Share of the width over which the pressure of a groove as wide as the bearing falls to that of the side, either
-end. Assumption: real grooves end before the edge, or leak through their ends by an amount that no film knows."""
-
 RIM_CELLS = 40.0
 """Lines per turn at which a line stands one size of a supply from its rim; of more lines, nearer in proportion."""
 
@@ -181,9 +177,16 @@ def axial_ends(film: JournalFilm) -> set[float]:
         round(end / half, 12) for part in parts
         for end in (part.axial_centre - 0.5 * part.axial_length, part.axial_centre + 0.5 * part.axial_length)
     }  # fmt: skip
-    if film.film_start is not FilmStart.PERIODIC and any(arc.pressure > 0.0 for arc in groove_arcs(film)):
+    if has_end_dams(film):
         ends |= {-1.0 + 2.0 * END_DAM, 1.0 - 2.0 * END_DAM}
     return ends
+
+
+def has_end_dams(film: JournalFilm) -> bool:
+    """Whether the pressure of an open groove falls to that of a side."""
+    if film.film_start is FilmStart.PERIODIC:
+        return False
+    return any(arc.pressure != side for arc in groove_arcs(film) for side in film.side_pressures)
 
 
 def rim_elements(film: JournalFilm, boundaries: tuple[float, ...], part: float) -> set[float]:

@@ -107,6 +107,11 @@ class FilmSolution:
         return self.load * psi**2 / (film.width * film.diameter * film.viscosity * abs(film.angular_speed))
 
     @property
+    def leaving_flow(self) -> float:
+        """What leaves by either side, m3/s; oil that a side under pressure presses in counts where it leaves."""
+        return float(np.maximum(self.end_flows, 0.0).sum())
+
+    @property
     def maximum_pressure(self) -> float:
         """Highest gauge pressure on the lines, Pa."""
         return float(self.pressure.max())
