@@ -38,6 +38,9 @@ METHOD = "film"
 OIL_INVENTED_FROM = 0.05
 """Mass balance error above which a film without mass conservation is doubted."""
 
+NO_MOMENT = 1e-10
+"""Share of load times width below which a moment of the film is round-off."""
+
 AXES = ("xx", "xy", "yx", "yy")
 
 
@@ -75,7 +78,7 @@ def film_check(case: FilmCase) -> Result:
 
             tilt = tilt_coefficients(state.solution, case.accuracy.resolution)
             arrays |= {"tilt_stiffness": _rows(tilt.stiffness), "tilt_damping": _rows(tilt.damping)}
-            values |= _tilt_values(tilt)
+            values |= _tilt_values(tilt, state.load * case.bearing.width)
         if solved:
             whirl = whirl_of(case, state)
             values |= _running_values(case, state, whirl)
@@ -139,8 +142,10 @@ def _values(case: FilmCase, state: FilmState) -> dict[str, float]:
     return values
 
 
-def _tilt_values(tilt: TiltCoefficients) -> dict[str, float]:
-    values = {f"film_moment_{axis}": float(one) for axis, one in zip("xy", tilt.moment, strict=True)}
+def _tilt_values(tilt: TiltCoefficients, scale: float) -> dict[str, float]:
+    """Moments and the corner of tilt; a moment that is round-off beside load times width counts as none."""
+    moments = {f"film_moment_{axis}": float(one) for axis, one in zip("xy", tilt.moment, strict=True)}
+    values = {name: one if abs(one) > NO_MOMENT * scale else 0.0 for name, one in moments.items()}
     for name, matrix in (("tilt_stiffness", tilt.stiffness), ("tilt_damping", tilt.damping)):
         own = matrix[2:, 2:].ravel()
         values |= {f"{name}_{axes}": float(one) for axes, one in zip(AXES, own, strict=True)}

@@ -93,6 +93,7 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
         mass_balance_error=float(free.sum() / max(passing, 1e-300)),
         iterations=settled.steps,
         wall_time=time.perf_counter() - begun,
+        axial_breaks=ring.mesh.breaks,
     )
 
 

@@ -56,6 +56,9 @@ class FilmSolution:
     iterations : int
     wall_time : float
         s.
+    axial_breaks : tuple of int
+        Positions at which one polynomial of the pressure across the width ends and the next begins, both ends
+        included. Empty: a single even polynomial.
     """
 
     film: JournalFilm
@@ -79,6 +82,7 @@ class FilmSolution:
     mass_balance_error: float
     iterations: int
     wall_time: float
+    axial_breaks: tuple[int, ...] = ()
 
     @property
     def eccentricity_ratio(self) -> float:
