@@ -112,8 +112,13 @@ class FilmSolution:
 
     @property
     def leaving_flow(self) -> float:
-        """What leaves by either side, m3/s; oil that a side under pressure presses in counts where it leaves."""
-        return float(np.maximum(self.end_flows, 0.0).sum())
+        """What leaves by the sides, m3/s.
+
+        Oil that a side under pressure presses in counts where it leaves, be it through the supplies.
+        """
+        leaving = float(np.maximum(self.end_flows, 0.0).sum())
+        pressed_in = bool((self.end_flows < 0.0).any())
+        return leaving + max(-float(self.supply_flow.sum()), 0.0) if pressed_in else leaving
 
     @property
     def maximum_pressure(self) -> float:
