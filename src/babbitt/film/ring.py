@@ -75,7 +75,8 @@ def build_ring(
     """
     mesh = axial_mesh(film, degree, halved=film.is_symmetric and motions == 2)
     grooves = [gap for gap in groove_arcs(film) if film.film_start is not FilmStart.PERIODIC]
-    start = grooves[0].first + grooves[0].extent if grooves else film.lands[0].start_angle
+    order = film.land_order
+    start = film.lands[order[1 % len(order)]].start_angle  # behind the first groove, or the seam of a closed ring
     theta = ring_lines(film, start, per_turn, density)
     inside = np.zeros(theta.size - 1, dtype=bool)
     for arc in grooves:

@@ -91,14 +91,13 @@ def ring_lines(film: JournalFilm, start: float, per_turn: int, density: Density 
     for left, right in pairwise(marks):
         fine = np.linspace(left, right, 8 + int(720 * (right - left) / TURN))
         wanted = np.ones(fine.size) if density is None else density(fine)
+        if any(within(np.array([0.5 * (left + right)]), arc.first, arc.last)[0] for arc in grooves):
+            wanted = np.zeros(fine.size)
         spans.append((fine, wanted))
     per_mass = per_turn / sum(cumulative_trapezoid(wanted, fine)[-1] for fine, wanted in spans)
     pieces = [marks[:1]]
     for fine, wanted in spans:
-        middle = 0.5 * (fine[:1] + fine[-1:])
-        if any(within(middle, arc.first, arc.last)[0] for arc in grooves):
-            count = 1
-        else:
+        if wanted.any():
             mass = cumulative_trapezoid(np.maximum(per_mass * wanted, rim_density(film, fine, per_turn)), fine)
             count = max(2, round(mass[-1]))
             pieces.append(np.interp(mass[-1] * np.arange(1, count) / count, mass, fine))
