@@ -161,8 +161,8 @@ def _force(film: JournalFilm, at: Array) -> Array:
 def _polished(film: JournalFilm, load: Array, start: Array, resolution: Resolution) -> FilmSolution | None:
     """The equilibrium that a root finder reaches from a start, None where it reaches none.
 
-    Powell's hybrid method is quick, but updates the stiffness by secants and gets lost where it rises steeply; least
-    squares with the exact stiffness at every step are tried then.
+    Powell's hybrid method is quick, but updates the stiffness by secants and gets lost where it rises steeply;
+    least squares with the exact stiffness at every step are tried then.
     """
     from scipy.optimize import least_squares, root
 

@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from babbitt.bearings.bore import Arc
+from babbitt.bearings.bore import Arc, steps_of
 from babbitt.bearings.model import FilmCase, Hollow
 from babbitt.film.model import FilmStart, JournalFilm, Land, Pocket
-from babbitt.notices import InputError
 
 __all__ = ["film_of", "load_vector", "without_pressure"]
 
@@ -31,19 +30,11 @@ def film_of(case: FilmCase, relative_clearance: float, viscosity: float, element
     Raises
     ------
     InputError
-        E101 for a layout that the film engine refuses, or cannot answer rightly: an open groove across the whole
-        width besides pockets, holes or misalignment.
+        E101 for a layout that the film engine refuses.
     """
     bearing = case.bearing
     clearance = 0.5 * relative_clearance * bearing.diameter
     grooves = [hollow for hollow in bearing.hollows if hollow.width is None]
-    if grooves and (len(grooves) < len(bearing.hollows) or bearing.misalignment != (0.0, 0.0)):
-        raise InputError(
-            "E101",
-            "a groove as wide as the bearing goes together with neither pockets or holes nor misalignment: the "
-            "flow through its open ends would come out wrong, without bound. Give grooves as hollows of their "
-            "true width.",
-        )
     pockets = [(hollow, hollow.width) for hollow in bearing.hollows if hollow.width is not None]
     return JournalFilm(
         diameter=bearing.diameter,
@@ -57,6 +48,10 @@ def film_of(case: FilmCase, relative_clearance: float, viscosity: float, element
         cavitation_pressure=case.cavitation_pressure,
         pockets=tuple(_pocket(hollow, width, element_pressure) for hollow, width in pockets),
         misalignment=bearing.misalignment,
+        steps=(*steps_of(bearing.bore, case.rotation.sense), *bearing.steps),
+        crowning=bearing.crowning,
+        displacement=bearing.displacement,
+        side_pressures=bearing.side_pressures,
     )
 
 
@@ -66,7 +61,7 @@ def load_vector(case: FilmCase, load: float) -> tuple[float, float]:
 
 
 def without_pressure(film: JournalFilm) -> JournalFilm:
-    """The same film with every groove and pocket full, at ambient pressure."""
+    """The same film with every groove and pocket full, at ambient pressure; the sides keep theirs."""
     return replace(
         film,
         lands=tuple(replace(land, start_pressure=0.0, end_pressure=0.0) for land in film.lands),

@@ -16,7 +16,8 @@ from babbitt.design.conditions import (
     Proportions,
     Surfaces,
 )
-from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Resolution
+from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Resolution, Step
+from babbitt.film.model import Field as FieldOfFilm
 from babbitt.lubricants import Lubricant
 from babbitt.materials import BearingMetal, LoadCharacter
 from babbitt.notices import Notice
@@ -93,7 +94,8 @@ class FilmBearing(Proportions):
     """A journal bearing as the film sees it; lengths in m, clearance at 20 °C.
 
     `misalignment` holds the slopes dx/dz and dy/dz of the journal axis in rad. `clearance_tolerance` holds the
-    least and the greatest relative clearance where a tolerance is known.
+    least and the greatest relative clearance where a tolerance is known. `steps`, `crowning`, `displacement` and
+    `side_pressures` are those of `babbitt.film.model.JournalFilm`; steps that belong to the bore stand there.
     """
 
     diameter: float
@@ -105,6 +107,10 @@ class FilmBearing(Proportions):
     bore: Bore = field(default_factory=RoundBore)
     film_start: FilmStart = FilmStart.GROOVE
     misalignment: tuple[float, float] = (0.0, 0.0)
+    steps: tuple[Step, ...] = ()
+    crowning: tuple[float, ...] = ()
+    displacement: FieldOfFilm = ()
+    side_pressures: tuple[float, float] = (0.0, 0.0)
     surfaces: Surfaces | None = None
     metal: BearingMetal | None = None
     load_character: LoadCharacter = LoadCharacter.CALM
@@ -118,9 +124,9 @@ class FilmCase:
     Speeds in rad/s, positive counter-clockwise; `load_angle` in rad from +x. At least one of `oil_supply`
     and `cooling` carries the heat away, unless `effective_temperature` (K) is prescribed. `rotor_mass` (kg) is the
     part of a rotor that this bearing carries, `shaft_stiffness` (N/m) the stiffness of the shaft between that mass
-    and the journal; None is rigid. `changing_load` acts besides the load of the duty; `moving_mass` (kg) then
-    moves with the journal. `error_estimate` asks for the error of the grid. `doubts` arose while the case was made
-    and ride along.
+    and the journal; None is rigid. `tilt_coefficients` asks for stiffness and damping against tilt, too,
+    `error_estimate` for the error of the grid. `changing_load` acts besides the load of the duty; `moving_mass`
+    (kg) then moves with the journal. `doubts` arose while the case was made and ride along.
     """
 
     name: str
@@ -143,6 +149,7 @@ class FilmCase:
     changing_load: ChangingLoad | None = None
     moving_mass: float = 0.0
     search: Search = Search.AUTO
+    tilt_coefficients: bool = False
     limits: Limits = field(default_factory=Limits)
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.bearings.layout import load_vector
 from babbitt.bearings.model import FilmCase
-from babbitt.bearings.warm_film import FilmState
+from babbitt.bearings.warm_film import FilmState, is_dear
 from babbitt.design.conditions import GivenLoad
 from babbitt.design.doubts import RIGID_FILM_UP_TO
 from babbitt.film.model import DRAFT, Cavitation
@@ -36,8 +36,7 @@ GRID_TOLD_FROM = 0.05
 def orbit_of(case: FilmCase, state: FilmState) -> Orbit | None:
     """Orbit of the journal in the film of the operating point; None under a steady load.
 
-    A film of lands is seen in the grid of the case; one that differs across the width in a draft grid, for each of
-    its instants costs ten times as much.
+    It is seen on the grid of the case, or on a draft grid where each of its instants would take long.
     """
     if case.changing_load is None or not isinstance(case.duty, GivenLoad):
         return None
@@ -50,7 +49,7 @@ def orbit_of(case: FilmCase, state: FilmState) -> Orbit | None:
         load_vector(case, case.duty.load),
         case.journal_speed,
         case.moving_mass,
-        DRAFT if film.is_surface else case.accuracy.resolution,
+        DRAFT if is_dear(state) else case.accuracy.resolution,
     )
 
 

@@ -52,6 +52,15 @@ class FilmState:
     solution: FilmSolution
 
 
+DEAR = 1500
+"""Grid points of a film that is solved node by node, beyond which sweeps and orbits take a draft grid."""
+
+
+def is_dear(state: FilmState) -> bool:
+    """Whether a film takes so long that sweeps and orbits see it on a draft grid."""
+    return bool(state.solution.film.is_surface and state.solution.pressure.size > DEAR)
+
+
 def operating_film(case: FilmCase) -> Equilibrium[FilmState]:
     """Film at the temperature at which its heat balance closes, or at the one that the case prescribes.
 
@@ -101,7 +110,7 @@ def film_at_temperature(temperature: float, case: FilmCase) -> FilmState:
         volumetric_heat_capacity=heat_capacity,
         load=solution.load,
         friction_power=case.friction_factor * solution.friction_torque * abs(case.journal_speed),
-        total_flow=float(solution.side_flow.sum()),
+        total_flow=solution.leaving_flow,
         feed=feed,
         solution=solution,
     )

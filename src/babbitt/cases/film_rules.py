@@ -13,6 +13,9 @@ from babbitt.units import written
 if TYPE_CHECKING:
     from babbitt.cases.journal import JournalBearing
 
+SURFACE_FIELDS = ("steps", "crowning", "displacement", "side_pressures", "tilt_coefficients")
+"""What only a film can have that begins at a groove, pocket or hole, or that closes around the journal."""
+
 CLEARANCE_GROWTH = 2.0
 """Assumption: a clearance does not grow by more than this from 20 degC to operation; a position beyond is
 refused."""
@@ -53,18 +56,27 @@ def complaints_about_half_sommerfeld(bearing: JournalBearing) -> Iterator[Compla
     """Complain about the half-Sommerfeld condition anywhere but in a plain closed ring."""
     if bearing.cavitation != "half_sommerfeld" or bearing.method != "film":
         return
-    allowed = "a plain round bore without grooves, pockets, holes and tilt; else cavitation: reynolds"
+    allowed = "a plain round bore without grooves, pockets, holes, tilt and steps; else cavitation: reynolds"
     says = "the half-Sommerfeld condition is for a plain closed ring"
     if bearing.film_start not in (None, "periodic"):
         yield Complaint(("film_start",), f"{says}, where the film begins nowhere", "periodic")
     elif bearing.hollows() or bearing.supply_element is not None:
         yield Complaint(("cavitation",), f"{says}, and this bearing is fed", allowed)
-    elif (bearing.bore is not None and bearing.bore.kind != "round") or bearing.misalignment is not None:
+    elif _is_shaped(bearing):
         yield Complaint(("cavitation",), says, allowed)
     elif bearing.effective_temperature is None:
         says = "half-Sommerfeld films have no flow to carry heat away"
         yield Complaint(("effective_temperature",), f"{says}: it is missing", "the temperature of the film",
                         code="E003")  # fmt: skip
+
+
+def _is_shaped(bearing: JournalBearing) -> bool:
+    """Whether the gap of a bearing is anything but that of an aligned journal in a round bore."""
+    return (
+        (bearing.bore is not None and bearing.bore.kind != "round")
+        or bearing.misalignment is not None
+        or any(is_given(bearing, name) for name in SURFACE_FIELDS)
+    )
 
 
 def complaints_about_closed_ring(bearing: JournalBearing) -> Iterator[Complaint]:

@@ -29,7 +29,8 @@ from babbitt.film._surface_film import (
 )
 from babbitt.film._surface_forces import evaluate_surface
 from babbitt.film.model import JournalFilm, Resolution
-from babbitt.film.ring import Density, Ring, axial_gain, bore_gap, build_ring
+from babbitt.film.ring import Ring, axial_gain, bore_gap, build_ring
+from babbitt.film.ring_mesh import Density
 
 __all__ = ["SettledRing", "rest_ring", "ring_at"]
 
@@ -213,10 +214,11 @@ def attempt(
 
 
 def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: Resolution) -> SettledRing:
-    """Film at a position and velocity."""
+    """Film at a position and velocity, (2,), or with the tilts of ``build_ring``, (4,)."""
     total, coarse, density, effort = 0, None, None, Effort(math.inf)
     for per_turn in (resolution.ring_intervals // 4, resolution.ring_intervals):
-        sample = Sample.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density), effort)
+        ring = build_ring(film, unit, per_turn, resolution.axial_unknowns, density, motions=at.size)
+        sample = Sample.of(ring, effort)
         gap = sample.gap(at)
         if not gap > 0.0:
             return SettledRing(film, sample, at, NO_FILM, total, gap)

@@ -108,8 +108,7 @@ def film_points(
     Parameters
     ----------
     case : FilmCase
-        Says the accuracy; a film that differs across the width takes a draft grid, for each of its points costs
-        ten times as much.
+        Says the accuracy; a film each of whose points takes long is seen on a draft grid.
     state : FilmState
         The film at the operating point; the direction of its load, its sense of rotation, clearance, viscosity and
         supply pressures are kept.
@@ -130,7 +129,9 @@ def film_points(
     angle = math.atan2(-fy, -fx)
     if _is_plain(film):
         return _at_once(film, angle, some_loads, some_speeds, case.accuracy.resolution)
-    grid = (Accuracy.DRAFT if film.is_surface else case.accuracy).resolution
+    from babbitt.bearings.warm_film import is_dear
+
+    grid = (Accuracy.DRAFT if is_dear(state) else case.accuracy).resolution
     return _one_by_one(film, angle, some_loads, some_speeds, grid, watch)
 
 
