@@ -228,8 +228,13 @@ class JournalFilm:
             or self.pressure_viscosity
             or self.film_start is FilmStart.PERIODIC
             or any(land.start_pressure > 0.0 or land.end_pressure > 0.0 for land in self.lands)
-            or any(land.start_fill < 1.0 for land in self.lands)
+            or self.is_starved
         )
+
+    @property
+    def is_starved(self) -> bool:
+        """Whether a groove or pocket fills only part of the gap behind it."""
+        return any(land.start_fill < 1.0 for land in self.lands) or any(one.fill < 1.0 for one in self.pockets)
 
     @property
     def is_symmetric(self) -> bool:
