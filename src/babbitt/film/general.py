@@ -59,14 +59,15 @@ class Sample:
     @classmethod
     def of(cls, ring: Ring, effort: Effort) -> Sample:
         """Workspace with all nodes wet."""
-        two = np.zeros((2, 2))
+        motions = ring.surface.lever.shape[0]
+        square = np.zeros((motions, motions))
         return cls(
             ring,
             new_surface_film(ring.surface),
             new_surface_work(ring.surface),
-            np.zeros(2),
-            two,
-            two.copy(),
+            np.zeros(motions),
+            square,
+            square.copy(),
             effort,
         )
 
@@ -228,10 +229,11 @@ def beginning(film: JournalFilm, load: Array) -> Array:
 
 
 def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: Resolution) -> SettledRing:
-    """Film at a position and velocity."""
+    """Film at a position and velocity, (2,), or with the tilts of ``build_ring``, (4,)."""
     total, coarse, density, effort = 0, None, None, Effort(math.inf)
     for per_turn in (resolution.ring_intervals // 4, resolution.ring_intervals):
-        sample = Sample.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density), effort)
+        ring = build_ring(film, unit, per_turn, resolution.axial_unknowns, density, motions=at.size)
+        sample = Sample.of(ring, effort)
         gap = sample.gap(at)
         if not gap > 0.0:
             return SettledRing(film, sample, at, NO_FILM, total, gap)

@@ -213,6 +213,11 @@ class JournalFilm:
     pressure_viscosity: PressureViscosity | None = None
 
     @property
+    def land_order(self) -> list[int]:
+        """Numbers of the lands by their start angles within a turn."""
+        return sorted(range(len(self.lands)), key=lambda number: self.lands[number].start_angle % (2.0 * math.pi))
+
+    @property
     def is_surface(self) -> bool:
         """Whether the film is solved node by node (``ring``); all others separate into modes of the width."""
         return bool(
