@@ -34,7 +34,7 @@ CLOSENESS = 1e-3
 """Of net flow to given flow: a film jumps a little where a line ruptures, and no fill may meet the flow better."""
 NUDGES = (1.0, 0.995, 1.005)
 """Factors on a fill at which a film is sought where one fill gives none."""
-MOST_FILMS = 200
+MOST_FILMS = 150
 """Films after which the search gives up."""
 
 
@@ -240,16 +240,36 @@ class _Search:
         """States of several supplies: a root of the function of Fischer and Burmeister in both inequalities."""
         from scipy.optimize import root
 
-        top = math.log(self._highest)
+        top, bottom = math.log(self._highest), math.log(LEAST_FILL)
 
         def disagreement(logs: Array) -> Array:
             slack = top - logs
-            spare = 1.0 - self.drawn(np.exp(np.clip(logs, math.log(LEAST_FILL), top))) / self._flows
+            try:
+                spare = 1.0 - self.drawn(np.exp(np.clip(logs, bottom, top))) / self._flows
+            except _NoFilmError:
+                if self._films > MOST_FILMS:
+                    raise
+                return np.full(logs.size, 10.0)  # a bad place: the search turns back
             return np.asarray(slack + spare - np.hypot(slack, spare))
 
         begin = np.log(full) - 0.5 * np.log(np.maximum(drawn / self._flows, 1.0))
-        found = root(disagreement, begin, method="hybr", options={"xtol": 1e-12, "factor": 0.3})
-        return np.exp(np.clip(found.x, math.log(LEAST_FILL), top))
+        for _ in range(3):
+            found = root(disagreement, begin, method="hybr", options={"xtol": 1e-12, "factor": 0.3})
+            logs = np.clip(found.x, bottom, top)
+            if np.abs(disagreement(logs)).max() < CLOSENESS:
+                break
+            begin = np.log(self.one_after_the_other(np.exp(logs)))
+        return np.exp(logs)
+
+    def one_after_the_other(self, states: Array) -> Array:
+        """Two rounds in which every supply finds its state while the others keep theirs: a better place to begin."""
+        states = states.copy()
+        for place in [*range(states.size)] * 2:
+            states[place] = self._highest
+            drawn = self.drawn(states)
+            if drawn[place] > self._flows[place]:
+                states[place] = self.single(place, states, drawn)
+        return states
 
     def answer(self, states: Array) -> FedFilm:
         """Film at its final states."""
