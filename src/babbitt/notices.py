@@ -104,7 +104,8 @@ EXPLANATIONS: dict[str, Explanation] = {
         "Film is not laminar",
         "The Reynolds number of the film exceeds 41.3 sqrt(D/C), up to which the ISO 7902 procedure is valid. "
         "Vortices raise friction and temperature above the values shown.",
-        "Use `method: film` with `turbulence: ng_pan` or `constantinescu`, a smaller clearance, a more viscous oil or a lower speed.",
+        "Use `method: film` with `turbulence: ng_pan` or `constantinescu`, a smaller clearance, a more viscous oil "
+        "or a lower speed.",
     ),
     "W102": Explanation(
         "Width ratio outside the standard",
@@ -224,8 +225,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W140": Explanation(
         "Starved supply",
-        "The film would draw more oil than a groove, pocket or hole is given. It fills only part of the gap behind "
-        "it: the film begins later, is thinner, and is less stiff than a flooded one.",
+        "The film would draw more oil than a groove, pocket or hole is given. It fills only part of the gap "
+        "behind it: the film begins later, is thinner, and is less stiff than a flooded one.",
         "More oil, or supplies where the film draws less; a wider bearing passes less oil for its load.",
     ),
     "W120": Explanation(

@@ -142,7 +142,7 @@ QUANTITIES: dict[str, Quantity] = {
         _q("supply_flow_number", "Q_p*", "1", "", 4, "Supply flow Qp η/(D³ ψ³ p_en)"),
         _q("supply_flow", "Q_p", "m3/s", "L/min", 3, "Oil flow due to the supply pressure"),
         _q("given_flow", "Q_given", "m3/s", "L/min", 3, "Oil flow that the supplies are given"),
-        _q("surplus_flow", "Q_over", "m3/s", "L/min", 3, "Part of the given flow that returns without passing the film"),
+        _q("surplus_flow", "Q_over", "m3/s", "L/min", 3, "Given flow that returns without passing the film"),
         _q("least_fill", "", "1", "%", 3, "Least share of the gap that a supply fills"),
         _q("full_film_share", "", "1", "%", 3, "Share of the bearing surface that carries a full film"),
         _q("turbulent_share", "", "1", "%", 3, "Share of the bearing surface where the film is not laminar"),

@@ -7,14 +7,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from ring_differences import assert_consistent
 
 from babbitt.film.model import Cavitation, FilmStart, JournalFilm, Land, Resolution, grooved_bore
 from babbitt.film.piezoviscosity import Barus, Roelands, pressure_of, pressure_table, reduced_pressure
 from babbitt.film.solve import film_at_position, solve_journal
 from babbitt.notices import InputError
 from babbitt.results import Outcome
-
-from ring_differences import assert_consistent
 
 CLEARANCE, VISCOSITY, SPEED = 5e-5, 0.05, 200.0
 TWO = grooved_bore((0.0, math.pi), 0.3)

@@ -76,7 +76,9 @@ def test_starved_goes_over_into_flooded(layout):
     assert almost.starved
     assert not flooded.starved
     assert almost.fill[0] > 0.999
-    assert almost.solution.minimum_film_thickness == pytest.approx(flooded.solution.minimum_film_thickness, rel=1e-3)
+    assert almost.solution.minimum_film_thickness == pytest.approx(
+        flooded.solution.minimum_film_thickness, rel=1e-3
+    )
     less = [fed(one, share * demand) for share in (0.8, 0.5, 0.2, 0.05)]
     assert np.diff([each.fill[0] for each in less]).max() < 0.0
     assert np.diff([each.solution.minimum_film_thickness for each in less]).max() < 0.0
@@ -131,7 +133,9 @@ def test_too_little_oil_is_told_with_the_least_that_will_do():
 
 def test_at_a_position_the_fill_alone_decides():
     at = (0.3e-4, -0.4e-4)
-    found = feed_film(POCKET, [GivenFlow((0,), 0.2 * LITRE)], lambda one: film_at_position(one, at, resolution=CLOSE))
+    found = feed_film(
+        POCKET, [GivenFlow((0,), 0.2 * LITRE)], lambda one: film_at_position(one, at, resolution=CLOSE)
+    )
     assert found.solution.supply_flow[0] == pytest.approx(0.2 * LITRE, rel=1e-8)
     np.testing.assert_allclose(found.solution.position, at)
 
@@ -151,7 +155,8 @@ def test_the_reynolds_condition_counts_no_oil():
 
 
 @pytest.mark.parametrize(("change", "says"), [
-    ({"fill": 0.0}, "above 0"), ({"fill": 1.1}, "above 0"), ({"fill": 0.5, "pressure": 1e4}, "cavitation pressure"),
+    ({"fill": 0.0}, "above 0"), ({"fill": 1.1}, "above 0"),
+    ({"fill": 0.5, "pressure": 1e4}, "cavitation pressure"),
 ])  # fmt: skip
 def test_fills_that_cannot_be(change, says):
     with pytest.raises(InputError, match=says):

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from ring_differences import assert_consistent
 
 from babbitt.film._surface_film import thickening
 from babbitt.film.general import ring_at
@@ -14,8 +15,6 @@ from babbitt.film.scales import Scales
 from babbitt.film.solve import film_at_position, solve_journal
 from babbitt.film.turbulence import CONSTANTINESCU, NG_PAN, FilmTurbulence, TurbulenceLaw
 from babbitt.notices import InputError
-
-from ring_differences import assert_consistent
 
 CLEARANCE, VISCOSITY, SPEED = 1e-4, 0.004, 600.0
 TWO = grooved_bore((0.0, math.pi), 0.3)
@@ -114,7 +113,9 @@ def test_work_of_the_pressure_is_dissipated_across_the_gap():
     The wall shear of the linearised theory is its own law; this part follows from the flow factors alone.
     """
     film = bearing(turbulence=turbulent(), cavitation_pressure=-1e12)
-    settled = ring_at(film, Scales.of(film, SPEED).pressure, np.array([0.3, -0.5]), np.zeros(2), Resolution(6, 384))
+    settled = ring_at(
+        film, Scales.of(film, SPEED).pressure, np.array([0.3, -0.5]), np.zeros(2), Resolution(6, 384)
+    )
     work, coefficients, surface = settled.sample.work, settled.sample.film, settled.sample.ring.surface
     journal, shell = friction(settled)
     gradient = work.pressure @ surface.slope.T

@@ -239,8 +239,8 @@ def _assumptions(case: FilmCase) -> Iterator[str]:
     if case.pressure_viscosity is not None:
         law = case.pressure_viscosity
         yield (
-            f"Viscosity grows with pressure after {law.law.value.capitalize()}, {law.coefficient * 1e9:.3g} 1/GPa at "
-            "ambient pressure."
+            f"Viscosity grows with pressure after {law.law.value.capitalize()}, {law.coefficient * 1e9:.3g} 1/GPa "
+            "at ambient pressure."
         )
     if _flows_given(case):
         yield (

@@ -19,8 +19,9 @@ TURN = 2.0 * math.pi
 
 
 ALL_TURBULENT = 2.0
-"""Local Reynolds number, in those at which vortices set in, from which the film is fully turbulent. Assumption: for
-the common clearances it puts full turbulence at about 2000, as usual for films."""
+"""Local Reynolds number, in those at which vortices set in, from which the film is fully turbulent.
+
+Assumption: for the common clearances it puts full turbulence at about 2000, as usual for films."""
 
 
 def film_of(
@@ -81,7 +82,9 @@ def film_of(
 def given_flows(case: FilmCase, film: JournalFilm) -> tuple[GivenFlow, ...]:
     """Flows that the supplies of a film are given: their own, and that of the oil supply shared by all others."""
     grooves = _ordered_grooves(case)
-    numbered = [(grooves[(land + 1) % len(grooves)], place) for place, land in enumerate(film.land_order) if grooves]
+    numbered = [
+        (grooves[(land + 1) % len(grooves)], place) for place, land in enumerate(film.land_order) if grooves
+    ]
     pockets = [hollow for hollow in case.bearing.hollows if hollow.width is not None]
     numbered += [(pocket, len(grooves) + number) for number, pocket in enumerate(pockets)]
     given = [GivenFlow((number,), hollow.flow) for hollow, number in numbered if hollow.flow is not None]

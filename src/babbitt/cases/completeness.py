@@ -59,7 +59,11 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
         points = bearing.operating_points
         if supply.temperature is None and not _all_give(points, "supply_temperature"):
             yield lacks("temperature", "supply", "oil temperature at the inlet such as '50 degC'")
-        if supply.pressure is None and supply.flow is None and not _all_give(points, "supply_pressure", "supply_flow"):
+        if (
+            supply.pressure is None
+            and supply.flow is None
+            and not _all_give(points, "supply_pressure", "supply_flow")
+        ):
             yield lacks("pressure", "supply", "gauge pressure such as '0.2 MPa', or flow for the film method")
         own = bearing.supply is not None and bearing.supply.flow is not None
         yield from _flow_goes_somewhere(bearing, supply, path if own else ())

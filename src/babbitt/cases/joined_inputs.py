@@ -94,7 +94,9 @@ def oil_supply(supply: Supply | None, point: OperatingPoint | None) -> OilSupply
         if point.supply_pressure is not None or point.supply_flow is not None:
             pressure, flow = point.supply_pressure, point.supply_flow
     if temperature is None or (pressure is None and flow is None):
-        raise ValueError("a case that was not validated: the supply has no temperature, or no pressure and no flow")
+        raise ValueError(
+            "a case that was not validated: the supply has no temperature, or no pressure and no flow"
+        )
     return OilSupply(
         temperature,
         0.0 if pressure is None else pressure,

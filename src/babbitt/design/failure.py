@@ -13,8 +13,11 @@ def failure(case: Designed, found: Equilibrium[FilmT]) -> str:
     reached = f"{found.last_temperature - 273.15:.1f} °C"
     match found.outcome:
         case Outcome.OVERLOADED if found.least_flow is not None:
-            far = f"at {reached} the oil given is too little for this load: a film needs about {found.least_flow * 6e4:.3g} L/min"
-            return f"{far}. Try: more oil, less load, a more viscous or cooler oil."
+            needed = f"a film needs about {found.least_flow * 6e4:.3g} L/min"
+            return (
+                f"at {reached} the oil given is too little for this load: {needed}. Try: more oil, less load, "
+                "a more viscous or cooler oil."
+            )
         case Outcome.OVERLOADED:
             far = f"at {reached} {_carried(found.capacity)}"
             if isinstance(case.duty, GivenLoad):

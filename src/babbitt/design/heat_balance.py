@@ -74,9 +74,7 @@ class NoFilmError(Exception):
         Least oil flow in m3/s with which a film was found, if the flow given is too small for the load.
     """
 
-    def __init__(
-        self, outcome: Outcome, capacity: float | None = None, least_flow: float | None = None
-    ) -> None:
+    def __init__(self, outcome: Outcome, capacity: float | None = None, least_flow: float | None = None) -> None:
         super().__init__(outcome.value)
         self.outcome = outcome
         self.capacity = capacity

@@ -344,15 +344,15 @@ FULL = 1.0 - 1e-9
 
 
 def check_fills(film: JournalFilm) -> None:
-    """Refuse fills beyond 0 to 1, starved supplies under pressure, and starved films that do not count their oil."""
+    """Refuse fills beyond 0 to 1, starved supplies under pressure, starved films that do not count oil."""
     supplies = [(land.start_fill, land.start_pressure) for land in film.lands]
     supplies += [(pocket.fill, pocket.pressure) for pocket in film.pockets]
     for fill, pressure in supplies:
         if not 0.0 < fill <= 1.0:
             raise InputError("E101", f"the fill of a groove or pocket is {fill}; it must lie above 0, up to 1.")
         if fill < FULL and pressure > film.cavitation_pressure:
-            raise InputError("E101", f"a groove or pocket with a fill of {fill} stands at {pressure} Pa; one that is "
-                             f"starved is at the cavitation pressure, {film.cavitation_pressure} Pa.")  # fmt: skip
+            raise InputError("E101", f"a groove or pocket with a fill of {fill} stands at {pressure} Pa; one "
+                             "that is starved is at the cavitation pressure.")  # fmt: skip
     if film.is_starved and film.cavitation is not Cavitation.MASS_CONSERVING:
         raise InputError("E101", "a starved supply needs Cavitation.MASS_CONSERVING, which counts the oil.")
 
@@ -362,9 +362,8 @@ def check_oil(film: JournalFilm) -> None:
     if film.turbulence is None and film.pressure_viscosity is None:
         return
     if film.film_start is FilmStart.WIDEST_GAP or film.cavitation is Cavitation.HALF_SOMMERFELD:
-        raise InputError("E101", "a film that starts at the widest gap, or under the half-Sommerfeld condition, is "
-                         "laminar and of constant viscosity; choose FilmStart.GROOVE or FilmStart.PERIODIC with "
-                         "another condition.")  # fmt: skip
+        raise InputError("E101", "a film that starts at the widest gap, or under the half-Sommerfeld condition, "
+                         "is laminar and of constant viscosity; choose another start or condition.")  # fmt: skip
 
 
 def check_steps(film: JournalFilm) -> None:

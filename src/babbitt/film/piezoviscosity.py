@@ -4,9 +4,9 @@ With mu(p) = mu_0 f(p) the flow h^3 / (12 mu) grad p is h^3 / (12 mu_0) grad r w
 
     r(p) = int_0^p dp' / f(p')         (Kirchhoff's transform; r = (1 - exp(-alpha p)) / alpha for Barus)
 
-so that the film is solved for r, and only loads need p(r). For Barus r ends at 1 / alpha, where the pressure would be
-without bound: a film that asks for more has no pressure, and its solution says so. Couette shear takes mu(p) from line
-to line. The Reynolds number of a turbulent film keeps the viscosity at ambient pressure.
+so that the film is solved for r, and only loads need p(r). For Barus r ends at 1 / alpha, where the pressure would
+be without bound: a film that asks for more has no pressure, and its solution says so. Couette shear takes mu(p)
+from line to line. The Reynolds number of a turbulent film keeps the viscosity at ambient pressure.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Films whose supplies deliver given flows: flooded where the film draws less, starved where it asks for more.
 
 The state of such a supply is one number x. Up to 1 it is the liquid fraction with which the supply fills the gap
-behind it, at cavitation pressure; from there up to 2 the supply is full and its pressure rises to ambient. Whatever a
-flooded supply delivers beyond what the film draws returns without passing the film. With q(x) the net flow of the
+behind it, at cavitation pressure; from there up to 2 the supply is full and its pressure rises to ambient. What a
+flooded supply delivers beyond what the film draws returns without passing the film. With q(x) the net flow of a
 supply (what it sends off less what the film brings back), Q the flow given and x_1 the state of a flooded supply:
 
     x <= x_1,   q(x) <= Q,   one of both an equality.
@@ -69,8 +69,8 @@ class FedFilm:
     surplus : float
         Part of all given flows that returns without passing the film, m3/s.
     least_flow : float or None
-        Where the film failed for want of oil: the least flow in m3/s, of all supplies with given flow, with which a
-        film was found.
+        Where the film failed for want of oil: the least flow in m3/s, of all supplies with given flow, with which
+        a film was found.
     """
 
     solution: FilmSolution
@@ -259,10 +259,10 @@ class _Search:
             if np.abs(disagreement(logs)).max() < CLOSENESS:
                 break
             begin = np.log(self.one_after_the_other(np.exp(logs)))
-        return np.exp(logs)
+        return np.asarray(np.exp(logs))
 
     def one_after_the_other(self, states: Array) -> Array:
-        """Two rounds in which every supply finds its state while the others keep theirs: a better place to begin."""
+        """Two rounds in which every supply finds its state, the others keeping theirs: a better place to start."""
         states = states.copy()
         for place in [*range(states.size)] * 2:
             states[place] = self._highest

@@ -1,9 +1,9 @@
 """Turbulent films: linearised flow factors of the mean flow, and the friction that goes with them.
 
-The mean flow along and across the motion is U h / 2 - h^3 / (k_x mu) dp/dx and -h^3 / (k_z mu) dp/dz with k = 12 in
-a laminar film and k = 12 + a Re^b in a turbulent one; Re = rho U h / mu is local, with the viscosity at ambient
-pressure. The shear stress on the walls is (1 + a Re^b) mu U / h -+ h/2 dp/dx. The exchange of momentum is that of the
-sliding motion: flow by supply pressure alone is not made turbulent.
+The mean flow along and across the motion is U h / 2 - h^3 / (k_x mu) dp/dx and -h^3 / (k_z mu) dp/dz with k = 12
+in a laminar film and k = 12 + a Re^b in a turbulent one; Re = rho U h / mu is local, with the viscosity at ambient
+pressure. The shear stress on the walls is (1 + a Re^b) mu U / h -+ h/2 dp/dx. The exchange of momentum is that of
+the sliding motion: flow by supply pressure alone is not made turbulent.
 """
 
 from __future__ import annotations
@@ -40,8 +40,8 @@ class TurbulenceLaw:
 
 
 SHEAR_SOURCE = (
-    "Constantinescu, Galetuse, On the determination of friction forces in turbulent lubrication, ASLE Transactions 8 "
-    "(1965) 367-380"
+    "Constantinescu, Galetuse, On the determination of friction forces in turbulent lubrication, "
+    "ASLE Transactions 8 (1965) 367-380"
 )
 NG_PAN = TurbulenceLaw(
     "Ng and Pan",
@@ -82,7 +82,7 @@ class FilmTurbulence:
 
     def __post_init__(self) -> None:
         if not (self.density > 0.0 and 0.0 < self.onset < self.end):
-            raise InputError("E101", f"turbulence with density {self.density}, onset {self.onset} and end {self.end}: "
+            raise InputError("E101", f"turbulence: density {self.density}, onset {self.onset}, end {self.end}; "
                              "density and onset must be positive, the end above the onset.")  # fmt: skip
 
     def kernel_row(self, unit_reynolds: float) -> Array:
