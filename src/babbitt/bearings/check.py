@@ -8,7 +8,7 @@ from time import perf_counter
 
 from babbitt.bearings.bore import LobedBore
 from babbitt.bearings.extent import full_film_share, turbulent_share
-from babbitt.bearings.layout import ALL_TURBULENT, without_pressure
+from babbitt.bearings.layout import ALL_TURBULENT, supply_numbers, without_pressure
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.transition import transition_speed
 from babbitt.bearings.warm_film import FilmState, operating_film
@@ -26,6 +26,7 @@ from babbitt.design.values import (
     oil_values,
     supply_values,
 )
+from babbitt.film.starved import FedFilm
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Result
 
@@ -67,7 +68,7 @@ def film_check(case: FilmCase) -> Result:
         values = _values(case, state)
         arrays = {"stiffness": _rows(state.solution.stiffness), "damping": _rows(state.solution.damping)}
         if state.fed is not None:
-            arrays["supply_fill"] = (state.fed.fill,)
+            arrays["supply_fill"] = (_fills(case, state.fed),)
         if solved:
             whirl = whirl_of(case, state)
             values |= _running_values(case, state, whirl)
@@ -159,6 +160,11 @@ def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     return {"side_flow": alone, "supply_flow": flow - alone, "total_flow": flow}
 
 
+def _fills(case: FilmCase, fed: FedFilm) -> tuple[float, ...]:
+    """Fill of every groove, pocket and hole in the order of the case."""
+    return tuple(fed.fill[number] for number in supply_numbers(case, fed.solution.film))
+
+
 def _extent_values(state: FilmState) -> dict[str, float]:
     """Where the film is full and where it is turbulent, and what the supplies of given flow do."""
     values, film = {}, state.solution.film
@@ -204,7 +210,7 @@ def _doubts(
         doubt for doubt in doubts_about_film(case, values) if doubt.code != "W101" or case.turbulence is None
     )
     if state.fed is not None and state.fed.starved:
-        fills = ", ".join(f"{fill:.0%}" for fill in state.fed.fill)
+        fills = ", ".join(f"{fill:.0%}" for fill in _fills(case, state.fed))
         flow = values["given_flow"] * 6e4
         yield Notice("W140", f"the supplies fill {fills} of the gap with the {flow:.3g} L/min given")
     if case.bearing_speed:

@@ -13,7 +13,7 @@ from babbitt.film.starved import GivenFlow
 from babbitt.film.turbulence import FilmTurbulence
 from babbitt.notices import InputError
 
-__all__ = ["film_of", "given_flows", "load_vector", "without_pressure"]
+__all__ = ["film_of", "given_flows", "load_vector", "supply_numbers", "without_pressure"]
 
 TURN = 2.0 * math.pi
 
@@ -79,14 +79,20 @@ def film_of(
     )
 
 
+def supply_numbers(case: FilmCase, film: JournalFilm) -> tuple[int, ...]:
+    """Which supply of the film (see ``FilmSolution.supply_flow``) each hollow of the bearing is."""
+    hollows = case.bearing.hollows
+    grooves = _ordered_grooves(case)
+    behind = [grooves[(land + 1) % len(grooves)] for land in film.land_order if grooves]
+    pockets = [hollow for hollow in hollows if hollow.width is not None]
+    return tuple(
+        behind.index(hollow) if hollow.width is None else len(grooves) + pockets.index(hollow) for hollow in hollows
+    )
+
+
 def given_flows(case: FilmCase, film: JournalFilm) -> tuple[GivenFlow, ...]:
     """Flows that the supplies of a film are given: their own, and that of the oil supply shared by all others."""
-    grooves = _ordered_grooves(case)
-    numbered = [
-        (grooves[(land + 1) % len(grooves)], place) for place, land in enumerate(film.land_order) if grooves
-    ]
-    pockets = [hollow for hollow in case.bearing.hollows if hollow.width is not None]
-    numbered += [(pocket, len(grooves) + number) for number, pocket in enumerate(pockets)]
+    numbered = list(zip(case.bearing.hollows, supply_numbers(case, film), strict=True))
     given = [GivenFlow((number,), hollow.flow) for hollow, number in numbered if hollow.flow is not None]
     if case.oil_supply is not None and case.oil_supply.flow is not None:
         members = tuple(number for hollow, number in numbered if hollow.pressure is None and hollow.flow is None)
