@@ -104,8 +104,8 @@ EXPLANATIONS: dict[str, Explanation] = {
         "Film is not laminar",
         "The Reynolds number of the film exceeds 41.3 sqrt(D/C), up to which the ISO 7902 procedure is valid. "
         "Vortices raise friction and temperature above the values shown.",
-        "Use `method: film` with `turbulence: ng_pan` or `constantinescu`, a smaller clearance, a more viscous oil "
-        "or a lower speed.",
+        "Use `method: film` with `turbulence: ng_pan` or `constantinescu`, a smaller clearance, a more "
+        "viscous oil or a lower speed.",
     ),
     "W102": Explanation(
         "Width ratio outside the standard",
