@@ -212,9 +212,11 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W121": Explanation(
         "Flow of open grooves",
-        "A groove as wide as the bearing meets the open side: the flow out of its corners grows without bound as "
-        "the grid is refined, and what runs straight out of its ends is not counted. Supply flow and, through the "
-        "heat balance, temperature and film thickness inherit this; a finer `accuracy` does not cure it.",
+        "A groove as wide as the bearing ends somewhere, and how its ends are closed decides what leaks there. "
+        "The film lets its pressure fall to that of the sides over the last 2.5 % of the width at either end and "
+        "counts the flow over the lands beside them; what runs straight out of the ends is not counted. Supply "
+        "flow and, through the heat balance, temperature and film thickness inherit this; a finer `accuracy` does "
+        "not cure it.",
         "Describe grooves that end before the side as pockets with their true width.",
     ),
     "W122": Explanation(

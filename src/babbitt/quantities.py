@@ -46,6 +46,8 @@ SI = {
     "t": DisplayUnit("t", 1e-3),
     "MN/m": DisplayUnit("MN/m", 1e-6),
     "kNs/m": DisplayUnit("kN s/m", 1e-3),
+    "kNm/rad": DisplayUnit("kN m/rad", 1e-3),
+    "Nms/rad": DisplayUnit("N m s/rad"),
 }
 
 
@@ -218,6 +220,41 @@ QUANTITIES: dict[str, Quantity] = {
                 f"Film damping, force in {row} over speed in {column}",
             )
             for axes, row, column in (("xx", "x", "x"), ("xy", "x", "y"), ("yx", "y", "x"), ("yy", "y", "y"))
+        ),
+        *(
+            _q(
+                f"{name}_{axes}",
+                f"{symbol}_{axes}",
+                unit,
+                shown,
+                4,
+                f"{title} against tilt, moment int z dF_{axes[0]} over {motion} d{axes[1]}/dz",
+            )
+            for name, symbol, unit, shown, title, motion in (
+                ("tilt_stiffness", "k_φ", "N m/rad", "kNm/rad", "Film stiffness", "slope"),
+                ("tilt_damping", "c_φ", "N m s/rad", "Nms/rad", "Film damping", "rate of the slope"),
+            )
+            for axes in ("xx", "xy", "yx", "yy")
+        ),
+        _q(
+            "tilt_stiffness",
+            "K_φ",
+            "SI",
+            "",
+            4,
+            "Film stiffness, d(F_x, F_y, M_x, M_y) = -K d(x, y, dx/dz, dy/dz), M = int z dF; N/m, N, N m/rad",
+        ),
+        _q(
+            "tilt_damping",
+            "C_φ",
+            "SI",
+            "",
+            4,
+            "Film damping in the motions of tilt_stiffness, those units times s",
+        ),
+        *(
+            _q(f"film_moment_{axis}", f"M_{axis}", "N m", "Nm", 4, f"Moment of the film, int z dF_{axis}")
+            for axis in "xy"
         ),
         _q("rotor_mass", "m", "kg", "t", 4, "Mass of the rigid rotor carried by the bearing"),
         _q("critical_mass", "m_cr", "kg", "t", 4, "Mass above which a rigid rotor whirls"),

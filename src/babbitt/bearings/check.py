@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from time import perf_counter
+from typing import TYPE_CHECKING
 
 from babbitt.bearings.bore import LobedBore
 from babbitt.bearings.extent import full_film_share, turbulent_share
@@ -26,14 +27,21 @@ from babbitt.design.values import (
     oil_values,
     supply_values,
 )
+from babbitt.film.model import END_DAM
 from babbitt.film.starved import FedFilm
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Result
+
+if TYPE_CHECKING:
+    from babbitt.film.tilt import TiltCoefficients
 
 METHOD = "film"
 
 OIL_INVENTED_FROM = 0.05
 """Mass balance error above which a film without mass conservation is doubted."""
+
+NO_MOMENT = 1e-10
+"""Share of load times width below which a moment of the film is round-off."""
 
 AXES = ("xx", "xy", "yx", "yy")
 
@@ -69,6 +77,12 @@ def film_check(case: FilmCase) -> Result:
         arrays = {"stiffness": _rows(state.solution.stiffness), "damping": _rows(state.solution.damping)}
         if state.fed is not None:
             arrays["supply_fill"] = (_fills(case, state.fed),)
+        if case.tilt_coefficients and solved:
+            from babbitt.film.tilt import tilt_coefficients
+
+            tilt = tilt_coefficients(state.solution, case.accuracy.resolution)
+            arrays |= {"tilt_stiffness": _rows(tilt.stiffness), "tilt_damping": _rows(tilt.damping)}
+            values |= _tilt_values(tilt, state.load * case.bearing.width)
         if solved:
             whirl = whirl_of(case, state)
             values |= _running_values(case, state, whirl)
@@ -133,6 +147,16 @@ def _values(case: FilmCase, state: FilmState) -> dict[str, float]:
     return values
 
 
+def _tilt_values(tilt: TiltCoefficients, scale: float) -> dict[str, float]:
+    """Moments and the corner of tilt; a moment that is round-off beside load times width counts as none."""
+    moments = {f"film_moment_{axis}": float(one) for axis, one in zip("xy", tilt.moment, strict=True)}
+    values = {name: one if abs(one) > NO_MOMENT * scale else 0.0 for name, one in moments.items()}
+    for name, matrix in (("tilt_stiffness", tilt.stiffness), ("tilt_damping", tilt.damping)):
+        own = matrix[2:, 2:].ravel()
+        values |= {f"{name}_{axes}": float(one) for axes, one in zip(AXES, own, strict=True)}
+    return values
+
+
 def _rows(matrix: object) -> tuple[tuple[float, ...], ...]:
     import numpy as np
 
@@ -156,7 +180,7 @@ def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     from babbitt.film.solve import film_at_position
 
     x, y = state.solution.position
-    alone = float(film_at_position(calm, (x, y), resolution=case.accuracy.resolution).side_flow.sum())
+    alone = film_at_position(calm, (x, y), resolution=case.accuracy.resolution).leaving_flow
     return {"side_flow": alone, "supply_flow": flow - alone, "total_flow": flow}
 
 
@@ -258,6 +282,14 @@ def _assumptions(case: FilmCase) -> Iterator[str]:
             "Supplies of given flow: oil that a flooded film does not draw returns without passing it; stiffness, "
             "damping and thresholds hold for the fills of the operating point; no oil is stored in grooves."
         )
+    grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
+    if any(hollow.pressure != 0.0 for hollow in grooves) and case.oil_supply is not None:
+        yield (
+            f"The pressure of grooves as wide as the bearing falls to that of the sides over the last "
+            f"{100.0 * END_DAM:g} % of the width at either end."
+        )
+    if case.bearing.side_pressures != (0.0, 0.0):
+        yield "Oil that a side under pressure presses into the film is as warm as that of the supply."
     if case.bearing.hollows:
         yield "Grooves, pockets and holes are deep: the oil in them is not sheared."
     if case.rotor_mass is None:

@@ -16,7 +16,8 @@ from babbitt.design.conditions import (
     Proportions,
     Surfaces,
 )
-from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Resolution
+from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Resolution, Step
+from babbitt.film.model import Field as FieldOfFilm
 from babbitt.film.piezoviscosity import Barus, PressureViscosity, Roelands
 from babbitt.film.turbulence import TurbulenceLaw
 from babbitt.lubricants import Lubricant
@@ -117,7 +118,8 @@ class FilmBearing(Proportions):
     """A journal bearing as the film sees it; lengths in m, clearance at 20 °C.
 
     `misalignment` holds the slopes dx/dz and dy/dz of the journal axis in rad. `clearance_tolerance` holds the
-    least and the greatest relative clearance where a tolerance is known.
+    least and the greatest relative clearance where a tolerance is known. `steps`, `crowning`, `displacement` and
+    `side_pressures` are those of `babbitt.film.model.JournalFilm`; steps that belong to the bore stand there.
     """
 
     diameter: float
@@ -129,6 +131,10 @@ class FilmBearing(Proportions):
     bore: Bore = field(default_factory=RoundBore)
     film_start: FilmStart = FilmStart.GROOVE
     misalignment: tuple[float, float] = (0.0, 0.0)
+    steps: tuple[Step, ...] = ()
+    crowning: tuple[float, ...] = ()
+    displacement: FieldOfFilm = ()
+    side_pressures: tuple[float, float] = (0.0, 0.0)
     surfaces: Surfaces | None = None
     metal: BearingMetal | None = None
     load_character: LoadCharacter = LoadCharacter.CALM
@@ -142,7 +148,8 @@ class FilmCase:
     Speeds in rad/s, positive counter-clockwise; `load_angle` in rad from +x. At least one of `oil_supply`
     and `cooling` carries the heat away, unless `effective_temperature` (K) is prescribed. `rotor_mass` (kg) is the
     part of a rigid rotor that this bearing carries. Without `turbulence` the film is laminar whatever its Reynolds
-    number. `doubts` arose while the case was made and ride along.
+    number. `tilt_coefficients` asks for stiffness and damping against
+    tilt, too. `doubts` arose while the case was made and ride along.
     """
 
     name: str
@@ -160,6 +167,7 @@ class FilmCase:
     effective_temperature: float | None = None
     friction_factor: float = 1.0
     rotor_mass: float | None = None
+    tilt_coefficients: bool = False
     limits: Limits = field(default_factory=Limits)
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()

@@ -112,7 +112,7 @@ def film_at_temperature(temperature: float, case: FilmCase) -> FilmState:
         volumetric_heat_capacity=heat_capacity,
         load=solution.load,
         friction_power=case.friction_factor * solution.friction_torque * abs(case.journal_speed),
-        total_flow=float(solution.side_flow.sum()),
+        total_flow=solution.leaving_flow,
         feed=feed,
         solution=solution,
         fed=fed,

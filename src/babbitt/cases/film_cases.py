@@ -37,6 +37,7 @@ def film_case(inputs: Inputs, at: Point) -> FilmCase:
         effective_temperature=bearing.effective_temperature,
         friction_factor=bearing.friction.factor,
         rotor_mass=bearing.rotor_mass,
+        tilt_coefficients=bearing.tilt_coefficients,
         limits=bearing.limits.limits(),
         given=words_of(bearing, point, at.clearance_case, inputs.cooling, inputs.materials),
         assumptions=(
@@ -67,6 +68,10 @@ def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[Hollow, ...]) -> Fil
         bore=bearing.bore.bore() if bearing.bore is not None else RoundBore(),
         film_start=FilmStart[(bearing.film_start or "groove").upper()],
         misalignment=(askew.x, askew.y) if askew is not None else (0.0, 0.0),
+        steps=tuple(step.step() for step in bearing.steps),
+        crowning=bearing.crowning.crowning(inputs.width) if bearing.crowning is not None else (),
+        displacement=bearing.displacement.field(inputs.width) if bearing.displacement is not None else (),
+        side_pressures=bearing.side_pressures or (0.0, 0.0),
         surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,
         metal=bearing_metal(materials.bearing_metal) if materials.bearing_metal is not None else None,
         load_character=LoadCharacter(materials.load_character or LoadCharacter.CALM),

@@ -20,12 +20,19 @@ from babbitt.cases.film_features import (
     MeasuredBoreGiven,
     MisalignmentGiven,
     PocketGiven,
+    PressureDamBoreGiven,
     SupplyHoleGiven,
     WornBoreGiven,
-    complaint_about_tilt,
     complaints_about_hollows,
 )
 from babbitt.cases.film_oil import PressureViscosityGiven, TurbulenceGiven
+from babbitt.cases.film_surface import (
+    CrowningGiven,
+    DisplacementGiven,
+    SidePressure,
+    StepGiven,
+    complaints_about_steps,
+)
 from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
 from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_bare, is_given, rule
 from babbitt.cases.shared import SharedInputs
@@ -41,6 +48,10 @@ LEAST_SPECIFIC_LOAD = 1e3
 
 GREATEST_SURFACE_SPEED = 200.0
 """m/s. Assumption: a faster plain bearing is a slip of unit."""
+
+
+SURFACE_FIELDS = ("steps", "crowning", "displacement", "side_pressures", "tilt_coefficients")
+"""What only a film that begins at a groove, pocket or hole can have."""
 
 
 class JournalBearing(Duty, SharedInputs):
@@ -86,6 +97,24 @@ class JournalBearing(Duty, SharedInputs):
     bore: BoreGiven | None = Field(None, description="Form of the bore, for the film method. round if not given.")
     misalignment: MisalignmentGiven | None = Field(
         None, description="Slopes of the journal axis in the bore, for the film method."
+    )
+    steps: tuple[StepGiven, ...] = Field(
+        (),
+        max_length=24,
+        description="Rectangles of the bore that lie deeper and belong to the film. Film method.",
+    )
+    crowning: CrowningGiven | None = Field(
+        None, description="What the radius of the journal lacks along its axis, for the film method."
+    )
+    displacement: DisplacementGiven | None = Field(
+        None, description="What the gap gains by displacement of its surfaces, for the film method."
+    )
+    side_pressures: tuple[SidePressure, SidePressure] | None = Field(
+        None,
+        description="Gauge pressures at the sides z = -B/2 and B/2, for the film method. Ambient if not given.",
+    )
+    tilt_coefficients: bool = Field(
+        False, description="Stiffness and damping against tilt of the journal, too, by the film method."
     )
     surfaces: SurfacesGiven | None = Field(None, description="Roughness, tilt and waviness of the surfaces.")
 
@@ -274,6 +303,10 @@ class JournalBearing(Duty, SharedInputs):
             yield Complaint(("turbulence",), "ISO 7902 knows laminar films only", "method: film")
         if self.pressure_viscosity is not None:
             yield Complaint(("pressure_viscosity",), "ISO 7902 knows no viscosity under pressure", "method: film")
+        for name in SURFACE_FIELDS:
+            if is_given(self, name):
+                says = f"ISO 7902 knows no {name.replace('_', ' ')}"
+                yield Complaint((name,), says, "method: film, or leave it out")
         for path, duty in self._duties():
             if duty.attitude_angle is not None:
                 says = "ISO 7902 finds the attitude angle itself"
@@ -291,18 +324,6 @@ class JournalBearing(Duty, SharedInputs):
             yield Complaint(("misalignment",), says, f"less than the radial clearance, {written(play, 'um')}")
 
     @rule
-    def _tilt_needs_narrow_supplies(self) -> Iterator[Complaint]:
-        width = self.actual_width
-        if self.misalignment is None or self.method != "film" or width is None or self.film_start == "widest_gap":
-            return
-        from babbitt.cases.film_layout import film_layout  # it reads this model
-
-        if not self.hollows() and any(self.span_at(point) is None for point in self.operating_points or (None,)):
-            return
-        layouts = (film_layout(self, point, width, 1.0) for point in self.operating_points or (None,))
-        yield from complaint_about_tilt(any(hollow.width is None for at in layouts for hollow in at.hollows))
-
-    @rule
     def _departures_are_of_the_size_of_the_clearance(self) -> Iterator[Complaint]:
         if not isinstance(self.bore, WornBoreGiven | MeasuredBoreGiven):
             return
@@ -312,6 +333,32 @@ class JournalBearing(Duty, SharedInputs):
             says = f"the bore departs by {written(largest, 'um')} from its circle"
             allowed = f"up to {MOST_DEPARTURE:g} times the radial clearance of {written(clearance, 'um')}"
             yield Complaint(("bore",), says, allowed)
+
+    @rule
+    def _steps_fit(self) -> Iterator[Complaint]:
+        width = self.actual_width
+        yield from complaints_about_steps(self.steps, width)
+        if isinstance(self.bore, PressureDamBoreGiven) and width is not None:
+            yield from self.bore.too_wide(width)
+
+    @rule
+    def _sides_stand_above_cavitation(self) -> Iterator[Complaint]:
+        for index, pressure in enumerate(self.side_pressures or ()):
+            if pressure < self.cavitation_pressure:
+                says = f"{written(pressure, 'kPa')} is less than the pressure at which the film breaks"
+                yield Complaint(
+                    ("side_pressures", index), says, f"at least {written(self.cavitation_pressure, 'kPa')}"
+                )
+
+    @rule
+    def _displacement_is_of_the_size_of_the_clearance(self) -> Iterator[Complaint]:
+        if self.displacement is None:
+            return
+        clearance = self.clearance.at_20_degrees(self.diameter).mean / 2.0
+        if self.displacement.largest > MOST_DEPARTURE * clearance:
+            says = f"the surfaces are displaced by {written(self.displacement.largest, 'um')}"
+            allowed = f"up to {MOST_DEPARTURE:g} times the radial clearance of {written(clearance, 'um')}"
+            yield Complaint(("displacement",), says, allowed)
 
     @rule
     def _lobes_lie_between_grooves(self) -> Iterator[Complaint]:
@@ -329,6 +376,10 @@ class JournalBearing(Duty, SharedInputs):
         if (self.bore is not None and self.bore.kind != "round") or self.misalignment is not None:
             says = "a film that starts at the widest gap needs a round bore and an aligned journal"
             yield Complaint(("film_start",), says, "groove")
+        for name in SURFACE_FIELDS:
+            if is_given(self, name):
+                says = f"a film that starts at the widest gap has no {name.replace('_', ' ')}"
+                yield Complaint(("film_start",), says, "groove")
         if self.span not in (None, 360):
             says = f"a film that starts at the widest gap surrounds the journal; span is {self.span} deg"
             yield Complaint(("film_start",), says, "groove, or span 360 deg")

@@ -29,7 +29,8 @@ from babbitt.film._surface_film import (
 )
 from babbitt.film._surface_forces import evaluate_surface
 from babbitt.film.model import JournalFilm, Resolution
-from babbitt.film.ring import Density, Ring, axial_gain, bore_gap, build_ring
+from babbitt.film.ring import Ring, axial_gain, bore_gap, build_ring
+from babbitt.film.ring_mesh import Density
 
 __all__ = ["SettledRing", "rest_ring", "ring_at"]
 

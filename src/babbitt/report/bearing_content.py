@@ -48,7 +48,13 @@ KEY_RESULTS = (
     "effective_viscosity",
     "film_reynolds_number",
     "transition_speed",
-    *(f"{name}_{axes}" for name in ("stiffness", "damping") for axes in ("xx", "xy", "yx", "yy")),
+    *(
+        f"{name}_{axes}"
+        for name in ("stiffness", "damping", "tilt_stiffness", "tilt_damping")
+        for axes in ("xx", "xy", "yx", "yy")
+    ),
+    "film_moment_x",
+    "film_moment_y",
     "critical_mass",
     "whirl_frequency_ratio",
     "threshold_speed",

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from babbitt.bearings.bore import Bore, LobedBore, MeasuredBore, TaperedBore, WornBore
+from babbitt.bearings.bore import Bore, LobedBore, MeasuredBore, PressureDamBore, TaperedBore, WornBore
 from babbitt.bearings.model import Hollow
-from babbitt.film.model import Cavitation, FilmStart
+from babbitt.film.model import Cavitation, FilmStart, Step
 
 CAVITATION = {
     Cavitation.MASS_CONSERVING: "the oil is conserved (Jakobsson, Floberg, Olsson)",
@@ -27,12 +27,27 @@ def said_of_bore(bore: Bore) -> str:
             return f"lobes, preload {bore.preload:.3g}, narrowest at {bore.offset:.3g} of the lobe"
         case TaperedBore():
             return f"lands tapered by {1e6 * bore.depth:.4g} µm over {bore.share:.3g} of their length"
+        case PressureDamBore():
+            said = (
+                f"round with a recess {1e6 * bore.depth:.4g} µm deep, {1e3 * bore.width:.4g} mm wide and "
+                f"{math.degrees(bore.extent):.4g}° long that ends in a dam at {math.degrees(bore.angle):.4g}°"
+            )
+            return said if bore.relief is None else f"{said}; relief track: {said_of_step(bore.relief)}"
         case WornBore():
             return f"worn {1e6 * bore.depth:.4g} µm deep at {math.degrees(bore.angle):.4g}°"
         case MeasuredBore():
             return f"measured at {len(bore.departures)} points"
         case _:
             return "round"
+
+
+def said_of_step(step: Step) -> str:
+    """Say where a step is and how deep it lies."""
+    where = f"at {math.degrees(math.remainder(step.centre_angle, 2.0 * math.pi)):.4g}°"
+    if step.axial_centre:
+        where += f", {1e3 * step.axial_centre:.4g} mm from the mid-plane"
+    size = f"{math.degrees(step.extent):.4g}° long, {1e3 * step.axial_length:.4g} mm wide"
+    return f"{where}, {size}, {1e6 * step.depth:.4g} µm deep"
 
 
 def said_of_hollow(hollow: Hollow) -> tuple[str, str]:

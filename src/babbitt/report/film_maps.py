@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.bearings.field import FilmField, supply_patches
+from babbitt.bearings.field import (
+    FilmField,
+    StepPatch,
+    SupplyPatch,
+    between,
+    inside,
+    step_patches,
+    supply_patches,
+)
 from babbitt.bearings.model import FilmCase
 from babbitt.film.model import JournalFilm
 from babbitt.film.solution import FilmSolution
@@ -17,6 +26,7 @@ from babbitt.report.drawing import GREY, INK, MILLIMETRE, Array, Sheet
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+    from matplotlib.patches import Rectangle
 
 RUPTURED = 0.995
 """Liquid fraction below which the film is drawn as ruptured."""
@@ -37,9 +47,11 @@ def unrolled(case: FilmCase, solution: FilmSolution, field: FilmField) -> Figure
     _thickness(bottom, solution, field)
     for panel in (top, bottom):
         _ruptured(panel, field)
+        _outlines(panel, solution.film, field)
         _supplies(panel, solution.film, field)
         _load_line(panel, case)
         panel.set_ylabel("$z$ in mm")
+    _depths(bottom, solution.film, field)
     degrees(top, field)
     bottom.set_xlabel("θ in °, counter-clockwise from $+x$")
     _says(top, "pressure in MPa")
@@ -98,7 +110,10 @@ def _pressure(panel: Axes, field: FilmField) -> None:
 
 
 def _thickness(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
-    shown = np.ma.masked_invalid(1e6 * field.film_thickness)
+    thickness = field.film_thickness.copy()
+    for step in step_patches(solution.film):
+        thickness[inside(field.theta, step.theta)[:, None] & between(field.z, step.z)[None, :]] = math.nan
+    shown = np.ma.masked_invalid(1e6 * thickness)
     lowest, highest = float(shown.min()), float(shown.max())
     top = min(highest, lowest + WIDEST_LEVEL * 1e6 * solution.film.clearance)
     levels = np.array(_steps(lowest, top, 9))
@@ -175,23 +190,50 @@ def _largest_run(there: Array | np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
     return 0.5 * float(places[first] + places[last - 1]) if width > 25.0 else None
 
 
+def _outlines(panel: Axes, film: JournalFilm, field: FilmField) -> None:
+    """Outlines of the steps of the bore."""
+    for patch in step_patches(film):
+        for corner, width, height in _rectangles(patch, field):
+            panel.add_patch(_rectangle(corner, width, height, "none"))
+
+
+def _depths(panel: Axes, film: JournalFilm, field: FilmField) -> None:
+    """How much thicker the film is over the steps, where its thickness is not drawn."""
+    first, last = np.degrees(field.theta[[0, -1]])
+    for patch in step_patches(film):
+        for corner, width, height in _rectangles(patch, field):
+            low, high = max(corner[0], first), min(corner[0] + width, last)
+            if high - low > 24.0:
+                panel.annotate(
+                    f"{1e6 * patch.depth:+.4g}", (0.5 * (low + high), corner[1] + 0.5 * height), ha="center",
+                    va="center", fontsize=7, zorder=5,
+                )  # fmt: skip
+
+
 def _supplies(panel: Axes, film: JournalFilm, field: FilmField) -> None:
     """Grooves, pockets and holes as white areas with an outline."""
+    for patch in supply_patches(film):
+        for corner, width, height in _rectangles(patch, field):
+            panel.add_patch(_rectangle(corner, width, height, "white"))
+
+
+def _rectangle(corner: tuple[float, float], width: float, height: float, fill: str) -> Rectangle:
     from matplotlib.patches import Rectangle
 
-    start = field.theta[0]
-    turn = 2.0 * math.pi
-    for patch in supply_patches(film):
-        extent = patch.theta[1] - patch.theta[0]
-        first = start + (patch.theta[0] - start) % turn
-        for low in (first, first - turn):  # a patch over the seam shows on both sides
-            if low + extent < start - 1e-9 or low > start + turn:
-                continue
+    return Rectangle(corner, width, height, facecolor=fill, edgecolor=INK, linewidth=0.8, zorder=4)
+
+
+def _rectangles(
+    patch: SupplyPatch | StepPatch, field: FilmField
+) -> Iterator[tuple[tuple[float, float], float, float]]:
+    """Corner, width and height as drawn; a patch over the seam shows on both sides."""
+    start, turn = field.theta[0], 2.0 * math.pi
+    extent = patch.theta[1] - patch.theta[0]
+    first = start + (patch.theta[0] - start) % turn
+    for low in (first, first - turn):
+        if start - 1e-9 <= low + extent and low <= start + turn:
             corner = (math.degrees(low), 1e3 * patch.z[0])
-            width, height = math.degrees(extent), 1e3 * (patch.z[1] - patch.z[0])
-            panel.add_patch(
-                Rectangle(corner, width, height, facecolor="white", edgecolor=INK, linewidth=0.8, zorder=4)
-            )
+            yield corner, math.degrees(extent), 1e3 * (patch.z[1] - patch.z[0])
 
 
 def _load_line(panel: Axes, case: FilmCase) -> None:

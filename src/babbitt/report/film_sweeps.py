@@ -22,7 +22,10 @@ POINTS, THRESHOLDS = 41, 9
 """Of the sweeps over load and speed, and of the threshold; odd, so that the operating point is one of them."""
 
 DEAR_POINTS, DEAR_THRESHOLDS = 17, 5
-"""The same for films that differ across the width: each of their points costs ten times as much."""
+"""The same for dear films."""
+
+DEAR = 1500
+"""Grid points of a film that differs across the width beyond which sweeps take fewer points on a draft grid."""
 
 SLOW = 4500
 """Grid points of a film beyond which sweeps take seconds."""
@@ -45,8 +48,13 @@ def state_of(case: FilmCase, result: Result) -> FilmState:
 
 
 def at_draft(case: FilmCase, state: FilmState) -> FilmCase:
-    """The case as the sweeps solve it: a film that differs across the width takes a draft grid."""
-    return replace(case, accuracy=Accuracy.DRAFT) if state.solution.film.is_surface else case
+    """The case as the sweeps solve it: a dear film takes a draft grid."""
+    return replace(case, accuracy=Accuracy.DRAFT) if is_dear(state) else case
+
+
+def is_dear(state: FilmState) -> bool:
+    """Whether each point of a sweep costs ten times as much as that of a film fed by grooves alone."""
+    return bool(state.solution.film.is_surface and state.solution.pressure.size > DEAR)
 
 
 def is_slow(state: FilmState) -> bool:
@@ -107,7 +115,7 @@ def spread(centre: float, span: tuple[float, float], count: int) -> Array:
 
 
 def _either(state: FilmState, cheap: int, dear: int) -> int:
-    return dear if state.solution.film.is_surface else cheap
+    return dear if is_dear(state) else cheap
 
 
 def _solved(points: Array, films: list[FilmSolution]) -> Swept:

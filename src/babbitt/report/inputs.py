@@ -11,7 +11,7 @@ from babbitt.cases.build import AnyDesign
 from babbitt.design.ducts import Duct
 from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, PowerLaw, Vogel, Walther
 from babbitt.report.expression import Node, number_node, text
-from babbitt.report.film_inputs import CAVITATION, FILM_START, said_of_bore, said_of_hollow
+from babbitt.report.film_inputs import CAVITATION, FILM_START, said_of_bore, said_of_hollow, said_of_step
 from babbitt.report.labels import label
 from babbitt.report.line import VOCABULARY, symbol
 from babbitt.report.text import plain_text
@@ -151,6 +151,17 @@ def _film_geometry(case: FilmCase) -> Iterator[Row]:
     if bearing.misalignment != (0.0, 0.0):
         slopes = ", ".join(f"{1e3 * slope:.4g}" for slope in bearing.misalignment)
         yield Row("Slopes of the journal axis dx/dz, dy/dz", slopes, None, "mm/m")
+    for step in bearing.steps:
+        yield Row("Step of the bore", said_of_step(step))
+    if bearing.crowning:
+        ends = ", ".join(f"{1e6 * drop:.4g}" for drop in (bearing.crowning[0], bearing.crowning[-1]))
+        yield Row("Crowning of the journal, drop at the sides", ends, None, "µm")
+    if bearing.displacement:
+        values = [value for row in bearing.displacement for value in row]
+        yield Row("Displacement of the gap", f"{1e6 * min(values):.4g} to {1e6 * max(values):.4g}", None, "µm")
+    if bearing.side_pressures != (0.0, 0.0):
+        sides = ", ".join(f"{1e-3 * pressure:.4g}" for pressure in bearing.side_pressures)
+        yield Row("Pressures at the sides z = -B/2, B/2 (gauge)", sides, None, "kPa")
 
 
 def _film_method(case: FilmCase) -> Iterator[Row]:
