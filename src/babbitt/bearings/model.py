@@ -18,6 +18,8 @@ from babbitt.design.conditions import (
 )
 from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Resolution, Step
 from babbitt.film.model import Field as FieldOfFilm
+from babbitt.film.piezoviscosity import Barus, PressureViscosity, Roelands
+from babbitt.film.turbulence import TurbulenceLaw
 from babbitt.lubricants import Lubricant
 from babbitt.materials import BearingMetal, LoadCharacter
 from babbitt.notices import Notice
@@ -58,6 +60,27 @@ class Search(Enum):
     FIRST = "never"
 
 
+class PressureLaw(Enum):
+    """How the viscosity grows with pressure."""
+
+    BARUS = "barus"
+    ROELANDS = "roelands"
+
+
+@dataclass(frozen=True)
+class OilUnderPressure:
+    """Law of viscosity and pressure with its slope alpha = d ln mu / dp at ambient pressure, 1/Pa."""
+
+    law: PressureLaw
+    coefficient: float
+
+    def at(self, viscosity: float) -> PressureViscosity:
+        """Law at an ambient viscosity in Pa s."""
+        if self.law is PressureLaw.BARUS:
+            return Barus(self.coefficient)
+        return Roelands(self.coefficient, viscosity)
+
+
 @dataclass(frozen=True)
 class Hollow:
     """A groove, pocket or hole that feeds the film.
@@ -72,6 +95,8 @@ class Hollow:
         Of the centre from the mid-plane, m.
     pressure : float or None
         Gauge, Pa; None is that of the oil supply behind its losses.
+    flow : float or None
+        m3/s in place of a pressure.
     """
 
     angle: float
@@ -79,14 +104,21 @@ class Hollow:
     width: float | None = None
     axial_position: float = 0.0
     pressure: float | None = None
+    flow: float | None = None
 
     @classmethod
     def hole(
-        cls, angle: float, diameter: float, bore: float, axial_position: float = 0.0, pressure: float | None = None
+        cls,
+        angle: float,
+        diameter: float,
+        bore: float,
+        axial_position: float = 0.0,
+        pressure: float | None = None,
+        flow: float | None = None,
     ) -> Hollow:
         """A round hole as a square of the same area; ``bore`` is the diameter of the bearing, all m."""
         side = 0.5 * math.sqrt(math.pi) * diameter
-        return cls(angle, 2.0 * side / bore, side, axial_position, pressure)
+        return cls(angle, 2.0 * side / bore, side, axial_position, pressure, flow)
 
 
 @dataclass(frozen=True)
@@ -124,9 +156,10 @@ class FilmCase:
     Speeds in rad/s, positive counter-clockwise; `load_angle` in rad from +x. At least one of `oil_supply`
     and `cooling` carries the heat away, unless `effective_temperature` (K) is prescribed. `rotor_mass` (kg) is the
     part of a rotor that this bearing carries, `shaft_stiffness` (N/m) the stiffness of the shaft between that mass
-    and the journal; None is rigid. `tilt_coefficients` asks for stiffness and damping against tilt, too,
-    `error_estimate` for the error of the grid. `changing_load` acts besides the load of the duty; `moving_mass`
-    (kg) then moves with the journal. `doubts` arose while the case was made and ride along.
+    and the journal; None is rigid. Without `turbulence` the film is laminar whatever its Reynolds number.
+    `tilt_coefficients` asks for stiffness and damping against tilt, too, `error_estimate` for the error of the
+    grid. `changing_load` acts besides the load of the duty; `moving_mass` (kg) then moves with the journal.
+    `doubts` arose while the case was made and ride along.
     """
 
     name: str
@@ -155,6 +188,8 @@ class FilmCase:
     assumptions: tuple[str, ...] = ()
     doubts: tuple[Notice, ...] = ()
     kind: str = "journal"
+    turbulence: TurbulenceLaw | None = None
+    pressure_viscosity: OilUnderPressure | None = None
 
     @property
     def rotation(self) -> Rotation:

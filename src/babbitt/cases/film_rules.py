@@ -48,6 +48,10 @@ def complaints_about_changing_load(bearing: JournalBearing) -> Iterator[Complain
         if prescribed:
             says = f"a changing load moves the journal, and {prescribed[0]} holds it"
             yield Complaint((*path, prescribed[0]), says, "load or specific_load")
+    for path, hollow in bearing.hollows():
+        if hollow.flow is not None:
+            says = "the orbit under a changing load does not count the oil that a supply of given flow delivers"
+            yield Complaint((*path, "flow"), says, "a pressure")
     if bearing.cavitation == "half_sommerfeld":
         yield Complaint(("cavitation",), "a half-Sommerfeld film has no damping and makes no orbit", "reynolds")
 
@@ -56,13 +60,13 @@ def complaints_about_half_sommerfeld(bearing: JournalBearing) -> Iterator[Compla
     """Complain about the half-Sommerfeld condition anywhere but in a plain closed ring."""
     if bearing.cavitation != "half_sommerfeld" or bearing.method != "film":
         return
-    allowed = "a plain round bore without grooves, pockets, holes, tilt and steps; else cavitation: reynolds"
+    allowed = "a plain round bore without grooves, pockets, holes, tilt, steps and turbulence; else cavitation: reynolds"
     says = "the half-Sommerfeld condition is for a plain closed ring"
     if bearing.film_start not in (None, "periodic"):
         yield Complaint(("film_start",), f"{says}, where the film begins nowhere", "periodic")
     elif bearing.hollows() or bearing.supply_element is not None:
         yield Complaint(("cavitation",), f"{says}, and this bearing is fed", allowed)
-    elif _is_shaped(bearing):
+    elif _is_special(bearing):
         yield Complaint(("cavitation",), says, allowed)
     elif bearing.effective_temperature is None:
         says = "half-Sommerfeld films have no flow to carry heat away"
@@ -70,11 +74,13 @@ def complaints_about_half_sommerfeld(bearing: JournalBearing) -> Iterator[Compla
                         code="E003")  # fmt: skip
 
 
-def _is_shaped(bearing: JournalBearing) -> bool:
-    """Whether the gap of a bearing is anything but that of an aligned journal in a round bore."""
+def _is_special(bearing: JournalBearing) -> bool:
+    """Whether a film is anything but laminar oil of one viscosity around an aligned journal in a round bore."""
     return (
         (bearing.bore is not None and bearing.bore.kind != "round")
         or bearing.misalignment is not None
+        or bearing.turbulence != "laminar"
+        or bearing.pressure_viscosity is not None
         or any(is_given(bearing, name) for name in SURFACE_FIELDS)
     )
 

@@ -186,7 +186,7 @@ def attempt(
     per_turn = resolution.ring_intervals
     size = math.hypot(*load)
     share = min(1.0, MODERATE_LOAD / max(size, 1e-300))
-    at, density, total, last_gap = np.zeros(2), None, 0, math.inf
+    at, density, total, last_gap = beginning(film, load), None, 0, math.inf
     coarse: Sample | None = None
     steps_per_grid = PATIENT_STEPS if patient else max_steps
     for _ in range(60):
@@ -211,6 +211,22 @@ def attempt(
     if status == CONVERGED:
         fine.evaluate(at, smooth=True)
     return SettledRing(film, fine, at, status, total + steps, gap)
+
+
+STARVED_START = 0.5
+"""Clearances from the middle, towards the load, at which the search for a starved film begins."""
+
+
+def beginning(film: JournalFilm, load: Array) -> Array:
+    """Where the search begins: in the middle, but for starved films.
+
+    Around a centred journal no gap narrows: a film that is not full stays so, and how much oil circles beside the
+    supplies is then undetermined.
+    """
+    size = math.hypot(*load)
+    if size == 0.0 or not film.is_starved:
+        return np.zeros(2)
+    return np.asarray(STARVED_START / size * load)
 
 
 def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: Resolution) -> SettledRing:

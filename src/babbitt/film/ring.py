@@ -136,7 +136,7 @@ def hold_nodes(film: JournalFilm, theta: Array, mesh: AxialMesh, grooves: list[G
         held.mask[touched], held.fill[touched], held.supply[touched] = True, pocket.fill, number
         held.pressure[touched] = pocket.pressure
     edges = list(mesh.side_nodes)
-    held.mask[:, edges], held.fill[:, edges], held.supply[:, edges] = True, 1.0, -2
+    held.mask[:, edges], held.supply[:, edges] = True, -2  # their fill stays that of a groove that ends there
     held.pressure[:, edges] = sides[edges]
     return held
 

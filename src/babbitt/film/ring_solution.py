@@ -70,6 +70,8 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
     outcome = {CONVERGED: Outcome.CONVERGED, NO_FILM: Outcome.OVERLOADED}.get(
         settled.status, Outcome.NOT_CONVERGED
     )
+    if ring.surface.piezo.size and work.pressure.max() > ring.surface.piezo[0, -1]:
+        outcome = Outcome.OVERLOADED  # beyond the law of viscosity and pressure
     lines = work.pressure.shape[0]
     return FilmSolution(
         film=film,
@@ -198,11 +200,12 @@ def friction(settled: SettledRing) -> tuple[float, float]:
     n = surface.step.size
     after = (np.arange(n) + 1) % work.pressure.shape[0]
     half = 0.5 * surface.step[:, None]
-    viscosity = surface.viscosity * (0.5 * (work.stiffening[:n] + work.stiffening[after]))[:, node]
+    ambient = surface.viscosity
+    viscosity = ambient * (0.5 * (work.stiffening[:n] + work.stiffening[after]))[:, node]
     factors = [np.ones_like(ha)] * 2
     turbulence = settled.film.turbulence
     if turbulence is not None:
-        factors = [turbulence.shear_factor(surface.turbulence[0] * gap / viscosity) for gap in (ha, hb)]
+        factors = [turbulence.shear_factor(surface.turbulence[0] * gap / ambient) for gap in (ha, hb)]
     shear = surface.speed * viscosity * half * (factors[0] / ha + factors[1] / hb) * work.fill[:n][:, node]
     shear[_in_hollow(settled, after)] = 0.0
     pressure = true_pressures(surface, work.pressure)
