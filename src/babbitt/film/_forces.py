@@ -65,12 +65,17 @@ def end_at_rupture(axial, bearing, grid, k, film, lines):
     n = film.conductance.size
     first = n
     for i in range(1, n):
-        if lines.wet_count[i - 1] + lines.wet_count[i] + lines.wet_count[i + 1] in (0, 3 * m):
+        if i < n - 1 and lines.wet_count[i - 1] + lines.wet_count[i] + lines.wet_count[i + 1] in (0, 3 * m):
             continue
         for j in range(m):
             if not grid.wet[k, i, j]:
                 continue
             pressure = lines.solution[i, 0, j] / axial.root_weights[j]
+            if i == n - 1 and bearing.lands[k, END_PRESSURE] <= 0.0:
+                surplus = (film.couette[i] - film.couette[i - 1]) / film.conductance[i]
+                if pressure < 0.5 * surplus:
+                    lines.ending[i, j] += film.conductance[i] * shortening(pressure, surplus)
+                    first = min(first, i)
             if i < n - 1 and not grid.wet[k, i + 1, j]:
                 surplus = (film.couette[i + 1] - film.couette[i]) / film.conductance[i]
                 lines.ending[i, j] += film.conductance[i] * shortening(pressure, surplus)
