@@ -169,10 +169,12 @@ def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken):
                 if i == n - 1:
                     right += q * t1 * bearing.lands[k, END_PRESSURE]
             swept[i, 0, a] = right
-            swept[i, 1, a] = -q * grid.weight_x[k, i] if here else 0.0
-            swept[i, 2, a] = -q * grid.weight_y[k, i] if here else 0.0
+            loaded = q * lines.extent[i, a] if here else 0.0
+            swept[i, 1, a] = -loaded * grid.weight_x[k, i]
+            swept[i, 2, a] = -loaded * grid.weight_y[k, i]
             for b in range(m):
-                inverse[i, a, b] = stretch * axial.stiffness[a, b] if row_counts and wet[k, i, b] else 0.0
+                counts = row_counts and wet[k, i, b]
+                inverse[i, a, b] = stretch * lines.extent[i, b] * axial.stiffness[a, b] if counts else 0.0
             inverse[i, a, a] = inverse[i, a, a] + t0 + t1 + lines.ending[i, a] if here else void_here
         if i > 1 and (conserving or lines.wet_count[i - 1] > 0):
             for a in range(m):

@@ -13,7 +13,8 @@ import numpy as np
 
 from babbitt.film._compiling import compiled, inner, spliced
 from babbitt.film._elimination import solve_land
-from babbitt.film._forces import add_forces, end_at_rupture, update_wet_set
+from babbitt.film._endings import add_endings, end_film_between_lines
+from babbitt.film._forces import add_forces, update_wet_set
 from babbitt.film._grids import (
     film_coefficients,
     graded_lines,
@@ -54,7 +55,6 @@ def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, re
         for again in range(2):
             solve_land(axial, bearing, grid, k, film, lines, nodal_from)
             if again == 1:
-                lines.ending[:] = 0.0
                 for i in range(n + 1):
                     for j in range(len(axial.size)):
                         lines.solution[i, 0, j] = grid.value[k, i, j]
@@ -63,10 +63,12 @@ def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, re
                     for j in range(len(axial.size)):
                         grid.value[k, i, j] = lines.solution[i, 0, j]
                 if smooth:
-                    nodal_from = end_at_rupture(axial, bearing, grid, k, film, lines)
+                    nodal_from = end_film_between_lines(axial, bearing, grid, k, film, lines)
             if not smooth or nodal_from == n:
                 break
         add_forces(axial, bearing, grid, k, film, lines, result)
+        if nodal_from < n:
+            add_endings(axial, bearing, grid, k, film, lines, result)
         changed += update_wet_set(axial, bearing, grid, k, film, lines)
     return changed
 

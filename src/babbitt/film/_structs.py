@@ -87,6 +87,7 @@ class Lines(NamedTuple):
 
     wet_count: NDArray[int64]  # wet nodes of a line, as the last solution saw them, (n + 1,)
     ending: Array  # what the last interval adds to the diagonal of a row at the end of the film, (n + 1, m)
+    extent: Array  # length of film at a node over its control volume, 1 but at an end of the film, (n + 1, m)
     solution: Array  # u or sigma = sqrt(w) s, adjoint of F_x, adjoint of F_y: (n + 1, 3, m)
     pivot: Array  # inverse modal pivots, (n + 1, m)
     inverse: Array  # inverse of the block of a line, (n + 1, m, m)
