@@ -42,7 +42,8 @@ def count_wet(grid, k, lines, m):
 def solve_land(axial, bearing, grid, k, film, lines, nodal_from):
     """Solve land k for pressure (or void) and the adjoints of both force components; the wet set stands.
 
-    Lines are treated in modes up to the line before the first one with a dry node, but at most to nodal_from - 1.
+    Lines are treated in modes up to the line before the first one with a dry node, but at most to nodal_from - 1;
+    below n it says that from there on the film ends between lines (``_endings``).
     """
     m = len(axial.size)
     n = film.conductance.size
@@ -53,7 +54,7 @@ def solve_land(axial, bearing, grid, k, film, lines, nodal_from):
     if broken < n:
         if full > 0:
             full_line_to_nodes(axial, lines, full)
-        sweep_broken_lines(axial, bearing, grid, k, film, lines, broken)
+        sweep_broken_lines(axial, bearing, grid, k, film, lines, broken, nodal_from < n)
         back_substitute(lines, max(full, 1), n, m, bearing.conserving)
         if full > 0:
             rotate(axial.modes_transposed, solution, modal, full, full, m)
@@ -134,7 +135,7 @@ def rotate(matrix, vectors, result, first, last, m):
 
 
 @inlined
-def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken):
+def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken, between):
     """Forward elimination in nodal coordinates from the first broken line on."""
     m = len(axial.size)
     n = film.conductance.size
@@ -169,13 +170,13 @@ def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken):
                 if i == n - 1:
                     right += q * t1 * bearing.lands[k, END_PRESSURE]
             swept[i, 0, a] = right
-            loaded = q * lines.extent[i, a] if here else 0.0
-            swept[i, 1, a] = -loaded * grid.weight_x[k, i]
-            swept[i, 2, a] = -loaded * grid.weight_y[k, i]
+            swept[i, 1, a] = -q * grid.weight_x[k, i] if here else 0.0
+            swept[i, 2, a] = -q * grid.weight_y[k, i] if here else 0.0
             for b in range(m):
-                counts = row_counts and wet[k, i, b]
-                inverse[i, a, b] = stretch * lines.extent[i, b] * axial.stiffness[a, b] if counts else 0.0
-            inverse[i, a, a] = inverse[i, a, a] + t0 + t1 + lines.ending[i, a] if here else void_here
+                inverse[i, a, b] = stretch * axial.stiffness[a, b] if row_counts and wet[k, i, b] else 0.0
+            inverse[i, a, a] = inverse[i, a, a] + t0 + t1 if here else void_here
+        if between:
+            apply_endings(axial, lines, i, stretch, conserving, wet[k, i])
         if i > 1 and (conserving or lines.wet_count[i - 1] > 0):
             for a in range(m):
                 r0, r1, r2 = 0.0, 0.0, 0.0
@@ -194,6 +195,21 @@ def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken):
         else:
             for a in range(m):
                 inverse[i, a, a] = 1.0 / inverse[i, a, a]
+
+
+@inlined
+def apply_endings(axial, lines, i, stretch, conserving, wet):
+    """Put the ends of the film (``_endings``) into the block and the adjoint right-hand sides of line i."""
+    m = len(axial.size)
+    for b in range(m):
+        excess = lines.extent[i, b] - 1.0
+        if wet[b] and (excess != 0.0 or lines.ending[i, b] != 0.0):
+            lines.inverse[i, b, b] += lines.ending[i, b]
+            lines.swept[i, 1, b] *= lines.extent[i, b]
+            lines.swept[i, 2, b] *= lines.extent[i, b]
+            for a in range(m):
+                if conserving or wet[a]:
+                    lines.inverse[i, a, b] += excess * stretch * axial.stiffness[a, b]
 
 
 @inlined

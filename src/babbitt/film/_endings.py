@@ -30,6 +30,8 @@ def end_film_between_lines(axial, bearing, grid, k, film, lines):
     n = film.conductance.size
     first = n
     for i in range(1, n):
+        if 1 < i < n - 1 and lines.wet_count[i - 1] + lines.wet_count[i] + lines.wet_count[i + 1] in (0, 3 * m):
+            continue
         for j in range(m):
             if inside(bearing, grid, k, i, j, n):
                 continue
@@ -48,6 +50,8 @@ def add_endings(axial, bearing, grid, k, film, lines, result):
     m = len(axial.size)
     n = film.conductance.size
     for i in range(1, n):
+        if 1 < i < n - 1 and lines.wet_count[i - 1] + lines.wet_count[i] + lines.wet_count[i + 1] in (0, 3 * m):
+            continue
         for j in range(m):
             if inside(bearing, grid, k, i, j, n):
                 continue
