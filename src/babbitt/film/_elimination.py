@@ -18,6 +18,7 @@ factors.
 from __future__ import annotations
 
 from babbitt.film._compiling import inlined
+from babbitt.film._endings import apply_ends
 from babbitt.film._structs import END_PRESSURE, START_PRESSURE
 
 
@@ -176,7 +177,7 @@ def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken, between):
                 inverse[i, a, b] = stretch * axial.stiffness[a, b] if row_counts and wet[k, i, b] else 0.0
             inverse[i, a, a] = inverse[i, a, a] + t0 + t1 if here else void_here
         if between:
-            apply_endings(axial, lines, i, stretch, conserving, wet[k, i])
+            apply_ends(axial, film, lines, i, stretch, conserving, wet[k, i])
         if i > 1 and (conserving or lines.wet_count[i - 1] > 0):
             for a in range(m):
                 r0, r1, r2 = 0.0, 0.0, 0.0
@@ -195,21 +196,6 @@ def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken, between):
         else:
             for a in range(m):
                 inverse[i, a, a] = 1.0 / inverse[i, a, a]
-
-
-@inlined
-def apply_endings(axial, lines, i, stretch, conserving, wet):
-    """Put the ends of the film (``_endings``) into the block and the adjoint right-hand sides of line i."""
-    m = len(axial.size)
-    for b in range(m):
-        excess = lines.extent[i, b] - 1.0
-        if wet[b] and (excess != 0.0 or lines.ending[i, b] != 0.0):
-            lines.inverse[i, b, b] += lines.ending[i, b]
-            lines.swept[i, 1, b] *= lines.extent[i, b]
-            lines.swept[i, 2, b] *= lines.extent[i, b]
-            for a in range(m):
-                if conserving or wet[a]:
-                    lines.inverse[i, a, b] += excess * stretch * axial.stiffness[a, b]
 
 
 @inlined

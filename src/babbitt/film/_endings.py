@@ -24,106 +24,107 @@ from babbitt.film._structs import END_PRESSURE, START_PRESSURE
 
 
 @inlined
-def end_film_between_lines(axial, bearing, grid, k, film, lines):
-    """Set the ends of the film in the equation of the adjoints; returns the first line concerned, or n."""
+def find_ends(axial, bearing, grid, k, film, lines):
+    """Fill ``before``, ``behind`` and ``fill`` of all wet nodes; returns the first line where they matter, or n."""
     m = len(axial.size)
     n = film.conductance.size
+    couette, conductance, squeeze = film.couette, film.conductance, film.squeeze
+    wet, value = grid.wet[k], grid.value[k]
+    conserving = bearing.conserving
+    starts = bearing.lands[k, START_PRESSURE] <= 0.0 and not conserving
+    ends = bearing.lands[k, END_PRESSURE] <= 0.0
     first = n
     for i in range(1, n):
-        if 1 < i < n - 1 and lines.wet_count[i - 1] + lines.wet_count[i] + lines.wet_count[i + 1] in (0, 3 * m):
-            continue
-        for j in range(m):
-            if inside(bearing, grid, k, i, j, n):
+        if (i > 1 or not starts) and (i < n - 1 or not ends):
+            if lines.wet_count[i - 1] + lines.wet_count[i] + lines.wet_count[i + 1] in (0, 3 * m):
                 continue
-            before, behind, fill, _ = reach(axial, bearing, grid, k, i, j, film)
-            ending = film.conductance[i - 1] * (1.0 / before - 1.0) + film.conductance[i] * (1.0 / behind - 1.0)
-            extent = 0.5 * (before + behind) + fill - 0.5
-            lines.ending[i, j], lines.extent[i, j] = ending, extent
-            if ending != 0.0 or extent != 1.0:
+        for j in range(m):
+            if not wet[i, j]:
+                continue
+            pressure = value[i, j] / axial.root_weights[j]
+            before, behind, fill = 1.0, 1.0, 0.5
+            if i < n - 1 and not wet[i + 1, j]:
+                behind = reach(pressure, (couette[i + 1] - couette[i] + squeeze[i + 1]) / conductance[i])
+            elif i == n - 1 and ends:
+                behind = min(reach(pressure, (couette[i] - couette[i - 1] + squeeze[i]) / conductance[i]), 1.0)
+            if i > 1 and not wet[i - 1, j]:
+                if conserving:
+                    filled = conductance[i - 1] * value[i, j]
+                    fill = front(filled, filled + couette[i - 1] * value[i - 1, j])
+                else:
+                    surplus = couette[i - 1] - couette[i - 2] + squeeze[i - 1]
+                    before = reach(pressure, surplus / conductance[i - 1])
+            elif i == 1 and starts:
+                before = min(reach(pressure, (couette[1] - couette[0] + squeeze[1]) / conductance[0]), 1.0)
+            lines.before[i, j], lines.behind[i, j], lines.fill[i, j] = before, behind, fill
+            if before != 1.0 or behind != 1.0 or fill != 0.5:
                 first = min(first, i)
     return first
 
 
 @inlined
-def add_endings(axial, bearing, grid, k, film, lines, result):
-    """Add to K and C what the ends of the film change in the sums of ``add_forces``; undo the settings."""
-    m = len(axial.size)
-    n = film.conductance.size
-    for i in range(1, n):
-        if 1 < i < n - 1 and lines.wet_count[i - 1] + lines.wet_count[i] + lines.wet_count[i + 1] in (0, 3 * m):
-            continue
-        for j in range(m):
-            if inside(bearing, grid, k, i, j, n):
-                continue
-            before, behind, _, void = reach(axial, bearing, grid, k, i, j, film)
-            q, u = axial.root_weights[j], grid.value[k, i, j]
-            couette_x, couette_y, conductance_x, conductance_y = 0.0, 0.0, 0.0, 0.0
-            if behind != 1.0:
-                other = i + 1 if i < n - 1 else i - 1  # for the slope of the Couette flux
-                change = 0.5 * (behind - 1.0) * (other - i)
-                couette_x += change * (film.couette_x[other] - film.couette_x[i])
-                couette_y += change * (film.couette_y[other] - film.couette_y[i])
-                conductance_x += (1.0 / behind - 1.0) * film.conductance_x[i]
-                conductance_y += (1.0 / behind - 1.0) * film.conductance_y[i]
-            if before != 1.0:
-                other = i - 2 if i > 1 else i
-                change = 0.5 * (before - 1.0) * (i - 1 - other)
-                couette_x -= change * (film.couette_x[other] - film.couette_x[i - 1])
-                couette_y -= change * (film.couette_y[other] - film.couette_y[i - 1])
-                conductance_x += (1.0 / before - 1.0) * film.conductance_x[i - 1]
-                conductance_y += (1.0 / before - 1.0) * film.conductance_y[i - 1]
-            flux_x, flux_y = q * couette_x + u * conductance_x, q * couette_y + u * conductance_y
-            volume = q * (0.5 * (before + behind - void) - 1.0)
-            for d in range(2):
-                adjoint = lines.solution[i, 1 + d, j]
-                result[2 + 2 * d] += adjoint * flux_x
-                result[3 + 2 * d] += adjoint * flux_y
-                result[6 + 2 * d] -= adjoint * volume * grid.weight_x[k, i]
-                result[7 + 2 * d] -= adjoint * volume * grid.weight_y[k, i]
-    lines.ending[:] = 0.0
-    lines.extent[:] = 1.0
-
-
-@inlined
-def inside(bearing, grid, k, i, j, n):
-    """Whether the film goes on to both sides of a node, or the node is dry."""
-    wet = grid.wet
-    if not wet[k, i, j]:
-        return True
-    if i == n - 1 and bearing.lands[k, END_PRESSURE] <= 0.0:
-        return False
-    if i == 1 and bearing.lands[k, START_PRESSURE] <= 0.0 and not bearing.conserving:
-        return False
-    return (i == 1 or wet[k, i - 1, j]) and (i == n - 1 or wet[k, i + 1, j])
-
-
-@inlined
-def reach(axial, bearing, grid, k, i, j, film):
-    """How far the film reaches from a wet node, in intervals: before, behind; fill f and void s at a front."""
-    n = film.conductance.size
-    couette, conductance, wet = film.couette, film.conductance, grid.wet
-    pressure = grid.value[k, i, j] / axial.root_weights[j]
-    before, behind, fill, void = 1.0, 1.0, 0.5, 0.0
-    if i == n - 1:
-        if bearing.lands[k, END_PRESSURE] <= 0.0:
-            behind = min(1.0, rupture(pressure, (couette[i] - couette[i - 1]) / conductance[i]))
-    elif not wet[k, i + 1, j]:
-        behind = rupture(pressure, (couette[i + 1] - couette[i]) / conductance[i])
-    if i == 1:
-        if bearing.lands[k, START_PRESSURE] <= 0.0 and not bearing.conserving:
-            before = min(1.0, rupture(pressure, (couette[1] - couette[0]) / conductance[0]))
-    elif not wet[k, i - 1, j]:
-        if bearing.conserving:
-            void = grid.value[k, i - 1, j] / axial.root_weights[j]
-            filling, lacking = conductance[i - 1] * pressure, couette[i - 1] * void
-            if filling + lacking > 0.0:
-                fill = min(max(filling / (filling + lacking), 0.0), 1.0)
-        else:
-            before = rupture(pressure, (couette[i - 1] - couette[i - 2]) / conductance[i - 1])
-    return before, behind, fill, void
-
-
-@inlined
-def rupture(pressure, surplus):
+def reach(pressure, surplus):
     """Intervals from the last wet node to the end of the film."""
     return 0.5 + min(max(pressure / surplus, 0.0), 1.0) if surplus > 0.0 else 1.0
+
+
+@inlined
+def front(filled, whole):
+    """Part of an interval behind the front where the film closes."""
+    return min(max(filled / whole, 0.0), 1.0) if whole > 0.0 else 0.5
+
+
+@inlined
+def apply_ends(axial, film, lines, i, stretch, conserving, wet):
+    """Put the ends of the film into the block and the adjoint right-hand sides of line i."""
+    m = len(axial.size)
+    for b in range(m):
+        before, behind, fill = lines.before[i, b], lines.behind[i, b], lines.fill[i, b]
+        if wet[b] and (before != 1.0 or behind != 1.0 or fill != 0.5):
+            lines.inverse[i, b, b] += film.conductance[i - 1] * (1.0 / before - 1.0)
+            lines.inverse[i, b, b] += film.conductance[i] * (1.0 / behind - 1.0)
+            extent = 0.5 * (before + behind) + fill - 0.5  # length of film at the node over its control volume
+            lines.swept[i, 1, b] *= extent
+            lines.swept[i, 2, b] *= extent
+            for a in range(m):
+                if conserving or wet[a]:
+                    lines.inverse[i, a, b] += (extent - 1.0) * stretch * axial.stiffness[a, b]
+
+
+@inlined
+def add_ends(axial, grid, k, film, lines, first, result):
+    """Add to K and C what the ends of the film change in the sums of ``add_forces``; then forget the ends."""
+    m = len(axial.size)
+    n = film.conductance.size
+    for i in range(first, n):
+        for j in range(m):
+            before, behind, fill = lines.before[i, j], lines.behind[i, j], lines.fill[i, j]
+            if not grid.wet[k, i, j] or (before == 1.0 and behind == 1.0 and fill == 0.5):
+                continue
+            q, u = axial.root_weights[j], grid.value[k, i, j]
+            here, other = i, i + 1 if i < n - 1 else i - 1  # two intervals that tell the slope of Q
+            along = 0.5 * q * (behind - 1.0) * (other - here)
+            thin = u * (1.0 / behind - 1.0)
+            flux_x = along * (film.couette_x[other] - film.couette_x[here]) + thin * film.conductance_x[here]
+            flux_y = along * (film.couette_y[other] - film.couette_y[here]) + thin * film.conductance_y[here]
+            here, other = i - 1, i - 2 if i > 1 else i
+            along = 0.5 * q * (before - 1.0) * (here - other)
+            thin = u * (1.0 / before - 1.0)
+            flux_x += thin * film.conductance_x[here] - along * (film.couette_x[other] - film.couette_x[here])
+            flux_y += thin * film.conductance_y[here] - along * (film.couette_y[other] - film.couette_y[here])
+            volume = q * (0.5 * (before + behind) - 1.0)
+            if fill != 0.5:
+                volume -= 0.5 * grid.value[k, i - 1, j]
+            lx, ly = lines.solution[i, 1, j], lines.solution[i, 2, j]
+            ox, oy = volume * grid.weight_x[k, i], volume * grid.weight_y[k, i]
+            result[2] += lx * flux_x
+            result[3] += lx * flux_y
+            result[4] += ly * flux_x
+            result[5] += ly * flux_y
+            result[6] -= lx * ox
+            result[7] -= lx * oy
+            result[8] -= ly * ox
+            result[9] -= ly * oy
+    lines.before[:] = 1.0
+    lines.behind[:] = 1.0
+    lines.fill[:] = 0.5

@@ -13,7 +13,7 @@ import numpy as np
 
 from babbitt.film._compiling import compiled, inner, spliced
 from babbitt.film._elimination import solve_land
-from babbitt.film._endings import add_endings, end_film_between_lines
+from babbitt.film._endings import add_ends, find_ends
 from babbitt.film._forces import add_forces, update_wet_set
 from babbitt.film._grids import (
     film_coefficients,
@@ -63,12 +63,12 @@ def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, re
                     for j in range(len(axial.size)):
                         grid.value[k, i, j] = lines.solution[i, 0, j]
                 if smooth:
-                    nodal_from = end_film_between_lines(axial, bearing, grid, k, film, lines)
+                    nodal_from = find_ends(axial, bearing, grid, k, film, lines)
             if not smooth or nodal_from == n:
                 break
         add_forces(axial, bearing, grid, k, film, lines, result)
         if nodal_from < n:
-            add_endings(axial, bearing, grid, k, film, lines, result)
+            add_ends(axial, grid, k, film, lines, nodal_from, result)
         changed += update_wet_set(axial, bearing, grid, k, film, lines)
     return changed
 

@@ -55,7 +55,8 @@ def new_film(n):
 def new_lines(n, m):
     """Workspace of a land with n intervals and m axial unknowns."""
     return Lines(
-        np.zeros(n + 1, np.int64), np.zeros((n + 1, m)), np.ones((n + 1, m)), np.zeros((n + 1, 3, m)), np.empty((n + 1, m)),
+        np.zeros(n + 1, np.int64), np.ones((n + 1, m)), np.ones((n + 1, m)), np.full((n + 1, m), 0.5),
+        np.zeros((n + 1, 3, m)), np.empty((n + 1, m)),
         np.empty((n + 1, m, m)), np.zeros((n + 1, m)), np.zeros((n + 1, m)),
         np.zeros((n + 1, 3, m)), np.empty((n + 1, 3, m)),
     )  # fmt: skip
