@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from babbitt.film._compiling import compiled, inner, spliced
-from babbitt.film._elimination import solve_land
+from babbitt.film._elimination import count_wet, solve_land
 from babbitt.film._endings import add_ends, find_ends
 from babbitt.film._forces import add_forces, update_wet_set
 from babbitt.film._grids import (
@@ -43,33 +43,30 @@ def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, re
 
     Between two lines the rupture moves without the wet set noticing, and the adjoints end on a line: stiffness and
     damping are the exact derivatives of the discrete film, but jump by a per cent when a node changes sides.
-    With ``smooth`` the adjoints are solved once more and end at the rupture itself. (Callers write bool(0): for
-    the literal False the compiler would make a second kernel.)
+    With ``smooth`` a film that has settled on this grid keeps its pressure, and the adjoints end where it does
+    (``_endings``). (Callers write bool(0): for the literal False the compiler would make a second kernel.)
     """
     result[:] = 0.0
     changed = 0
-    n = film.conductance.size
+    m, n = len(axial.size), film.conductance.size
     for k in range(bearing.lands.shape[0]):
         film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film)
-        nodal_from = n
-        for again in range(2):
-            solve_land(axial, bearing, grid, k, film, lines, nodal_from)
-            if again == 1:
-                for i in range(n + 1):
-                    for j in range(len(axial.size)):
-                        lines.solution[i, 0, j] = grid.value[k, i, j]
-            else:
-                for i in range(n + 1):
-                    for j in range(len(axial.size)):
-                        grid.value[k, i, j] = lines.solution[i, 0, j]
+        first = n
+        if smooth:
+            count_wet(grid, k, lines, m)
+            first = find_ends(axial, bearing, grid, k, film, lines)
+        solve_land(axial, bearing, grid, k, film, lines, first)
+        for i in range(n + 1):
+            for j in range(m):
                 if smooth:
-                    nodal_from = find_ends(axial, bearing, grid, k, film, lines)
-            if not smooth or nodal_from == n:
-                break
+                    lines.solution[i, 0, j] = grid.value[k, i, j]
+                else:
+                    grid.value[k, i, j] = lines.solution[i, 0, j]
         add_forces(axial, bearing, grid, k, film, lines, result)
-        if nodal_from < n:
-            add_ends(axial, grid, k, film, lines, nodal_from, result)
-        changed += update_wet_set(axial, bearing, grid, k, film, lines)
+        if smooth:
+            add_ends(axial, grid, k, film, lines, first, result)
+        else:
+            changed += update_wet_set(axial, bearing, grid, k, film, lines)
     return changed
 
 
