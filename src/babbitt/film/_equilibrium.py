@@ -107,6 +107,7 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
     load = math.hypot(load_x, load_y)
     floor = tolerance * load + 1e-13
     step_time, last_size, calm = 0.0, 0.0, 0
+    held = False
     shrink = 0.6 if patient else 0.25  # of the smallest gap in one step
     gap = smallest_gap(grid, x, y)
     if not gap > 0.0:
@@ -118,6 +119,10 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
             changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, bool(0), result)
             if changed == 0:
                 break
+        if changed * 16 > grid.wet.size and not held:
+            held = True
+            continue
+        held = False
         rx, ry = result[0] + load_x, result[1] + load_y
         size = math.hypot(rx, ry)
         if not size < np.inf:
