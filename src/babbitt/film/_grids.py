@@ -116,8 +116,10 @@ def graded_lines(bearing, coarse, x, y, grid):
                 passed += density[c] * coarse.step[k, c]
                 c += 1
             grid.theta[k, i] = coarse.theta[k, c] + (wanted - passed) / density[c]
+            before, behind = max(c, 1), min(c + 1, cells - 1)  # the edges of the land tell nothing
             for j in range(m):
-                grid.wet[k, i, j] = coarse.wet[k, c, j] or coarse.wet[k, c + 1, j]
+                grid.wet[k, i, j] = coarse.wet[k, before, j] or coarse.wet[k, behind, j]
+        grid.wet[k, 0, :] = grid.wet[k, n, :] = True
         grid.theta[k, 0], grid.theta[k, n] = bearing.lands[k, START], bearing.lands[k, END]
     fill_grid(bearing, grid)
 
