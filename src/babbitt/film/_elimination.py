@@ -147,6 +147,9 @@ def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken, between):
             for a in range(m):
                 lines.lower[i, a], lines.upper[i, a] = 0.0, 0.0
             continue
+        if lines.wet_count[i] == 0:
+            sweep_dry_line(axial, bearing, grid, k, film, lines, i)
+            continue
         t0, t1 = film.conductance[i - 1], film.conductance[i]
         stretch = bearing.kappa * film.cubed[i]
         source = film.couette[i - 1] - film.couette[i] - film.squeeze[i]
@@ -191,11 +194,35 @@ def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken, between):
                 swept[i, 0, a] -= lower * r0
                 swept[i, 1, a] -= upper * r1
                 swept[i, 2, a] -= upper * r2
-        if lines.wet_count[i] > 0:
-            invert(inverse, i, m)
-        else:
-            for a in range(m):
-                inverse[i, a, a] = 1.0 / inverse[i, a, a]
+        invert(inverse, i, m)
+
+
+@inlined
+def sweep_dry_line(axial, bearing, grid, k, film, lines, i):
+    """Forward elimination of a line without pressure: every column transports its void."""
+    m = len(axial.size)
+    n = film.conductance.size
+    inverse, swept = lines.inverse, lines.swept
+    t0, arriving = film.conductance[i - 1], film.couette[i - 1]
+    source = arriving - film.couette[i] - film.squeeze[i]
+    if i == 1:
+        source += film.inlet[0] - film.couette[0]
+    if i == n - 1:
+        source += film.conductance[i] * bearing.lands[k, END_PRESSURE]
+    side = bearing.kappa * film.cubed[i] * bearing.side_pressure
+    pivot = -1.0 / (film.couette[i] + film.squeeze[i])
+    for a in range(m):
+        lower = -t0 if grid.wet[k, i - 1, a] else arriving
+        lines.lower[i, a], lines.upper[i, a] = lower, 0.0
+        right = axial.root_weights[a] * source + axial.load[a] * side
+        if i > 1 and lines.wet_count[i - 1] == 0:
+            right -= lower * inverse[i - 1, a, a] * swept[i - 1, 0, a]
+        elif i > 1:
+            for b in range(m):
+                right -= lower * inverse[i - 1, a, b] * swept[i - 1, 0, b]
+        swept[i, 0, a], swept[i, 1, a], swept[i, 2, a] = right, 0.0, 0.0
+        for b in range(m):
+            inverse[i, a, b] = pivot if a == b else 0.0
 
 
 @inlined
@@ -229,6 +256,11 @@ def back_substitute(lines, first, n, m, conserving):
                 swept[i, 0, b] -= lines.upper[i + 1, b] * solution[i + 1, 0, b]
                 swept[i, 1, b] -= lines.lower[i + 1, b] * solution[i + 1, 1, b]
                 swept[i, 2, b] -= lines.lower[i + 1, b] * solution[i + 1, 2, b]
+        if lines.wet_count[i] == 0:
+            for r in range(3):
+                for a in range(m):
+                    solution[i, r, a] = inverse[i, a, a] * swept[i, r, a]
+            continue
         for a in range(m):
             r0, r1, r2 = 0.0, 0.0, 0.0
             for b in range(m):
