@@ -32,6 +32,8 @@ PATIENCE = 40  # updates of the wet set before a patient step
 PATIENT_STEPS = 6  # patient steps before the lines are graded anew: a grid blind to the thin film never settles
 THINNEST = 1e-3  # of the clearance: a film that settles below, or ends there unsettled, is overloaded
 CONTACT = 1e-6  # of the clearance: where a search gives up
+COARSE = 1e-2  # of the load: residual at which a coarse grid has done its part, settled wet set or not
+CROWD = 16  # one node in so many may change sides in a step; with more the journal waits for the wet set
 CYCLING = 30  # steps after which a node that changes sides for ever is let be, if the load is carried within 1e-4
 
 
@@ -119,17 +121,16 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
             changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, bool(0), result)
             if changed == 0:
                 break
-        if changed * 16 > grid.wet.size and not held:
-            held = True
+        held = changed * CROWD > grid.wet.size and not held
+        if held:
             continue
-        held = False
         rx, ry = result[0] + load_x, result[1] + load_y
         size = math.hypot(rx, ry)
         if not size < np.inf:
             return x, y, NO_FILM, step, gap
         if size <= floor or (step > CYCLING and size <= 1e-4 * load):
             calm += 1
-            if changed == 0 or calm > 4:  # ties may change sides for ever
+            if changed == 0 or calm > 4 or tolerance >= COARSE:  # ties may change sides for ever
                 return x, y, CONVERGED, step, gap
         dx, dy, step_time = damped_step(result, rx, ry, size, last_size, load, gap, step_time)
         if not math.isfinite(dx + dy):
@@ -169,7 +170,7 @@ def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient,
             share * load_y,
             x,
             y,
-            1e-2,
+            COARSE,
             steps_per_grid,
             patient,
             result,

@@ -9,6 +9,7 @@ film ends with p = dp/dn = 0 the first-order pressure vanishes on the unperturbe
 from __future__ import annotations
 
 from babbitt.film._compiling import inlined
+from babbitt.film._endings import reach
 from babbitt.film._structs import END_PRESSURE, START_PRESSURE
 
 TIE = 1e-12  # a pressure or void this far below zero counts as zero
@@ -50,6 +51,12 @@ def update_wet_set(axial, bearing, grid, k, film, lines):
                 wet[k, i, j] = not wet[k, i, j]
                 changed += 1
     return changed
+
+
+@inlined
+def shortening(pressure, surplus):
+    """Relative change of the conductance of an interval in which the film ends."""
+    return 1.0 / reach(pressure, surplus) - 1.0
 
 
 @inlined
