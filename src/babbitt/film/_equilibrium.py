@@ -32,6 +32,7 @@ PATIENCE = 40  # updates of the wet set before a patient step
 PATIENT_STEPS = 6  # patient steps before the lines are graded anew: a grid blind to the thin film never settles
 THINNEST = 1e-3  # of the clearance: a film that settles below, or ends there unsettled, is overloaded
 CONTACT = 1e-6  # of the clearance: where a search gives up
+LONGEST = 300  # steps of an attempt on coarse grids
 COARSE = 1e-2  # of the load: residual at which a coarse grid has done its part, settled wet set or not
 CROWD = 16  # one node in so many may change sides in a step; with more the journal waits for the wet set
 CYCLING = 30  # steps after which a node that changes sides for ever is let be, if the load is carried within 1e-4
@@ -177,7 +178,7 @@ def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient,
         )
         total += steps
         settled = status == CONVERGED
-        if status == NO_FILM or not (settled or patient):
+        if status == NO_FILM or not (settled or patient) or total > LONGEST:
             break
         if settled and (share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap)):
             break
@@ -198,21 +199,23 @@ def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient,
 def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tolerance, max_steps, result):
     """Equilibrium on graded lines: returns x, y, status, steps, smallest gap and the grid; fills ``result``.
 
-    A fast attempt first; if it loses the film, a patient one; then one that raises the load in small steps.
+    A fast attempt first; if it loses the film, one that searches on the fine grid, for a coarse one may be blind to
+    a thin film beside a groove; then patient ones, first in large steps of the load and at last in small ones.
     """
     fine = new_grid(bearing.lands.shape[0], n_fine, len(axial.size))
     film, lines = new_film(n_fine), new_lines(n_fine, len(axial.size))
     status, total, gap, x0, y0 = NO_FILM, 0, 0.0, x, y
-    for attempt in range(3):
-        first, factor = (LIGHT_LOAD, 1.5) if attempt == 2 else (MODERATE_LOAD, 4.0)
+    for attempt in range(4):
+        first, factor = (LIGHT_LOAD, 1.5) if attempt == 3 else (MODERATE_LOAD, 4.0)
+        n_search, patient = n_fine if attempt % 2 == 1 else n_coarse, attempt > 1
         x, y, status, steps, coarse = approach(
-            axial, bearing, n_coarse, load_x, load_y, x0, y0, max_steps, attempt > 0, first, factor, result
+            axial, bearing, n_search, load_x, load_y, x0, y0, max_steps, patient, first, factor, result
         )
         total += steps
         if status == CONVERGED:
             graded_lines(bearing, coarse, x, y, fine)
             x, y, status, steps, gap = settle(
-                axial, bearing, fine, film, lines, load_x, load_y, x, y, tolerance, max_steps, attempt > 0, result
+                axial, bearing, fine, film, lines, load_x, load_y, x, y, tolerance, max_steps, patient, result
             )
             total += steps
         if status == CONVERGED:
