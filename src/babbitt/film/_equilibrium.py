@@ -178,6 +178,8 @@ def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient,
         )
         total += steps
         settled = status == CONVERGED
+        if max(gap, last_gap) < THINNEST:  # no way back from there is known
+            status = NO_FILM
         if status == NO_FILM or not (settled or patient) or total > LONGEST:
             break
         if settled and (share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap)):

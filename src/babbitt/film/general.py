@@ -41,7 +41,7 @@ ZERO = np.zeros(2)
 class Effort:
     """What a search may still spend, in multiplications: a bound that is the same on every machine."""
 
-    left: float = 1.4e8
+    left: float = 2.0e8
 
 
 @dataclass(eq=False)
@@ -157,9 +157,9 @@ def rest(
 
 
 def rest_ring(film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int) -> SettledRing:
-    """Equilibrium under a dimensionless load: a fast attempt, a patient one, and a fast one from a finer ring."""
+    """Equilibrium under a dimensionless load: fast and patient attempts, first from a coarse ring, then a finer one."""
     effort = Effort()
-    for refinement, patient in ((4, False), (2, False), (4, True), (2, True)):
+    for refinement, patient in ((4, False), (4, True), (2, False), (2, True)):
         settled = attempt(film, unit, load, resolution, max_steps, effort, refinement, patient)
         if settled.status == CONVERGED or effort.left < 0.0:
             break
@@ -191,6 +191,8 @@ def attempt(
         at, status, steps, gap = rest(sample, share * load, at, 1e-2, steps_per_grid, patient)
         total += steps
         settled = status == CONVERGED
+        if max(gap, last_gap) < THINNEST:  # no way back from there is known
+            status = NO_FILM
         if status == NO_FILM or effort.left < 0.0 or not (settled or patient):
             return SettledRing(sample, at, status, total, gap)
         density = line_density(film, at, gap)
