@@ -1,4 +1,4 @@
-"""Where films end: smooth coefficients though lines are discrete, and oil that leaves at the side under squeeze."""
+"""Where films end: smooth coefficients on discrete lines, and what leaves at the side under squeeze."""
 
 import math
 from dataclasses import replace
@@ -20,7 +20,7 @@ def bearing(cavitation, lands=TWO, width=0.08, speed=300.0):
 
 
 def jumps(values):
-    """Half the third difference along a sweep (``benchmarks/coefficient_smoothness.py``) over the largest entry."""
+    """Half the third difference along a sweep over the largest entry (``benchmarks/coefficient_smoothness.py``)."""
     return 0.5 * np.abs(np.diff(values, n=3, axis=0)).max(axis=1) / np.abs(values[1:-2]).max(axis=1)
 
 
@@ -88,7 +88,7 @@ def test_a_full_film_that_is_squeezed_gives_off_what_the_gap_loses():
 
 
 def test_pure_squeeze_with_cavitation_draws_no_oil_from_the_air():
-    """The gap opens on one half: what is ruptured there takes nothing in, and the closing half gives all it loses."""
+    """Where the gap opens, the ruptured film takes nothing in; the closing half gives all it loses."""
     model = bearing(Cavitation.REYNOLDS, speed=0.0)
     sides = [
         film_at_position(model, (30e-6, -35e-6), (3e-3, -4e-3), Resolution(m, n)).side_flow.sum()

@@ -25,7 +25,7 @@ from babbitt.film._structs import END_PRESSURE, START_PRESSURE
 
 @inlined
 def find_ends(axial, bearing, grid, k, film, lines):
-    """Fill ``before``, ``behind`` and ``fill`` of all wet nodes; returns the first line where they matter, or n."""
+    """Fill ``before``, ``behind``, ``fill`` of all wet nodes; returns the first line where they matter, or n."""
     m = len(axial.size)
     n = film.conductance.size
     couette, conductance, squeeze = film.couette, film.conductance, film.squeeze
@@ -35,9 +35,9 @@ def find_ends(axial, bearing, grid, k, film, lines):
     ends = bearing.lands[k, END_PRESSURE] <= 0.0
     first = n
     for i in range(1, n):
-        if (i > 1 or not starts) and (i < n - 1 or not ends):
-            if lines.wet_count[i - 1] + lines.wet_count[i] + lines.wet_count[i + 1] in (0, 3 * m):
-                continue
+        uniform = lines.wet_count[i - 1] + lines.wet_count[i] + lines.wet_count[i + 1] in (0, 3 * m)
+        if uniform and (i > 1 or not starts) and (i < n - 1 or not ends):
+            continue
         for j in range(m):
             if not wet[i, j]:
                 continue

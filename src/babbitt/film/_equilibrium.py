@@ -202,7 +202,7 @@ def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tol
     """Equilibrium on graded lines: returns x, y, status, steps, smallest gap and the grid; fills ``result``.
 
     A fast attempt first; if it loses the film, one that searches on the fine grid, for a coarse one may be blind to
-    a thin film beside a groove; then patient ones, first in large steps of the load and at last in small ones.
+    a thin film beside a groove; then two patient ones, with large steps of the load and with small.
     """
     fine = new_grid(bearing.lands.shape[0], n_fine, len(axial.size))
     film, lines = new_film(n_fine), new_lines(n_fine, len(axial.size))

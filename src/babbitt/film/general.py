@@ -157,7 +157,7 @@ def rest(
 
 
 def rest_ring(film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int) -> SettledRing:
-    """Equilibrium under a dimensionless load: fast and patient attempts, first from a coarse ring, then a finer one."""
+    """Equilibrium under a dimensionless load: a fast and a patient attempt, then both from a finer ring."""
     effort = Effort()
     for refinement, patient in ((4, False), (4, True), (2, False), (2, True)):
         settled = attempt(film, unit, load, resolution, max_steps, effort, refinement, patient)
@@ -184,7 +184,9 @@ def attempt(
     coarse: Sample | None = None
     steps_per_grid = PATIENT_STEPS if patient else max_steps
     for _ in range(60):
-        sample = Sample.of(build_ring(film, unit, per_turn // refinement, resolution.axial_unknowns, density), effort)
+        sample = Sample.of(
+            build_ring(film, unit, per_turn // refinement, resolution.axial_unknowns, density), effort
+        )
         if coarse is not None:
             sample.start_from(coarse)
         coarse = sample
