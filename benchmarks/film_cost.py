@@ -112,9 +112,9 @@ def main():
             seconds, floor = fastest(repeat), operations / rate
             print(f"  {m} x {n:3d}: {size / 1e3:5.0f} kB of grid and workspace, {operations / 1e3:4.0f} kflop, "
                   f"floor {1e6 * floor:.2f} us, {seconds / floor:.1f} times that")  # fmt: skip
-    print(f"floor: {rate / 1e9:.0f} Gflop/s of a matrix product of 512. Between: the elimination is a chain, line after "
-          f"line,\nwith a division in every link; blocks of {4} x {4} fill vector registers in part; a product multiplies "
-          "and adds\nat once on full registers and never divides.")  # fmt: skip
+    print(f"floor: {rate / 1e9:.0f} Gflop/s of a matrix product of 512")
+    print("between: the elimination is a chain from line to line, a division in every link; blocks of m x m fill")
+    print("vector registers in part; a product multiplies and adds at once on full registers and never divides")
     print(f"peak of the process {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024:.0f} MB")
     return int(not kept)
 

@@ -18,6 +18,7 @@ from babbitt.film._forces import add_forces, update_wet_set
 from babbitt.film._grids import (
     film_coefficients,
     graded_lines,
+    intervals_of,
     new_film,
     new_grid,
     new_lines,
@@ -201,9 +202,12 @@ def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient,
 def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tolerance, max_steps, result):
     """Equilibrium on graded lines: returns x, y, status, steps, smallest gap and the grid; fills ``result``.
 
-    A fast attempt first; if it loses the film, one that searches on the fine grid, for a coarse one may be blind to
-    a thin film beside a groove; then two patient ones, with large steps of the load and with small.
+    Numbers of intervals are those of lands up to half a turn (``intervals_of``).
+
+    A fast attempt first; if it loses the film, one that searches on the fine grid, for a coarse one may be blind
+    to a thin film beside a groove; then two patient ones, with large steps of the load and with small.
     """
+    n_coarse, n_fine = intervals_of(bearing, n_coarse), intervals_of(bearing, n_fine)
     fine = new_grid(bearing.lands.shape[0], n_fine, len(axial.size))
     film, lines = new_film(n_fine), new_lines(n_fine, len(axial.size))
     status, total, gap, x0, y0 = NO_FILM, 0, 0.0, x, y

@@ -63,6 +63,15 @@ def new_lines(n, m):
 
 
 @inlined
+def intervals_of(bearing, n):
+    """Intervals of every land for n over half a turn: a land that is longer gets more in proportion."""
+    longest = math.pi
+    for k in range(bearing.lands.shape[0]):
+        longest = max(longest, bearing.lands[k, END] - bearing.lands[k, START])
+    return math.ceil(n * longest / math.pi - 1e-9)
+
+
+@inlined
 def profile_at(bearing, k, theta):
     """Departure of the bore from its circle at an angle: linear between equally spaced samples of the land."""
     last = bearing.profiles.shape[1] - 1
