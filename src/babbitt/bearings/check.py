@@ -26,7 +26,7 @@ from babbitt.bearings.transition import transition_speed
 from babbitt.bearings.warm_film import FilmState, operating_film, under_found_load
 from babbitt.bearings.whirl import Whirl, whirl_of
 from babbitt.design.checks import USER, checks_not_made, clearance_check, limit_checks
-from babbitt.design.conditions import GivenEccentricity, GivenPosition, contact_film
+from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition, contact_film
 from babbitt.design.doubts import doubt_about_supply, doubts_about_film, doubts_about_running
 from babbitt.design.failure import failure
 from babbitt.design.screening import recommended_relative_clearance
@@ -108,7 +108,8 @@ def film_check(case: FilmCase) -> Result:
             places = resting_places(case, state)
             if places is not None:
                 values["equilibria"] = float(len(places.places))
-                warnings = (*warnings, *doubts_about_rest(places))
+            if isinstance(case.duty, GivenLoad):
+                warnings = (*warnings, *doubts_about_rest(state.solution, places))
             orbit = orbit_of(case, state)
             if orbit is not None:
                 outcome = orbit.outcome

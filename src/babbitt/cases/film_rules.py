@@ -60,7 +60,7 @@ def complaints_about_half_sommerfeld(bearing: JournalBearing) -> Iterator[Compla
     """Complain about the half-Sommerfeld condition anywhere but in a plain closed ring."""
     if bearing.cavitation != "half_sommerfeld" or bearing.method != "film":
         return
-    allowed = "a plain round bore without grooves, pockets, holes, tilt, steps and turbulence; else cavitation: reynolds"
+    allowed = "a plain round bore without feeding, tilt, steps and turbulence; else cavitation: reynolds"
     says = "the half-Sommerfeld condition is for a plain closed ring"
     if bearing.film_start not in (None, "periodic"):
         yield Complaint(("film_start",), f"{says}, where the film begins nowhere", "periodic")

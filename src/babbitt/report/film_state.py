@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from babbitt.bearings.model import FilmCase
-from babbitt.bearings.warm_film import FilmState, film_at_temperature
+from babbitt.bearings.warm_film import FilmState, operating_film
 from babbitt.results import Result
 
 SLOW = 4500
@@ -12,7 +14,10 @@ SLOW = 4500
 
 def state_of(case: FilmCase, result: Result) -> FilmState:
     """The film of a solved result, from its effective temperature."""
-    return film_at_temperature(result.values["effective_temperature"], case)
+    found = operating_film(replace(case, effective_temperature=result.values["effective_temperature"])).film
+    if found is None:
+        raise ValueError(f"{result.name} has no film")
+    return found
 
 
 def is_slow(state: FilmState) -> bool:
