@@ -247,9 +247,9 @@ EXPLANATIONS: dict[str, Explanation] = {
     "W131": Explanation(
         "The journal can rest elsewhere",
         "Under the same load the film has more than one equilibrium. The results are those of the one found "
-        "first; where that is a saddle, those of the thinnest film among the places at which the journal stays. Slow, "
-        "lightly loaded bearings with a high supply pressure are of this kind: beside a groove under pressure the "
-        "narrowing gap chokes the flow, and the oil pushes the less, the nearer the journal comes.",
+        "first; where that is a saddle, those of the thinnest film among the places at which the journal stays. "
+        "Slow, lightly loaded bearings with a high supply pressure are of this kind: beside a groove under "
+        "pressure the narrowing gap chokes the flow, and the oil pushes the less, the nearer the journal comes.",
         "Lower the supply pressure, raise the speed or the load, or feed where the load does not lead the "
         "journal.",
     ),
