@@ -30,7 +30,9 @@ def resting_places(case: FilmCase, state: FilmState) -> RestingPlaces | None:
     """All equilibria under the load of a case, that of the operating point first; None where they are not
     sought."""
     film = state.solution.film
-    wanted = case.search is Search.ALL or (case.search is Search.AUTO and _likely(case, film))
+    wanted = case.search is Search.ALL or (
+        case.search is Search.AUTO and (state.left_saddle or _likely(case, film))
+    )
     if not (wanted and isinstance(case.duty, GivenLoad)) or film.cavitation is Cavitation.HALF_SOMMERFELD:
         return None
     from babbitt.bearings.equilibria import find_equilibria

@@ -40,7 +40,7 @@ LOAD_TOLERANCE = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class FilmState:
-    """State of the film at one effective temperature, SI."""
+    """State of the film at one effective temperature, SI; `left_saddle` where the place found first was one."""
 
     temperature: float
     relative_clearance: float
@@ -53,6 +53,7 @@ class FilmState:
     feed: Arrival | None
     solution: FilmSolution
     fed: FedFilm | None = None
+    left_saddle: bool = False
 
 
 DEAR = 1500
@@ -79,7 +80,9 @@ def operating_film(case: FilmCase) -> Equilibrium[FilmState]:
     if near is None:
         return found
     again = _balanced(case, near)
-    return again if again.outcome.solved else found
+    if again.film is None or not again.outcome.solved:
+        return found
+    return replace(again, film=replace(again.film, left_saddle=True))
 
 
 def _balanced(case: FilmCase, near: tuple[float, float] | None) -> Equilibrium[FilmState]:
