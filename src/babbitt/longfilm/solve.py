@@ -1,0 +1,270 @@
+"""The long film in equilibrium: viscosity, pressure, heat and temperature in turn, at an eccentricity or under a load."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.design.heat_balance import NoFilmError
+from babbitt.design.roots import find_root
+from babbitt.longfilm.model import LongFilm
+from babbitt.longfilm.network import Temperatures, temperatures
+from babbitt.longfilm.pressure import Gap, Pressure, divergence_form, published_form
+from babbitt.longfilm.walls import Sectors, flow_of, flow_spread, sectors_of, viscosity_at
+from babbitt.notices import InputError
+from babbitt.results import Outcome
+
+Array = NDArray[np.float64]
+
+RELAXATION = 0.85
+TEMPERATURE_TOLERANCE, LOAD_TOLERANCE = 1e-4, 1e-6
+"""In K between two iterations, and of the load."""
+
+LARGEST_SHARE = 2.0
+"""Of the last step that the mixing may take back or repeat."""
+
+MOST_ITERATIONS = 400
+GREATEST_ECCENTRICITY = 0.99
+"""As of the characteristics of the standard: above, a rigid film says nothing."""
+
+GREATEST_STRETCH = math.log(GREATEST_ECCENTRICITY / (1.0 - GREATEST_ECCENTRICITY))
+SCAN = tuple(np.concatenate((np.arange(0.02, 0.9, 0.04), np.arange(0.9, 0.9901, 0.01))).tolist())
+
+
+@dataclass(frozen=True, eq=False)
+class LongFilmState:
+    """A long film in equilibrium, SI.
+
+    `pressure`, `sectors` and `temperatures` hold arrays over the angle from the widest gap; loads are those along the
+    eccentricity and normal to it. `residual` is the last change of temperature in K.
+    """
+
+    film: LongFilm
+    gap: Gap
+    viscosity: Array
+    pressure: Pressure
+    sectors: Sectors
+    temperatures: Temperatures
+    load_along: float
+    load_across: float
+    iterations: int
+    converged: bool
+    residual: float
+
+    @property
+    def eccentricity_ratio(self) -> float:
+        """e/c."""
+        return self.gap.eccentricity_ratio
+
+    @property
+    def load(self) -> float:
+        """Resultant in N."""
+        return math.hypot(self.load_along, self.load_across)
+
+    @property
+    def attitude_angle(self) -> float:
+        """From the load to the narrowest gap, rad."""
+        return math.atan2(self.load_across, self.load_along)
+
+    @property
+    def film_thickness(self) -> Array:
+        """At the nodes, m."""
+        return self.film.clearance * self.gap.nodes
+
+    @property
+    def film_pressure(self) -> Array:
+        """At the nodes, Pa."""
+        return self.pressure.nodes * (self.film.surface_speed * self.film.radius / self.film.clearance**2)
+
+    @property
+    def flow(self) -> float:
+        """Circumferential flow in m³/s; its mean over the full film where the discretisation does not conserve it."""
+        full = self.pressure.full
+        return float(flow_of(self.film, self.pressure) @ full) / float(full.sum())
+
+    @property
+    def flow_spread(self) -> float:
+        """``(max Q - min Q)/mean Q`` of the local flow over the full film."""
+        return flow_spread(self.pressure)
+
+    @property
+    def heat_source(self) -> float:
+        """Friction less flow work, W."""
+        return float(self.sectors.source.sum())
+
+    @property
+    def friction_torque(self) -> float:
+        """On the journal, N m."""
+        return float(self.sectors.friction.sum()) / self.film.angular_speed
+
+    @property
+    def rupture_temperature(self) -> float:
+        """Where the film breaks, K."""
+        angles = np.linspace(0.0, 2.0 * math.pi, self.gap.nodes.size)
+        return float(np.interp(self.pressure.rupture_angle, angles, self.temperatures.film))
+
+    @property
+    def energy_balance_error(self) -> float:
+        """What oil, housing and shaft do not take of the heat, over the heat."""
+        t = self.temperatures
+        return (self.heat_source - t.to_oil - t.to_housing - t.to_shaft) / self.heat_source
+
+
+def film_at_eccentricity(film: LongFilm, eccentricity_ratio: float, start: Array | None = None) -> LongFilmState:
+    """The film in thermal equilibrium at an eccentricity ratio.
+
+    Parameters
+    ----------
+    film : LongFilm
+    eccentricity_ratio : float
+        0 to 1, both excluded.
+    start : ndarray, optional
+        Temperatures to start from, K, at the nodes; those of the inlet if not given.
+
+    Returns
+    -------
+    LongFilmState
+        Not converged after 400 iterations: its `converged` says so.
+
+    Raises
+    ------
+    InputError
+        E003 for an eccentricity outside its bounds.
+    NoFilmError
+        When the laws of the lubricant end before an equilibrium.
+    """
+    if not 0.0 < eccentricity_ratio < 1.0:
+        raise InputError("E003", f"eccentricity_ratio must lie between 0 and 1, given {eccentricity_ratio!r}")
+    gap = Gap.of(eccentricity_ratio, film.cells)
+    return _iterated(film, lambda viscosity: gap, start)
+
+
+def film_under_load(film: LongFilm, load: float) -> LongFilmState:
+    """The film that carries a load, with the least eccentricity that does.
+
+    The position is found anew for each temperature field on the way; where that loses its way, the eccentricity is
+    raised step by step to the first that carries the load, since a film that heats up can carry less when pressed
+    closer.
+
+    Parameters
+    ----------
+    film : LongFilm
+    load : float
+        N, the resultant.
+
+    Raises
+    ------
+    NoFilmError
+        OVERLOADED with the largest load reached; NOT_CONVERGED; NO_LUBRICANT_DATA.
+    """
+    if not 0.0 < load < math.inf:
+        raise InputError("E003", f"load must be above 0, given {load!r}")
+    try:
+        state = _iterated(film, _Position(film, load), None, most=60)
+        if state.converged and abs(state.load / load - 1.0) < 1e-5:
+            return state
+    except NoFilmError:
+        pass
+    return _scanned(film, load)
+
+
+class _Position:
+    """Moves the gap towards a load by one Newton step for each viscosity field that it is given.
+
+    Over ``ln(ε/(1 - ε))`` the logarithm of the load is nearly a straight line.
+    """
+
+    def __init__(self, film: LongFilm, load: float) -> None:
+        self.film, self.stretch = film, 0.0
+        scale = film.surface_speed * film.radius**2 * film.width / film.clearance**2
+        self.wanted = math.log(load / scale)
+
+    def __call__(self, viscosity: Array) -> Gap:
+        level = self._level(self.stretch, viscosity)
+        ahead = self._level(self.stretch + 1e-4, viscosity)
+        self.stretch += max(-1.0, min(1.0, (self.wanted - level) * 1e-4 / (ahead - level)))
+        if self.stretch > GREATEST_STRETCH:
+            raise NoFilmError(Outcome.OVERLOADED)
+        return self._gap(self.stretch)
+
+    def _gap(self, stretch: float) -> Gap:
+        return Gap.of(1.0 / (1.0 + math.exp(-stretch)), self.film.cells)
+
+    def _level(self, stretch: float, viscosity: Array) -> float:
+        gap = self._gap(stretch)
+        return math.log(math.hypot(*_pressure(self.film, gap, viscosity).load(gap.step)))
+
+
+def _pressure(film: LongFilm, gap: Gap, viscosity: Array) -> Pressure:
+    form = divergence_form if film.discretisation.conserves_flow else published_form
+    return form(gap, viscosity)
+
+
+def _iterated(film: LongFilm, gap_at: object, start: Array | None, most: int = MOST_ITERATIONS) -> LongFilmState:
+    scale = film.surface_speed * film.radius**2 * film.width / film.clearance**2
+    assumed = np.full(film.cells + 1, film.inlet_temperature) if start is None else start
+    before, mixing = math.inf, _Mixing()
+    for count in range(1, most + 1):
+        viscosity = viscosity_at(film, assumed)
+        gap: Gap = gap_at(viscosity)  # type: ignore[operator]
+        pressure = _pressure(film, gap, viscosity)
+        along, across = (scale * one for one in pressure.load(gap.step))
+        sectors = sectors_of(film, gap, pressure, viscosity, assumed)
+        if not sectors.capacity_flow.min() > 0.0:
+            raise NoFilmError(Outcome.NOT_CONVERGED)
+        found = temperatures(film, sectors)
+        change = float(np.abs(found.film - assumed).max())
+        load = math.hypot(along, across)
+        done = change < TEMPERATURE_TOLERANCE and abs(load - before) <= LOAD_TOLERANCE * load
+        if done or count == most:
+            return LongFilmState(
+                film, gap, viscosity, pressure, sectors, found, along, across, count, done, change
+            )
+        before = load
+        assumed = mixing.next(assumed, found.film - assumed)
+    raise AssertionError("unreachable")
+
+
+class _Mixing:
+    """Relaxed fixed-point steps, each improved by what the one before taught (Anderson's mixing of depth one).
+
+    D. G. Anderson, Iterative procedures for nonlinear integral equations, Journal of the ACM 12 (1965) 547-560.
+    """
+
+    def __init__(self) -> None:
+        self.last: tuple[Array, Array] | None = None
+
+    def next(self, assumed: Array, residual: Array) -> Array:
+        """Temperatures to try next, from those assumed and the change that they led to."""
+        mixed, change = assumed, residual
+        if self.last is not None:
+            moved = residual - self.last[1]
+            share = float(moved @ residual) / max(float(moved @ moved), 1e-300)
+            share = max(-LARGEST_SHARE, min(LARGEST_SHARE, share))
+            mixed, change = assumed - share * (assumed - self.last[0]), residual - share * moved
+        self.last = assumed, residual
+        return mixed + RELAXATION * change
+
+
+def _scanned(film: LongFilm, load: float) -> LongFilmState:
+    """Raise the eccentricity to the first film that carries the load, then close in on it."""
+    best, below, start = 0.0, 0.0, None
+    for eccentricity in SCAN:
+        state = film_at_eccentricity(film, eccentricity, start)
+        if not state.converged:
+            raise NoFilmError(Outcome.NOT_CONVERGED, best or None)
+        best, start = max(best, state.load), state.temperatures.film
+        if state.load >= load:
+            low = below or 1e-6
+            root = find_root(
+                lambda e: film_at_eccentricity(film, e, state.temperatures.film).load - load,
+                low,
+                eccentricity,
+                1e-10,
+            )
+            return film_at_eccentricity(film, root.value, state.temperatures.film)
+        below = eccentricity
+    raise NoFilmError(Outcome.OVERLOADED, best)
