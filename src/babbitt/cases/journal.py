@@ -8,7 +8,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.cases import clearance, cooling, supply_element
+from babbitt.cases import clearance, cooling, one_dimension, supply_element
 from babbitt.cases.choices import FrictionGiven, LimitsGiven
 from babbitt.cases.clearance import ClearanceGiven
 from babbitt.cases.fields import Name, Prose, Span
@@ -25,8 +25,10 @@ from babbitt.cases.film_features import (
     complaint_about_tilt,
     complaints_about_hollows,
 )
+from babbitt.cases.heat_exchange import HeatExchangeGiven
 from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
 from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_bare, is_given, rule
+from babbitt.cases.segments import SegmentsGiven
 from babbitt.cases.shared import SharedInputs
 from babbitt.cases.supply_element import SupplyElementGiven, UnevenPockets
 from babbitt.cases.surfaces import SurfacesGiven
@@ -49,8 +51,10 @@ class JournalBearing(Duty, SharedInputs):
 
     kind: Literal["journal"] = Field(description="Circular cylindrical journal bearing.")
     name: Name = Field(description="Name of the bearing in tables and reports.")
-    method: Literal["iso7902", "film"] = Field(
-        "iso7902", description="Method of calculation: the procedure of ISO 7902, or the film in two dimensions."
+    method: Literal["iso7902", "film", "long_film", "segments"] = Field(
+        "iso7902",
+        description="Method of calculation: the procedure of ISO 7902, the film in two dimensions, or one of two "
+        "published models in one dimension: the long film with heat exchange, or its heat balance by segments.",
     )
 
     diameter: Annotated[float, si("m", "1 mm", "3 m")] = Field(description="Nominal bearing inside diameter D.")
@@ -87,6 +91,12 @@ class JournalBearing(Duty, SharedInputs):
         None, description="Slopes of the journal axis in the bore, for the film method."
     )
     surfaces: SurfacesGiven | None = Field(None, description="Roughness, tilt and waviness of the surfaces.")
+    heat_exchange: HeatExchangeGiven = Field(
+        HeatExchangeGiven(), description="Heat exchange of the long film (method: long_film)."
+    )
+    segments: SegmentsGiven = Field(
+        SegmentsGiven(), description="Groove and wall of the heat balance by segments (method: segments)."
+    )
 
     bearing_speed: Annotated[float, si("rad/s", "-1000000 rpm", "1000000 rpm")] = Field(
         0.0, description="Rotational speed of the bearing, positive counter-clockwise as that of the journal."
@@ -160,12 +170,15 @@ class JournalBearing(Duty, SharedInputs):
 
     @rule
     def _one_load(self) -> Iterator[Complaint]:
-        yield from _one_of(self, LOADS)
+        if self.method == "segments" and self.segments.profile:
+            yield from one_dimension.complaints_about_loads(self)
+        else:
+            yield from _one_of(self, LOADS)
 
     @rule
     def _loads_make_sense(self) -> Iterator[Complaint]:
         width = self.actual_width
-        for path, duty in self._duties():
+        for path, duty in self.duties():
             if duty.load is None or width is None:
                 continue
             pressure = duty.load / (width * self.diameter)
@@ -181,7 +194,7 @@ class JournalBearing(Duty, SharedInputs):
 
     @rule
     def _speeds_make_sense(self) -> Iterator[Complaint]:
-        for path, duty in self._duties():
+        for path, duty in self.duties():
             speed = duty.speed
             if speed is None and duty.surface_speed is not None:
                 speed = 2.0 * duty.surface_speed / self.diameter
@@ -227,7 +240,13 @@ class JournalBearing(Duty, SharedInputs):
                     yield told.under("operating_points", index)
 
     @rule
+    def _one_dimension_suffices(self) -> Iterator[Complaint]:
+        yield from one_dimension.complaints_about(self)
+
+    @rule
     def _span_is_known(self) -> Iterator[Complaint]:
+        if self.method in one_dimension.METHODS:
+            return
         if self.method == "film" and (self.hollows() or self.film_start == "widest_gap"):
             return
         for point in self.operating_points or (None,):
@@ -255,13 +274,13 @@ class JournalBearing(Duty, SharedInputs):
 
     @rule
     def _method_knows_the_bearing(self) -> Iterator[Complaint]:
-        if self.method == "film":
+        if self.method != "iso7902":
             return
         if self.bore is not None and self.bore.kind != "round":
             yield Complaint(("bore",), f"ISO 7902 knows round bores only, not {self.bore.kind}", "method: film")
         if self.misalignment is not None:
             yield Complaint(("misalignment",), "ISO 7902 knows no misaligned journal", "method: film")
-        for path, duty in self._duties():
+        for path, duty in self.duties():
             if duty.attitude_angle is not None:
                 says = "ISO 7902 finds the attitude angle itself"
                 yield Complaint((*path, "attitude_angle"), says, "method: film, or leave it out")
@@ -351,7 +370,8 @@ class JournalBearing(Duty, SharedInputs):
         """Supply element at an operating point (None: the bearing as such)."""
         return self.supply_element if point is None else point.supply_element or self.supply_element
 
-    def _duties(self) -> Iterator[tuple[tuple[str | int, ...], Duty]]:
+    def duties(self) -> Iterator[tuple[tuple[str | int, ...], Duty]]:
+        """The bearing and its operating points, each with its path in the case."""
         yield (), self
         for index, point in enumerate(self.operating_points):
             yield ("operating_points", index), point

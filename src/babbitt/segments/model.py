@@ -106,8 +106,7 @@ class SegmentFilm:
         """Angles of the edges, ``θ_g ∓ b/D``, rad."""
         if self.groove is None:
             raise ValueError("a film without groove has no edges")
-        half = self.groove.width / self.diameter
-        return self.groove.angle - half, self.groove.angle + half
+        return edges_of(self.groove, self.diameter)
 
     def without_groove(self) -> SegmentFilm:
         """The same film in one segment."""
@@ -134,12 +133,13 @@ def complaints_about(film: SegmentFilm) -> tuple[str, ...]:
     if not 0.0 <= film.start < math.pi:
         found.append(f"start must lie from 0 to below 180 deg, given {math.degrees(film.start):.4g} deg")
     if not found and film.groove is not None:
-        found += _about_groove(film, film.groove)
-    found += _about_profile(film.profile)
+        found += complaints_about_groove(film.groove, film.diameter, film.start)
+    found += complaints_about_profile(film.profile)
     return tuple(found)
 
 
-def _about_groove(film: SegmentFilm, groove: Groove) -> list[str]:
+def complaints_about_groove(groove: Groove, diameter: float, start: float) -> list[str]:
+    """Say what of a groove cannot be used in a film that begins at an angle (rad from the widest gap)."""
     found = []
     if not 0.0 <= groove.mixing_factor <= 1.0:
         found.append(f"mixing_factor must lie from 0 to 1, given {groove.mixing_factor!r}")
@@ -148,16 +148,21 @@ def _about_groove(film: SegmentFilm, groove: Groove) -> list[str]:
     if not 0.0 <= groove.width < math.inf:
         found.append(f"width of the groove must not be negative, given {groove.width!r}")
         return found
-    before, behind = film.groove_edges()
-    if not film.start < before <= behind < 2.0 * math.pi:
+    before, behind = edges_of(groove, diameter)
+    if not start < before <= behind < 2.0 * math.pi:
         edges = f"{math.degrees(before):.4g} to {math.degrees(behind):.4g} deg"
-        found.append(
-            f"the groove, {edges}, does not lie inside the film, {math.degrees(film.start):.4g} to 360 deg"
-        )
+        found.append(f"the groove, {edges}, does not lie inside the film, {math.degrees(start):.4g} to 360 deg")
     return found
 
 
-def _about_profile(profile: tuple[tuple[float, float], ...]) -> list[str]:
+def edges_of(groove: Groove, diameter: float) -> tuple[float, float]:
+    """Angles of the edges of a groove, ``θ_g ∓ b/D``, rad."""
+    half = groove.width / diameter
+    return groove.angle - half, groove.angle + half
+
+
+def complaints_about_profile(profile: tuple[tuple[float, float], ...]) -> list[str]:
+    """Say what of a given film thickness (angles in rad, thickness in m) cannot be used."""
     if not profile:
         return []
     found = []

@@ -107,13 +107,15 @@ class Segment:
 
 def between(gap: Gap, grid: Grid, first: int, last: int, at_end: float) -> Segment | None:
     """Segment with pressure 0 at its first and `at_end` at its last node; None where that asks for suction."""
-    one, two, three = (integral[first : last + 1] - integral[first] for integral in (gap.once, gap.twice, gap.thrice))
-    constant = (at_end - 6.0 * two[-1]) / three[-1]
+    one, two, three = (
+        integral[first : last + 1] - integral[first] for integral in (gap.once, gap.twice, gap.thrice)
+    )
+    constant = float((at_end - 6.0 * two[-1]) / three[-1])
     pressure = 6.0 * two + constant * three
     if pressure.min() < -1e-9 * max(1.0, float(pressure.max())):
         return None
     friction = 4.0 * float(one[-1]) + 0.5 * constant * float(two[-1])
-    return Segment(first, last, pressure, float(constant), float(grid.angles[last]), friction, False)
+    return Segment(first, last, pressure, constant, float(grid.angles[last]), friction, False)
 
 
 def to_rupture(gap: Gap, grid: Grid, first: int, last: int, at_start: float) -> Segment | None:
@@ -122,7 +124,9 @@ def to_rupture(gap: Gap, grid: Grid, first: int, last: int, at_start: float) -> 
     A film that diverges from its first node on, with nothing pushing it, carries nothing and ends at once.
     """
     thickness = gap.thickness[first : last + 1]
-    one, two, three = (integral[first : last + 1] - integral[first] for integral in (gap.once, gap.twice, gap.thrice))
+    one, two, three = (
+        integral[first : last + 1] - integral[first] for integral in (gap.once, gap.twice, gap.thrice)
+    )
     excess = at_start + 6.0 * (two - thickness * three)
     rising = np.diff(thickness) > 0.0
     found = np.flatnonzero((excess[:-1] >= 0.0) & (excess[1:] < 0.0) & rising)

@@ -25,6 +25,9 @@ RELAXATION = 0.5
 TEMPERATURE_TOLERANCE, DISPLACEMENT_TOLERANCE = 1e-4, 1e-5
 """In K, and over the clearance."""
 
+FRACTION, LEAST_FRACTION = 0.3, 0.02
+"""Of the thinnest film, what a step may move the wall; taken back by a tenth whenever the wall overshoots."""
+
 MOST_ITERATIONS = 4000
 GREATEST_ECCENTRICITY = 0.995
 SCAN = tuple(np.concatenate((np.arange(0.02, 0.9, 0.04), np.arange(0.9, 0.996, 0.01))).tolist())
@@ -140,9 +143,7 @@ def film_at_eccentricity(
     NoFilmError
         NOT_CONVERGED where the film has no rupture point or the iteration breaks down, NO_LUBRICANT_DATA.
     """
-    if not film.profile and not (
-        0.0 <= eccentricity_ratio < (1.0 if film.compliance == 0.0 else math.inf)
-    ):
+    if not film.profile and not (0.0 <= eccentricity_ratio < (1.0 if film.compliance == 0.0 else math.inf)):
         raise InputError(
             "E003", f"eccentricity_ratio must lie from 0 to below 1 for a rigid film, given {eccentricity_ratio!r}"
         )
@@ -154,7 +155,7 @@ def film_at_eccentricity(
     if start is not None:
         means = np.array([one.mean_temperature for one in start.segments])
         displaced = film.compliance * start.film_pressure
-    fraction, worst, gap = 0.3, math.inf, None
+    fraction, worst, gap = FRACTION, math.inf, None
     for iteration in range(1, MOST_ITERATIONS + 1):
         if gap is None or film.compliance:
             thickness = rigid + displaced / film.clearance
@@ -175,10 +176,11 @@ def film_at_eccentricity(
             )  # fmt: skip
         means = means + RELAXATION * change
         if film.compliance:
-            if bent > worst:
-                fraction *= 0.9
+            fraction = max(LEAST_FRACTION, 0.9 * fraction) if bent > worst else fraction
             worst = bent
-            room = film.clearance * float(gap.thickness.min()) / max(film.compliance * float(pressure.max()), 1e-300)
+            room = (
+                film.clearance * float(gap.thickness.min()) / max(film.compliance * float(pressure.max()), 1e-300)
+            )
             displaced = displaced + min(RELAXATION, fraction * room) * strain
     raise AssertionError("unreachable")
 
@@ -207,9 +209,7 @@ def film_under_load(film: SegmentFilm, load: float) -> SegmentFilmState:
         best = max(best, state.load)
         if state.load >= load:
             near = state
-            root = find_root(
-                lambda e: film_at_eccentricity(film, e, near).load - load, below, eccentricity, 1e-9
-            )
+            root = find_root(lambda e: film_at_eccentricity(film, e, near).load - load, below, eccentricity, 1e-9)
             return film_at_eccentricity(film, root.value, near)
         below = eccentricity
     raise NoFilmError(Outcome.OVERLOADED, best)
@@ -235,7 +235,11 @@ def _segments(
     unit = [eta * film.surface_speed * film.radius / film.clearance**2 for eta in viscosity]
     if film.groove is None:
         only = _ruptured(gap, grid, 0, end, 0.0)
-        return (_warmed(film, only, unit[0], viscosity[0], capacity[0], 0.0, 0.0, film.supply_temperature),), 0.0, False
+        return (
+            (_warmed(film, only, unit[0], viscosity[0], capacity[0], 0.0, 0.0, film.supply_temperature),),
+            0.0,
+            False,
+        )
 
     def first(pressure: float) -> Segment:
         found = between(gap, grid, 0, grid.before, pressure / unit[0])
