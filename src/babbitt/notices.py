@@ -234,8 +234,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     # -- doubts about the films of one dimension ----------------------------------------------------------------
     "W130": Explanation(
         "Published discretisation does not conserve the flow",
-        "The pressure equation of the published calculation left out the change of viscosity, so that another flow "
-        "passes each section of the film: by 5 % at an eccentricity of 0.3, by 160 % of the mean at 0.8. Its heat "
+        "The pressure equation of the published calculation left out the change of viscosity, so that the local "
+        "flow varies along the film: by 5 % of its mean at an eccentricity of 0.3, by 160 % at 0.8. Its heat "
         "balance, and its table, carry this error.",
         "Use `discretisation: consistent` (the default) for anything but repeating the published numbers.",
     ),
@@ -252,8 +252,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     "W133": Explanation(
         "The groove makes the film hotter",
         "Under the same load the rigid film with a groove runs at a greater eccentricity, and what leaves it is "
-        "hotter than without the groove. A groove cools at the same gap, not at the same load, unless the deformed "
-        "film keeps its load capacity, which this model cannot show.",
+        "hotter than without the groove. A groove cools at the same gap, not at the same load, unless the "
+        "deformed film keeps its load capacity, which this model cannot show.",
         "Place the groove outside the loaded zone, or compare with a film in two dimensions.",
     ),
     "W134": Explanation(
@@ -269,8 +269,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W136": Explanation(
         "Gain of a blind groove is apparent",
-        "A film cut in two has two mean temperatures in place of one and so carries more, even if the groove has no "
-        "width at all. That is no benefit of the groove.",
+        "A film cut in two has two mean temperatures in place of one and so carries more, even if the groove has "
+        "no width at all. That is no benefit of the groove.",
         "Compare with the ungrooved film cut at the same angle.",
     ),
     # -- no solution --------------------------------------------------------------------------------------------

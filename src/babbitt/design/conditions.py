@@ -157,7 +157,7 @@ class Designed(Protocol):
     @property
     def journal_speed(self) -> float: ...  # noqa: D102
     @property
-    def duty(self) -> GivenLoad | GivenEccentricity: ...  # noqa: D102
+    def duty(self) -> GivenLoad | GivenEccentricity | None: ...  # noqa: D102
     @property
     def bearing_speed(self) -> float: ...  # noqa: D102
 

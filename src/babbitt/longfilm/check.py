@@ -16,11 +16,11 @@ from babbitt.design.heat_balance import NoFilmError
 from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import duty_values, limit_values, oil_values
 from babbitt.longfilm.mean_temperature import mean_temperature_film
-from babbitt.longfilm.model import COARSE_BELOW, LongFilmCase
+from babbitt.longfilm.model import COARSE_BELOW, LongFilmCase, NusseltLaw
 from babbitt.longfilm.pressure import circle
 from babbitt.longfilm.solve import LongFilmState, film_at_eccentricity, film_under_load
 from babbitt.notices import EXPLANATIONS, Notice
-from babbitt.results import Matrix, Outcome, Result
+from babbitt.results import Check, Matrix, Outcome, Result
 
 METHOD = "long_film"
 
@@ -49,7 +49,9 @@ def long_film_check(case: LongFilmCase) -> Result:
     start = perf_counter()
     outcome, capacity, state = _solved(case)
     values: dict[str, float] = {}
-    checks, not_made, warnings = (), (), case.doubts
+    checks: tuple[Check, ...] = ()
+    not_made: tuple[Notice, ...] = ()
+    warnings = case.doubts
     arrays: dict[str, Matrix] = {}
     if state is not None:
         values, arrays = _values(case, state), _arrays(state)
@@ -170,7 +172,7 @@ def _arrays(state: LongFilmState) -> dict[str, Matrix]:
 
 
 def _doubts(
-    case: LongFilmCase, state: LongFilmState, values: dict[str, float], checks: tuple[object, ...]
+    case: LongFilmCase, state: LongFilmState, values: dict[str, float], checks: tuple[Check, ...]
 ) -> Iterator[Notice]:
     yield from case.doubts
     if not case.discretisation.conserves_flow:
@@ -192,7 +194,7 @@ def _doubts(
     if highest > LAMINAR_UP_TO and values["film_reynolds_number"] <= values["critical_reynolds_number"]:
         yield Notice("W101", f"local Reynolds number up to {highest:.0f} > {LAMINAR_UP_TO:.0f}")
     yield from doubts_about_film(case, values)
-    yield from doubts_about_running(case, values, checks)  # type: ignore[arg-type]
+    yield from doubts_about_running(case, values, checks)
 
 
 def _doubts_about_temperature(case: LongFilmCase, state: LongFilmState) -> Iterator[Notice]:
@@ -201,14 +203,14 @@ def _doubts_about_temperature(case: LongFilmCase, state: LongFilmState) -> Itera
     if float(film.min()) < coldest or float(film.max()) > hottest:
         yield Notice(
             "W107",
-            f"the film runs from {film.min() - 273.15:.0f} to {film.max() - 273.15:.0f} °C; {case.lubricant.name} is "
-            f"described from {coldest - 273.15:.0f} to {hottest - 273.15:.0f} °C",
+            f"the film runs from {film.min() - 273.15:.0f} to {film.max() - 273.15:.0f} °C; "
+            f"{case.lubricant.name} is described from {coldest - 273.15:.0f} to {hottest - 273.15:.0f} °C",
         )
 
 
 def _assumptions(case: LongFilmCase) -> Iterator[str]:
-    yield "Infinitely long film: no oil leaves at the sides, so that load and flow around the film are upper bounds."
-    yield "The clearance is that given; neither heat nor pressure changes it. Laminar film, one temperature across it."
+    yield "Infinitely long film: no oil leaves at the sides, so that its load is an upper bound."
+    yield "Neither heat nor pressure changes the clearance given. Laminar film, one temperature across it."
     yield "Oil enters at the widest gap with the supply temperature; none of the hot oil comes around again."
     yield "The effective temperature is the mean over the full film; nothing is computed with it."
     if case.exchange.bush is None:
@@ -218,13 +220,13 @@ def _assumptions(case: LongFilmCase) -> Iterator[str]:
 
 
 def _settings(case: LongFilmCase) -> dict[str, str]:
-    nusselt = case.exchange.nusselt
-    zone = case.exchange_zone or case.discretisation.exchange_zone
-    law = f"{nusselt.coefficient:g} (Pe h/D)^{nusselt.exponent:.4g}" if hasattr(nusselt, "coefficient") else "own"
+    law, nusselt = "own", case.exchange.nusselt
+    if isinstance(nusselt, NusseltLaw):
+        law = f"{nusselt.coefficient:g} (Pe h/D)^{nusselt.exponent:.4g}"
     return {
         "lubricant": case.lubricant.name,
         "discretisation": case.discretisation.value,
-        "exchange_zone": zone.value,
+        "exchange_zone": case.film.zone.value,
         "nusselt": law,
         "sectors": str(case.cells),
     }
@@ -240,8 +242,8 @@ def _failure(case: LongFilmCase, outcome: Outcome, capacity: float | None, state
     elif state is not None:
         angle = math.degrees(state.pressure.rupture_angle)
         far = (
-            f"after {state.iterations} iterations the temperature still changed by {state.residual:.3g} K; the film "
-            f"then broke at {angle:.1f}°"
+            f"after {state.iterations} iterations the temperature still changed by {state.residual:.3g} K; the "
+            f"film then broke at {angle:.1f}°"
         )
     remedy = EXPLANATIONS[outcome.code].remedy
     return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"

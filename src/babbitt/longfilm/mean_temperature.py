@@ -1,7 +1,7 @@
 """The method of one mean film temperature, to which the long film is compared.
 
-The film has the viscosity of ``T = (T_in + T_out)/2``, where ``T_out`` follows from its own heat balance: all friction
-heat leaves with the oil.
+The film has the viscosity of ``T = (T_in + T_out)/2``, where ``T_out`` follows from its own heat balance: all
+friction heat leaves with the oil.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Temperatures of film, journal and bush ring: all balances in one linear system.
 
-The film is marched with the flow (upwind); journal and ring are tied to it. Without a ring the march is a bidiagonal
-system. With a ring, film and ring temperatures alternate in a band of five, and what closes the system, the
-temperature of the journal and the two ends of the ring, is found from unit responses.
+The film is marched with the flow (upwind); journal and ring are tied to it. Without a ring the march is a
+bidiagonal system. With a ring, film and ring temperatures alternate in a band of five, and what closes the system,
+the temperature of the journal and the two ends of the ring, is found from unit responses.
 """
 
 from __future__ import annotations

@@ -8,9 +8,10 @@ Angles run from the widest gap with the rotation. Written without dimension, ``H
 Rupture where pressure and its gradient vanish (Reynolds, Swift, Stieber).
 
 The discrete complementarity problem, pressure nowhere negative, has a closed solution in one dimension. Every
-pressure difference is a known one plus the first of them times a positive weight; the film that ends at node m has
-the first difference that makes the pressure there vanish, and the film of Reynolds is the one among them whose first
-difference is the largest. That is what a Thomas sweep with a cut at zero gives, here in cumulative sums.
+pressure difference is a known one plus the first of them times a positive weight; the film that ends at node m
+has the first difference that makes the pressure there vanish, and the film of Reynolds is the one among them
+whose first difference is the largest. That is what a Thomas sweep with a cut at zero gives, here in cumulative
+sums.
 """
 
 from __future__ import annotations
@@ -127,7 +128,7 @@ def published_form(gap: Gap, viscosity: Array) -> Pressure:
 
 
 def _rupture(nodes: Array, last: int, step: float) -> tuple[float, Array]:
-    """Rupture angle from ``P ~ (θ_r - θ)²`` through the last two positive pressures, and the full share of sectors."""
+    """Rupture angle from ``P ~ (θ_r - θ)²`` through the last positive pressures; full share of the sectors."""
     before, behind = math.sqrt(max(nodes[last - 1], 0.0)), math.sqrt(max(nodes[last], 0.0))
     beyond = behind / (before - behind) if before > 2.0 / 3.0 * behind else 1.0
     angle = (last + min(beyond, 2.0)) * step

@@ -1,8 +1,9 @@
-"""The long film in equilibrium: viscosity, pressure, heat and temperature in turn, at an eccentricity or under a load."""
+"""The long film in equilibrium: viscosity, pressure, heat and temperature in turn."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -38,8 +39,8 @@ SCAN = tuple(np.concatenate((np.arange(0.02, 0.9, 0.04), np.arange(0.9, 0.9901, 
 class LongFilmState:
     """A long film in equilibrium, SI.
 
-    `pressure`, `sectors` and `temperatures` hold arrays over the angle from the widest gap; loads are those along the
-    eccentricity and normal to it. `residual` is the last change of temperature in K.
+    `pressure`, `sectors` and `temperatures` hold arrays over the angle from the widest gap; loads are those along
+    the eccentricity and normal to it. `residual` is the last change of temperature in K.
     """
 
     film: LongFilm
@@ -81,7 +82,7 @@ class LongFilmState:
 
     @property
     def flow(self) -> float:
-        """Circumferential flow in m³/s; its mean over the full film where the discretisation does not conserve it."""
+        """Circumferential flow in m³/s; its mean over the full film where it is not conserved."""
         full = self.pressure.full
         return float(flow_of(self.film, self.pressure) @ full) / float(full.sum())
 
@@ -203,13 +204,15 @@ def _pressure(film: LongFilm, gap: Gap, viscosity: Array) -> Pressure:
     return form(gap, viscosity)
 
 
-def _iterated(film: LongFilm, gap_at: object, start: Array | None, most: int = MOST_ITERATIONS) -> LongFilmState:
+def _iterated(
+    film: LongFilm, gap_at: Callable[[Array], Gap], start: Array | None, most: int = MOST_ITERATIONS
+) -> LongFilmState:
     scale = film.surface_speed * film.radius**2 * film.width / film.clearance**2
     assumed = np.full(film.cells + 1, film.inlet_temperature) if start is None else start
     before, mixing = math.inf, _Mixing()
     for count in range(1, most + 1):
         viscosity = viscosity_at(film, assumed)
-        gap: Gap = gap_at(viscosity)  # type: ignore[operator]
+        gap = gap_at(viscosity)
         pressure = _pressure(film, gap, viscosity)
         along, across = (scale * one for one in pressure.load(gap.step))
         sectors = sectors_of(film, gap, pressure, viscosity, assumed)
@@ -251,20 +254,25 @@ class _Mixing:
 
 def _scanned(film: LongFilm, load: float) -> LongFilmState:
     """Raise the eccentricity to the first film that carries the load, then close in on it."""
-    best, below, start = 0.0, 0.0, None
+    best, below = 0.0, 0.0
+    start: Array | None = None
     for eccentricity in SCAN:
         state = film_at_eccentricity(film, eccentricity, start)
         if not state.converged:
             raise NoFilmError(Outcome.NOT_CONVERGED, best or None)
         best, start = max(best, state.load), state.temperatures.film
         if state.load >= load:
-            low = below or 1e-6
-            root = find_root(
-                lambda e: film_at_eccentricity(film, e, state.temperatures.film).load - load,
-                low,
-                eccentricity,
-                1e-10,
-            )
-            return film_at_eccentricity(film, root.value, state.temperatures.film)
+            return _between(film, load, below or 1e-6, state)
         below = eccentricity
     raise NoFilmError(Outcome.OVERLOADED, best)
+
+
+def _between(film: LongFilm, load: float, below: float, above: LongFilmState) -> LongFilmState:
+    """The film that carries a load between an eccentricity that does not and a state that does."""
+    near = above.temperatures.film
+
+    def excess(eccentricity: float) -> float:
+        return film_at_eccentricity(film, eccentricity, near).load - load
+
+    root = find_root(excess, below, above.eccentricity_ratio, 1e-10)
+    return film_at_eccentricity(film, root.value, near)

@@ -67,8 +67,8 @@ def _painted(case: OneDimension, result: Result) -> Iterator[tuple[str, str, Fig
     if isinstance(case, LongFilmCase):
         yield (
             "along-the-film",
-            "Temperatures (above), pressure and film thickness (below) around the film, from the widest gap in the "
-            "direction of rotation. Dotted line: the film breaks; cross: hottest oil.",
+            "Temperatures (above), pressure and film thickness (below, broken line) around the film, from the "
+            "widest gap in the direction of rotation. Dotted line: the film breaks; cross: hottest oil.",
             _along(case, result),
             True,
         )
@@ -81,9 +81,9 @@ def _painted(case: OneDimension, result: Result) -> Iterator[tuple[str, str, Fig
         return
     yield (
         "along-the-film",
-        "Temperatures (above), pressure and film thickness (below) around the film, from the widest gap in the "
-        "direction of rotation. Each segment has one mean temperature, between those at its inlet and outlet; shaded: "
-        "the groove; dotted line: the film breaks.",
+        "Temperatures (above), pressure and film thickness (below, broken line) around the film, from the widest "
+        "gap in the direction of rotation. Each segment has one mean temperature; points: the oil that enters "
+        "and leaves it; shaded: the groove; dotted line: the film breaks.",
         _along(case, result),
         True,
     )
@@ -163,15 +163,12 @@ def _named(panel: Axes, ends: list[tuple[float, str]]) -> None:
 
 def _temperatures_of_segments(panel: Axes, case: SegmentCase, result: Result) -> None:
     start, end = math.degrees(case.start), math.degrees(result.rupture_angle)
-    names = ("inlet_temperature", "mean_temperature", "outlet_temperature")
     if case.groove is None:
-        mean = result.effective_temperature
-        spans = [(start, end, (result.supply_temperature, mean, result.outlet_temperature))]
+        spans = [(start, end, result.supply_temperature, result.effective_temperature, result.outlet_temperature)]
     else:
         before, behind = map(math.degrees, case.film.groove_edges())
-        first, second = (tuple(result.values[f"segment_{place}_{name}"] for name in names) for place in (1, 2))
-        spans = [(start, before, first), (behind, max(end, behind), second)]
-    for left, right, (inlet, mean, outlet) in spans:
+        spans = [(start, before, *_of_segment(result, 1)), (behind, max(end, behind), *_of_segment(result, 2))]
+    for left, right, inlet, mean, outlet in spans:
         panel.plot([left, right], [inlet - 273.15, outlet - 273.15], "o", color=INK, markersize=3)
         panel.plot([left, right], [mean - 273.15] * 2, color=INK)
         panel.annotate(
@@ -184,6 +181,16 @@ def _temperatures_of_segments(panel: Axes, case: SegmentCase, result: Result) ->
         )  # fmt: skip
     low, high = panel.get_ylim()
     panel.set_ylim(low, high + 0.12 * (high - low))
+
+
+def _of_segment(result: Result, place: int) -> tuple[float, float, float]:
+    """Temperature at the inlet of a segment, its mean, and at its outlet, K."""
+    at = result.values
+    return (
+        at[f"segment_{place}_inlet_temperature"],
+        at[f"segment_{place}_mean_temperature"],
+        at[f"segment_{place}_outlet_temperature"],
+    )
 
 
 def _heat_split(result: Result) -> Figure:
@@ -222,12 +229,9 @@ def _beside(case: SegmentCase, result: Result) -> Figure:
         eccentricities, pressure, outlet = _swept(one)
         left.plot(eccentricities, pressure, color=colour, linestyle=line, label=name)
         right.plot(pressure, outlet, color=colour, linestyle=line)
-    mark(left, result.eccentricity_ratio, in_engineers_unit("specific_load", np.array(result.specific_load)))
-    mark(
-        right,
-        in_engineers_unit("specific_load", np.array(result.specific_load)),
-        result.outlet_temperature - 273.15,
-    )
+    pressure_here, outlet_here = 1e-6 * result.specific_load, result.outlet_temperature - 273.15
+    mark(left, result.eccentricity_ratio, pressure_here)
+    mark(right, pressure_here, outlet_here)
     left.legend(frameon=False, fontsize=7, loc="upper left")
     left.set(xlabel=axis_label(QUANTITIES["eccentricity_ratio"]), ylabel=axis_label(QUANTITIES["specific_load"]))
     right.set(xlabel=axis_label(QUANTITIES["specific_load"]), ylabel=axis_label(QUANTITIES["outlet_temperature"]))

@@ -15,7 +15,7 @@ from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import duty_values, limit_values, oil_values
 from babbitt.lubricants import PowerLaw
 from babbitt.notices import EXPLANATIONS, Notice
-from babbitt.results import Matrix, Outcome, Result
+from babbitt.results import Check, Matrix, Outcome, Result
 from babbitt.segments.beside import Beside, beside
 from babbitt.segments.model import GrooveKind, SegmentCase
 from babbitt.segments.solve import SegmentFilmState, film_at_eccentricity, film_under_load
@@ -47,7 +47,9 @@ def segments_check(case: SegmentCase) -> Result:
     start = perf_counter()
     outcome, capacity, state = _solved(case)
     values: dict[str, float] = {}
-    checks, not_made, warnings = (), (), case.doubts
+    checks: tuple[Check, ...] = ()
+    not_made: tuple[Notice, ...] = ()
+    warnings = case.doubts
     arrays: dict[str, Matrix] = {}
     if state is not None:
         values, arrays = _values(case, state), _arrays(state)
@@ -191,7 +193,7 @@ def _doubts(
     state: SegmentFilmState,
     plain: Beside | None,
     values: dict[str, float],
-    checks: tuple[object, ...],
+    checks: tuple[Check, ...],
 ) -> Iterator[Notice]:
     yield from case.doubts
     if case.film.clearance / case.film.radius > 0.005:
@@ -208,7 +210,7 @@ def _doubts(
                 f"{combined * 1e6:.3g} µm",
             )
     yield from doubts_about_film(case, values)
-    yield from doubts_about_running(case, values, checks)  # type: ignore[arg-type]
+    yield from doubts_about_running(case, values, checks)
 
 
 def _doubts_about_groove(case: SegmentCase, state: SegmentFilmState, plain: Beside) -> Iterator[Notice]:
@@ -227,7 +229,7 @@ def _doubts_about_groove(case: SegmentCase, state: SegmentFilmState, plain: Besi
         if ahead > 1.0 and cut is not None:
             yield Notice(
                 "W136",
-                f"load {ahead:.2f} of the ungrooved film, {state.load / cut.load:.2f} of that cut at the same angle",
+                f"load {ahead:.2f} of the ungrooved film, {state.load / cut.load:.2f} of that cut at its angle",
             )
 
 
@@ -239,8 +241,8 @@ def _doubts_about_temperature(case: SegmentCase, state: SegmentFilmState) -> Ite
     if min(reached) < coldest or max(reached) > hottest:
         yield Notice(
             "W107",
-            f"the film runs from {_celsius(min(reached))} to {_celsius(max(reached))} °C; {case.lubricant.name} is "
-            f"described from {_celsius(coldest)} to {_celsius(hottest)} °C",
+            f"the film runs from {_celsius(min(reached))} to {_celsius(max(reached))} °C; "
+            f"{case.lubricant.name} is described from {_celsius(coldest)} to {_celsius(hottest)} °C",
         )
 
 
@@ -253,7 +255,7 @@ def _assumptions(case: SegmentCase) -> Iterator[str]:
     yield "One mean temperature for each segment; the oil enters the film with the supply temperature."
     yield "The effective temperature is the mean over the segments by their angle; nothing is computed with it."
     if case.groove is not None:
-        yield "Angles of film and groove count from the widest gap in the direction of rotation, not from the load."
+        yield "Angles of film and groove count from the widest gap with the rotation, not from the load."
         yield "The oil in the groove is not sheared; the mixing factor is not published."
     if case.compliance:
         yield "The wall yields to the pressure at the same place only (independent columns)."
@@ -261,7 +263,7 @@ def _assumptions(case: SegmentCase) -> Iterator[str]:
     if isinstance(law, PowerLaw):
         viscosity = case.lubricant.kinematic_viscosity(323.15)
         if GAP_OF_CLASSES[0] <= viscosity <= GAP_OF_CLASSES[1]:
-            yield "Exponents are published below 20 and above 30 mm²/s at 50 °C; between, the given one is a guess."
+            yield "Exponents are published below 20 and above 30 mm²/s at 50 °C; the given one lies between."
 
 
 def _settings(case: SegmentCase) -> dict[str, str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass, field, replace
 from enum import Enum
@@ -26,7 +27,8 @@ FEWEST_CELLS = 180
 class GrooveKind(Enum):
     """Whether the ends of a groove are open, and so where its pressure comes from.
 
-    THROUGH is open at both ends, or fed at a given pressure; BLIND is closed, its pressure follows from continuity.
+    THROUGH is open at both ends, or fed at a given pressure; BLIND is closed, its pressure follows
+    from continuity.
     """
 
     THROUGH = "through"
@@ -169,7 +171,7 @@ def complaints_about_profile(profile: tuple[tuple[float, float], ...]) -> list[s
     angles = [angle for angle, _ in profile]
     if len(profile) < 8:
         found.append(f"profile needs at least 8 points, given {len(profile)}")
-    if any(late <= early for early, late in zip(angles, angles[1:], strict=False)):
+    if any(late <= early for early, late in itertools.pairwise(angles)):
         found.append("the angles of the profile must rise")
     if angles[0] < 0.0 or angles[-1] >= 2.0 * math.pi:
         found.append("the angles of the profile must lie from 0 to below 360 deg")

@@ -1,4 +1,4 @@
-"""Both segments, the groove between them and the compliant wall in equilibrium, at an eccentricity or under a load."""
+"""Both segments, the groove between them and the compliant wall in equilibrium."""
 
 from __future__ import annotations
 
@@ -39,7 +39,8 @@ BEYOND_CONTACT = tuple(np.arange(1.0, 1.2001, 0.01).tolist())
 class SegmentState:
     """One segment in equilibrium, SI.
 
-    `pressure_start` and `pressure_end` in Pa, `friction_power` A and `heat` in W, temperatures in K, `flow` in m³/s.
+    `pressure_start` and `pressure_end` in Pa, `friction_power` A and `heat` in W, temperatures in K, `flow` in
+    m³/s.
     """
 
     segment: Segment
@@ -58,8 +59,8 @@ class SegmentState:
 class SegmentFilmState:
     """A film of one or two segments in equilibrium, SI; arrays over the nodes of `grid`.
 
-    `fed_from_groove` tells whether the blind groove had too little oil to close its continuity (its pressure is then
-    0); `residuals` holds the last changes of temperature (K) and displacement (m).
+    `short_of_oil` tells whether the blind groove had too little oil to close its continuity (its pressure is
+    then 0); `residuals` holds the last changes of temperature (K) and displacement (m).
     """
 
     film: SegmentFilm
@@ -188,8 +189,8 @@ def film_at_eccentricity(
 def film_under_load(film: SegmentFilm, load: float) -> SegmentFilmState:
     """The film that carries a load, with the least eccentricity that does.
 
-    The load passes a maximum as the film heats up: the eccentricity is raised to the first film that carries it, then
-    bisected, never bracketed from above.
+    The load passes a maximum as the film heats up: the eccentricity is raised to the first film that carries it,
+    then bisected, never bracketed from above.
 
     Raises
     ------
@@ -198,7 +199,8 @@ def film_under_load(film: SegmentFilm, load: float) -> SegmentFilmState:
     """
     if not 0.0 < load < math.inf:
         raise InputError("E003", f"load must be above 0, given {load!r}")
-    best, below, state = 0.0, 1e-6, None
+    best, below = 0.0, 1e-6
+    state: SegmentFilmState | None = None
     for eccentricity in (*SCAN, *(BEYOND_CONTACT if film.compliance else ())):
         try:
             state = film_at_eccentricity(film, eccentricity, state)
@@ -208,18 +210,26 @@ def film_under_load(film: SegmentFilm, load: float) -> SegmentFilmState:
             break
         best = max(best, state.load)
         if state.load >= load:
-            near = state
-            root = find_root(lambda e: film_at_eccentricity(film, e, near).load - load, below, eccentricity, 1e-9)
-            return film_at_eccentricity(film, root.value, near)
+            return _between(film, load, below, state)
         below = eccentricity
     raise NoFilmError(Outcome.OVERLOADED, best)
+
+
+def _between(film: SegmentFilm, load: float, below: float, above: SegmentFilmState) -> SegmentFilmState:
+    """The film that carries a load between an eccentricity that does not and a state that does."""
+
+    def excess(eccentricity: float) -> float:
+        return film_at_eccentricity(film, eccentricity, above).load - load
+
+    root = find_root(excess, below, above.eccentricity_ratio, 1e-9)
+    return film_at_eccentricity(film, root.value, above)
 
 
 def _rigid(film: SegmentFilm, grid: Grid, eccentricity_ratio: float) -> Array:
     if not film.profile:
         return np.asarray(1.0 + eccentricity_ratio * grid.cosine)
     angles, thickness = np.array(film.profile).T
-    return np.interp(grid.angles, angles, thickness, period=2.0 * math.pi) / film.clearance
+    return np.asarray(np.interp(grid.angles, angles, thickness, period=2.0 * math.pi) / film.clearance)
 
 
 def _segments(
