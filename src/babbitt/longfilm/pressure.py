@@ -99,7 +99,8 @@ def divergence_form(gap: Gap, viscosity: Array) -> Pressure:
     at_rupture = ends[last]
     nodes = np.zeros(gap.nodes.size)
     nodes[1 : last + 1] = 6.0 * gap.step * (couette[:last] - at_rupture * poiseuille[:last])
-    angle, full = _rupture(nodes, last, gap.step)
+    slopes = (gap.sectors - at_rupture) * weight
+    angle, full = _rupture(slopes, last, gap.step)
     return Pressure(nodes, np.full(gap.sectors.size, 0.5 * at_rupture), angle, full)
 
 
@@ -123,14 +124,16 @@ def published_form(gap: Gap, viscosity: Array) -> Pressure:
     nodes[1 : last + 1] = known[:last] + firsts[last] * unit[:last]
     sector = 0.5 * (viscosity[1:] + viscosity[:-1])
     flow = 0.5 * gap.sectors - gap.sectors**3 / (12.0 * sector) * np.diff(nodes) / step
-    angle, full = _rupture(nodes, last, step)
+    angle, full = _rupture((source + firsts[last]) / weight, last, step)
     return Pressure(nodes, flow, angle, full)
 
 
-def _rupture(nodes: Array, last: int, step: float) -> tuple[float, Array]:
-    """Rupture angle from ``P ~ (θ_r - θ)²`` through the last positive pressures; full share of the sectors."""
-    before, behind = math.sqrt(max(nodes[last - 1], 0.0)), math.sqrt(max(nodes[last], 0.0))
-    beyond = behind / (before - behind) if before > 2.0 / 3.0 * behind else 1.0
-    angle = (last + min(beyond, 2.0)) * step
-    full = np.clip(angle / step - np.arange(nodes.size - 1), 0.0, 1.0)
-    return angle, full
+def _rupture(slopes: Array, last: int, step: float) -> tuple[float, Array]:
+    """Angle at which the slope of the pressure vanishes, between the middles of two sectors; full share of all.
+
+    The slopes go on behind the rupture as if the film did. Their zero moves without a jump when the film breaks in
+    another sector, so that the iteration between film and temperature has no edge to hang on.
+    """
+    before, behind = float(slopes[last]), float(slopes[last + 1])
+    place = last + 0.5 + (before / (before - behind) if before < 0.0 < behind else 0.0)
+    return place * step, np.clip(place - np.arange(slopes.size), 0.0, 1.0)
