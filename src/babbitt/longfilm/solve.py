@@ -24,6 +24,9 @@ RELAXATION = 0.85
 TEMPERATURE_TOLERANCE, LOAD_TOLERANCE = 1e-4, 1e-6
 """In K between two iterations, and of the load."""
 
+LARGEST_CHANGE = 40.0
+"""K; a cold film heats itself far beyond its equilibrium in one step, out of the range of any oil."""
+
 LARGEST_SHARE = 2.0
 """Of the last step that the mixing may take back or repeat."""
 
@@ -227,7 +230,7 @@ def _iterated(
                 film, gap, viscosity, pressure, sectors, found, along, across, count, done, change
             )
         before = load
-        assumed = mixing.next(assumed, found.film - assumed)
+        assumed = mixing.next(assumed, np.clip(found.film - assumed, -LARGEST_CHANGE, LARGEST_CHANGE))
     raise AssertionError("unreachable")
 
 

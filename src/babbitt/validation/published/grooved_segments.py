@@ -22,8 +22,6 @@ if TYPE_CHECKING:
 ZERO = 273.15
 CELLS = 2000
 ANGLES = (135, 150, 165)
-OILS = ((19.5, 2.2), (12.0, 1.9), (28.0, 2.6), (45.0, 2.8))
-"""Viscosity at 50 °C in mPa s and exponent: the assumed oil, and others of the published classes."""
 
 
 def oil(viscosity: float, exponent: float) -> Lubricant:
