@@ -163,7 +163,9 @@ def conducting_bush_ratio_180(mode, speed, eccentricity):
     """On the published number of sectors."""
     bush = film(mode, speed, exchange=HeatExchange(bush=BushRing(0.09, 100.0)), cells=180)
     plain = film(mode, speed, cells=180)
-    return film_at_eccentricity(bush, eccentricity).load_along / film_at_eccentricity(plain, eccentricity).load_along
+    return (
+        film_at_eccentricity(bush, eccentricity).load_along / film_at_eccentricity(plain, eccentricity).load_along
+    )
 
 
 @pytest.mark.parametrize("mode", [MEAN, LITERAL])

@@ -245,5 +245,7 @@ def _failure(case: LongFilmCase, outcome: Outcome, capacity: float | None, state
             f"after {state.iterations} iterations the temperature still changed by {state.residual:.3g} K; the "
             f"film then broke at {angle:.1f}°"
         )
+    elif outcome is Outcome.NOT_CONVERGED and not case.discretisation.conserves_flow:
+        far = f"the local flow of {case.discretisation.value} is not positive in every sector: no heat balance"
     remedy = EXPLANATIONS[outcome.code].remedy
     return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"
