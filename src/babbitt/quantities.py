@@ -233,7 +233,7 @@ QUANTITIES: dict[str, Quantity] = {
         _q("wall_time", "t", "s", "s", 3, "Time taken"),
         # films of one dimension
         _q("rupture_angle", "θ_r", "rad", "deg", 4, "Angle of rupture from the widest gap"),
-        _q("narrow_zone", "Δθ", "rad", "deg", 3, "Angle over which h < 1.1 h_min"),
+        _q("narrow_zone", "Δθ", "rad", "deg", 3, "Angle over which the film is within 1.1 h_min"),
         _q("load_along_eccentricity", "F_c", "N", "kN", 4, "Load along the line of centres"),
         _q("load_across_eccentricity", "F_s", "N", "kN", 4, "Load normal to the line of centres"),
         _q("relative_load", "W_pr", "1", "", 4, "Load along the line of centres over B D times 101 325 Pa"),

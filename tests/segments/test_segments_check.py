@@ -61,7 +61,7 @@ def codes(result):
         ({"start": math.pi}, "start must lie from 0 to below 180 deg"),
         (
             {"groove": Groove(2.6, -1e-3, GrooveKind.BLIND)},
-            "width of the groove must not be negative, given -0.001",
+            "width of the groove must not be negative",
         ),
         ({"groove": Groove(0.01, 6e-3, GrooveKind.BLIND)}, "does not lie inside the film"),
         ({"groove": Groove(2.6, 0.5, GrooveKind.BLIND)}, "does not lie inside the film"),
@@ -133,8 +133,7 @@ def test_blind_groove_without_enough_oil():
         ({"duty": GivenEccentricity(0.97)}, "W107"),
         ({"duty": GivenEccentricity(0.97)}, "W116"),
         ({"bearing": SegmentBearing(0.1, 0.07, 0.011)}, "W131"),
-        ({"duty": GivenEccentricity(0.98), "bearing": SegmentBearing(0.1, 0.07, 1.53e-3, roughness=(6.3e-7, 3.2e-7))},
-         "W135"),
+        ({"duty": GivenEccentricity(0.98), "bearing": replace(PLAIN.bearing, roughness=(6.3e-7, 3.2e-7))}, "W135"),
     ],
 )  # fmt: skip
 def test_doubts(change, code):

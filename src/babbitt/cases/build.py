@@ -42,10 +42,11 @@ def design_cases(case: Case) -> tuple[AnyDesign, ...]:
         In the order of the file; empty for the statics of a shaft. Names are ``Bearing``, ``Bearing [point]``,
         ``Bearing (minimum clearance)``, ``Bearing [point] (minimum clearance)``.
     """
-    return tuple(design for bearing in bearings_of(case) for design in _by_method(bearing, case))
+    return tuple(design for bearing in bearings_of(case) for design in design_cases_of(bearing, case))
 
 
-def _by_method(bearing: JournalBearing, case: Case) -> tuple[AnyDesign, ...]:
+def design_cases_of(bearing: JournalBearing, case: Case) -> tuple[AnyDesign, ...]:
+    """Design cases of one bearing of a case, by the method that it names."""
     match bearing.method:
         case "film":
             return film_cases(bearing, case)
