@@ -43,8 +43,8 @@ LONG_FILM = (
     "and made to conserve the flow by Babbitt (`babbitt validate long_film_table`)."
 )
 SEGMENTS = (
-    "Heat balance by segments: a published method for a bearing with a groove in the loaded zone, reconstructed by "
-    "Babbitt (`babbitt validate grooved_segments`)."
+    "Heat balance by segments: a published method for a bearing with a groove in the loaded zone, reconstructed "
+    "by Babbitt (`babbitt validate grooved_segments`)."
 )
 VISCOSITY = "ASTM D341: Viscosity-temperature equations and charts for liquid petroleum or hydrocarbon products."
 
