@@ -18,7 +18,8 @@ from babbitt.design.values import duty_values, limit_values, oil_values
 from babbitt.longfilm.mean_temperature import mean_temperature_film
 from babbitt.longfilm.model import COARSE_BELOW, LongFilmCase, NusseltLaw
 from babbitt.longfilm.pressure import circle
-from babbitt.longfilm.solve import LongFilmState, film_at_eccentricity, film_under_load
+from babbitt.longfilm.solve import film_at_eccentricity, film_under_load
+from babbitt.longfilm.state import LongFilmState
 from babbitt.notices import EXPLANATIONS, Notice
 from babbitt.results import Check, Matrix, Outcome, Result
 

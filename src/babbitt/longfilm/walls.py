@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.design.heat_balance import NoFilmError
-from babbitt.longfilm.model import ExchangeZone, LongFilm
+from babbitt.longfilm.model import Discretisation, ExchangeZone, LongFilm
 from babbitt.longfilm.pressure import Gap, Pressure
 from babbitt.notices import InputError
 from babbitt.results import Outcome
@@ -94,7 +94,7 @@ def sectors_of(film: LongFilm, gap: Gap, pressure: Pressure, viscosity: Array, t
 def flow_of(film: LongFilm, pressure: Pressure) -> Array:
     """Circumferential flow in m³/s that carries the heat of every sector, as the discretisation has it."""
     scale = film.clearance * film.surface_speed * film.width
-    if film.discretisation.value == "published_mean":
+    if film.discretisation is Discretisation.PUBLISHED_MEAN:
         mean = float(pressure.flow @ pressure.full) / float(pressure.full.sum())
         return np.full(pressure.flow.size, scale * mean)
     return scale * pressure.flow

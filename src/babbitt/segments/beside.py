@@ -10,7 +10,8 @@ from dataclasses import dataclass
 
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.segments.model import SegmentFilm
-from babbitt.segments.solve import SegmentFilmState, film_at_eccentricity, film_under_load
+from babbitt.segments.solve import film_at_eccentricity, film_under_load
+from babbitt.segments.state import SegmentFilmState
 
 
 @dataclass(frozen=True)

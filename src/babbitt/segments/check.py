@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from time import perf_counter
 
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
-from babbitt.design.conditions import GivenEccentricity, GivenLoad
-from babbitt.design.doubts import doubts_about_film, doubts_about_running
+from babbitt.design.conditions import GivenLoad
 from babbitt.design.effective import EffectiveFilm
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.design.screening import recommended_relative_clearance
@@ -17,19 +16,15 @@ from babbitt.lubricants import PowerLaw
 from babbitt.notices import EXPLANATIONS, Notice
 from babbitt.results import Check, Matrix, Outcome, Result
 from babbitt.segments.beside import Beside, beside
-from babbitt.segments.model import GrooveKind, SegmentCase
-from babbitt.segments.solve import SegmentFilmState, film_at_eccentricity, film_under_load
+from babbitt.segments.doubts import doubts
+from babbitt.segments.model import SegmentCase
+from babbitt.segments.solve import film_at_eccentricity, film_under_load
+from babbitt.segments.state import SegmentFilmState
 
 METHOD = "segments"
 
-POWER_LAW_RANGE = (293.15, 393.15)
-"""K, 20 to 120 °C: where the source uses the power law of viscosity."""
-
 GAP_OF_CLASSES = (20e-6, 30e-6)
 """ν50 in m²/s between the two classes for which the source gives exponents."""
-
-ROUGHNESS_FACTOR = 3.0
-"""Least film over the combined roughness sqrt(Ra_B² + Ra_J²) that is not doubted."""
 
 
 def segments_check(case: SegmentCase) -> Result:
@@ -58,7 +53,7 @@ def segments_check(case: SegmentCase) -> Result:
             values |= _values_beside(state, plain)
             checks = (*limit_checks(case, values), clearance_check(case, values))
             not_made = checks_not_made(case, values)
-            warnings = tuple(_doubts(case, state, plain, values, checks))
+            warnings = tuple(doubts(case, state, plain, values, checks))
         values["iterations"] = float(state.iterations)
     values = {name: float(value) for name, value in values.items()} | {"wall_time": perf_counter() - start}
     return Result(
@@ -188,68 +183,6 @@ def _arrays(state: SegmentFilmState) -> dict[str, Matrix]:
     return {name: (tuple(float(one) for one in field),) for name, field in fields.items()}
 
 
-def _doubts(
-    case: SegmentCase,
-    state: SegmentFilmState,
-    plain: Beside | None,
-    values: dict[str, float],
-    checks: tuple[Check, ...],
-) -> Iterator[Notice]:
-    yield from case.doubts
-    if case.film.clearance / case.film.radius > 0.005:
-        yield Notice("W131", f"c/R = {case.film.clearance / case.film.radius:.3g} > 0.005")
-    if plain is not None:
-        yield from _doubts_about_groove(case, state, plain)
-    yield from _doubts_about_temperature(case, state)
-    if case.bearing.roughness is not None:
-        combined = math.hypot(*case.bearing.roughness)
-        if values["minimum_film_thickness"] < ROUGHNESS_FACTOR * combined:
-            yield Notice(
-                "W135",
-                f"h_min = {values['minimum_film_thickness'] * 1e6:.3g} µm < {ROUGHNESS_FACTOR:g} x "
-                f"{combined * 1e6:.3g} µm",
-            )
-    yield from doubts_about_film(case, values)
-    yield from doubts_about_running(case, values, checks)
-
-
-def _doubts_about_groove(case: SegmentCase, state: SegmentFilmState, plain: Beside) -> Iterator[Notice]:
-    ungrooved = plain.same_load
-    if ungrooved is not None and state.outlet_temperature > ungrooved.outlet_temperature:
-        yield Notice(
-            "W133",
-            f"under the same load {_celsius(state.outlet_temperature)} °C leave the last segment with the groove, "
-            f"{_celsius(ungrooved.outlet_temperature)} °C without; eccentricity {state.eccentricity_ratio:.3f} "
-            f"instead of {ungrooved.eccentricity_ratio:.3f}",
-        )
-    if state.short_of_oil:
-        yield Notice("W134", "more oil could leave the blind groove than enters it; its pressure was taken as 0")
-    elif case.groove is not None and case.groove.kind is GrooveKind.BLIND and plain.same_gap is not None:
-        ahead, cut = state.load / plain.same_gap.load, plain.cut_same_gap
-        if ahead > 1.0 and cut is not None:
-            yield Notice(
-                "W136",
-                f"load {ahead:.2f} of the ungrooved film, {state.load / cut.load:.2f} of that cut at its angle",
-            )
-
-
-def _doubts_about_temperature(case: SegmentCase, state: SegmentFilmState) -> Iterator[Notice]:
-    coldest, hottest = case.lubricant.temperature_range
-    if isinstance(case.lubricant.viscosity_law, PowerLaw):
-        coldest, hottest = POWER_LAW_RANGE
-    reached = [t for one in state.segments for t in (one.inlet_temperature, one.outlet_temperature)]
-    if min(reached) < coldest or max(reached) > hottest:
-        yield Notice(
-            "W107",
-            f"the film runs from {_celsius(min(reached))} to {_celsius(max(reached))} °C; "
-            f"{case.lubricant.name} is described from {_celsius(coldest)} to {_celsius(hottest)} °C",
-        )
-
-
-def _celsius(temperature: float) -> str:
-    return f"{temperature - 273.15:.0f}"
-
-
 def _assumptions(case: SegmentCase) -> Iterator[str]:
     yield "Infinitely long film: no oil leaves at the sides but through the groove. Adiabatic walls, laminar film."
     yield "One mean temperature for each segment; the oil enters the film with the supply temperature."
@@ -290,7 +223,7 @@ def _failure(case: SegmentCase, outcome: Outcome, capacity: float | None, state:
             f"after {state.iterations} iterations temperatures still changed by {warm:.3g} K, the wall by "
             f"{bent * 1e6:.3g} µm"
         )
-    elif isinstance(case.duty, GivenEccentricity):
-        far = f"at ε = {case.duty.eccentricity_ratio:g} the film has no point of rupture, or no flow"
+    elif outcome is Outcome.NOT_CONVERGED:
+        far = "the film has no point of rupture, or no oil flows through it"
     remedy = EXPLANATIONS[outcome.code].remedy
     return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.design.heat_balance import NoFilmError
-from babbitt.design.oil import properties_at
-from babbitt.design.roots import bracketed_root, find_root
+from babbitt.design.roots import find_root
 from babbitt.notices import InputError
 from babbitt.results import Outcome
-from babbitt.segments.model import GrooveKind, SegmentFilm
-from babbitt.segments.pressure import Gap, Grid, Segment, between, to_rupture
+from babbitt.segments.balance import pressure_of, segments_of
+from babbitt.segments.model import SegmentFilm
+from babbitt.segments.pressure import Gap, Grid
+from babbitt.segments.state import SegmentFilmState
 
 Array = NDArray[np.float64]
 
@@ -33,95 +33,6 @@ GREATEST_ECCENTRICITY = 0.995
 SCAN = tuple(np.concatenate((np.arange(0.02, 0.9, 0.04), np.arange(0.9, 0.996, 0.01))).tolist())
 BEYOND_CONTACT = tuple(np.arange(1.0, 1.2001, 0.01).tolist())
 """Eccentricity ratios that only a compliant wall allows."""
-
-
-@dataclass(frozen=True, eq=False)
-class SegmentState:
-    """One segment in equilibrium, SI.
-
-    `pressure_start` and `pressure_end` in Pa, `friction_power` A and `heat` in W, temperatures in K, `flow` in
-    m³/s.
-    """
-
-    segment: Segment
-    viscosity: float
-    flow: float
-    friction_power: float
-    heat: float
-    pressure_start: float
-    pressure_end: float
-    inlet_temperature: float
-    mean_temperature: float
-    outlet_temperature: float
-
-
-@dataclass(frozen=True, eq=False)
-class SegmentFilmState:
-    """A film of one or two segments in equilibrium, SI; arrays over the nodes of `grid`.
-
-    `short_of_oil` tells whether the blind groove had too little oil to close its continuity (its pressure is
-    then 0); `residuals` holds the last changes of temperature (K) and displacement (m).
-    """
-
-    film: SegmentFilm
-    eccentricity_ratio: float
-    grid: Grid
-    film_thickness: Array
-    film_pressure: Array
-    segments: tuple[SegmentState, ...]
-    groove_pressure: float
-    short_of_oil: bool
-    iterations: int
-    converged: bool
-    residuals: tuple[float, float]
-
-    @property
-    def load_along(self) -> float:
-        """Load along the eccentricity, N."""
-        return -self._force(self.grid.cosine)
-
-    @property
-    def load_across(self) -> float:
-        """Load normal to the eccentricity, N."""
-        return self._force(self.grid.sine)
-
-    def _force(self, direction: Array) -> float:
-        return self.film.radius * self.film.width * float(self.grid.weights @ (self.film_pressure * direction))
-
-    @property
-    def load(self) -> float:
-        """Resultant in N."""
-        return math.hypot(self.load_along, self.load_across)
-
-    @property
-    def specific_load(self) -> float:
-        """Load over D L, Pa."""
-        return self.load / (self.film.diameter * self.film.width)
-
-    @property
-    def attitude_angle(self) -> float:
-        """From the load to the narrowest gap, rad."""
-        return math.atan2(self.load_across, self.load_along)
-
-    @property
-    def friction_power(self) -> float:
-        """Of all segments, W."""
-        return sum(one.friction_power for one in self.segments)
-
-    @property
-    def outlet_temperature(self) -> float:
-        """Of the last segment, K."""
-        return self.segments[-1].outlet_temperature
-
-    @property
-    def groove_side_flow(self) -> float:
-        """Q1 - Q2: what leaves at the ends of the groove; negative: what it must be given. 0 without groove."""
-        return self.segments[0].flow - self.segments[-1].flow
-
-    def width_of_narrow_zone(self, factor: float = 1.1) -> float:
-        """Angle over which the film is thinner than `factor` times its thinnest, rad."""
-        thin = self.film_thickness < factor * float(self.film_thickness.min())
-        return float(self.grid.weights[thin].sum())
 
 
 def film_at_eccentricity(
@@ -163,8 +74,8 @@ def film_at_eccentricity(
             if not thickness.min() > 0.0:
                 raise NoFilmError(Outcome.NOT_CONVERGED)
             gap = Gap.of(grid, thickness)
-        segments, groove_pressure, short = _segments(film, grid, gap, means)
-        pressure = _pressure(film, grid, segments, groove_pressure)
+        segments, groove_pressure, short = segments_of(film, grid, gap, means)
+        pressure = pressure_of(film, grid, segments, groove_pressure)
         change = np.array([one.mean_temperature for one in segments]) - means
         strain = film.compliance * pressure - displaced
         off, bent = float(np.abs(change).max()), float(np.abs(strain).max())
@@ -230,96 +141,3 @@ def _rigid(film: SegmentFilm, grid: Grid, eccentricity_ratio: float) -> Array:
         return np.asarray(1.0 + eccentricity_ratio * grid.cosine)
     angles, thickness = np.array(film.profile).T
     return np.asarray(np.interp(grid.angles, angles, thickness, period=2.0 * math.pi) / film.clearance)
-
-
-def _segments(
-    film: SegmentFilm, grid: Grid, gap: Gap, means: Array
-) -> tuple[tuple[SegmentState, ...], float, bool]:
-    """Segments at given mean temperatures, the pressure of the groove and whether it is short of oil."""
-    end = grid.angles.size - 1
-    viscosity, capacity = [], []
-    for mean in means:
-        _, eta, heat_capacity = properties_at(film.lubricant, float(mean))
-        viscosity.append(eta)
-        capacity.append(heat_capacity)
-    unit = [eta * film.surface_speed * film.radius / film.clearance**2 for eta in viscosity]
-    if film.groove is None:
-        only = _ruptured(gap, grid, 0, end, 0.0)
-        return (
-            (_warmed(film, only, unit[0], viscosity[0], capacity[0], 0.0, 0.0, film.supply_temperature),),
-            0.0,
-            False,
-        )
-
-    def first(pressure: float) -> Segment:
-        found = between(gap, grid, 0, grid.before, pressure / unit[0])
-        return found if found is not None else _ruptured(gap, grid, 0, grid.before, 0.0)
-
-    def second(pressure: float) -> Segment:
-        return _ruptured(gap, grid, grid.behind, end, pressure / unit[1])
-
-    groove, short = film.groove, False
-    pressure = groove.pressure
-    if groove.kind is GrooveKind.BLIND:
-        pressure, short = _blind_pressure(gap, grid, unit)
-    before, behind = first(pressure), second(pressure)
-    at_groove = 0.0 if before.ruptures else pressure
-    leading = _warmed(film, before, unit[0], viscosity[0], capacity[0], 0.0, at_groove, film.supply_temperature)
-    inlet = leading.outlet_temperature
-    if groove.kind is GrooveKind.THROUGH:
-        fresh = max(groove.mixing_factor, 1.0 - before.flow / behind.flow)
-        inlet = fresh * film.supply_temperature + (1.0 - fresh) * inlet
-    trailing = _warmed(film, behind, unit[1], viscosity[1], capacity[1], pressure, 0.0, inlet)
-    return (leading, trailing), pressure, short
-
-
-def _blind_pressure(gap: Gap, grid: Grid, unit: list[float]) -> tuple[float, bool]:
-    """Pressure in Pa at which as much oil enters a blind groove as leaves it; 0 where more could leave."""
-    end = grid.angles.size - 1
-
-    def excess(pressure: float) -> float:
-        entering = between(gap, grid, 0, grid.before, pressure / unit[0])
-        if entering is None:
-            entering = _ruptured(gap, grid, 0, grid.before, 0.0)
-        leaving = to_rupture(gap, grid, grid.behind, end, pressure / unit[1])
-        thick = float(gap.thickness[-1]) if leaving is None else -leaving.constant / 6.0
-        return entering.flow - 0.5 * thick
-
-    if excess(0.0) <= 0.0:
-        return 0.0, True
-    highest = 6.0 * float(gap.twice[grid.before]) * unit[0]  # no oil enters any more
-    return bracketed_root(excess, 0.0, highest, relative=1e-12), False
-
-
-def _ruptured(gap: Gap, grid: Grid, first: int, last: int, at_start: float) -> Segment:
-    found = to_rupture(gap, grid, first, last, at_start)
-    if found is None:
-        raise NoFilmError(Outcome.NOT_CONVERGED)
-    return found
-
-
-def _warmed(
-    film: SegmentFilm, segment: Segment, unit: float, viscosity: float, capacity: float,
-    before: float, behind: float, inlet: float,
-) -> SegmentState:  # fmt: skip
-    """Heat balance of one segment between the pressures (Pa) at its ends: all heat leaves with the oil."""
-    speed = film.surface_speed
-    flow = speed * film.clearance * film.width * segment.flow
-    power = unit * film.clearance * speed * film.width * segment.friction
-    heat = power - flow * (behind - before)
-    if not flow > 0.0:
-        raise NoFilmError(Outcome.NOT_CONVERGED)
-    outlet = inlet + heat / (capacity * flow)
-    return SegmentState(
-        segment, viscosity, flow, power, heat, before, behind, inlet, 0.5 * (inlet + outlet), outlet
-    )
-
-
-def _pressure(film: SegmentFilm, grid: Grid, segments: tuple[SegmentState, ...], in_groove: float) -> Array:
-    pressure = np.zeros(grid.angles.size)
-    if len(segments) == 2:
-        pressure[grid.before : grid.behind + 1] = in_groove
-    for one in segments:
-        unit = one.viscosity * film.surface_speed * film.radius / film.clearance**2
-        pressure[one.segment.first : one.segment.last + 1] = unit * one.segment.pressure
-    return pressure

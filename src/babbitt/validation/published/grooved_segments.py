@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from babbitt.lubricants import ConstantProperty, Lubricant, PowerLaw, ViscosityKind
 from babbitt.segments.model import Groove, GrooveKind, SegmentFilm
-from babbitt.segments.solve import SegmentFilmState, film_at_eccentricity, film_under_load
+from babbitt.segments.solve import film_at_eccentricity, film_under_load
+from babbitt.segments.state import SegmentFilmState
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, MARKERS
 from babbitt.validation.published.long_film_isothermal import exact

@@ -7,7 +7,8 @@ from dataclasses import replace
 from functools import lru_cache
 
 from babbitt.longfilm.model import BushRing, Discretisation, HeatExchange, LongFilm
-from babbitt.longfilm.solve import LongFilmState, film_at_eccentricity
+from babbitt.longfilm.solve import film_at_eccentricity
+from babbitt.longfilm.state import LongFilmState
 from babbitt.lubricants import ConstantProperty, LinearProperty, Lubricant, Walther
 from babbitt.validation.reference_data import reference_data
 
