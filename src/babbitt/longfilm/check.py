@@ -123,7 +123,6 @@ def _values(case: LongFilmCase, state: LongFilmState) -> dict[str, float]:
         "film_flow": state.flow,
         "flow_inconsistency": state.flow_spread,
         "supply_temperature": case.oil_supply.temperature,
-        "supply_pressure": case.oil_supply.pressure,
         "effective_temperature": effective.temperature,
         "rupture_temperature": state.rupture_temperature,
         "outlet_temperature": float(temperatures.film[-1]),

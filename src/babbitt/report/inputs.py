@@ -226,7 +226,8 @@ def _supply(case: AnyDesign) -> Iterator[Row]:
     if supply is None:
         return
     yield _named("supply_temperature", supply.temperature)
-    yield _named("supply_pressure", supply.pressure)
+    if not isinstance(case, LongFilmCase | SegmentCase):  # their pressure drives nothing
+        yield _named("supply_pressure", supply.pressure)
     for kind, ducts in (("Tube", supply.tubes), ("Hole", supply.holes)):
         for duct in ducts:
             yield Row(f"{kind} on the way", _duct(duct))

@@ -118,7 +118,6 @@ def _values(case: SegmentCase, state: SegmentFilmState) -> dict[str, float]:
         "friction_power": state.friction_power,
         "film_flow": first.flow,
         "supply_temperature": case.oil_supply.temperature,
-        "supply_pressure": case.oil_supply.pressure,
         "effective_temperature": mean,
         "outlet_temperature": last.outlet_temperature,
         "maximum_temperature": max(one.outlet_temperature for one in state.segments),
