@@ -8,7 +8,9 @@ from babbitt import __version__
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case, JournalCase, Machine, OverhungCouplingCase, case_hash, design_cases
 from babbitt.cases.build import AnyDesign
+from babbitt.longfilm.model import LongFilmCase
 from babbitt.results import Outcome, Result
+from babbitt.segments.model import SegmentCase
 from babbitt.shafts import bearing_loads
 from babbitt.standards.iso7902 import check as iso7902_check
 
@@ -104,7 +106,7 @@ def solve_design(design: AnyDesign) -> Result:
 
     Parameters
     ----------
-    design : DesignCase or FilmCase
+    design : DesignCase, FilmCase, LongFilmCase or SegmentCase
 
     Returns
     -------
@@ -114,6 +116,14 @@ def solve_design(design: AnyDesign) -> Result:
         from babbitt.bearings.check import film_check  # numba is imported when the first film is solved
 
         return film_check(design)
+    if isinstance(design, LongFilmCase):
+        from babbitt.longfilm.check import long_film_check  # numpy and scipy are imported with the first film
+
+        return long_film_check(design)
+    if isinstance(design, SegmentCase):
+        from babbitt.segments.check import segments_check
+
+        return segments_check(design)
     return iso7902_check(design)
 
 

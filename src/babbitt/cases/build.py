@@ -13,12 +13,15 @@ from babbitt.cases.iso7902_cases import iso7902_case
 from babbitt.cases.joined_inputs import Inputs, Point, inputs
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import Case, JournalCase, Machine
+from babbitt.cases.one_dimension_cases import long_film_case, segment_case
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.part import Part
+from babbitt.longfilm.model import LongFilmCase
+from babbitt.segments.model import SegmentCase
 from babbitt.standards.iso7902.model import DesignCase
 
-AnyDesign = DesignCase | FilmCase
-"""What a method computes: the design case of ISO 7902, or that of the film."""
+AnyDesign = DesignCase | FilmCase | LongFilmCase | SegmentCase
+"""What a method computes: the design case of ISO 7902, of the film, of the long film, or of the segments."""
 
 DesignT = TypeVar("DesignT")
 
@@ -35,15 +38,24 @@ def design_cases(case: Case) -> tuple[AnyDesign, ...]:
 
     Returns
     -------
-    tuple of DesignCase or FilmCase
+    tuple of DesignCase, FilmCase, LongFilmCase or SegmentCase
         In the order of the file; empty for the statics of a shaft. Names are ``Bearing``, ``Bearing [point]``,
         ``Bearing (minimum clearance)``, ``Bearing [point] (minimum clearance)``.
     """
-    return tuple(
-        design
-        for bearing in bearings_of(case)
-        for design in (film_cases(bearing, case) if bearing.method == "film" else iso7902_cases(bearing, case))
-    )
+    return tuple(design for bearing in bearings_of(case) for design in design_cases_of(bearing, case))
+
+
+def design_cases_of(bearing: JournalBearing, case: Case) -> tuple[AnyDesign, ...]:
+    """Design cases of one bearing of a case, by the method that it names."""
+    match bearing.method:
+        case "film":
+            return film_cases(bearing, case)
+        case "long_film":
+            return tuple(_expanded(bearing, case, long_film_case))
+        case "segments":
+            return tuple(_expanded(bearing, case, segment_case))
+        case _:
+            return iso7902_cases(bearing, case)
 
 
 def bearings_of(case: Case) -> tuple[JournalBearing, ...]:

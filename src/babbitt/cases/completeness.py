@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from babbitt.cases import one_dimension
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.materials import Materials
 from babbitt.cases.part import Complaint
@@ -49,6 +50,12 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
     supply = merged(bearing.supply, shared.supply)
     cooling = merged(bearing.cooling, shared.cooling)
     materials = merged(bearing.materials, shared.materials)
+    if bearing.method in one_dimension.METHODS:
+        if supply is None:
+            yield lacks("", "supply", "oil temperature at the inlet, such as {temperature: 50 degC}")
+        elif supply.temperature is None and not _all_give(bearing.operating_points, "supply_temperature"):
+            yield lacks("temperature", "supply", "oil temperature at the inlet such as '50 degC'")
+        return
     if supply is None and cooling is None and bearing.effective_temperature is None:
         yield lacks(
             "",

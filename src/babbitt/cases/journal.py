@@ -8,7 +8,15 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.cases import clearance, cooling, film_rules, film_shape_rules, standard_rules, supply_element
+from babbitt.cases import (
+    clearance,
+    cooling,
+    film_rules,
+    film_shape_rules,
+    one_dimension,
+    standard_rules,
+    supply_element,
+)
 from babbitt.cases.choices import FrictionGiven, LimitsGiven
 from babbitt.cases.clearance import ClearanceGiven
 from babbitt.cases.dynamic_load import DynamicLoadGiven
@@ -28,8 +36,10 @@ from babbitt.cases.film_surface import (
     SidePressure,
     StepGiven,
 )
+from babbitt.cases.heat_exchange import HeatExchangeGiven
 from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
 from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_bare, is_given, rule
+from babbitt.cases.segments import SegmentsGiven
 from babbitt.cases.shared import SharedInputs
 from babbitt.cases.supply_element import SupplyElementGiven, UnevenPockets
 from babbitt.cases.surfaces import SurfacesGiven
@@ -53,8 +63,10 @@ class JournalBearing(Duty, SharedInputs):
 
     kind: Literal["journal"] = Field(description="Circular cylindrical journal bearing.")
     name: Name = Field(description="Name of the bearing in tables and reports.")
-    method: Literal["iso7902", "film"] = Field(
-        "iso7902", description="Method of calculation: the procedure of ISO 7902, or the film in two dimensions."
+    method: Literal["iso7902", "film", "long_film", "segments"] = Field(
+        "iso7902",
+        description="Method of calculation: the procedure of ISO 7902, the film in two dimensions, or one of two "
+        "published models in one dimension: the long film with heat exchange, or its heat balance by segments.",
     )
 
     diameter: Annotated[float, si("m", "1 mm", "3 m")] = Field(description="Nominal bearing inside diameter D.")
@@ -109,6 +121,12 @@ class JournalBearing(Duty, SharedInputs):
         False, description="Stiffness and damping against tilt of the journal, too, by the film method."
     )
     surfaces: SurfacesGiven | None = Field(None, description="Roughness, tilt and waviness of the surfaces.")
+    heat_exchange: HeatExchangeGiven = Field(
+        HeatExchangeGiven(), description="Heat exchange of the long film (method: long_film)."
+    )
+    segments: SegmentsGiven = Field(
+        SegmentsGiven(), description="Groove and wall of the heat balance by segments (method: segments)."
+    )
 
     bearing_speed: Annotated[float, si("rad/s", "-1000000 rpm", "1000000 rpm")] = Field(
         0.0, description="Rotational speed of the bearing, positive counter-clockwise as that of the journal."
@@ -213,7 +231,10 @@ class JournalBearing(Duty, SharedInputs):
 
     @rule
     def _one_load(self) -> Iterator[Complaint]:
-        yield from _one_of(self, LOADS)
+        if self.method == "segments" and self.segments.profile:
+            yield from one_dimension.complaints_about_loads(self)
+        else:
+            yield from _one_of(self, LOADS)
 
     @rule
     def _loads_make_sense(self) -> Iterator[Complaint]:
@@ -280,7 +301,13 @@ class JournalBearing(Duty, SharedInputs):
                     yield told.under("operating_points", index)
 
     @rule
+    def _one_dimension_suffices(self) -> Iterator[Complaint]:
+        yield from one_dimension.complaints_about(self)
+
+    @rule
     def _span_is_known(self) -> Iterator[Complaint]:
+        if self.method in one_dimension.METHODS:
+            return
         if self.method == "film" and (self.hollows() or self.film_starts() is not FilmStart.GROOVE):
             return
         for point in self.operating_points or (None,):
@@ -349,7 +376,7 @@ class JournalBearing(Duty, SharedInputs):
         return self.supply_element if point is None else point.supply_element or self.supply_element
 
     def duties(self) -> Iterator[tuple[tuple[str | int, ...], Duty]]:
-        """Loads and speeds of the bearing and of its operating points, each with its path in the case."""
+        """The bearing and its operating points, with their loads and speeds, each with its path in the case."""
         yield (), self
         for index, point in enumerate(self.operating_points):
             yield ("operating_points", index), point

@@ -171,7 +171,7 @@ class Designed(Protocol):
     @property
     def journal_speed(self) -> float: ...  # noqa: D102
     @property
-    def duty(self) -> Duty: ...  # noqa: D102
+    def duty(self) -> Duty | None: ...  # noqa: D102
     @property
     def bearing_speed(self) -> float: ...  # noqa: D102
 

@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from babbitt.bearings.model import FilmCase
+from babbitt.longfilm.model import LongFilmCase
 from babbitt.notices import EXPLANATIONS
 from babbitt.quantities import QUANTITIES
 from babbitt.report import findings
@@ -21,9 +22,12 @@ from babbitt.report.film_figures import report_figures
 from babbitt.report.inputs import inputs
 from babbitt.report.labels import label
 from babbitt.report.line import Line
+from babbitt.report.one_dimension import METHOD_NAMES, OWN_RESULTS
+from babbitt.report.one_dimension_figures import figures_along_the_film
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_text
 from babbitt.results import Result
+from babbitt.segments.model import SegmentCase
 from babbitt.standards.iso7902.model import DesignCase
 
 Data = dict[str, Any]
@@ -102,6 +106,8 @@ def bearing_content(chapter: Chapter) -> Data:
         drawings = draw(by_standard, result, clearance_range(by_standard))
     elif isinstance(case, FilmCase):
         drawings = report_figures(case, result)
+    elif isinstance(case, LongFilmCase | SegmentCase):
+        drawings = figures_along_the_film(case, result)
     sources = sources_of(chapter.results)
     checks = [check_content(check, sources) for check in solved_checks(result)]
     return {
@@ -147,9 +153,8 @@ def bearing_content(chapter: Chapter) -> Data:
 
 
 def _method(result: Result) -> str:
-    return {"iso7902": "ISO 7902", "film": "Film in two dimensions", "statics": "Statics of the shaft"}.get(
-        result.method, plain_text(result.method)
-    )
+    names = {"iso7902": "ISO 7902", "film": "Film in two dimensions", "statics": "Statics of the shaft"}
+    return (names | METHOD_NAMES).get(result.method, plain_text(result.method))
 
 
 def _outcome(member: Member) -> Data:
@@ -168,7 +173,11 @@ def _outcome(member: Member) -> Data:
 def _key_results(chapter: Chapter) -> list[Data]:
     result = chapter.shown.result
     film = "minimum_film_thickness" in result.values
-    names = KEY_RESULTS if film else tuple(name for name in result.values if name not in NOT_FOR_PAPER)
+    names = (
+        (*KEY_RESULTS, *OWN_RESULTS)
+        if film
+        else tuple(name for name in result.values if name not in NOT_FOR_PAPER)
+    )
     if film and not is_fed(result):
         names = tuple(name for name in names if name not in ("supply_flow", "total_flow"))
     if len(chapter.members) > 1:

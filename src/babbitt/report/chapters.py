@@ -12,8 +12,10 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
+from babbitt.longfilm.model import LongFilmCase
 from babbitt.report.names import split_clearance
 from babbitt.results import Result
+from babbitt.segments.model import SegmentCase
 
 if TYPE_CHECKING:
     from babbitt.cases.build import AnyDesign
@@ -98,6 +100,10 @@ def _belongs(member: Member, before: Member) -> bool:
 
 def _without_clearance(case: AnyDesign) -> AnyDesign:
     if isinstance(case, FilmCase):
+        return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
+    if isinstance(case, LongFilmCase):
+        return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
+    if isinstance(case, SegmentCase):
         return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
     return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
 

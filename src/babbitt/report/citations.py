@@ -7,6 +7,8 @@ from babbitt.bearings.bore import WornBore
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case, design_cases
 from babbitt.film.model import Cavitation
+from babbitt.longfilm.model import LongFilmCase
+from babbitt.segments.model import SegmentCase
 from babbitt.standards.iso7902.model import Curves, DesignCase
 
 BABBITT = f"The Babbitt developers: Babbitt {__version__}, calculation and design of fluid-film bearings, 2026."
@@ -36,6 +38,14 @@ DUFRANE = (
     "operating speeds. "
     "Journal of Lubrication Technology 105 (1983) 313-317."
 )
+LONG_FILM = (
+    "Long film with heat exchange: a published thermo-hydrodynamic model of a gear box bearing, reconstructed "
+    "and made to conserve the flow by Babbitt (`babbitt validate long_film_table`)."
+)
+SEGMENTS = (
+    "Heat balance by segments: a published method for a bearing with a groove in the loaded zone, reconstructed "
+    "by Babbitt (`babbitt validate grooved_segments`)."
+)
 VISCOSITY = "ASTM D341: Viscosity-temperature equations and charts for liquid petroleum or hydrocarbon products."
 
 
@@ -45,10 +55,12 @@ def citations_of(case: Case) -> tuple[str, ...]:
     designs = design_cases(case)
     standard = [design for design in designs if isinstance(design, DesignCase)]
     films = [design for design in designs if isinstance(design, FilmCase)]
+    long_films = [design for design in designs if isinstance(design, LongFilmCase)]
+    segments = [design for design in designs if isinstance(design, SegmentCase)]
     if standard:
         found.append(ISO_7902)
     kinds = {design.curves for design in standard}
-    if Curves.COMPUTED in kinds or films:
+    if Curves.COMPUTED in kinds or films or long_films or segments:
         found.append(REYNOLDS)
     if Curves.CLOSED_FORM in kinds:
         found.append(DIN_31652)
@@ -58,6 +70,10 @@ def citations_of(case: Case) -> tuple[str, ...]:
         found.append(LUND)
     if any(isinstance(film.bearing.bore, WornBore) for film in films):
         found.append(DUFRANE)
+    if long_films:
+        found.append(LONG_FILM)
+    if segments:
+        found.append(SEGMENTS)
     oils = {design.lubricant.name: design.lubricant for design in designs}
     found += [f"{oil.name}: {oil.source}" for oil in oils.values()]
     return tuple(found)

@@ -9,12 +9,15 @@ from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
 from babbitt.cases.build import AnyDesign
+from babbitt.longfilm.model import LongFilmCase
 from babbitt.notices import InputError
 from babbitt.report import painters
 from babbitt.report.drawing import FORMATS, Drawing, rendered, style
 from babbitt.report.film_figures import all_figures
+from babbitt.report.one_dimension_figures import figures_along_the_film
 from babbitt.report.writing import write_whole
 from babbitt.results import Result
+from babbitt.segments.model import SegmentCase
 from babbitt.standards.iso7902.model import DesignCase, GivenLoad
 
 if TYPE_CHECKING:
@@ -115,6 +118,8 @@ def _clearance_caption(clearance: ClearanceRange) -> str:
 def _all_of(case: AnyDesign, result: Result, image_format: str) -> tuple[Drawing, ...]:
     if isinstance(case, FilmCase):
         return all_figures(case, result, image_format)
+    if isinstance(case, LongFilmCase | SegmentCase):
+        return figures_along_the_film(case, result, image_format)
     return draw(case, result, clearance_range(case), image_format)
 
 

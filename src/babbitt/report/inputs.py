@@ -10,6 +10,7 @@ from babbitt.bearings.model import FilmCase
 from babbitt.cases.build import AnyDesign
 from babbitt.design.conditions import GivenPosition
 from babbitt.design.ducts import Duct
+from babbitt.longfilm.model import LongFilmCase
 from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, PowerLaw, Vogel, Walther
 from babbitt.report.expression import Node, number_node, text
 from babbitt.report.film_inputs import (
@@ -22,7 +23,9 @@ from babbitt.report.film_inputs import (
 )
 from babbitt.report.labels import label
 from babbitt.report.line import VOCABULARY, symbol
+from babbitt.report.one_dimension import said_of
 from babbitt.report.text import plain_text
+from babbitt.segments.model import SegmentCase
 from babbitt.standards.iso7902.model import Curves, DesignCase, Friction, GivenEccentricity
 from babbitt.standards.iso7902.supply import (
     Arrangement,
@@ -88,8 +91,12 @@ def inputs(case: AnyDesign) -> tuple[InputGroup, ...]:
     tuple of InputGroup
         Groups that say nothing are left out.
     """
-    geometry = _film_geometry(case) if isinstance(case, FilmCase) else _geometry(case)
-    method = _film_method(case) if isinstance(case, FilmCase) else _method(case)
+    if isinstance(case, LongFilmCase | SegmentCase):
+        geometry, method = _one_dimension_geometry(case), _one_dimension_method(case)
+    elif isinstance(case, FilmCase):
+        geometry, method = _film_geometry(case), _film_method(case)
+    else:
+        geometry, method = _geometry(case), _method(case)
     groups = (
         InputGroup("As given", tuple(Row(plain_text(what), plain_text(words)) for what, words in case.given)),
         InputGroup("Geometry", tuple(geometry)),
@@ -172,6 +179,19 @@ def _film_geometry(case: FilmCase) -> Iterator[Row]:
         yield Row("Pressures at the sides z = -B/2, B/2 (gauge)", sides, None, "kPa")
 
 
+def _one_dimension_geometry(case: LongFilmCase | SegmentCase) -> Iterator[Row]:
+    bearing = case.bearing
+    yield _named("diameter", bearing.diameter)
+    yield _named("width", bearing.width)
+    yield _named("width_ratio", bearing.width_ratio)
+    yield _named("relative_clearance", bearing.relative_clearance)
+
+
+def _one_dimension_method(case: LongFilmCase | SegmentCase) -> Iterator[Row]:
+    for what, words in said_of(case):
+        yield Row(what, words)
+
+
 def _film_method(case: FilmCase) -> Iterator[Row]:
     yield Row("Film", "Reynolds equation in two dimensions, laminar, one viscosity")
     yield Row("Where the film breaks up", CAVITATION[case.cavitation])
@@ -190,7 +210,7 @@ def _operation(case: AnyDesign) -> Iterator[Row]:
             yield _named("attitude_angle", case.duty.attitude_angle, "Prescribed attitude angle")
     elif isinstance(case.duty, GivenPosition):
         yield Row("Prescribed position x, y", f"{1e6 * case.duty.x:.4g}, {1e6 * case.duty.y:.4g}", None, "µm")
-    else:
+    elif case.duty is not None:
         yield _named("load", case.duty.load)
     yield _named("angular_speed", case.journal_speed)
     if case.bearing_speed:
@@ -234,10 +254,10 @@ def _supply(case: AnyDesign) -> Iterator[Row]:
     if supply is None:
         return
     yield _named("supply_temperature", supply.temperature)
-    if supply.flow is None:
-        yield _named("supply_pressure", supply.pressure)
-    else:
+    if supply.flow is not None:
         yield _named("given_flow", supply.flow)
+    elif not isinstance(case, LongFilmCase | SegmentCase):  # their pressure drives nothing
+        yield _named("supply_pressure", supply.pressure)
     for kind, ducts in (("Tube", supply.tubes), ("Hole", supply.holes)):
         for duct in ducts:
             yield Row(f"{kind} on the way", _duct(duct))

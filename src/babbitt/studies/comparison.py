@@ -7,14 +7,18 @@ from dataclasses import dataclass, replace
 
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case
-from babbitt.cases.build import bearings_of, film_cases, iso7902_cases
+from babbitt.cases.build import bearings_of, design_cases_of, film_cases, iso7902_cases
 from babbitt.cases.journal import JournalBearing
+from babbitt.cases.one_dimension import METHODS
 from babbitt.film.model import Cavitation, FilmStart
+from babbitt.longfilm.model import LongFilmCase
 from babbitt.notices import InputError
 from babbitt.results import Result
+from babbitt.segments.model import SegmentCase
 from babbitt.solving import solve_design
 from babbitt.standards.iso7902 import DesignCase, check
 from babbitt.standards.iso7902.model import Curves, Friction
+from babbitt.studies.one_dimension import long_film_variants, segment_variants
 
 
 @dataclass(frozen=True)
@@ -84,6 +88,14 @@ def compare_methods(case: Case) -> tuple[Comparison, ...]:
 
 
 def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
+    if bearing.method in METHODS:
+        for design in design_cases_of(bearing, case):
+            if isinstance(design, LongFilmCase):
+                labelled = long_film_variants(design)
+            elif isinstance(design, SegmentCase):
+                labelled = segment_variants(design)
+            yield Comparison(design.name, tuple(Variant(*one) for one in labelled))
+        return
     standard, films = iso7902_cases(bearing, case), film_cases(bearing, case)
     for index, film in enumerate(films):
         by_standard = _variants(standard[index]) if standard else ()

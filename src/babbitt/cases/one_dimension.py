@@ -1,0 +1,66 @@
+"""What the methods of one dimension, `long_film` and `segments`, ask of a bearing, and what they do not know."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from babbitt.cases import heat_exchange, segments
+from babbitt.cases.operating_point import LOADS
+from babbitt.cases.part import Complaint, is_given
+from babbitt.cases.standard_rules import film_alone_knows
+
+if TYPE_CHECKING:
+    from babbitt.cases.journal import JournalBearing
+
+METHODS = {"long_film": "the long film", "segments": "the heat balance by segments"}
+"""Methods of one dimension, and what they are called in messages."""
+
+BLOCKS = {"heat_exchange": "long_film", "segments": "segments"}
+"""Fields that one method alone reads."""
+
+GREATEST_EXPONENT = 5.0
+"""Of the power law of viscosity, by the source of the heat balance by segments."""
+
+
+def complaints_about(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about what a method of one dimension does not know, and about its fields in another method."""
+    for block, method in BLOCKS.items():
+        if is_given(bearing, block) and bearing.method != method:
+            says = f"method {bearing.method} does not read it"
+            yield Complaint((block,), says, f"method: {method}")
+    if bearing.method not in METHODS:
+        return
+    yield from _unknown(bearing, METHODS[bearing.method])
+    if bearing.method == "long_film":
+        yield from heat_exchange.complaints_about(bearing.heat_exchange, bearing.diameter)
+        return
+    yield from segments.complaints_about(bearing.segments, bearing.diameter)
+    oil = bearing.lubricant
+    exponent = getattr(oil, "exponent", 0.0)
+    if exponent > GREATEST_EXPONENT:
+        says = f"exponent {exponent:g} of the power law of viscosity"
+        yield Complaint(("lubricant", "exponent"), says, f"up to {GREATEST_EXPONENT:g}")
+
+
+def _unknown(bearing: JournalBearing, method: str) -> Iterator[Complaint]:
+    yield from film_alone_knows(bearing, method)
+    for name in ("grooves", "pockets", "holes"):
+        if is_given(bearing, name):
+            yield Complaint((name,), f"{method} knows no {name} at places of their own", "method: film")
+    if bearing.effective_temperature is not None:
+        says = f"{method} finds its temperatures itself"
+        yield Complaint(("effective_temperature",), says, "method: iso7902 or film, or leave it out")
+    if bearing.bearing_speed:
+        yield Complaint(("bearing_speed",), f"{method} knows no turning bearing", "0 rpm")
+    if bearing.friction.factor != 1.0:
+        yield Complaint(("friction", "factor"), f"{method} knows no factor on friction", "1, or leave it out")
+
+
+def complaints_about_loads(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about a load beside a film profile, from which the load follows."""
+    for path, duty in bearing.duties():
+        for name in LOADS:
+            if is_given(duty, name):
+                says = "the load follows from the film thickness given in segments.profile"
+                yield Complaint((*path, name), says, "segments.profile or a load", "remove one")

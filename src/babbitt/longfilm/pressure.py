@@ -1,0 +1,152 @@
+r"""Pressure around the long film: two discretisations of Reynolds' equation, both without iteration.
+
+Angles run from the widest gap with the rotation. Written without dimension, ``H = h/c`` and
+``P = p c²/(u R)`` with the viscosity kept in Pa s:
+
+.. math:: \frac{d}{dθ}\left(\frac{H^3}{μ} \frac{dP}{dθ}\right) = 6 \frac{dH}{dθ}
+
+Rupture where pressure and its gradient vanish (Reynolds, Swift, Stieber).
+
+The discrete complementarity problem, pressure nowhere negative, has a closed solution in one dimension. Every
+pressure difference is a known one plus the first of them times a positive weight; the film that ends at node m
+has the first difference that makes the pressure there vanish, and the film of Reynolds is the one among them
+whose first difference is the largest. That is what a Thomas sweep with a cut at zero gives, here in cumulative
+sums.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Gap:
+    """The gap of one eccentricity ratio on n equal sectors: nodes (n + 1) and sectors (n), without dimension."""
+
+    eccentricity_ratio: float
+    step: float
+    nodes: Array
+    sectors: Array
+    slope: Array
+
+    @classmethod
+    def of(cls, eccentricity_ratio: float, cells: int) -> Gap:
+        """``H = 1 + ε cos θ``; `slope` is dH/dθ at the nodes."""
+        _, cosine, sine = circle(cells)
+        nodes = 1.0 + eccentricity_ratio * cosine
+        sectors = 0.5 * (nodes[1:] + nodes[:-1])
+        return cls(eccentricity_ratio, 2.0 * math.pi / cells, nodes, sectors, -eccentricity_ratio * sine)
+
+
+@dataclass(frozen=True, eq=False)
+class Pressure:
+    """Pressure of one film, without dimension.
+
+    Attributes
+    ----------
+    nodes : ndarray
+        P, shape (n + 1,).
+    flow : ndarray
+        Local flow ``H/2 - H³/(12 μ) dP/dθ`` of every sector, over c u L; shape (n,).
+    rupture_angle : float
+        θ_r in rad, to a fraction of a sector.
+    full : ndarray
+        How much of every sector is full film, 0 to 1; shape (n,).
+    """
+
+    nodes: Array
+    flow: Array
+    rupture_angle: float
+    full: Array
+
+    def load(self, step: float) -> tuple[float, float]:
+        """Load along the eccentricity and normal to it, ``-∫ P cos θ dθ`` and ``∫ P sin θ dθ``."""
+        _, cosine, sine = circle(self.nodes.size - 1)
+        return -step * float(self.nodes @ cosine), step * float(self.nodes @ sine)
+
+
+@lru_cache(maxsize=8)
+def circle(cells: int) -> tuple[Array, Array, Array]:
+    """Angles of the nodes, their cosine and their sine; shape (cells + 1,), read-only."""
+    angles = np.linspace(0.0, 2.0 * math.pi, cells + 1)
+    found = angles, np.cos(angles), np.sin(angles)
+    for one in found:
+        one.setflags(write=False)
+    return found
+
+
+def divergence_form(gap: Gap, viscosity: Array) -> Pressure:
+    """Conservative form: the same flow passes every section of the full film.
+
+    Parameters
+    ----------
+    gap : Gap
+    viscosity : ndarray
+        At the nodes, Pa s.
+    """
+    sector = 0.5 * (viscosity[1:] + viscosity[:-1])
+    weight = sector / gap.sectors**3
+    couette, poiseuille = np.cumsum(gap.sectors * weight), np.cumsum(weight)
+    ends = couette / poiseuille
+    last = int(ends.argmin())  # sector at whose end the film breaks
+    at_rupture = ends[last]
+    nodes = np.zeros(gap.nodes.size)
+    nodes[1 : last + 1] = 6.0 * gap.step * (couette[:last] - at_rupture * poiseuille[:last])
+    slopes = (gap.sectors - at_rupture) * weight
+    angle, full = _rupture(slopes, last, gap.step)
+    return Pressure(nodes, np.full(gap.sectors.size, 0.5 * at_rupture), angle, full)
+
+
+def full_film(gap: Gap, viscosity: Array) -> Pressure:
+    """Film that never breaks, with pressure zero at both ends of the widest gap (Sommerfeld), for comparison.
+
+    Parameters as of `divergence_form`.
+    """
+    sector = 0.5 * (viscosity[1:] + viscosity[:-1])
+    weight = sector / gap.sectors**3
+    couette, poiseuille = np.cumsum(gap.sectors * weight), np.cumsum(weight)
+    level = couette[-1] / poiseuille[-1]
+    nodes = np.concatenate(([0.0], 6.0 * gap.step * (couette - level * poiseuille)))
+    return Pressure(nodes, np.full(gap.sectors.size, 0.5 * level), 2.0 * math.pi, np.ones(gap.sectors.size))
+
+
+def published_form(gap: Gap, viscosity: Array) -> Pressure:
+    """The form without the derivative of viscosity, ``H³ P'' + 3 H² H' P' = 6 μ H'``, by central differences.
+
+    Only to repeat a published table: with varying viscosity the local flow is not the same in every section.
+    Parameters as of `divergence_form`.
+    """
+    inner, slope, step = gap.nodes[1:-1], gap.slope[1:-1], gap.step
+    skew = 1.5 * step * slope / inner
+    weight = np.empty(gap.sectors.size)  # integrating factor of the differences
+    weight[0] = 1.0
+    np.cumprod((1.0 + skew) / (1.0 - skew), out=weight[1:])
+    source = np.zeros(gap.sectors.size)
+    np.cumsum(weight[1:] * 6.0 * step**2 * viscosity[1:-1] * slope / (inner**3 * (1.0 + skew)), out=source[1:])
+    known, unit = np.cumsum(source / weight), np.cumsum(1.0 / weight)
+    firsts = -known / unit
+    last = int(firsts.argmax())
+    nodes = np.zeros(gap.nodes.size)
+    nodes[1 : last + 1] = known[:last] + firsts[last] * unit[:last]
+    sector = 0.5 * (viscosity[1:] + viscosity[:-1])
+    flow = 0.5 * gap.sectors - gap.sectors**3 / (12.0 * sector) * np.diff(nodes) / step
+    angle, full = _rupture((source + firsts[last]) / weight, last, step)
+    return Pressure(nodes, flow, angle, full)
+
+
+def _rupture(slopes: Array, last: int, step: float) -> tuple[float, Array]:
+    """Angle at which the slope of the pressure vanishes, between the middles of two sectors; full share of all.
+
+    The slopes go on behind the rupture as if the film did. Their zero moves without a jump when the film breaks in
+    another sector, so that the iteration between film and temperature has no edge to hang on.
+    """
+    before, behind = float(slopes[last]), float(slopes[last + 1])
+    place = last + 0.5 + (before / (before - behind) if before < 0.0 < behind else 0.0)
+    return place * step, np.clip(place - np.arange(slopes.size), 0.0, 1.0)

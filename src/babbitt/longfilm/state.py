@@ -1,0 +1,95 @@
+"""A long film in equilibrium, and what follows from its fields."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.longfilm.model import LongFilm
+from babbitt.longfilm.network import Temperatures
+from babbitt.longfilm.pressure import Gap, Pressure
+from babbitt.longfilm.walls import Sectors, flow_of, flow_spread
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class LongFilmState:
+    """A long film in equilibrium, SI.
+
+    `pressure`, `sectors` and `temperatures` hold arrays over the angle from the widest gap; loads are those along
+    the eccentricity and normal to it. `residual` is the last change of temperature in K.
+    """
+
+    film: LongFilm
+    gap: Gap
+    viscosity: Array
+    pressure: Pressure
+    sectors: Sectors
+    temperatures: Temperatures
+    load_along: float
+    load_across: float
+    iterations: int
+    converged: bool
+    residual: float
+
+    @property
+    def eccentricity_ratio(self) -> float:
+        """e/c."""
+        return self.gap.eccentricity_ratio
+
+    @property
+    def load(self) -> float:
+        """Resultant in N."""
+        return math.hypot(self.load_along, self.load_across)
+
+    @property
+    def attitude_angle(self) -> float:
+        """From the load to the narrowest gap, rad."""
+        return math.atan2(self.load_across, self.load_along)
+
+    @property
+    def film_thickness(self) -> Array:
+        """At the nodes, m."""
+        return self.film.clearance * self.gap.nodes
+
+    @property
+    def film_pressure(self) -> Array:
+        """At the nodes, Pa."""
+        return self.pressure.nodes * (self.film.surface_speed * self.film.radius / self.film.clearance**2)
+
+    @property
+    def flow(self) -> float:
+        """Circumferential flow in m³/s; its mean over the full film where it is not conserved."""
+        full = self.pressure.full
+        return float(flow_of(self.film, self.pressure) @ full) / float(full.sum())
+
+    @property
+    def flow_spread(self) -> float:
+        """``(max Q - min Q)/mean Q`` of the local flow over the full film."""
+        return flow_spread(self.pressure)
+
+    @property
+    def heat_source(self) -> float:
+        """Friction less flow work, W."""
+        return float(self.sectors.source.sum())
+
+    @property
+    def friction_torque(self) -> float:
+        """On the journal, N m."""
+        return float(self.sectors.friction.sum()) / self.film.angular_speed
+
+    @property
+    def rupture_temperature(self) -> float:
+        """Where the film breaks, K."""
+        angles = np.linspace(0.0, 2.0 * math.pi, self.gap.nodes.size)
+        return float(np.interp(self.pressure.rupture_angle, angles, self.temperatures.film))
+
+    @property
+    def energy_balance_error(self) -> float:
+        """What oil, housing and shaft do not take of the heat, over the heat."""
+        t = self.temperatures
+        return (self.heat_source - t.to_oil - t.to_housing - t.to_shaft) / self.heat_source

@@ -1,0 +1,143 @@
+"""Both segments, the groove between them and the compliant wall in equilibrium."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.design.heat_balance import NoFilmError
+from babbitt.design.roots import find_root
+from babbitt.notices import InputError
+from babbitt.results import Outcome
+from babbitt.segments.balance import pressure_of, segments_of
+from babbitt.segments.model import SegmentFilm
+from babbitt.segments.pressure import Gap, Grid
+from babbitt.segments.state import SegmentFilmState
+
+Array = NDArray[np.float64]
+
+FIRST_RISE = 5.0
+"""K above the supply at which the iteration starts."""
+
+RELAXATION = 0.5
+TEMPERATURE_TOLERANCE, DISPLACEMENT_TOLERANCE = 1e-4, 1e-5
+"""In K, and over the clearance."""
+
+FRACTION, LEAST_FRACTION = 0.3, 0.02
+"""Of the thinnest film, what a step may move the wall; taken back by a tenth whenever the wall overshoots."""
+
+MOST_ITERATIONS = 4000
+GREATEST_ECCENTRICITY = 0.995
+SCAN = tuple(np.concatenate((np.arange(0.02, 0.9, 0.04), np.arange(0.9, 0.996, 0.01))).tolist())
+BEYOND_CONTACT = tuple(np.arange(1.0, 1.2001, 0.01).tolist())
+"""Eccentricity ratios that only a compliant wall allows."""
+
+
+def film_at_eccentricity(
+    film: SegmentFilm, eccentricity_ratio: float, start: SegmentFilmState | None = None
+) -> SegmentFilmState:
+    """The film in thermal (and elastic) equilibrium at an eccentricity ratio; ignored where a profile is given.
+
+    Parameters
+    ----------
+    film : SegmentFilm
+    eccentricity_ratio : float
+        From 0; below 1 for a rigid film.
+    start : SegmentFilmState, optional
+        A neighbouring answer to start from.
+
+    Raises
+    ------
+    InputError
+        E003 for an eccentricity outside its bounds.
+    NoFilmError
+        NOT_CONVERGED where the film has no rupture point or the iteration breaks down, NO_LUBRICANT_DATA.
+    """
+    if not film.profile and not (0.0 <= eccentricity_ratio < (1.0 if film.compliance == 0.0 else math.inf)):
+        raise InputError(
+            "E003", f"eccentricity_ratio must lie from 0 to below 1 for a rigid film, given {eccentricity_ratio!r}"
+        )
+    grid = Grid.of(film)
+    rigid = _rigid(film, grid, eccentricity_ratio)
+    count = 1 if film.groove is None else 2
+    means = np.full(count, film.supply_temperature + FIRST_RISE)
+    displaced = np.zeros(grid.angles.size)
+    if start is not None:
+        means = np.array([one.mean_temperature for one in start.segments])
+        displaced = film.compliance * start.film_pressure
+    fraction, worst, gap = FRACTION, math.inf, None
+    for iteration in range(1, MOST_ITERATIONS + 1):
+        if gap is None or film.compliance:
+            thickness = rigid + displaced / film.clearance
+            if not thickness.min() > 0.0:
+                raise NoFilmError(Outcome.NOT_CONVERGED)
+            gap = Gap.of(grid, thickness)
+        segments, groove_pressure, short = segments_of(film, grid, gap, means)
+        pressure = pressure_of(film, grid, segments, groove_pressure)
+        change = np.array([one.mean_temperature for one in segments]) - means
+        strain = film.compliance * pressure - displaced
+        off, bent = float(np.abs(change).max()), float(np.abs(strain).max())
+        done = off < TEMPERATURE_TOLERANCE and bent < DISPLACEMENT_TOLERANCE * film.clearance
+        if done or iteration == MOST_ITERATIONS:
+            thick = film.clearance * gap.thickness
+            return SegmentFilmState(
+                film, eccentricity_ratio, grid, thick, pressure, segments, groove_pressure, short,
+                iteration, done, (off, bent),
+            )  # fmt: skip
+        means = means + RELAXATION * change
+        if film.compliance:
+            fraction = max(LEAST_FRACTION, 0.9 * fraction) if bent > worst else fraction
+            worst = bent
+            room = (
+                film.clearance * float(gap.thickness.min()) / max(film.compliance * float(pressure.max()), 1e-300)
+            )
+            displaced = displaced + min(RELAXATION, fraction * room) * strain
+    raise AssertionError("unreachable")
+
+
+def film_under_load(film: SegmentFilm, load: float) -> SegmentFilmState:
+    """The film that carries a load, with the least eccentricity that does.
+
+    The load passes a maximum as the film heats up: the eccentricity is raised to the first film that carries it,
+    then bisected, never bracketed from above.
+
+    Raises
+    ------
+    NoFilmError
+        OVERLOADED with the largest load reached, NOT_CONVERGED, NO_LUBRICANT_DATA.
+    """
+    if not 0.0 < load < math.inf:
+        raise InputError("E003", f"load must be above 0, given {load!r}")
+    best, below = 0.0, 1e-6
+    state: SegmentFilmState | None = None
+    for eccentricity in (*SCAN, *(BEYOND_CONTACT if film.compliance else ())):
+        try:
+            state = film_at_eccentricity(film, eccentricity, state)
+        except NoFilmError:
+            break
+        if not state.converged:
+            break
+        best = max(best, state.load)
+        if state.load >= load:
+            return _between(film, load, below, state)
+        below = eccentricity
+    raise NoFilmError(Outcome.OVERLOADED, best)
+
+
+def _between(film: SegmentFilm, load: float, below: float, above: SegmentFilmState) -> SegmentFilmState:
+    """The film that carries a load between an eccentricity that does not and a state that does."""
+
+    def excess(eccentricity: float) -> float:
+        return film_at_eccentricity(film, eccentricity, above).load - load
+
+    root = find_root(excess, below, above.eccentricity_ratio, 1e-9)
+    return film_at_eccentricity(film, root.value, above)
+
+
+def _rigid(film: SegmentFilm, grid: Grid, eccentricity_ratio: float) -> Array:
+    if not film.profile:
+        return np.asarray(1.0 + eccentricity_ratio * grid.cosine)
+    angles, thickness = np.array(film.profile).T
+    return np.asarray(np.interp(grid.angles, angles, thickness, period=2.0 * math.pi) / film.clearance)

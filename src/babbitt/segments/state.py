@@ -1,0 +1,103 @@
+"""A film of one or two segments in equilibrium, and what follows from it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.segments.model import SegmentFilm
+from babbitt.segments.pressure import Grid, Segment
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class SegmentState:
+    """One segment in equilibrium, SI.
+
+    `pressure_start` and `pressure_end` in Pa, `friction_power` A and `heat` in W, temperatures in K, `flow` in
+    m³/s.
+    """
+
+    segment: Segment
+    viscosity: float
+    flow: float
+    friction_power: float
+    heat: float
+    pressure_start: float
+    pressure_end: float
+    inlet_temperature: float
+    mean_temperature: float
+    outlet_temperature: float
+
+
+@dataclass(frozen=True, eq=False)
+class SegmentFilmState:
+    """A film of one or two segments in equilibrium, SI; arrays over the nodes of `grid`.
+
+    `short_of_oil` tells whether the blind groove had too little oil to close its continuity (its pressure is
+    then 0); `residuals` holds the last changes of temperature (K) and displacement (m).
+    """
+
+    film: SegmentFilm
+    eccentricity_ratio: float
+    grid: Grid
+    film_thickness: Array
+    film_pressure: Array
+    segments: tuple[SegmentState, ...]
+    groove_pressure: float
+    short_of_oil: bool
+    iterations: int
+    converged: bool
+    residuals: tuple[float, float]
+
+    @property
+    def load_along(self) -> float:
+        """Load along the eccentricity, N."""
+        return -self._force(self.grid.cosine)
+
+    @property
+    def load_across(self) -> float:
+        """Load normal to the eccentricity, N."""
+        return self._force(self.grid.sine)
+
+    def _force(self, direction: Array) -> float:
+        return self.film.radius * self.film.width * float(self.grid.weights @ (self.film_pressure * direction))
+
+    @property
+    def load(self) -> float:
+        """Resultant in N."""
+        return math.hypot(self.load_along, self.load_across)
+
+    @property
+    def specific_load(self) -> float:
+        """Load over D L, Pa."""
+        return self.load / (self.film.diameter * self.film.width)
+
+    @property
+    def attitude_angle(self) -> float:
+        """From the load to the narrowest gap, rad."""
+        return math.atan2(self.load_across, self.load_along)
+
+    @property
+    def friction_power(self) -> float:
+        """Of all segments, W."""
+        return sum(one.friction_power for one in self.segments)
+
+    @property
+    def outlet_temperature(self) -> float:
+        """Of the last segment, K."""
+        return self.segments[-1].outlet_temperature
+
+    @property
+    def groove_side_flow(self) -> float:
+        """Q1 - Q2: what leaves at the ends of the groove; negative: what it must be given. 0 without groove."""
+        return self.segments[0].flow - self.segments[-1].flow
+
+    def width_of_narrow_zone(self, factor: float = 1.1) -> float:
+        """Angle over which the film is thinner than `factor` times its thinnest, rad."""
+        thin = self.film_thickness < factor * float(self.film_thickness.min())
+        return float(self.grid.weights[thin].sum())

@@ -1,0 +1,99 @@
+"""Report, figures and comparison of the films of one dimension."""
+
+from pathlib import Path
+
+import pytest
+
+from babbitt.cases import load_case, parse_case
+from babbitt.report.citations import citations_of
+from babbitt.report.content import content
+from babbitt.report.export import to_json
+from babbitt.report.figures import write_plots
+from babbitt.report.inputs import inputs
+from babbitt.solving import solve
+from babbitt.studies.comparison import compare_methods
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
+
+@pytest.fixture(scope="module", params=["long_film", "grooved"])
+def machine(request):
+    return solve(load_case(EXAMPLES / f"{request.param}.yaml"))
+
+
+@pytest.fixture(scope="module")
+def long_film():
+    return solve(load_case(EXAMPLES / "long_film.yaml"))
+
+
+@pytest.fixture(scope="module")
+def grooved():
+    return solve(load_case(EXAMPLES / "grooved.yaml"))
+
+
+def test_figures_are_drawn(machine, tmp_path):
+    pytest.importorskip("matplotlib")
+    written = write_plots(machine, tmp_path, "svg")
+    names = {path.stem.partition("-")[2] for path in written}
+    method = machine.results[0].method
+    assert names == {"along-the-film", "heat-split" if method == "long_film" else "groove-beside-none"}
+    assert all(path.read_bytes().startswith(b"<?xml") for path in written)
+
+
+def test_unsolved_films_have_no_figures(tmp_path):
+    text = (EXAMPLES / "long_film.yaml").read_text(encoding="utf-8").replace("25 kN", "2500 kN")
+    unsolved = solve(parse_case(text))
+    assert not unsolved.solved
+    assert write_plots(unsolved, tmp_path, "svg") == ()
+
+
+def test_chapter_names_method_inputs_and_results(long_film):
+    (chapter,) = content(long_film)["bearings"]
+    assert chapter["method"] == "Long film with heat exchange"
+    shown = {row["label"] for row in chapter["results"]}
+    assert {"Maximum film temperature", "Journal temperature", "Oil flow around the film"} <= shown
+    rows = {row["label"]: row["value"] for group in chapter["inputs"] for row in group["rows"]}
+    assert rows["Bush"] == "outside diameter 100 mm, 45 W/(m K)"
+    assert rows["Along the shaft"] == "0.2 W/K"
+    assert rows["Nusselt number of the film"] == "1.55 (Pe h/D)^0.3333"
+    assert len(chapter["figures"]) == 2
+
+
+def test_chapter_of_a_groove_shows_both_comparisons(grooved):
+    (chapter,) = content(grooved)["bearings"]
+    shown = {row["label"] for row in chapter["results"]}
+    assert "Outlet without groove at the same gap" in shown
+    assert "Outlet without groove under the same load" in shown
+    assert any(warning["code"] == "W153" for warning in chapter["warnings"])
+    (case,) = grooved.design_cases
+    rows = {row.label: row.value for group in inputs(case) for row in group.rows}
+    assert rows["Groove"] == "at 150° from the widest gap, 6 mm wide, open at both ends, or fed"
+
+
+def test_json_holds_the_fields_along_the_film(long_film):
+    results = to_json(long_film)["bearings"][0]["results"]
+    lengths = {name: len(results[name][0]) for name in ("film_angle", "film_pressure", "film_temperature")}
+    assert set(lengths.values()) == {181}
+    assert len(results["bush_temperature"][0]) == 180
+    split = results["heat_to_oil"] + results["heat_to_surroundings"] + results["heat_to_shaft"]
+    assert split == pytest.approx(results["friction_power"], rel=1e-8)
+
+
+def test_discretisations_side_by_side():
+    (found,) = compare_methods(load_case(EXAMPLES / "long_film.yaml"))
+    assert [one.label for one in found.variants] == ["long film", "published, mean flow", "published, local flow"]
+    consistent, mean, _ = (one.result for one in found.variants)
+    assert consistent.flow_inconsistency < 1e-12 < 0.1 < mean.flow_inconsistency
+
+
+def test_grooves_side_by_side():
+    (found,) = compare_methods(load_case(EXAMPLES / "grooved.yaml"))
+    by_label = {one.label: one.result for one in found.variants}
+    assert list(by_label) == ["through groove", "blind groove", "cut in two", "no groove"]
+    assert by_label["through groove"].outlet_temperature > by_label["no groove"].outlet_temperature
+    assert len({round(one.load, 2) for one in by_label.values()}) == 1
+
+
+def test_sources_are_cited():
+    for name, words in (("long_film", "Long film"), ("grooved", "Heat balance by segments")):
+        assert any(words in cited for cited in citations_of(load_case(EXAMPLES / f"{name}.yaml")))
