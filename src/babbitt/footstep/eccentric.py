@@ -64,6 +64,8 @@ def side_force_of_leakage(footstep: Footstep, rim_pressure: float) -> float:
     ``F = -(p1 - p_a) r1 L Int cos(theta) h1/(h1 + h2) dtheta`` for the thickness measured from the eccentric side.
     """
     rim, outer = footstep.end_eccentricities
+    if rim == outer:
+        return 0.0
     part = footstep.geometry
     cosine = np.cos(2.0 * math.pi * np.arange(AROUND) / AROUND)
     # The heel stands towards theta = 0: there the gap is 1 - eps, and pressure there pushes it back.

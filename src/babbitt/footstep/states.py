@@ -155,7 +155,7 @@ def roots_of_balance(model: GroovedHeel) -> tuple[float, ...]:
     share = np.union1d(np.geomspace(SMALLEST_SHARE, 1.0, SAMPLES), np.linspace(0.0, 1.0, SAMPLES + 1)[1:])
     flows = share * most
     values = model.residual(flows)
-    roots = _crossings(model.residual, flows, values, 1e-20)
+    roots = crossings(model.residual, flows, values, 1e-20)
     if roots:
         return roots
     peak = int(np.argmax(values))
@@ -163,7 +163,7 @@ def roots_of_balance(model: GroovedHeel) -> tuple[float, ...]:
     largest = float(model.residual(number(flow)))
     if largest >= 0.0:  # two roots between neighbours of the grid
         ends = np.array([flows[max(peak - 1, 0)], flow, flows[min(peak + 1, flows.size - 1)]])
-        return _crossings(model.residual, ends, model.residual(ends), 1e-20) or (flow,)
+        return crossings(model.residual, ends, model.residual(ends), 1e-20) or (flow,)
     if largest >= -TOUCHING * most:
         return (flow,)
     raise NoSteadyStateError(largest, flow, float(model.balance(number(flow)).rim_pressure))
@@ -178,7 +178,7 @@ def has_steady_state(model: GroovedHeel) -> bool:
     return True
 
 
-def _crossings(
+def crossings(
     function: Callable[[Array], Array], places: Array, values: Array, absolute: float
 ) -> tuple[float, ...]:
     """Every place where a function changes its sign between neighbours of a grid."""
@@ -256,7 +256,7 @@ def _of_balance(model: GroovedHeel | SmoothHeel, root: float, name: StateName) -
 def _warm_states(footstep: Footstep) -> tuple[SteadyState, ...]:
     """States by narrow-groove theory: an odd number, since the residual falls from one end of all flows to the other."""
     model = WarmFilms(footstep)
-    roots = _crossings(model.residual, *_warm_grid(model), 1e-22)
+    roots = crossings(model.residual, *_warm_grid(model), 1e-22)
     states = sorted((_of_warm(model, root) for root in roots), key=lambda state: -state.rim_temperature)
     names = _warm_names(footstep, len(states))
     return tuple(replace(state, name=name) for state, name in zip(states, names, strict=True))
