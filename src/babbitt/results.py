@@ -20,6 +20,7 @@ class Outcome(Enum):
     THERMAL_RUNAWAY = "no thermal equilibrium up to 300 °C"
     NO_CLEARANCE = "the clearance closes at operating temperature"
     NO_LUBRICANT_DATA = "the lubricant data do not reach the temperature of the film"
+    NO_STEADY_STATE = "no steady state exists"
     NOT_CONVERGED = "the iteration ended without meeting its tolerance"
 
     @property
@@ -39,6 +40,7 @@ _OUTCOME_CODES = {
     "NO_CLEARANCE": "S003",
     "NOT_CONVERGED": "S004",
     "NO_LUBRICANT_DATA": "S005",
+    "NO_STEADY_STATE": "S020",
 }
 
 

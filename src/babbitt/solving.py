@@ -6,10 +6,12 @@ from dataclasses import dataclass
 
 from babbitt import __version__
 from babbitt.bearings.model import FilmCase
-from babbitt.cases import Case, JournalCase, Machine, OverhungCouplingCase, case_hash, design_cases
+from babbitt.cases import Case, JournalCase, Machine, OverhungCouplingCase, ScrewHeelCase, case_hash, design_cases
 from babbitt.cases.build import AnyDesign
+from babbitt.footstep.case import HeelCase
 from babbitt.results import Outcome, Result
 from babbitt.shafts import bearing_loads
+from babbitt.standards.iso7902 import DesignCase
 from babbitt.standards.iso7902 import check as iso7902_check
 
 
@@ -22,7 +24,7 @@ class MachineResult:
     name : str
     results : tuple of Result
         One per bearing, operating point and clearance.
-    design_cases : tuple of DesignCase or FilmCase
+    design_cases : tuple of DesignCase, FilmCase or HeelCase
         What each result was computed from, in the same order; empty for kinds without a film.
     case_hash : str
         SHA-256 of the validated case.
@@ -78,7 +80,7 @@ def solve(case: Case) -> MachineResult:
     TypeError
         If `case` is not a case, such as the path of its file.
     """
-    if not isinstance(case, JournalCase | Machine | OverhungCouplingCase):
+    if not isinstance(case, JournalCase | Machine | OverhungCouplingCase | ScrewHeelCase):
         given = type(case).__name__
         raise TypeError(
             f"solve takes a case, not {given}; read one with babbitt.load_case(path) or parse_case(text)"
@@ -87,7 +89,8 @@ def solve(case: Case) -> MachineResult:
     if isinstance(case, OverhungCouplingCase):
         results: tuple[Result, ...] = (_shaft_result(case),)
     else:
-        results = tuple(solve_design(design) for design in designs)
+        pairs = [(design, result) for design in designs for result in solve_every(design)]
+        designs, results = tuple(design for design, _ in pairs), tuple(result for _, result in pairs)
     return MachineResult(
         case.name,
         results,
@@ -99,8 +102,26 @@ def solve(case: Case) -> MachineResult:
     )
 
 
-def solve_design(design: AnyDesign) -> Result:
-    """Solve one design case by its method.
+def solve_every(design: AnyDesign) -> tuple[Result, ...]:
+    """Solve one design case and give every answer: a heel may have several steady states.
+
+    Parameters
+    ----------
+    design : DesignCase, FilmCase or HeelCase
+
+    Returns
+    -------
+    tuple of Result
+    """
+    if isinstance(design, HeelCase):
+        from babbitt.footstep.check import heel_results  # scipy is imported when the first heel is solved
+
+        return heel_results(design)
+    return (solve_design(design),)
+
+
+def solve_design(design: DesignCase | FilmCase) -> Result:
+    """Solve one design case that has one answer.
 
     Parameters
     ----------

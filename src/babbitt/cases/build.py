@@ -15,10 +15,12 @@ from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import Case, JournalCase, Machine
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.part import Part
+from babbitt.cases.screw_heel import ScrewHeelCase, heel_cases
+from babbitt.footstep.case import HeelCase
 from babbitt.standards.iso7902.model import DesignCase
 
-AnyDesign = DesignCase | FilmCase
-"""What a method computes: the design case of ISO 7902, or that of the film."""
+AnyDesign = DesignCase | FilmCase | HeelCase
+"""What a method computes: the design case of ISO 7902, that of the film, or a heel."""
 
 DesignT = TypeVar("DesignT")
 
@@ -35,10 +37,12 @@ def design_cases(case: Case) -> tuple[AnyDesign, ...]:
 
     Returns
     -------
-    tuple of DesignCase or FilmCase
+    tuple of DesignCase, FilmCase or HeelCase
         In the order of the file; empty for the statics of a shaft. Names are ``Bearing``, ``Bearing [point]``,
         ``Bearing (minimum clearance)``, ``Bearing [point] (minimum clearance)``.
     """
+    if isinstance(case, ScrewHeelCase):
+        return heel_cases(case)
     return tuple(
         design
         for bearing in bearings_of(case)
@@ -112,7 +116,7 @@ def _rounded(value: Any) -> Any:
 
 
 def _expanded(bearing: JournalBearing, case: Case, make: Maker[DesignT]) -> Iterator[DesignT]:
-    if isinstance(case, OverhungCouplingCase):
+    if isinstance(case, OverhungCouplingCase | ScrewHeelCase):
         return
     joined = inputs(bearing, case)
     relative = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter)

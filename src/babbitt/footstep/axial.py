@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from babbitt.footstep.face import Face, number, quadrature
 from babbitt.footstep.model import Footstep
 
-__all__ = ["axial_damping", "axial_stiffness", "centrifugal_pressure"]
+__all__ = ["axial_damping", "centrifugal_pressure", "load_slope"]
 
 Array = NDArray[np.float64]
 STEP = 1e-4
@@ -41,8 +41,8 @@ class HeelModel(Protocol):
         """Axial load, N."""
 
 
-def axial_stiffness(model: HeelModel, unknown: float) -> float:
-    """K = -dT/dh in N/m along the balance R(x, h) = 0, by dT/dh = T_h - T_x R_h/R_x.
+def load_slope(model: HeelModel, unknown: float, length: str) -> float:
+    """dT/d(length) in N/m along the balance R(x, h) = 0: T_h - T_x R_h/R_x.
 
     Parameters
     ----------
@@ -50,22 +50,25 @@ def axial_stiffness(model: HeelModel, unknown: float) -> float:
         Made of a footstep; its balance is zero at `unknown`.
     unknown : float
         Groove flow, pressure of the rim or flow of the clearance, as the model has it.
+    length : {"face_gap", "clearance"}
+        The field of the footstep that changes.
     """
-    gap = model.footstep.face_gap
+    size = getattr(model.footstep, length)
     thinner, thicker = (
-        model.of(replace(model.footstep, face_gap=gap * (1.0 + sign * STEP))) for sign in (-1.0, 1.0)
+        model.of(replace(model.footstep, **{length: size * (1.0 + sign * STEP)})) for sign in (-1.0, 1.0)
     )
-    less, more = (unknown * (1.0 + sign * STEP) for sign in (-1.0, 1.0))
-    span_h, span_x = 2.0 * STEP * gap, more - less
+    step = STEP * max(abs(unknown), 1e-11)  # a flow may happen to be zero
+    less, more = unknown - step, unknown + step
+    span_h, span_x = 2.0 * STEP * size, more - less
 
     def residual(of: HeelModel, at: float) -> float:
         return float(of.residual(number(at)))
 
-    load_gap = (thicker.load_at(unknown) - thinner.load_at(unknown)) / span_h
+    load_length = (thicker.load_at(unknown) - thinner.load_at(unknown)) / span_h
     load_unknown = (model.load_at(more) - model.load_at(less)) / span_x
-    balance_gap = (residual(thicker, unknown) - residual(thinner, unknown)) / span_h
+    balance_length = (residual(thicker, unknown) - residual(thinner, unknown)) / span_h
     balance_unknown = (residual(model, more) - residual(model, less)) / span_x
-    return -(load_gap - load_unknown * balance_gap / balance_unknown)
+    return load_length - load_unknown * balance_length / balance_unknown
 
 
 def axial_damping(footstep: Footstep, viscosity: float, outflow_slope: float) -> float:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.design.roots import bracketed_root
-from babbitt.footstep.axial import axial_damping, axial_stiffness
+from babbitt.footstep.axial import axial_damping, load_slope
 from babbitt.footstep.eccentric import side_force_of_leakage
 from babbitt.footstep.face import number
 from babbitt.footstep.model import Footstep
@@ -90,6 +90,8 @@ class SteadyState:
     load, friction_power : float
     axial_stiffness, axial_damping : float
         K = -dT/dh and D = -dT/dh', h the face gap.
+    load_over_clearance : float
+        dT/ddelta, N/m.
     side_force : float
         Of the pressure of the leakage, along the eccentricity, towards larger eccentricity.
     residual : float
@@ -110,6 +112,7 @@ class SteadyState:
     friction_power: float
     axial_stiffness: float
     axial_damping: float
+    load_over_clearance: float
     side_force: float
     residual: float
 
@@ -246,8 +249,9 @@ def _of_balance(model: GroovedHeel | SmoothHeel, root: float, name: StateName) -
         groove_temperature=float("nan") if smooth else float(at.groove_temperature),
         load=model.load(at),
         friction_power=model.friction_power(at),
-        axial_stiffness=axial_stiffness(model, root),
+        axial_stiffness=-load_slope(model, root, "face_gap"),
         axial_damping=axial_damping(footstep, oil.at(0.5 * (oil.temperature + outlet)), outflow),
+        load_over_clearance=load_slope(model, root, "clearance"),
         side_force=side_force_of_leakage(footstep, float(at.rim_pressure)),
         residual=abs(float(at.residual) / float(at.leakage)),
     )
@@ -307,10 +311,11 @@ def _of_warm(model: WarmFilms, root: float) -> SteadyState:
         groove_temperature=float("nan"),
         load=model.load(at),
         friction_power=model.friction_power(at),
-        axial_stiffness=axial_stiffness(model, root),
+        axial_stiffness=-load_slope(model, root, "face_gap"),
         axial_damping=axial_damping(
             footstep, float(model.viscosity(at.face_temperature)), -1.0 / annulus_slope
         ),
+        load_over_clearance=load_slope(model, root, "clearance"),
         side_force=side_force_of_leakage(footstep, pressure) if footstep.groove is None else float("nan"),
         residual=abs(float(at.residual)) / pressure,
     )

@@ -148,6 +148,7 @@ _ALL = (
         {"W/(m2 K)": 1.0, "W/m2/K": 1.0, "W/m2K": 1.0, "W/(m2K)": 1.0},
     ),
     Kind("W/(m K)", "a thermal conductivity", "0.13 W/(m K)", {"W/(m K)": 1.0, "W/m/K": 1.0, "W/(mK)": 1.0}),
+    Kind("W/K", "a thermal conductance", "0.2 W/K", {"W/K": 1.0, "mW/K": 1e-3, "kW/K": 1e3}),
     Kind(
         "J/(kg K)",
         "a heat capacity",
