@@ -282,7 +282,7 @@ def heel_cases(case: ScrewHeelCase) -> tuple[HeelCase, ...]:
 
 def _given(case: ScrewHeelCase) -> Iterator[tuple[str, str]]:
     """How the case put what it may put in several ways."""
-    yield "Supply pressure", f"{written(case.supply_pressure, 'Pa')} {case.pressures}"
+    yield "Supply pressure", f"{1e-6 * case.supply_pressure:.6g} MPa, {case.pressures}"
     if case.groove is not None:
         misfit = case._groove().misfit(case.heel.radius)
         share = 1.0 / (math.sin(case.groove.angle) * 2.0 * math.pi * case.heel.radius)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Protocol
+from typing import Literal, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,7 +41,13 @@ class HeelModel(Protocol):
         """Axial load, N."""
 
 
-def load_slope(model: HeelModel, unknown: float, length: str) -> float:
+def _changed(footstep: Footstep, length: Literal["face_gap", "clearance"], factor: float) -> Footstep:
+    if length == "face_gap":
+        return replace(footstep, face_gap=factor * footstep.face_gap)
+    return replace(footstep, clearance=factor * footstep.clearance)
+
+
+def load_slope(model: HeelModel, unknown: float, length: Literal["face_gap", "clearance"]) -> float:
     """dT/d(length) in N/m along the balance R(x, h) = 0: T_h - T_x R_h/R_x.
 
     Parameters
@@ -53,10 +59,8 @@ def load_slope(model: HeelModel, unknown: float, length: str) -> float:
     length : {"face_gap", "clearance"}
         The field of the footstep that changes.
     """
-    size = getattr(model.footstep, length)
-    thinner, thicker = (
-        model.of(replace(model.footstep, **{length: size * (1.0 + sign * STEP)})) for sign in (-1.0, 1.0)
-    )
+    size = model.footstep.face_gap if length == "face_gap" else model.footstep.clearance
+    thinner, thicker = (model.of(_changed(model.footstep, length, 1.0 + sign * STEP)) for sign in (-1.0, 1.0))
     step = STEP * max(abs(unknown), 1e-11)  # a flow may happen to be zero
     less, more = unknown - step, unknown + step
     span_h, span_x = 2.0 * STEP * size, more - less
@@ -114,5 +118,6 @@ def axial_damping(footstep: Footstep, viscosity: float, outflow_slope: float) ->
 def centrifugal_pressure(footstep: Footstep) -> float:
     """0.15 rho omega² (r1² - r3²), Pa: what rotation adds from recess to rim (inertia of a laminar film)."""
     part = footstep.geometry
-    return 0.15 * footstep.oil.density * footstep.angular_speed**2 * (part.radius**2 - part.recess_radius**2)
+    square = part.radius**2 - part.recess_radius**2
+    return 0.15 * footstep.oil.density * footstep.angular_speed**2 * square
 

@@ -12,6 +12,7 @@ from babbitt.footstep.clearances import critical_clearances, fold_clearance
 from babbitt.footstep.eccentric import leak_factor
 from babbitt.footstep.model import PITCH_TOLERANCE, Footstep, LoadReference
 from babbitt.footstep.states import Method, NoSteadyStateError, StateName, SteadyState, steady_states
+from babbitt.footstep.superposition import slit_conductance
 from babbitt.footstep.turning_heel import turning_force
 from babbitt.notices import EXPLANATIONS, Notice
 from babbitt.results import Bound, Check, Outcome, Result
@@ -109,7 +110,7 @@ def _result(
     values |= shared | {"balance_error": state.residual, "wall_time": perf_counter() - begun}
     checks = (
         Check(
-            "C130", "rim_drain_slope", state.drain_slope, 0.0, Bound.AT_LEAST,
+            "C130", "rim_drain_number", values["rim_drain_number"], 0.0, Bound.AT_LEAST,
             "balance of the rim: a higher pressure must drain it", advisory=True,
         ),
     )  # fmt: skip
@@ -142,7 +143,7 @@ def _values(case: HeelCase, state: SteadyState) -> dict[str, float]:
         "axial_stiffness": state.axial_stiffness,
         "axial_damping": state.axial_damping,
         "load_over_clearance": state.load_over_clearance,
-        "rim_drain_slope": state.drain_slope,
+        "rim_drain_number": state.drain_slope * step.oil.viscosity / slit_conductance(step),
         "clearance_reynolds_number": step.oil.density
         * step.angular_speed
         * step.geometry.radius
@@ -207,7 +208,7 @@ def _doubts_about_inputs(case: HeelCase) -> Iterator[Notice]:
 
 def _doubts(case: HeelCase, state: SteadyState, values: dict[str, float]) -> Iterator[Notice]:
     if not state.stable:
-        yield Notice("W160", f"d(outflow − inflow of the rim)/dp₁ = {1e15 * state.drain_slope:.4g} mm³/(s MPa)")
+        yield Notice("W160", f"d(outflow − inflow of the rim)/dp₁ = {1e15 * state.drain_slope:.4g} mm³/(s MPa) < 0")
     if state.maximum_temperature > HOTTEST:
         yield Notice("W161", f"oil of {state.maximum_temperature - 273.15:.0f} °C > 150 °C")
     for name, what in (

@@ -13,7 +13,7 @@ from babbitt.footstep.model import Footstep
 from babbitt.footstep.states import crossings, has_steady_state
 from babbitt.footstep.superposition import GroovedHeel, GrooveChannel
 
-__all__ = ["CriticalClearance", "critical_clearances", "fold_clearance", "without_position"]
+__all__ = ["CriticalClearance", "critical_clearances", "fold_clearance", "at_clearance"]
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class CriticalClearance:
     temperature: float
 
 
-def without_position(footstep: Footstep, clearance: float) -> Footstep:
+def at_clearance(footstep: Footstep, clearance: float) -> Footstep:
     """The same footstep with another clearance; eccentricity over clearance and tilt over clearance stay."""
     tilt = footstep.tilt * clearance / footstep.clearance
     return replace(footstep, clearance=clearance, tilt=tilt)
@@ -77,7 +77,7 @@ def fold_clearance(footstep: Footstep, tolerance: float = 1e-10) -> float | None
     """
 
     def exists(clearance: float) -> bool:
-        return has_steady_state(GroovedHeel(without_position(footstep, clearance)))
+        return has_steady_state(GroovedHeel(at_clearance(footstep, clearance)))
 
     high = footstep.clearance
     while not exists(high):

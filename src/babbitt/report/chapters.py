@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
+from babbitt.footstep.case import HeelCase
 from babbitt.report.names import split_clearance
 from babbitt.results import Result
 
@@ -97,6 +98,8 @@ def _belongs(member: Member, before: Member) -> bool:
 
 
 def _without_clearance(case: AnyDesign) -> AnyDesign:
+    if isinstance(case, HeelCase):
+        return replace(case, footstep=case.smooth, other=None)
     if isinstance(case, FilmCase):
         return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
     return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))

@@ -7,6 +7,8 @@ from babbitt.bearings.bore import WornBore
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case, design_cases
 from babbitt.film.model import Cavitation
+from babbitt.footstep.case import HeelCase
+from babbitt.footstep.states import Method
 from babbitt.standards.iso7902.model import Curves, DesignCase
 
 BABBITT = f"The Babbitt developers: Babbitt {__version__}, calculation and design of fluid-film bearings, 2026."
@@ -36,6 +38,14 @@ DUFRANE = (
     "operating speeds. "
     "Journal of Lubrication Technology 105 (1983) 313-317."
 )
+KIRICHENKO = (
+    "A. S. Kirichenko: study of a hydrostatic footstep with a screw-grooved heel in a three-screw pump. Problems of "
+    "Tribology (2011) (equations, corrected; see `babbitt validate screw_heel_claims`)."
+)
+NARROW_GROOVE = (
+    "J. H. Vohr, C. Y. Chow: Characteristics of herringbone-grooved, gas-lubricated journal bearings. Journal of Basic "
+    "Engineering 87 (1965) 568-578 (narrow-groove theory)."
+)
 VISCOSITY = "ASTM D341: Viscosity-temperature equations and charts for liquid petroleum or hydrocarbon products."
 
 
@@ -58,6 +68,12 @@ def citations_of(case: Case) -> tuple[str, ...]:
         found.append(LUND)
     if any(isinstance(film.bearing.bore, WornBore) for film in films):
         found.append(DUFRANE)
-    oils = {design.lubricant.name: design.lubricant for design in designs}
+    heels = [design for design in designs if isinstance(design, HeelCase)]
+    if heels:
+        found.append(KIRICHENKO)
+    if any(heel.method is Method.NARROW_GROOVE for heel in heels):
+        found.append(NARROW_GROOVE)
+    journals: list[DesignCase | FilmCase] = [*standard, *films]
+    oils = {design.lubricant.name: design.lubricant for design in journals}
     found += [f"{oil.name}: {oil.source}" for oil in oils.values()]
     return tuple(found)

@@ -9,9 +9,11 @@ from dataclasses import dataclass
 from babbitt.bearings.model import FilmCase
 from babbitt.cases.build import AnyDesign
 from babbitt.design.ducts import Duct
+from babbitt.footstep.case import HeelCase
 from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, PowerLaw, Vogel, Walther
 from babbitt.report.expression import Node, number_node, text
 from babbitt.report.film_inputs import CAVITATION, FILM_START, said_of_bore, said_of_hollow
+from babbitt.report.heel_words import heel_inputs
 from babbitt.report.labels import label
 from babbitt.report.line import VOCABULARY, symbol
 from babbitt.report.text import plain_text
@@ -24,6 +26,9 @@ from babbitt.standards.iso7902.supply import (
     Pockets,
     SupplyElement,
 )
+
+Journal = DesignCase | FilmCase
+"""Cases of journal bearings."""
 
 LAWS = {
     Walther: "Walther (ASTM D341, short form)",
@@ -73,17 +78,21 @@ def inputs(case: AnyDesign) -> tuple[InputGroup, ...]:
 
     Parameters
     ----------
-    case : DesignCase or FilmCase
+    case : DesignCase, FilmCase or HeelCase
 
     Returns
     -------
     tuple of InputGroup
         Groups that say nothing are left out.
     """
+    if isinstance(case, HeelCase):
+        said = ((title, tuple(Row(what, value, None, unit) for what, value, unit in rows)) for title, rows in heel_inputs(case))
+        groups = (_as_given(case), *(InputGroup(title, rows) for title, rows in said))
+        return tuple(group for group in groups if group.rows)
     geometry = _film_geometry(case) if isinstance(case, FilmCase) else _geometry(case)
     method = _film_method(case) if isinstance(case, FilmCase) else _method(case)
     groups = (
-        InputGroup("As given", tuple(Row(plain_text(what), plain_text(words)) for what, words in case.given)),
+        _as_given(case),
         InputGroup("Geometry", tuple(geometry)),
         InputGroup("Operation", tuple(_operation(case))),
         InputGroup("Lubricant", tuple(_lubricant(case))),
@@ -94,6 +103,10 @@ def inputs(case: AnyDesign) -> tuple[InputGroup, ...]:
         InputGroup("Method", (*method, *_limits(case))),
     )
     return tuple(group for group in groups if group.rows)
+
+
+def _as_given(case: AnyDesign) -> InputGroup:
+    return InputGroup("As given", tuple(Row(plain_text(what), plain_text(words)) for what, words in case.given))
 
 
 def _named(name: str, value: float, given_label: str = "") -> Row:
@@ -164,7 +177,7 @@ def _film_method(case: FilmCase) -> Iterator[Row]:
         yield _named("friction_factor", case.friction_factor)
 
 
-def _operation(case: AnyDesign) -> Iterator[Row]:
+def _operation(case: Journal) -> Iterator[Row]:
     if isinstance(case.duty, GivenEccentricity):
         yield _named("eccentricity_ratio", case.duty.eccentricity_ratio, "Prescribed eccentricity e/c")
         if case.duty.attitude_angle is not None:
@@ -183,7 +196,7 @@ def _operation(case: AnyDesign) -> Iterator[Row]:
         yield _named("effective_temperature", case.effective_temperature, "Prescribed effective temperature")
 
 
-def _lubricant(case: AnyDesign) -> Iterator[Row]:
+def _lubricant(case: Journal) -> Iterator[Row]:
     oil = case.lubricant
     yield Row("Name", plain_text(oil.name))
     yield Row("Viscosity law", LAWS.get(type(oil.viscosity_law), type(oil.viscosity_law).__name__))
@@ -201,7 +214,7 @@ def _lubricant(case: AnyDesign) -> Iterator[Row]:
     yield Row("Source", plain_text(oil.source))
 
 
-def _supply(case: AnyDesign) -> Iterator[Row]:
+def _supply(case: Journal) -> Iterator[Row]:
     supply = case.oil_supply
     if supply is None:
         return
@@ -219,21 +232,21 @@ def _duct(duct: Duct) -> str:
     return said if duct.number == 1.0 else f"{duct.number:.4g} × ({said})"
 
 
-def _cooling(case: AnyDesign) -> Iterator[Row]:
+def _cooling(case: Journal) -> Iterator[Row]:
     if case.cooling is not None:
         yield _named("ambient_temperature", case.cooling.ambient_temperature)
         yield _named("heat_transfer_coefficient", case.cooling.heat_transfer_coefficient)
         yield _named("cooling_surface", case.cooling.surface)
 
 
-def _surfaces(case: AnyDesign) -> Iterator[Row]:
+def _surfaces(case: Journal) -> Iterator[Row]:
     surfaces = case.bearing.surfaces
     if surfaces is not None:
         for name, value in vars(surfaces).items():
             yield _named(name, value)
 
 
-def _material(case: AnyDesign) -> Iterator[Row]:
+def _material(case: Journal) -> Iterator[Row]:
     metal = case.bearing.metal
     if metal is not None:
         yield Row("Bearing metal", plain_text(metal.name))
@@ -252,7 +265,7 @@ def _method(case: DesignCase) -> Iterator[Row]:
         yield _named("friction_factor", case.friction_factor)
 
 
-def _limits(case: AnyDesign) -> Iterator[Row]:
+def _limits(case: Journal) -> Iterator[Row]:
     limits = case.limits
     for name, value, said in (
         ("minimum_film_thickness", limits.minimum_film_thickness, "Least film thickness set"),
