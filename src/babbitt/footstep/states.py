@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from enum import Enum
 
@@ -205,13 +205,19 @@ def _summit(model: GroovedHeel, low: float, high: float) -> float:
 def _grooved_states(footstep: Footstep) -> tuple[SteadyState, ...]:
     model = GroovedHeel(footstep)
     roots = roots_of_balance(model)
-    if len(roots) == 1:
-        name = StateName.FOLD if footstep.oil.exponent else StateName.ONLY
-        return (_of_balance(model, roots[0], name),)
-    return tuple(
-        _of_balance(model, root, StateName.HOT if place % 2 == 0 else StateName.COLD)
-        for place, root in enumerate(roots)
-    )
+    return tuple(_of_balance(model, root, name) for root, name in zip(roots, _names(model, roots), strict=True))
+
+
+def _names(model: GroovedHeel, roots: tuple[float, ...]) -> Iterator[StateName]:
+    """Hot where the residual rises through zero, cold where it falls, fold where it only touches."""
+    for root in roots:
+        below, above = (float(model.residual(number(root * (1.0 + sign * 1e-6)))) for sign in (-1.0, 1.0))
+        if not model.footstep.oil.exponent:
+            yield StateName.ONLY
+        elif below < 0.0 and above < 0.0:
+            yield StateName.FOLD
+        else:
+            yield StateName.HOT if above > below else StateName.COLD
 
 
 def _smooth_state(footstep: Footstep) -> SteadyState:

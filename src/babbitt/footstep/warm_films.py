@@ -60,7 +60,7 @@ class WarmFilms:
         if wall is None:
             return np.full_like(flow, oil.temperature)
         metal, stream = 0.5 * wall.conductance, oil.heat_capacity * np.abs(flow)
-        capacity = np.maximum(metal + stream, np.finfo(float).tiny)
+        capacity = np.maximum(metal + stream, 1e-12)  # neither metal nor flow: as hot as can be
         # The metal takes what lies above its own temperature, the oil what lies above that of the inlet.
         start = (metal * wall.temperature + stream * oil.temperature) / capacity
         viscosity = oil.viscosity * np.exp(-oil.exponent * (start - oil.temperature))
