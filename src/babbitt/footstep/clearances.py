@@ -16,6 +16,10 @@ from babbitt.footstep.superposition import GroovedHeel, GrooveChannel
 __all__ = ["CriticalClearance", "critical_clearances", "fold_clearance", "at_clearance"]
 
 
+SMALLEST = 0.02
+"""Of the clearance of the case, down to which a fold is sought."""
+
+
 @dataclass(frozen=True)
 class CriticalClearance:
     """Where no oil passes the face gap: the rim has the pressure of the recess.
@@ -73,7 +77,7 @@ def fold_clearance(footstep: Footstep, tolerance: float = 1e-10) -> float | None
     Returns
     -------
     float or None
-        None where states exist down to a thousandth of the clearance, as for a viscosity that does not change.
+        None where states exist down to a fiftieth of the clearance, as for a viscosity that does not change.
     """
 
     def exists(clearance: float) -> bool:
@@ -86,8 +90,8 @@ def fold_clearance(footstep: Footstep, tolerance: float = 1e-10) -> float | None
             return None
     low = high
     while exists(low):
-        high, low = low, 0.9 * low
-        if low < 1e-3 * footstep.clearance:
+        high, low = low, 0.87 * low
+        if low < SMALLEST * footstep.clearance:
             return None
     while high - low > tolerance:
         middle = 0.5 * (low + high)
