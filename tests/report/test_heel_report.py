@@ -86,3 +86,32 @@ def test_the_report_is_typeset(machine):
     page = report(machine, "html").decode()
     assert "Screw groove" in page
     assert "not stable" in page
+
+
+def lines(machine):
+    from babbitt.report.heel_calculation import heel_calculation
+
+    for case, result in zip(machine.design_cases, machine.results, strict=True):
+        for section in heel_calculation(case, result):
+            for line in section.lines:
+                yield result.name, line
+
+
+def test_every_formula_gives_the_result(machine):
+    from babbitt.report.expression import value
+
+    found = [(name, line) for name, line in lines(machine) if line.expression]
+    assert len(found) > 45
+    for name, line in found:
+        assert value(line.expression, line.numbers) == pytest.approx(line.value, rel=1e-8), (name, line.name)
+
+
+def test_printed_numbers_give_the_printed_result(machine):
+    from babbitt.report.expression import value
+    from babbitt.report.line import VOCABULARY
+
+    for name, line in lines(machine):
+        if line.expression:
+            digits = {other: max(line.digits, VOCABULARY[other].digits) for other in line.numbers}
+            printed = {other: float(f"{n:.{digits[other]}g}") for other, n in line.numbers.items()}
+            assert value(line.expression, printed) == pytest.approx(line.value, rel=5e-4), (name, line.name)

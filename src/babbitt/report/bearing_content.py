@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 from babbitt.bearings.model import FilmCase
+from babbitt.cases.build import AnyDesign
 from babbitt.footstep.case import HeelCase
 from babbitt.notices import EXPLANATIONS
 from babbitt.quantities import QUANTITIES
 from babbitt.report import findings
 from babbitt.report import verdict as judge
-from babbitt.report.calculation import calculation
+from babbitt.report.calculation import Section, calculation
 from babbitt.report.chapters import Chapter, Member
 from babbitt.report.check_content import check_content, compared_checks, solved_checks, sources_of
 from babbitt.report.columns import ABSENT, is_fed, is_film
@@ -19,6 +21,7 @@ from babbitt.report.drawing import Drawing
 from babbitt.report.expression import text
 from babbitt.report.figures import clearance_range, draw
 from babbitt.report.film_figures import report_figures
+from babbitt.report.heel_calculation import heel_calculation
 from babbitt.report.heel_figures import heel_figures
 from babbitt.report.inputs import inputs
 from babbitt.report.labels import label
@@ -125,7 +128,7 @@ def bearing_content(chapter: Chapter) -> Data:
                 "remark": section.remark,
                 "lines": [_line(line) for line in section.lines],
             }
-            for section in (calculation(by_standard, result) if by_standard is not None else ())
+            for section in _sections(case, chapter)
         ],
         "checks": compared_checks(chapter, sources) if several else checks,
         "sources": sources,
@@ -144,6 +147,18 @@ def bearing_content(chapter: Chapter) -> Data:
             for drawing in drawings
         ],
     }
+
+
+def _sections(case: AnyDesign | None, chapter: Chapter) -> tuple[Section, ...]:
+    """The calculation of the member shown, or of every steady state of a heel."""
+    if isinstance(case, DesignCase):
+        return calculation(case, chapter.shown.result)
+    return tuple(
+        replace(section, title=f"{member.clearance.capitalize()}: {section.title.lower()}")
+        for member in chapter.members
+        if isinstance(member.case, HeelCase)
+        for section in heel_calculation(member.case, member.result)
+    )
 
 
 def _method(result: Result) -> str:

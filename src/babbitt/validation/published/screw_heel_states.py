@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _TABLE = Within(relative=1e-5)
-_COLUMNS = (
+_COLUMNS: tuple[tuple[str, str, Callable[[SteadyState], float]], ...] = (
     ("Q_k", "mm³/s", lambda s: s.groove_flow / CUBIC_MILLIMETRE),
     ("Q₂", "mm³/s", lambda s: s.face_flow / CUBIC_MILLIMETRE),
     ("Q_l", "mm³/s", lambda s: s.leakage / CUBIC_MILLIMETRE),
