@@ -52,7 +52,9 @@ def main() -> None:
         sweep = sweep_heel(step, gaps.tolist(), clearances.tolist(), method, shown("sweep of the footstep"))
         took = perf_counter() - begun
         counts = {int(n): int((sweep.counts == n).sum()) for n in np.unique(sweep.counts)}
-        print(f"sweep of {POINTS} x {POINTS}, {method.value:<16}          {took:6.2f} s, points by states: {counts}")
+        print(
+            f"sweep of {POINTS} x {POINTS}, {method.value:<16}          {took:6.2f} s, points by states: {counts}"
+        )
 
 
 if __name__ == "__main__":

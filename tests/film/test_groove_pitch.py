@@ -16,7 +16,9 @@ def test_without_depth_it_is_the_plain_clearance():
     found = pitch_film(replace(PITCH, depth=0.0), 0.5e6, 12, 24)
     exact = -math.pi * 21.8e-3 * (20e-6) ** 3 * 0.5e6 / (6.0 * 0.0225 * 35e-3)
     assert found.flow == pytest.approx(exact, rel=1e-9)
-    assert found.pressure == pytest.approx(np.broadcast_to(0.5e6 * found.z / 35e-3, found.pressure.shape), rel=1e-9)
+    assert found.pressure == pytest.approx(
+        np.broadcast_to(0.5e6 * found.z / 35e-3, found.pressure.shape), rel=1e-9
+    )
     couette = 0.0225 * 3.31**2 / 20e-6 * 2.0 * math.pi * 21.8e-3 * 35e-3
     assert found.wall_power == pytest.approx(couette, rel=1e-9)
 

@@ -11,8 +11,14 @@ from hypothesis import strategies as st
 
 from babbitt.footstep.face import Face, number
 from babbitt.footstep.model import BackflowViscosity, FaceOutlet, FrictionViscosity, HeelOptions, LoadReference
-from babbitt.footstep.states import NoSteadyStateError, StateName, roots_of_balance, steady_states
-from babbitt.footstep.superposition import GroovedHeel, GrooveChannel
+from babbitt.footstep.states import (
+    NoSteadyStateError,
+    StateName,
+    has_steady_state,
+    roots_of_balance,
+    steady_states,
+)
+from babbitt.footstep.superposition import GrooveChannel, GroovedHeel
 
 CONSTANT = replace(OIL, exponent=0.0)
 
@@ -98,7 +104,8 @@ def test_a_finer_search_finds_no_other_states(monkeypatch):
     for samples in (600, 1200):
         monkeypatch.setattr("babbitt.footstep.states.SAMPLES", samples)
         found[samples] = [
-            roots_of_balance(GroovedHeel(footstep(gap, clearance))) for gap, clearance in ((20, 20), (12, 10.6), (40, 15))
+            roots_of_balance(GroovedHeel(footstep(gap, clearance)))
+            for gap, clearance in ((20, 20), (12, 10.6), (40, 15))
         ]
     for coarse, fine in zip(found[600], found[1200], strict=True):
         assert coarse == pytest.approx(fine, rel=1e-9)
@@ -121,14 +128,15 @@ def test_the_residual_is_negative_at_both_ends(step):
     model = GroovedHeel(step)
     ends = np.array([1e-12, 1.0]) * model.channel.largest_flow
     assert (model.residual(ends) < 0.0).all()
-    try:
+    if not has_steady_state(model):
+        with pytest.raises(NoSteadyStateError):
+            roots_of_balance(model)
+    else:
         roots = roots_of_balance(model)
         out_of_sight = float(model.residual(number(1e-6 * model.channel.largest_flow))) > 0.0  # a hot state below
         assert (len(roots) + out_of_sight) % 2 == 0
         names = [state.name for state in steady_states(step)]
         assert names == [StateName.HOT, StateName.COLD][out_of_sight:]
-    except NoSteadyStateError as error:
-        assert error.largest_residual < 0.0
 
 
 @settings(max_examples=25, deadline=None)

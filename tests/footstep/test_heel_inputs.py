@@ -33,9 +33,7 @@ def test_oil(name, value):
 
 
 @pytest.mark.parametrize("value", UNUSABLE)
-@pytest.mark.parametrize(
-    "name", ["angular_speed", "supply_pressure", "ambient_pressure", "face_gap", "clearance"]
-)
+@pytest.mark.parametrize("name", ["angular_speed", "supply_pressure", "ambient_pressure", "face_gap", "clearance"])
 def test_operation(name, value):
     refused(lambda: footstep(**{name: value}) if name not in ("face_gap", "clearance")
             else replace(footstep(), **{name: value}), name)  # fmt: skip

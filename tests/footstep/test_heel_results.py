@@ -48,7 +48,9 @@ def test_all_states_of_the_pump():
 
 
 def test_no_steady_state_says_why():
-    machine = solved(gap=("face_gap: 20 um", "face_gap: 12 um"), clearance=("clearance: 20 um", "clearance: 10 um"))
+    machine = solved(
+        gap=("face_gap: 20 um", "face_gap: 12 um"), clearance=("clearance: 20 um", "clearance: 10 um")
+    )
     smooth, grooved = machine.results
     assert smooth.outcome.solved
     assert grooved.outcome is Outcome.NO_STEADY_STATE
@@ -65,7 +67,8 @@ def test_no_steady_state_says_why():
 def test_gauge_pressures_are_the_same_footstep():
     absolute = solved()
     gauge = solved(
-        kind=("pressures: absolute", "pressures: gauge"), p=("supply_pressure: 0.63 MPa", "supply_pressure: 0.529 MPa")
+        kind=("pressures: absolute", "pressures: gauge"),
+        p=("supply_pressure: 0.63 MPa", "supply_pressure: 0.529 MPa"),
     )
     for one, other in zip(absolute.results, gauge.results, strict=True):
         assert other.load == pytest.approx(one.load, rel=1e-9)
@@ -115,7 +118,9 @@ def test_an_eccentric_heel_is_pushed_and_leaks_more():
 
 
 def test_variants():
-    assert [r.name for r in solved(v=("variants: both", "variants: smooth")).results] == ["Pump footstep (smooth heel)"]
+    assert [r.name for r in solved(v=("variants: both", "variants: smooth")).results] == [
+        "Pump footstep (smooth heel)"
+    ]
     assert len(solved(v=("variants: both", "variants: grooved")).results) == 2
 
 

@@ -32,7 +32,7 @@ def test_slopes_are_those_of_neighbours(method, grooved, clearance):
 
 
 def test_stability_is_that_of_a_rim_that_fills_and_drains():
-    """A disturbed rim whose pressure rises with what stays in it returns to the stable state and leaves the other."""
+    """A disturbed rim that fills and drains returns to the stable state and leaves the other."""
     from babbitt.footstep.superposition import GroovedHeel
 
     model = GroovedHeel(footstep())
@@ -116,7 +116,7 @@ def test_side_force_of_a_tilted_heel():
 
 
 def test_the_film_of_a_slow_heel_feels_the_leakage_alone():
-    """Hardly turning, the film in two dimensions has the side force of the leakage, a little less for its side flow."""
+    """Hardly turning, the film in two dimensions has the side force of the leakage, less for its side flow."""
     step = footstep(eccentricity_ratio=0.1, tilt=3e-4, groove=None, angular_speed=1e-3)
     along, across = turning_force(step, 0.5e6, OIL.viscosity)
     short = side_force_of_leakage(step, 0.5e6)

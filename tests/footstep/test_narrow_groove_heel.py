@@ -1,4 +1,4 @@
-"""Narrow-groove theory of the heel: limits, positive heat, eccentric heels; and films that give heat to the metal."""
+"""Narrow-groove theory of the heel: limits, positive heat, eccentric heels; films that heat the metal."""
 
 import math
 from dataclasses import replace
@@ -28,7 +28,11 @@ def test_without_depth_the_groove_is_a_plain_clearance():
 
 
 @given(
-    st.floats(0.01, 0.99), st.floats(1.0, 89.0), st.floats(1e-6, 1e-3), st.floats(-3e-6, 3e-6), st.floats(5.0, 60.0)
+    st.floats(0.01, 0.99),
+    st.floats(1.0, 89.0),
+    st.floats(1e-6, 1e-3),
+    st.floats(-3e-6, 3e-6),
+    st.floats(5.0, 60.0),
 )
 def test_viscous_heat_is_positive(share, angle, depth, flow, clearance):
     """The wall gives more than the flow takes to higher pressure, whatever the groove."""
@@ -82,7 +86,7 @@ def test_heat_is_in_balance(grooved):
 
 
 def test_states_of_films_are_odd_and_named():
-    """A metal that takes nothing leaves the leakage alone to carry the heat: several states may appear, an odd number."""
+    """Where the leakage alone carries the heat several states may appear, an odd number."""
     for conductance in (0.0, 0.01, 0.1, 1.0, 10.0):
         for clearance in (5.0, 10.0, 20.0):
             states = steady_states(footstep(20.0, clearance, wall=Wall(298.15, conductance)), Method.NARROW_GROOVE)

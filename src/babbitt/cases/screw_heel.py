@@ -103,10 +103,12 @@ class HeelOptionsPart(Part):
 
     friction_viscosity: Literal["mean", "mixed"] = Field(
         "mean",
-        description="Viscosity of the friction in the clearance: mean of inlet and groove end, or at the mixed rim.",
+        description="Viscosity of the friction in the clearance: mean of inlet and groove end, or at the mixed "
+        "rim.",
     )
     face_outlet: Literal["consistent", "printed"] = Field(
-        "consistent", description="Outlet temperature of the face: by its pressure loss, or as the study prints it."
+        "consistent",
+        description="Outlet temperature of the face: by its pressure loss, or as the study prints it.",
     )
     backflow_viscosity: Literal["inlet", "groove"] = Field(
         "inlet", description="Viscosity in the face gap where the rim feeds the recess."
@@ -163,7 +165,8 @@ class ScrewHeelCase(CaseFile):
         "absolute", description="What `supply_pressure` is; a gauge pressure is counted from ambient."
     )
     load_reference: Literal["absolute", "gauge"] = Field(
-        "absolute", description="Whether the load counts absolute pressures, as the study does, or those above ambient."
+        "absolute",
+        description="Whether the load counts absolute pressures, as the study does, or those above ambient.",
     )
     eccentricity_ratio: Annotated[float, si("1", "0", "0.99")] = Field(
         0.0, description="Eccentricity of the heel in its cup over the clearance, at half length."
@@ -196,7 +199,9 @@ class ScrewHeelCase(CaseFile):
     @rule
     def _grooved_heels_have_grooves(self) -> Iterator[Complaint]:
         if self.variants != "smooth" and self.groove is None:
-            yield Complaint(("groove",), f"variants: {self.variants} needs a groove", "groove, or variants: smooth")
+            yield Complaint(
+                ("groove",), f"variants: {self.variants} needs a groove", "groove, or variants: smooth"
+            )
 
     @rule
     def _grooves_close(self) -> Iterator[Complaint]:
@@ -222,7 +227,9 @@ class ScrewHeelCase(CaseFile):
     @rule
     def _wall_is_used(self) -> Iterator[Complaint]:
         if self.wall is not None and self.method == "superposition":
-            yield Complaint(("wall",), "superposition knows no heat to the metal", "method: narrow_groove with a wall")
+            yield Complaint(
+                ("wall",), "superposition knows no heat to the metal", "method: narrow_groove with a wall"
+            )
 
     def _groove(self) -> ScrewGroove:
         part = self.groove
@@ -287,4 +294,7 @@ def _given(case: ScrewHeelCase) -> Iterator[tuple[str, str]]:
         misfit = case._groove().misfit(case.heel.radius)
         share = 1.0 / (math.sin(case.groove.angle) * 2.0 * math.pi * case.heel.radius)
         width = case.groove.starts * (case.groove.groove_width + case.groove.land_width)
-        yield "Grooves and lands around the heel", f"{width * share:.4f} of the circumference ({100 * misfit:+.2f} %)"
+        yield (
+            "Grooves and lands around the heel",
+            f"{width * share:.4f} of the circumference ({100 * misfit:+.2f} %)",
+        )

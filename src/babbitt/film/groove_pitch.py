@@ -1,15 +1,16 @@
 """Reynolds' equation in two dimensions on one pitch of a screw groove: the referee of narrow-groove theory.
 
-The unrolled clearance is seen from the groove. With x around, z along the heel and the groove at the angle phi from x,
-the coordinate ``s = x - z cot(phi)`` is constant along the groove: the film jumps at lines of constant s, and one pitch
-in s is periodic. The kernels of the journal film know metrics without cross terms only, so that this skewed film has
-its own finite volumes. Per volume, k = h³/(12 mu) and V the speed of the plain wall against the groove,
+The unrolled clearance is seen from the groove. With x around, z along the heel and the groove at the angle phi
+from x, the coordinate ``s = x - z cot(phi)`` is constant along the groove: the film jumps at lines of constant s,
+and one pitch in s is periodic. The kernels of the journal film know metrics without cross terms only, so that
+this skewed film has its own finite volumes. Per volume, k = h³/(12 mu) and V the speed of the plain wall against
+the groove,
 
     F_s = V h/2 + k cot(phi) p_z - k p_s/sin(phi)²,      F_z = -k (p_z - cot(phi) p_s).
 
 F_s and the pressure are continuous at a jump of h: the flux between two volumes is that of both halves in series
-(harmonic mean of k). Eliminating p_s, ``F_z = -k sin(phi)² p_z + sin(phi) cos(phi) (V h/2 - F_s)``. What leaves one
-volume enters the next, to round-off.
+(harmonic mean of k). Eliminating p_s, ``F_z = -k sin(phi)² p_z + sin(phi) cos(phi) (V h/2 - F_s)``. What leaves
+one volume enters the next, to round-off.
 """
 
 from __future__ import annotations
@@ -158,7 +159,9 @@ class _Fluxes:
         eye_n, eye_m = sparse.identity(n), sparse.identity(m)
         # p_z at the faces across z, (m + 1) for each strip
         distance = np.concatenate(([0.5 * dz[0]], 0.5 * (dz[1:] + dz[:-1]), [0.5 * dz[-1]]))
-        gradient = sparse.diags_array((1.0 / distance[:-1], -1.0 / distance[1:]), offsets=(0, -1), shape=(m + 1, m))
+        gradient = sparse.diags_array(
+            (1.0 / distance[:-1], -1.0 / distance[1:]), offsets=(0, -1), shape=(m + 1, m)
+        )
         self.slope = sparse.kron(eye_n, gradient).tocsr()
         self.slope_constant = np.zeros((n, m + 1))
         self.slope_constant[:, -1] = rise / distance[-1]
@@ -171,7 +174,9 @@ class _Fluxes:
         skewed = sine * cosine * 0.5 * (ds + np.roll(ds, -1)) / series
         to_face = sparse.kron(0.5 * (eye_n + after), mean_m)
         weight = sparse.kron(sparse.diags_array(skewed), eye_m)
-        across = sparse.kron(sparse.diags_array(1.0 / series) @ (eye_n - after), eye_m) + weight @ to_face @ self.slope
+        across = (
+            sparse.kron(sparse.diags_array(1.0 / series) @ (eye_n - after), eye_m) + weight @ to_face @ self.slope
+        )
         across_constant = np.repeat(dragged, m) + weight @ (to_face @ self.slope_constant.ravel())
         # F_z at the faces across z
         self.centre = sparse.kron(0.5 * (eye_n + after.T), eye_m).tocsr()  # F_s in the middle of a volume

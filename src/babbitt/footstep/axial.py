@@ -1,8 +1,8 @@
 """Axial stiffness and damping of a footstep: how its load answers to the face gap and to its change.
 
 The face gap lies upstream of the clearance: as it opens, the pressure of the rim and with it the load rise. The
-stiffness K = -dT/dh is therefore negative, and the heel finds no place of its own under a constant load: the load must
-fall faster with h, or a stop must hold the heel.
+stiffness K = -dT/dh is therefore negative, and the heel finds no place of its own under a constant load: the load
+must fall faster with h, or a stop must hold the heel.
 """
 
 from __future__ import annotations
@@ -120,4 +120,3 @@ def centrifugal_pressure(footstep: Footstep) -> float:
     part = footstep.geometry
     square = part.radius**2 - part.recess_radius**2
     return 0.15 * footstep.oil.density * footstep.angular_speed**2 * square
-

@@ -1,4 +1,4 @@
-"""From one heel to results: every steady state with its values, its doubts and its stability; or why there is none."""
+"""From one heel to results: every steady state with values, doubts and stability; or why there is none."""
 
 from __future__ import annotations
 
@@ -166,8 +166,9 @@ def _eccentric_values(step: Footstep, state: SteadyState) -> dict[str, float]:
 def _shared_values(case: HeelCase) -> dict[str, float]:
     """What all states of a heel have in common."""
     step, oil, part = case.footstep, case.footstep.oil, case.footstep.geometry
+    stirring = step.angular_speed * part.recess_radius * part.recess_depth
     values = {
-        "recess_reynolds_number": oil.density * step.angular_speed * part.recess_radius * part.recess_depth / oil.viscosity,
+        "recess_reynolds_number": oil.density * stirring / oil.viscosity,
         "centrifugal_pressure": centrifugal_pressure(step),
     }  # fmt: skip
     if step.groove is None:
@@ -195,20 +196,26 @@ def _doubts_about_inputs(case: HeelCase) -> Iterator[Notice]:
         return
     if step.clearance >= LAND_SHARE * groove.depth:
         yield Notice(
-            "W162", f"clearance {1e6 * step.clearance:.4g} µm ≥ a third of the groove depth, {1e6 * groove.depth:.4g} µm"
+            "W162",
+            f"clearance {1e6 * step.clearance:.4g} µm ≥ a third of the groove depth, {1e6 * groove.depth:.4g} µm",
         )
     misfit = groove.misfit(step.geometry.radius)
     if abs(misfit) > PITCH_TOLERANCE:
         yield Notice("W165", f"starts (groove + land) = {1.0 + misfit:.4g} of 2π r₁ sin φ")
     if case.method is Method.SUPERPOSITION:
-        yield Notice("W168", "groove and clearance as two separate flows, no heat to the metal, no shear of the lands in the heat")
+        yield Notice(
+            "W168",
+            "groove and clearance as two separate flows, no heat to the metal, no shear of the lands in the heat",
+        )
     elif groove.starts < MANY_GROOVES:
         yield Notice("W169", f"{groove.starts} starts < {MANY_GROOVES}")
 
 
 def _doubts(case: HeelCase, state: SteadyState, values: dict[str, float]) -> Iterator[Notice]:
     if not state.stable:
-        yield Notice("W160", f"d(outflow − inflow of the rim)/dp₁ = {1e15 * state.drain_slope:.4g} mm³/(s MPa) < 0")
+        yield Notice(
+            "W160", f"d(outflow − inflow of the rim)/dp₁ = {1e15 * state.drain_slope:.4g} mm³/(s MPa) < 0"
+        )
     if state.maximum_temperature > HOTTEST:
         yield Notice("W161", f"oil of {state.maximum_temperature - 273.15:.0f} °C > 150 °C")
     for name, what in (
@@ -225,12 +232,18 @@ def _doubts(case: HeelCase, state: SteadyState, values: dict[str, float]) -> Ite
     if state.axial_stiffness < 0.0:
         yield Notice("W167", f"dF/dh = {-1e-6 * state.axial_stiffness:+.3g} N/µm")
     if case.is_grooved and "leak_factor" in values:
-        yield Notice("W170", f"eccentricity at rim and outer end {', '.join(f'{e:.3g}' for e in case.footstep.end_eccentricities)}")
+        yield Notice(
+            "W170",
+            f"eccentricity at rim and outer end {', '.join(f'{e:.3g}' for e in case.footstep.end_eccentricities)}",
+        )
 
 
 def _assumptions(case: HeelCase) -> tuple[str, ...]:
     step = case.footstep
-    said = [*case.assumptions, "Laminar film, no cavitation, clearance the same at every temperature and pressure."]
+    said = [
+        *case.assumptions,
+        "Laminar film, no cavitation, clearance the same at every temperature and pressure.",
+    ]
     if case.method is Method.SUPERPOSITION:
         said.append("Adiabatic groove and face gap; the clearance holds oil of one temperature.")
         if case.is_grooved and step.options.speed_reduction == 0.0:

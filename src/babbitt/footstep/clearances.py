@@ -11,7 +11,7 @@ from babbitt.footstep.eccentric import leak_factor
 from babbitt.footstep.face import number
 from babbitt.footstep.model import Footstep
 from babbitt.footstep.states import crossings, has_steady_state
-from babbitt.footstep.superposition import GroovedHeel, GrooveChannel
+from babbitt.footstep.superposition import GrooveChannel, GroovedHeel
 
 __all__ = ["CriticalClearance", "critical_clearances", "fold_clearance", "at_clearance"]
 

@@ -1,8 +1,8 @@
 """The eccentric or tilted smooth clearance: how much more leaks, and the force of its pressure to one side.
 
-Short-annulus film: oil runs along the heel only, ``q(theta) = (p1 - p_a)/(12 mu Int dz/h³)``. For a parallel heel this
-gives the factor 1 + 3/2 eps² known for eccentric annuli (F. M. White, Viscous Fluid Flow). A tilted heel changes the gap
-on the way, so that the pressure falls unevenly and pushes to one side.
+Short-annulus film: oil runs along the heel only, ``q(theta) = (p1 - p_a)/(12 mu Int dz/h³)``. For a parallel heel
+this gives the factor 1 + 3/2 eps² known for eccentric annuli (F. M. White, Viscous Fluid Flow). A tilted heel
+changes the gap on the way, so that the pressure falls unevenly and pushes to one side.
 """
 
 from __future__ import annotations
@@ -48,8 +48,8 @@ def leak_factor(rim: float, outer: float) -> float:
 def side_force_of_leakage(footstep: Footstep, rim_pressure: float) -> float:
     """Side force in N of the pressure that drives the leakage, along the eccentricity.
 
-    Positive: towards larger eccentricity (the heel is pressed against the cup); negative: towards the centre. Zero for
-    a parallel heel.
+    Positive: towards larger eccentricity (the heel is pressed against the cup); negative: towards the centre.
+    Zero for a parallel heel.
 
     Parameters
     ----------
@@ -59,9 +59,9 @@ def side_force_of_leakage(footstep: Footstep, rim_pressure: float) -> float:
 
     Notes
     -----
-    The share of the pressure difference left at z is the resistance of the gap from z to the outer end over that of
-    the whole gap. With h running straight from h1 to h2 its mean over the length is ``h1/(h1 + h2)``; hence
-    ``F = -(p1 - p_a) r1 L Int cos(theta) h1/(h1 + h2) dtheta`` for the thickness measured from the eccentric side.
+    The share of the pressure difference left at z is the resistance of the gap from z to the outer end over that
+    of the whole gap. With h running straight from h1 to h2 its mean over the length is ``h1/(h1 + h2)``; hence
+    ``F = -(p1 - p_a) r1 L Int cos(theta) h1/(h1 + h2) dtheta``, theta from the eccentric side.
     """
     rim, outer = footstep.end_eccentricities
     if rim == outer:

@@ -1,11 +1,11 @@
 """Recess and face gap: radial laminar flow that is heated by nothing but its own loss of pressure.
 
-``dp/dr = -6 mu Q2/(pi r h³)`` and ``rho_c dtheta = -dp``: with an exponential viscosity both integrate in closed form
-(specification of the study by A. S. Kirichenko, Problems of Tribology, 2011; its two applications of the law, to recess
-and gap, combine exactly). Q2 is positive outwards, from the bore to the rim.
+``dp/dr = -6 mu Q2/(pi r h³)`` and ``rho_c dtheta = -dp``: with an exponential viscosity both integrate in closed
+form (specification of the study by A. S. Kirichenko, Problems of Tribology, 2011; its two applications of the
+law, to recess and gap, combine exactly). Q2 is positive outwards, from the bore to the rim.
 
-Symbols of the kernels: kappa = Int dr/(r h³) from the bore, mu0 and theta0 of the oil that comes in, alpha exponent of
-viscosity, rho_c heat capacity per volume.
+Symbols of the kernels: kappa = Int dr/(r h³) from the bore, mu0 and theta0 of the oil that comes in, alpha
+exponent of viscosity, rho_c heat capacity per volume.
 """
 
 from __future__ import annotations

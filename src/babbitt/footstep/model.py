@@ -1,8 +1,8 @@
 """What is computed: the cylindrical heel of a pump's screw, its oil, its pressures, and what is assumed.
 
-The heel runs in a cup. Oil at the pressure of delivery comes through a bore (radius r2) into a recess (to r3), leaves
-through the face gap h (to r1), reaches the rim and escapes through the clearance δ along the heel. A screw groove on
-the heel drags oil from the outer end towards the rim, against the leakage.
+The heel runs in a cup. Oil at the pressure of delivery comes through a bore (radius r2) into a recess (to r3),
+leaves through the face gap h (to r1), reaches the rim and escapes through the clearance δ along the heel. A screw
+groove on the heel drags oil from the outer end towards the rim, against the leakage.
 """
 
 from __future__ import annotations
@@ -93,7 +93,8 @@ class HeelGeometry:
         if not self.bore_radius < self.recess_radius < self.radius:
             raise InputError(
                 "E130",
-                f"bore_radius {1e3 * self.bore_radius:.4g} mm, recess_radius {1e3 * self.recess_radius:.4g} mm and "
+                f"bore_radius {1e3 * self.bore_radius:.4g} mm, recess_radius {1e3 * self.recess_radius:.4g} mm "
+                "and "
                 f"radius {1e3 * self.radius:.4g} mm; allowed: each larger than the one before",
             )
 
@@ -253,7 +254,8 @@ class Footstep:
         if not self.supply_pressure > self.ambient_pressure:
             raise InputError(
                 "E130",
-                f"supply_pressure is {self.supply_pressure:.6g} Pa and ambient_pressure {self.ambient_pressure:.6g} Pa, "
+                f"supply_pressure is {self.supply_pressure:.6g} Pa and ambient_pressure "
+                f"{self.ambient_pressure:.6g} Pa, "
                 "both absolute; allowed: a supply pressure above ambient",
             )
         for name in ("eccentricity_ratio", "tilt"):
@@ -261,8 +263,10 @@ class Footstep:
         if max(map(abs, self.end_eccentricities)) >= 1.0:
             raise InputError(
                 "E130",
-                f"eccentricity_ratio {self.eccentricity_ratio:.3g} with tilt {self.tilt:.3g} rad brings the heel to "
-                f"{max(map(abs, self.end_eccentricities)):.3g} of the clearance; allowed: less than 1 at both ends",
+                f"eccentricity_ratio {self.eccentricity_ratio:.3g} with tilt {self.tilt:.3g} rad brings the "
+                "heel to "
+                f"{max(map(abs, self.end_eccentricities)):.3g} of the clearance; allowed: less than 1 at both "
+                "ends",
             )
         groove = self.groove
         if groove is not None and not self.options.any_pitch:
@@ -272,7 +276,8 @@ class Footstep:
                     "E130",
                     f"{groove.starts} grooves and lands take {1.0 + misfit:.4g} of the way around the heel, "
                     "starts (groove_width + land_width) over 2 pi radius sin(angle), a misfit of "
-                    f"{100.0 * misfit:+.2g} %; allowed: {100.0 * PITCH_TOLERANCE:.0f} %; both widths are normal to the "
+                    f"{100.0 * misfit:+.2g} %; allowed: {100.0 * PITCH_TOLERANCE:.0f} %; both widths are normal "
+                    "to the "
                     "groove; any_pitch accepts the numbers as they are",
                 )
 

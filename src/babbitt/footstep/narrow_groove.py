@@ -1,12 +1,13 @@
 """Narrow-groove theory of the clearance: grooves and lands as one film, with the heat that the metal takes.
 
-Many narrow grooves make one film with a preferred direction: the pressure gradient along the groove is the same in
-groove and land, the flow across is the same in both, and the mean gradient around the heel vanishes (J. H. Vohr and
-C. Y. Chow, Journal of Basic Engineering 87 (1965) 568-578; E. A. Muijderman, Spiral Groove Bearings, 1966). Everything
-per mu: flow that the groove drags does not depend on the viscosity, pressures and powers are proportional to it.
+Many narrow grooves make one film with a preferred direction: the pressure gradient along the groove is the same
+in groove and land, the flow across is the same in both, and the mean gradient around the heel vanishes (J. H.
+Vohr and C. Y. Chow, Journal of Basic Engineering 87 (1965) 568-578; E. A. Muijderman, Spiral Groove Bearings,
+1966). Everything per mu: flow that the groove drags does not depend on the viscosity, pressures and powers are
+proportional to it.
 
-Symbols of the kernels: gamma share of grooves, h_r = delta over lands, h_g = delta + h_k over grooves, V = omega0 r1,
-S2 = gamma/h_g² + (1-gamma)/h_r², S3 = gamma/h_g³ + (1-gamma)/h_r³, G = (dp/dz)/mu.
+Symbols of the kernels: gamma share of grooves, h_r = delta over lands, h_g = delta + h_k over grooves, V = omega0
+r1, S2 = gamma/h_g² + (1-gamma)/h_r², S3 = gamma/h_g³ + (1-gamma)/h_r³, G = (dp/dz)/mu.
 """
 
 from __future__ import annotations
@@ -124,7 +125,7 @@ class NarrowGrooveAnnulus:
 
     @cached_property
     def _power_terms(self) -> tuple[float, float]:
-        """Wall power over mu, m³/s² and per (dp/mu): P/mu = first + second dp/mu (the heel turns against the film)."""
+        """Wall power over mu, m³/s², without a rise of pressure, and what a rise over mu adds, m³/s."""
         at_rest, driven = self._wall_power(0.0), self._wall_power(1.0)
         return at_rest, driven - at_rest
 

@@ -22,8 +22,8 @@ __all__ = ["Method", "NoSteadyStateError", "StateName", "SteadyState", "steady_s
 Array = NDArray[np.float64]
 
 SMALLEST_SHARE = 1e-6
-"""Of the largest groove flow: states with less groove flow are not sought. For very small exponents of viscosity the
-hot state lies at exponentially small flows."""
+"""Of the largest groove flow: states with less are not sought. For very small exponents of viscosity the hot state
+lies at exponentially small flows."""
 SAMPLES = 600
 """Of the logarithmic and of the linear grid each."""
 _COARSE = np.geomspace(SMALLEST_SHARE, 1.0, 160)
@@ -62,7 +62,8 @@ class NoSteadyStateError(Exception):
 
     def __init__(self, largest_residual: float, groove_flow: float, rim_pressure: float) -> None:
         super().__init__(
-            f"no steady state: at every groove flow the rim receives more oil than the clearance carries away; it comes "
+            "no steady state: at every groove flow the rim receives more oil than the clearance carries away; "
+            "it comes "
             f"nearest at {1e9 * groove_flow:.4g} mm³/s, with {1e-6 * rim_pressure:.4g} MPa at the rim and "
             f"{-1e9 * largest_residual:.4g} mm³/s too much"
         )
@@ -190,7 +191,9 @@ def crossings(
     """Every place where a function changes its sign between neighbours of a grid."""
     signs = np.signbit(values)
     return tuple(
-        bracketed_root(lambda x: float(function(number(x))), float(places[i]), float(places[i + 1]), absolute, 1e-13)
+        bracketed_root(
+            lambda x: float(function(number(x))), float(places[i]), float(places[i + 1]), absolute, 1e-13
+        )
         for i in np.flatnonzero(signs[1:] != signs[:-1])
     )
 
@@ -200,7 +203,10 @@ def _summit(model: GroovedHeel, low: float, high: float) -> float:
     from scipy.optimize import minimize_scalar
 
     found = minimize_scalar(
-        lambda flow: -float(model.residual(number(flow))), bounds=(low, high), method="bounded", options={"xatol": 1e-9 * high}
+        lambda flow: -float(model.residual(number(flow))),
+        bounds=(low, high),
+        method="bounded",
+        options={"xatol": 1e-9 * high},
     )
     return float(found.x)
 
@@ -267,7 +273,7 @@ def _of_balance(model: GroovedHeel | SmoothHeel, root: float, name: StateName) -
 
 
 def _warm_states(footstep: Footstep) -> tuple[SteadyState, ...]:
-    """States by narrow-groove theory: an odd number, since the residual falls from one end of all flows to the other."""
+    """States by narrow-groove theory: an odd number, since the residual has opposite signs at the ends."""
     model = WarmFilms(footstep)
     roots = crossings(model.residual, *_warm_grid(model), 1e-22)
     states = sorted((_of_warm(model, root) for root in roots), key=lambda state: -state.rim_temperature)
@@ -283,7 +289,7 @@ def _warm_names(footstep: Footstep, number: int) -> Iterable[StateName]:
 
 
 def _warm_grid(model: WarmFilms) -> tuple[Array, Array]:
-    """Flows towards the rim, from more leakage than the supply drives to the flow without any pressure, and R there."""
+    """Flows towards the rim, from more leakage than the supply drives to that without pressure, and R there."""
     step, annulus = model.footstep, model.annulus
     cold = float(model.viscosity(number(step.oil.temperature)))
     size = annulus.conductance * (step.supply_pressure - step.ambient_pressure) / cold + annulus.dragged_flow
@@ -321,11 +327,8 @@ def _of_warm(model: WarmFilms, root: float) -> SteadyState:
         load=model.load(at),
         friction_power=model.friction_power(at),
         axial_stiffness=-load_slope(model, root, "face_gap"),
-        axial_damping=axial_damping(
-            footstep, float(model.viscosity(at.face_temperature)), -1.0 / annulus_slope
-        ),
+        axial_damping=axial_damping(footstep, float(model.viscosity(at.face_temperature)), -1.0 / annulus_slope),
         load_over_clearance=load_slope(model, root, "clearance"),
         side_force=side_force_of_leakage(footstep, pressure) if footstep.groove is None else float("nan"),
         residual=abs(float(at.residual)) / pressure,
     )
-

@@ -1,11 +1,13 @@
 """The study's own equations, corrected: an adiabatic groove beside a full slit, and all their steady states.
 
-Source: A. S. Kirichenko, Problems of Tribology, 2011 (footstep of a three-screw pump). Corrected are: N in place of L
-in the pressure of the groove (the print has the wrong unit), the gap of the recess in the outlet temperature of the
-face, the missing speed in the friction power of the smooth heel, the land width in the friction of the lands.
+Source: A. S. Kirichenko, Problems of Tribology, 2011 (footstep of a three-screw pump). Corrected are: N in place
+of L in the pressure of the groove (the print has the wrong unit), the gap of the recess in the outlet temperature
+of the face, the missing speed in the friction power of the smooth heel, the land width in the friction of the
+lands.
 
-Symbols of the kernels: Q_k groove flow towards the rim and q = Q_k/(z_n a), U wall speed along the groove, h_k depth, l
-length of the groove, N = 6 (U h_k - 2 q), M3 = N² + 12 (h_k U)², M4 = 12 q rho_c h_k³, R = Q_l - Q_k - Q2.
+Symbols of the kernels: Q_k groove flow towards the rim and q = Q_k/(z_n a), U wall speed along the groove, h_k
+depth, l length of the groove, N = 6 (U h_k - 2 q), M3 = N² + 12 (h_k U)², M4 = 12 q rho_c h_k³, R = Q_l - Q_k -
+Q2.
 """
 
 from __future__ import annotations

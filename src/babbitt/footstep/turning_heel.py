@@ -1,4 +1,4 @@
-"""The turning smooth heel that stands eccentric or tilted in its cup: a journal bearing with pressure at one side."""
+"""The turning smooth heel, eccentric or tilted in its cup: a journal bearing with pressure at one side."""
 
 from __future__ import annotations
 

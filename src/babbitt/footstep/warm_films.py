@@ -1,8 +1,9 @@
 """The footstep by narrow-groove theory: face and clearance, each with one temperature that its heat balance gives.
 
 Each film is as warm as ``theta = theta_w + heat/(G_w/2 + rho_c |Q|)`` where metal and incoming oil have the same
-temperature; both films share the conductance G_w of the metal in equal halves (an assumption). The heat is proportional to the viscosity, and that falls exponentially: the temperature is closed by Lambert's W, so
-that one unknown is left, the flow Q of the clearance towards the rim. The face gap is fed by the same flow.
+temperature; both films share the conductance G_w of the metal in equal halves (an assumption). The heat is
+proportional to the viscosity, and that falls exponentially: the temperature is closed by Lambert's W, so that one
+unknown is left, the flow Q of the clearance towards the rim. The face gap is fed by the same flow.
 """
 
 from __future__ import annotations

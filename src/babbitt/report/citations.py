@@ -39,11 +39,13 @@ DUFRANE = (
     "Journal of Lubrication Technology 105 (1983) 313-317."
 )
 KIRICHENKO = (
-    "A. S. Kirichenko: study of a hydrostatic footstep with a screw-grooved heel in a three-screw pump. Problems of "
+    "A. S. Kirichenko: study of a hydrostatic footstep with a screw-grooved heel in a three-screw pump. "
+    "Problems of "
     "Tribology (2011) (equations, corrected; see `babbitt validate screw_heel_claims`)."
 )
 NARROW_GROOVE = (
-    "J. H. Vohr, C. Y. Chow: Characteristics of herringbone-grooved, gas-lubricated journal bearings. Journal of Basic "
+    "J. H. Vohr, C. Y. Chow: Characteristics of herringbone-grooved, gas-lubricated journal bearings. Journal "
+    "of Basic "
     "Engineering 87 (1965) 568-578 (narrow-groove theory)."
 )
 VISCOSITY = "ASTM D341: Viscosity-temperature equations and charts for liquid petroleum or hydrocarbon products."

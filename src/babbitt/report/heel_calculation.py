@@ -43,7 +43,9 @@ class HeelSheet(Worksheet):
                 "screw_land_width": groove.land_width,
                 "groove_starts": float(groove.starts),
             }
-        self.numbers = {name: calculated(VOCABULARY[name], number) for name, number in known.items() if name in VOCABULARY}
+        self.numbers = {
+            name: calculated(VOCABULARY[name], number) for name, number in known.items() if name in VOCABULARY
+        }
 
 
 def heel_calculation(case: HeelCase, result: Result) -> tuple[Section, ...]:
@@ -85,7 +87,8 @@ def _groove(sheet: HeelSheet) -> Iterator[Line]:
     yield sheet.line("groove_heat_term", "groove_drive**2 + 12 * (groove_depth * groove_wall_speed)**2")
     yield sheet.line("groove_stream_term", "12 * groove_line_flow * volumetric_heat_capacity * groove_depth**3")
     growth = (
-        "ln(1 + inlet_viscosity * viscosity_exponent_alpha * groove_heat_term * groove_length / groove_stream_term)"
+        "ln(1 + inlet_viscosity * viscosity_exponent_alpha * groove_heat_term * groove_length / "
+        "groove_stream_term)"
         " / viscosity_exponent_alpha"
     )
     yield sheet.line("groove_outlet_temperature", f"heel_inlet_temperature + {growth}", "no heat to the metal")
@@ -105,7 +108,8 @@ def _face(sheet: HeelSheet, outward: bool) -> Iterator[Line]:
     yield sheet.line(
         "face_flow",
         "pi * volumetric_heat_capacity / (6 * viscosity_exponent_alpha * inlet_viscosity * face_resistance)"
-        " * (exp(viscosity_exponent_alpha * (heel_supply_pressure - rim_pressure) / volumetric_heat_capacity) - 1)",
+        " * (exp(viscosity_exponent_alpha * (heel_supply_pressure - rim_pressure) / volumetric_heat_capacity) - "
+        "1)",
         "" if outward else "negative: the rim feeds the recess",
         digits=9,
     )
@@ -145,7 +149,9 @@ def _friction(sheet: HeelSheet, step: Footstep) -> Iterator[Line]:
     oil = step.oil
     if step.groove is None:
         shear = oil.at(sheet["face_outlet_temperature"] + 273.15)
-        yield sheet.given("clearance_viscosity", "at the temperature at which oil leaves the face gap", value=shear)
+        yield sheet.given(
+            "clearance_viscosity", "at the temperature at which oil leaves the face gap", value=shear
+        )
         cylinder = f"clearance_viscosity * {TOTAL} * (screw_speed * heel_radius)**2"
     else:
         mean = step.options.friction_viscosity is FrictionViscosity.MEAN
@@ -155,7 +161,8 @@ def _friction(sheet: HeelSheet, step: Footstep) -> Iterator[Line]:
         yield sheet.line("land_surface", "groove_starts * screw_land_width * groove_length")
         yield sheet.line("groove_surface", "groove_starts * screw_groove_width * groove_length")
         cylinder = (
-            "clearance_viscosity * (land_surface / heel_clearance + groove_surface / (heel_clearance + groove_depth))"
+            "clearance_viscosity * (land_surface / heel_clearance + groove_surface / (heel_clearance + "
+            "groove_depth))"
             " * (groove_speed * heel_radius)**2"
         )
     outlet = sheet["face_outlet_temperature"] + 273.15
@@ -168,5 +175,3 @@ def _friction(sheet: HeelSheet, step: Footstep) -> Iterator[Line]:
         " + (recess_radius**4 - bore_radius**4) / recess_depth)",
     )
     yield sheet.line("friction_power", f"{cylinder} + face_friction_power", digits=6)
-
-

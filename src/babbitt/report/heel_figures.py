@@ -139,7 +139,9 @@ def _branches(panel: Axes, places: Array, sweep: HeelSweep, name: str) -> list[E
         colour = GREY if branch is StateName.SMOOTH else INK
         for wanted, line in ((1.0, "-"), (0.0, UNSTABLE)):
             shown = np.where(stable == wanted, values, np.nan)
-            panel.plot(places, shown, color=colour, linestyle=line, linewidth=0.9 if branch is StateName.SMOOTH else 1.2)
+            panel.plot(
+                places, shown, color=colour, linestyle=line, linewidth=0.9 if branch is StateName.SMOOTH else 1.2
+            )
         there = np.flatnonzero(np.isfinite(values))
         if there.size:
             ends.append((float(values[there[-1]]), float(places[there[-1]]), WORDS[branch], colour))
@@ -196,5 +198,6 @@ def _verticals(panel: Axes, case: HeelCase) -> None:
             panel.axvline(1e6 * place, color=GREY, linewidth=0.7, linestyle=DOTTED, zorder=0)
             panel.annotate(
                 text, (1e6 * place, 1.0), xycoords=panel.get_xaxis_transform(), xytext=(2, -1),
-                textcoords="offset points", fontsize=7, va="top", ha="left" if "cr" in text else "right", color="0.3",
+                textcoords="offset points", fontsize=7, va="top", color="0.3",
+                ha="left" if "cr" in text else "right",
             )  # fmt: skip

@@ -33,9 +33,7 @@ def heel_table(results: Sequence[Result]) -> RenderableType:
     for title in ("quantity", "symbol", "unit"):
         table.add_column(title, overflow="fold" if title == "quantity" else "ellipsis")
     for result in results:
-        table.add_column(
-            Text(split_clearance(result.name)[1].replace(" ", "\n")), justify="right", no_wrap=True
-        )
+        table.add_column(Text(split_clearance(result.name)[1].replace(" ", "\n")), justify="right", no_wrap=True)
     solved = [result.values if result.outcome.solved else {} for result in results]
     for name in dict.fromkeys(name for values in solved for name in values):
         quantity = QUANTITIES.get(name)
@@ -45,7 +43,9 @@ def heel_table(results: Sequence[Result]) -> RenderableType:
         written = [quantity.format(value) if math.isfinite(value) else ABSENT for value in cells]
         table.add_row(quantity.meaning, quantity.symbol, quantity.display.label, *written)
     words = [judge.verdict(result) for result in results]
-    stable = [{"yes": "stable", "no": "not stable"}.get(result.settings.get("stable", ""), "") for result in results]
+    stable = [
+        {"yes": "stable", "no": "not stable"}.get(result.settings.get("stable", ""), "") for result in results
+    ]
     table.add_row(Text("verdict"), "", "", *(Text(word.value, style=STYLES[word]) for word in words))
     table.add_row(Text("steady state"), "", "", *stable)
     return Group(heading, table)

@@ -86,7 +86,10 @@ def inputs(case: AnyDesign) -> tuple[InputGroup, ...]:
         Groups that say nothing are left out.
     """
     if isinstance(case, HeelCase):
-        said = ((title, tuple(Row(what, value, None, unit) for what, value, unit in rows)) for title, rows in heel_inputs(case))
+        said = (
+            (title, tuple(Row(what, value, None, unit) for what, value, unit in rows))
+            for title, rows in heel_inputs(case)
+        )
         groups = (_as_given(case), *(InputGroup(title, rows) for title, rows in said))
         return tuple(group for group in groups if group.rows)
     geometry = _film_geometry(case) if isinstance(case, FilmCase) else _geometry(case)

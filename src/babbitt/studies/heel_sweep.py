@@ -36,7 +36,7 @@ class HeelSweep:
     states: tuple[tuple[tuple[SteadyState, ...], ...], ...]
 
     def values(self, quantity: str, name: StateName) -> Array:
-        """A quantity of one branch, shape (face gaps, clearances); not a number where the branch does not exist."""
+        """A quantity of one branch, shape (face gaps, clearances); not a number where there is no such state."""
         return np.array([[_value(states, quantity, name) for states in row] for row in self.states])
 
     @property

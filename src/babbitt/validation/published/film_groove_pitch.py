@@ -86,7 +86,9 @@ def draw(figure: Figure) -> None:
     found = film(5, 0.0)
     for share, line in ((0.25, ":"), (0.5, "--"), (0.75, "-")):
         column = int(np.argmin(np.abs(found.z - share * (found.z[-1] + found.z[0]))))
-        right.plot(1e3 * found.s, 1e-6 * found.pressure[:, column], color=INK, linestyle=line, label=f"z = {share:g} L")
+        right.plot(
+            1e3 * found.s, 1e-6 * found.pressure[:, column], color=INK, linestyle=line, label=f"z = {share:g} L"
+        )
     right.set(xlabel="across one pitch in mm", ylabel="p − p_a in MPa")
     right.legend()
 
@@ -95,19 +97,26 @@ CASE = ValidationCase(
     name="film_groove_pitch",
     title="Screw groove: narrow-groove theory against the film in two dimensions",
     story=Story(
-        what="Narrow-groove theory replaces a grooved clearance by a film with averaged properties, as if there were "
-        "infinitely many grooves. The film of one real pitch, with its jumps and its open ends, says how many grooves "
+        what="Narrow-groove theory replaces a grooved clearance by a film with averaged properties, as if there "
+        "were "
+        "infinitely many grooves. The film of one real pitch, with its jumps and its open ends, says how many "
+        "grooves "
         "are many: flow without pressure difference, conductance, pressure without flow, friction.",
-        source="J. H. Vohr and C. Y. Chow, Journal of Basic Engineering 87 (1965) 568-578 (narrow-groove theory), for "
+        source="J. H. Vohr and C. Y. Chow, Journal of Basic Engineering 87 (1965) 568-578 (narrow-groove "
+        "theory), for "
         "the heel of the pump footstep of A. S. Kirichenko (2011) with 5 to 80 starts of equal shares.",
-        assumptions="Uniform pressure at both ends of the heel; one viscosity. The pitch shrinks as the starts grow, "
+        assumptions="Uniform pressure at both ends of the heel; one viscosity. The pitch shrinks as the starts "
+        "grow, "
         "angle, depth and share of the groove stay.",
-        tolerances="2 % for 20 or more starts, where the theory is meant to hold. Fewer are shown without judgement.",
-        differences="All deviations fall with one over the number of starts: what differs is the end of each groove, a "
+        tolerances="2 % for 20 or more starts, where the theory is meant to hold. Fewer are shown without "
+        "judgement.",
+        differences="All deviations fall with one over the number of starts: what differs is the end of each "
+        "groove, a "
         "piece as long as the pitch. The pump's own 5 starts let through 2.9 % more than the theory says.",
     ),
     run=run,
     draw=draw,
-    caption="Left: deviation of the film from the theory. Right: pressure across one pitch of the pump's groove, no "
+    caption="Left: deviation of the film from the theory. Right: pressure across one pitch of the pump's "
+    "groove, no "
     "pressure difference between its ends.",
 )

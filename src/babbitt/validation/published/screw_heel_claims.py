@@ -77,7 +77,9 @@ def _rise(name: str, gap: float, clearance: float) -> float:
     return found[name].rim_temperature - found["smooth"].rim_temperature
 
 
-def _over(read: Callable[[SteadyState], float], name: str, first: tuple[float, float], last: tuple[float, float]) -> float:
+def _over(
+    read: Callable[[SteadyState], float], name: str, first: tuple[float, float], last: tuple[float, float]
+) -> float:
     """A quantity at the last point (gap, clearance) over that at the first."""
     return read(states(footstep(*last))[name]) / read(states(footstep(*first))[name])
 
@@ -111,7 +113,8 @@ def _both(of: Callable[[str], float]) -> tuple[float, float]:
 def _reproduced() -> Iterator[Claim]:
     hot, cold = critical_clearances(footstep())
     yield Claim(
-        "a critical clearance exists, about 10 µm", "δ_cr", "", "µm", 10.0, 1e6 * hot.clearance, 1e6 * cold.clearance,
+        "a critical clearance exists, about 10 µm", "δ_cr", "", "µm", 10.0, 1e6 * hot.clearance,
+        1e6 * cold.clearance,
         Within(relative=0.1),
     )  # fmt: skip
     yield Claim(
@@ -124,7 +127,8 @@ def _reproduced() -> Iterator[Claim]:
     )  # fmt: skip
     spread = _both(lambda name: _spread([_rise(name, gap, 20.0) for gap in GAPS]))
     yield Claim(
-        "this difference hardly depends on the face gap", "largest less smallest θ − θ_smooth", "h = 5..60 µm", "K", 0.0,
+        "this difference hardly depends on the face gap", "largest less smallest θ − θ_smooth", "h = 5..60 µm",
+        "K", 0.0,
         *spread, Within(absolute=0.5),
     )  # fmt: skip
     for clearance in (10.0, 20.0, 40.0):
@@ -160,12 +164,14 @@ def _refuted() -> Iterator[Claim]:
     yield Claim(
         "the load is 10 % larger", "load gain", "h = δ = 20 µm", "%", 10.0,
         *_both(lambda name: _gain(name, 20.0, 20.0)), Within(absolute=2.0),
-        "the stable state of the equations gains nothing (−1.8 to 0 % over h = 5..60 µm); the cold one gains 60 to 5 %",
+        "the stable state of the equations gains nothing (−1.8 to 0 % over h = 5..60 µm); the cold one gains 60 "
+        "to 5 %",
     )  # fmt: skip
     yield Claim(
         "the load is 25 % larger", "load gain", "h = 20 µm, δ = 10 µm", "%", 25.0,
         *_both(lambda name: _gain(name, 20.0, 10.0)), Within(absolute=2.0),
-        f"the highest pressure that the groove reaches at any flow bounds the gain at {largest_gain(20.0, 10.0):.1f} %",
+        "the highest pressure that the groove reaches at any flow bounds the gain at "
+        f"{largest_gain(20.0, 10.0):.1f} %",
     )  # fmt: skip
     for clearance in (20.0, 10.0):
         yield Claim(
@@ -201,15 +207,27 @@ def run() -> tuple[Comparison, ...]:
         where = f"{claim.place}, " if claim.place else ""
         rows.append(
             Comparison(
-                claim.quantity, f"{where}hot", claim.claimed, claim.hot, claim.tolerance, claim.unit, SOURCE_OF_CLAIMS,
+                claim.quantity,
+                f"{where}hot",
+                claim.claimed,
+                claim.hot,
+                claim.tolerance,
+                claim.unit,
+                SOURCE_OF_CLAIMS,
                 suspect=f"not reproduced: {claim.refuted}" if claim.refuted else "",
-            )  # fmt: skip
+            )
         )
         rows.append(
             Comparison(
-                claim.quantity, f"{where}cold", claim.claimed, claim.cold, claim.tolerance, claim.unit,
-                SOURCE_OF_CLAIMS, information="the other steady state, for comparison",
-            )  # fmt: skip
+                claim.quantity,
+                f"{where}cold",
+                claim.claimed,
+                claim.cold,
+                claim.tolerance,
+                claim.unit,
+                SOURCE_OF_CLAIMS,
+                information="the other steady state, for comparison",
+            )
         )
     return tuple(rows)
 
@@ -226,7 +244,9 @@ def draw(figure: Figure) -> None:
     left.axhline(10.0, color=GREY, linewidth=0.8)
     left.annotate("claimed: 10 %", (60.0, 10.0), xytext=(0, 3), textcoords="offset points", ha="right", color=GREY)
     right.plot(10.0, 25.0, "x", color=GREY)
-    right.annotate("claimed: 25 %", (10.0, 25.0), xytext=(6, 0), textcoords="offset points", va="center", color=GREY)
+    right.annotate(
+        "claimed: 25 %", (10.0, 25.0), xytext=(6, 0), textcoords="offset points", va="center", color=GREY
+    )
     left.set(xlabel="h in µm, δ = 20 µm", ylabel="load gain over the smooth heel in %")
     right.set(xlabel="δ in µm, h = 20 µm")
     left.legend()
@@ -236,15 +256,21 @@ CASE = ValidationCase(
     name="screw_heel_claims",
     title="Screw-grooved footstep: what the study claims",
     story=Story(
-        what="Every claim of the study's text that has a number, beside what its own equations give once misprints are "
+        what="Every claim of the study's text that has a number, beside what its own equations give once "
+        "misprints are "
         "corrected, for both steady states. A designer should know which claims stand before cutting a groove.",
         source=SOURCE,
-        assumptions="The friction of the clearance takes the mean of two viscosities, which the study does not say and "
-        "which is the choice that meets its claim on power. 'About half' is taken as 2, 'several orders' as at least 100.",
+        assumptions="The friction of the clearance takes the mean of two viscosities, which the study does not "
+        "say and "
+        "which is the choice that meets its claim on power. 'About half' is taken as 2, 'several orders' as at "
+        "least 100.",
         tolerances="Words such as 'about' are given 10 to 15 %.",
-        differences="Load gains of 10 and 25 %, a leakage larger by orders, and powers at equal distance are no property "
-        "of the equations: they are shown as the study prints them and not judged. By narrow-groove theory with a metal "
-        "that takes 5 W/K a gain of 10 % at δ = 20 µm is plausible; a halved power is not, since at equal temperature the "
+        differences="Load gains of 10 and 25 %, a leakage larger by orders, and powers at equal distance are no "
+        "property "
+        "of the equations: they are shown as the study prints them and not judged. By narrow-groove theory with "
+        "a metal "
+        "that takes 5 W/K a gain of 10 % at δ = 20 µm is plausible; a halved power is not, since at equal "
+        "temperature the "
         "groove takes at most a quarter of the friction away.",
     ),
     run=run,

@@ -13,7 +13,8 @@ from babbitt.validation.reference_data import reference_data
 MICRO, CUBIC_MILLIMETRE, MEGA, ZERO_CELSIUS = 1e-6, 1e-9, 1e6, 273.15
 
 SOURCE = (
-    "A. S. Kirichenko, *Problems of Tribology* (2011), footstep of the three-screw pump 3V 63/25-1-45/6,3B: data and "
+    "A. S. Kirichenko, *Problems of Tribology* (2011), footstep of the three-screw pump 3V 63/25-1-45/6,3B: "
+    "data and "
     "text claims as printed. The curves of the study are not at hand."
 )
 
@@ -25,16 +26,18 @@ def footstep(face_gap: float = 20.0, clearance: float = 20.0) -> Footstep:
     return Footstep(
         HeelGeometry(d["length"], d["radius"], d["recess_radius"], d["bore_radius"], d["recess_depth"]),
         HeelOil(
-            d["viscosity"], d["temperature_celsius"] + ZERO_CELSIUS, d["exponent"], d["heat_capacity"], d["density"]
+            d["viscosity"],
+            d["temperature_celsius"] + ZERO_CELSIUS,
+            d["exponent"],
+            d["heat_capacity"],
+            d["density"],
         ),
         d["speed_rpm"] * math.pi / 30.0,
         d["supply_pressure"],
         d["ambient_pressure"],
         face_gap * MICRO,
         clearance * MICRO,
-        ScrewGroove(
-            math.radians(d["angle_degrees"]), d["depth"], d["groove_width"], d["land_width"], d["starts"]
-        ),
+        ScrewGroove(math.radians(d["angle_degrees"]), d["depth"], d["groove_width"], d["land_width"], d["starts"]),
     )
 
 

@@ -97,7 +97,8 @@ def _constant_viscosity() -> Iterator[Comparison]:
     wide = steady_states(smooth(replace(step, face_gap=5e-3)))[0]
     rows = (
         ("p₁", "α = 0, grooved", "MPa", told["rim_pressure_MPa"], grooved.rim_pressure / MEGA, 1e-6),
-        ("Q_k", "α = 0, grooved", "mm³/s", told["groove_flow_mm3_s"], grooved.groove_flow / CUBIC_MILLIMETRE, 1e-6),
+        ("Q_k", "α = 0, grooved", "mm³/s", told["groove_flow_mm3_s"],
+         grooved.groove_flow / CUBIC_MILLIMETRE, 1e-6),
         ("Q_l", "α = 0, grooved", "mm³/s", told["leakage_mm3_s"], grooved.leakage / CUBIC_MILLIMETRE, 1e-6),
         ("Q₂", "α = 0, grooved", "mm³/s", told["face_flow_mm3_s"], grooved.face_flow / CUBIC_MILLIMETRE, 1e-6),
         ("T", "α = 0, grooved", "N", told["load_N"], grooved.load, 1e-6),
@@ -142,7 +143,14 @@ def _warm_films() -> Iterator[Comparison]:
     told = reference_data("screw_heel")["warm_films"]
     plain, grooved = _warm(20.0, told["conductance_W_K"])
     yield Comparison(
-        "T", "metal 10 W/K, grooved", told["grooved_load_N"], grooved.load, Within(absolute=0.1), "N", "prototype", 1
+        "T",
+        "metal 10 W/K, grooved",
+        told["grooved_load_N"],
+        grooved.load,
+        Within(absolute=0.1),
+        "N",
+        "prototype",
+        1,
     )
     yield Comparison(
         "T", "metal 10 W/K, smooth", told["smooth_load_N"], plain.load, Within(absolute=0.1), "N", "prototype", 1
@@ -167,11 +175,13 @@ def draw(figure: Figure) -> None:
         clearances = np.geomspace(6.0, 60.0, 60)
         found = [_states_at(gap, clearance) for clearance in clearances]
         for name, stable, style, colour in (
-            (StateName.SMOOTH, True, "-", GREY), (StateName.HOT, True, "-", INK), (StateName.HOT, False, "--", INK),
+            (StateName.SMOOTH, True, "-", GREY), (StateName.HOT, True, "-", INK),
+            (StateName.HOT, False, "--", INK),
             (StateName.COLD, True, "-", INK), (StateName.COLD, False, "--", INK),
         ):  # fmt: skip
             loads = [
-                next((s.load for s in each if s.name is name and s.stable is stable), float("nan")) for each in found
+                next((s.load for s in each if s.name is name and s.stable is stable), float("nan"))
+                for each in found
             ]
             axes.plot(clearances, loads, linestyle=style, color=colour)
         for row in reference_data("screw_heel")["states"]:
@@ -196,16 +206,21 @@ CASE = ValidationCase(
     title="Screw-grooved footstep: steady states, clearances, narrow grooves, warm films",
     story=Story(
         what="A footstep with a screw-grooved heel has two steady states, a hot and a cold one, or none. Flows, "
-        "pressure, temperatures, load, friction and stability of each are compared, the clearances at which states "
-        "vanish, the closed forms of constant viscosity, narrow-groove theory, and films that give heat to the metal.",
+        "pressure, temperatures, load, friction and stability of each are compared, the clearances at which "
+        "states "
+        "vanish, the closed forms of constant viscosity, narrow-groove theory, and films that give heat to the "
+        "metal.",
         source=f"{SOURCE} The reference values come from a prototype of the same corrected equations, written "
         "separately; they check our code against an independent one, not the equations against a pump.",
         assumptions="The study never defines its speed-reduction factor β (zero here) nor says whether the supply "
-        "pressure is absolute (absolute here, since it is printed beside an absolute ambient pressure). The metal's "
+        "pressure is absolute (absolute here, since it is printed beside an absolute ambient pressure). The "
+        "metal's "
         "conductance is shared by both films in equal halves.",
-        tolerances="Seven digits of the prototype allow 1e-5; elsewhere half of the last digit given. The fold is known "
+        tolerances="Seven digits of the prototype allow 1e-5; elsewhere half of the last digit given. The fold "
+        "is known "
         "to 0.01 µm. A stability flag has to be right.",
-        differences="The prototype's fold at h = 12 µm lies 0.004 µm higher; at the fold the search of either program "
+        differences="The prototype's fold at h = 12 µm lies 0.004 µm higher; at the fold the search of either "
+        "program "
         "ends on its own last grid.",
     ),
     run=run,
