@@ -115,3 +115,17 @@ def test_printed_numbers_give_the_printed_result(machine):
             digits = {other: max(line.digits, VOCABULARY[other].digits) for other in line.numbers}
             printed = {other: float(f"{n:.{digits[other]}g}") for other, n in line.numbers.items()}
             assert value(line.expression, printed) == pytest.approx(line.value, rel=5e-4), (name, line.name)
+
+
+def test_the_map_shows_where_no_state_exists(tmp_path):
+    text = TEXT.replace(
+        "\nspeed:", "\nfigures: {map_points: 8, clearance_from: 8 um, clearance_to: 30 um}\nspeed:"
+    )
+    machine = solve(parse_case(text))
+    assert [path.name[3:] for path in write_plots(machine, tmp_path)][-1] == "state-map.svg"
+    from babbitt.report import heel_figures
+
+    with heel_figures.style():
+        figure = heel_figures._map(machine.design_cases[1])
+    hatched = [part for part in figure.axes[0].collections if getattr(part, "hatches", None)]
+    assert hatched

@@ -33,3 +33,20 @@ def test_grid_of_states():
 def test_loads_fall_with_the_clearance():
     loads = sweep_heel(FOOTSTEP, (20e-6,), np.linspace(11e-6, 40e-6, 8)).values("load", StateName.HOT)[0]
     assert (np.diff(loads) < 0.0).all()
+
+
+def test_both_methods_side_by_side():
+    from babbitt.report.comparison_table import print_comparison
+    from babbitt.studies.comparison import compare_methods
+
+    (comparison,) = compare_methods(parse_case(template("screw_heel")))
+    labels = [variant.label for variant in comparison.variants]
+    assert labels == [
+        "study, smooth heel", "study, hot state", "study, cold state", "narrow grooves, smooth heel",
+        "narrow grooves, grooved heel",
+    ]  # fmt: skip
+    smooth = [variant.result for variant in comparison.variants if "smooth" in variant.label]
+    assert smooth[0].load == pytest.approx(
+        smooth[1].load, rel=1e-3
+    )  # without metal only the heat of the face differs
+    assert print_comparison((comparison,))

@@ -129,6 +129,12 @@ class FigureRanges(Part):
     clearance_from: Gap = Field(6e-6, description="Smallest clearance drawn.")
     clearance_to: Gap = Field(60e-6, description="Largest clearance drawn.")
 
+    map_points: Annotated[int, WholeNumber(0, 200)] = Field(
+        0,
+        description="Face gaps and clearances of a map of load and steady states, such as 60; 0: no map. A point "
+        "takes about a millisecond.",
+    )
+
     @rule
     def _in_order(self) -> Iterator[Complaint]:
         for name in ("face_gap", "clearance"):
@@ -280,6 +286,7 @@ def heel_cases(case: ScrewHeelCase) -> tuple[HeelCase, ...]:
             made.get(not grooved),
             (ranges.face_gap_from, ranges.face_gap_to),
             (ranges.clearance_from, ranges.clearance_to),
+            ranges.map_points,
             tuple(_given(case)),
             assumptions=case.assumptions,
         )

@@ -28,6 +28,8 @@ class HeelCase:
         The other variant where the case asks for both.
     gap_range, clearance_range : tuple of float
         Over which figures run, m.
+    map_points : int
+        Face gaps and clearances of the map of states; 0 for none.
     given : tuple of tuple of str
         How the case file put it, labels and words.
     doubts : tuple of Notice
@@ -41,6 +43,7 @@ class HeelCase:
     other: Footstep | None = None
     gap_range: Range = (5e-6, 60e-6)
     clearance_range: Range = (10e-6, 40e-6)
+    map_points: int = 0
     given: tuple[tuple[str, str], ...] = ()
     doubts: tuple[Notice, ...] = ()
     assumptions: tuple[str, ...] = ()

@@ -62,7 +62,7 @@ class NoSteadyStateError(Exception):
 
     def __init__(self, largest_residual: float, groove_flow: float, rim_pressure: float) -> None:
         super().__init__(
-            "no steady state: at every groove flow the rim receives more oil than the clearance carries away; "
+            "at every groove flow the rim receives more oil than the clearance carries away; "
             "it comes "
             f"nearest at {1e9 * groove_flow:.4g} mm³/s, with {1e-6 * rim_pressure:.4g} MPa at the rim and "
             f"{-1e9 * largest_residual:.4g} mm³/s too much"

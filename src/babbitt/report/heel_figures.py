@@ -77,6 +77,35 @@ def _painted(case: HeelCase) -> Iterator[tuple[str, str, Figure]]:
         "stable; grey: smooth heel. A load that rises with the gap is a negative stiffness.",
         _over_gap(case),
     )
+    if case.map_points > 1 and case.is_grooved:
+        yield (
+            "state-map",
+            "Load in kN of the grooved heel over clearance and face gap: the stable state, the hottest where "
+            "there are several. Hatched: no steady state. Filled: the case.",
+            _map(case),
+        )
+
+
+def _map(case: HeelCase) -> Figure:
+    """Contours of the load over clearance and face gap, with the region without a steady state."""
+    figure, ((panel,),) = Sheet(166.0, 92.0, left=14.0).panels()
+    gaps = np.linspace(*case.gap_range, case.map_points)
+    clearances = np.linspace(*case.clearance_range, case.map_points)
+    sweep = sweep_heel(case.footstep, gaps.tolist(), clearances.tolist(), case.method, _watch)
+    loads = np.array([[_stable_load(states) for states in row] for row in sweep.states])
+    x, y = 1e6 * clearances, 1e6 * gaps
+    shown = in_engineers_unit("load", loads)
+    lines = panel.contour(x, y, np.ma.masked_invalid(shown), 12, colors=INK, linewidths=0.8)
+    panel.clabel(lines, fontsize=7, fmt="%.2f")
+    if (sweep.counts == 0).any():
+        panel.contourf(x, y, (sweep.counts == 0).astype(float), [0.5, 1.5], colors="none", hatches=["////"])
+    panel.plot([1e6 * case.footstep.clearance], [1e6 * case.footstep.face_gap], "o", color=INK, zorder=5)
+    panel.set(xlabel=axis_label(QUANTITIES["heel_clearance"]), ylabel=axis_label(QUANTITIES["face_gap"]))
+    return figure
+
+
+def _stable_load(states: tuple[SteadyState, ...]) -> float:
+    return next((state.load for state in states if state.stable), float("nan"))
 
 
 def _sweeps(case: HeelCase, gaps: Array, clearances: Array) -> list[HeelSweep]:

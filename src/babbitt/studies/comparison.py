@@ -9,12 +9,14 @@ from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case
 from babbitt.cases.build import bearings_of, film_cases, iso7902_cases
 from babbitt.cases.journal import JournalBearing
+from babbitt.cases.screw_heel import ScrewHeelCase
 from babbitt.film.model import Cavitation, FilmStart
 from babbitt.notices import InputError
 from babbitt.results import Result
 from babbitt.solving import solve_design
 from babbitt.standards.iso7902 import DesignCase, check
 from babbitt.standards.iso7902.model import Curves, Friction
+from babbitt.studies.heel_comparison import compare_heels
 
 
 @dataclass(frozen=True)
@@ -73,6 +75,9 @@ def compare_methods(case: Case) -> tuple[Comparison, ...]:
     InputError
         E004 when the case has no bearing with a film.
     """
+    if isinstance(case, ScrewHeelCase):
+        heels = (Variant(heel.label, heel.remark, heel.result) for heel in compare_heels(case))
+        return (Comparison(case.name, tuple(heels)),)
     bearings = bearings_of(case)
     if not bearings:
         raise InputError(
