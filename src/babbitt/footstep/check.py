@@ -80,7 +80,7 @@ def _titles(states: tuple[SteadyState, ...]) -> list[str]:
 
 
 def _unsolved(case: HeelCase, error: NoSteadyStateError, begun: float) -> Result:
-    message = f"{error}. Try: {EXPLANATIONS['S020'].remedy}"
+    far = f"{error}."
     values = {
         "face_gap": case.footstep.face_gap,
         "heel_clearance": case.footstep.clearance,
@@ -91,7 +91,9 @@ def _unsolved(case: HeelCase, error: NoSteadyStateError, begun: float) -> Result
     fold = fold_clearance(case.footstep)
     if fold is not None:
         values["fold_clearance"] = fold
-        message += f" At this face gap states exist from a clearance of {1e6 * fold:.3f} µm."
+        far += f" At this face gap states exist from a clearance of {1e6 * fold:.3f} µm."
+    remedy = EXPLANATIONS["S020"].remedy
+    message = f"{far} Try: {remedy[0].lower()}{remedy[1:]}"
     return Result(
         f"{case.name} (grooved heel)", case.kind, case.method.value, Outcome.NO_STEADY_STATE,
         values | {"wall_time": perf_counter() - begun},

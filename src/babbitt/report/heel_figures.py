@@ -64,17 +64,19 @@ def _shows_figures(case: HeelCase, result: Result) -> bool:
 
 
 def _painted(case: HeelCase) -> Iterator[tuple[str, str, Figure]]:
-    marks = " Dotted: critical clearance (Q₂ = 0) and the fold." if case.is_grooved else ""
+    marked = case.is_grooved and case.method is Method.SUPERPOSITION
+    marks = " Dotted: critical clearance (Q₂ = 0) and the fold." if marked else ""
+    smooth = "; grey: smooth heel" if case.other is not None or not case.is_grooved else ""
     yield (
         "steady-states",
         "Steady states over the clearance at the face gap of the case: pressure at the rim, hottest oil, load and "
-        f"friction power. Full lines: stable; broken: not stable; grey: smooth heel. Filled: the case.{marks}",
+        f"friction power. Full lines: stable; broken: not stable{smooth}. Filled: the case.{marks}",
         _over_clearance(case),
     )
     yield (
         "load-over-gap",
         "Load and friction power over the face gap at the clearance of the case. Full lines: stable; broken: not "
-        "stable; grey: smooth heel. A load that rises with the gap is a negative stiffness.",
+        f"stable{smooth}. A load that rises with the gap is a negative stiffness.",
         _over_gap(case),
     )
     if case.map_points > 1 and case.is_grooved:
