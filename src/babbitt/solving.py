@@ -7,11 +7,10 @@ from dataclasses import dataclass
 from babbitt import __version__
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case, JournalCase, Machine, OverhungCouplingCase, ScrewHeelCase, case_hash, design_cases
-from babbitt.cases.build import AnyDesign
+from babbitt.cases.build import AnyDesign, EveryDesign
 from babbitt.footstep.case import HeelCase
 from babbitt.results import Outcome, Result
 from babbitt.shafts import bearing_loads
-from babbitt.standards.iso7902 import DesignCase
 from babbitt.standards.iso7902 import check as iso7902_check
 
 
@@ -38,7 +37,7 @@ class MachineResult:
 
     name: str
     results: tuple[Result, ...]
-    design_cases: tuple[AnyDesign, ...]
+    design_cases: tuple[EveryDesign, ...]
     case_hash: str
     version: str = __version__
     case_text: str = ""
@@ -102,7 +101,7 @@ def solve(case: Case) -> MachineResult:
     )
 
 
-def solve_every(design: AnyDesign) -> tuple[Result, ...]:
+def solve_every(design: EveryDesign) -> tuple[Result, ...]:
     """Solve one design case and give every answer: a heel may have several steady states.
 
     Parameters
@@ -120,7 +119,7 @@ def solve_every(design: AnyDesign) -> tuple[Result, ...]:
     return (solve_design(design),)
 
 
-def solve_design(design: DesignCase | FilmCase) -> Result:
+def solve_design(design: AnyDesign) -> Result:
     """Solve one design case that has one answer.
 
     Parameters

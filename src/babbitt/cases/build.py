@@ -19,15 +19,18 @@ from babbitt.cases.screw_heel import ScrewHeelCase, heel_cases
 from babbitt.footstep.case import HeelCase
 from babbitt.standards.iso7902.model import DesignCase
 
-AnyDesign = DesignCase | FilmCase | HeelCase
-"""What a method computes: the design case of ISO 7902, that of the film, or a heel."""
+AnyDesign = DesignCase | FilmCase
+"""What a method computes: the design case of ISO 7902, or that of the film."""
+
+EveryDesign = AnyDesign | HeelCase
+"""The same, and the heel of a footstep."""
 
 DesignT = TypeVar("DesignT")
 
 Maker = Callable[[Inputs, Point], DesignT]
 
 
-def design_cases(case: Case) -> tuple[AnyDesign, ...]:
+def design_cases(case: Case) -> tuple[EveryDesign, ...]:
     """Expand a case into one design case per bearing, operating point and clearance, by the method of each
     bearing.
 

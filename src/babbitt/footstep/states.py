@@ -26,6 +26,8 @@ SMALLEST_SHARE = 1e-6
 lies at exponentially small flows."""
 SAMPLES = 600
 """Of the logarithmic and of the linear grid each."""
+WARM_SAMPLES = 250
+"""Of each grid of narrow-groove theory, whose residual is smooth."""
 _COARSE = np.geomspace(SMALLEST_SHARE, 1.0, 160)
 TOUCHING = 1e-12
 """Largest residual over the largest groove flow below zero at which a double root is seen."""
@@ -205,8 +207,8 @@ def _warm_grid(model: WarmFilms) -> tuple[Array, Array]:
     while float(model.residual(number(low))) <= 0.0:
         low = high - 2.0 * (high - low)
     # The temperatures change fastest where hardly anything flows, hence a grid that is logarithmic from zero.
-    fine = np.geomspace(1e-7, 1.0, SAMPLES)
-    flows = np.unique(np.concatenate((low * fine, [0.0], np.linspace(low, high, SAMPLES), high * fine)))
+    fine = np.geomspace(1e-7, 1.0, WARM_SAMPLES)
+    flows = np.unique(np.concatenate((low * fine, [0.0], np.linspace(low, high, WARM_SAMPLES), high * fine)))
     return flows, model.residual(flows)
 
 

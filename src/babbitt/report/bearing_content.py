@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from babbitt.bearings.model import FilmCase
-from babbitt.cases.build import AnyDesign
+from babbitt.cases.build import EveryDesign
 from babbitt.footstep.case import HeelCase
 from babbitt.notices import EXPLANATIONS
 from babbitt.quantities import QUANTITIES
@@ -149,7 +149,7 @@ def bearing_content(chapter: Chapter) -> Data:
     }
 
 
-def _sections(case: AnyDesign | None, chapter: Chapter) -> tuple[Section, ...]:
+def _sections(case: EveryDesign | None, chapter: Chapter) -> tuple[Section, ...]:
     """The calculation of the member shown, or of every steady state of a heel."""
     if isinstance(case, DesignCase):
         return calculation(case, chapter.shown.result)

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
-from babbitt.cases.build import AnyDesign
+from babbitt.cases.build import EveryDesign
 from babbitt.footstep.case import HeelCase
 from babbitt.notices import InputError
 from babbitt.report import painters
@@ -114,7 +114,7 @@ def _clearance_caption(clearance: ClearanceRange) -> str:
     return f"{about} (the case gives no tolerance)."
 
 
-def _all_of(case: AnyDesign, result: Result, image_format: str) -> tuple[Drawing, ...]:
+def _all_of(case: EveryDesign, result: Result, image_format: str) -> tuple[Drawing, ...]:
     if isinstance(case, FilmCase):
         return all_figures(case, result, image_format)
     if isinstance(case, HeelCase):

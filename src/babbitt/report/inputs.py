@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from babbitt.bearings.model import FilmCase
-from babbitt.cases.build import AnyDesign
+from babbitt.cases.build import AnyDesign, EveryDesign
 from babbitt.design.ducts import Duct
 from babbitt.footstep.case import HeelCase
 from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, PowerLaw, Vogel, Walther
@@ -26,9 +26,6 @@ from babbitt.standards.iso7902.supply import (
     Pockets,
     SupplyElement,
 )
-
-Journal = DesignCase | FilmCase
-"""Cases of journal bearings."""
 
 LAWS = {
     Walther: "Walther (ASTM D341, short form)",
@@ -73,7 +70,7 @@ class InputGroup:
     rows: tuple[Row, ...]
 
 
-def inputs(case: AnyDesign) -> tuple[InputGroup, ...]:
+def inputs(case: EveryDesign) -> tuple[InputGroup, ...]:
     """All inputs of a case, grouped.
 
     Parameters
@@ -108,7 +105,7 @@ def inputs(case: AnyDesign) -> tuple[InputGroup, ...]:
     return tuple(group for group in groups if group.rows)
 
 
-def _as_given(case: AnyDesign) -> InputGroup:
+def _as_given(case: EveryDesign) -> InputGroup:
     return InputGroup("As given", tuple(Row(plain_text(what), plain_text(words)) for what, words in case.given))
 
 
@@ -180,7 +177,7 @@ def _film_method(case: FilmCase) -> Iterator[Row]:
         yield _named("friction_factor", case.friction_factor)
 
 
-def _operation(case: Journal) -> Iterator[Row]:
+def _operation(case: AnyDesign) -> Iterator[Row]:
     if isinstance(case.duty, GivenEccentricity):
         yield _named("eccentricity_ratio", case.duty.eccentricity_ratio, "Prescribed eccentricity e/c")
         if case.duty.attitude_angle is not None:
@@ -199,7 +196,7 @@ def _operation(case: Journal) -> Iterator[Row]:
         yield _named("effective_temperature", case.effective_temperature, "Prescribed effective temperature")
 
 
-def _lubricant(case: Journal) -> Iterator[Row]:
+def _lubricant(case: AnyDesign) -> Iterator[Row]:
     oil = case.lubricant
     yield Row("Name", plain_text(oil.name))
     yield Row("Viscosity law", LAWS.get(type(oil.viscosity_law), type(oil.viscosity_law).__name__))
@@ -217,7 +214,7 @@ def _lubricant(case: Journal) -> Iterator[Row]:
     yield Row("Source", plain_text(oil.source))
 
 
-def _supply(case: Journal) -> Iterator[Row]:
+def _supply(case: AnyDesign) -> Iterator[Row]:
     supply = case.oil_supply
     if supply is None:
         return
@@ -235,21 +232,21 @@ def _duct(duct: Duct) -> str:
     return said if duct.number == 1.0 else f"{duct.number:.4g} × ({said})"
 
 
-def _cooling(case: Journal) -> Iterator[Row]:
+def _cooling(case: AnyDesign) -> Iterator[Row]:
     if case.cooling is not None:
         yield _named("ambient_temperature", case.cooling.ambient_temperature)
         yield _named("heat_transfer_coefficient", case.cooling.heat_transfer_coefficient)
         yield _named("cooling_surface", case.cooling.surface)
 
 
-def _surfaces(case: Journal) -> Iterator[Row]:
+def _surfaces(case: AnyDesign) -> Iterator[Row]:
     surfaces = case.bearing.surfaces
     if surfaces is not None:
         for name, value in vars(surfaces).items():
             yield _named(name, value)
 
 
-def _material(case: Journal) -> Iterator[Row]:
+def _material(case: AnyDesign) -> Iterator[Row]:
     metal = case.bearing.metal
     if metal is not None:
         yield Row("Bearing metal", plain_text(metal.name))
@@ -268,7 +265,7 @@ def _method(case: DesignCase) -> Iterator[Row]:
         yield _named("friction_factor", case.friction_factor)
 
 
-def _limits(case: Journal) -> Iterator[Row]:
+def _limits(case: AnyDesign) -> Iterator[Row]:
     limits = case.limits
     for name, value, said in (
         ("minimum_film_thickness", limits.minimum_film_thickness, "Least film thickness set"),
