@@ -99,6 +99,16 @@ EXPLANATIONS: dict[str, Explanation] = {
         "the bearing, or nothing drives or feeds the film.",
         "Correct what the message names.",
     ),
+    "E130": Explanation(
+        "Footstep cannot be laid out",
+        "Lengths, oil, pressures or grooves of a hydrostatic footstep do not describe one: a number is not "
+        "positive "
+        "or not finite, the radii are out of order, the supply pressure is not above ambient (both absolute), "
+        "or the "
+        "grooves do not close around the heel.",
+        "Correct the quantity named. Groove and land widths are normal to the groove: starts (groove + land) = "
+        "2 pi radius sin(angle).",
+    ),
     # -- doubts about the design check --------------------------------------------------------------------------
     "W101": Explanation(
         "Film is not laminar",
@@ -313,6 +323,89 @@ EXPLANATIONS: dict[str, Explanation] = {
         "no width at all. That is no benefit of the groove.",
         "Compare with the ungrooved film cut at the same angle.",
     ),
+    # -- doubts about footsteps ---------------------------------------------------------------------------------
+    "W160": Explanation(
+        "Steady state not stable",
+        "In this state a higher pressure at the rim brings more oil to the rim than leaves it, so that the "
+        "pressure "
+        "runs away to another state. It satisfies the equations and will not be found running.",
+        "Look at the stable state of the same heel; where none is stable, change the clearance or the face gap.",
+    ),
+    "W161": Explanation(
+        "Oil of the groove very hot",
+        "The oil that leaves the groove, or a film, is hotter than 150 °C. The temperature of the rim, where "
+        "streams "
+        "are mixed, does not show it.",
+        "Read the state as a sign that the adiabatic groove is too simple; compare with `method: narrow_groove` "
+        "and a "
+        "`wall`, or choose a larger clearance.",
+    ),
+    "W162": Explanation(
+        "Lands are no lands",
+        "The clearance is a third of the groove depth or more: the lands hardly hinder the oil, and the "
+        "formulas that "
+        "set grooves against lands lose their sense.",
+        "A smaller clearance or deeper grooves.",
+    ),
+    "W163": Explanation(
+        "Ambient pressure looks like a gauge pressure",
+        "Less than 50 kPa absolute around the pump is unusual. Supply and ambient pressure must be of one kind.",
+        "Give both as absolute pressures, or `pressures: gauge` with the supply pressure above ambient.",
+    ),
+    "W164": Explanation(
+        "Flow in the footstep is not laminar",
+        "A Reynolds number of groove, recess or clearance exceeds 1500; all formulas are for laminar films.",
+        "Take flows and friction as estimates: turbulence raises friction and lowers the flow at equal pressure.",
+    ),
+    "W165": Explanation(
+        "Grooves do not close around the heel",
+        "The number of starts times the sum of groove and land width misses the circumference by more than 3 %, "
+        "and "
+        "the case accepts it.",
+        "Correct the widths (both normal to the groove), the number of starts, or the angle.",
+    ),
+    "W166": Explanation(
+        "The rim feeds the recess",
+        "The pressure at the rim exceeds that of the supply: oil of the groove flows back into the recess and the "
+        "bore. The footstep no longer draws oil from the delivery side, and what comes back is warm.",
+        "Wanted or not, provide for it: a larger clearance or a shallower groove lowers the pressure at the rim.",
+    ),
+    "W167": Explanation(
+        "Negative axial stiffness",
+        "The load rises as the face gap opens: the gap lies upstream of the clearance, and where oil flows "
+        "outwards "
+        "through it, opening it lets more pressure reach the rim. The heel finds no place of its own under a "
+        "constant "
+        "load; it runs away from it or onto its stop.",
+        "The load must fall faster with the face gap than the footstep's own, or a stop must hold the heel; "
+        "damping of "
+        "the face gap only delays it.",
+    ),
+    "W168": Explanation(
+        "Equations of the study",
+        "Groove and clearance are taken as two separate flows, the groove gives no heat to the metal, and the "
+        "shear of "
+        "the lands heats no oil. The study printed load gains of 10 and 25 % that are no property of these "
+        "equations: "
+        "`babbitt validate screw_heel_claims` shows each claim beside what they give.",
+        "Compare with `method: narrow_groove`, which sees the clearance as one film and the conduction of the "
+        "metal.",
+    ),
+    "W169": Explanation(
+        "Few grooves",
+        "Narrow-groove theory counts on many grooves. With 20 or more it meets the film in two dimensions "
+        "within 1 % in "
+        "flow and pressure; at 5 starts the clearance lets through about 3 % more (`babbitt validate "
+        "film_groove_pitch`).",
+        "Take the leakage as a few per cent too small; more starts pump more evenly.",
+    ),
+    "W170": Explanation(
+        "Eccentric grooved heel",
+        "The leakage of an eccentric or tilted grooved heel counts the local clearance only; forces to the side "
+        "are "
+        "computed for the smooth heel alone, and friction by superposition as for a concentric one.",
+        "Read side forces from the smooth heel as an order of magnitude.",
+    ),
     # -- no solution --------------------------------------------------------------------------------------------
     "S001": Explanation(
         "No film can carry the load",
@@ -359,6 +452,14 @@ EXPLANATIONS: dict[str, Explanation] = {
         "The journal does not come back to its place after a cycle of the load, however long it runs: it whirls, "
         "or its orbit takes several cycles.",
         "A smaller `moving_mass`, or a bore with preload.",
+    ),
+    "S020": Explanation(
+        "No steady state",
+        "At every flow of the groove the rim of the heel receives more oil than the clearance can carry away: the "
+        "pressure at the rim would rise without end, as far as these equations go.",
+        "A larger clearance (the fold clearance says from where), a larger face gap, a shallower groove or a "
+        "lower "
+        "speed; `method: narrow_groove` has a steady state for every clearance.",
     ),
     # -- checks of the design -----------------------------------------------------------------------------------
     "C101": Explanation(
@@ -439,5 +540,12 @@ EXPLANATIONS: dict[str, Explanation] = {
         "Recommended clearance",
         "Advice only: the mean relative clearance should reach 0.8e-3 U^(1/4), with U in m/s.",
         "Choose a larger clearance where heat or whirl matter.",
+    ),
+    "C130": Explanation(
+        "Stability of the steady state",
+        "How the balance of the rim answers to a higher pressure: a positive slope of outflow less inflow "
+        "drains the rim "
+        "and the state is stable, as long as things change slowly; a negative one feeds it.",
+        "Design for the stable state; see the plot of the steady states over the clearance.",
     ),
 }

@@ -20,6 +20,7 @@ class Outcome(Enum):
     THERMAL_RUNAWAY = "no thermal equilibrium up to 300 °C"
     NO_CLEARANCE = "the clearance closes at operating temperature"
     NO_LUBRICANT_DATA = "the lubricant data do not reach the temperature of the film"
+    NO_STEADY_STATE = "no steady state exists"
     NOT_CONVERGED = "the iteration ended without meeting its tolerance"
     OUTSIDE_CLEARANCE = "the prescribed position lies outside the clearance"
     SQUEEZED_OUT = "the changing load squeezes the film out"
@@ -45,6 +46,7 @@ _OUTCOME_CODES = {
     "OUTSIDE_CLEARANCE": "S006",
     "SQUEEZED_OUT": "S007",
     "NOT_PERIODIC": "S008",
+    "NO_STEADY_STATE": "S020",
 }
 
 

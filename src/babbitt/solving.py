@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 from babbitt import __version__
 from babbitt.bearings.model import FilmCase
-from babbitt.cases import Case, JournalCase, Machine, OverhungCouplingCase, case_hash, design_cases
-from babbitt.cases.build import AnyDesign
+from babbitt.cases import Case, JournalCase, Machine, OverhungCouplingCase, ScrewHeelCase, case_hash, design_cases
+from babbitt.cases.build import AnyDesign, EveryDesign
+from babbitt.footstep.case import HeelCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.results import Outcome, Result
 from babbitt.segments.model import SegmentCase
@@ -24,7 +25,7 @@ class MachineResult:
     name : str
     results : tuple of Result
         One per bearing, operating point and clearance.
-    design_cases : tuple of DesignCase or FilmCase
+    design_cases : tuple of DesignCase, FilmCase or HeelCase
         What each result was computed from, in the same order; empty for kinds without a film.
     case_hash : str
         SHA-256 of the validated case.
@@ -38,7 +39,7 @@ class MachineResult:
 
     name: str
     results: tuple[Result, ...]
-    design_cases: tuple[AnyDesign, ...]
+    design_cases: tuple[EveryDesign, ...]
     case_hash: str
     version: str = __version__
     case_text: str = ""
@@ -80,7 +81,7 @@ def solve(case: Case) -> MachineResult:
     TypeError
         If `case` is not a case, such as the path of its file.
     """
-    if not isinstance(case, JournalCase | Machine | OverhungCouplingCase):
+    if not isinstance(case, JournalCase | Machine | OverhungCouplingCase | ScrewHeelCase):
         given = type(case).__name__
         raise TypeError(
             f"solve takes a case, not {given}; read one with babbitt.load_case(path) or parse_case(text)"
@@ -89,7 +90,8 @@ def solve(case: Case) -> MachineResult:
     if isinstance(case, OverhungCouplingCase):
         results: tuple[Result, ...] = (_shaft_result(case),)
     else:
-        results = tuple(solve_design(design) for design in designs)
+        pairs = [(design, result) for design in designs for result in solve_every(design)]
+        designs, results = tuple(design for design, _ in pairs), tuple(result for _, result in pairs)
     return MachineResult(
         case.name,
         results,
@@ -101,8 +103,26 @@ def solve(case: Case) -> MachineResult:
     )
 
 
+def solve_every(design: EveryDesign) -> tuple[Result, ...]:
+    """Solve one design case and give every answer: a heel may have several steady states.
+
+    Parameters
+    ----------
+    design : DesignCase, FilmCase or HeelCase
+
+    Returns
+    -------
+    tuple of Result
+    """
+    if isinstance(design, HeelCase):
+        from babbitt.footstep.check import heel_results  # scipy is imported when the first heel is solved
+
+        return heel_results(design)
+    return (solve_design(design),)
+
+
 def solve_design(design: AnyDesign) -> Result:
-    """Solve one design case by its method.
+    """Solve one design case that has one answer.
 
     Parameters
     ----------

@@ -6,6 +6,7 @@ from babbitt.cases.machine import AnyCase, Case, JournalCase, Machine
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.problems import CaseError, Problem
 from babbitt.cases.schema import case_schema
+from babbitt.cases.screw_heel import ScrewHeelCase
 from babbitt.cases.templates import kinds, template
 
 __all__ = [
@@ -17,6 +18,7 @@ __all__ = [
     "Machine",
     "OverhungCouplingCase",
     "Problem",
+    "ScrewHeelCase",
     "case_from_dict",
     "case_hash",
     "case_schema",

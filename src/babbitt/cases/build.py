@@ -16,6 +16,8 @@ from babbitt.cases.machine import Case, JournalCase, Machine
 from babbitt.cases.one_dimension_cases import long_film_case, segment_case
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.part import Part
+from babbitt.cases.screw_heel import ScrewHeelCase, heel_cases
+from babbitt.footstep.case import HeelCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.segments.model import SegmentCase
 from babbitt.standards.iso7902.model import DesignCase
@@ -23,12 +25,15 @@ from babbitt.standards.iso7902.model import DesignCase
 AnyDesign = DesignCase | FilmCase | LongFilmCase | SegmentCase
 """What a method computes: the design case of ISO 7902, of the film, of the long film, or of the segments."""
 
+EveryDesign = AnyDesign | HeelCase
+"""The same, and the heel of a footstep."""
+
 DesignT = TypeVar("DesignT")
 
 Maker = Callable[[Inputs, Point], DesignT]
 
 
-def design_cases(case: Case) -> tuple[AnyDesign, ...]:
+def design_cases(case: Case) -> tuple[EveryDesign, ...]:
     """Expand a case into one design case per bearing, operating point and clearance, by the method of each
     bearing.
 
@@ -38,10 +43,12 @@ def design_cases(case: Case) -> tuple[AnyDesign, ...]:
 
     Returns
     -------
-    tuple of DesignCase, FilmCase, LongFilmCase or SegmentCase
+    tuple of EveryDesign
         In the order of the file; empty for the statics of a shaft. Names are ``Bearing``, ``Bearing [point]``,
         ``Bearing (minimum clearance)``, ``Bearing [point] (minimum clearance)``.
     """
+    if isinstance(case, ScrewHeelCase):
+        return heel_cases(case)
     return tuple(design for bearing in bearings_of(case) for design in design_cases_of(bearing, case))
 
 
@@ -125,7 +132,7 @@ def _rounded(value: Any) -> Any:
 
 
 def _expanded(bearing: JournalBearing, case: Case, make: Maker[DesignT]) -> Iterator[DesignT]:
-    if isinstance(case, OverhungCouplingCase):
+    if isinstance(case, OverhungCouplingCase | ScrewHeelCase):
         return
     joined = inputs(bearing, case)
     relative = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter)

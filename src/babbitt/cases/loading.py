@@ -15,6 +15,7 @@ from babbitt.cases.machine import Case, JournalCase, Machine
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.plain_words import Path, nearest, shown
 from babbitt.cases.problems import CaseError, Problem
+from babbitt.cases.screw_heel import ScrewHeelCase
 
 LARGEST_FILE = 1_000_000
 """Bytes."""
@@ -22,10 +23,11 @@ LARGEST_FILE = 1_000_000
 VERSION = 1
 """Version of the case language."""
 
-KINDS: Mapping[str, type[JournalCase] | type[Machine] | type[OverhungCouplingCase]] = {
+KINDS: Mapping[str, type[Case]] = {
     "journal": JournalCase,
     "machine": Machine,
     "overhung_coupling": OverhungCouplingCase,
+    "screw_heel": ScrewHeelCase,
 }
 """What a file can hold, by its `kind`."""
 
@@ -40,7 +42,7 @@ def load_case(path: str | FilePath) -> Case:
 
     Returns
     -------
-    JournalCase, Machine or OverhungCouplingCase
+    JournalCase, Machine, OverhungCouplingCase or ScrewHeelCase
 
     Raises
     ------
@@ -75,7 +77,7 @@ def parse_case(text: str, name: str = "<text>") -> Case:
     >>> parse_case("kind: jurnal", "a.yaml")
     Traceback (most recent call last):
     babbitt.cases.problems.CaseError: a.yaml:1: kind: 'jurnal' is not a kind of case; allowed: journal, machine,
-    overhung_coupling; did you mean 'journal'? [E003]
+    overhung_coupling, screw_heel; did you mean 'journal'? [E003]
     """
     return _parsed(text, name, FilePath())
 

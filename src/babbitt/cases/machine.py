@@ -1,4 +1,4 @@
-"""What a file can hold: one bearing, a machine of many, or the statics of a shaft."""
+"""What a file can hold: one bearing, a machine of many, the statics of a shaft, or the footstep of a screw."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from babbitt.cases.journal import JournalBearing
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.part import Complaint, as_far_as_usable, rule
 from babbitt.cases.plain_words import Path
+from babbitt.cases.screw_heel import ScrewHeelCase
 from babbitt.cases.shared import SharedInputs
 
 
@@ -62,7 +63,7 @@ class Machine(SharedInputs, CaseFile):
         yield from told.values()
 
 
-Case = JournalCase | Machine | OverhungCouplingCase
+Case = JournalCase | Machine | OverhungCouplingCase | ScrewHeelCase
 """What a file can hold."""
 
 AnyCase = Annotated[Case, Discriminator("kind")]

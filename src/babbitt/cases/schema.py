@@ -27,7 +27,7 @@ def case_schema() -> dict[str, Any]:
     return {
         "$schema": GenerateJsonSchema.schema_dialect,
         "title": "Babbitt case",
-        "description": "A bearing, a machine of several bearings, or the statics of a shaft.",
+        "description": "A bearing, a machine of bearings, the statics of a shaft, or the footstep of a screw.",
         **drawn,
     }
 

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 from babbitt.bearings.model import FilmCase
+from babbitt.cases.build import EveryDesign
+from babbitt.footstep.case import HeelCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.notices import EXPLANATIONS
 from babbitt.quantities import QUANTITIES
 from babbitt.report import findings
 from babbitt.report import verdict as judge
-from babbitt.report.calculation import calculation
+from babbitt.report.calculation import Section, calculation
 from babbitt.report.chapters import Chapter, Member
 from babbitt.report.check_content import check_content, compared_checks, solved_checks, sources_of
 from babbitt.report.columns import ABSENT, is_fed, is_film
@@ -19,9 +22,12 @@ from babbitt.report.drawing import Drawing
 from babbitt.report.expression import text
 from babbitt.report.figures import clearance_range, draw
 from babbitt.report.film_figures import report_figures
+from babbitt.report.heel_calculation import heel_calculation
+from babbitt.report.heel_figures import heel_figures
 from babbitt.report.inputs import inputs
 from babbitt.report.labels import label
 from babbitt.report.line import Line
+from babbitt.report.names import worded
 from babbitt.report.one_dimension import METHOD_NAMES, OWN_RESULTS
 from babbitt.report.one_dimension_figures import figures_along_the_film
 from babbitt.report.symbols import symbol_node
@@ -80,6 +86,16 @@ KEY_RESULTS = (
 )
 """Results shown at the head of a bearing; kinds without a film show all they have."""
 
+METHODS = {
+    "iso7902": "ISO 7902",
+    "film": "Film in two dimensions",
+    "statics": "Statics of the shaft",
+    "superposition": "Groove beside a slit (equations of the study, corrected)",
+    "narrow_groove": "Narrow-groove theory",
+    **METHOD_NAMES,
+}
+"""Names of methods on paper."""
+
 NOT_FOR_PAPER = ("wall_time", "iterations")
 """Results that tell of the run rather than of the bearing, and differ from run to run."""
 
@@ -108,12 +124,19 @@ def bearing_content(chapter: Chapter) -> Data:
         drawings = report_figures(case, result)
     elif isinstance(case, LongFilmCase | SegmentCase):
         drawings = figures_along_the_film(case, result)
+    elif isinstance(case, HeelCase):
+        drawings = tuple(
+            drawing
+            for member in chapter.members
+            if isinstance(member.case, HeelCase)
+            for drawing in heel_figures(member.case, member.result)
+        )
     sources = sources_of(chapter.results)
     checks = [check_content(check, sources) for check in solved_checks(result)]
     return {
         "name": plain_text(chapter.name),
-        "clearances": [f"{member.clearance} clearance" for member in chapter.members] if several else [],
-        "shown": f"{shown.clearance} clearance" if several else "",
+        "clearances": [worded([member.clearance]) for member in chapter.members] if several else [],
+        "shown": worded([shown.clearance]) if several and not isinstance(case, HeelCase) else "",
         "verdict": judge.worst_verdict(chapter.results).value,
         "unchecked": judge.unchecked(result),
         "method": _method(result),
@@ -131,7 +154,7 @@ def bearing_content(chapter: Chapter) -> Data:
                 "remark": section.remark,
                 "lines": [_line(line) for line in section.lines],
             }
-            for section in (calculation(by_standard, result) if by_standard is not None else ())
+            for section in _sections(case, chapter)
         ],
         "checks": compared_checks(chapter, sources) if several else checks,
         "sources": sources,
@@ -152,9 +175,20 @@ def bearing_content(chapter: Chapter) -> Data:
     }
 
 
+def _sections(case: EveryDesign | None, chapter: Chapter) -> tuple[Section, ...]:
+    """The calculation of the member shown, or of every steady state of a heel."""
+    if isinstance(case, DesignCase):
+        return calculation(case, chapter.shown.result)
+    return tuple(
+        replace(section, title=f"{member.clearance.capitalize()}: {section.title.lower()}")
+        for member in chapter.members
+        if isinstance(member.case, HeelCase)
+        for section in heel_calculation(member.case, member.result)
+    )
+
+
 def _method(result: Result) -> str:
-    names = {"iso7902": "ISO 7902", "film": "Film in two dimensions", "statics": "Statics of the shaft"}
-    return (names | METHOD_NAMES).get(result.method, plain_text(result.method))
+    return METHODS.get(result.method, plain_text(result.method))
 
 
 def _outcome(member: Member) -> Data:
@@ -162,7 +196,7 @@ def _outcome(member: Member) -> Data:
     explanation = EXPLANATIONS.get(outcome.code)
     message = plain_text(member.result.message).removesuffix(".")
     return {
-        "clearance": f"{member.clearance.capitalize()} clearance: " if member.clearance else "",
+        "clearance": f"{worded([member.clearance]).capitalize()}: " if member.clearance else "",
         "code": outcome.code,
         "title": outcome.value,
         "message": message[:1].upper() + message[1:],
@@ -173,11 +207,8 @@ def _outcome(member: Member) -> Data:
 def _key_results(chapter: Chapter) -> list[Data]:
     result = chapter.shown.result
     film = "minimum_film_thickness" in result.values
-    names = (
-        (*KEY_RESULTS, *OWN_RESULTS)
-        if film
-        else tuple(name for name in result.values if name not in NOT_FOR_PAPER)
-    )
+    every = dict.fromkeys(name for r in chapter.results if r.outcome.solved for name in r.values)
+    names = (*KEY_RESULTS, *OWN_RESULTS) if film else tuple(name for name in every if name not in NOT_FOR_PAPER)
     if film and not is_fed(result):
         names = tuple(name for name in names if name not in ("supply_flow", "total_flow"))
     if len(chapter.members) > 1:
@@ -226,7 +257,7 @@ def _warnings(chapter: Chapter) -> list[Data]:
             "code": code,
             "title": EXPLANATIONS[code].title,
             "message": "; ".join(
-                f"{message} ({', '.join(whose)} clearance)" if 0 < len(whose) < len(chapter.members) else message
+                f"{message} ({worded(whose)})" if 0 < len(whose) < len(chapter.members) else message
                 for message, whose in messages.items()
             ),
             "remedy": EXPLANATIONS[code].remedy,

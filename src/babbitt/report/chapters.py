@@ -12,13 +12,14 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
+from babbitt.footstep.case import HeelCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.report.names import split_clearance
 from babbitt.results import Result
 from babbitt.segments.model import SegmentCase
 
 if TYPE_CHECKING:
-    from babbitt.cases.build import AnyDesign
+    from babbitt.cases.build import EveryDesign
 
 
 @dataclass(frozen=True)
@@ -26,7 +27,7 @@ class Member:
     """One result of a chapter; `clearance` is ``minimum``, ``mean``, ``maximum``, or empty for the only one."""
 
     clearance: str
-    case: AnyDesign | None
+    case: EveryDesign | None
     result: Result
 
 
@@ -44,7 +45,7 @@ class Chapter:
         return min(solved, key=lambda member: (_least_margin(member.result), member.clearance != "mean"))
 
     @property
-    def shown_case(self) -> AnyDesign | None:
+    def shown_case(self) -> EveryDesign | None:
         """The case shown in full, with those words of the case file that hold for every member."""
         case = self.shown.case
         if case is None:
@@ -62,7 +63,7 @@ def _least_margin(result: Result) -> float:
     return min((check.margin for check in result.checks if not check.advisory), default=math.inf)
 
 
-def chapters(cases: Sequence[AnyDesign], results: Sequence[Result]) -> tuple[Chapter, ...]:
+def chapters(cases: Sequence[EveryDesign], results: Sequence[Result]) -> tuple[Chapter, ...]:
     """Gather the results of a machine into chapters, in their order.
 
     Parameters
@@ -84,8 +85,8 @@ def chapters(cases: Sequence[AnyDesign], results: Sequence[Result]) -> tuple[Cha
     return tuple(_chapter(members) for members in gathered)
 
 
-def _members(cases: Sequence[AnyDesign], results: Sequence[Result]) -> Iterator[Member]:
-    known: Sequence[AnyDesign | None] = cases or [None] * len(results)
+def _members(cases: Sequence[EveryDesign], results: Sequence[Result]) -> Iterator[Member]:
+    known: Sequence[EveryDesign | None] = cases or [None] * len(results)
     for case, result in zip(known, results, strict=True):
         yield Member(split_clearance(result.name)[1], case, result)
 
@@ -98,7 +99,9 @@ def _belongs(member: Member, before: Member) -> bool:
     return same_name and _without_clearance(member.case) == _without_clearance(before.case)
 
 
-def _without_clearance(case: AnyDesign) -> AnyDesign:
+def _without_clearance(case: EveryDesign) -> EveryDesign:
+    if isinstance(case, HeelCase):
+        return replace(case, footstep=case.smooth, other=None)
     if isinstance(case, FilmCase):
         return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
     if isinstance(case, LongFilmCase):

@@ -7,6 +7,8 @@ from babbitt.bearings.bore import WornBore
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case, design_cases
 from babbitt.film.model import Cavitation
+from babbitt.footstep.case import HeelCase
+from babbitt.footstep.states import Method
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.segments.model import SegmentCase
 from babbitt.standards.iso7902.model import Curves, DesignCase
@@ -46,6 +48,16 @@ SEGMENTS = (
     "Heat balance by segments: a published method for a bearing with a groove in the loaded zone, reconstructed "
     "by Babbitt (`babbitt validate grooved_segments`)."
 )
+KIRICHENKO = (
+    "A. S. Kirichenko: study of a hydrostatic footstep with a screw-grooved heel in a three-screw pump. "
+    "Problems of "
+    "Tribology (2011) (equations, corrected; see `babbitt validate screw_heel_claims`)."
+)
+NARROW_GROOVE = (
+    "J. H. Vohr, C. Y. Chow: Characteristics of herringbone-grooved, gas-lubricated journal bearings. Journal "
+    "of Basic "
+    "Engineering 87 (1965) 568-578 (narrow-groove theory)."
+)
 VISCOSITY = "ASTM D341: Viscosity-temperature equations and charts for liquid petroleum or hydrocarbon products."
 
 
@@ -74,6 +86,12 @@ def citations_of(case: Case) -> tuple[str, ...]:
         found.append(LONG_FILM)
     if segments:
         found.append(SEGMENTS)
-    oils = {design.lubricant.name: design.lubricant for design in designs}
+    heels = [design for design in designs if isinstance(design, HeelCase)]
+    if heels:
+        found.append(KIRICHENKO)
+    if any(heel.method is Method.NARROW_GROOVE for heel in heels):
+        found.append(NARROW_GROOVE)
+    journals = [design for design in designs if not isinstance(design, HeelCase)]
+    oils = {design.lubricant.name: design.lubricant for design in journals}
     found += [f"{oil.name}: {oil.source}" for oil in oils.values()]
     return tuple(found)

@@ -93,4 +93,6 @@ def is_fed(result: Result) -> bool:
 
 def is_film(result: Result) -> bool:
     """Whether a result belongs in the table: it has a film, or should have had one."""
+    if result.kind == "screw_heel":
+        return False
     return "minimum_film_thickness" in result.values or not result.outcome.solved

@@ -36,6 +36,19 @@ COMPARED = (
 )
 """What is put side by side."""
 
+COMPARED_HEELS = (
+    "load",
+    "rim_pressure",
+    "face_flow",
+    "heel_leakage",
+    "maximum_temperature",
+    "friction_power",
+    "axial_stiffness",
+    "axial_damping",
+    "rim_drain_number",
+)
+"""The same of footsteps."""
+
 
 def print_comparison(comparisons: Sequence[Comparison]) -> bool:
     """Print every bearing with its variants side by side; say whether the case as given has a solution."""
@@ -47,7 +60,8 @@ def print_comparison(comparisons: Sequence[Comparison]) -> bool:
         table.add_column("unit")
         for variant in comparison.variants:
             table.add_column(variant.label, justify="right")
-        for name in COMPARED:
+        heels = comparison.variants[0].result.kind == "screw_heel"
+        for name in COMPARED_HEELS if heels else COMPARED:
             if not any(name in variant.result.values for variant in comparison.variants):
                 continue
             quantity = QUANTITIES[name]

@@ -158,13 +158,21 @@ def axis_label(quantity: Quantity) -> str:
     return f"{symbol} in {quantity.display.label}" if quantity.display.label else symbol
 
 
+LOW_DIGITS = {chr(0x2080 + digit): str(digit) for digit in range(10)}
+"""Digits that stand low in plain text."""
+
+
 def mathematics(symbol: str) -> str:
     """A symbol of the vocabulary in the mathematics of matplotlib.
 
     >>> mathematics("h_min"), mathematics("ε")
     ('$h_\\\\mathrm{min}$', '$ε$')
+    >>> mathematics("p₁")
+    '$p_\\\\mathrm{1}$'
     """
     base, _, subscript = symbol.partition("_")
+    if base[-1:] in LOW_DIGITS and not subscript:
+        base, subscript = base[:-1], LOW_DIGITS[base[-1]]
     base = rf"\mathrm{{{base}}}" if base in ("So", "Re") else base.replace("p\u0304", r"\bar{p}")
     return f"${base}_\\mathrm{{{subscript}}}$" if subscript else f"${base}$"
 

@@ -33,6 +33,7 @@ Leaf = Callable[[str], Node]
 FUNCTIONS: dict[str, Callable[..., float]] = {
     "sqrt": math.sqrt,
     "sin": math.sin,
+    "cos": math.cos,
     "ln": math.log,
     "lg": math.log10,
     "exp": math.exp,

@@ -8,12 +8,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
-from babbitt.cases.build import AnyDesign
+from babbitt.cases.build import EveryDesign
+from babbitt.footstep.case import HeelCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.notices import InputError
 from babbitt.report import painters
 from babbitt.report.drawing import FORMATS, Drawing, rendered, style
 from babbitt.report.film_figures import all_figures
+from babbitt.report.heel_figures import heel_figures
 from babbitt.report.one_dimension_figures import figures_along_the_film
 from babbitt.report.writing import write_whole
 from babbitt.results import Result
@@ -115,11 +117,13 @@ def _clearance_caption(clearance: ClearanceRange) -> str:
     return f"{about} (the case gives no tolerance)."
 
 
-def _all_of(case: AnyDesign, result: Result, image_format: str) -> tuple[Drawing, ...]:
+def _all_of(case: EveryDesign, result: Result, image_format: str) -> tuple[Drawing, ...]:
     if isinstance(case, FilmCase):
         return all_figures(case, result, image_format)
     if isinstance(case, LongFilmCase | SegmentCase):
         return figures_along_the_film(case, result, image_format)
+    if isinstance(case, HeelCase):
+        return heel_figures(case, result, image_format)
     return draw(case, result, clearance_range(case), image_format)
 
 

@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from babbitt.bearings.model import FilmCase
-from babbitt.cases.build import AnyDesign
+from babbitt.cases.build import AnyDesign, EveryDesign
 from babbitt.design.conditions import GivenPosition
 from babbitt.design.ducts import Duct
+from babbitt.footstep.case import HeelCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, PowerLaw, Vogel, Walther
 from babbitt.report.expression import Node, number_node, text
@@ -21,6 +22,7 @@ from babbitt.report.film_inputs import (
     said_of_start,
     said_of_step,
 )
+from babbitt.report.heel_words import heel_inputs
 from babbitt.report.labels import label
 from babbitt.report.line import VOCABULARY, symbol
 from babbitt.report.one_dimension import said_of
@@ -79,18 +81,25 @@ class InputGroup:
     rows: tuple[Row, ...]
 
 
-def inputs(case: AnyDesign) -> tuple[InputGroup, ...]:
+def inputs(case: EveryDesign) -> tuple[InputGroup, ...]:
     """All inputs of a case, grouped.
 
     Parameters
     ----------
-    case : DesignCase or FilmCase
+    case : DesignCase, FilmCase or HeelCase
 
     Returns
     -------
     tuple of InputGroup
         Groups that say nothing are left out.
     """
+    if isinstance(case, HeelCase):
+        said = (
+            (title, tuple(Row(what, value, None, unit) for what, value, unit in rows))
+            for title, rows in heel_inputs(case)
+        )
+        groups = (_as_given(case), *(InputGroup(title, rows) for title, rows in said))
+        return tuple(group for group in groups if group.rows)
     if isinstance(case, LongFilmCase | SegmentCase):
         geometry, method = _one_dimension_geometry(case), _one_dimension_method(case)
     elif isinstance(case, FilmCase):
@@ -98,7 +107,7 @@ def inputs(case: AnyDesign) -> tuple[InputGroup, ...]:
     else:
         geometry, method = _geometry(case), _method(case)
     groups = (
-        InputGroup("As given", tuple(Row(plain_text(what), plain_text(words)) for what, words in case.given)),
+        _as_given(case),
         InputGroup("Geometry", tuple(geometry)),
         InputGroup("Operation", tuple(_operation(case))),
         InputGroup("Lubricant", tuple(_lubricant(case))),
@@ -109,6 +118,10 @@ def inputs(case: AnyDesign) -> tuple[InputGroup, ...]:
         InputGroup("Method", (*method, *_limits(case))),
     )
     return tuple(group for group in groups if group.rows)
+
+
+def _as_given(case: EveryDesign) -> InputGroup:
+    return InputGroup("As given", tuple(Row(plain_text(what), plain_text(words)) for what, words in case.given))
 
 
 def _named(name: str, value: float, given_label: str = "") -> Row:

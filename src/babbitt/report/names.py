@@ -17,17 +17,31 @@ FEW = 3
 """How many bearings may be left out of a list that says "all but"."""
 
 _CLEARANCE = re.compile(r" \((minimum|mean|maximum) clearance\)$")
+_STATE = re.compile(r" \(((?:\d+\. )?(?:hot|cold|middle|fold) state|(?:smooth|grooved) heel)\)$")
 _POINT = re.compile(r" \[.*\]$")
 
 
 def split_clearance(name: str) -> tuple[str, str]:
-    """A name without its clearance, and which clearance that is; empty for none.
+    """A name without its clearance, and which clearance that is; empty for none. Steady states of a footstep count
+    as clearances do: results of one bearing side by side.
 
     >>> split_clearance("Fan shaft (minimum clearance)"), split_clearance("Pinion (a)")
     (('Fan shaft', 'minimum'), ('Pinion (a)', ''))
+    >>> split_clearance("Footstep (hot state)")
+    ('Footstep', 'hot state')
     """
-    found = _CLEARANCE.search(name)
+    found = _CLEARANCE.search(name) or _STATE.search(name)
     return (name[: found.start()], found[1]) if found else (name, "")
+
+
+def worded(members: Sequence[str]) -> str:
+    """Say which results of one bearing are meant.
+
+    >>> worded(["minimum", "mean"]), worded(["hot state", "cold state"])
+    ('minimum, mean clearance', 'hot state, cold state')
+    """
+    clearances = all(member in ("minimum", "mean", "maximum") for member in members)
+    return ", ".join(members) + (" clearance" if clearances else "")
 
 
 def bearing_of(name: str) -> str:
@@ -100,6 +114,6 @@ def _joined(names: Sequence[str]) -> str:
         stem, clearance = split_clearance(plain_text(name))
         together.setdefault((stem, bool(clearance)), []).append(clearance)
     return "; ".join(
-        f"{stem} ({', '.join(clearances)} clearance)" if has_clearance else stem
+        f"{stem} ({worded(clearances)})" if has_clearance else stem
         for (stem, has_clearance), clearances in together.items()
     )

@@ -15,6 +15,7 @@ from babbitt.report import findings
 from babbitt.report import verdict as judge
 from babbitt.report.bearing_table import STYLES, bearing_table, engineers_table
 from babbitt.report.columns import Column, columns_of, is_film
+from babbitt.report.heel_table import heel_table
 from babbitt.report.names import counted_results
 from babbitt.report.text import plain_text
 from babbitt.report.totals import totals
@@ -77,7 +78,10 @@ def render(name: str, results: Sequence[Result], width: int) -> RenderableType:
     results = tuple(results)
     journals = [result for result in results if is_film(result)]
     parts: list[RenderableType] = []
-    if len(results) == 1 or not journals:
+    heels = [result for result in results if result.kind == "screw_heel"]
+    if heels:
+        parts.append(heel_table(heels))
+    elif len(results) == 1 or not journals:
         parts += [bearing_table(result) for result in results]
     else:
         parts.append(_machine(name, journals, width))

@@ -10,6 +10,7 @@ from babbitt.cases import Case
 from babbitt.cases.build import bearings_of, design_cases_of, film_cases, iso7902_cases
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.one_dimension import METHODS
+from babbitt.cases.screw_heel import ScrewHeelCase
 from babbitt.film.model import Cavitation, FilmStart
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.notices import InputError
@@ -18,6 +19,7 @@ from babbitt.segments.model import SegmentCase
 from babbitt.solving import solve_design
 from babbitt.standards.iso7902 import DesignCase, check
 from babbitt.standards.iso7902.model import Curves, Friction
+from babbitt.studies.heel_comparison import compare_heels
 from babbitt.studies.one_dimension import long_film_variants, segment_variants
 
 
@@ -79,6 +81,9 @@ def compare_methods(case: Case) -> tuple[Comparison, ...]:
     InputError
         E004 when the case has no bearing with a film.
     """
+    if isinstance(case, ScrewHeelCase):
+        heels = (Variant(heel.label, heel.remark, heel.result) for heel in compare_heels(case))
+        return (Comparison(case.name, tuple(heels)),)
     bearings = bearings_of(case)
     if not bearings:
         raise InputError(

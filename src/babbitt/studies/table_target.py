@@ -6,13 +6,13 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from babbitt.bearings.model import FilmCase
-from babbitt.cases.build import AnyDesign
+from babbitt.cases.build import EveryDesign
 from babbitt.interop import FORMATS
 from babbitt.notices import InputError
 from babbitt.studies.coefficients import is_clockwise
 
 
-def chosen_film(designs: Sequence[AnyDesign], file: Path, name: str | None) -> FilmCase:
+def chosen_film(designs: Sequence[EveryDesign], file: Path, name: str | None) -> FilmCase:
     """Give the film case of a name, or the only one.
 
     Raises

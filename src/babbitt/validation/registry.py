@@ -12,6 +12,7 @@ from babbitt.validation.published import (
     film_butenschoen_rotation,
     film_butenschoen_squeeze,
     film_characteristics,
+    film_groove_pitch,
     film_raimondi_boyd,
     fowell_2007,
     friswell_2010,
@@ -27,6 +28,8 @@ from babbitt.validation.published import (
     raimondi_boyd_1958,
     reverse_gear,
     reverse_gear_spans,
+    screw_heel_claims,
+    screw_heel_states,
     short_bearing,
     someya_1989_table1,
     someya_1989_table3,
@@ -60,6 +63,9 @@ _CASES = (
     supply_losses.CASE,
     viscosity_index.CASE,
     procedure_regression.CASE,
+    screw_heel_states.CASE,
+    screw_heel_claims.CASE,
+    film_groove_pitch.CASE,
 )
 
 

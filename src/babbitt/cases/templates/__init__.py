@@ -11,6 +11,7 @@ _KINDS = {
     "journal": "one journal bearing, ISO 7902",
     "machine": "several bearings that share oil and supply, ISO 7902",
     "overhung_coupling": "load share of two bearings with an overhung coupling",
+    "screw_heel": "footstep of a pump's screw, smooth or grooved heel",
 }
 
 
@@ -18,7 +19,7 @@ def kinds() -> Mapping[str, str]:
     """Give the kinds of case and what each describes.
 
     >>> list(kinds())
-    ['journal', 'machine', 'overhung_coupling']
+    ['journal', 'machine', 'overhung_coupling', 'screw_heel']
     """
     return dict(_KINDS)
 

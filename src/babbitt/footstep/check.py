@@ -1,0 +1,275 @@
+"""From one heel to results: every steady state with values, doubts and stability; or why there is none."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from time import perf_counter
+
+from babbitt.footstep.axial import centrifugal_pressure
+from babbitt.footstep.case import HeelCase
+from babbitt.footstep.clearances import critical_clearances, fold_clearance
+from babbitt.footstep.eccentric import leak_factor
+from babbitt.footstep.model import PITCH_TOLERANCE, Footstep, LoadReference
+from babbitt.footstep.states import Method, NoSteadyStateError, StateName, SteadyState, steady_states
+from babbitt.footstep.superposition import slit_conductance
+from babbitt.footstep.turning_heel import turning_force
+from babbitt.notices import EXPLANATIONS, Notice
+from babbitt.results import Bound, Check, Outcome, Result
+
+__all__ = ["heel_results", "state_title"]
+
+LAMINAR_UP_TO = 1500.0
+"""Reynolds number above which the laminar film is doubted."""
+HOTTEST = 150.0 + 273.15
+"""K; mineral oil ages fast above it."""
+LAND_SHARE = 1.0 / 3.0
+"""Clearance over groove depth above which lands are no lands."""
+LOWEST_AMBIENT = 50e3
+"""Pa absolute; less looks like a gauge pressure."""
+MANY_GROOVES = 20
+"""From which narrow-groove theory meets the film in two dimensions within 1 % (validation: film_groove_pitch)."""
+
+TITLES = {
+    StateName.SMOOTH: "smooth heel",
+    StateName.HOT: "hot state",
+    StateName.COLD: "cold state",
+    StateName.MIDDLE: "middle state",
+    StateName.ONLY: "grooved heel",
+    StateName.FOLD: "fold state",
+}
+
+
+def state_title(name: StateName) -> str:
+    """How a state is called in the names of results."""
+    return TITLES[name]
+
+
+def heel_results(case: HeelCase) -> tuple[Result, ...]:
+    """Solve one heel.
+
+    Parameters
+    ----------
+    case : HeelCase
+
+    Returns
+    -------
+    tuple of Result
+        One for each steady state, the hottest first; one with the outcome NO_STEADY_STATE where there is none.
+    """
+    begun = perf_counter()
+    try:
+        states = steady_states(case.footstep, case.method)
+    except NoSteadyStateError as error:
+        return (_unsolved(case, error, begun),)
+    smooth = states[0] if not case.is_grooved else steady_states(case.smooth, case.method)[0]
+    shared = _shared_values(case)
+    titles = _titles(states)
+    return tuple(
+        _result(case, state, smooth, shared, title, begun) for state, title in zip(states, titles, strict=True)
+    )
+
+
+def _titles(states: tuple[SteadyState, ...]) -> list[str]:
+    """Names of states; those that occur twice are numbered."""
+    titles = [TITLES[state.name] for state in states]
+    return [
+        f"{titles[: i + 1].count(title)}. {title}" if titles.count(title) > 1 else title
+        for i, title in enumerate(titles)
+    ]
+
+
+def _unsolved(case: HeelCase, error: NoSteadyStateError, begun: float) -> Result:
+    far = f"{error}."
+    values = {
+        "face_gap": case.footstep.face_gap,
+        "heel_clearance": case.footstep.clearance,
+        "heel_groove_flow": error.groove_flow,
+        "rim_pressure": error.rim_pressure,
+        "rim_excess_flow": -error.largest_residual,
+    }
+    fold = fold_clearance(case.footstep)
+    if fold is not None:
+        values["fold_clearance"] = fold
+        far += f" At this face gap states exist from a clearance of {1e6 * fold:.3f} µm."
+    remedy = EXPLANATIONS["S020"].remedy
+    message = f"{far} Try: {remedy[0].lower()}{remedy[1:]}"
+    return Result(
+        f"{case.name} (grooved heel)", case.kind, case.method.value, Outcome.NO_STEADY_STATE,
+        values | {"wall_time": perf_counter() - begun},
+        warnings=tuple(_doubts_about_inputs(case)), assumptions=_assumptions(case), message=message,
+        settings=_settings(case),
+    )  # fmt: skip
+
+
+def _result(
+    case: HeelCase, state: SteadyState, smooth: SteadyState, shared: dict[str, float], title: str, begun: float
+) -> Result:
+    values = {name: value for name, value in _values(case, state).items() if not math.isnan(value)}
+    if case.is_grooved:
+        values["load_ratio_to_smooth"] = state.load / smooth.load
+        values["friction_ratio_to_smooth"] = smooth.friction_power / state.friction_power
+    values |= shared | {"balance_error": state.residual, "wall_time": perf_counter() - begun}
+    checks = (
+        Check(
+            "C130", "rim_drain_number", values["rim_drain_number"], 0.0, Bound.AT_LEAST,
+            "balance of the rim: a higher pressure must drain it", advisory=True,
+        ),
+    )  # fmt: skip
+    return Result(
+        f"{case.name} ({title})", case.kind, case.method.value, Outcome.CONVERGED, values, checks,
+        (*_doubts_about_inputs(case), *_doubts(case, state, values)), (), _assumptions(case), "",
+        _settings(case) | {"state": state.name.value, "stable": "yes" if state.stable else "no"},
+    )  # fmt: skip
+
+
+def _values(case: HeelCase, state: SteadyState) -> dict[str, float]:
+    step, nan = case.footstep, math.nan
+    both = case.method is Method.SUPERPOSITION
+    grooved = both and case.is_grooved
+    return {
+        "face_gap": step.face_gap,
+        "heel_clearance": step.clearance,
+        "load": state.load,
+        "rim_pressure": state.rim_pressure,
+        "face_flow": state.face_flow,
+        "heel_groove_flow": state.groove_flow if grooved else nan,
+        "heel_leakage": state.leakage,
+        "groove_outlet_temperature": state.groove_temperature,
+        "face_outlet_temperature": state.face_temperature if both else nan,
+        "face_film_temperature": nan if both else state.face_temperature,
+        "rim_temperature": state.rim_temperature if both else nan,
+        "clearance_film_temperature": nan if both else state.rim_temperature,
+        "maximum_temperature": state.maximum_temperature,
+        "friction_power": state.friction_power,
+        "axial_stiffness": state.axial_stiffness,
+        "axial_damping": state.axial_damping,
+        "load_over_clearance": state.load_over_clearance,
+        "rim_drain_number": state.drain_slope * step.oil.viscosity / slit_conductance(step),
+        "clearance_reynolds_number": step.oil.density
+        * step.angular_speed
+        * step.geometry.radius
+        * step.clearance
+        / step.oil.at(state.rim_temperature),
+        **_eccentric_values(step, state),
+    }
+
+
+def _eccentric_values(step: Footstep, state: SteadyState) -> dict[str, float]:
+    if step.end_eccentricities == (0.0, 0.0):
+        return {}
+    values = {"leak_factor": leak_factor(*step.end_eccentricities), "leakage_side_force": state.side_force}
+    if step.groove is None:
+        along, across = turning_force(step, state.rim_pressure, step.oil.at(state.rim_temperature))
+        values |= {"heel_force_along": along, "heel_force_across": across}
+    return values
+
+
+def _shared_values(case: HeelCase) -> dict[str, float]:
+    """What all states of a heel have in common."""
+    step, oil, part = case.footstep, case.footstep.oil, case.footstep.geometry
+    stirring = step.angular_speed * part.recess_radius * part.recess_depth
+    values = {
+        "recess_reynolds_number": oil.density * stirring / oil.viscosity,
+        "centrifugal_pressure": centrifugal_pressure(step),
+    }  # fmt: skip
+    if step.groove is None:
+        return values
+    speed = step.groove_speed * part.radius * math.cos(step.groove.angle)
+    values["groove_reynolds_number"] = oil.density * speed * step.groove.depth / oil.viscosity
+    if case.method is Method.SUPERPOSITION:
+        critical = critical_clearances(step)
+        if critical:
+            values["critical_clearance"] = critical[0].clearance
+            values["critical_temperature"] = critical[0].temperature
+        fold = fold_clearance(step)
+        if fold is not None:
+            values["fold_clearance"] = fold
+    return values
+
+
+def _doubts_about_inputs(case: HeelCase) -> Iterator[Notice]:
+    step = case.footstep
+    yield from case.doubts
+    if step.ambient_pressure < LOWEST_AMBIENT:
+        yield Notice("W163", f"ambient pressure {1e-3 * step.ambient_pressure:.4g} kPa absolute < 50 kPa")
+    groove = step.groove
+    if groove is None:
+        return
+    if step.clearance >= LAND_SHARE * groove.depth:
+        yield Notice(
+            "W162",
+            f"clearance {1e6 * step.clearance:.4g} µm ≥ a third of the groove depth, {1e6 * groove.depth:.4g} µm",
+        )
+    misfit = groove.misfit(step.geometry.radius)
+    if abs(misfit) > PITCH_TOLERANCE:
+        yield Notice("W165", f"starts (groove + land) = {1.0 + misfit:.4g} of 2π r₁ sin φ")
+    if case.method is Method.SUPERPOSITION:
+        yield Notice(
+            "W168",
+            "groove and clearance as two separate flows, no heat to the metal, no shear of the lands in the heat",
+        )
+    elif groove.starts < MANY_GROOVES:
+        yield Notice("W169", f"{groove.starts} starts < {MANY_GROOVES}")
+
+
+def _doubts(case: HeelCase, state: SteadyState, values: dict[str, float]) -> Iterator[Notice]:
+    if not state.stable:
+        yield Notice(
+            "W160", f"d(outflow − inflow of the rim)/dp₁ = {1e15 * state.drain_slope:.4g} mm³/(s MPa) < 0"
+        )
+    if state.maximum_temperature > HOTTEST:
+        yield Notice("W161", f"oil of {state.maximum_temperature - 273.15:.0f} °C > 150 °C")
+    for name, what in (
+        ("groove_reynolds_number", "groove"), ("recess_reynolds_number", "recess"),
+        ("clearance_reynolds_number", "clearance"),
+    ):  # fmt: skip
+        if values.get(name, 0.0) > LAMINAR_UP_TO:
+            yield Notice("W164", f"Reynolds number of the {what} {values[name]:.0f} > {LAMINAR_UP_TO:.0f}")
+    if state.face_flow < 0.0:
+        yield Notice(
+            "W166", f"Q₂ = {1e9 * state.face_flow:.4g} mm³/s: p₁ = {1e-6 * state.rim_pressure:.4g} MPa > "
+            f"p₂ = {1e-6 * case.footstep.supply_pressure:.4g} MPa",
+        )  # fmt: skip
+    if state.axial_stiffness < 0.0:
+        yield Notice("W167", f"dF/dh = {-1e-6 * state.axial_stiffness:+.3g} N/µm")
+    if case.is_grooved and "leak_factor" in values:
+        yield Notice(
+            "W170",
+            f"eccentricity at rim and outer end {', '.join(f'{e:.3g}' for e in case.footstep.end_eccentricities)}",
+        )
+
+
+def _assumptions(case: HeelCase) -> tuple[str, ...]:
+    step = case.footstep
+    said = [
+        *case.assumptions,
+        "Laminar film, no cavitation, clearance the same at every temperature and pressure.",
+    ]
+    if case.method is Method.SUPERPOSITION:
+        said.append("Adiabatic groove and face gap; the clearance holds oil of one temperature.")
+        if case.is_grooved and step.options.speed_reduction == 0.0:
+            said.append("The speed-reduction factor β of the study, which it never defines, is zero.")
+    elif step.wall is None:
+        said.append("The films are as warm as the oil that comes in.")
+    else:
+        said.append("Metal of one temperature, whose conductance both films share in equal halves.")
+    if step.options.load_reference is LoadReference.ABSOLUTE:
+        said.append("The load counts absolute pressures between bore and rim; the bore itself is not in it.")
+    return tuple(said)
+
+
+def _settings(case: HeelCase) -> dict[str, str]:
+    options = case.footstep.options
+    settings = {
+        "variant": "grooved" if case.is_grooved else "smooth",
+        "load_reference": options.load_reference.name.lower(),
+    }
+    if case.method is Method.SUPERPOSITION:
+        settings |= {
+            "friction_viscosity": options.friction_viscosity.name.lower(),
+            "face_outlet": options.face_outlet.name.lower(),
+            "backflow_viscosity": options.backflow_viscosity.name.lower(),
+            "entry_loss": f"{options.entry_loss:g}",
+        }
+    return settings

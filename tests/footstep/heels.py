@@ -1,0 +1,18 @@
+"""Footsteps for tests: that of the published study, and variations of it."""
+
+import math
+
+from babbitt.footstep.model import Footstep, HeelGeometry, HeelOil, ScrewGroove
+
+GEOMETRY = HeelGeometry(35e-3, 21.8e-3, 14e-3, 5e-3, 5e-3)
+GROOVE = ScrewGroove(math.radians(10.0), 0.3e-3, 1.2e-3, 3.58e-3, 5)
+OIL = HeelOil(0.0225, 298.15, 0.026, 1.76e6, 880.0)
+
+
+def footstep(face_gap=20.0, clearance=20.0, **changes):
+    """The published footstep at a face gap and a clearance in micrometres."""
+    given = {
+        "geometry": GEOMETRY, "oil": OIL, "angular_speed": 1450.0 * math.pi / 30.0, "supply_pressure": 0.63e6,
+        "ambient_pressure": 0.101e6, "face_gap": face_gap * 1e-6, "clearance": clearance * 1e-6, "groove": GROOVE,
+    }  # fmt: skip
+    return Footstep(**(given | changes))

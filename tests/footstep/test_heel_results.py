@@ -1,0 +1,133 @@
+"""From a case file of a footstep to results: states, doubts, status without a steady state, conventions."""
+
+import json
+
+import pytest
+
+from babbitt.cases import parse_case, template
+from babbitt.report.export import to_json, write_json
+from babbitt.results import Outcome
+from babbitt.solving import solve
+
+TEXT = template("screw_heel")
+
+
+def solved(**changes):
+    text = TEXT
+    for old, new in changes.values():
+        assert old in text
+        text = text.replace(old, new, 1)
+    return solve(parse_case(text))
+
+
+def codes(result):
+    return {notice.code for notice in result.warnings}
+
+
+def test_all_states_of_the_pump():
+    machine = solved()
+    names = [result.name for result in machine.results]
+    assert names == [f"Pump footstep ({state})" for state in ("smooth heel", "hot state", "cold state")]
+    assert len(machine.design_cases) == 3
+    smooth, hot, cold = machine.results
+    assert hot.load == pytest.approx(829.1176, rel=1e-5)
+    assert hot.load_ratio_to_smooth == pytest.approx(hot.load / smooth.load, rel=1e-12)
+    assert hot.friction_ratio_to_smooth == pytest.approx(66.63353 / 35.08568, rel=1e-5)
+    assert hot.critical_clearance == pytest.approx(10.482e-6, abs=1e-9)
+    assert [result.settings["stable"] for result in machine.results] == ["yes", "yes", "no"]
+    assert [result.checks[0].ok for result in machine.results] == [True, True, False]
+    assert machine.within_limits  # an unstable state is shown, and is no violated limit
+    assert "W160" in codes(cold)
+    assert "W166" in codes(cold)
+    assert "W160" not in codes(hot)
+    assert "W167" in codes(smooth)
+    assert "W168" in codes(hot)
+    assert "W168" not in codes(smooth)
+    assert hot.groove_reynolds_number == pytest.approx(38.25, abs=0.01)
+    assert smooth.recess_reynolds_number == pytest.approx(416.0, abs=0.5)
+
+
+def test_no_steady_state_says_why():
+    machine = solved(
+        gap=("face_gap: 20 um", "face_gap: 12 um"), clearance=("clearance: 20 um", "clearance: 10 um")
+    )
+    smooth, grooved = machine.results
+    assert smooth.outcome.solved
+    assert grooved.outcome is Outcome.NO_STEADY_STATE
+    assert not machine.solved
+    assert "receives more oil than the clearance carries away" in grooved.message
+    assert "10.482 µm" in grooved.message
+    record = to_json(machine)["bearings"][1]
+    assert record["status"] == "no_steady_state"
+    assert record["results"] == {}
+    assert record["last_state"]["fold_clearance"] == pytest.approx(10.482e-6, abs=1e-9)
+    assert record["verdict"] == "no_solution"
+
+
+def test_gauge_pressures_are_the_same_footstep():
+    absolute = solved()
+    gauge = solved(
+        kind=("pressures: absolute", "pressures: gauge"),
+        p=("supply_pressure: 0.63 MPa", "supply_pressure: 0.529 MPa"),
+    )
+    for one, other in zip(absolute.results, gauge.results, strict=True):
+        assert other.load == pytest.approx(one.load, rel=1e-9)
+
+
+def test_the_load_may_count_pressures_above_ambient():
+    above = solved(load=("load_reference: absolute", "load_reference: gauge"))
+    assert above.results[0].load == pytest.approx(833.5885 - 142.86, rel=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("code", "old", "new"),
+    [
+        ("W161", "face_gap: 20 um", "face_gap: 5 um"),
+        ("W162", "  depth: 0.3 mm", "  depth: 55 um"),
+        ("W163", "ambient_pressure: 0.101 MPa", "ambient_pressure: 40 kPa"),
+        ("W164", "  recess_depth: 5 mm", "  recess_depth: 30 mm"),
+        ("W165", "  starts: 5\n", "  starts: 6\n  accept_misfit: true\n"),
+    ],
+)
+def test_doubts(code, old, new):
+    assert code not in codes(solved().results[1])
+    assert code in codes(solved(change=(old, new)).results[-2])
+
+
+def test_narrow_grooves_in_metal():
+    machine = solved(
+        method=("method: superposition", "method: narrow_groove"), wall=("# wall:", "wall:")
+    )  # 10 W/K, 25 °C
+    smooth, grooved = machine.results
+    assert grooved.load == pytest.approx(941.16, abs=0.05)
+    assert smooth.load == pytest.approx(824.12, abs=0.05)
+    assert "W169" in codes(grooved)
+    assert "W168" not in codes(grooved)
+    assert grooved.clearance_film_temperature == grooved.maximum_temperature
+    assert "critical_clearance" not in grooved.values
+
+
+def test_an_eccentric_heel_is_pushed_and_leaks_more():
+    machine = solved(eccentric=("# eccentricity_ratio: 0.3", "eccentricity_ratio: 0.3"))
+    smooth, hot, _ = machine.results
+    assert smooth.leak_factor == pytest.approx(1.135, rel=1e-12)
+    assert smooth.leakage_side_force == 0.0
+    assert smooth.heel_force_along < 0.0 < smooth.heel_force_across  # a journal bearing pushes back and across
+    assert "heel_force_along" not in hot.values
+    assert "W170" in codes(hot)
+
+
+def test_variants():
+    assert [r.name for r in solved(v=("variants: both", "variants: smooth")).results] == [
+        "Pump footstep (smooth heel)"
+    ]
+    assert len(solved(v=("variants: both", "variants: grooved")).results) == 2
+
+
+def test_json_is_finite_and_names_are_known():
+    from babbitt.quantities import QUANTITIES
+
+    machine = solved()
+    assert json.loads(write_json(machine))["bearings"][1]["settings"]["state"] == "hot"
+    for result in machine.results:
+        assert set(result.values) <= set(QUANTITIES)

@@ -1,0 +1,128 @@
+"""Footstep: stability, stiffness, damping, clearances at which states vanish, eccentric heels."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from heels import GEOMETRY, OIL, footstep
+
+from babbitt.footstep.axial import axial_damping, centrifugal_pressure
+from babbitt.footstep.clearances import at_clearance, critical_clearances, fold_clearance
+from babbitt.footstep.eccentric import leak_factor, side_force_of_leakage
+from babbitt.footstep.model import Wall
+from babbitt.footstep.states import Method, NoSteadyStateError, steady_states
+from babbitt.footstep.turning_heel import turning_force
+
+
+@pytest.mark.parametrize("method", Method)
+@pytest.mark.parametrize("grooved", [False, True])
+@pytest.mark.parametrize("clearance", [12.0, 20.0, 40.0])
+def test_slopes_are_those_of_neighbours(method, grooved, clearance):
+    """Stiffness and tolerance of the clearance against states solved anew beside the first."""
+    step = footstep(25.0, clearance, wall=Wall(303.15, 8.0), **({} if grooved else {"groove": None}))
+    for place, state in enumerate(steady_states(step, method)):
+        for field, slope in (("face_gap", -state.axial_stiffness), ("clearance", state.load_over_clearance)):
+            size = getattr(step, field)
+            less, more = (
+                steady_states(replace(step, **{field: size * (1.0 + sign * 1e-3)}), method)[place].load
+                for sign in (-1.0, 1.0)
+            )
+            assert slope == pytest.approx((more - less) / (2e-3 * size), rel=2e-3, abs=2e3)
+
+
+def test_stability_is_that_of_a_rim_that_fills_and_drains():
+    """A disturbed rim that fills and drains returns to the stable state and leaves the other."""
+    from babbitt.footstep.superposition import GroovedHeel
+
+    model = GroovedHeel(footstep())
+    for state in steady_states(footstep()):
+        flow = state.groove_flow * (1.0 + 1e-3)
+        for _ in range(400):
+            at = model.balance(np.asarray(flow))
+            slope = float(model.balance(np.asarray(flow * 1.0001)).rim_pressure - at.rim_pressure) / (1e-4 * flow)
+            filled = -float(at.residual)  # what stays in the rim raises its pressure
+            flow += 2e-2 * math.copysign(1.0, slope) * filled * min(1.0, 0.02 * flow / max(abs(filled), 1e-30))
+        moved = abs(flow / state.groove_flow - 1.0)
+        assert (moved < 1e-3) == state.stable
+
+
+def test_footsteps_fed_through_the_face_gap_have_negative_stiffness():
+    for state in (*steady_states(footstep()), *steady_states(footstep(groove=None))):
+        if state.face_flow > 0.0:
+            assert state.axial_stiffness < 0.0
+
+
+def test_damping_of_an_annular_plate_without_bore_flow():
+    """Rim at given pressure, recess without depth effect: the squeezed ring of the closed form.
+
+    With dp/dr = (6 mu/(pi r h³)) (pi (r² - r2²) - Q) h' and both edges at given pressure the force is known.
+    """
+    part = replace(GEOMETRY, recess_radius=5.0001e-3)
+    step = footstep(15.0, geometry=part)
+    r1, r2, h, mu = part.radius, part.bore_radius, step.face_gap, 0.02
+    # both edges held: the force of the squeezed ring, mean of r1² and r2² against their logarithmic mean
+    exact = 1.5 * math.pi * mu / h**3 * (r1**4 - r2**4 - (r1**2 - r2**2) ** 2 / math.log(r1 / r2))
+    assert axial_damping(step, mu, 1e6) == pytest.approx(exact, rel=1e-3)
+    # nothing leaves at the rim: all oil comes from the bore, and the force is larger
+    assert axial_damping(step, mu, 0.0) > 2.0 * exact
+
+
+def test_folds():
+    for gap, known in ((5.0, 7.188), (7.0, 8.894), (10.0, 10.305), (12.0, 10.486), (15.0, 10.471)):
+        fold = fold_clearance(footstep(gap))
+        assert fold == pytest.approx(known * 1e-6, abs=0.01e-6)
+        assert len(steady_states(at_clearance(footstep(gap), 1.001 * fold))) == 2
+        with pytest.raises(NoSteadyStateError):
+            steady_states(at_clearance(footstep(gap), 0.999 * fold))
+    assert fold_clearance(footstep(oil=replace(OIL, exponent=0.0))) is None
+    assert fold_clearance(footstep(10.0, 5.0)) == pytest.approx(10.305e-6, abs=0.01e-6)  # from below
+
+
+def test_no_oil_passes_the_face_gap_at_critical_clearance():
+    hot, cold = critical_clearances(footstep())
+    for found, place in ((hot, 0), (cold, 1)):
+        state = steady_states(at_clearance(footstep(50.0), found.clearance))[place]
+        assert abs(state.face_flow) < 1e-4 * state.leakage
+        assert state.groove_temperature == pytest.approx(found.temperature, abs=0.01)
+    assert critical_clearances(footstep(supply_pressure=1.2e6)) == ()
+
+
+def test_leakage_of_eccentric_heels():
+    assert leak_factor(0.5, 0.5) == pytest.approx(1.375, rel=1e-14)
+    assert leak_factor(0.5, 0.5 + 1e-9) == pytest.approx(1.375, rel=1e-8)
+    assert leak_factor(0.4, -0.4) == leak_factor(-0.4, 0.4)
+    assert leak_factor(0.4, -0.4) < 1.0 < leak_factor(0.4, 0.4)  # a wedge in every strip holds back
+    centred, aside = (steady_states(footstep(groove=None, eccentricity_ratio=e))[0] for e in (0.0, 0.5))
+    assert aside.leakage > centred.leakage
+    assert aside.load < centred.load
+
+
+def test_side_force_of_a_tilted_heel():
+    """Against the pressure of the short annulus integrated over the surface; zero without tilt."""
+    assert side_force_of_leakage(footstep(eccentricity_ratio=0.6), 0.5e6) == 0.0
+    step = footstep(eccentricity_ratio=0.2, tilt=3e-4, groove=None)
+    rim, outer = step.end_eccentricities
+    theta = 2.0 * math.pi * np.arange(720) / 720
+    z = (np.arange(4000) + 0.5) / 4000
+    gap = 1.0 - (rim + (outer - rim) * z[None, :]) * np.cos(theta)[:, None]
+    resistance = np.cumsum(gap[:, ::-1] ** -3, axis=1)[:, ::-1]
+    pressure = 0.4e6 * resistance / resistance[:, :1]
+    area = GEOMETRY.radius * GEOMETRY.length * 2.0 * math.pi
+    force = -area * float(np.mean(pressure.mean(axis=1) * np.cos(theta)))
+    assert side_force_of_leakage(step, 0.501e6) == pytest.approx(force, rel=2e-3)
+    assert force > 0.0  # the rim, where the pressure is high, stands near the cup: it is pressed there
+    assert side_force_of_leakage(replace(step, tilt=-3e-4), 0.501e6) < 0.0
+
+
+def test_the_film_of_a_slow_heel_feels_the_leakage_alone():
+    """Hardly turning, the film in two dimensions has the side force of the leakage, less for its side flow."""
+    step = footstep(eccentricity_ratio=0.1, tilt=3e-4, groove=None, angular_speed=1e-3)
+    along, across = turning_force(step, 0.5e6, OIL.viscosity)
+    short = side_force_of_leakage(step, 0.5e6)
+    assert 0.6 * short < along < short
+    assert abs(across) < 0.02 * short
+
+
+def test_centrifugal_pressure():
+    assert centrifugal_pressure(footstep()) == pytest.approx(850.0, rel=2e-3)
