@@ -20,7 +20,7 @@ from film_speed import BEARING, LOAD
 
 from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Land, Pocket, Resolution
 from babbitt.film.scales import Scales
-from babbitt.film.solve import solve_journal
+from babbitt.film.solve import film_at_position, solve_journal
 
 GRIDS = {"draft": DRAFT, "engineering": ENGINEERING, "reference": REFERENCE}
 FINEST, FINEST_SURFACE = Resolution(10, 1536, 96, 1e-10), Resolution(8, 768, 48, 1e-9)
@@ -47,6 +47,34 @@ def against_finest(what, film, load, grid):
     lines(what, film, load, exact.position, exact.minimum_film_thickness, exact.stiffness, exact.damping)
 
 
+def convergence():
+    """Error of the force at one place, per cent, against intervals and against unknowns across."""
+    place = tuple(np.array(INDEPENDENT["mass-conserving"]["position"]) * BEARING.clearance)
+
+    def force(unknowns, intervals):
+        return film_at_position(BEARING, place, resolution=Resolution(unknowns, intervals)).force
+
+    for what, finest, grids in (
+        ("intervals", (4, 1536), [(4, n) for n in (24, 48, 96, 192)]),
+        ("unknowns", (12, 384), [(m, 384) for m in (2, 3, 4, 5)]),
+    ):
+        exact = force(*finest)
+        errors = [np.linalg.norm(force(*grid) - exact) / np.linalg.norm(exact) for grid in grids]
+        print(
+            f"force, {what}: "
+            + ", ".join(f"{m} x {n} {100.0 * e:.2g}" for (m, n), e in zip(grids, errors, strict=True))
+        )
+
+
+def pocket_flow(film):
+    """Error of the flow from all supplies, per cent."""
+    exact = solve_journal(film, LOAD, FINEST_SURFACE).supply_flow.sum()
+    errors = {
+        name: solve_journal(film, LOAD, grid).supply_flow.sum() / exact - 1.0 for name, grid in GRIDS.items()
+    }
+    print("supply flow: " + ", ".join(f"{name} {100.0 * error:.2g}" for name, error in errors.items()))
+
+
 def main():
     """Print the tables."""
     print(f"{'':46}{'position':>10}{'K':>10}{'C':>10}   per cent")
@@ -66,6 +94,8 @@ def main():
         ("two pockets", replace(BEARING, lands=ring, film_start=FilmStart.PERIODIC, pockets=pockets)),
     ):
         against_finest(what, film, LOAD, FINEST_SURFACE)
+    pocket_flow(film)
+    convergence()
 
 
 if __name__ == "__main__":
