@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from babbitt_pages.film_drawings import film_blocks, film_nodes, film_section
 from babbitt_pages.svg import ACCENT, PALE, SHADE, Drawing, polar
 
 SHELL = "#cbd2d9"
@@ -120,7 +121,14 @@ def flow() -> str:
     return drawing.text()
 
 
-DRAWINGS: dict[str, Callable[[], str]] = {"frame": frame, "spans": spans, "flow": flow}
+DRAWINGS: dict[str, Callable[[], str]] = {
+    "frame": frame,
+    "spans": spans,
+    "flow": flow,
+    "film_section": film_section,
+    "film_nodes": film_nodes,
+    "film_blocks": film_blocks,
+}
 """Name of the file and the function that draws it."""
 
 

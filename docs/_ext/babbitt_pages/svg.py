@@ -67,8 +67,12 @@ class Drawing:
         angles = [start + (end - start) * i / steps for i in range(steps + 1)]
         ring = [polar(centre, outer, angle) for angle in angles]
         ring += [polar(centre, inner, angle) for angle in reversed(angles)]
-        path = " ".join(f"{x:.1f},{y:.1f}" for x, y in map(self._at, ring))
-        self._add(f'<polygon points="{path}" fill="{fill}" {_stroke(INK, 1.0)}/>')
+        self.area(ring, fill=fill)
+
+    def area(self, outline: list[Point], *, fill: str, ink: str = INK, weight: float = 1.0) -> None:
+        """A filled outline."""
+        path = " ".join(f"{x:.1f},{y:.1f}" for x, y in map(self._at, outline))
+        self._add(f'<polygon points="{path}" fill="{fill}" {_stroke(ink, weight)}/>')
 
     def box(self, corner: Point, width: float, height: float, *, fill: str = "white") -> None:
         """A box with round corners; the corner is the lower left one."""

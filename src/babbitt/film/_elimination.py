@@ -11,7 +11,7 @@ next line.
 
 Either way the matrix is block tridiagonal with diagonal coupling, and  S_i = D_i - L_i S_i-1^-1 U_i.
 Lines that are full across the width, counted from the start of the land, are diagonal in the modes of K~ and cost
-O(m); from the first line with a dry node on, blocks are inverted. The adjoints A^T l = -d(F)/du use the same
+O(m); from the first line with a dry node on, blocks are inverted. The adjoints A^T l = dF/du use the same
 factors.
 """
 

@@ -82,7 +82,7 @@ def update_surface(surface, film, work):
 
 @inner
 def end_adjoints_at_rupture(surface, film, work):
-    """Conductance from the last wet line to the rupture itself, see ``_forces.end_at_rupture``."""
+    """Conductance from the last wet line to the rupture itself, see ``_endings``."""
     lines, nodes = surface.held.shape
     n = surface.step.size
     for i in range(lines):
