@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from babbitt.film.axial import AxialMesh, element_axial_mesh
 
-__all__ = ["Grid", "across", "between"]
+__all__ = ["DRAFT", "ENGINEERING", "REFERENCE", "Grid", "across", "between"]
 
 Array = NDArray[np.float64]
 
@@ -40,9 +40,9 @@ class Grid:
         return Grid(self.per_turn // 2, max(3, self.degree // 2 + 1))
 
 
-DRAFT = Grid(64, 5)
-ENGINEERING = Grid(96, 7)
-REFERENCE = Grid(256, 12)
+DRAFT = Grid(96, 5)
+ENGINEERING = Grid(192, 6)
+REFERENCE = Grid(384, 10)
 
 
 def between(edges: Array, per_unit: float, fewest: int = 6) -> Array:
