@@ -155,10 +155,11 @@ def newton(
             matrix[count, count] = float(by_supply.sum()) + pump.leakage
             right[count] = -balance
         size = max(float(np.abs(flows).max()), 1e-12 * size)
-        short = max(float(np.abs(residual).max()), abs(balance)) / size
+        wrong = max(float(np.abs(residual).max()), abs(balance))
+        short = wrong / size
         if short < TIGHT or (settled and short < 1e-10):
             break
-        if short > 2.0 * old and halvings < 6:
+        if wrong > old and halvings < 12:
             step *= 0.5
             p, supply, halvings = p - step[:count], supply - step[count], halvings + 1
         else:
@@ -166,7 +167,7 @@ def newton(
                 step = np.linalg.solve(matrix, right)
             except np.linalg.LinAlgError:
                 break
-            old, halvings = short, 0
+            old, halvings = wrong, 0
             settled = float(np.abs(step).max()) < 1e-12 * max(float(np.abs(p).max()), abs(supply))
             p, supply = p + step[:count], supply + step[count]
         flows, by_recess, by_supply = laws(feeding.restrictors, p, supply)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
@@ -47,6 +47,8 @@ class RecessState:
     steps : int
     residual : float
         Largest force that is not carried over the load, and pressure change over pressure.
+    carried : float
+        Greatest share of the load that the film was found to carry, where it could not carry all.
     """
 
     film: RecessFilm
@@ -56,6 +58,7 @@ class RecessState:
     ending: Ending
     steps: int
     residual: float
+    carried: float = 0.0
 
     @property
     def force(self) -> Array:
@@ -173,14 +176,33 @@ def rest_under(build: Build, feeding: Feeding, load: Array, start: Array, grid: 
     pressures, supply = first_guess(feeding, coarse)
     first = descend(coarse, feeding, load, start, pressures, supply, thinnest, 1e-4)
     if not first.solved:
-        at, pressures, supply = first.at, first.network.pressures, first.network.supply_pressure
-        if first.ending is Ending.OVERLOADED:
+        first = climb(coarse, feeding, load, start, thinnest)
+        if not first.solved:
             return first
-        at = start
-        pressures, supply = first_guess(feeding, coarse)
-    else:
-        at, pressures, supply = first.at, first.network.pressures, first.network.supply_pressure
-    return descend(RecessFilm.on(build(grid)), feeding, load, at, pressures, supply, thinnest, TIGHT)
+    network = first.network
+    fine = RecessFilm.on(build(grid))
+    return descend(fine, feeding, load, first.at, network.pressures, network.supply_pressure, thinnest, TIGHT)
+
+
+def climb(film: RecessFilm, feeding: Feeding, load: Array, start: Array, thinnest: float) -> RecessState:
+    """Raise the load in shares from a tenth on, halving the rise where it fails; how far it came is in the answer."""
+    pressures, supply = first_guess(feeding, film)
+    at, share, rise = start, 0.0, 0.1
+    state: RecessState | None = None
+    while rise > 2e-3:
+        goal = min(1.0, share + rise)
+        film.work.wet[:] = True
+        found = descend(film, feeding, goal * load, at, pressures, supply, thinnest, 1e-4)
+        if found.solved:
+            at, share, rise = found.at, goal, 2.0 * rise
+            pressures, supply = found.network.pressures, found.network.supply_pressure
+            if share == 1.0:
+                return found
+        else:
+            rise *= 0.5
+            state = replace(found, carried=share)
+    assert state is not None
+    return replace(state, carried=share)
 
 
 def descend(
@@ -209,14 +231,16 @@ def descend(
         if not np.isfinite(short):
             return RecessState(film, response, network, at, Ending.NOT_CONVERGED, step, short)
         stiffness, damping = static_coefficients(response, network)
+        slow = 0.05 * float(np.abs(np.diag(stiffness) / np.diag(damping)).max())
         if short > 1.05 * old and short > 1e-6:
-            creep = max(4.0 * creep, 0.05 * float(np.abs(np.diag(stiffness) / np.diag(damping)).max()))
-        elif creep > 0.0:
-            creep = 0.0 if creep * 0.2 < 1e-4 * float(np.abs(np.diag(stiffness) / np.diag(damping)).max()) else (
-                0.2 * creep
-            )
+            creep = max(4.0 * creep, slow)
+        else:
+            creep = 0.2 * creep if creep > slow else 0.0
         old = short
         move = np.linalg.solve(stiffness + creep * damping, residual)
+        while move @ residual <= 0.0 < short and creep < 1e9 * slow:  # against the force: behind the greatest load
+            creep = max(4.0 * creep, slow)
+            move = np.linalg.solve(stiffness + creep * damping, residual)
         new_gap, halvings = film.gap(at + move), 0
         while not new_gap > 0.4 * gap and halvings < 40:
             move, halvings = 0.5 * move, halvings + 1
