@@ -20,6 +20,8 @@ class Outcome(Enum):
     THERMAL_RUNAWAY = "no thermal equilibrium up to 300 °C"
     NO_CLEARANCE = "the clearance closes at operating temperature"
     NO_LUBRICANT_DATA = "the lubricant data do not reach the temperature of the film"
+    UNSTABLE_NETWORK = "the flow network of the recesses has no stable state"
+    STARVED_RECESS = "a recess is starved of oil"
     NOT_CONVERGED = "the iteration ended without meeting its tolerance"
 
     @property
@@ -39,6 +41,8 @@ _OUTCOME_CODES = {
     "NO_CLEARANCE": "S003",
     "NOT_CONVERGED": "S004",
     "NO_LUBRICANT_DATA": "S005",
+    "UNSTABLE_NETWORK": "S301",
+    "STARVED_RECESS": "S302",
 }
 
 

@@ -181,7 +181,14 @@ def rest_under(build: Build, feeding: Feeding, load: Array, start: Array, grid: 
             return first
     network = first.network
     fine = RecessFilm.on(build(grid))
-    return descend(fine, feeding, load, first.at, network.pressures, network.supply_pressure, thinnest, TIGHT)
+    last = descend(fine, feeding, load, first.at, network.pressures, network.supply_pressure, thinnest, TIGHT)
+    if last.ending in (Ending.OVERLOADED, Ending.NOT_CONVERGED):
+        climbed = climb(fine, feeding, load, start, thinnest)
+        if not climbed.solved:
+            return climbed
+        network = climbed.network
+        last = descend(fine, feeding, load, climbed.at, network.pressures, network.supply_pressure, thinnest, TIGHT)
+    return last
 
 
 def climb(film: RecessFilm, feeding: Feeding, load: Array, start: Array, thinnest: float) -> RecessState:

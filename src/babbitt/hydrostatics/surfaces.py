@@ -46,7 +46,7 @@ class FilmOil:
     cavitation_pressure: float = 0.0
 
 
-def journal_surface(bearing: RecessedJournal, oil: FilmOil, grid: Grid) -> RecessSurface:
+def journal_surface(bearing: RecessedJournal, oil: FilmOil, grid: Grid, thinnest: float = 1.0) -> RecessSurface:
     """Half the width of a recessed journal bearing.
 
     Parameters
@@ -54,6 +54,8 @@ def journal_surface(bearing: RecessedJournal, oil: FilmOil, grid: Grid) -> Reces
     bearing : RecessedJournal
     oil : FilmOil
     grid : Grid
+    thinnest : float
+        Smallest gap to come over the clearance: with thin films two elements cover the outer land.
 
     Returns
     -------
