@@ -6,8 +6,11 @@ from dataclasses import dataclass
 
 from babbitt import __version__
 from babbitt.bearings.model import FilmCase
-from babbitt.cases import Case, JournalCase, Machine, OverhungCouplingCase, case_hash, design_cases
+from babbitt.cases import Case, OverhungCouplingCase, case_hash, design_cases
+from babbitt.cases.case_file import CaseFile
 from babbitt.cases.build import AnyDesign
+from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.results import Outcome, Result
 from babbitt.shafts import bearing_loads
 from babbitt.standards.iso7902 import check as iso7902_check
@@ -78,7 +81,7 @@ def solve(case: Case) -> MachineResult:
     TypeError
         If `case` is not a case, such as the path of its file.
     """
-    if not isinstance(case, JournalCase | Machine | OverhungCouplingCase):
+    if not isinstance(case, CaseFile):
         given = type(case).__name__
         raise TypeError(
             f"solve takes a case, not {given}; read one with babbitt.load_case(path) or parse_case(text)"
@@ -104,7 +107,7 @@ def solve_design(design: AnyDesign) -> Result:
 
     Parameters
     ----------
-    design : DesignCase or FilmCase
+    design : DesignCase, FilmCase, HydrostaticCase or JackingCase
 
     Returns
     -------
@@ -114,6 +117,11 @@ def solve_design(design: AnyDesign) -> Result:
         from babbitt.bearings.check import film_check  # numba is imported when the first film is solved
 
         return film_check(design)
+    if isinstance(design, HydrostaticCase | JackingCase):
+        from babbitt.hydrostatics.check import hydrostatic_check
+        from babbitt.hydrostatics.jacking import jacking_check
+
+        return jacking_check(design) if isinstance(design, JackingCase) else hydrostatic_check(design)
     return iso7902_check(design)
 
 

@@ -12,13 +12,15 @@ from babbitt.cases.film_cases import film_case
 from babbitt.cases.iso7902_cases import iso7902_case
 from babbitt.cases.joined_inputs import Inputs, Point, inputs
 from babbitt.cases.journal import JournalBearing
-from babbitt.cases.machine import Case, JournalCase, Machine
+from babbitt.cases.machine import Case, HydrostaticBearing, JournalCase, Machine
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.part import Part
+from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.standards.iso7902.model import DesignCase
 
-AnyDesign = DesignCase | FilmCase
-"""What a method computes: the design case of ISO 7902, or that of the film."""
+AnyDesign = DesignCase | FilmCase | HydrostaticCase | JackingCase
+"""What a method computes: the design case of ISO 7902, that of the film, or that of a hydrostatic bearing."""
 
 DesignT = TypeVar("DesignT")
 
@@ -31,14 +33,16 @@ def design_cases(case: Case) -> tuple[AnyDesign, ...]:
 
     Parameters
     ----------
-    case : JournalCase, Machine or OverhungCouplingCase
+    case : Case
 
     Returns
     -------
-    tuple of DesignCase or FilmCase
+    tuple of AnyDesign
         In the order of the file; empty for the statics of a shaft. Names are ``Bearing``, ``Bearing [point]``,
         ``Bearing (minimum clearance)``, ``Bearing [point] (minimum clearance)``.
     """
+    if isinstance(case, HydrostaticBearing):
+        return (case.design(),)
     return tuple(
         design
         for bearing in bearings_of(case)
@@ -82,7 +86,7 @@ def case_hash(case: Case) -> str:
 
     Parameters
     ----------
-    case : JournalCase, Machine or OverhungCouplingCase
+    case : Case
 
     Returns
     -------
@@ -112,7 +116,7 @@ def _rounded(value: Any) -> Any:
 
 
 def _expanded(bearing: JournalBearing, case: Case, make: Maker[DesignT]) -> Iterator[DesignT]:
-    if isinstance(case, OverhungCouplingCase):
+    if isinstance(case, OverhungCouplingCase | HydrostaticBearing):
         return
     joined = inputs(bearing, case)
     relative = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter)

@@ -10,6 +10,8 @@ from pydantic import ValidationError
 
 from babbitt.cases.bore_file import TableError, with_tables
 from babbitt.cases.document import DocumentError, Node, read_document
+from babbitt.cases.hydrostatic import HydrostaticJournalCase, HydrostaticPadCase, HydrostaticThrustRingCase
+from babbitt.cases.jacking import JackingPocketCase
 from babbitt.cases.machine import Case, JournalCase, Machine
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.plain_words import Path, nearest, shown
@@ -21,10 +23,14 @@ LARGEST_FILE = 1_000_000
 VERSION = 1
 """Version of the case language."""
 
-KINDS: Mapping[str, type[JournalCase] | type[Machine] | type[OverhungCouplingCase]] = {
+KINDS: Mapping[str, type[Case]] = {
     "journal": JournalCase,
     "machine": Machine,
     "overhung_coupling": OverhungCouplingCase,
+    "hydrostatic_pad": HydrostaticPadCase,
+    "hydrostatic_thrust_ring": HydrostaticThrustRingCase,
+    "hydrostatic_journal": HydrostaticJournalCase,
+    "jacking_pocket": JackingPocketCase,
 }
 """What a file can hold, by its `kind`."""
 
@@ -39,7 +45,7 @@ def load_case(path: str | FilePath) -> Case:
 
     Returns
     -------
-    JournalCase, Machine or OverhungCouplingCase
+    Case
 
     Raises
     ------
@@ -74,7 +80,7 @@ def parse_case(text: str, name: str = "<text>") -> Case:
     >>> parse_case("kind: jurnal", "a.yaml")
     Traceback (most recent call last):
     babbitt.cases.problems.CaseError: a.yaml:1: kind: 'jurnal' is not a kind of case; allowed: journal, machine,
-    overhung_coupling; did you mean 'journal'? [E003]
+    overhung_coupling, hydrostatic_pad, hydrostatic_thrust_ring, hydrostatic_journal, jacking_pocket; did you mean 'journal'? [E003]
     """
     return _parsed(text, name, FilePath())
 

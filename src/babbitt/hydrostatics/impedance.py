@@ -9,12 +9,15 @@ the oil is not in it.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film.recess import RecessResponse
 from babbitt.hydrostatics.network import NetworkState
+
+if TYPE_CHECKING:
+    from babbitt.film.recess import RecessResponse  # the film compiles kernels; whoever describes a case does not
 
 __all__ = ["Compressibility", "damping_loss", "impedance", "static_coefficients"]
 

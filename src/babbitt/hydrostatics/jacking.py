@@ -16,80 +16,16 @@ import numpy as np
 
 from babbitt.film.recess import RecessFilm
 from babbitt.hydrostatics.answer import GRIDS
-from babbitt.hydrostatics.geometry import RecessedJournal, positive
+from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.surfaces import FilmOil, journal_surface
-from babbitt.notices import InputError, Notice
+from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Outcome, Result
 
-__all__ = ["JackingCase", "LiftPoint", "gap_for_flow", "jacking_check", "lift_at", "lift_curve"]
+__all__ = ["LiftPoint", "gap_for_flow", "jacking_check", "lift_at", "lift_curve"]
 
 UNIT = 1e7  # Pa
 CURVE = (0.005, 0.01, 0.02, 0.04, 0.07, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5)
 """Gaps of the curve of lift, over the clearance."""
-
-
-@dataclass(frozen=True)
-class JackingCase:
-    """A plain bearing with jacking pockets.
-
-    Attributes
-    ----------
-    name, method : str
-    bearing : RecessedJournal
-    viscosity : float
-        Pa s, cold oil.
-    load : float
-        N, downwards (-y).
-    lift_gap : float or None
-        Wanted smallest gap, m.
-    pump_flow : float or None
-        All pockets together, m3/s.
-    relief_pressure : float or None
-        Pa.
-    roughness : float
-        Composite roughness height: the gap at which the shaft lies, m.
-    pump_efficiency : float
-    accuracy : str
-    own_restrictors : bool
-        Whether every pocket has a restrictor or its stage of a flow divider.
-    given, assumptions, doubts : tuple
-    """
-
-    name: str
-    method: str
-    bearing: RecessedJournal
-    viscosity: float
-    load: float
-    lift_gap: float | None = None
-    pump_flow: float | None = None
-    relief_pressure: float | None = None
-    roughness: float = 1e-6
-    pump_efficiency: float = 0.8
-    accuracy: str = "engineering"
-    own_restrictors: bool = True
-    given: tuple[tuple[str, str], ...] = ()
-    assumptions: tuple[str, ...] = ()
-    doubts: tuple[Notice, ...] = ()
-    kind: str = "jacking_pocket"
-
-    def __post_init__(self) -> None:
-        positive(viscosity=self.viscosity, load=self.load, roughness=self.roughness)
-        if self.lift_gap is None and self.pump_flow is None:
-            raise InputError("E101", "neither lift_gap nor pump_flow is given; one of them says how far to lift.")
-        for name in ("lift_gap", "roughness"):
-            value = getattr(self, name)
-            if value is not None and not 0.0 < value < self.bearing.clearance:
-                raise InputError("E101", f"{name} is {value} m; it must be less than the radial clearance, "
-                                 f"{self.bearing.clearance} m.")  # fmt: skip
-        if not any(math.sin(angle) < 0.0 for angle in self.bearing.recess_angles):
-            raise InputError("E101", "no pocket lies in the lower half; the load acts downwards (-90 deg).")
-
-    @property
-    def projected_area(self) -> float:
-        """Of all pockets, seen along the load, m2."""
-        half = 0.5 * self.bearing.recess_extent
-        arcs = [-math.cos(angle + half) + math.cos(angle - half) for angle in self.bearing.recess_angles]
-        return -self.bearing.recess_length * self.bearing.radius * sum(arcs)
 
 
 @dataclass(frozen=True)

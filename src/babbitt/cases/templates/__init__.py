@@ -11,6 +11,10 @@ _KINDS = {
     "journal": "one journal bearing, ISO 7902",
     "machine": "several bearings that share oil and supply, ISO 7902",
     "overhung_coupling": "load share of two bearings with an overhung coupling",
+    "hydrostatic_pad": "hydrostatic pad with one recess: round, annular, rectangular",
+    "hydrostatic_thrust_ring": "hydrostatic thrust ring with several recesses and tilt",
+    "hydrostatic_journal": "recessed journal bearing, hydrostatic or hybrid",
+    "jacking_pocket": "jacking pockets that lift a shaft before it turns",
 }
 
 
@@ -18,7 +22,8 @@ def kinds() -> Mapping[str, str]:
     """Give the kinds of case and what each describes.
 
     >>> list(kinds())
-    ['journal', 'machine', 'overhung_coupling']
+    ['journal', 'machine', 'overhung_coupling', 'hydrostatic_pad', 'hydrostatic_thrust_ring', 'hydrostatic_journal',
+    'jacking_pocket']
     """
     return dict(_KINDS)
 
