@@ -6,6 +6,8 @@ import math
 from typing import Any
 
 from babbitt.bearings.model import FilmCase
+from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.notices import EXPLANATIONS
 from babbitt.quantities import QUANTITIES
 from babbitt.report import findings
@@ -18,6 +20,7 @@ from babbitt.report.drawing import Drawing
 from babbitt.report.expression import text
 from babbitt.report.figures import clearance_range, draw
 from babbitt.report.film_figures import report_figures
+from babbitt.report.hydrostatic_figures import hydrostatic_figures
 from babbitt.report.inputs import inputs
 from babbitt.report.labels import label
 from babbitt.report.line import Line
@@ -83,6 +86,8 @@ def bearing_content(chapter: Chapter) -> Data:
         drawings = draw(by_standard, result, clearance_range(by_standard))
     elif isinstance(case, FilmCase):
         drawings = report_figures(case, result)
+    elif isinstance(case, HydrostaticCase | JackingCase):
+        drawings = hydrostatic_figures(case, result)
     sources = sources_of(chapter.results)
     checks = [check_content(check, sources) for check in solved_checks(result)]
     return {
@@ -128,7 +133,7 @@ def bearing_content(chapter: Chapter) -> Data:
 
 
 def _method(result: Result) -> str:
-    return {"iso7902": "ISO 7902", "film": "Film in two dimensions", "statics": "Statics of the shaft"}.get(
+    return {"iso7902": "ISO 7902", "film": "Film in two dimensions", "quick": "Closed forms", "statics": "Statics of the shaft"}.get(
         result.method, plain_text(result.method)
     )
 
@@ -148,7 +153,8 @@ def _outcome(member: Member) -> Data:
 
 def _key_results(chapter: Chapter) -> list[Data]:
     result = chapter.shown.result
-    film = "minimum_film_thickness" in result.values
+    hydrostatic = isinstance(chapter.shown_case, HydrostaticCase | JackingCase)
+    film = "minimum_film_thickness" in result.values and not hydrostatic
     names = KEY_RESULTS if film else tuple(name for name in result.values if name not in NOT_FOR_PAPER)
     if film and not is_fed(result):
         names = tuple(name for name in names if name not in ("supply_flow", "total_flow"))
@@ -164,6 +170,24 @@ def _key_results(chapter: Chapter) -> list[Data]:
                     "label": label(name),
                     "symbol": symbol_node(quantity.symbol),
                     "values": [quantity.format(value) if math.isfinite(value) else ABSENT for value in values],
+                    "unit": quantity.display.label,
+                }
+            )
+    return rows + _recess_rows(result)
+
+
+def _recess_rows(result: Result) -> list[Data]:
+    """Pressures and flows of all recesses, in their order."""
+    rows = []
+    for name in ("recess_pressure", "pressure_ratio", "restrictor_flow"):
+        if name in result.arrays and len(result.arrays[name][0]) > 1:
+            quantity = QUANTITIES[name]
+            said = ", ".join(quantity.format(value) for value in result.arrays[name][0])
+            rows.append(
+                {
+                    "label": quantity.meaning,
+                    "symbol": symbol_node(quantity.symbol),
+                    "values": [said],
                     "unit": quantity.display.label,
                 }
             )

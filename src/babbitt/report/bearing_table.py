@@ -43,7 +43,24 @@ def bearing_table(result: Result) -> RenderableType:
         quantity = QUANTITIES.get(name)
         if quantity is not None and math.isfinite(value) and name != "wall_time":
             table.add_row(quantity.meaning, quantity.symbol, quantity.format(value), quantity.display.label)
-    return Group(heading, table, *([_checks(result.checks)] if result.checks else []))
+    return Group(heading, table, *_recesses(result), *([_checks(result.checks)] if result.checks else []))
+
+
+def _recesses(result: Result) -> list[Table]:
+    """One row a recess; none where there is one recess or no such thing."""
+    names = ("recess_pressure", "pressure_ratio", "restrictor_flow")
+    if not all(name in result.arrays and len(result.arrays[name][0]) > 1 for name in names):
+        return []
+    table = engineers_table()
+    table.add_column("recess", justify="right")
+    for name in names:
+        quantity = QUANTITIES[name]
+        unit = f" {quantity.display.label}" if quantity.display.label else ""
+        table.add_column(f"{quantity.symbol}{unit}", justify="right", no_wrap=True)
+    columns = [result.arrays[name][0] for name in names]
+    for place, row in enumerate(zip(*columns, strict=True), start=1):
+        table.add_row(str(place), *(QUANTITIES[name].format(value) for name, value in zip(names, row, strict=True)))
+    return [table]
 
 
 def _checks(checks: Sequence[Check]) -> RenderableType:

@@ -12,6 +12,8 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
+from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.report.names import split_clearance
 from babbitt.results import Result
 
@@ -99,6 +101,8 @@ def _belongs(member: Member, before: Member) -> bool:
 def _without_clearance(case: AnyDesign) -> AnyDesign:
     if isinstance(case, FilmCase):
         return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
+    if isinstance(case, HydrostaticCase | JackingCase):
+        return case
     return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
 
 

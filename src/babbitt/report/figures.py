@@ -9,10 +9,13 @@ from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
 from babbitt.cases.build import AnyDesign
+from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.notices import InputError
 from babbitt.report import painters
 from babbitt.report.drawing import FORMATS, Drawing, rendered, style
 from babbitt.report.film_figures import all_figures
+from babbitt.report.hydrostatic_figures import hydrostatic_figures
 from babbitt.report.writing import write_whole
 from babbitt.results import Result
 from babbitt.standards.iso7902.model import DesignCase, GivenLoad
@@ -115,6 +118,8 @@ def _clearance_caption(clearance: ClearanceRange) -> str:
 def _all_of(case: AnyDesign, result: Result, image_format: str) -> tuple[Drawing, ...]:
     if isinstance(case, FilmCase):
         return all_figures(case, result, image_format)
+    if isinstance(case, HydrostaticCase | JackingCase):
+        return hydrostatic_figures(case, result, image_format)
     return draw(case, result, clearance_range(case), image_format)
 
 

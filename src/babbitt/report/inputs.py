@@ -9,9 +9,12 @@ from dataclasses import dataclass
 from babbitt.bearings.model import FilmCase
 from babbitt.cases.build import AnyDesign
 from babbitt.design.ducts import Duct
+from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, PowerLaw, Vogel, Walther
 from babbitt.report.expression import Node, number_node, text
 from babbitt.report.film_inputs import CAVITATION, FILM_START, said_of_bore, said_of_hollow
+from babbitt.report.hydrostatic_inputs import groups
 from babbitt.report.labels import label
 from babbitt.report.line import VOCABULARY, symbol
 from babbitt.report.text import plain_text
@@ -73,13 +76,17 @@ def inputs(case: AnyDesign) -> tuple[InputGroup, ...]:
 
     Parameters
     ----------
-    case : DesignCase or FilmCase
+    case : AnyDesign
 
     Returns
     -------
     tuple of InputGroup
         Groups that say nothing are left out.
     """
+    if isinstance(case, HydrostaticCase | JackingCase):
+        given = tuple(Row(plain_text(what), plain_text(words)) for what, words in case.given)
+        found = (InputGroup("As given", given), *_hydrostatic(case))
+        return tuple(group for group in found if group.rows)
     geometry = _film_geometry(case) if isinstance(case, FilmCase) else _geometry(case)
     method = _film_method(case) if isinstance(case, FilmCase) else _method(case)
     groups = (
@@ -94,6 +101,11 @@ def inputs(case: AnyDesign) -> tuple[InputGroup, ...]:
         InputGroup("Method", (*method, *_limits(case))),
     )
     return tuple(group for group in groups if group.rows)
+
+
+def _hydrostatic(case: HydrostaticCase | JackingCase) -> Iterator[InputGroup]:
+    for title, rows in groups(case):
+        yield InputGroup(title, tuple(Row(what, plain_text(value), None, unit) for what, value, unit in rows))
 
 
 def _named(name: str, value: float, given_label: str = "") -> Row:
@@ -164,7 +176,7 @@ def _film_method(case: FilmCase) -> Iterator[Row]:
         yield _named("friction_factor", case.friction_factor)
 
 
-def _operation(case: AnyDesign) -> Iterator[Row]:
+def _operation(case: DesignCase | FilmCase) -> Iterator[Row]:
     if isinstance(case.duty, GivenEccentricity):
         yield _named("eccentricity_ratio", case.duty.eccentricity_ratio, "Prescribed eccentricity e/c")
         if case.duty.attitude_angle is not None:
@@ -183,7 +195,7 @@ def _operation(case: AnyDesign) -> Iterator[Row]:
         yield _named("effective_temperature", case.effective_temperature, "Prescribed effective temperature")
 
 
-def _lubricant(case: AnyDesign) -> Iterator[Row]:
+def _lubricant(case: DesignCase | FilmCase) -> Iterator[Row]:
     oil = case.lubricant
     yield Row("Name", plain_text(oil.name))
     yield Row("Viscosity law", LAWS.get(type(oil.viscosity_law), type(oil.viscosity_law).__name__))
@@ -201,7 +213,7 @@ def _lubricant(case: AnyDesign) -> Iterator[Row]:
     yield Row("Source", plain_text(oil.source))
 
 
-def _supply(case: AnyDesign) -> Iterator[Row]:
+def _supply(case: DesignCase | FilmCase) -> Iterator[Row]:
     supply = case.oil_supply
     if supply is None:
         return
@@ -219,21 +231,21 @@ def _duct(duct: Duct) -> str:
     return said if duct.number == 1.0 else f"{duct.number:.4g} × ({said})"
 
 
-def _cooling(case: AnyDesign) -> Iterator[Row]:
+def _cooling(case: DesignCase | FilmCase) -> Iterator[Row]:
     if case.cooling is not None:
         yield _named("ambient_temperature", case.cooling.ambient_temperature)
         yield _named("heat_transfer_coefficient", case.cooling.heat_transfer_coefficient)
         yield _named("cooling_surface", case.cooling.surface)
 
 
-def _surfaces(case: AnyDesign) -> Iterator[Row]:
+def _surfaces(case: DesignCase | FilmCase) -> Iterator[Row]:
     surfaces = case.bearing.surfaces
     if surfaces is not None:
         for name, value in vars(surfaces).items():
             yield _named(name, value)
 
 
-def _material(case: AnyDesign) -> Iterator[Row]:
+def _material(case: DesignCase | FilmCase) -> Iterator[Row]:
     metal = case.bearing.metal
     if metal is not None:
         yield Row("Bearing metal", plain_text(metal.name))
@@ -252,7 +264,7 @@ def _method(case: DesignCase) -> Iterator[Row]:
         yield _named("friction_factor", case.friction_factor)
 
 
-def _limits(case: AnyDesign) -> Iterator[Row]:
+def _limits(case: DesignCase | FilmCase) -> Iterator[Row]:
     limits = case.limits
     for name, value, said in (
         ("minimum_film_thickness", limits.minimum_film_thickness, "Least film thickness set"),
