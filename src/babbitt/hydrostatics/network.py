@@ -113,13 +113,13 @@ def solve_network(feeding: Feeding, conductance: Array, outflow: Array, at: Arra
     """
     given = feeding.supply
     if isinstance(given, FixedPressure):
-        return newton(feeding, conductance, outflow, at, given.pressure, None)
-    state = newton(feeding, conductance, outflow, at, min(supply, given.relief_pressure), given)
+        return attempts(feeding, conductance, outflow, at, given.pressure, None)
+    state = attempts(feeding, conductance, outflow, at, min(supply, given.relief_pressure), given)
     if state.converged and state.supply_pressure <= given.relief_pressure:
         return state
     if not np.isfinite(given.relief_pressure):
         return state
-    relieved = newton(feeding, conductance, outflow, at, given.relief_pressure, None)
+    relieved = attempts(feeding, conductance, outflow, at, given.relief_pressure, None)
     spare = given.delivers(given.relief_pressure) - float(relieved.flows.sum())
     return relieved if spare < 0.0 else with_overflow(relieved, spare)
 
@@ -129,11 +129,29 @@ def with_overflow(state: NetworkState, overflow: float) -> NetworkState:
     return NetworkState(**{**vars(state), "overflow": overflow})
 
 
-def newton(
+def attempts(
     feeding: Feeding, conductance: Array, outflow: Array, at: Array, supply: float, pump: Pump | None
 ) -> NetworkState:
+    """Newton from the given pressures; where that ends nowhere or in an unstable state, from high and low ones.
+
+    Valves with a rising law may have several states, of which the stable one lasts.
+    """
+    first = newton(feeding, conductance, outflow, at, at, supply, pump)
+    if first.converged and first.least_eigenvalue(conductance) > 0.0:
+        return first
+    for share in (0.98, 0.02):
+        start = np.full(at.size, share * supply)
+        other = newton(feeding, conductance, outflow, at, start, supply, pump)
+        if other.converged and other.least_eigenvalue(conductance) > 0.0:
+            return other
+    return first
+
+
+def newton(
+    feeding: Feeding, conductance: Array, outflow: Array, at: Array, start: Array, supply: float, pump: Pump | None
+) -> NetworkState:
     """Newton with halved steps; the supply pressure is an unknown where there is a pump."""
-    p = at.astype(float).copy()
+    p = start.astype(float).copy()
     count = p.size
     old = np.inf
     step = np.zeros(count + 1)
@@ -157,9 +175,9 @@ def newton(
         size = max(float(np.abs(flows).max()), 1e-12 * size)
         wrong = max(float(np.abs(residual).max()), abs(balance))
         short = wrong / size
-        if short < TIGHT or (settled and short < 1e-10):
+        if short < TIGHT or settled:  # settled: what is left is the round-off of the pressures
             break
-        if wrong > old and halvings < 12:
+        if wrong > 0.95 * old and halvings < 12:
             step *= 0.5
             p, supply, halvings = p - step[:count], supply - step[count], halvings + 1
         else:
@@ -181,7 +199,7 @@ def newton(
         supply_slope=np.zeros(count) if fixed else by_supply,
         manifold_slope=np.inf if pump is None else float(by_supply.sum()) + pump.leakage,
         residual=short,
-        converged=bool(short < 1e-9),
+        converged=bool(short < 1e-9 or (settled and short < 1e-4)),
     )
 
 

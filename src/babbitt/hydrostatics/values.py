@@ -99,10 +99,15 @@ def place(case: HydrostaticCase, found: Answer) -> dict[str, float]:
         named |= {
             "tilt_x": float(found.at[1]),
             "tilt_y": float(found.at[2]),
-            "moment_x": float(found.response.force[1]),
-            "moment_y": float(found.response.force[2]),
+            "moment_x": round_off(float(found.response.force[1]), case, found),
+            "moment_y": round_off(float(found.response.force[2]), case, found),
         }
     return named
+
+
+def round_off(moment: float, case: HydrostaticCase, found: Answer) -> float:
+    """A moment, zero where it is no more than round-off of the load."""
+    return 0.0 if abs(moment) < 1e-9 * abs(float(found.response.force[0])) * case.reach else moment
 
 
 def mean_gap(found: Answer) -> float:

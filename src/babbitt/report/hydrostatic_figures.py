@@ -56,7 +56,11 @@ def of_bearing(case: HydrostaticCase, result: Result) -> Iterator[Painted]:
     yield (
         "load-curve",
         f"Load and stiffness over the {what}: film (line) and quick method (dashed)"
-        + (", the journal moving from the centre to where it stands" if case.is_journal else "")
+        + (
+            ", the journal moving from the centre through where it stands"
+            if case.is_journal
+            else ", the runner being level"
+        )
         + ". Filled: the operating point.",
         load_curve(case, found),
         True,
@@ -263,14 +267,20 @@ def powers(result: Result) -> Figure:
     x, y = 1e6 * found.gap, 1e3 * found.viscosity
     levels = total.min() * np.geomspace(1.05, 20.0, 9)
     drawn = panel.contour(x, y, total, levels, colors=INK, linewidths=0.6)
-    unit, name = (1e-3, "kW") if total.min() > 500.0 else (1.0, "W")
-    panel.clabel(drawn, fmt=lambda value: f"{unit * value:.3g}", fontsize=6)
-    ratio = panel.contour(
-        x, y, found.friction / found.pumping, [1.0, 3.0], colors=GREY, linewidths=0.9, linestyles="dashed"
-    )
-    panel.clabel(ratio, fmt=lambda value: f"$P_f/P_p$ = {value:.0f}", fontsize=6)
+    unit, name, digits = (1e-3, "kW", 2) if total.min() > 200.0 else (1.0, "W", 0)
+    panel.clabel(drawn, fmt=lambda value: f"{unit * value:.{digits}f}", fontsize=6)
+    panel.set(xscale="log", yscale="log", xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
+    for ratio in (1.0, 3.0):  # P_f/P_p falls with (h/h_0)^-4 (mu/mu_0)^2
+        share = np.sqrt(pumping / friction * ratio) * (x / (1e6 * gap)) ** 2
+        line = 1e3 * named["effective_viscosity"] * share
+        panel.plot(x, line, color=GREY, linewidth=0.9, linestyle=(0, (5, 2)))
+        place = int(np.abs(np.log(line / (0.93 * y[-1]))).argmin())
+        panel.annotate(
+            f"$P_f/P_p = {ratio:.0f}$", (x[place], line[place]), xytext=(-3, 0), textcoords="offset points",
+            ha="right", va="center", fontsize=6, color="0.3", bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.2},
+        )  # fmt: skip
     mark(panel, 1e6 * gap, 1e3 * named["effective_viscosity"])
-    panel.set(xscale="log", yscale="log", xlabel="$h$ in µm", ylabel=f"$η$ in mPa s   (lines: power in {name})")
+    panel.set(xlabel="$h$ in µm", ylabel=f"$η$ in mPa s   (lines: power in {name})")
     for axis in (panel.xaxis, panel.yaxis):
         axis.set_major_formatter("{x:g}")
         axis.set_minor_formatter("{x:g}")

@@ -16,8 +16,8 @@ from babbitt.hydrostatics.state import Ending
 __all__ = ["FrequencyCurve", "LoadCurve", "PowerMap", "over_frequency", "over_gap", "power_map"]
 
 Array = NDArray[np.float64]
-ECCENTRICITIES = np.array([0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.85, 0.9])
-GAPS = np.geomspace(0.4, 2.5, 13)
+ECCENTRICITIES = np.concatenate((np.linspace(0.0, 0.7, 15), np.linspace(0.72, 0.9, 10)))
+GAPS = np.geomspace(0.4, 2.5, 31)
 
 
 @dataclass(frozen=True)
