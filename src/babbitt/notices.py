@@ -311,8 +311,7 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W315": Explanation(
         "Dry film at a recess",
-        "The film is ruptured right beside a recess; frozen rupture makes the coefficients less certain "
-        "there.",
+        "The film is ruptured right beside a recess; frozen rupture makes the coefficients less certain there.",
         "Compare with a finer accuracy.",
     ),
     "W316": Explanation(
@@ -327,8 +326,7 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W318": Explanation(
         "Short recess",
-        "Closed forms of the rectangle are off by up to 0.5 % where the recess is shorter than two land "
-        "widths.",
+        "Closed forms of the rectangle are off by up to 0.5 % where the recess is shorter than two land widths.",
         "Choose `method: film`.",
     ),
     "W319": Explanation(

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from babbitt import __version__
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case, OverhungCouplingCase, case_hash, design_cases
-from babbitt.cases.case_file import CaseFile
 from babbitt.cases.build import AnyDesign
+from babbitt.cases.case_file import CaseFile
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.results import Outcome, Result

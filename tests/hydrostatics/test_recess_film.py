@@ -43,7 +43,8 @@ def test_recess_all_around(eps):
     made = journal_surface(bearing, FilmOil(0.02, 0.0, 5e6), DRAFT)
     recess = np.where(made.mesh.nodes <= 0.7 + 1e-9, 0, np.where(made.mesh.nodes == 1.0, -2, -1))
     recess = np.repeat(recess[None, :], made.recess.shape[0], axis=0)
-    ring = replace(made, recess=recess, count=1, core=np.zeros((2, 1)), surface=made.surface._replace(held=recess != -1))
+    surface = made.surface._replace(held=recess != -1)
+    ring = replace(made, recess=recess, count=1, core=np.zeros((2, 1)), surface=surface)
     response = RecessFilm.on(ring).evaluate(down(eps), np.array([2e6]))
     flow = math.pi * 0.1 * CLEARANCE**3 * 2e6 / (6.0 * 0.02 * 0.015) * (1.0 + 1.5 * eps**2)
     assert response.outflow[0] == pytest.approx(flow, rel=1e-12)
@@ -134,7 +135,7 @@ def test_stiffness_is_the_slope_of_the_force(eps):
         move = np.zeros(2)
         move[d] = step
         change = state_at(build, fed, at + move, DRAFT).force - state_at(build, fed, at - move, DRAFT).force
-        assert -change / (2.0 * step) == pytest.approx(stiffness[:, d], rel=2e-5, abs=2e-5 * np.abs(stiffness).max())
+        assert -change / (2.0 * step) == pytest.approx(stiffness[:, d], rel=2e-5, abs=1e4)
 
 
 def test_concentric_bearing_is_isotropic():
@@ -200,7 +201,8 @@ def test_wide_restrictors_hold_the_supply_pressure():
     state = state_at(journal_film(journal()), feeding(huge), down(0.5), LOOSE)
     assert state.network.pressures == pytest.approx(np.full(4, 5e6), rel=1e-4)
     stiffness, _ = static_coefficients(state.response, state.network)
-    assert stiffness == pytest.approx(state.response.stiffness, rel=1e-3, abs=1e-4 * abs(state.response.stiffness).max())
+    own = state.response.stiffness
+    assert stiffness == pytest.approx(own, rel=1e-3, abs=1e-4 * np.abs(own).max())
 
 
 def test_capillary_with_endless_supply_is_a_pump():

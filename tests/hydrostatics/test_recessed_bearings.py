@@ -1,4 +1,4 @@
-"""Recessed bearings against the prototype: finite volumes on graded grids, with its own evidence of convergence."""
+"""Recessed bearings against the prototype: finite volumes on graded grids with evidence of convergence."""
 
 import math
 
@@ -222,7 +222,8 @@ def test_tilted_thrust_ring(speed):
 def test_level_thrust_ring():
     state = state_at(ring_film(RING), RING_FEEDING, np.zeros(3), REFERENCE)
     stiffness, damping = static_coefficients(state.response, state.network)
-    found = state.force[0], state.network.flows.sum(), stiffness[0, 0], stiffness[1, 1], damping[0, 0], damping[1, 1]
+    found = (state.force[0], state.network.flows.sum(), stiffness[0, 0], stiffness[1, 1], damping[0, 0],
+             damping[1, 1])  # fmt: skip
     assert found == pytest.approx((23685.87, 4.594313e-5, 6.49473e8, 1.645353e6, 4.94623e6, 12716.8), rel=1.5e-3)
 
 

@@ -55,7 +55,8 @@ class HydrostaticOil(Part):
     )
     film_temperature: Annotated[float, si("K", "-30 degC", "250 degC")] | None = Field(
         None,
-        description="Temperature of a lubricant in the film. Where it is not given it is found: that of the supply, "
+        description="Temperature of a lubricant in the film. Where it is not given it is found: that of the "
+        "supply, "
         "warmed by what is lost in the film.",
     )
 
@@ -71,7 +72,9 @@ class HydrostaticOil(Part):
         if self.lubricant is None or self.supply_temperature is None:
             oil = Oil(self.viscosity or 0.0, self.density, self.heat_capacity)
             return oil, oil
-        supplied = Oil(1.0, 1.0, 1.0, self.lubricant.lubricant(), self.supply_temperature).at(self.supply_temperature)
+        supplied = Oil(1.0, 1.0, 1.0, self.lubricant.lubricant(), self.supply_temperature).at(
+            self.supply_temperature
+        )
         if self.film_temperature is None:
             return supplied, supplied
         film = supplied.at(self.film_temperature)
@@ -115,7 +118,9 @@ class HydrostaticFile(CaseFile):
         (), max_length=200, description="Frequencies at which stiffness and damping are wanted."
     )
     least_gap: Gap | None = Field(None, description="Least permissible gap.")
-    assumptions: tuple[Prose, ...] = Field((), max_length=100, description="Assumptions to be shown in the report.")
+    assumptions: tuple[Prose, ...] = Field(
+        (), max_length=100, description="Assumptions to be shown in the report."
+    )
     notes: Prose = Field("", description="Notes to be shown in the report.")
     source: Prose = Field("", description="Where the numbers come from.")
 
@@ -254,9 +259,7 @@ class HydrostaticPadCase(HydrostaticFile):
 
     def duty(self) -> Duty:
         """Give the duty of the calculation."""
-        return Duty(
-            self.load, gap=self.gap or 0.0, angular_speed=self.speed, sliding_speed=self.sliding_speed
-        )
+        return Duty(self.load, gap=self.gap or 0.0, angular_speed=self.speed, sliding_speed=self.sliding_speed)
 
 
 class RecessRow(Part):
@@ -294,9 +297,9 @@ class HydrostaticThrustRingCase(HydrostaticFile):
     recess_outer_diameter: Length = Field(description="Outer edge of the recesses.")
     outer_diameter: Length = Field(description="Outer edge of the ring.")
     recesses: RecessRow = Field(description="The recesses.")
-    moments: tuple[Annotated[float, si("N m", "-1e9 N m", "1e9 N m")], Annotated[float, si("N m", "-1e9 N m", "1e9 N m")]] = Field(
-        (0.0, 0.0), description="Moments of the load about x and y, that tilt the runner."
-    )
+    moments: tuple[
+        Annotated[float, si("N m", "-1e9 N m", "1e9 N m")], Annotated[float, si("N m", "-1e9 N m", "1e9 N m")]
+    ] = Field((0.0, 0.0), description="Moments of the load about x and y, that tilt the runner.")
     gap: Gap | None = Field(None, description="Gap on the axis, in place of the load.")
     tilt: tuple[Annotated[float, si("1", "-0.1", "0.1")], Annotated[float, si("1", "-0.1", "0.1")]] = Field(
         (0.0, 0.0), description="Tilt about x and y with a given gap, rad."
@@ -309,7 +312,9 @@ class HydrostaticThrustRingCase(HydrostaticFile):
         if is_given(self, "tilt") and self.gap is None:
             yield Complaint(("tilt",), "a tilt is given without the gap", "gap and tilt, or load and moments")
         if is_given(self, "moments") and self.load is None:
-            yield Complaint(("moments",), "moments are given without the load", "load and moments, or gap and tilt")
+            yield Complaint(
+                ("moments",), "moments are given without the load", "load and moments, or gap and tilt"
+            )
 
     @property
     def recess_count(self) -> int:
@@ -375,11 +380,12 @@ class HydrostaticJournalCase(HydrostaticFile):
         e = (self.eccentricity_ratio or 0.0) * self.radial_clearance
         angle = self.load_angle + math.copysign(1.0, self.speed) * self.attitude_angle
         return Duty(
-            self.load, self.load_angle, position=(e * math.cos(angle), e * math.sin(angle)), angular_speed=self.speed
+            self.load,
+            self.load_angle,
+            position=(e * math.cos(angle), e * math.sin(angle)),
+            angular_speed=self.speed,
         )
 
     def design(self) -> HydrostaticCase:
         """Give the case of the calculation."""
         return replace(super().design(), cavitation_pressure=self.cavitation_pressure)
-
-

@@ -42,7 +42,9 @@ class JackingPocketCase(CaseFile):
     own_restrictors: bool = Field(
         True, description="Whether every pocket has a restrictor or its stage of a flow divider."
     )
-    assumptions: tuple[Prose, ...] = Field((), max_length=100, description="Assumptions to be shown in the report.")
+    assumptions: tuple[Prose, ...] = Field(
+        (), max_length=100, description="Assumptions to be shown in the report."
+    )
     notes: Prose = Field("", description="Notes to be shown in the report.")
     source: Prose = Field("", description="Where the numbers come from.")
 

@@ -80,7 +80,8 @@ def parse_case(text: str, name: str = "<text>") -> Case:
     >>> parse_case("kind: jurnal", "a.yaml")
     Traceback (most recent call last):
     babbitt.cases.problems.CaseError: a.yaml:1: kind: 'jurnal' is not a kind of case; allowed: journal, machine,
-    overhung_coupling, hydrostatic_pad, hydrostatic_thrust_ring, hydrostatic_journal, jacking_pocket; did you mean 'journal'? [E003]
+    overhung_coupling, hydrostatic_pad, hydrostatic_thrust_ring, hydrostatic_journal, jacking_pocket; did you
+    mean 'journal'? [E003]
     """
     return _parsed(text, name, FilePath())
 

@@ -153,7 +153,9 @@ class HydrostaticSupply(Part):
     )
     pump_flow: FlowRate | None = Field(None, description="Flow of one pump for all restrictors, in its place.")
     leakage: Leakage = Field(0.0, description="What that pump delivers less for every pascal.")
-    relief_pressure: SupplyPressure | None = Field(None, description="Gauge pressure at which its relief valve opens.")
+    relief_pressure: SupplyPressure | None = Field(
+        None, description="Gauge pressure at which its relief valve opens."
+    )
     highest_pressure: SupplyPressure | None = Field(None, description="Gauge pressure that the pump can hold.")
     pump_efficiency: Annotated[float, si("1", "0.05", "1")] = Field(0.8, description="Efficiency of the pump.")
     manifold_volume: Annotated[float, si("m3", "0 mL", "1000 L")] = Field(
@@ -165,7 +167,9 @@ class HydrostaticSupply(Part):
         yield from exactly_one(self, "pressure", "pump_flow")
         for name in ("leakage", "relief_pressure", "manifold_volume"):
             if is_given(self, name) and is_given(self, "pressure"):
-                yield Complaint((name,), f"{name} is of a pump, but the pressure is given", "pump_flow", "remove one")
+                yield Complaint(
+                    (name,), f"{name} is of a pump, but the pressure is given", "pump_flow", "remove one"
+                )
 
     @rule
     def _pump_holds(self) -> Iterator[Complaint]:
@@ -174,7 +178,10 @@ class HydrostaticSupply(Part):
             given = getattr(self, name)
             if highest is not None and given is not None and given > highest:
                 yield Complaint(
-                    (name,), f"{name} is above highest_pressure", "a pressure that the pump can hold", "correct one"
+                    (name,),
+                    f"{name} is above highest_pressure",
+                    "a pressure that the pump can hold",
+                    "correct one",
                 )
 
     def feeding(self, restrictor: Restrictor, count: int) -> Feeding:

@@ -1,7 +1,7 @@
 """Kernels: how the film answers to the pressure of each recess, with the factors of the last ``solve_surface``.
 
-For a standing wet set the film is linear: psi_k is the pressure for unit pressure on recess k and zero on all others.
-Reynolds condition only, whose matrix A is symmetric; then with R the rows of all nodes and a the motions
+For a standing wet set the film is linear: psi_k is the pressure for unit pressure on recess k and zero on all
+others. Reynolds condition only, whose matrix A is symmetric; then with R the rows of all nodes and a the motions
 
     dq_k/dp_j = psi_k^T A psi_j,    dq_k/da = psi_k^T dR/da,    dF/dp_k = -load^T psi_k = (dq_k/da')^T.
 

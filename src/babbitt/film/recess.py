@@ -1,7 +1,7 @@
 """Films between recesses: pressures of the recesses in, flows, forces and all their derivatives out, in SI.
 
-The recess is a region of the film that stands at one pressure. Flow of a recess: all that leaves it over its edges,
-and the oil displaced inside.
+The recess is a region of the film that stands at one pressure. Flow of a recess: all that leaves it over its
+edges, and the oil displaced inside.
 """
 
 from __future__ import annotations
@@ -165,7 +165,8 @@ class RecessFilm:
         )
         sense = scales.area * scales.gap / scales.motion  # forces work on motions: F_a = p A h / a
         force, flow = sense * scales.pressure, scales.flow
-        outflow = np.bincount(of.recess[inside], self.work.row[inside], of.count) * flow
+        rows = np.bincount(of.recess[inside], self.work.row[inside], of.count)
+        outflow = np.asarray(rows * flow, dtype=np.float64)
         area = sense[:, None] * self.area
         return RecessResponse(
             force=self.force * force + of.core @ pressures,

@@ -9,6 +9,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.design.roots import bracketed_root
 from babbitt.film.recess import RecessResponse, RecessSurface
 from babbitt.hydrostatics.closed_forms import lands_of
 from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad, ThrustRing
@@ -153,21 +154,16 @@ def quick_gap(case: HydrostaticCase) -> float:
     """Gap under the load by closed forms, of a ring as if level; zero where there is none."""
     shape, load = case.shape, case.duty.load or 0.0
     assert not isinstance(shape, RecessedJournal)
-    restrictors, pad, part = case.feeding, shape, 1.0
-    if isinstance(shape, ThrustRing):
-        pad = shape.radii
-        low, high = LEAST_OPEN, MOST_OPEN
-        from babbitt.design.roots import find_root
+    if not isinstance(shape, ThrustRing):
+        found = gap_under(lands_of(shape), case.feeding, case.oil.viscosity, load, LEAST_OPEN)
+        return 0.0 if math.isnan(found) else found
 
-        def excess(log_gap: float) -> float:
-            lumps = lumps_of(case, math.exp(log_gap))
-            return float(lumped_at(lumps, case.feeding, np.zeros(3)).response.force[0]) / load - 1.0
+    def excess(log_gap: float) -> float:
+        lumps = lumps_of(case, math.exp(log_gap))
+        return float(lumped_at(lumps, case.feeding, np.zeros(3)).response.force[0]) / load - 1.0
 
-        if not excess(math.log(low)) > 0.0 > excess(math.log(high)):
-            return 0.0
-        return math.exp(find_root(excess, math.log(low), math.log(high), 1e-10).value)
-    found = gap_under(lands_of(pad), restrictors, case.oil.viscosity, load / part, LEAST_OPEN)
-    return 0.0 if math.isnan(found) else found
+    low, high = math.log(LEAST_OPEN), math.log(MOST_OPEN)
+    return math.exp(bracketed_root(excess, low, high, 1e-10)) if excess(low) > 0.0 > excess(high) else 0.0
 
 
 def quick_under(case: HydrostaticCase) -> Answer:

@@ -117,7 +117,8 @@ def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
         if lowest < case.cavitation_pressure:
             recess = int(found.network.pressures.argmin()) + 1
             return Outcome.STARVED_RECESS, (
-                f"recess {recess} would stand at {1e-6 * lowest:.3g} MPa, below cavitation; a larger restrictor, more "
+                f"recess {recess} would stand at {1e-6 * lowest:.3g} MPa, below cavitation; a larger "
+                "restrictor, more "
                 "supply pressure, less speed or less eccentricity keeps it full"
             )
         return Outcome.CONVERGED, ""
@@ -131,7 +132,8 @@ def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
     if found.ending is Ending.UNSTABLE_NETWORK:
         return Outcome.UNSTABLE_NETWORK, (
             "the least eigenvalue of the recess network is "
-            f"{found.network.least_eigenvalue(found.response.conductance):.3g} of the largest; a valve opens faster "
+            f"{found.network.least_eigenvalue(found.response.conductance):.3g} of the largest; a valve opens "
+            "faster "
             "with pressure than the lands let out: lower its gain"
         )
     return Outcome.NOT_CONVERGED, (
@@ -184,8 +186,8 @@ def refuse_contact(case: HydrostaticCase) -> None:
     tilt = math.hypot(*case.duty.tilt)
     if isinstance(case.shape, ThrustRing) and not tilt * case.reach < case.rest_gap:
         where = math.degrees(math.atan2(-case.duty.tilt[0], case.duty.tilt[1]))
-        raise InputError("E101", f"a tilt of {1e3 * tilt:.4g} mm/m closes the gap of {1e6 * case.rest_gap:.4g} µm at "
-                         f"{where:.4g} deg on the outer edge. Give a smaller tilt or a wider gap.")  # fmt: skip
+        raise InputError("E101", f"a tilt of {1e3 * tilt:.4g} mm/m closes the gap of {1e6 * case.rest_gap:.4g} µm "
+                         f"at {where:.4g} deg on the outer edge. Give a smaller tilt or a wider gap.")  # fmt: skip
 
 
 def refuse_short_recess(case: HydrostaticCase) -> None:

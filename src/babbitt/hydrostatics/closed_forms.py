@@ -89,7 +89,8 @@ def lands_of(pad: PadShape) -> Lands:
         r1, r2, r3, r4 = pad.radii
         inner, outer = math.log(r2 / r1), math.log(r4 / r3)
         area = 0.5 * math.pi * ((r4**2 - r3**2) / outer - (r2**2 - r1**2) / inner)
-        return Lands(2.0 * math.pi * (1.0 / inner + 1.0 / outer), area, ring_squeeze(r1, r2) + ring_squeeze(r3, r4),
+        return Lands(2.0 * math.pi * (1.0 / inner + 1.0 / outer), area, ring_squeeze(r1, r2) + ring_squeeze(r3,
+        r4),
                      ring_friction(r1, r2) + ring_friction(r3, r4))  # fmt: skip
     along, aside = pad.lands
     return rectangular_lands(pad) if math.isclose(along, aside, rel_tol=1e-6) else crude_lands(pad)
@@ -108,6 +109,4 @@ def rectangular_lands(pad: RectangularPad) -> Lands:
 def crude_lands(pad: RectangularPad) -> Lands:
     """Hand-sheet rectangle: strips without corners, mean of pad and recess area."""
     (ax, ay), lx, ly = pad.lands, pad.recess_length, pad.recess_width
-    return Lands(
-        2.0 * (lx / ay + ly / ax), 0.5 * (pad.area + pad.recess_area), 2.0 * (lx * ay**3 + ly * ax**3)
-    )
+    return Lands(2.0 * (lx / ay + ly / ax), 0.5 * (pad.area + pad.recess_area), 2.0 * (lx * ay**3 + ly * ax**3))

@@ -38,7 +38,9 @@ def friction_torque(case: HydrostaticCase, found: Answer) -> float:
     if case.duty.angular_speed == 0.0 or isinstance(case.shape, RectangularPad):
         return 0.0
     shear = case.oil.viscosity * case.duty.angular_speed
-    lands = film_lands(found.film.film, found.at, case.reach) if found.film is not None else quick_lands(case, found)
+    lands = (
+        film_lands(found.film.film, found.at, case.reach) if found.film is not None else quick_lands(case, found)
+    )
     recesses = case.recesses.friction_factor * recess_inertia(case) / case.recesses.depth
     return shear * (lands + recesses) + pressure_torque(case, found)
 
@@ -105,8 +107,8 @@ def on_land(film: RecessFilm) -> NDArray[np.bool_]:
     land = np.ones((n, mesh.points.size), dtype=bool)
     for first, last in zip(starts, ends, strict=True):
         nodes = mesh.node_of_point[first:last]
-        own = (recess[:, nodes] >= 0).all(axis=1)
-        drained = (recess[:, nodes] == -2).all(axis=1)
+        own = np.asarray((recess[:, nodes] >= 0).all(axis=1))
+        drained = np.asarray((recess[:, nodes] == -2).all(axis=1))
         inside = (own[:n] & own[after] & (recess[:n, nodes[0]] == recess[after, nodes[0]])) | (
             drained[:n] & drained[after]
         )

@@ -27,7 +27,7 @@ class CircularPad:
     def __post_init__(self) -> None:
         positive(outer_radius=self.outer_radius, recess_radius=self.recess_radius)
         if not self.recess_radius < self.outer_radius:
-            raise InputError("E101", f"recess_radius is {self.recess_radius} m; it must be less than outer_radius, "
+            raise InputError("E101", f"recess_radius is {self.recess_radius} m; it must be below outer_radius, "
                              f"{self.outer_radius} m.")  # fmt: skip
 
     @property
@@ -209,7 +209,7 @@ def check_pitch(angles: tuple[float, ...], extent: float, groove: float) -> None
     turn = 2.0 * math.pi
     if not angles:
         raise InputError("E101", "recess_angles is empty; at least one recess is needed.")
-    if not (math.isfinite(extent) and 0.0 < extent):
+    if not (math.isfinite(extent) and extent > 0.0):
         raise InputError("E101", f"recess_extent is {extent} rad; it must be positive.")
     if not 0.0 <= groove < turn:
         raise InputError("E101", f"groove_extent is {groove} rad; it must be zero or positive.")

@@ -2,8 +2,8 @@
 
     K + i nu C = K_D + i nu C_D + B (G - dQ/dp + i nu V/B_oil)^-1 (N + i nu B^T)
 
-K_D, C_D at standing recess pressures, B = dF/dp, N = dq/da; V is the oil between restrictor and film. The inertia of
-the oil is not in it.
+K_D, C_D at standing recess pressures, B = dF/dp, N = dq/da; V is the oil between restrictor and film. The
+inertia of the oil is not in it.
 """
 
 from __future__ import annotations
@@ -75,8 +75,10 @@ def impedance(
         stiffness, damping = static_coefficients(film, network)
         return stiffness, damping - lost_damping(film, network, oil)
     nu = 1j * frequency
-    matrix = film.conductance + network.restrictor_matrix(nu * oil.manifold) + nu * oil.recess * np.eye(
-        film.outflow.size
+    matrix = (
+        film.conductance
+        + network.restrictor_matrix(nu * oil.manifold)
+        + nu * oil.recess * np.eye(film.outflow.size)
     )
     whole = film.stiffness + nu * film.damping
     whole = whole + film.area @ np.linalg.solve(matrix, film.opening + nu * film.area.T)

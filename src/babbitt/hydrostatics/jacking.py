@@ -132,7 +132,8 @@ def jacking_check(case: JackingCase) -> Result:
         return Result(
             case.name, case.kind, case.method, Outcome.NOT_CONVERGED,
             {"breakaway_pressure": upper, "lying_pressure": lying.pressure}, assumptions=case.assumptions,
-            message=f"a pump flow of {6e4 * (case.pump_flow or 0.0):.3g} L/min lifts by less than a thousandth or by "
+            message=f"a pump flow of {6e4 * (case.pump_flow or 0.0):.3g} L/min lifts by less than a thousandth "
+                    "or by "
             "more than nine tenths of the clearance; give another flow", settings=settings,
         )  # fmt: skip
     lifted = lift_at(case, gap)

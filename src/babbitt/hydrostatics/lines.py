@@ -1,13 +1,14 @@
 """Grid lines between edges, crowded towards every edge.
 
-The corner of a recess is re-entrant: the pressure gradient grows there as r^-1/3, and a uniform grid converges with
-order 4/3 only. Cosine spacing between edges gives second order back.
+The corner of a recess is re-entrant: the pressure gradient grows there as r^-1/3, and a uniform grid converges
+with order 4/3 only. Cosine spacing between edges gives second order back.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,7 +68,7 @@ def between(edges: Array, per_unit: float, fewest: int = 6) -> Array:
     [0.0, 0.146, 0.5, 0.854, 1.0]
     """
     pieces = [edges[:1]]
-    for left, right in zip(edges[:-1], edges[1:], strict=True):
+    for left, right in pairwise(edges):
         count = max(fewest, round(per_unit * (right - left)))
         t = np.arange(1, count + 1) / count
         pieces.append(left + (right - left) * 0.5 * (1.0 - np.cos(math.pi * t)))

@@ -1,8 +1,8 @@
 """Bearings with several recesses by lumped lands: the quick method of journal bearings and thrust rings.
 
 Outer lands of every recess over its pitch, one land between neighbours (or two to a drain groove). Exact for the
-lumped lands; against the film in two dimensions the stiffness of a four-recess journal bearing is 3 % low, its flow
-5 % high.
+lumped lands; against the film in two dimensions the stiffness of a four-recess journal bearing is 3 % low, its
+flow 5 % high.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ def journal_lumps(bearing: RecessedJournal, viscosity: float, speed: float) -> L
 
 
 def ring_lumps(ring: ThrustRing, height: float, viscosity: float, speed: float) -> Lumps:
-    """Every recess has its share of the annular pad, by its pitch; moments act at the mean radius of the recess."""
+    """Every recess has an equal share of the annular pad; moments act at the mean radius of the recesses."""
     r1, r2, r3, r4 = ring.radii.radii
     lands = lands_of(ring.radii)
     mean = 0.5 * (r2 + r3)
@@ -101,7 +101,8 @@ def ring_lumps(ring: ThrustRing, height: float, viscosity: float, speed: float) 
     squeeze[0, 0] = lands.squeeze_damping(height, viscosity)
     return Lumps(
         ring.recess_angles, ring.recess_extent, ring.groove_extent, height,
-        (1.0 / math.log(r2 / r1) + 1.0 / math.log(r4 / r3)) / 12.0, 0.5 * (r3 + r4 - r1 - r2), mean, speed, viscosity,
+        (1.0 / math.log(r2 / r1) + 1.0 / math.log(r4 / r3)) / 12.0,
+        0.5 * (r3 + r4 - r1 - r2), mean, speed, viscosity,
         lambda theta: -np.array([np.ones_like(theta), mean * np.sin(theta), -mean * np.cos(theta)]),
         share * np.array([np.ones_like(angles), mean * np.sin(angles), -mean * np.cos(angles)]), squeeze,
     )  # fmt: skip
@@ -156,7 +157,9 @@ def lumped_flow(lumps: Lumps, at: ComplexArray) -> tuple[ComplexArray, ComplexAr
         for before, after, first, last in lands:
             third = integral(lumps, at, first, last, -3)
             conducts = lumps.length / (12.0 * lumps.viscosity * lumps.radius * third)
-            dragged = 0.5 * lumps.length * lumps.speed * lumps.radius * integral(lumps, at, first, last, -2) / third
+            dragged = (
+                0.5 * lumps.length * lumps.speed * lumps.radius * integral(lumps, at, first, last, -2) / third
+            )
             for one, other, sign in ((before, after, 1.0), (after, before, -1.0)):
                 if one is not None:
                     matrix[one, one] += conducts

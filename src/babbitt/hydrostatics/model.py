@@ -58,7 +58,9 @@ class Oil:
         oil = self.lubricant
         density = float(oil.density(temperature))
         heat = float(oil.volumetric_heat_capacity(temperature)) / density
-        return replace(self, viscosity=float(oil.dynamic_viscosity(temperature)), density=density, heat_capacity=heat)
+        return replace(
+            self, viscosity=float(oil.dynamic_viscosity(temperature)), density=density, heat_capacity=heat
+        )
 
 
 @dataclass(frozen=True)
@@ -99,8 +101,8 @@ class Duty:
 class Recesses:
     """Depth of the recesses, m, and how the oil in them rubs.
 
-    ``friction_factor`` is the wall shear over mu U/depth: 1 where the oil turns with the runner, 4 in closed recesses
-    with laminar recirculation.
+    ``friction_factor`` is the wall shear over mu U/depth: 1 where the oil turns with the runner, 4 in closed
+    recesses with laminar recirculation.
     """
 
     depth: float
@@ -196,4 +198,6 @@ class HydrostaticCase:
     @property
     def surface_speed(self) -> float:
         """m/s, the greatest."""
-        return abs(self.duty.angular_speed) * self.reach if not self.duty.sliding_speed else self.duty.sliding_speed
+        return (
+            abs(self.duty.angular_speed) * self.reach if not self.duty.sliding_speed else self.duty.sliding_speed
+        )

@@ -5,7 +5,8 @@ recess pressures and, behind a pump, the supply pressure:
 
     q_k(p) = Q_k(p_k, p_s),     sum_k Q_k = Q_pump(p_s).
 
-A state is stable if all eigenvalues of G - dQ/dp have positive real parts; valves with a rising law can break that.
+A state is stable if all eigenvalues of G - dQ/dp have positive real parts; valves with a rising law can break
+that.
 """
 
 from __future__ import annotations
@@ -151,10 +152,10 @@ def newton(
     feeding: Feeding, conductance: Array, outflow: Array, at: Array, start: Array, supply: float, pump: Pump | None
 ) -> NetworkState:
     """Newton with halved steps; the supply pressure is an unknown where there is a pump."""
-    p = start.astype(float).copy()
+    p: NDArray[np.float64] = start.astype(float).copy()
     count = p.size
     old = np.inf
-    step = np.zeros(count + 1)
+    step: Array = np.zeros(count + 1)
     flows, by_recess, by_supply = laws(feeding.restrictors, p, supply)
     size = max(float(np.abs(flows).max()), float(np.abs(outflow).max()), 1e-300)
     halvings, short, settled = 0, np.inf, False
@@ -179,7 +180,8 @@ def newton(
             break
         if wrong > 0.95 * old and halvings < 12:
             step *= 0.5
-            p, supply, halvings = p - step[:count], supply - step[count], halvings + 1
+            p, supply = np.asarray(p - step[:count]), supply - step[count]
+            halvings += 1
         else:
             try:
                 step = np.linalg.solve(matrix, right)
@@ -187,7 +189,7 @@ def newton(
                 break
             old, halvings = wrong, 0
             settled = float(np.abs(step).max()) < 1e-12 * max(float(np.abs(p).max()), abs(supply))
-            p, supply = p + step[:count], supply + step[count]
+            p, supply = np.asarray(p + step[:count]), supply + step[count]
         flows, by_recess, by_supply = laws(feeding.restrictors, p, supply)
     fixed = pump is None
     return NetworkState(

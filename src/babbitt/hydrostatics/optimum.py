@@ -1,7 +1,7 @@
 """Pressure ratio of greatest stiffness, and gap or viscosity of least power.
 
-Pumping power grows with h^3/mu, friction power with mu/h. Least total power: P_f/P_p = 3 where the gap is free, 1 where
-the viscosity is; either rule costs about 15 % where the other holds, so anything from 1 to 3 will do.
+Pumping power grows with h^3/mu, friction power with mu/h. Least total power: P_f/P_p = 3 where the gap is free,
+1 where the viscosity is; either rule costs about 15 % where the other holds, so anything from 1 to 3 will do.
 """
 
 from __future__ import annotations

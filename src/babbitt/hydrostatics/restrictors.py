@@ -1,7 +1,7 @@
 """Laws of the restrictors between supply and recess: flow, and how it answers to both pressures.
 
-``law(recess_pressure, supply_pressure)`` gives the flow into the recess in m3/s and its slopes in both pressures in
-m3/(s Pa). Pressures are gauge, Pa.
+``law(recess_pressure, supply_pressure)`` gives the flow into the recess in m3/s and its slopes in both
+pressures in m3/(s Pa). Pressures are gauge, Pa.
 """
 
 from __future__ import annotations

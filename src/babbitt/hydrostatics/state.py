@@ -125,22 +125,20 @@ def state_at(build: Build, feeding: Feeding, at: Array, grid: Grid) -> RecessSta
 
 def fixed_state(film: RecessFilm, feeding: Feeding, at: Array, pressures: Array, supply: float) -> RecessState:
     """Recess pressures and wet set at a position."""
-    step, moved = 0, np.inf
-    for step in range(1, MOST_STEPS + 1):
+    steps, moved = 0, np.inf
+    while steps < MOST_STEPS:
+        steps += 1
         response = film.evaluate(at, pressures)
         network = solve_network(feeding, response.conductance, response.outflow, pressures, supply)
         moved = float(np.abs(network.pressures - pressures).max() / max(float(np.abs(pressures).max()), 1e-300))
         if moved < TIGHT and response.changed == 0:
             break
-        if not network.converged:
-            if response.changed == 0:
-                break
-            network_pressures = pressures
-        else:
-            network_pressures = network.pressures
-        pressures, supply = network_pressures, network.supply_pressure
+        if network.converged:
+            pressures, supply = network.pressures, network.supply_pressure
+        elif response.changed == 0:
+            break
     ending = judge(response, network, moved < 1e-8)
-    return RecessState(film, response, network, at, ending, step, moved)
+    return RecessState(film, response, network, at, ending, steps, moved)
 
 
 def judge(response: RecessResponse, network: NetworkState, settled: bool) -> Ending:
@@ -152,7 +150,9 @@ def judge(response: RecessResponse, network: NetworkState, settled: bool) -> End
     return Ending.SOLVED
 
 
-def rest_under(build: Build, feeding: Feeding, load: Array, start: Array, grid: Grid, thinnest: float) -> RecessState:
+def rest_under(
+    build: Build, feeding: Feeding, load: Array, start: Array, grid: Grid, thinnest: float
+) -> RecessState:
     """Position at which the film carries a load.
 
     Parameters
@@ -187,12 +187,14 @@ def rest_under(build: Build, feeding: Feeding, load: Array, start: Array, grid: 
         if not climbed.solved:
             return climbed
         network = climbed.network
-        last = descend(fine, feeding, load, climbed.at, network.pressures, network.supply_pressure, thinnest, TIGHT)
+        last = descend(
+            fine, feeding, load, climbed.at, network.pressures, network.supply_pressure, thinnest, TIGHT
+        )
     return last
 
 
 def climb(film: RecessFilm, feeding: Feeding, load: Array, start: Array, thinnest: float) -> RecessState:
-    """Raise the load in shares from a tenth on, halving the rise where it fails; how far it came is in the answer."""
+    """Raise the load in shares, halving the rise where it fails; the answer tells how far it came."""
     pressures, supply = first_guess(feeding, film)
     at, share, rise = start, 0.0, 0.1
     state: RecessState | None = None
@@ -216,7 +218,7 @@ def descend(
     film: RecessFilm, feeding: Feeding, load: Array, start: Array, pressures: Array, supply: float,
     thinnest: float, tolerance: float,
 ) -> RecessState:  # fmt: skip
-    """Newton on the position, the network solved in every step; where it does not descend, steps of a creeping motion.
+    """Newton on the position, the network solved in every step; where it does not descend, steps of a creep.
 
     With damping C and pseudo-time t the step is (K + C/t)^-1 (F + load): t grows where the force gets balanced.
     """
@@ -234,7 +236,9 @@ def descend(
         residual = response.force + response.area @ shift + load
         short = float(np.abs(residual * units).max()) / size
         if max(moved, short) < tolerance and response.changed == 0:
-            return RecessState(film, response, network, at, judge(response, network, True), step, max(moved, short))
+            return RecessState(
+                film, response, network, at, judge(response, network, True), step, max(moved, short)
+            )
         if not np.isfinite(short):
             return RecessState(film, response, network, at, Ending.NOT_CONVERGED, step, short)
         stiffness, damping = static_coefficients(response, network)

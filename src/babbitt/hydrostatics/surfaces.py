@@ -97,7 +97,9 @@ def journal_surface(bearing: RecessedJournal, oil: FilmOil, grid: Grid, thinnest
     )  # fmt: skip
 
 
-def ring_surface(ring: ThrustRing | CircularPad | AnnularPad, height: float, oil: FilmOil, grid: Grid) -> RecessSurface:
+def ring_surface(
+    ring: ThrustRing | CircularPad | AnnularPad, height: float, oil: FilmOil, grid: Grid
+) -> RecessSurface:
     """A whole ring, or a round pad from the edge of its recess outwards.
 
     Parameters

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from babbitt.hydrostatics.answer import Answer
-from babbitt.hydrostatics.geometry import CircularPad, RecessedJournal, RectangularPad, ThrustRing
+from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad, ThrustRing
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.hydrostatics.restrictors import Capillary, CheckValve, ConstantFlow, Orifice, Restrictor
 from babbitt.notices import Notice
@@ -53,7 +53,10 @@ def of_restrictors(case: HydrostaticCase, found: Answer) -> Iterator[Notice]:
         if isinstance(law, Capillary):
             number = law.reynolds_number(float(flow))
             if number > max(worst, LAMINAR_TUBE):
-                worst, said = number, f"Re = {number:.0f} in the capillary of recess {k + 1}, above {LAMINAR_TUBE:.0f}"
+                worst, said = (
+                    number,
+                    f"Re = {number:.0f} in the capillary of recess {k + 1}, above {LAMINAR_TUBE:.0f}",
+                )
     if said:
         yield Notice("W303", said)
     first = law_of(case.feeding.restrictors[0])
@@ -95,8 +98,7 @@ def of_film(case: HydrostaticCase, found: Answer, named: Mapping[str, float]) ->
     if case.recesses.depth < 10.0 * gap:
         yield Notice("W307", f"the recess is {case.recesses.depth / gap:.3g} gaps deep, less than 10")
     if found.film is not None and dry_beside_recess(found):
-        yield Notice("W315", f"{100.0 * found.film.dry_share:.2g} % of the lands are without film, some right at a "
-                     "recess")  # fmt: skip
+        yield Notice("W315", f"{100.0 * found.film.dry_share:.2g} % of the lands are without film, some at a recess")  # fmt: skip
 
 
 def dry_beside_recess(found: Answer) -> bool:
@@ -133,6 +135,5 @@ def of_method(case: HydrostaticCase) -> Iterator[Notice]:
         elif min(shape.recess_length, shape.recess_width) < 2.0 * along:
             least = min(shape.recess_length, shape.recess_width) / along
             yield Notice("W318", f"the shorter recess side is {least:.3g} land widths, less than 2")
-    if case.method == "quick" and not isinstance(shape, CircularPad | RectangularPad):
-        if isinstance(shape, RecessedJournal | ThrustRing):
-            yield Notice("W319", "lands lumped between recesses; damping without squeeze between them")
+    if case.method == "quick" and isinstance(shape, RecessedJournal | ThrustRing):
+        yield Notice("W319", "lands lumped between recesses; damping without squeeze between them")

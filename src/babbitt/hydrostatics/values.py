@@ -45,7 +45,10 @@ def values(case: HydrostaticCase, found: Answer) -> dict[str, float]:
         "effective_viscosity": case.oil.viscosity,
     }
     if case.duty.angular_speed:
-        named |= {"friction_torque": abs(friction_torque(case, found)), "angular_speed": abs(case.duty.angular_speed)}
+        named |= {
+            "friction_torque": abs(friction_torque(case, found)),
+            "angular_speed": abs(case.duty.angular_speed),
+        }
     if case.is_journal:
         named |= {
             f"{name}_{axes}": float(matrix[i, j])
@@ -60,7 +63,9 @@ def values(case: HydrostaticCase, found: Answer) -> dict[str, float]:
             named["effective_area"] = abs(float(response.area[0, 0]))
     named["compressibility_damping_loss"] = damping_loss(response, network, case.compressibility)
     named["network_stability"] = network.least_eigenvalue(response.conductance)
-    best = stiffest_ratio(case.feeding.restrictors[0], case.shape if isinstance(case.shape, RecessedJournal) else None)
+    best = stiffest_ratio(
+        case.feeding.restrictors[0], case.shape if isinstance(case.shape, RecessedJournal) else None
+    )
     if best is not None:
         named["stiffest_pressure_ratio"] = best
     if friction > 0.0 and pumping > 0.0:
@@ -133,7 +138,7 @@ def reynolds(case: HydrostaticCase, found: Answer) -> dict[str, float]:
 def arrays(case: HydrostaticCase, found: Answer) -> dict[str, Matrix]:
     """Values of several numbers."""
     network = found.network
-    named = {
+    named: dict[str, Matrix] = {
         "recess_pressure": (tuple(map(float, network.pressures)),),
         "pressure_ratio": (tuple(map(float, network.pressures / network.supply_pressure)),),
         "restrictor_flow": (tuple(map(float, network.flows)),),

@@ -59,7 +59,9 @@ def _recesses(result: Result) -> list[Table]:
         table.add_column(f"{quantity.symbol}{unit}", justify="right", no_wrap=True)
     columns = [result.arrays[name][0] for name in names]
     for place, row in enumerate(zip(*columns, strict=True), start=1):
-        table.add_row(str(place), *(QUANTITIES[name].format(value) for name, value in zip(names, row, strict=True)))
+        table.add_row(
+            str(place), *(QUANTITIES[name].format(value) for name, value in zip(names, row, strict=True))
+        )
     return [table]
 
 

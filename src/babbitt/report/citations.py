@@ -9,6 +9,7 @@ from babbitt.cases import Case, design_cases
 from babbitt.film.model import Cavitation
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import HydrostaticCase
+from babbitt.lubricants import Lubricant
 from babbitt.standards.iso7902.model import Curves, DesignCase
 
 BABBITT = f"The Babbitt developers: Babbitt {__version__}, calculation and design of fluid-film bearings, 2026."
@@ -63,7 +64,8 @@ def citations_of(case: Case) -> tuple[str, ...]:
     hydrostatic = [design for design in designs if isinstance(design, HydrostaticCase)]
     if hydrostatic or any(isinstance(design, JackingCase) for design in designs):
         found.append(REYNOLDS)
-    oils = {design.lubricant.name: design.lubricant for design in (*standard, *films)}
+    oils: dict[str, Lubricant] = {design.lubricant.name: design.lubricant for design in standard}
+    oils |= {design.lubricant.name: design.lubricant for design in films}
     oils |= {one.oil.lubricant.name: one.oil.lubricant for one in hydrostatic if one.oil.lubricant is not None}
     found += [f"{oil.name}: {oil.source}" for oil in oils.values()]
     return tuple(found)

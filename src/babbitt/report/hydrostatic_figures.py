@@ -12,7 +12,7 @@ from babbitt.hydrostatics.answer import Answer
 from babbitt.hydrostatics.geometry import CircularPad, RecessedJournal, RectangularPad, ThrustRing
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import HydrostaticCase
-from babbitt.report.drawing import GREY, INK, PALE, Drawing, Sheet, limit_line, mark, rendered, style
+from babbitt.report.drawing import GREY, INK, PALE, Array, Drawing, Sheet, limit_line, mark, rendered, style
 from babbitt.results import Result
 
 if TYPE_CHECKING:
@@ -145,7 +145,9 @@ def around(case: HydrostaticCase, found: Answer) -> Figure:
         middle = start + (math.degrees(angle) - start) % 360.0
         panel.axvspan(middle - half, middle + half, color="0.9", linewidth=0.0, zorder=0)
         top = 1e-6 * float(found.network.pressures[k])
-        panel.annotate(f"{k + 1}", (middle, top), xytext=(0, 2), textcoords="offset points", ha="center", fontsize=7)
+        panel.annotate(
+            f"{k + 1}", (middle, top), xytext=(0, 2), textcoords="offset points", ha="center", fontsize=7
+        )
     supply = 1e-6 * found.network.supply_pressure
     limit_line(panel, supply, "$p_s$")
     panel.set(xlabel="$θ$ in °", ylabel="$p$ in MPa", xlim=(degrees[0], degrees[-1]))
@@ -195,7 +197,7 @@ def pressure_map(case: HydrostaticCase, found: Answer) -> Figure:
     return figure
 
 
-def outline(panel: Axes, case: HydrostaticCase, theta: np.ndarray) -> None:
+def outline(panel: Axes, case: HydrostaticCase, theta: Array) -> None:
     """Edges of the recesses."""
     shape = case.shape
     if isinstance(shape, RecessedJournal):
@@ -224,8 +226,8 @@ def outline(panel: Axes, case: HydrostaticCase, theta: np.ndarray) -> None:
             else [shape.recess_inner_radius, shape.recess_outer_radius]
         )
         turn = np.linspace(0.0, 2.0 * math.pi, 181)
-        for radius in edges:
-            panel.plot(1e3 * radius * np.cos(turn), 1e3 * radius * np.sin(turn), color=INK, linewidth=0.7)
+        for edge in edges:
+            panel.plot(1e3 * edge * np.cos(turn), 1e3 * edge * np.sin(turn), color=INK, linewidth=0.7)
 
 
 def frequency_curves(case: HydrostaticCase, found: Answer) -> Figure:
@@ -235,11 +237,11 @@ def frequency_curves(case: HydrostaticCase, found: Answer) -> Figure:
     curve = over_frequency(case, found)
     hertz = curve.frequency / (2.0 * math.pi)
     figure, ((left, right),) = Sheet(166.0, 58.0, 1, 2, across=16.0).panels()
-    lines = (((0, 0), INK, "-"),)
+    lines: tuple[tuple[tuple[int, int], str, object], ...] = (((0, 0), INK, "-"),)
     if case.is_journal:
         lines = (
             ((0, 0), INK, "-"), ((1, 1), INK, (0, (5, 2))), ((0, 1), GREY, "-"), ((1, 0), GREY, (0, (5, 2))),
-        )  # type: ignore[assignment]  # fmt: skip
+        )  # fmt: skip
     for (i, j), colour, line in lines:
         left.plot(hertz, 1e-6 * curve.stiffness[:, i, j], color=colour, linestyle=line)
         right.plot(hertz, 1e-3 * curve.damping[:, i, j], color=colour, linestyle=line)
@@ -270,14 +272,20 @@ def powers(result: Result) -> Figure:
     unit, name, digits = (1e-3, "kW", 2) if total.min() > 200.0 else (1.0, "W", 0)
     panel.clabel(drawn, fmt=lambda value: f"{unit * value:.{digits}f}", fontsize=6)
     panel.set(xscale="log", yscale="log", xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
-    for ratio in (1.0, 3.0):  # P_f/P_p falls with (h/h_0)^-4 (mu/mu_0)^2
-        share = np.sqrt(pumping / friction * ratio) * (x / (1e6 * gap)) ** 2
+    for wanted in (1.0, 3.0):  # P_f/P_p falls with (h/h_0)^-4 (mu/mu_0)^2
+        share = np.sqrt(pumping / friction * wanted) * (x / (1e6 * gap)) ** 2
         line = 1e3 * named["effective_viscosity"] * share
         panel.plot(x, line, color=GREY, linewidth=0.9, linestyle=(0, (5, 2)))
         place = int(np.abs(np.log(line / (0.93 * y[-1]))).argmin())
         panel.annotate(
-            f"$P_f/P_p = {ratio:.0f}$", (x[place], line[place]), xytext=(-3, 0), textcoords="offset points",
-            ha="right", va="center", fontsize=6, color="0.3", bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.2},
+            f"$P_f/P_p = {wanted:.0f}$", (x[place], line[place]), xytext=(-3, 0), textcoords="offset points",
+            ha=""
+               ""
+               ""
+               ""
+               ""
+               ""
+               "right", va="center", fontsize=6, color="0.3", bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.2},
         )  # fmt: skip
     mark(panel, 1e6 * gap, 1e3 * named["effective_viscosity"])
     panel.set(xlabel="$h$ in µm", ylabel=f"$η$ in mPa s   (lines: power in {name})")

@@ -22,8 +22,8 @@ def kinds() -> Mapping[str, str]:
     """Give the kinds of case and what each describes.
 
     >>> list(kinds())
-    ['journal', 'machine', 'overhung_coupling', 'hydrostatic_pad', 'hydrostatic_thrust_ring', 'hydrostatic_journal',
-    'jacking_pocket']
+    ['journal', 'machine', 'overhung_coupling', 'hydrostatic_pad', 'hydrostatic_thrust_ring',
+    'hydrostatic_journal', 'jacking_pocket']
     """
     return dict(_KINDS)
 
