@@ -184,7 +184,7 @@ def newton(
             halvings += 1
         else:
             try:
-                step = np.linalg.solve(matrix, right)
+                step = np.asarray(np.linalg.solve(matrix, right), dtype=np.float64)
             except np.linalg.LinAlgError:
                 break
             old, halvings = wrong, 0

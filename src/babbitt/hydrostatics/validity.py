@@ -98,7 +98,8 @@ def of_film(case: HydrostaticCase, found: Answer, named: Mapping[str, float]) ->
     if case.recesses.depth < 10.0 * gap:
         yield Notice("W307", f"the recess is {case.recesses.depth / gap:.3g} gaps deep, less than 10")
     if found.film is not None and dry_beside_recess(found):
-        yield Notice("W315", f"{100.0 * found.film.dry_share:.2g} % of the lands are without film, some at a recess")  # fmt: skip
+        share = 100.0 * found.film.dry_share
+        yield Notice("W315", f"{share:.2g} % of the lands are without film, some at a recess")
 
 
 def dry_beside_recess(found: Answer) -> bool:

@@ -279,13 +279,8 @@ def powers(result: Result) -> Figure:
         place = int(np.abs(np.log(line / (0.93 * y[-1]))).argmin())
         panel.annotate(
             f"$P_f/P_p = {wanted:.0f}$", (x[place], line[place]), xytext=(-3, 0), textcoords="offset points",
-            ha=""
-               ""
-               ""
-               ""
-               ""
-               ""
-               "right", va="center", fontsize=6, color="0.3", bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.2},
+            ha="right", va="center", fontsize=6, color="0.3",
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.2},
         )  # fmt: skip
     mark(panel, 1e6 * gap, 1e3 * named["effective_viscosity"])
     panel.set(xlabel="$h$ in µm", ylabel=f"$η$ in mPa s   (lines: power in {name})")
