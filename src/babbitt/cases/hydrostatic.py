@@ -103,7 +103,7 @@ class RecessOil(Part):
 class HydrostaticFile(CaseFile):
     """What all hydrostatic bearings have."""
 
-    kind: str
+    kind: str = Field(description="What the file describes.")
     name: Name = Field(description="Name of the bearing.")
     method: Literal["film", "quick"] = Field(
         "film", description="The film in two dimensions with the recess network, or closed forms and lumped lands."

@@ -181,7 +181,7 @@ _ALL = (
     ),
     # Not a temperature: 10 K and 10 degC are the same difference, and no offset may creep in.
     Kind("K difference", "a temperature difference", "900 K", {"K": 1.0}, open_to_pint=False),
-    Kind("N m", "a moment", "200 N m", {"N m": 1.0, "Nm": 1.0, "kN m": 1e3, "kNm": 1e3}),
+    Kind("N m", "a moment", "200 N m", {"N m": 1.0, "kN m": 1e3}),
     Kind(
         "m3/(s Pa)",
         "a conductance",
