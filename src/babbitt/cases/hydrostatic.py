@@ -103,6 +103,9 @@ class RecessOil(Part):
 class HydrostaticFile(CaseFile):
     """What all hydrostatic bearings have."""
 
+    shaped_by: ClassVar[tuple[str, ...]] = ("recesses",)
+    """Field to blame where the shape cannot be."""
+
     kind: str = Field(description="What the file describes.")
     name: Name = Field(description="Name of the bearing.")
     method: Literal["film", "quick"] = Field(
@@ -139,7 +142,7 @@ class HydrostaticFile(CaseFile):
 
     @rule
     def _shape_can_be_made(self) -> Iterator[Complaint]:
-        yield from refused((), self.shape)
+        yield from refused(self.shaped_by, self.shape)
 
     @rule
     def _oil_reaches(self) -> Iterator[Complaint]:
@@ -230,6 +233,8 @@ class RectangularGiven(Part):
 
 class HydrostaticPadCase(HydrostaticFile):
     """A pad with one recess."""
+
+    shaped_by: ClassVar[tuple[str, ...]] = ("pad",)
 
     kind: Literal["hydrostatic_pad"] = Field(description="Pad with one recess: round, annular, rectangular.")
     pad: Annotated[CircularGiven | AnnularGiven | RectangularGiven, Discriminator("kind")] = Field(

@@ -188,7 +188,7 @@ def _recess_rows(result: Result) -> list[Data]:
             said = ", ".join(quantity.format(value) for value in result.arrays[name][0])
             rows.append(
                 {
-                    "label": quantity.meaning,
+                    "label": label(name),
                     "symbol": symbol_node(quantity.symbol),
                     "values": [said],
                     "unit": quantity.display.label,
