@@ -149,7 +149,7 @@ DOUBTS = {
     "W311": lambda: pad_case(CIRCULAR_ORIFICE, 5e3),
     "W312": lambda: case(duty=Duty(10e3, angular_speed=4.0 * SPEED)),
     "W313": lambda: pad_case(highest_supply_pressure=4e6),
-    "W315": lambda: case(duty=Duty(30e3, -0.5 * math.pi, angular_speed=SPEED)),
+    "W315": lambda: case(duty=Duty(None, position=(0.0, -0.8 * CLEARANCE), angular_speed=2.0 * SPEED)),
     "W316": lambda: case(journal(number=2, land=60.0), Duty(3e3, -0.5 * math.pi), fed=feeding(number=2)),
     "W317": lambda: pad_case(method="quick", shape=RectangularPad(0.2, 0.1, 0.12, 0.06)),
     "W318": lambda: pad_case(method="quick", shape=RectangularPad(0.2, 0.1, 0.14, 0.04)),
