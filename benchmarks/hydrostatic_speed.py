@@ -1,7 +1,7 @@
 """Time of hydrostatic bearings: a four-recess hybrid bearing at given load with coefficients, and others.
 
-Run from the repository root: ``python benchmarks/hydrostatic_speed.py``. Prints median and least processor time of repeated runs
-after one that compiles. Exit status 1 if a promise is broken by the least time.
+Run from the repository root: ``python benchmarks/hydrostatic_speed.py``. Prints median and least processor time of
+repeated runs after one that compiles. Exit status 1 if a promise is broken by the least time.
 """
 
 from __future__ import annotations

@@ -194,6 +194,26 @@ def _recess_rows(result: Result) -> list[Data]:
                     "unit": quantity.display.label,
                 }
             )
+    return rows + _dynamic_rows(result)
+
+
+def _dynamic_rows(result: Result) -> list[Data]:
+    """Stiffness and damping at the frequencies asked for, matrices row by row."""
+    if "dynamic_frequency" not in result.arrays:
+        return []
+    frequency = QUANTITIES["dynamic_frequency"]
+    rows = []
+    for name, said in (("dynamic_stiffness", "Stiffness"), ("dynamic_damping", "Damping")):
+        quantity = QUANTITIES[name]
+        for at, values in zip(result.arrays["dynamic_frequency"][0], result.arrays[name], strict=True):
+            rows.append(
+                {
+                    "label": f"{said} at {frequency.format(at)} Hz",
+                    "symbol": symbol_node(quantity.symbol),
+                    "values": [", ".join(f"{quantity.shown(value):.4g}" for value in values)],
+                    "unit": quantity.display.label,
+                }
+            )
     return rows
 
 

@@ -24,18 +24,6 @@ COMPARED = (
     "side_flow",
     "supply_flow",
     "total_flow",
-    "gap",
-    "load",
-    "mean_pressure_ratio",
-    "temperature_rise",
-    "pumping_power",
-    "pad_stiffness",
-    "pad_damping",
-    "tilt_stiffness",
-    "effective_area",
-    "load_capacity",
-    "lying_pressure",
-    "pocket_pressure",
     "maximum_pressure",
     "film_reynolds_number",
     "critical_mass",
@@ -43,6 +31,34 @@ COMPARED = (
     "threshold_speed",
 )
 """What is put side by side."""
+
+HYDROSTATIC = (
+    "load",
+    "gap",
+    "eccentricity_ratio",
+    "attitude_angle",
+    "minimum_film_thickness",
+    "mean_pressure_ratio",
+    "total_flow",
+    "pumping_power",
+    "friction_power",
+    "temperature_rise",
+    "effective_area",
+    "pad_stiffness",
+    "pad_damping",
+    "tilt_stiffness",
+    *(f"{name}_{axes}" for name in ("stiffness", "damping") for axes in ("xx", "xy", "yx", "yy")),
+    "load_capacity",
+    "breakaway_pressure",
+    "lying_pressure",
+    "pocket_pressure",
+)
+"""The same of hydrostatic bearings."""
+
+
+def _compared(comparison: Comparison) -> tuple[str, ...]:
+    pumped = {"mean_pressure_ratio", "pocket_pressure"}
+    return HYDROSTATIC if any(pumped & set(one.result.values) for one in comparison.variants) else COMPARED
 
 
 def print_comparison(comparisons: Sequence[Comparison]) -> bool:
@@ -55,7 +71,7 @@ def print_comparison(comparisons: Sequence[Comparison]) -> bool:
         table.add_column("unit")
         for variant in comparison.variants:
             table.add_column(variant.label, justify="right")
-        for name in COMPARED:
+        for name in _compared(comparison):
             if not any(name in variant.result.values for variant in comparison.variants):
                 continue
             quantity = QUANTITIES[name]

@@ -109,8 +109,10 @@ CASE = ValidationCase(
         ),
         source=(
             "An exercise with printed answers from a study-help page (a pump that holds 20 MPa, a pad of 0.1 m, "
-            "80 cP, 30 µm, 60 kN); its textbook is not named, and the power of ten of the flow, damaged on the page, "
-            "is the only one that gives the answers. Closed forms: radial flow between parallel discs; strips with "
+            "80 cP, 30 µm, 60 kN); its textbook is not named, and the power of ten of the flow, damaged on the "
+            "page, "
+            "is the only one that gives the answers. Closed forms: radial flow between parallel discs; strips "
+            "with "
             "corners, 1 - 2 ln 2/π squares each (conformal map)."
         ),
         assumptions=(
@@ -125,6 +127,7 @@ CASE = ValidationCase(
     ),
     run=run,
     draw=draw,
-    caption="Load of the exercise's pad over the recess radius (filled: the printed answer), and every deviation in "
+    caption="Load of the exercise's pad over the recess radius (filled: the printed answer), and every "
+    "deviation in "
     "units of its tolerance.",
 )
