@@ -12,6 +12,7 @@ from babbitt.notices import EXPLANATIONS
 from babbitt.quantities import QUANTITIES
 from babbitt.report import findings
 from babbitt.report import verdict as judge
+from babbitt.report.bearing_table import matrix_entries
 from babbitt.report.calculation import calculation
 from babbitt.report.chapters import Chapter, Member
 from babbitt.report.check_content import check_content, compared_checks, solved_checks, sources_of
@@ -180,41 +181,31 @@ def _key_results(chapter: Chapter) -> list[Data]:
 
 
 def _recess_rows(result: Result) -> list[Data]:
-    """Pressures and flows of all recesses, in their order."""
+    """Pressure, ratio and flow of every recess where there are several, then coefficients over frequency."""
     rows = []
-    for name in ("recess_pressure", "pressure_ratio", "restrictor_flow"):
-        if name in result.arrays and len(result.arrays[name][0]) > 1:
-            quantity = QUANTITIES[name]
-            said = ", ".join(quantity.format(value) for value in result.arrays[name][0])
-            rows.append(
-                {
-                    "label": label(name),
-                    "symbol": symbol_node(quantity.symbol),
-                    "values": [said],
-                    "unit": quantity.display.label,
-                }
-            )
-    return rows + _dynamic_rows(result)
-
-
-def _dynamic_rows(result: Result) -> list[Data]:
-    """Stiffness and damping at the frequencies asked for, matrices row by row."""
-    if "dynamic_frequency" not in result.arrays:
-        return []
-    frequency = QUANTITIES["dynamic_frequency"]
-    rows = []
+    several = len(result.arrays.get("recess_pressure", ((),))[0]) > 1
+    for name in ("recess_pressure", "pressure_ratio", "restrictor_flow") if several else ():
+        what = {"recess_pressure": "pressure", "pressure_ratio": "pressure ratio", "restrictor_flow": "flow"}[name]
+        for place, value in enumerate(result.arrays[name][0], start=1):
+            rows.append(_single_row(name, f"Recess {place}, {what}", value, str(place)))
     for name, said in (("dynamic_stiffness", "Stiffness"), ("dynamic_damping", "Damping")):
-        quantity = QUANTITIES[name]
-        for at, values in zip(result.arrays["dynamic_frequency"][0], result.arrays[name], strict=True):
-            rows.append(
-                {
-                    "label": f"{said} at {frequency.format(at)} Hz",
-                    "symbol": symbol_node(quantity.symbol),
-                    "values": [", ".join(f"{quantity.shown(value):.4g}" for value in values)],
-                    "unit": quantity.display.label,
-                }
-            )
+        for place, at in enumerate(result.arrays.get("dynamic_frequency", ((),))[0]):
+            hertz = f"{QUANTITIES['dynamic_frequency'].shown(at):.6g}"
+            values = result.arrays[name][place]
+            for index, entry in matrix_entries(len(values)).items():
+                rows.append(_single_row(name, f"{said} at {hertz} Hz", values[entry], index.removeprefix("_")))
     return rows
+
+
+def _single_row(name: str, said: str, value: float, index: str) -> Data:
+    quantity = QUANTITIES[name]
+    symbol = f"{quantity.symbol.partition('_')[0]}_{index}" if index else quantity.symbol
+    return {
+        "label": said,
+        "symbol": symbol_node(symbol),
+        "values": [quantity.format(value)],
+        "unit": quantity.display.label,
+    }
 
 
 def _line(line: Line) -> Data:

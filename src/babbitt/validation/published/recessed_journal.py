@@ -150,6 +150,6 @@ CASE = ValidationCase(
     ),
     run=run,
     draw=draw,
-    caption="Relative error of load, stiffness and flow over the number of lines, and every deviation in units of its "
-    "tolerance.",
+    caption="Relative error of load, stiffness and flow over the number of lines, and every deviation in units of "
+    "its tolerance.",
 )
