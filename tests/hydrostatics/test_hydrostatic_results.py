@@ -184,6 +184,15 @@ def test_limits_of_the_user():
     assert result.load_capacity == pytest.approx(at_least.load, rel=1e-9)
 
 
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("speed", [0.0, SPEED, -SPEED])
+def test_load_capacity_of_a_journal_is_the_load_at_the_least_gap(method, speed):
+    made = case(duty=Duty(10e3, -0.5 * math.pi, angular_speed=speed), method=method, least_gap=20e-6)
+    capacity = hydrostatic_check(made).load_capacity
+    loaded = hydrostatic_check(replace(made, duty=replace(made.duty, load=capacity)))
+    assert loaded.minimum_film_thickness == pytest.approx(20e-6, rel=5e-3)
+
+
 def test_common_pump_runs_out_of_pressure():
     fed = Feeding((CIRCULAR_CAPILLARY,), Pump(5e-6, 1e-13, 4e6))
     result = hydrostatic_check(replace(pad_case(load=9e3), feeding=fed))

@@ -196,6 +196,33 @@ def test_scaling(plane, gap, pressure, viscosity):
     assert second.mass_balance_error < 1e-9
 
 
+@settings(max_examples=15, deadline=None)
+@given(eps=st.floats(0.0, 0.85), angle=st.floats(0.0, 6.28), speed=st.floats(-2.0, 2.0))
+def test_oil_balances_wherever_the_journal_stands(eps, angle, speed):
+    at = eps * CLEARANCE * np.array([math.cos(angle), math.sin(angle)])
+    state = state_at(journal_film(journal(), speed * SPEED), feeding(), at, LOOSE)
+    assert state.solved
+    assert state.mass_balance_error < 1e-9
+    edges = state.film.work.row[state.film.of.recess == -2].sum() * state.film.of.scales.flow
+    lost = (
+        state.film.work.row[(state.film.of.recess == -1) & ~state.film.work.wet].sum() * state.film.of.scales.flow
+    )
+    assert -edges == pytest.approx(state.network.flows.sum() + lost, rel=1e-7)
+
+
+def test_lower_cavitation_pressure_changes_a_ruptured_film_only():
+    for eps, changes in ((0.3, False), (0.8, True)):
+        forces = []
+        for pressure in (0.0, -0.09e6):
+            oil = FilmOil(0.02, SPEED, 5e6, pressure)
+            state = state_at(
+                lambda grid, oil=oil: journal_surface(journal(), oil, grid), feeding(), down(eps), LOOSE
+            )
+            forces.append(state.force)
+            assert state.film.pressures().min() >= pressure - 1.0
+        assert (np.abs(forces[1] - forces[0]).max() > 1.0) == changes
+
+
 def test_wide_restrictors_hold_the_supply_pressure():
     huge = Capillary(100e-3, 0.1, 0.02)
     state = state_at(journal_film(journal()), feeding(huge), down(0.5), LOOSE)

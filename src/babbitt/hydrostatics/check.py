@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from babbitt.design.roots import bracketed_root
 from babbitt.hydrostatics.answer import Answer, answer, answer_at, coarser, load_vector
 from babbitt.hydrostatics.friction import friction_power
 from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad, ThrustRing
@@ -66,7 +67,8 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
             "outlet_temperature": case.oil.supply_temperature + named["temperature_rise"],
         }
     if case.least_gap is not None:
-        named["load_capacity"] = capacity(case, found)
+        limit = capacity(case)
+        named |= {} if limit is None else {"load_capacity": limit}
     if found.film is not None and found.film.network.converged:
         rough = coarser(case, found)
         size = max(float(np.abs(found.response.force).max()), 1e-300)
@@ -142,18 +144,38 @@ def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
     )
 
 
-def capacity(case: HydrostaticCase, found: Answer) -> float:
-    """Load at the least gap that the user allows, N: straight towards the load for a journal."""
+def capacity(case: HydrostaticCase) -> float | None:
+    """Load at the least gap that the user allows, N; None where it was not found."""
     least = case.least_gap or 0.0
     if isinstance(case.shape, RecessedJournal):
-        load = load_vector(case)
-        size = float(np.hypot(*load))
-        towards = load / size if size else np.array([0.0, -1.0])
-        depth = max(case.shape.clearance - least, 0.0)
-        state = answer_at(case, depth * towards, case.shape.clearance)
-        return -float(state.response.force @ towards)
+        return journal_capacity(replace(case, accuracy="draft"), max(case.shape.clearance - least, 0.0))
     at = np.zeros(1 if isinstance(case.shape, RectangularPad) else 3)
-    return float(answer_at(case, at, least).response.force[0])
+    state = answer_at(case, at, least)
+    return float(state.response.force[0]) if state.ending is Ending.SOLVED else None
+
+
+def journal_capacity(case: HydrostaticCase, depth: float) -> float | None:
+    """Load in its given direction at an eccentricity: the film pushes straight against it at one attitude."""
+    load = load_vector(case)
+    size = float(np.hypot(*load))
+    angle = math.atan2(load[1], load[0]) if size else -0.5 * math.pi
+    towards = np.array([math.cos(angle), math.sin(angle)])
+    sense = math.copysign(1.0, case.duty.angular_speed)
+
+    def force(attitude: float) -> tuple[float, float]:
+        turned = angle + sense * attitude
+        at = depth * np.array([math.cos(turned), math.sin(turned)])
+        state = answer_at(case, at, case.rest_gap)
+        if state.ending is not Ending.SOLVED:
+            return math.nan, math.nan
+        found = state.response.force
+        return -float(found @ towards), float(towards[0] * found[1] - towards[1] * found[0])
+
+    straight, aside = force(0.0)
+    if case.duty.angular_speed and aside * force(0.5 * math.pi)[1] < 0.0:
+        attitude = bracketed_root(lambda place: force(place)[1], 0.0, 0.5 * math.pi, 1e-3)
+        straight = force(attitude)[0]
+    return straight if math.isfinite(straight) else None
 
 
 def checks(case: HydrostaticCase, named: dict[str, float]) -> list[Check]:
@@ -162,9 +184,9 @@ def checks(case: HydrostaticCase, named: dict[str, float]) -> list[Check]:
     if case.least_gap is not None:
         gap = named["minimum_film_thickness"]
         found.append(Check("C201", "minimum_film_thickness", gap, case.least_gap, Bound.AT_LEAST, USER))
-        if case.duty.load is not None:
+        if case.duty.load is not None and "load_capacity" in named:
             found.append(Check("C202", "load", named["load"], named["load_capacity"], Bound.AT_MOST,
-                               "force at the least gap allowed"))  # fmt: skip
+                               "film at the least gap allowed"))  # fmt: skip
     if case.highest_supply_pressure is not None:
         found.append(Check("C203", "supply_pressure", named["supply_pressure"], case.highest_supply_pressure,
                            Bound.AT_MOST, USER))  # fmt: skip
