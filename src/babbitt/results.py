@@ -23,6 +23,9 @@ class Outcome(Enum):
     UNSTABLE_NETWORK = "the flow network of the recesses has no stable state"
     STARVED_RECESS = "a recess is starved of oil"
     NOT_CONVERGED = "the iteration ended without meeting its tolerance"
+    OUTSIDE_CLEARANCE = "the prescribed position lies outside the clearance"
+    SQUEEZED_OUT = "the changing load squeezes the film out"
+    NOT_PERIODIC = "the journal does not come back to its place from cycle to cycle"
 
     @property
     def solved(self) -> bool:
@@ -41,6 +44,9 @@ _OUTCOME_CODES = {
     "NO_CLEARANCE": "S003",
     "NOT_CONVERGED": "S004",
     "NO_LUBRICANT_DATA": "S005",
+    "OUTSIDE_CLEARANCE": "S006",
+    "SQUEEZED_OUT": "S007",
+    "NOT_PERIODIC": "S008",
     "UNSTABLE_NETWORK": "S301",
     "STARVED_RECESS": "S302",
 }

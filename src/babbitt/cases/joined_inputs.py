@@ -11,7 +11,7 @@ from babbitt.cases.materials import Materials
 from babbitt.cases.operating_point import LOADS, SPEEDS, OperatingPoint, stating
 from babbitt.cases.shared import merged
 from babbitt.cases.supply import Supply
-from babbitt.design.conditions import GivenEccentricity, GivenLoad, HousingCooling, OilSupply
+from babbitt.design.conditions import Duty, GivenEccentricity, GivenLoad, GivenPosition, HousingCooling, OilSupply
 from babbitt.design.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coefficient
 from babbitt.lubricants import Lubricant
 
@@ -61,12 +61,14 @@ def inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> Inputs:
     )
 
 
-def duty(inputs: Inputs, point: OperatingPoint | None) -> GivenLoad | GivenEccentricity:
+def duty(inputs: Inputs, point: OperatingPoint | None) -> Duty:
     """What the bearing carries: the load, or the prescribed position."""
     bearing = inputs.bearing
     given = stating(LOADS, bearing, point)
     if given.eccentricity_ratio is not None:
         return GivenEccentricity(given.eccentricity_ratio, given.attitude_angle)
+    if given.position is not None:
+        return GivenPosition(given.position.x, given.position.y)
     if given.load is not None:
         return GivenLoad(given.load)
     if given.specific_load is None:
@@ -88,18 +90,22 @@ def oil_supply(supply: Supply | None, point: OperatingPoint | None) -> OilSupply
     """Oil supply with what the operating point changes; None where no oil is fed."""
     if supply is None:
         return None
-    temperature, pressure = supply.temperature, supply.pressure
+    temperature, pressure, flow = supply.temperature, supply.pressure, supply.flow
     if point is not None:
         temperature = point.supply_temperature or temperature
-        pressure = point.supply_pressure or pressure
-    if temperature is None or pressure is None:
-        raise ValueError("a case that was not validated: the supply has no temperature or no pressure")
+        if point.supply_pressure is not None or point.supply_flow is not None:
+            pressure, flow = point.supply_pressure, point.supply_flow
+    if temperature is None or (pressure is None and flow is None):
+        raise ValueError(
+            "a case that was not validated: the supply has no temperature, or no pressure and no flow"
+        )
     return OilSupply(
         temperature,
-        pressure,
+        0.0 if pressure is None else pressure,
         tuple(tube.duct() for tube in supply.tubes),
         tuple(hole.duct() for hole in supply.holes),
         supply.circulation_time,
+        flow if pressure is None else None,
     )
 
 

@@ -8,13 +8,22 @@ from typing import Annotated, ClassVar
 from pydantic import Field
 
 from babbitt.cases.fields import Name, Span
-from babbitt.cases.part import Complaint, Part, rule
-from babbitt.cases.supply import GaugePressure, OilTemperature
+from babbitt.cases.part import Complaint, Part, at_most_one, rule
+from babbitt.cases.supply import GaugePressure, OilTemperature, SupplyFlow
 from babbitt.cases.supply_element import SupplyElementGiven
 from babbitt.units import either_sense, si
 
-LOADS = ("load", "specific_load", "eccentricity_ratio")
+LOADS = ("load", "specific_load", "eccentricity_ratio", "position")
 SPEEDS = ("speed", "surface_speed")
+
+
+class PositionGiven(Part):
+    """Where the journal centre stands."""
+
+    example: ClassVar[str] = "{x: 20 um, y: -60 um}"
+
+    x: Annotated[float, si("m", "-5 mm", "5 mm")] = Field(description="To the right of the bearing centre.")
+    y: Annotated[float, si("m", "-5 mm", "5 mm")] = Field(description="Above the bearing centre.")
 
 
 class Duty(Part):
@@ -33,6 +42,11 @@ class Duty(Part):
         None,
         description="Besides the eccentricity ratio, for the film method: from the load angle to the journal "
         "centre in the sense of rotation. The direction of the load is then found, too.",
+    )
+    position: PositionGiven | None = Field(
+        None,
+        description="Prescribed place of the journal centre, for the film method, in place of the load. The load "
+        "and its direction are found.",
     )
     speed: Annotated[float, either_sense("rad/s", "0.1 rpm", "1000000 rpm")] | None = Field(
         None, description="Rotational speed of the journal, positive counter-clockwise."
@@ -54,10 +68,17 @@ class OperatingPoint(Duty):
     name: Name = Field(description="Name of the operating point.")
     supply_temperature: OilTemperature | None = Field(None, description="Oil temperature at the inlet.")
     supply_pressure: GaugePressure | None = Field(None, description="Gauge pressure of the supply system.")
+    supply_flow: SupplyFlow | None = Field(
+        None, description="Oil flow in place of the supply pressure, for the film method."
+    )
     span: Span | None = Field(None, description="Angular span, where the load turns relative to the pockets.")
     supply_element: SupplyElementGiven | None = Field(
         None, description="Supply element, where the load turns relative to the pockets."
     )
+
+    @rule
+    def _pressure_or_flow(self) -> Iterator[Complaint]:
+        yield from at_most_one(self, "supply_pressure", "supply_flow")
 
 
 def stating(names: tuple[str, ...], bearing: Duty, point: Duty | None) -> Duty:

@@ -3,14 +3,28 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 from babbitt.film.piezoviscosity import PressureViscosity
 from babbitt.film.turbulence import FilmTurbulence
 from babbitt.notices import InputError
 
-__all__ = ["Cavitation", "FilmStart", "JournalFilm", "Land", "Pocket", "Resolution", "Step", "grooved_bore"]
+__all__ = [
+    "END_DAM",
+    "Cavitation",
+    "FilmStart",
+    "JournalFilm",
+    "Land",
+    "Pocket",
+    "Resolution",
+    "Step",
+    "grooved_bore",
+]
+
+END_DAM = 0.025
+"""Share of the width over which the pressure of a groove as wide as the bearing falls to that of the side, either
+end. Assumption: real grooves end before the edge, or leak through their ends by an amount that no film knows."""
 
 
 class Cavitation(Enum):
@@ -81,8 +95,8 @@ class Land:
         Departure of the bore from its circle, m, outward positive, at equally spaced angles from edge to edge
         (wear, measured form). Empty: none.
     start_fill : float
-        Share of the gap that the groove before the land can fill: 1 flooded, less where it is starved (its
-        pressure is then that of the cavity).
+        Share of the gap that the groove from which the journal enters the land can fill, 0 to 1: 1 flooded, less
+        where it is starved. A starved groove stands at the cavitation pressure.
     """
 
     start_angle: float
@@ -108,7 +122,8 @@ class Pocket:
     pressure : float
         Gauge, Pa.
     fill : float
-        Share of the gap behind it that it can fill: 1 flooded, less where it is starved.
+        Share of the gap behind it that it can fill, 0 to 1: 1 flooded, less where it is starved; it stands then
+        at the cavitation pressure.
     """
 
     centre_angle: float
@@ -213,6 +228,11 @@ class JournalFilm:
     pressure_viscosity: PressureViscosity | None = None
 
     @property
+    def land_order(self) -> list[int]:
+        """Numbers of the lands by their start angles within a turn."""
+        return sorted(range(len(self.lands)), key=lambda number: self.lands[number].start_angle % (2.0 * math.pi))
+
+    @property
     def is_surface(self) -> bool:
         """Whether the film is solved node by node (``ring``); all others separate into modes of the width."""
         return bool(
@@ -228,16 +248,21 @@ class JournalFilm:
             or self.pressure_viscosity
             or self.film_start is FilmStart.PERIODIC
             or any(land.start_pressure > 0.0 or land.end_pressure > 0.0 for land in self.lands)
-            or any(land.start_fill < 1.0 for land in self.lands)
+            or self.is_starved
         )
+
+    @property
+    def is_starved(self) -> bool:
+        """Whether a groove or pocket fills only part of the gap behind it."""
+        return any(land.start_fill < 1.0 for land in self.lands) or any(one.fill < 1.0 for one in self.pockets)
 
     @property
     def is_symmetric(self) -> bool:
         """Whether both halves of the width are alike."""
         return (
             self.misalignment == (0.0, 0.0)
-            and all(pocket.axial_centre == 0.0 for pocket in self.pockets)
-            and all(step.axial_centre == 0.0 for step in self.steps)
+            and {replace(one, axial_centre=-one.axial_centre) for one in self.pockets} == set(self.pockets)
+            and {replace(one, axial_centre=-one.axial_centre) for one in self.steps} == set(self.steps)
             and all(row == row[::-1] for row in (*self.viscosity_field, *self.displacement))
             and self.axial_viscosity == self.axial_viscosity[::-1]
             and self.crowning == self.crowning[::-1]
@@ -267,6 +292,8 @@ class JournalFilm:
                              f"cavitation pressure, {self.cavitation_pressure} Pa.")  # fmt: skip
         if self.cavitation is Cavitation.HALF_SOMMERFELD:
             check_plain_ring(self)
+        check_fills(self)
+        check_oil(self)
 
 
 def check_lands(lands: tuple[Land, ...], cavitation_pressure: float) -> None:
@@ -324,6 +351,33 @@ def check_pockets(film: JournalFilm) -> None:
         if film.cavitation is Cavitation.MASS_CONSERVING and not film.pockets:
             raise InputError("E101", "nothing feeds this closed ring: a mass-conserving film would run dry. Give "
                              "pockets or holes, or choose Cavitation.REYNOLDS.")  # fmt: skip
+
+
+FULL = 1.0 - 1e-9
+"""Fill from which a supply can stand under pressure."""
+
+
+def check_fills(film: JournalFilm) -> None:
+    """Refuse fills beyond 0 to 1, starved supplies under pressure, starved films that do not count oil."""
+    supplies = [(land.start_fill, land.start_pressure) for land in film.lands]
+    supplies += [(pocket.fill, pocket.pressure) for pocket in film.pockets]
+    for fill, pressure in supplies:
+        if not 0.0 < fill <= 1.0:
+            raise InputError("E101", f"the fill of a groove or pocket is {fill}; it must lie above 0, up to 1.")
+        if fill < FULL and pressure > film.cavitation_pressure:
+            raise InputError("E101", f"a groove or pocket with a fill of {fill} stands at {pressure} Pa; one "
+                             "that is starved is at the cavitation pressure.")  # fmt: skip
+    if film.is_starved and film.cavitation is not Cavitation.MASS_CONSERVING:
+        raise InputError("E101", "a starved supply needs Cavitation.MASS_CONSERVING, which counts the oil.")
+
+
+def check_oil(film: JournalFilm) -> None:
+    """Refuse turbulence and piezoviscosity where the film is solved without them."""
+    if film.turbulence is None and film.pressure_viscosity is None:
+        return
+    if film.film_start is FilmStart.WIDEST_GAP or film.cavitation is Cavitation.HALF_SOMMERFELD:
+        raise InputError("E101", "a film that starts at the widest gap, or under the half-Sommerfeld condition, "
+                         "is laminar and of constant viscosity; choose another start or condition.")  # fmt: skip
 
 
 def check_steps(film: JournalFilm) -> None:

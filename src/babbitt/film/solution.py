@@ -39,15 +39,26 @@ class FilmSolution:
         Gauge, Pa.
     void : ndarray, same shape
         1 - liquid fraction.
-    supply_flow, outflow, side_flow : ndarray, shape (lands,)
-        What enters each land from its first groove, what it hands to its second, what leaves by both sides, m3/s.
+    supply_flow : ndarray, shape (supplies,)
+        What every supply adds, m3/s: what leaves it into the film less what the film brings. Grooves between lands
+        come first, counter-clockwise from that behind the land of least start angle within a turn, then pockets in
+        their own order. A film that starts at the widest gap is supplied there.
+    inflow, outflow : ndarray, shape (lands,)
+        What crosses the edge at which the journal enters each land, and that at which it leaves it, m3/s.
+    side_flow : ndarray, shape (lands,) or (1,)
+        What leaves by both sides, m3/s: from every land, or from a surface as a whole (``film.is_surface``).
+    end_flows : ndarray, shape (2,)
+        What leaves by the sides z = -B/2 and z = B/2, m3/s.
     friction_torque, bearing_torque : float
         On the journal and on the bearing, N m, against and with the rotation.
     mass_balance_error : float
-        Over the supply flow. Under the Reynolds condition the film itself does not conserve oil.
+        Over the flow that enters the lands. Under the Reynolds condition the film itself does not conserve oil.
     iterations : int
     wall_time : float
         s.
+    axial_breaks : tuple of int
+        Positions at which one polynomial of the pressure across the width ends and the next begins, both ends
+        included. Empty: a single even polynomial.
     """
 
     film: JournalFilm
@@ -62,13 +73,16 @@ class FilmSolution:
     pressure: Array
     void: Array
     supply_flow: Array
+    inflow: Array
     outflow: Array
     side_flow: Array
+    end_flows: Array
     friction_torque: float
     bearing_torque: float
     mass_balance_error: float
     iterations: int
     wall_time: float
+    axial_breaks: tuple[int, ...] = ()
 
     @property
     def eccentricity_ratio(self) -> float:
@@ -95,6 +109,16 @@ class FilmSolution:
         film = self.film
         psi = 2.0 * film.clearance / film.diameter
         return self.load * psi**2 / (film.width * film.diameter * film.viscosity * abs(film.angular_speed))
+
+    @property
+    def leaving_flow(self) -> float:
+        """What leaves by the sides, m3/s.
+
+        Oil that a side under pressure presses in counts where it leaves, be it through the supplies.
+        """
+        leaving = float(np.maximum(self.end_flows, 0.0).sum())
+        pressed_in = bool((self.end_flows < 0.0).any())
+        return leaving + max(-float(self.supply_flow.sum()), 0.0) if pressed_in else leaving
 
     @property
     def maximum_pressure(self) -> float:

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from babbitt.film._surface_film import Surface
 from babbitt.film.axial import AxialMesh
 from babbitt.film.recess import FilmScales, RecessSurface
-from babbitt.film.ring import gauss_angles, within
+from babbitt.film.ring import gauss_angles
+from babbitt.film.ring_mesh import within
 from babbitt.hydrostatics.geometry import AnnularPad, CircularPad, RecessedJournal, RectangularPad, ThrustRing
 from babbitt.hydrostatics.lines import Grid, across, between
 

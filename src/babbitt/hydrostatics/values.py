@@ -58,7 +58,9 @@ def values(case: HydrostaticCase, found: Answer) -> dict[str, float]:
     else:
         named |= {"pad_stiffness": float(stiffness[0, 0]), "pad_damping": float(damping[0, 0])}
         if stiffness.shape[0] == 3 and case.kind == "hydrostatic_thrust_ring":
-            named["tilt_stiffness"] = float(np.linalg.eigvalsh(0.5 * (stiffness + stiffness.T)[1:, 1:]).min())
+            named["least_tilt_stiffness"] = float(
+                np.linalg.eigvalsh(0.5 * (stiffness + stiffness.T)[1:, 1:]).min()
+            )
         if case.count == 1:
             named["effective_area"] = abs(float(response.area[0, 0]))
     named["compressibility_damping_loss"] = damping_loss(response, network, case.compressibility)

@@ -46,7 +46,7 @@ HYDROSTATIC = (
     "effective_area",
     "pad_stiffness",
     "pad_damping",
-    "tilt_stiffness",
+    "least_tilt_stiffness",
     *(f"{name}_{axes}" for name in ("stiffness", "damping") for axes in ("xx", "xy", "yx", "yy")),
     "load_capacity",
     "breakaway_pressure",

@@ -122,6 +122,12 @@ _ALL = (
         {"m/s": 1.0, "mm/s": 1e-3, "m/min": 1.0 / 60.0, "km/h": 1.0 / 3.6, "ft/s": 12.0 * INCH},
     ),
     Kind(
+        "N/m",
+        "a stiffness",
+        "200 MN/m",
+        {"N/m": 1.0, "kN/m": 1e3, "MN/m": 1e6, "GN/m": 1e9, "N/mm": 1e3, "N/um": 1e6},
+    ),
+    Kind(
         "Pa s",
         "a dynamic viscosity",
         "16 mPa s",
@@ -168,6 +174,13 @@ _ALL = (
         | {"um/(m K)": 1e-6, "um/m/K": 1e-6},
     ),
     Kind(
+        "1/Pa",
+        "a coefficient of viscosity and pressure",
+        "20 1/GPa",
+        {"1/Pa": 1.0, "Pa-1": 1.0, "1/GPa": 1e-9, "GPa-1": 1e-9, "1/MPa": 1e-6, "1/bar": 1e-5}
+        | {"m2/N": 1.0, "mm2/N": 1e-6},
+    ),
+    Kind(
         "kg/(m3 K)",
         "a change of density per kelvin",
         "-0.63 kg/(m3 K)",
@@ -188,7 +201,6 @@ _ALL = (
         "0.06 L/(min MPa)",
         {"L/(min MPa)": 1e-9 / 60.0, "L/(min bar)": 1e-8 / 60.0, "m3/(s Pa)": 1.0, "cm3/(s MPa)": 1e-12},
     ),
-    Kind("1/Pa", "a compliance per pressure", "0.2 1/MPa", {"1/MPa": 1e-6, "1/bar": 1e-5, "1/Pa": 1.0}),
     Kind("W", "a power", "31 kW", {"kW": 1e3, "W": 1.0, "MW": 1e6}),
     Kind(
         "1",
