@@ -406,6 +406,120 @@ EXPLANATIONS: dict[str, Explanation] = {
         "computed for the smooth heel alone, and friction by superposition as for a concentric one.",
         "Read side forces from the smooth heel as an order of magnitude.",
     ),
+    # hydrostatic bearings
+    "W301": Explanation(
+        "Oil flows back through a restrictor",
+        "The film raises a recess above the supply pressure and pushes oil back into the manifold; the "
+        "bearing loses load.",
+        "Put a check valve before each recess (`check_valve: true`), or raise the supply pressure.",
+    ),
+    "W302": Explanation(
+        "Pressure ratio far from its best",
+        "Recess over supply pressure at the design point lies outside 0.3 to 0.8; stiffness falls off on "
+        "either side.",
+        "Change the restrictor: `stiffest_pressure_ratio` in the results says what to aim at.",
+    ),
+    "W303": Explanation(
+        "Capillary outside its law",
+        "The flow in the capillary is not laminar, or the tube is so short that its entry counts.",
+        "A longer or narrower tube, several tubes, or give `entry_loss`.",
+    ),
+    "W304": Explanation(
+        "Small orifice",
+        "Orifices below 0.3 mm clog.",
+        "A larger orifice and a finer filter, or a capillary.",
+    ),
+    "W305": Explanation(
+        "Film not laminar",
+        "The Reynolds number of the film exceeds 1000; the laminar film equation ends there.",
+        "Treat friction and flow as lower bounds.",
+    ),
+    "W306": Explanation(
+        "Recess not laminar",
+        "The Reynolds number in the recess exceeds 1000; its laminar friction factor is then too low.",
+        "Treat the friction power as a lower bound; a shallower recess helps.",
+    ),
+    "W307": Explanation(
+        "Shallow recess",
+        "The recess is less than ten gaps deep; its pressure is not uniform.",
+        "A deeper recess.",
+    ),
+    "W308": Explanation(
+        "Inertia at the recess edge",
+        "The dynamic pressure of the moving surface is no longer small against the recess pressure; oil "
+        "entering the land loses pressure that is not counted.",
+        "Treat the load at speed as an upper bound.",
+    ),
+    "W309": Explanation(
+        "Compressible oil costs damping",
+        "Oil in recess and line gives way and takes away more than a fifth of the damping.",
+        "Shallower recesses, restrictors close to the recess, oil without air.",
+    ),
+    "W310": Explanation(
+        "Pneumatic-hammer-like",
+        "Compressible oil takes away more damping than the film has: a heavy enough mass on the bearing "
+        "vibrates by itself.",
+        "Shallower recesses, restrictors close to the recess, oil without air, more land.",
+    ),
+    "W311": Explanation(
+        "Friction against pumping power",
+        "The sum of both powers is far from its least, which lies at a ratio of 1 (viscosity free) to 3 "
+        "(gap free).",
+        "`least_power_gap` in the results says what gap to aim at with restrictors made to suit.",
+    ),
+    "W312": Explanation(
+        "Warm oil",
+        "The oil warms by more than 20 K between manifold and drain; one viscosity for the whole film is a "
+        "rough guess.",
+        "More flow, a thinner oil, less supply pressure or speed.",
+    ),
+    "W313": Explanation(
+        "Pump too weak",
+        "The supply pressure exceeds what the pump can hold.",
+        "Another pump, or wider restrictors.",
+    ),
+    "W314": Explanation(
+        "Breakaway above the relief valve",
+        "Before the shaft lifts, oil reaches the pocket only; lifting may need up to the load over the "
+        "projected pocket area.",
+        "A higher relief setting or a larger pocket.",
+    ),
+    "W315": Explanation(
+        "Dry film at a recess",
+        "The film is ruptured right beside a recess; frozen rupture makes the coefficients less certain there.",
+        "Compare with a finer accuracy.",
+    ),
+    "W316": Explanation(
+        "Too few recesses",
+        "Fewer than three recesses give no stiffness in some direction.",
+        "Three or more recesses, four or more for a spindle.",
+    ),
+    "W317": Explanation(
+        "Unequal lands by strips",
+        "Closed forms are for lands of equal width; strips without corners were used.",
+        "Choose `method: film`.",
+    ),
+    "W318": Explanation(
+        "Short recess",
+        "Closed forms of the rectangle are off by up to 0.5 % where the recess is shorter than two land widths.",
+        "Choose `method: film`.",
+    ),
+    "W319": Explanation(
+        "Lumped lands",
+        "The quick method lumps the lands: stiffness of a four-recess journal bearing is some 3 % low, flow "
+        "5 % high, damping too low.",
+        "Choose `method: film`.",
+    ),
+    "W320": Explanation(
+        "Pockets feed each other",
+        "Several pockets on one pump without restrictors: the first that lifts takes the oil of the others.",
+        "A flow divider, or a restrictor for every pocket.",
+    ),
+    "W321": Explanation(
+        "Rough closed form",
+        "Jacking pockets by strips: pressure and flow are estimates, good to a factor of two at small gaps.",
+        "Choose `method: film`.",
+    ),
     # -- no solution --------------------------------------------------------------------------------------------
     "S001": Explanation(
         "No film can carry the load",
@@ -460,6 +574,18 @@ EXPLANATIONS: dict[str, Explanation] = {
         "A larger clearance (the fold clearance says from where), a larger face gap, a shallower groove or a "
         "lower "
         "speed; `method: narrow_groove` has a steady state for every clearance.",
+    ),
+    "S301": Explanation(
+        "Unstable recess network",
+        "A valve lets in more oil with rising pressure than the lands let out: the recess pressures run "
+        "away, and no state is reported.",
+        "Lower the gain of the valve, or limit it by its open ports.",
+    ),
+    "S302": Explanation(
+        "Starved recess",
+        "A recess would stand below the pressure at which oil cavitates: the film drags out more oil than "
+        "the restrictor lets in.",
+        "A wider restrictor, more supply pressure, less speed or eccentricity.",
     ),
     # -- checks of the design -----------------------------------------------------------------------------------
     "C101": Explanation(
@@ -547,5 +673,25 @@ EXPLANATIONS: dict[str, Explanation] = {
         "drains the rim "
         "and the state is stable, as long as things change slowly; a negative one feeds it.",
         "Design for the stable state; see the plot of the steady states over the clearance.",
+    ),
+    "C201": Explanation(
+        "Least gap",
+        "The smallest gap against the least that the case allows.",
+        "More supply pressure, more recess area, or a stiffer restrictor.",
+    ),
+    "C202": Explanation(
+        "Load against its limit",
+        "The load against the force of the film at the least gap allowed.",
+        "More supply pressure or recess area.",
+    ),
+    "C203": Explanation(
+        "Supply pressure",
+        "The supply pressure against what the pump can hold.",
+        "Another pump or wider restrictors.",
+    ),
+    "C204": Explanation(
+        "Jacking pressure",
+        "Breakaway and lifting pressure against the relief valve of the pump.",
+        "A higher relief setting or a larger pocket.",
     ),
 }

@@ -21,6 +21,8 @@ class Outcome(Enum):
     NO_CLEARANCE = "the clearance closes at operating temperature"
     NO_LUBRICANT_DATA = "the lubricant data do not reach the temperature of the film"
     NO_STEADY_STATE = "no steady state exists"
+    UNSTABLE_NETWORK = "the flow network of the recesses has no stable state"
+    STARVED_RECESS = "a recess is starved of oil"
     NOT_CONVERGED = "the iteration ended without meeting its tolerance"
     OUTSIDE_CLEARANCE = "the prescribed position lies outside the clearance"
     SQUEEZED_OUT = "the changing load squeezes the film out"
@@ -47,6 +49,8 @@ _OUTCOME_CODES = {
     "SQUEEZED_OUT": "S007",
     "NOT_PERIODIC": "S008",
     "NO_STEADY_STATE": "S020",
+    "UNSTABLE_NETWORK": "S301",
+    "STARVED_RECESS": "S302",
 }
 
 

@@ -6,9 +6,12 @@ from dataclasses import dataclass
 
 from babbitt import __version__
 from babbitt.bearings.model import FilmCase
-from babbitt.cases import Case, JournalCase, Machine, OverhungCouplingCase, ScrewHeelCase, case_hash, design_cases
+from babbitt.cases import Case, OverhungCouplingCase, case_hash, design_cases
 from babbitt.cases.build import AnyDesign, EveryDesign
+from babbitt.cases.case_file import CaseFile
 from babbitt.footstep.case import HeelCase
+from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.results import Outcome, Result
 from babbitt.segments.model import SegmentCase
@@ -25,7 +28,7 @@ class MachineResult:
     name : str
     results : tuple of Result
         One per bearing, operating point and clearance.
-    design_cases : tuple of DesignCase, FilmCase or HeelCase
+    design_cases : tuple of EveryDesign
         What each result was computed from, in the same order; empty for kinds without a film.
     case_hash : str
         SHA-256 of the validated case.
@@ -81,7 +84,7 @@ def solve(case: Case) -> MachineResult:
     TypeError
         If `case` is not a case, such as the path of its file.
     """
-    if not isinstance(case, JournalCase | Machine | OverhungCouplingCase | ScrewHeelCase):
+    if not isinstance(case, CaseFile):
         given = type(case).__name__
         raise TypeError(
             f"solve takes a case, not {given}; read one with babbitt.load_case(path) or parse_case(text)"
@@ -108,7 +111,7 @@ def solve_every(design: EveryDesign) -> tuple[Result, ...]:
 
     Parameters
     ----------
-    design : DesignCase, FilmCase or HeelCase
+    design : EveryDesign
 
     Returns
     -------
@@ -126,7 +129,7 @@ def solve_design(design: AnyDesign) -> Result:
 
     Parameters
     ----------
-    design : DesignCase, FilmCase, LongFilmCase or SegmentCase
+    design : AnyDesign
 
     Returns
     -------
@@ -144,6 +147,11 @@ def solve_design(design: AnyDesign) -> Result:
         from babbitt.segments.check import segments_check
 
         return segments_check(design)
+    if isinstance(design, HydrostaticCase | JackingCase):
+        from babbitt.hydrostatics.check import hydrostatic_check
+        from babbitt.hydrostatics.jacking import jacking_check
+
+        return jacking_check(design) if isinstance(design, JackingCase) else hydrostatic_check(design)
     return iso7902_check(design)
 
 

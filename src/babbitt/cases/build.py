@@ -12,21 +12,26 @@ from babbitt.cases.film_cases import film_case
 from babbitt.cases.iso7902_cases import iso7902_case
 from babbitt.cases.joined_inputs import Inputs, Point, inputs
 from babbitt.cases.journal import JournalBearing
-from babbitt.cases.machine import Case, JournalCase, Machine
+from babbitt.cases.machine import Case, HydrostaticBearing, JournalCase, Machine
 from babbitt.cases.one_dimension_cases import long_film_case, segment_case
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.part import Part
 from babbitt.cases.screw_heel import ScrewHeelCase, heel_cases
 from babbitt.footstep.case import HeelCase
+from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.segments.model import SegmentCase
 from babbitt.standards.iso7902.model import DesignCase
 
-AnyDesign = DesignCase | FilmCase | LongFilmCase | SegmentCase
-"""What a method computes: the design case of ISO 7902, of the film, of the long film, or of the segments."""
+JournalDesign = DesignCase | FilmCase | LongFilmCase | SegmentCase
+"""A journal bearing by one method: ISO 7902, the film, the long film, or the segments."""
+
+AnyDesign = JournalDesign | HydrostaticCase | JackingCase
+"""What a method computes and has one answer."""
 
 EveryDesign = AnyDesign | HeelCase
-"""The same, and the heel of a footstep."""
+"""The same, and the heel of a footstep, which may have several steady states."""
 
 DesignT = TypeVar("DesignT")
 
@@ -39,7 +44,7 @@ def design_cases(case: Case) -> tuple[EveryDesign, ...]:
 
     Parameters
     ----------
-    case : JournalCase, Machine or OverhungCouplingCase
+    case : Case
 
     Returns
     -------
@@ -49,10 +54,12 @@ def design_cases(case: Case) -> tuple[EveryDesign, ...]:
     """
     if isinstance(case, ScrewHeelCase):
         return heel_cases(case)
+    if isinstance(case, HydrostaticBearing):
+        return (case.design(),)
     return tuple(design for bearing in bearings_of(case) for design in design_cases_of(bearing, case))
 
 
-def design_cases_of(bearing: JournalBearing, case: Case) -> tuple[AnyDesign, ...]:
+def design_cases_of(bearing: JournalBearing, case: Case) -> tuple[JournalDesign, ...]:
     """Design cases of one bearing of a case, by the method that it names."""
     match bearing.method:
         case "film":
@@ -102,7 +109,7 @@ def case_hash(case: Case) -> str:
 
     Parameters
     ----------
-    case : JournalCase, Machine or OverhungCouplingCase
+    case : Case
 
     Returns
     -------
@@ -132,7 +139,7 @@ def _rounded(value: Any) -> Any:
 
 
 def _expanded(bearing: JournalBearing, case: Case, make: Maker[DesignT]) -> Iterator[DesignT]:
-    if isinstance(case, OverhungCouplingCase | ScrewHeelCase):
+    if isinstance(case, OverhungCouplingCase | ScrewHeelCase | HydrostaticBearing):
         return
     joined = inputs(bearing, case)
     relative = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter)

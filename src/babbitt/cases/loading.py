@@ -11,6 +11,8 @@ from pydantic import ValidationError
 from babbitt.cases.bore_file import TableError, with_tables
 from babbitt.cases.displacement_file import with_displacements
 from babbitt.cases.document import DocumentError, Node, read_document
+from babbitt.cases.hydrostatic import HydrostaticJournalCase, HydrostaticPadCase, HydrostaticThrustRingCase
+from babbitt.cases.jacking import JackingPocketCase
 from babbitt.cases.machine import Case, JournalCase, Machine
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.plain_words import Path, nearest, shown
@@ -28,6 +30,10 @@ KINDS: Mapping[str, type[Case]] = {
     "machine": Machine,
     "overhung_coupling": OverhungCouplingCase,
     "screw_heel": ScrewHeelCase,
+    "hydrostatic_pad": HydrostaticPadCase,
+    "hydrostatic_thrust_ring": HydrostaticThrustRingCase,
+    "hydrostatic_journal": HydrostaticJournalCase,
+    "jacking_pocket": JackingPocketCase,
 }
 """What a file can hold, by its `kind`."""
 
@@ -42,7 +48,7 @@ def load_case(path: str | FilePath) -> Case:
 
     Returns
     -------
-    JournalCase, Machine, OverhungCouplingCase or ScrewHeelCase
+    Case
 
     Raises
     ------
@@ -77,7 +83,8 @@ def parse_case(text: str, name: str = "<text>") -> Case:
     >>> parse_case("kind: jurnal", "a.yaml")
     Traceback (most recent call last):
     babbitt.cases.problems.CaseError: a.yaml:1: kind: 'jurnal' is not a kind of case; allowed: journal, machine,
-    overhung_coupling, screw_heel; did you mean 'journal'? [E003]
+    overhung_coupling, screw_heel, hydrostatic_pad, hydrostatic_thrust_ring, hydrostatic_journal,
+    jacking_pocket; did you mean 'journal'? [E003]
     """
     return _parsed(text, name, FilePath())
 

@@ -10,6 +10,8 @@ from pydantic import Discriminator, Field
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.completeness import complaints_about
 from babbitt.cases.fields import Name, Prose
+from babbitt.cases.hydrostatic import HydrostaticJournalCase, HydrostaticPadCase, HydrostaticThrustRingCase
+from babbitt.cases.jacking import JackingPocketCase
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.part import Complaint, as_far_as_usable, rule
@@ -63,7 +65,10 @@ class Machine(SharedInputs, CaseFile):
         yield from told.values()
 
 
-Case = JournalCase | Machine | OverhungCouplingCase | ScrewHeelCase
+HydrostaticBearing = HydrostaticPadCase | HydrostaticThrustRingCase | HydrostaticJournalCase | JackingPocketCase
+"""Bearings that oil under pressure carries."""
+
+Case = JournalCase | Machine | OverhungCouplingCase | ScrewHeelCase | HydrostaticBearing
 """What a file can hold."""
 
 AnyCase = Annotated[Case, Discriminator("kind")]

@@ -9,11 +9,14 @@ from typing import Any
 from babbitt.bearings.model import FilmCase
 from babbitt.cases.build import EveryDesign
 from babbitt.footstep.case import HeelCase
+from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.notices import EXPLANATIONS
 from babbitt.quantities import QUANTITIES
 from babbitt.report import findings
 from babbitt.report import verdict as judge
+from babbitt.report.bearing_table import matrix_entries
 from babbitt.report.calculation import Section, calculation
 from babbitt.report.chapters import Chapter, Member
 from babbitt.report.check_content import check_content, compared_checks, solved_checks, sources_of
@@ -24,6 +27,7 @@ from babbitt.report.figures import clearance_range, draw
 from babbitt.report.film_figures import report_figures
 from babbitt.report.heel_calculation import heel_calculation
 from babbitt.report.heel_figures import heel_figures
+from babbitt.report.hydrostatic_figures import hydrostatic_figures
 from babbitt.report.inputs import inputs
 from babbitt.report.labels import label
 from babbitt.report.line import Line
@@ -89,6 +93,7 @@ KEY_RESULTS = (
 METHODS = {
     "iso7902": "ISO 7902",
     "film": "Film in two dimensions",
+    "quick": "Closed forms",
     "statics": "Statics of the shaft",
     "superposition": "Groove beside a slit (equations of the study, corrected)",
     "narrow_groove": "Narrow-groove theory",
@@ -131,6 +136,8 @@ def bearing_content(chapter: Chapter) -> Data:
             if isinstance(member.case, HeelCase)
             for drawing in heel_figures(member.case, member.result)
         )
+    elif isinstance(case, HydrostaticCase | JackingCase):
+        drawings = hydrostatic_figures(case, result)
     sources = sources_of(chapter.results)
     checks = [check_content(check, sources) for check in solved_checks(result)]
     return {
@@ -206,7 +213,8 @@ def _outcome(member: Member) -> Data:
 
 def _key_results(chapter: Chapter) -> list[Data]:
     result = chapter.shown.result
-    film = "minimum_film_thickness" in result.values
+    hydrostatic = isinstance(chapter.shown_case, HydrostaticCase | JackingCase)
+    film = "minimum_film_thickness" in result.values and not hydrostatic
     every = dict.fromkeys(name for r in chapter.results if r.outcome.solved for name in r.values)
     names = (*KEY_RESULTS, *OWN_RESULTS) if film else tuple(name for name in every if name not in NOT_FOR_PAPER)
     if film and not is_fed(result):
@@ -226,7 +234,35 @@ def _key_results(chapter: Chapter) -> list[Data]:
                     "unit": quantity.display.label,
                 }
             )
+    return rows + _recess_rows(result)
+
+
+def _recess_rows(result: Result) -> list[Data]:
+    """Pressure, ratio and flow of every recess where there are several, then coefficients over frequency."""
+    rows = []
+    several = len(result.arrays.get("recess_pressure", ((),))[0]) > 1
+    for name in ("recess_pressure", "pressure_ratio", "restrictor_flow") if several else ():
+        what = {"recess_pressure": "pressure", "pressure_ratio": "pressure ratio", "restrictor_flow": "flow"}[name]
+        for place, value in enumerate(result.arrays[name][0], start=1):
+            rows.append(_single_row(name, f"Recess {place}, {what}", value, str(place)))
+    for name, said in (("dynamic_stiffness", "Stiffness"), ("dynamic_damping", "Damping")):
+        for place, at in enumerate(result.arrays.get("dynamic_frequency", ((),))[0]):
+            hertz = f"{QUANTITIES['dynamic_frequency'].shown(at):.6g}"
+            values = result.arrays[name][place]
+            for index, entry in matrix_entries(len(values)).items():
+                rows.append(_single_row(name, f"{said} at {hertz} Hz", values[entry], index.removeprefix("_")))
     return rows
+
+
+def _single_row(name: str, said: str, value: float, index: str) -> Data:
+    quantity = QUANTITIES[name]
+    symbol = f"{quantity.symbol.partition('_')[0]}_{index}" if index else quantity.symbol
+    return {
+        "label": said,
+        "symbol": symbol_node(symbol),
+        "values": [quantity.format(value)],
+        "unit": quantity.display.label,
+    }
 
 
 def _line(line: Line) -> Data:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import product
 from typing import Any
 
 from rich import box
@@ -43,7 +44,65 @@ def bearing_table(result: Result) -> RenderableType:
         quantity = QUANTITIES.get(name)
         if quantity is not None and math.isfinite(value) and name != "wall_time":
             table.add_row(quantity.meaning, quantity.symbol, quantity.format(value), quantity.display.label)
-    return Group(heading, table, *([_checks(result.checks)] if result.checks else []))
+    return Group(
+        heading,
+        table,
+        *_recesses(result),
+        *_frequencies(result),
+        *([_checks(result.checks)] if result.checks else []),
+    )
+
+
+def _recesses(result: Result) -> list[Table]:
+    """One row a recess; none where there is one recess or no such thing."""
+    names = ("recess_pressure", "pressure_ratio", "restrictor_flow")
+    if not all(name in result.arrays and len(result.arrays[name][0]) > 1 for name in names):
+        return []
+    table = engineers_table()
+    table.add_column("recess", justify="right")
+    for name in names:
+        quantity = QUANTITIES[name]
+        unit = f" {quantity.display.label}" if quantity.display.label else ""
+        table.add_column(f"{quantity.symbol}{unit}", justify="right", no_wrap=True)
+    columns = [result.arrays[name][0] for name in names]
+    for place, row in enumerate(zip(*columns, strict=True), start=1):
+        table.add_row(
+            str(place), *(QUANTITIES[name].format(value) for name, value in zip(names, row, strict=True))
+        )
+    return [table]
+
+
+def _frequencies(result: Result) -> list[Table]:
+    """Stiffness and damping at the frequencies asked for, one row each."""
+    if "dynamic_frequency" not in result.arrays:
+        return []
+    frequency, stiffness, damping = (QUANTITIES[f"dynamic_{one}"] for one in ("frequency", "stiffness", "damping"))
+    table = engineers_table()
+    table.add_column(f"frequency {frequency.display.label}", justify="right")
+    shown = matrix_entries(len(result.arrays["dynamic_stiffness"][0]))
+    for quantity, letter in ((stiffness, "K"), (damping, "C")):
+        for name in shown:
+            table.add_column(f"{letter}{name} {quantity.display.label}", justify="right", no_wrap=True)
+    for place, at in enumerate(result.arrays["dynamic_frequency"][0]):
+        cells = [
+            f"{quantity.shown(result.arrays[quantity.name][place][entry]):.5g}"
+            for quantity in (stiffness, damping)
+            for entry in shown.values()
+        ]
+        table.add_row(frequency.format(at), *cells)
+    return [table]
+
+
+def matrix_entries(size: int) -> dict[str, int]:
+    """Subscripts and places of a matrix written row by row; of a ring, in z and two tilts, the diagonal alone.
+
+    >>> matrix_entries(1), matrix_entries(4)
+    ({'': 0}, {'_xx': 0, '_xy': 1, '_yx': 2, '_yy': 3})
+    """
+    if size == 9:
+        return {"_zz": 0, "_φx": 4, "_φy": 8}
+    axes = "xy" if size == 4 else ""
+    return {f"_{one}{two}": place for place, (one, two) in enumerate(product(axes, axes))} or {"": 0}
 
 
 def _checks(checks: Sequence[Check]) -> RenderableType:

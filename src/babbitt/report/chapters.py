@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
 from babbitt.footstep.case import HeelCase
+from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.report.names import split_clearance
 from babbitt.results import Result
@@ -108,6 +110,8 @@ def _without_clearance(case: EveryDesign) -> EveryDesign:
         return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
     if isinstance(case, SegmentCase):
         return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
+    if isinstance(case, HydrostaticCase | JackingCase):
+        return case
     return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
 
 

@@ -6,10 +6,14 @@ from babbitt import __version__
 from babbitt.bearings.bore import WornBore
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case, design_cases
+from babbitt.cases.build import EveryDesign
 from babbitt.film.model import Cavitation
 from babbitt.footstep.case import HeelCase
 from babbitt.footstep.states import Method
+from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
+from babbitt.lubricants import Lubricant
 from babbitt.segments.model import SegmentCase
 from babbitt.standards.iso7902.model import Curves, DesignCase
 
@@ -91,7 +95,20 @@ def citations_of(case: Case) -> tuple[str, ...]:
         found.append(KIRICHENKO)
     if any(heel.method is Method.NARROW_GROOVE for heel in heels):
         found.append(NARROW_GROOVE)
-    journals = [design for design in designs if not isinstance(design, HeelCase)]
-    oils = {design.lubricant.name: design.lubricant for design in journals}
+    hydrostatic = [design for design in designs if isinstance(design, HydrostaticCase)]
+    if hydrostatic or any(isinstance(design, JackingCase) for design in designs):
+        found.append(REYNOLDS)
+    oils = {oil.name: oil for oil in map(_oil, designs) if oil is not None}
     found += [f"{oil.name}: {oil.source}" for oil in oils.values()]
     return tuple(found)
+
+
+def _oil(design: EveryDesign) -> Lubricant | None:
+    """The oil of a design, where the case names one rather than a viscosity."""
+    match design:
+        case HeelCase() | JackingCase():
+            return None
+        case HydrostaticCase():
+            return design.oil.lubricant
+        case _:
+            return design.lubricant

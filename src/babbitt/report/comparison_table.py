@@ -49,6 +49,36 @@ COMPARED_HEELS = (
 )
 """The same of footsteps."""
 
+HYDROSTATIC = (
+    "load",
+    "gap",
+    "eccentricity_ratio",
+    "attitude_angle",
+    "minimum_film_thickness",
+    "mean_pressure_ratio",
+    "total_flow",
+    "pumping_power",
+    "friction_power",
+    "temperature_rise",
+    "effective_area",
+    "pad_stiffness",
+    "pad_damping",
+    "least_tilt_stiffness",
+    *(f"{name}_{axes}" for name in ("stiffness", "damping") for axes in ("xx", "xy", "yx", "yy")),
+    "load_capacity",
+    "breakaway_pressure",
+    "lying_pressure",
+    "pocket_pressure",
+)
+"""The same of hydrostatic bearings."""
+
+
+def _compared(comparison: Comparison) -> tuple[str, ...]:
+    if comparison.variants[0].result.kind == "screw_heel":
+        return COMPARED_HEELS
+    pumped = {"mean_pressure_ratio", "pocket_pressure"}
+    return HYDROSTATIC if any(pumped & set(one.result.values) for one in comparison.variants) else COMPARED
+
 
 def print_comparison(comparisons: Sequence[Comparison]) -> bool:
     """Print every bearing with its variants side by side; say whether the case as given has a solution."""
@@ -60,8 +90,7 @@ def print_comparison(comparisons: Sequence[Comparison]) -> bool:
         table.add_column("unit")
         for variant in comparison.variants:
             table.add_column(variant.label, justify="right")
-        heels = comparison.variants[0].result.kind == "screw_heel"
-        for name in COMPARED_HEELS if heels else COMPARED:
+        for name in _compared(comparison):
             if not any(name in variant.result.values for variant in comparison.variants):
                 continue
             quantity = QUANTITIES[name]

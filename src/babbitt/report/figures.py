@@ -10,12 +10,15 @@ from typing import TYPE_CHECKING
 from babbitt.bearings.model import FilmCase
 from babbitt.cases.build import EveryDesign
 from babbitt.footstep.case import HeelCase
+from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.notices import InputError
 from babbitt.report import painters
 from babbitt.report.drawing import FORMATS, Drawing, rendered, style
 from babbitt.report.film_figures import all_figures
 from babbitt.report.heel_figures import heel_figures
+from babbitt.report.hydrostatic_figures import hydrostatic_figures
 from babbitt.report.one_dimension_figures import figures_along_the_film
 from babbitt.report.writing import write_whole
 from babbitt.results import Result
@@ -124,6 +127,8 @@ def _all_of(case: EveryDesign, result: Result, image_format: str) -> tuple[Drawi
         return figures_along_the_film(case, result, image_format)
     if isinstance(case, HeelCase):
         return heel_figures(case, result, image_format)
+    if isinstance(case, HydrostaticCase | JackingCase):
+        return hydrostatic_figures(case, result, image_format)
     return draw(case, result, clearance_range(case), image_format)
 
 

@@ -7,10 +7,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from babbitt.bearings.model import FilmCase
-from babbitt.cases.build import AnyDesign, EveryDesign
+from babbitt.cases.build import EveryDesign, JournalDesign
 from babbitt.design.conditions import GivenPosition
 from babbitt.design.ducts import Duct
 from babbitt.footstep.case import HeelCase
+from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, PowerLaw, Vogel, Walther
 from babbitt.report.expression import Node, number_node, text
@@ -23,6 +25,7 @@ from babbitt.report.film_inputs import (
     said_of_step,
 )
 from babbitt.report.heel_words import heel_inputs
+from babbitt.report.hydrostatic_inputs import groups as hydrostatic_inputs
 from babbitt.report.labels import label
 from babbitt.report.line import VOCABULARY, symbol
 from babbitt.report.one_dimension import said_of
@@ -86,7 +89,7 @@ def inputs(case: EveryDesign) -> tuple[InputGroup, ...]:
 
     Parameters
     ----------
-    case : DesignCase, FilmCase or HeelCase
+    case : EveryDesign
 
     Returns
     -------
@@ -98,8 +101,11 @@ def inputs(case: EveryDesign) -> tuple[InputGroup, ...]:
             (title, tuple(Row(what, value, None, unit) for what, value, unit in rows))
             for title, rows in heel_inputs(case)
         )
-        groups = (_as_given(case), *(InputGroup(title, rows) for title, rows in said))
-        return tuple(group for group in groups if group.rows)
+        found = (_as_given(case), *(InputGroup(title, rows) for title, rows in said))
+        return tuple(group for group in found if group.rows)
+    if isinstance(case, HydrostaticCase | JackingCase):
+        found = (_as_given(case), *_hydrostatic(case))
+        return tuple(group for group in found if group.rows)
     if isinstance(case, LongFilmCase | SegmentCase):
         geometry, method = _one_dimension_geometry(case), _one_dimension_method(case)
     elif isinstance(case, FilmCase):
@@ -122,6 +128,11 @@ def inputs(case: EveryDesign) -> tuple[InputGroup, ...]:
 
 def _as_given(case: EveryDesign) -> InputGroup:
     return InputGroup("As given", tuple(Row(plain_text(what), plain_text(words)) for what, words in case.given))
+
+
+def _hydrostatic(case: HydrostaticCase | JackingCase) -> Iterator[InputGroup]:
+    for title, rows in hydrostatic_inputs(case):
+        yield InputGroup(title, tuple(Row(what, plain_text(value), None, unit) for what, value, unit in rows))
 
 
 def _named(name: str, value: float, given_label: str = "") -> Row:
@@ -216,7 +227,7 @@ def _film_method(case: FilmCase) -> Iterator[Row]:
         yield _named("friction_factor", case.friction_factor)
 
 
-def _operation(case: AnyDesign) -> Iterator[Row]:
+def _operation(case: JournalDesign) -> Iterator[Row]:
     if isinstance(case.duty, GivenEccentricity):
         yield _named("eccentricity_ratio", case.duty.eccentricity_ratio, "Prescribed eccentricity e/c")
         if case.duty.attitude_angle is not None:
@@ -244,7 +255,7 @@ def _operation(case: AnyDesign) -> Iterator[Row]:
         yield _named("effective_temperature", case.effective_temperature, "Prescribed effective temperature")
 
 
-def _lubricant(case: AnyDesign) -> Iterator[Row]:
+def _lubricant(case: JournalDesign) -> Iterator[Row]:
     oil = case.lubricant
     yield Row("Name", plain_text(oil.name))
     yield Row("Viscosity law", LAWS.get(type(oil.viscosity_law), type(oil.viscosity_law).__name__))
@@ -262,7 +273,7 @@ def _lubricant(case: AnyDesign) -> Iterator[Row]:
     yield Row("Source", plain_text(oil.source))
 
 
-def _supply(case: AnyDesign) -> Iterator[Row]:
+def _supply(case: JournalDesign) -> Iterator[Row]:
     supply = case.oil_supply
     if supply is None:
         return
@@ -283,21 +294,21 @@ def _duct(duct: Duct) -> str:
     return said if duct.number == 1.0 else f"{duct.number:.4g} × ({said})"
 
 
-def _cooling(case: AnyDesign) -> Iterator[Row]:
+def _cooling(case: JournalDesign) -> Iterator[Row]:
     if case.cooling is not None:
         yield _named("ambient_temperature", case.cooling.ambient_temperature)
         yield _named("heat_transfer_coefficient", case.cooling.heat_transfer_coefficient)
         yield _named("cooling_surface", case.cooling.surface)
 
 
-def _surfaces(case: AnyDesign) -> Iterator[Row]:
+def _surfaces(case: JournalDesign) -> Iterator[Row]:
     surfaces = case.bearing.surfaces
     if surfaces is not None:
         for name, value in vars(surfaces).items():
             yield _named(name, value)
 
 
-def _material(case: AnyDesign) -> Iterator[Row]:
+def _material(case: JournalDesign) -> Iterator[Row]:
     metal = case.bearing.metal
     if metal is not None:
         yield Row("Bearing metal", plain_text(metal.name))
@@ -316,7 +327,7 @@ def _method(case: DesignCase) -> Iterator[Row]:
         yield _named("friction_factor", case.friction_factor)
 
 
-def _limits(case: AnyDesign) -> Iterator[Row]:
+def _limits(case: JournalDesign) -> Iterator[Row]:
     limits = case.limits
     for name, value, said in (
         ("minimum_film_thickness", limits.minimum_film_thickness, "Least film thickness set"),

@@ -9,6 +9,7 @@ from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case
 from babbitt.cases.build import bearings_of, design_cases_of, film_cases, iso7902_cases
 from babbitt.cases.journal import JournalBearing
+from babbitt.cases.machine import HydrostaticBearing
 from babbitt.cases.one_dimension import METHODS
 from babbitt.cases.screw_heel import ScrewHeelCase
 from babbitt.film.model import Cavitation, FilmStart
@@ -84,12 +85,25 @@ def compare_methods(case: Case) -> tuple[Comparison, ...]:
     if isinstance(case, ScrewHeelCase):
         heels = (Variant(heel.label, heel.remark, heel.result) for heel in compare_heels(case))
         return (Comparison(case.name, tuple(heels)),)
+    if isinstance(case, HydrostaticBearing):
+        return (_hydrostatic(case),)
     bearings = bearings_of(case)
     if not bearings:
         raise InputError(
             "E004", f"{case.name}: a case of kind {case.kind!r} has no film; there is nothing to compare"
         )
     return tuple(found for bearing in bearings for found in _compared(bearing, case))
+
+
+def _hydrostatic(case: HydrostaticBearing) -> Comparison:
+    design = case.design()
+    remarks = {
+        "film": "sees corners, interaction and rupture; assumes one viscosity for the whole film",
+        "quick": "closed forms and lumped lands; neglects corners of unequal lands and squeeze between recesses",
+    }
+    ordered = dict.fromkeys((design.method, *remarks))
+    found = [Variant(method, remarks[method], solve_design(replace(design, method=method))) for method in ordered]
+    return Comparison(design.name, tuple(found))
 
 
 def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:

@@ -179,7 +179,8 @@ _ALL = (
         "1/Pa",
         "a coefficient of viscosity and pressure",
         "20 1/GPa",
-        {"1/Pa": 1.0, "Pa-1": 1.0, "1/GPa": 1e-9, "GPa-1": 1e-9, "1/MPa": 1e-6, "m2/N": 1.0, "mm2/N": 1e-6},
+        {"1/Pa": 1.0, "Pa-1": 1.0, "1/GPa": 1e-9, "GPa-1": 1e-9, "1/MPa": 1e-6, "1/bar": 1e-5}
+        | {"m2/N": 1.0, "mm2/N": 1e-6},
     ),
     Kind(
         "kg/(m3 K)",
@@ -195,6 +196,13 @@ _ALL = (
     ),
     # Not a temperature: 10 K and 10 degC are the same difference, and no offset may creep in.
     Kind("K difference", "a temperature difference", "900 K", {"K": 1.0}, open_to_pint=False),
+    Kind("N m", "a moment", "200 N m", {"N m": 1.0, "kN m": 1e3}),
+    Kind(
+        "m3/(s Pa)",
+        "a conductance",
+        "0.06 L/(min MPa)",
+        {"L/(min MPa)": 1e-9 / 60.0, "L/(min bar)": 1e-8 / 60.0, "m3/(s Pa)": 1.0, "cm3/(s MPa)": 1e-12},
+    ),
     Kind("W", "a power", "31 kW", {"kW": 1e3, "W": 1.0, "MW": 1e6}),
     Kind(
         "1",

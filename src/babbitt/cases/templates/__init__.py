@@ -12,6 +12,10 @@ _KINDS = {
     "machine": "several bearings that share oil and supply, ISO 7902",
     "overhung_coupling": "load share of two bearings with an overhung coupling",
     "screw_heel": "footstep of a pump's screw, smooth or grooved heel",
+    "hydrostatic_pad": "hydrostatic pad with one recess: round, annular, rectangular",
+    "hydrostatic_thrust_ring": "hydrostatic thrust ring with several recesses and tilt",
+    "hydrostatic_journal": "recessed journal bearing, hydrostatic or hybrid",
+    "jacking_pocket": "jacking pockets that lift a shaft before it turns",
 }
 
 
@@ -19,7 +23,8 @@ def kinds() -> Mapping[str, str]:
     """Give the kinds of case and what each describes.
 
     >>> list(kinds())
-    ['journal', 'machine', 'overhung_coupling', 'screw_heel']
+    ['journal', 'machine', 'overhung_coupling', 'screw_heel', 'hydrostatic_pad',
+    'hydrostatic_thrust_ring', 'hydrostatic_journal', 'jacking_pocket']
     """
     return dict(_KINDS)
 

@@ -1,0 +1,67 @@
+"""Jacking pockets of a plain journal bearing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from babbitt.cases.case_file import CaseFile
+from babbitt.cases.fields import Name, Prose
+from babbitt.cases.hydrostatic import Gap, Length, Load, RecessRow
+from babbitt.cases.own_lubricant import DynamicViscosity
+from babbitt.cases.part import Complaint, refused, rule
+from babbitt.cases.restrictors import FlowRate, SupplyPressure
+from babbitt.hydrostatics.geometry import RecessedJournal
+from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.units import si
+
+
+class JackingPocketCase(CaseFile):
+    """Pockets that lift a shaft before it turns."""
+
+    kind: Literal["jacking_pocket"] = Field(description="Jacking pockets of a plain journal bearing at rest.")
+    name: Name = Field(description="Name of the bearing.")
+    method: Literal["film", "quick"] = Field("film", description="The film in two dimensions, or strips.")
+    accuracy: Literal["draft", "engineering", "reference"] = Field("engineering", description="Grid of the film.")
+    diameter: Length = Field(description="Bore.")
+    width: Length = Field(description="Width of the bearing.")
+    radial_clearance: Gap = Field(description="Radial clearance.")
+    pockets: RecessRow = Field(description="The pockets; the load acts at -90 deg.")
+    pocket_length: Length = Field(description="Axial length of the pockets.")
+    viscosity: DynamicViscosity = Field(description="Viscosity of the cold oil.")
+    load: Load = Field(description="Weight of the shaft on this bearing.")
+    lift_gap: Gap | None = Field(None, description="Wanted smallest gap.")
+    pump_flow: FlowRate | None = Field(None, description="Flow of the jacking pump, all pockets together.")
+    relief_pressure: SupplyPressure | None = Field(None, description="Relief valve of the jacking pump.")
+    pump_efficiency: Annotated[float, si("1", "0.05", "1")] = Field(0.8, description="Efficiency of the pump.")
+    roughness: Annotated[float, si("m", "0.05 um", "50 um")] = Field(
+        1e-6, description="Composite roughness height, on which the shaft lies. 1 um is an assumption."
+    )
+    own_restrictors: bool = Field(
+        True, description="Whether every pocket has a restrictor or its stage of a flow divider."
+    )
+    assumptions: tuple[Prose, ...] = Field(
+        (), max_length=100, description="Assumptions to be shown in the report."
+    )
+    notes: Prose = Field("", description="Notes to be shown in the report.")
+    source: Prose = Field("", description="Where the numbers come from.")
+
+    @rule
+    def _can_be_made(self) -> Iterator[Complaint]:
+        yield from refused((), self.design)
+
+    def design(self) -> JackingCase:
+        """Give the case of the calculation."""
+        row = self.pockets
+        bearing = RecessedJournal(
+            self.diameter, self.width, self.radial_clearance, row.middles, row.extent, self.pocket_length,
+            row.drain_groove,
+        )  # fmt: skip
+        assumed = () if "roughness" in self.model_fields_set else ("Composite roughness height 1 µm.",)
+        return JackingCase(
+            self.name, self.method, bearing, self.viscosity, self.load, self.lift_gap, self.pump_flow,
+            self.relief_pressure, self.roughness, self.pump_efficiency, self.accuracy, self.own_restrictors,
+            assumptions=(*self.assumptions, *assumed),
+        )  # fmt: skip

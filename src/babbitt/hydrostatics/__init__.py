@@ -1,0 +1,1 @@
+"""Recessed hydrostatic and hybrid bearings: pads, thrust rings, journal bearings, jacking pockets."""

@@ -1,0 +1,194 @@
+"""Position, pressures and derivatives of a bearing, by the quick method or by its film."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.design.roots import bracketed_root
+from babbitt.film.recess import RecessResponse, RecessSurface
+from babbitt.hydrostatics.closed_forms import lands_of
+from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad, ThrustRing
+from babbitt.hydrostatics.lines import DRAFT, ENGINEERING, REFERENCE, Grid
+from babbitt.hydrostatics.lumped import Lumps, journal_lumps, lumped_at, lumped_under, ring_lumps
+from babbitt.hydrostatics.model import HydrostaticCase
+from babbitt.hydrostatics.network import NetworkState
+from babbitt.hydrostatics.single_recess import gap_under, pad_at
+from babbitt.hydrostatics.state import Ending, RecessState, rest_under, state_at
+from babbitt.hydrostatics.surfaces import FilmOil, journal_surface, pad_surface, ring_surface
+
+__all__ = ["GRIDS", "Answer", "answer", "answer_at", "load_vector"]
+
+Array = NDArray[np.float64]
+GRIDS = {"draft": DRAFT, "engineering": ENGINEERING, "reference": REFERENCE}
+THINNEST = 0.01
+"""Of the gap at rest: where a search gives up."""
+MOST_OPEN, LEAST_OPEN = 2e-3, 5e-7
+"""Gaps between which that of a pad is sought, m."""
+
+
+@dataclass(frozen=True, eq=False)
+class Answer:
+    """State of a bearing.
+
+    Attributes
+    ----------
+    response : RecessResponse
+    network : NetworkState
+    at : ndarray, shape (motions,)
+        Journal: x, y. Pads: z from ``rest_gap``, and tilts.
+    rest_gap : float
+        m.
+    ending : Ending
+    minimum_gap : float
+        m.
+    steps : int
+    carried : float
+        Share of the load that was found to be carried, of an overloaded bearing.
+    film : RecessState or None
+        None by the quick method.
+    """
+
+    response: RecessResponse
+    network: NetworkState
+    at: Array
+    rest_gap: float
+    ending: Ending
+    minimum_gap: float
+    steps: int
+    carried: float = 0.0
+    film: RecessState | None = None
+
+
+def load_vector(case: HydrostaticCase) -> Array:
+    """Load on the moving part, N and N m; the film's force balances it."""
+    load, duty = case.duty.load or 0.0, case.duty
+    if case.is_journal:
+        return load * np.array([math.cos(duty.load_angle), math.sin(duty.load_angle)])
+    if isinstance(case.shape, RectangularPad):
+        return np.array([-load])
+    return np.array([-load, duty.moments[0], duty.moments[1]])
+
+
+def given_position(case: HydrostaticCase) -> Array:
+    """Position that the case prescribes."""
+    if case.is_journal:
+        return np.array(case.duty.position)
+    return np.zeros(1) if isinstance(case.shape, RectangularPad) else np.array([0.0, *case.duty.tilt])
+
+
+def answer(case: HydrostaticCase) -> Answer:
+    """State of the case: at the position given, or under its load.
+
+    Parameters
+    ----------
+    case : HydrostaticCase
+
+    Returns
+    -------
+    Answer
+    """
+    if case.duty.load is None:
+        return answer_at(case, given_position(case), case.rest_gap)
+    if case.method == "quick":
+        return quick_under(case)
+    gap = case.rest_gap
+    start = np.zeros(load_vector(case).size)
+    if not case.is_journal:
+        gap = quick_gap(case) or case.rest_gap
+    state = rest_under(
+        builder(case, gap), case.feeding, load_vector(case), start, GRIDS[case.accuracy], THINNEST * gap
+    )
+    return of_film(state, gap)
+
+
+def answer_at(case: HydrostaticCase, at: Array, gap: float) -> Answer:
+    """State at a position from a gap at rest."""
+    if case.method == "film":
+        return of_film(state_at(builder(case, gap), case.feeding, at, GRIDS[case.accuracy]), gap)
+    shape = case.shape
+    if isinstance(shape, RecessedJournal | ThrustRing):
+        lumps = lumps_of(case, gap)
+        state = lumped_at(lumps, case.feeding, at)
+        return Answer(state.response, state.network, at, gap, state.ending, lumps.thinnest(at), 1)
+    pad = pad_at(lands_of(shape), case.feeding, case.oil.viscosity, gap + float(at[0]))
+    stable = pad.network.least_eigenvalue(pad.response.conductance) > 1e-12
+    ending = Ending.SOLVED if pad.network.converged else Ending.NOT_CONVERGED
+    return Answer(
+        pad.response, pad.network, at[:1], gap, ending if stable else Ending.UNSTABLE_NETWORK, pad.gap, 1
+    )
+
+
+def of_film(state: RecessState, gap: float) -> Answer:
+    """Answer of a film."""
+    return Answer(
+        state.response, state.network, state.at, gap, state.ending, state.gap, state.steps, state.carried, state
+    )
+
+
+def builder(case: HydrostaticCase, gap: float) -> partial[RecessSurface]:
+    """Grid to surface."""
+    unit = case.feeding.nominal_pressure or 1e6
+    oil = FilmOil(case.oil.viscosity, case.duty.angular_speed, unit, case.cavitation_pressure)
+    shape = case.shape
+    if isinstance(shape, RecessedJournal):
+        return partial(journal_surface, shape, oil)
+    if isinstance(shape, RectangularPad):
+        return partial(pad_surface, shape, gap, oil)
+    return partial(ring_surface, shape, gap, oil)
+
+
+def lumps_of(case: HydrostaticCase, gap: float) -> Lumps:
+    """Lumped lands of a bearing with several recesses."""
+    if isinstance(case.shape, RecessedJournal):
+        return journal_lumps(case.shape, case.oil.viscosity, case.duty.angular_speed)
+    assert isinstance(case.shape, ThrustRing)
+    return ring_lumps(case.shape, gap, case.oil.viscosity, case.duty.angular_speed)
+
+
+def quick_gap(case: HydrostaticCase) -> float:
+    """Gap under the load by closed forms, of a ring as if level; zero where there is none."""
+    shape, load = case.shape, case.duty.load or 0.0
+    assert not isinstance(shape, RecessedJournal)
+    if not isinstance(shape, ThrustRing):
+        found = gap_under(lands_of(shape), case.feeding, case.oil.viscosity, load, LEAST_OPEN)
+        return 0.0 if math.isnan(found) else found
+
+    def excess(log_gap: float) -> float:
+        lumps = lumps_of(case, math.exp(log_gap))
+        return float(lumped_at(lumps, case.feeding, np.zeros(3)).response.force[0]) / load - 1.0
+
+    low, high = math.log(LEAST_OPEN), math.log(MOST_OPEN)
+    return math.exp(bracketed_root(excess, low, high, 1e-10)) if excess(low) > 0.0 > excess(high) else 0.0
+
+
+def quick_under(case: HydrostaticCase) -> Answer:
+    """Equilibrium by closed forms or lumped lands."""
+    shape = case.shape
+    if isinstance(shape, RecessedJournal):
+        lumps = lumps_of(case, shape.clearance)
+        state = lumped_under(lumps, case.feeding, load_vector(case))
+        return Answer(state.response, state.network, state.at, shape.clearance, state.ending,
+                      lumps.thinnest(state.at), 1, state.carried)  # fmt: skip
+    gap = quick_gap(case)
+    if gap == 0.0:
+        least = answer_at(case, np.zeros(load_vector(case).size), LEAST_OPEN)
+        share = float(least.response.force[0]) / (case.duty.load or 1.0)
+        return Answer(least.response, least.network, least.at, LEAST_OPEN, Ending.OVERLOADED, LEAST_OPEN, 1, share)
+    if isinstance(shape, ThrustRing):
+        lumps = lumps_of(case, gap)
+        state = lumped_under(lumps, case.feeding, load_vector(case))
+        return Answer(state.response, state.network, state.at, gap, state.ending, lumps.thinnest(state.at), 1,
+                      state.carried)  # fmt: skip
+    return answer_at(case, np.zeros(3), gap)
+
+
+def coarser(case: HydrostaticCase, found: Answer) -> RecessState:
+    """The film of an answer at the same place on half the lines, for the error estimate."""
+    grid = GRIDS[case.accuracy]
+    half = Grid(grid.per_turn // 2, grid.degree)
+    return state_at(builder(case, found.rest_gap), case.feeding, found.at, half)

@@ -1,0 +1,223 @@
+"""From a case to its result: state, values, doubts, checks."""
+
+from __future__ import annotations
+
+import math
+import time
+from dataclasses import replace
+
+import numpy as np
+
+from babbitt.design.roots import bracketed_root
+from babbitt.hydrostatics.answer import Answer, answer, answer_at, coarser, load_vector
+from babbitt.hydrostatics.friction import friction_power
+from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad, ThrustRing
+from babbitt.hydrostatics.model import HydrostaticCase
+from babbitt.hydrostatics.state import Ending
+from babbitt.hydrostatics.validity import doubts
+from babbitt.hydrostatics.values import arrays, values
+from babbitt.notices import InputError
+from babbitt.results import Bound, Check, Outcome, Result
+
+__all__ = ["hydrostatic_check", "warmed"]
+
+OUTCOMES = {
+    Ending.SOLVED: Outcome.CONVERGED,
+    Ending.OVERLOADED: Outcome.OVERLOADED,
+    Ending.UNSTABLE_NETWORK: Outcome.UNSTABLE_NETWORK,
+    Ending.NOT_CONVERGED: Outcome.NOT_CONVERGED,
+}
+USER = "set in the case"
+MOST_ROUNDS = 60
+
+
+def hydrostatic_check(case: HydrostaticCase) -> Result:
+    """Solve one bearing.
+
+    Parameters
+    ----------
+    case : HydrostaticCase
+
+    Returns
+    -------
+    Result
+        Typed failures: no film can carry the load, unstable recess network, starved recess, no equilibrium.
+
+    Raises
+    ------
+    InputError
+        E101 where a prescribed position leaves no gap, or closed forms do not reach.
+    """
+    begun = time.perf_counter()
+    refuse_contact(case)
+    refuse_short_recess(case)
+    case, found = warmed(case)
+    outcome, message = judged(case, found)
+    settings = {"method": case.method, "accuracy": case.accuracy if case.method == "film" else ""}
+    if outcome is not Outcome.CONVERGED:
+        last = {"supply_pressure": found.network.supply_pressure, "minimum_film_thickness": found.minimum_gap}
+        return Result(
+            case.name, case.kind, case.method, outcome, last, assumptions=case.assumptions, message=message,
+            settings=settings, warnings=case.doubts,
+        )  # fmt: skip
+    named = values(case, found)
+    if case.oil.supply_temperature is not None:
+        named |= {
+            "supply_temperature": case.oil.supply_temperature,
+            "outlet_temperature": case.oil.supply_temperature + named["temperature_rise"],
+        }
+    if case.least_gap is not None:
+        limit = capacity(case)
+        named |= {} if limit is None else {"load_capacity": limit}
+    if found.film is not None and found.film.network.converged:
+        rough = coarser(case, found)
+        size = max(float(np.abs(found.response.force).max()), 1e-300)
+        named["grid_error"] = float(np.abs(rough.response.force - found.response.force).max()) / size / 3.0
+    named |= {"iterations": float(found.steps), "wall_time": time.perf_counter() - begun}
+    return Result(
+        case.name,
+        case.kind,
+        case.method,
+        outcome,
+        named,
+        checks=tuple(checks(case, named)),
+        warnings=(*case.doubts, *doubts(case, found, named)),
+        assumptions=case.assumptions,
+        settings=settings,
+        arrays=arrays(case, found),
+    )
+
+
+def warmed(case: HydrostaticCase) -> tuple[HydrostaticCase, Answer]:
+    """The case with the oil at the temperature of its film, and its state.
+
+    With a lubricant and a supply temperature the film is as warm as the oil leaves it: supply plus the rise by
+    friction and by the pressure lost in it. Fixed point with half steps.
+    """
+    supply = case.oil.supply_temperature
+    if supply is None or case.oil.lubricant is None:
+        return case, answer(case)
+    temperature = supply
+    for _ in range(MOST_ROUNDS):
+        case = replace(case, oil=case.oil.at(temperature))
+        found = answer(case)
+        if found.ending is not Ending.SOLVED:
+            return case, found
+        flow = float(found.network.flows.sum())
+        lost = float(found.network.pressures @ found.network.flows) + friction_power(case, found)
+        wanted = supply + lost / (case.oil.density * case.oil.heat_capacity * flow)
+        if abs(wanted - temperature) < 1e-3:
+            break
+        temperature += 0.5 * (min(wanted, 573.15) - temperature)
+    return case, found
+
+
+def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
+    """How it ended, and for a failure how far it came."""
+    lowest = float(found.network.pressures.min())
+    if found.ending is Ending.SOLVED:
+        if lowest < case.cavitation_pressure:
+            recess = int(found.network.pressures.argmin()) + 1
+            return Outcome.STARVED_RECESS, (
+                f"recess {recess} would stand at {1e-6 * lowest:.3g} MPa, below cavitation; a larger "
+                "restrictor, more "
+                "supply pressure, less speed or less eccentricity keeps it full"
+            )
+        return Outcome.CONVERGED, ""
+    if found.ending is Ending.OVERLOADED:
+        load = case.duty.load or 0.0
+        carried = found.carried * load
+        return Outcome.OVERLOADED, (
+            f"the load is {1e-3 * load:.4g} kN; up to about {1e-3 * carried:.4g} kN were carried "
+            f"({100.0 * found.carried:.0f} %). Raise the supply pressure or the recess area, or widen restrictors"
+        )
+    if found.ending is Ending.UNSTABLE_NETWORK:
+        return Outcome.UNSTABLE_NETWORK, (
+            "the least eigenvalue of the recess network is "
+            f"{found.network.least_eigenvalue(found.response.conductance):.3g} of the largest; a valve opens "
+            "faster "
+            "with pressure than the lands let out: lower its gain"
+        )
+    return Outcome.NOT_CONVERGED, (
+        f"after {found.steps} steps the smallest gap was {1e6 * found.minimum_gap:.3g} µm and "
+        f"{100.0 * found.carried:.0f} % of the load were carried"
+    )
+
+
+def capacity(case: HydrostaticCase) -> float | None:
+    """Load at the least gap that the user allows, N; None where it was not found."""
+    least = case.least_gap or 0.0
+    if isinstance(case.shape, RecessedJournal):
+        return journal_capacity(replace(case, accuracy="draft"), max(case.shape.clearance - least, 0.0))
+    at = np.zeros(1 if isinstance(case.shape, RectangularPad) else 3)
+    state = answer_at(case, at, least)
+    return float(state.response.force[0]) if state.ending is Ending.SOLVED else None
+
+
+def journal_capacity(case: HydrostaticCase, depth: float) -> float | None:
+    """Load in its given direction at an eccentricity: the film pushes straight against it at one attitude."""
+    load = load_vector(case)
+    size = float(np.hypot(*load))
+    angle = math.atan2(load[1], load[0]) if size else -0.5 * math.pi
+    towards = np.array([math.cos(angle), math.sin(angle)])
+    sense = math.copysign(1.0, case.duty.angular_speed)
+
+    def force(attitude: float) -> tuple[float, float]:
+        turned = angle + sense * attitude
+        at = depth * np.array([math.cos(turned), math.sin(turned)])
+        state = answer_at(case, at, case.rest_gap)
+        if state.ending is not Ending.SOLVED:
+            return math.nan, math.nan
+        found = state.response.force
+        return -float(found @ towards), float(towards[0] * found[1] - towards[1] * found[0])
+
+    straight, aside = force(0.0)
+    if case.duty.angular_speed and aside * force(0.5 * math.pi)[1] < 0.0:
+        attitude = bracketed_root(lambda place: force(place)[1], 0.0, 0.5 * math.pi, 1e-3)
+        straight = force(attitude)[0]
+    return straight if math.isfinite(straight) else None
+
+
+def checks(case: HydrostaticCase, named: dict[str, float]) -> list[Check]:
+    """Limits that the user set."""
+    found = []
+    if case.least_gap is not None:
+        gap = named["minimum_film_thickness"]
+        found.append(Check("C201", "minimum_film_thickness", gap, case.least_gap, Bound.AT_LEAST, USER))
+        if case.duty.load is not None and "load_capacity" in named:
+            found.append(Check("C202", "load", named["load"], named["load_capacity"], Bound.AT_MOST,
+                               "film at the least gap allowed"))  # fmt: skip
+    if case.highest_supply_pressure is not None:
+        found.append(Check("C203", "supply_pressure", named["supply_pressure"], case.highest_supply_pressure,
+                           Bound.AT_MOST, USER))  # fmt: skip
+    return found
+
+
+def refuse_contact(case: HydrostaticCase) -> None:
+    """Refuse a prescribed position without gap, and say where."""
+    if case.duty.load is not None:
+        return
+    if case.is_journal:
+        e = math.hypot(*case.duty.position)
+        if not e < case.rest_gap:
+            where = math.degrees(math.atan2(case.duty.position[1], case.duty.position[0]))
+            raise InputError("E101", f"the journal stands {1e6 * e:.4g} µm off centre in a clearance of "
+                             f"{1e6 * case.rest_gap:.4g} µm: there is no gap at {where:.4g} deg. Give an "
+                             "eccentricity_ratio below 1.")  # fmt: skip
+        return
+    tilt = math.hypot(*case.duty.tilt)
+    if isinstance(case.shape, ThrustRing) and not tilt * case.reach < case.rest_gap:
+        where = math.degrees(math.atan2(-case.duty.tilt[0], case.duty.tilt[1]))
+        raise InputError("E101", f"a tilt of {1e3 * tilt:.4g} mm/m closes the gap of {1e6 * case.rest_gap:.4g} µm "
+                         f"at {where:.4g} deg on the outer edge. Give a smaller tilt or a wider gap.")  # fmt: skip
+
+
+def refuse_short_recess(case: HydrostaticCase) -> None:
+    """Refuse closed forms of a rectangle whose corners touch."""
+    shape = case.shape
+    if case.method != "quick" or not isinstance(shape, RectangularPad):
+        return
+    along, aside = shape.lands
+    if math.isclose(along, aside, rel_tol=1e-6) and min(shape.recess_length, shape.recess_width) < along:
+        raise InputError("E101", "the shorter side of the recess is less than the land is wide; closed forms end "
+                         "there. Choose method: film.")  # fmt: skip

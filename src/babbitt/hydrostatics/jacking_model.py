@@ -1,0 +1,75 @@
+"""A plain journal bearing with jacking pockets, in SI: what the calculation gets."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from babbitt.hydrostatics.geometry import RecessedJournal, positive
+from babbitt.notices import InputError, Notice
+
+__all__ = ["JackingCase"]
+
+
+@dataclass(frozen=True)
+class JackingCase:
+    """A plain bearing with jacking pockets.
+
+    Attributes
+    ----------
+    name, method : str
+    bearing : RecessedJournal
+    viscosity : float
+        Pa s, cold oil.
+    load : float
+        N, downwards (-y).
+    lift_gap : float or None
+        Wanted smallest gap, m.
+    pump_flow : float or None
+        All pockets together, m3/s.
+    relief_pressure : float or None
+        Pa.
+    roughness : float
+        Composite roughness height: the gap at which the shaft lies, m.
+    pump_efficiency : float
+    accuracy : str
+    own_restrictors : bool
+        Whether every pocket has a restrictor or its stage of a flow divider.
+    given, assumptions, doubts : tuple
+    """
+
+    name: str
+    method: str
+    bearing: RecessedJournal
+    viscosity: float
+    load: float
+    lift_gap: float | None = None
+    pump_flow: float | None = None
+    relief_pressure: float | None = None
+    roughness: float = 1e-6
+    pump_efficiency: float = 0.8
+    accuracy: str = "engineering"
+    own_restrictors: bool = True
+    given: tuple[tuple[str, str], ...] = ()
+    assumptions: tuple[str, ...] = ()
+    doubts: tuple[Notice, ...] = ()
+    kind: str = "jacking_pocket"
+
+    def __post_init__(self) -> None:
+        positive(viscosity=self.viscosity, load=self.load, roughness=self.roughness)
+        if self.lift_gap is None and self.pump_flow is None:
+            raise InputError("E101", "neither lift_gap nor pump_flow is given; one of them says how far to lift.")
+        for name in ("lift_gap", "roughness"):
+            value = getattr(self, name)
+            if value is not None and not 0.0 < value < self.bearing.clearance:
+                raise InputError("E101", f"{name} is {value} m; it must be less than the radial clearance, "
+                                 f"{self.bearing.clearance} m.")  # fmt: skip
+        if not any(math.sin(angle) < 0.0 for angle in self.bearing.recess_angles):
+            raise InputError("E101", "no pocket lies in the lower half; the load acts downwards (-90 deg).")
+
+    @property
+    def projected_area(self) -> float:
+        """Of all pockets, seen along the load, m2."""
+        half = 0.5 * self.bearing.recess_extent
+        arcs = [-math.cos(angle + half) + math.cos(angle - half) for angle in self.bearing.recess_angles]
+        return -self.bearing.recess_length * self.bearing.radius * sum(arcs)

@@ -1,0 +1,211 @@
+"""Flow network of the recesses: what the restrictors let in, the film lets out.
+
+With a standing wet set the film is linear, q = q_0 + G p with G symmetric; the restrictors are not. Newton on the
+recess pressures and, behind a pump, the supply pressure:
+
+    q_k(p) = Q_k(p_k, p_s),     sum_k Q_k = Q_pump(p_s).
+
+A state is stable if all eigenvalues of G - dQ/dp have positive real parts; valves with a rising law can break
+that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.hydrostatics.restrictors import Restrictor
+from babbitt.hydrostatics.supply import FixedPressure, Pump, Supply
+
+__all__ = ["Feeding", "NetworkState", "solve_network"]
+
+Array = NDArray[np.float64]
+MOST_STEPS = 80
+TIGHT = 1e-13
+
+
+@dataclass(frozen=True)
+class Feeding:
+    """Restrictors, one for every recess, and what feeds them.
+
+    Attributes
+    ----------
+    restrictors : tuple of Restrictor
+    supply : Supply
+    """
+
+    restrictors: tuple[Restrictor, ...]
+    supply: Supply
+
+    @property
+    def nominal_pressure(self) -> float:
+        """A pressure of the size to come, Pa."""
+        supply = self.supply
+        if isinstance(supply, FixedPressure):
+            return supply.pressure
+        return supply.relief_pressure if np.isfinite(supply.relief_pressure) else 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class NetworkState:
+    """Pressures and flows of the network.
+
+    Attributes
+    ----------
+    pressures, flows : ndarray, shape (n,)
+        Gauge Pa and m3/s, of every recess.
+    supply_pressure : float
+        Gauge, Pa.
+    overflow : float
+        Through the relief valve, m3/s.
+    slope : ndarray, shape (n,)
+        G_r = -dQ/dp at standing supply pressure.
+    supply_slope : ndarray, shape (n,)
+        dQ/dp_s; zeros where the supply pressure stands.
+    manifold_slope : float
+        What the pump lacks more and the restrictors take more per pascal of supply; infinite where it stands.
+    residual : float
+        Largest imbalance of a recess over the largest flow.
+    converged : bool
+    """
+
+    pressures: Array
+    flows: Array
+    supply_pressure: float
+    overflow: float
+    slope: Array
+    supply_slope: Array
+    manifold_slope: float
+    residual: float
+    converged: bool
+
+    def restrictor_matrix(self, manifold: complex = 0.0) -> NDArray[np.complex128]:
+        """-dQ/dp with the answer of the supply pressure; ``manifold`` is i nu V/B of the oil in it."""
+        coupled = np.outer(self.supply_slope, self.slope) / (self.manifold_slope + manifold)
+        return np.asarray(np.diag(self.slope) - coupled, dtype=np.complex128)
+
+    def least_eigenvalue(self, conductance: Array) -> float:
+        """Least real part among the eigenvalues of G - dQ/dp over the largest in size."""
+        found = np.linalg.eigvals(conductance + self.restrictor_matrix().real)
+        return float(found.real.min() / max(np.abs(found).max(), 1e-300))
+
+
+def solve_network(feeding: Feeding, conductance: Array, outflow: Array, at: Array, supply: float) -> NetworkState:
+    """Pressures at which the film lets out what the restrictors let in.
+
+    Parameters
+    ----------
+    feeding : Feeding
+    conductance : ndarray, shape (n, n)
+        dq/dp of the film, m3/(s Pa).
+    outflow : ndarray, shape (n,)
+        Of the film at the pressures ``at``, m3/s.
+    at : ndarray, shape (n,)
+        Pa.
+    supply : float
+        First guess of the supply pressure, Pa.
+
+    Returns
+    -------
+    NetworkState
+    """
+    given = feeding.supply
+    if isinstance(given, FixedPressure):
+        return attempts(feeding, conductance, outflow, at, given.pressure, None)
+    state = attempts(feeding, conductance, outflow, at, min(supply, given.relief_pressure), given)
+    if state.converged and state.supply_pressure <= given.relief_pressure:
+        return state
+    if not np.isfinite(given.relief_pressure):
+        return state
+    relieved = attempts(feeding, conductance, outflow, at, given.relief_pressure, None)
+    spare = given.delivers(given.relief_pressure) - float(relieved.flows.sum())
+    return relieved if spare < 0.0 else with_overflow(relieved, spare)
+
+
+def with_overflow(state: NetworkState, overflow: float) -> NetworkState:
+    """The same state with what runs through the relief valve."""
+    return NetworkState(**{**vars(state), "overflow": overflow})
+
+
+def attempts(
+    feeding: Feeding, conductance: Array, outflow: Array, at: Array, supply: float, pump: Pump | None
+) -> NetworkState:
+    """Newton from the given pressures; where that ends nowhere or in an unstable state, from high and low ones.
+
+    Valves with a rising law may have several states, of which the stable one lasts.
+    """
+    first = newton(feeding, conductance, outflow, at, at, supply, pump)
+    if first.converged and first.least_eigenvalue(conductance) > 0.0:
+        return first
+    for share in (0.98, 0.02):
+        start = np.full(at.size, share * supply)
+        other = newton(feeding, conductance, outflow, at, start, supply, pump)
+        if other.converged and other.least_eigenvalue(conductance) > 0.0:
+            return other
+    return first
+
+
+def newton(
+    feeding: Feeding, conductance: Array, outflow: Array, at: Array, start: Array, supply: float, pump: Pump | None
+) -> NetworkState:
+    """Newton with halved steps; the supply pressure is an unknown where there is a pump."""
+    p: NDArray[np.float64] = start.astype(float).copy()
+    count = p.size
+    old = np.inf
+    step: Array = np.zeros(count + 1)
+    flows, by_recess, by_supply = laws(feeding.restrictors, p, supply)
+    size = max(float(np.abs(flows).max()), float(np.abs(outflow).max()), 1e-300)
+    halvings, short, settled = 0, np.inf, False
+    for _ in range(MOST_STEPS):
+        residual = outflow + conductance @ (p - at) - flows
+        matrix = np.zeros((count + 1, count + 1))
+        matrix[:count, :count] = conductance - np.diag(by_recess)
+        right = np.zeros(count + 1)
+        right[:count] = -residual
+        matrix[count, count] = 1.0
+        balance = 0.0
+        if pump is not None:
+            balance = float(flows.sum()) - pump.delivers(supply)
+            matrix[:count, count] = -by_supply
+            matrix[count, :count] = by_recess
+            matrix[count, count] = float(by_supply.sum()) + pump.leakage
+            right[count] = -balance
+        size = max(float(np.abs(flows).max()), 1e-12 * size)
+        wrong = max(float(np.abs(residual).max()), abs(balance))
+        short = wrong / size
+        if short < TIGHT or settled:  # settled: what is left is the round-off of the pressures
+            break
+        if wrong > 0.95 * old and halvings < 12:
+            step *= 0.5
+            p, supply = np.asarray(p - step[:count]), supply - step[count]
+            halvings += 1
+        else:
+            try:
+                step = np.asarray(np.linalg.solve(matrix, right), dtype=np.float64)
+            except np.linalg.LinAlgError:
+                break
+            old, halvings = wrong, 0
+            settled = float(np.abs(step).max()) < 1e-12 * max(float(np.abs(p).max()), abs(supply))
+            p, supply = np.asarray(p + step[:count]), supply + step[count]
+        flows, by_recess, by_supply = laws(feeding.restrictors, p, supply)
+    fixed = pump is None
+    return NetworkState(
+        pressures=p,
+        flows=flows,
+        supply_pressure=float(supply),
+        overflow=0.0,
+        slope=-by_recess,
+        supply_slope=np.zeros(count) if fixed else by_supply,
+        manifold_slope=np.inf if pump is None else float(by_supply.sum()) + pump.leakage,
+        residual=short,
+        converged=bool(short < 1e-9 or (settled and short < 1e-4)),
+    )
+
+
+def laws(restrictors: Sequence[Restrictor], p: Array, supply: float) -> tuple[Array, Array, Array]:
+    """Flows and slopes of all restrictors."""
+    found = np.array([one.law(float(own), supply) for one, own in zip(restrictors, p, strict=True)])
+    return found[:, 0], found[:, 1], found[:, 2]

@@ -1,0 +1,167 @@
+"""The named values of a hydrostatic bearing."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.hydrostatics.answer import Answer
+from babbitt.hydrostatics.friction import friction_power, friction_torque
+from babbitt.hydrostatics.geometry import RecessedJournal
+from babbitt.hydrostatics.impedance import damping_loss, impedance
+from babbitt.hydrostatics.model import HydrostaticCase
+from babbitt.hydrostatics.optimum import least_power_gap, stiffest_ratio
+from babbitt.hydrostatics.supply import Pump
+from babbitt.results import Matrix
+
+__all__ = ["arrays", "values"]
+
+Array = NDArray[np.float64]
+
+
+def values(case: HydrostaticCase, found: Answer) -> dict[str, float]:
+    """Numbers by name, SI."""
+    network, response = found.network, found.response
+    friction = friction_power(case, found)
+    flow, supply = float(network.flows.sum()), network.supply_pressure
+    pumping = supply * flow
+    stiffness, damping = impedance(response, network, case.compressibility, 0.0)
+    named = place(case, found)
+    named |= {
+        "supply_pressure": supply,
+        "total_flow": flow,
+        "mean_pressure_ratio": float(network.pressures.mean()) / supply,
+    }
+    if found.film is not None:
+        named["maximum_pressure"] = found.film.maximum_pressure
+    named |= {
+        "pumping_power": pumping,
+        "pump_power": supply * pump_flow(case, found) / case.pump_efficiency,
+        "friction_power": friction,
+        "power_ratio": friction / pumping,
+        "temperature_rise": (pumping + friction) / (case.oil.density * case.oil.heat_capacity * flow),
+        "effective_viscosity": case.oil.viscosity,
+    }
+    if case.duty.angular_speed:
+        named |= {
+            "friction_torque": abs(friction_torque(case, found)),
+            "angular_speed": abs(case.duty.angular_speed),
+        }
+    if case.is_journal:
+        named |= {
+            f"{name}_{axes}": float(matrix[i, j])
+            for name, matrix in (("stiffness", stiffness), ("damping", damping))
+            for axes, i, j in (("xx", 0, 0), ("xy", 0, 1), ("yx", 1, 0), ("yy", 1, 1))
+        }
+    else:
+        named |= {"pad_stiffness": float(stiffness[0, 0]), "pad_damping": float(damping[0, 0])}
+        if stiffness.shape[0] == 3 and case.kind == "hydrostatic_thrust_ring":
+            named["least_tilt_stiffness"] = float(
+                np.linalg.eigvalsh(0.5 * (stiffness + stiffness.T)[1:, 1:]).min()
+            )
+        if case.count == 1:
+            named["effective_area"] = abs(float(response.area[0, 0]))
+    named["compressibility_damping_loss"] = damping_loss(response, network, case.compressibility)
+    named["network_stability"] = network.least_eigenvalue(response.conductance)
+    best = stiffest_ratio(
+        case.feeding.restrictors[0], case.shape if isinstance(case.shape, RecessedJournal) else None
+    )
+    if best is not None:
+        named["stiffest_pressure_ratio"] = best
+    if friction > 0.0 and pumping > 0.0:
+        named["least_power_gap"] = least_power_gap(mean_gap(found), pumping, friction)
+    if found.film is not None:
+        named |= {"cavitated_share": found.film.dry_share, "mass_balance_error": found.film.mass_balance_error}
+    else:
+        named["mass_balance_error"] = network.residual
+    return named | reynolds(case, found)
+
+
+def place(case: HydrostaticCase, found: Answer) -> dict[str, float]:
+    """Load and position."""
+    if isinstance(case.shape, RecessedJournal):
+        force, at = found.response.force, found.at
+        load_angle = case.duty.load_angle
+        if case.duty.load is None:
+            load_angle = math.atan2(-float(force[1]), -float(force[0]))
+        sense = -1.0 if case.duty.angular_speed < 0.0 else 1.0
+        shift = math.atan2(float(at[1]), float(at[0]))
+        size = float(np.hypot(*at))
+        angle = math.remainder(sense * (shift - load_angle), 2.0 * math.pi) if size > 1e-9 * case.rest_gap else 0.0
+        return {
+            "load": float(np.hypot(*force)),
+            "specific_load": float(np.hypot(*force)) / (case.shape.diameter * case.shape.width),
+            "eccentricity_ratio": size / case.shape.clearance,
+            "attitude_angle": angle,
+            "minimum_film_thickness": found.minimum_gap,
+        }
+    named = {
+        "load": float(found.response.force[0]),
+        "gap": mean_gap(found),
+        "minimum_film_thickness": found.minimum_gap,
+    }
+    if found.at.size == 3 and case.kind == "hydrostatic_thrust_ring":
+        named |= {
+            "tilt_x": float(found.at[1]),
+            "tilt_y": float(found.at[2]),
+            "moment_x": round_off(float(found.response.force[1]), case, found),
+            "moment_y": round_off(float(found.response.force[2]), case, found),
+        }
+    return named
+
+
+def round_off(moment: float, case: HydrostaticCase, found: Answer) -> float:
+    """A moment, zero where it is no more than round-off of the load."""
+    return 0.0 if abs(moment) < 1e-9 * abs(float(found.response.force[0])) * case.reach else moment
+
+
+def mean_gap(found: Answer) -> float:
+    """Clearance of a journal; gap of a pad, m."""
+    return found.rest_gap if found.at.size == 2 else found.rest_gap + float(found.at[0])
+
+
+def pump_flow(case: HydrostaticCase, found: Answer) -> float:
+    """What the pump delivers, with overflow and leakage, m3/s."""
+    supply = case.feeding.supply
+    return supply.flow if isinstance(supply, Pump) else float(found.network.flows.sum())
+
+
+def reynolds(case: HydrostaticCase, found: Answer) -> dict[str, float]:
+    """Reynolds numbers of film and recess, where something moves."""
+    speed = case.surface_speed
+    if speed == 0.0:
+        return {}
+    scale = case.oil.density * speed / case.oil.viscosity
+    return {"film_reynolds_number": scale * mean_gap(found), "recess_reynolds_number": scale * case.recesses.depth}
+
+
+def arrays(case: HydrostaticCase, found: Answer) -> dict[str, Matrix]:
+    """Values of several numbers."""
+    network = found.network
+    named: dict[str, Matrix] = {
+        "recess_pressure": (tuple(map(float, network.pressures)),),
+        "pressure_ratio": (tuple(map(float, network.pressures / network.supply_pressure)),),
+        "restrictor_flow": (tuple(map(float, network.flows)),),
+    }
+    stiffness, damping = impedance(found.response, network, case.compressibility, 0.0)
+    prefix = "" if case.is_journal else "pad_"
+    if case.kind == "hydrostatic_thrust_ring":
+        prefix = "ring_"
+    if stiffness.shape[0] > 1 and (case.is_journal or prefix == "ring_"):
+        named |= {f"{prefix}stiffness": matrix(stiffness), f"{prefix}damping": matrix(damping)}
+    if case.frequencies:
+        at = [impedance(found.response, network, case.compressibility, one) for one in case.frequencies]
+        size = 1 if prefix == "pad_" else stiffness.shape[0]
+        named |= {
+            "dynamic_frequency": (tuple(case.frequencies),),
+            "dynamic_stiffness": tuple(tuple(map(float, k[:size, :size].ravel())) for k, _ in at),
+            "dynamic_damping": tuple(tuple(map(float, c[:size, :size].ravel())) for _, c in at),
+        }
+    return named
+
+
+def matrix(of: Array) -> Matrix:
+    """Rows of plain numbers."""
+    return tuple(tuple(map(float, row)) for row in of)

@@ -1,0 +1,263 @@
+"""Results of hydrostatic cases: both methods, typed failures, doubts, files, limits."""
+
+import json
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hydrostatic_bearings import (
+    ANNULAR,
+    CIRCULAR,
+    CIRCULAR_CAPILLARY,
+    CIRCULAR_ORIFICE,
+    CLEARANCE,
+    RING,
+    RING_FEEDING,
+    SPEED,
+    case,
+    feeding,
+    journal,
+)
+
+from babbitt import load_case, solve
+from babbitt.cases import parse_case, template
+from babbitt.hydrostatics.check import hydrostatic_check, warmed
+from babbitt.hydrostatics.geometry import RectangularPad
+from babbitt.hydrostatics.impedance import Compressibility
+from babbitt.hydrostatics.jacking import jacking_check
+from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.hydrostatics.model import Duty, Oil, Recesses
+from babbitt.hydrostatics.network import Feeding
+from babbitt.hydrostatics.restrictors import Capillary, CheckValve, FlowValve, Orifice
+from babbitt.hydrostatics.supply import FixedPressure, Pump
+from babbitt.notices import InputError
+from babbitt.quantities import QUANTITIES
+from babbitt.report.export import to_json
+from babbitt.results import Outcome
+from babbitt.studies.comparison import compare_methods
+
+EXAMPLES = Path(__file__).parents[2] / "examples"
+METHODS = ("film", "quick")
+
+
+def pad_case(restrictor=CIRCULAR_CAPILLARY, load=11e3, method="film", shape=CIRCULAR, supply=5e6, **changes):
+    duty = Duty(load, angular_speed=SPEED / 3.0)
+    return case(
+        shape, duty, method, "hydrostatic_pad", Feeding((restrictor,), FixedPressure(supply)),
+        Oil(0.03, 870.0, 2000.0), **({"recesses": Recesses(1e-3, 1.0)} | changes),
+    )  # fmt: skip
+
+
+def codes(result):
+    return {notice.code for notice in result.warnings}
+
+
+@pytest.mark.parametrize("kind", ["hydrostatic_pad", "hydrostatic_thrust_ring", "hydrostatic_journal"])
+def test_both_methods_tell_nearly_the_same(kind):
+    (comparison,) = compare_methods(parse_case(template(kind)))
+    film, quick = (variant.result for variant in comparison.variants)
+    assert (film.method, quick.method) == METHODS
+    for name in ("load", "total_flow", "mean_pressure_ratio", "friction_power", "minimum_film_thickness"):
+        assert quick.values[name] == pytest.approx(film.values[name], rel=0.2), name
+    assert set(film.values) | set(film.arrays) <= set(QUANTITIES)
+    assert film.mass_balance_error < 1e-8
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_every_shape_carries_its_load(method):
+    shapes = (
+        pad_case(method=method),
+        pad_case(CIRCULAR_ORIFICE, method=method),
+        pad_case(Capillary(0.8e-3, 0.06, 0.03, 4), 20e3, method, ANNULAR, 3e6),
+        pad_case(Capillary(0.8e-3, 0.06, 0.03), 20e3, method, RectangularPad(0.2, 0.1, 0.16, 0.06), 3e6),
+        case(RING, Duty(25e3, moments=(200.0, 0.0), angular_speed=100.0), method, "hydrostatic_thrust_ring",
+             RING_FEEDING),
+        case(method=method),
+        case(journal(groove=6.0), Duty(8e3, 0.3), method),
+    )  # fmt: skip
+    for made in shapes:
+        result = hydrostatic_check(made)
+        assert result.outcome is Outcome.CONVERGED, made
+        assert result.load == pytest.approx(made.duty.load, rel=1e-8)
+        balance = result.pumping_power + result.friction_power
+        oil = made.oil.density * made.oil.heat_capacity * result.total_flow
+        assert result.temperature_rise == pytest.approx(balance / oil, rel=1e-12)
+        assert sum(result.arrays["restrictor_flow"][0]) == pytest.approx(result.total_flow, rel=1e-12)
+
+
+def test_recess_pressures_and_coefficients_are_in_the_file():
+    machine = solve(load_case(EXAMPLES / "spindle_bearing.yaml"))
+    results = json.loads(json.dumps(to_json(machine)))["bearings"][0]["results"]
+    assert len(results["recess_pressure"][0]) == 4
+    assert np.array(results["stiffness"]).shape == (2, 2)
+    assert results["dynamic_frequency"][0] == pytest.approx([2.0 * math.pi * f for f in (10.0, 100.0, 1000.0)])
+    stiffest = [row[0] for row in results["dynamic_stiffness"]]
+    assert stiffest == sorted(stiffest)
+    assert results["attitude_angle"] == pytest.approx(math.radians(40.7), abs=2e-3)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_overload_says_how_much_was_carried(method):
+    result = hydrostatic_check(case(duty=Duty(60e3, -0.5 * math.pi), method=method))
+    assert result.outcome is Outcome.OVERLOADED
+    assert "60 kN" in result.message
+    result = hydrostatic_check(pad_case(load=30e3, method=method))
+    assert result.outcome is Outcome.OVERLOADED
+    carried = float(result.message.split("about ")[1].split(" kN")[0])
+    assert carried == pytest.approx(21.2, rel=0.02)
+
+
+def test_unstable_valves_are_not_returned():
+    steep = FlowValve(1e-5, 6e-12, 1.0)
+    result = hydrostatic_check(case(duty=Duty(None, position=(0.0, -0.5 * CLEARANCE)), fed=feeding(steep)))
+    assert result.outcome is Outcome.UNSTABLE_NETWORK
+    assert "eigenvalue" in result.message
+
+
+def test_starved_recess_is_told():
+    tight = Capillary(0.3e-3, 0.1, 0.02)
+    duty = Duty(None, position=(0.0, -0.7 * CLEARANCE), angular_speed=6.0 * SPEED)
+    result = hydrostatic_check(case(duty=duty, fed=feeding(tight)))
+    assert result.outcome is Outcome.STARVED_RECESS
+    assert "recess" in result.message
+
+
+def test_prescribed_place_without_gap_is_refused():
+    with pytest.raises(InputError, match="-90 deg"):
+        hydrostatic_check(case(duty=Duty(None, position=(0.0, -1.01 * CLEARANCE))))
+    with pytest.raises(InputError, match="closes the gap"):
+        hydrostatic_check(
+            case(RING, Duty(None, gap=20e-6, tilt=(3e-4, 0.0)), "film", "hydrostatic_thrust_ring", RING_FEEDING)
+        )
+    with pytest.raises(InputError, match="method: film"):
+        hydrostatic_check(pad_case(method="quick", shape=RectangularPad(0.2, 0.1, 0.13, 0.03)))
+
+
+DOUBTS = {
+    "W301": lambda: case(duty=Duty(30e3, -0.5 * math.pi, angular_speed=SPEED)),
+    "W302": lambda: pad_case(load=2e3),
+    "W303": lambda: pad_case(Capillary(0.6e-3, 0.006, 0.06)),
+    "W304": lambda: pad_case(Orifice(0.25e-3, 870.0), load=12e3),
+    "W305": lambda: case(duty=Duty(10e3, angular_speed=12e3), oil=Oil(0.02, 870.0, 2000.0)),
+    "W306": lambda: case(duty=Duty(10e3, angular_speed=8.0 * SPEED)),
+    "W307": lambda: pad_case(recesses=Recesses(0.2e-3, 1.0)),
+    "W308": lambda: case(duty=Duty(10e3, angular_speed=12e3)),
+    "W309": lambda: pad_case(compressibility=Compressibility(20e-6, 1.2e9)),
+    "W310": lambda: pad_case(compressibility=Compressibility(2e-3, 1e9)),
+    "W311": lambda: pad_case(CIRCULAR_ORIFICE, 5e3),
+    "W312": lambda: case(duty=Duty(10e3, angular_speed=4.0 * SPEED)),
+    "W313": lambda: pad_case(highest_supply_pressure=4e6),
+    "W315": lambda: case(duty=Duty(None, position=(0.0, -0.8 * CLEARANCE), angular_speed=2.0 * SPEED)),
+    "W316": lambda: case(journal(number=2, land=60.0), Duty(3e3, -0.5 * math.pi), fed=feeding(number=2)),
+    "W317": lambda: pad_case(method="quick", shape=RectangularPad(0.2, 0.1, 0.12, 0.06)),
+    "W318": lambda: pad_case(method="quick", shape=RectangularPad(0.2, 0.1, 0.14, 0.04)),
+    "W319": lambda: case(method="quick"),
+}
+
+
+@pytest.mark.parametrize("code", DOUBTS)
+def test_doubts(code):
+    result = hydrostatic_check(DOUBTS[code]())
+    assert result.outcome.solved, result.message
+    assert code in codes(result)
+
+
+def test_no_doubt_about_a_sound_pad():
+    assert not codes(hydrostatic_check(pad_case(recesses=Recesses(1e-3, 1.0)))) - {"W311"}
+
+
+def test_check_valve_stops_the_back_flow():
+    result = hydrostatic_check(case(duty=Duty(30e3, -0.5 * math.pi, angular_speed=SPEED),
+                                    fed=feeding(CheckValve(feeding().restrictors[0]))))  # fmt: skip
+    assert "W301" not in codes(result)
+    assert min(result.arrays["restrictor_flow"][0]) == 0.0
+
+
+def test_limits_of_the_user():
+    result = hydrostatic_check(replace(pad_case(highest_supply_pressure=4e6), least_gap=45e-6))
+    verdicts = {check.code: check.ok for check in result.checks}
+    assert verdicts == {"C201": False, "C202": False, "C203": False}
+    assert not result.within_limits
+    at_least = hydrostatic_check(replace(pad_case(), duty=Duty(None, gap=45e-6)))
+    assert result.load_capacity == pytest.approx(at_least.load, rel=1e-9)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("speed", [0.0, SPEED, -SPEED])
+def test_load_capacity_of_a_journal_is_the_load_at_the_least_gap(method, speed):
+    made = case(duty=Duty(10e3, -0.5 * math.pi, angular_speed=speed), method=method, least_gap=20e-6)
+    capacity = hydrostatic_check(made).load_capacity
+    loaded = hydrostatic_check(replace(made, duty=replace(made.duty, load=capacity)))
+    assert loaded.minimum_film_thickness == pytest.approx(20e-6, rel=5e-3)
+
+
+def test_common_pump_runs_out_of_pressure():
+    fed = Feeding((CIRCULAR_CAPILLARY,), Pump(5e-6, 1e-13, 4e6))
+    result = hydrostatic_check(replace(pad_case(load=9e3), feeding=fed))
+    assert result.supply_pressure == 4e6
+    assert result.pump_power == pytest.approx(4e6 * 5e-6 / 0.8, rel=1e-12)
+    assert result.pump_power > result.pumping_power / 0.8
+
+
+def test_warm_film_of_a_lubricant():
+    given = template("hydrostatic_pad").replace(
+        "oil: {viscosity: 30 mPa s, density: 870 kg/m3, heat_capacity: 2000 J/(kg K)}",
+        "oil: {lubricant: ISO VG 46, supply_temperature: 40 degC}",
+    )
+    design = parse_case(given).design()
+    warm, found = warmed(design)
+    flow = float(found.network.flows.sum())
+    result = hydrostatic_check(design)
+    oil = warm.oil
+    lost = float(found.network.pressures @ found.network.flows) + result.friction_power
+    film = design.oil.at(313.15 + lost / (oil.density * oil.heat_capacity * flow))
+    assert oil.viscosity == pytest.approx(film.viscosity, rel=1e-3)
+    assert oil.viscosity < design.oil.viscosity
+    assert result.outlet_temperature == pytest.approx(313.15 + result.temperature_rise)
+
+
+def test_interior_of_a_template_can_be_changed():
+    text = template("hydrostatic_pad")
+    for old, new in (
+        ("pad: {kind: circular, diameter: 100 mm, recess_diameter: 50 mm}",
+         "pad: {kind: rectangular, length: 200 mm, width: 100 mm, recess_length: 160 mm, recess_width: 60 mm}"),
+        ("speed: 500 rpm ", "sliding_speed: 0.5 m/s "),
+    ):  # fmt: skip
+        assert old in text
+        text = text.replace(old, new)
+    result = solve(parse_case(text)).results[0]
+    assert result.outcome.solved
+    speed, gap = 0.5, result.gap
+    shear = 0.03 * speed**2 * ((0.2 * 0.1 - 0.16 * 0.06) / gap + 4.0 * 0.16 * 0.06 / 1e-3)
+    assert result.friction_power == pytest.approx(shear, rel=1e-9)
+
+
+def jacking(**changes):
+    bearing = type(journal())(0.2, 0.15, 150e-6, (-0.5 * math.pi,), math.radians(16.0), 0.04)
+    given = {"name": "J", "method": "film", "bearing": bearing, "viscosity": 0.1, "load": 20e3, "lift_gap": 40e-6}
+    return JackingCase(**(given | changes))
+
+
+def test_jacking_result():
+    result = jacking_check(jacking(relief_pressure=15e6, pump_flow=0.1e-3 / 60.0))
+    assert result.breakaway_pressure == pytest.approx(17.963e6, rel=1e-4)
+    assert result.pocket_pressure < result.lying_pressure < result.breakaway_pressure
+    assert "W314" in codes(result)
+    assert [check.ok for check in result.checks] == [False, True]
+    by_flow = jacking_check(jacking(lift_gap=None, pump_flow=result.total_flow))
+    assert by_flow.minimum_film_thickness == pytest.approx(40e-6, rel=1e-3)
+    assert jacking_check(jacking(lift_gap=None, pump_flow=1.0)).outcome is Outcome.NOT_CONVERGED
+
+
+def test_jacking_doubts_and_refusals():
+    two = replace(jacking().bearing, recess_angles=(math.radians(-110.0), math.radians(-70.0)))
+    result = jacking_check(jacking(bearing=two, own_restrictors=False, method="quick"))
+    assert {"W320", "W321"} <= codes(result)
+    upper = replace(jacking().bearing, recess_angles=(0.5 * math.pi,))
+    for changes, words in (({"bearing": upper}, "lower half"), ({"lift_gap": 2e-4}, "lift_gap"),
+                           ({"lift_gap": None}, "neither"), ({"roughness": math.nan}, "roughness"),
+                           ({"load": 0.0}, "load")):  # fmt: skip
+        with pytest.raises(InputError, match=words):
+            jacking(**changes)
