@@ -99,6 +99,31 @@ EXPLANATIONS: dict[str, Explanation] = {
         "the bearing, or nothing drives or feeds the film.",
         "Correct what the message names.",
     ),
+    "E102": Explanation(
+        "Thrust pad cannot be laid out",
+        "Radii, extent, pivot, face or number of the pads of a thrust bearing do not describe pads on a ring: they "
+        "overlap, a pivot lies beside its pad, or a length is not positive.",
+        "Correct what the message names.",
+    ),
+    "E103": Explanation(
+        "Pad cannot be balanced on its pivot",
+        "No tilt makes the moments of the film about the pivot vanish, or the pad carries nothing. A plane pad in oil "
+        "of one viscosity carries only when its pivot lies behind the middle.",
+        "Move the pivot towards the trailing edge (0.55 to 0.65 of the extent are usual), give the pad a crown, or "
+        "turn the shaft the other way.",
+    ),
+    "E104": Explanation(
+        "Shaft line cannot be computed",
+        "A mass, length, stiffness, damping, speed or excitation of the shaft line is missing or of the wrong sign, or "
+        "an excitation falls on a frequency of a rod between fixed ends.",
+        "Correct what the message names.",
+    ),
+    "E105": Explanation(
+        "Resonance without damping",
+        "An excitation lies within 2 % of a natural frequency, and neither films nor propeller nor seating damp the "
+        "line: the amplitude has no bound.",
+        "Give the damping of propeller, films or seating, or change speed, stiffness or mass.",
+    ),
     # -- doubts about the design check --------------------------------------------------------------------------
     "W101": Explanation(
         "Film is not laminar",
