@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from babbitt.shaft_line.line import ShaftLine
 from babbitt.shaft_line.pads import DynamicPads, FilmPads
 
-__all__ = ["ElementLine", "element_line"]
+__all__ = ["ElementLine", "ShaftElements", "element_line", "shaft_elements"]
 
 Array = NDArray[np.float64]
 
@@ -33,7 +33,9 @@ class ElementLine:
     gaps : ndarray, shape (z, n)
         Rows that give h_i + xi_i = x_i - U2.
     forces_stiffness, forces_damping : ndarray, shape (z, n)
-        Rows that give N_i = -(forces_stiffness u + forces_damping u') + its part of the runout.
+        Rows that give N_i = -(forces_stiffness u + forces_damping u') + own_stiffness xi_i + own_damping xi_i'.
+    own_stiffness, own_damping : ndarray, shape (z,)
+        K_11 and C_11 of the pads.
     """
 
     mass: Array
@@ -60,8 +62,8 @@ def element_line(line: ShaftLine, pads: DynamicPads, elements: int = ELEMENTS) -
     elements : int
         Over the whole line, consistent masses.
     """
-    shares = _shared_out(line, elements)
-    joints = 1 + sum(shares)
+    shaft = shaft_elements(line, elements)
+    joints = shaft.mass.shape[0]
     z, rigid = pads.phases.size, math.isinf(pads.ring_stiffness)
     blocks = _pad_blocks(pads)
     tilts = [block[0].shape[0] - 1 for block in blocks]
@@ -75,17 +77,9 @@ def element_line(line: ShaftLine, pads: DynamicPads, elements: int = ELEMENTS) -
     housing = first if line.seating is not None else -1
     size = first + (1 if line.seating is not None else 0)
     mass, damping, stiffness = (np.zeros((size, size)) for _ in range(3))
-    at = 0
-    for rod, count in zip(line.rods, shares, strict=True):
-        k, m = rod.stiffness * count, rod.mass / count / 6.0
-        for _ in range(count):
-            pair = np.ix_((at, at + 1), (at, at + 1))
-            stiffness[pair] += k * np.array([[1.0, -1.0], [-1.0, 1.0]])
-            mass[pair] += m * np.array([[2.0, 1.0], [1.0, 2.0]])
-            at += 1
-    for place, point in zip(np.cumsum((0, *shares)) if line.rods else (0,), line.masses, strict=True):
-        mass[place, place] += point
-    damping[0, 0] += line.propeller_damping
+    of_shaft = slice(0, joints)
+    mass[of_shaft, of_shaft], stiffness[of_shaft, of_shaft] = shaft.mass, shaft.stiffness
+    damping[of_shaft, of_shaft] = shaft.damping
     collar = joints - 1
     gaps = np.zeros((z, size))
     fs, fd = np.zeros((z, size)), np.zeros((z, size))
@@ -118,9 +112,37 @@ def element_line(line: ShaftLine, pads: DynamicPads, elements: int = ELEMENTS) -
     return ElementLine(mass, damping, stiffness, collar, rs, rd, gaps, fs, fd, *own)
 
 
+@dataclass(frozen=True, eq=False)
+class ShaftElements:
+    """Mass, damping and stiffness of the shaft alone; the propeller first, the collar last."""
+
+    mass: Array
+    damping: Array
+    stiffness: Array
+
+
+def shaft_elements(line: ShaftLine, elements: int) -> ShaftElements:
+    """Two-node rods with consistent masses, and the point masses of the line."""
+    shares = _shared_out(line, elements)
+    joints = 1 + sum(shares)
+    mass, damping, stiffness = (np.zeros((joints, joints)) for _ in range(3))
+    at = 0
+    for rod, count in zip(line.rods, shares, strict=True):
+        k, m = rod.stiffness * count, rod.mass / count / 6.0
+        for _ in range(count):
+            pair = np.ix_((at, at + 1), (at, at + 1))
+            stiffness[pair] += k * np.array([[1.0, -1.0], [-1.0, 1.0]])
+            mass[pair] += m * np.array([[2.0, 1.0], [1.0, 2.0]])
+            at += 1
+    ends = np.cumsum((0, *shares)) if line.rods else np.array([0])
+    mass[ends, ends] += np.array(line.masses)
+    damping[0, 0] = line.propeller_damping
+    return ShaftElements(mass, damping, stiffness)
+
+
 def _shared_out(line: ShaftLine, elements: int) -> list[int]:
     total = sum(rod.transit_time for rod in line.rods)
-    return [max(2, math.ceil(elements * rod.transit_time / total)) for rod in line.rods]
+    return [max(1, math.ceil(elements * rod.transit_time / total)) for rod in line.rods]
 
 
 def _pad_blocks(pads: DynamicPads) -> list[tuple[Array, Array, list[float]]]:

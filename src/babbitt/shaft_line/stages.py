@@ -38,11 +38,11 @@ class Attribution:
     def dominant(self) -> str:
         """What takes the largest part."""
         parts = {
-            "runout of the collar": self.runout - max(self.tilt, 0.0) * self.runout / max(self.total, 1e-300),
-            "thrust ripple of the propeller": self.ripple - max(self.tilt, 0.0) * self.ripple / max(self.total, 1e-300),
+            "runout of the collar": self.runout,
+            "thrust ripple of the propeller": self.ripple,
             "tilt of the housing": self.tilt,
             "elasticity of the shaft": self.elasticity,
-        }  # fmt: skip
+        }
         return max(parts, key=lambda name: parts[name])
 
 

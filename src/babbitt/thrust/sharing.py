@@ -19,6 +19,8 @@ __all__ = ["Share", "share_of"]
 Array = NDArray[np.float64]
 
 NEWTON_STEPS = 80
+SETTLED = 1e-12
+"""Of a film; the step after it would change nothing, since Newton's method squares the error."""
 THINNEST = 1e-9
 """Least film of the search, m."""
 
@@ -77,7 +79,7 @@ def heights_at(films: Carrying, ring_stiffness: float, positions: Array) -> Arra
         high, low = np.where(miss > 0.0, height, high), np.where(miss > 0.0, low, height)
         new = height - miss / (1.0 - films.slope(height) / ring_stiffness)
         new = np.where((new > low) & (new < high), new, 0.5 * (low + high))
-        if np.all(np.abs(new - height) <= 1e-15 * new):
+        if np.all(np.abs(new - height) <= SETTLED * new):
             return new
         height = new
     return height
