@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from babbitt.shaft_line.elements import shaft_elements
 from babbitt.shaft_line.model import LineState
-from babbitt.thrust.carrying import SimilarFilms
 from babbitt.thrust.film_table import FilmTable, film_table
 from babbitt.thrust.state import tilt_answer
 
@@ -182,9 +181,6 @@ def transient(state: LineState, amplitude: float = 1.0, revolutions: int = 2) ->
     """
     from scipy.integrate import solve_ivp
 
-    if not isinstance(state.films, SimilarFilms):
-        film_table(state.films)  # type: ignore[arg-type]  # says why not
-        raise AssertionError
     shaken = replace(state, duty=state.duty.with_runout(amplitude).with_ripple(amplitude))
     motion = Motion(shaken, film_table(state.films))
     speed = state.duty.speed

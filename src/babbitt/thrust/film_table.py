@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from babbitt.film.sector import STILL, PlaneMotion, SectorPad, sector_film
 from babbitt.notices import InputError
-from babbitt.thrust.carrying import SimilarFilms
+from babbitt.thrust.carrying import Carrying, SimilarFilms
 from babbitt.thrust.equilibrium import DEGREE
 from babbitt.thrust.pad import ThrustPad
 
@@ -70,7 +70,7 @@ class FilmTable:
         return values[:, :3] / heights[:, None] ** 2, values[:, 3:].reshape(-1, 3, 3) / heights[:, None, None] ** 3, outside
 
 
-def film_table(films: SimilarFilms) -> FilmTable:
+def film_table(films: Carrying) -> FilmTable:
     """Tabulate the films of a plane pad about its equilibrium.
 
     Raises
@@ -80,10 +80,11 @@ def film_table(films: SimilarFilms) -> FilmTable:
     """
     from scipy.interpolate import NdBSpline, RectBivariateSpline
 
-    pad, reference = films.pad, films.reference
-    if not pad.is_plane:
+    pad = films.pad
+    if not isinstance(films, SimilarFilms):
         raise InputError("E102", "the nonlinear transient needs plane laminar pads, whose films are similar; "
                          "leave out the face, the crown and turbulence, or the transient.")  # fmt: skip
+    reference = films.reference
     length, height = pad.outer_radius - pad.inner_radius, reference.height
     middle = np.array([reference.slope_x, reference.slope_y]) * length / height
     low, high = _range(pad, middle, length)
