@@ -6,11 +6,22 @@ from dataclasses import dataclass
 
 from babbitt import __version__
 from babbitt.bearings.model import FilmCase
-from babbitt.cases import Case, JournalCase, Machine, OverhungCouplingCase, case_hash, design_cases
+from babbitt.cases import (
+    Case,
+    JournalCase,
+    Machine,
+    OverhungCouplingCase,
+    ThrustCase,
+    ThrustLineCase,
+    case_hash,
+    design_cases,
+)
 from babbitt.cases.build import AnyDesign
 from babbitt.results import Outcome, Result
+from babbitt.shaft_line.design import LineDesign
 from babbitt.shafts import bearing_loads
 from babbitt.standards.iso7902 import check as iso7902_check
+from babbitt.thrust.design import ThrustDesign
 
 
 @dataclass(frozen=True)
@@ -22,7 +33,7 @@ class MachineResult:
     name : str
     results : tuple of Result
         One per bearing, operating point and clearance.
-    design_cases : tuple of DesignCase or FilmCase
+    design_cases : tuple of DesignCase, FilmCase, ThrustDesign or LineDesign
         What each result was computed from, in the same order; empty for kinds without a film.
     case_hash : str
         SHA-256 of the validated case.
@@ -78,7 +89,7 @@ def solve(case: Case) -> MachineResult:
     TypeError
         If `case` is not a case, such as the path of its file.
     """
-    if not isinstance(case, JournalCase | Machine | OverhungCouplingCase):
+    if not isinstance(case, JournalCase | Machine | OverhungCouplingCase | ThrustCase | ThrustLineCase):
         given = type(case).__name__
         raise TypeError(
             f"solve takes a case, not {given}; read one with babbitt.load_case(path) or parse_case(text)"
@@ -104,7 +115,7 @@ def solve_design(design: AnyDesign) -> Result:
 
     Parameters
     ----------
-    design : DesignCase or FilmCase
+    design : DesignCase, FilmCase, ThrustDesign or LineDesign
 
     Returns
     -------
@@ -114,6 +125,14 @@ def solve_design(design: AnyDesign) -> Result:
         from babbitt.bearings.check import film_check  # numba is imported when the first film is solved
 
         return film_check(design)
+    if isinstance(design, ThrustDesign):
+        from babbitt.thrust.check import thrust_check
+
+        return thrust_check(design)
+    if isinstance(design, LineDesign):
+        from babbitt.shaft_line.check import line_check
+
+        return line_check(design)
     return iso7902_check(design)
 
 

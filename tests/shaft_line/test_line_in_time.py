@@ -53,7 +53,7 @@ def test_the_table_holds_the_film_off_its_nodes():
 
 
 def test_small_nonlinear_motion_is_the_linear_one():
-    """Massless pads in both; the load peak within 0.3 %, what is left of second order in the unloading 1 %."""
+    """Massless pads in both; the load peak within 0.5 %, what is left of second order in the unloading 1 %."""
     from dataclasses import replace
 
     light = replace(duty(), bearing=replace(duty().bearing, pad_mass=0.0, inertia=type(INERTIA)()))
@@ -61,7 +61,7 @@ def test_small_nonlinear_motion_is_the_linear_one():
     found = transient(state, 0.05)
     assert found.steady < 5e-3
     history = 0.05 * state.forced.force_history()
-    assert found.load_peaks.max() == pytest.approx(history.max(), rel=3e-3)
+    assert found.load_peaks.max() == pytest.approx(history.max(), rel=5e-3)
     assert found.unload_peaks.max() == pytest.approx(-history.min(), rel=1e-2)
     assert not found.outside
     assert not found.lifts_off

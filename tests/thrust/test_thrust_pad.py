@@ -90,7 +90,7 @@ def test_heavy_pads_do_not_tilt_and_light_ones_follow(films):
 def test_a_plane_pad_with_its_pivot_not_behind_the_middle_is_refused(fraction):
     with pytest.raises(InputError) as refused:
         carrying(ThrustPad(0.19, 0.375, math.radians(36.0), 0.29, fraction), VISCOSITY, SPEED)
-    assert refused.value.code == "E103"
+    assert refused.value.code == "E202"
 
 
 def test_a_crowned_pad_balances_in_the_middle():

@@ -7,6 +7,8 @@ from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.problems import CaseError, Problem
 from babbitt.cases.schema import case_schema
 from babbitt.cases.templates import kinds, template
+from babbitt.cases.thrust import ThrustCase
+from babbitt.cases.thrust_line import ThrustLineCase
 
 __all__ = [
     "KINDS",
@@ -17,6 +19,8 @@ __all__ = [
     "Machine",
     "OverhungCouplingCase",
     "Problem",
+    "ThrustCase",
+    "ThrustLineCase",
     "case_from_dict",
     "case_hash",
     "case_schema",

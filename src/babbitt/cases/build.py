@@ -15,10 +15,17 @@ from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import Case, JournalCase, Machine
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.part import Part
+from babbitt.cases.thrust import ThrustCase
+from babbitt.cases.thrust_line import ThrustLineCase
+from babbitt.shaft_line.design import LineDesign
 from babbitt.standards.iso7902.model import DesignCase
+from babbitt.thrust.design import ThrustDesign
 
-AnyDesign = DesignCase | FilmCase
-"""What a method computes: the design case of ISO 7902, or that of the film."""
+JournalDesign = DesignCase | FilmCase
+"""What a method computes of a journal bearing: the design case of ISO 7902, or that of the film."""
+
+AnyDesign = JournalDesign | ThrustDesign | LineDesign
+"""What a method computes."""
 
 DesignT = TypeVar("DesignT")
 
@@ -31,14 +38,18 @@ def design_cases(case: Case) -> tuple[AnyDesign, ...]:
 
     Parameters
     ----------
-    case : JournalCase, Machine or OverhungCouplingCase
+    case : JournalCase, Machine, OverhungCouplingCase, ThrustCase or ThrustLineCase
 
     Returns
     -------
-    tuple of DesignCase or FilmCase
+    tuple of DesignCase, FilmCase, ThrustDesign or LineDesign
         In the order of the file; empty for the statics of a shaft. Names are ``Bearing``, ``Bearing [point]``,
         ``Bearing (minimum clearance)``, ``Bearing [point] (minimum clearance)``.
     """
+    if isinstance(case, ThrustCase):
+        return (case.thrust_design(),)
+    if isinstance(case, ThrustLineCase):
+        return (case.line_design(),)
     return tuple(
         design
         for bearing in bearings_of(case)
@@ -47,7 +58,7 @@ def design_cases(case: Case) -> tuple[AnyDesign, ...]:
 
 
 def bearings_of(case: Case) -> tuple[JournalBearing, ...]:
-    """Bearings of a case; empty for the statics of a shaft."""
+    """Journal bearings of a case; empty for any other kind."""
     match case:
         case Machine():
             return case.bearings

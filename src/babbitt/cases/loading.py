@@ -14,6 +14,8 @@ from babbitt.cases.machine import Case, JournalCase, Machine
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.plain_words import Path, nearest, shown
 from babbitt.cases.problems import CaseError, Problem
+from babbitt.cases.thrust import ThrustCase
+from babbitt.cases.thrust_line import ThrustLineCase
 
 LARGEST_FILE = 1_000_000
 """Bytes."""
@@ -21,10 +23,12 @@ LARGEST_FILE = 1_000_000
 VERSION = 1
 """Version of the case language."""
 
-KINDS: Mapping[str, type[JournalCase] | type[Machine] | type[OverhungCouplingCase]] = {
+KINDS: Mapping[str, type[Case]] = {
     "journal": JournalCase,
     "machine": Machine,
     "overhung_coupling": OverhungCouplingCase,
+    "thrust": ThrustCase,
+    "thrust_line": ThrustLineCase,
 }
 """What a file can hold, by its `kind`."""
 
@@ -39,7 +43,7 @@ def load_case(path: str | FilePath) -> Case:
 
     Returns
     -------
-    JournalCase, Machine or OverhungCouplingCase
+    JournalCase, Machine, OverhungCouplingCase, ThrustCase or ThrustLineCase
 
     Raises
     ------
@@ -74,7 +78,7 @@ def parse_case(text: str, name: str = "<text>") -> Case:
     >>> parse_case("kind: jurnal", "a.yaml")
     Traceback (most recent call last):
     babbitt.cases.problems.CaseError: a.yaml:1: kind: 'jurnal' is not a kind of case; allowed: journal, machine,
-    overhung_coupling; did you mean 'journal'? [E003]
+    overhung_coupling, thrust, thrust_line; did you mean 'journal'? [E003]
     """
     return _parsed(text, name, FilePath())
 

@@ -1,4 +1,4 @@
-"""What a file can hold: one bearing, a machine of many, or the statics of a shaft."""
+"""What a file can hold: one bearing, a machine of many, a shaft line, or the statics of a shaft."""
 
 from __future__ import annotations
 
@@ -15,6 +15,8 @@ from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.part import Complaint, as_far_as_usable, rule
 from babbitt.cases.plain_words import Path
 from babbitt.cases.shared import SharedInputs
+from babbitt.cases.thrust import ThrustCase
+from babbitt.cases.thrust_line import ThrustLineCase
 
 
 class JournalCase(JournalBearing, CaseFile):
@@ -62,7 +64,7 @@ class Machine(SharedInputs, CaseFile):
         yield from told.values()
 
 
-Case = JournalCase | Machine | OverhungCouplingCase
+Case = JournalCase | Machine | OverhungCouplingCase | ThrustCase | ThrustLineCase
 """What a file can hold."""
 
 AnyCase = Annotated[Case, Discriminator("kind")]

@@ -7,7 +7,9 @@ from babbitt.bearings.bore import WornBore
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case, design_cases
 from babbitt.film.model import Cavitation
+from babbitt.shaft_line.design import LineDesign
 from babbitt.standards.iso7902.model import Curves, DesignCase
+from babbitt.thrust.design import ThrustDesign
 
 BABBITT = f"The Babbitt developers: Babbitt {__version__}, calculation and design of fluid-film bearings, 2026."
 ISO_7902 = (
@@ -36,6 +38,14 @@ DUFRANE = (
     "operating speeds. "
     "Journal of Lubrication Technology 105 (1983) 313-317."
 )
+WITTRICK = (
+    "W. H. Wittrick, F. W. Williams: A general algorithm for computing natural frequencies of elastic structures. "
+    "Quarterly Journal of Mechanics and Applied Mathematics 24 (1971) 263-284."
+)
+SIDORIKA = (
+    "I. N. Sidorika: dynamic load capacity of the main thrust bearing of a geared-diesel trawler. Eastern-European "
+    "Journal of Enterprise Technologies 4/7 (70) (2014)."
+)
 VISCOSITY = "ASTM D341: Viscosity-temperature equations and charts for liquid petroleum or hydrocarbon products."
 
 
@@ -58,6 +68,10 @@ def citations_of(case: Case) -> tuple[str, ...]:
         found.append(LUND)
     if any(isinstance(film.bearing.bore, WornBore) for film in films):
         found.append(DUFRANE)
+    if any(isinstance(design, ThrustDesign | LineDesign) for design in designs):
+        found.append(REYNOLDS)
+    if any(isinstance(design, LineDesign) for design in designs):
+        found += [SIDORIKA, WITTRICK]
     oils = {design.lubricant.name: design.lubricant for design in designs}
     found += [f"{oil.name}: {oil.source}" for oil in oils.values()]
     return tuple(found)

@@ -50,7 +50,7 @@ class RunoutHarmonic:
     def __post_init__(self) -> None:
         _require(self, "runout", "m")
         if self.order != round(self.order):
-            raise InputError("E104", f"order of the runout is {self.order:g}; a face has whole lobes: 1, 2, 3 ...")
+            raise InputError("E203", f"order of the runout is {self.order:g}; a face has whole lobes: 1, 2, 3 ...")
 
     def scaled(self, factor: float) -> RunoutHarmonic:
         """With another amplitude."""
@@ -59,6 +59,6 @@ class RunoutHarmonic:
 
 def _require(harmonic: ThrustHarmonic | RunoutHarmonic, what: str, unit: str) -> None:
     if not (math.isfinite(harmonic.order) and harmonic.order > 0.0):
-        raise InputError("E104", f"order of the {what} is {harmonic.order:g}; it must be positive.")
+        raise InputError("E203", f"order of the {what} is {harmonic.order:g}; it must be positive.")
     if not (math.isfinite(harmonic.amplitude) and harmonic.amplitude >= 0.0):
-        raise InputError("E104", f"amplitude of the {what} is {harmonic.amplitude:g} {unit}; it must be 0 or more.")
+        raise InputError("E203", f"amplitude of the {what} is {harmonic.amplitude:g} {unit}; it must be 0 or more.")

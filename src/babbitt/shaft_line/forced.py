@@ -141,11 +141,11 @@ def forced(
     Raises
     ------
     InputError
-        E104 for a speed that is not positive; E105 for a harmonic within 2 % of a natural frequency of a line
+        E203 for a speed that is not positive; E204 for a harmonic within 2 % of a natural frequency of a line
         without any damping.
     """
     if not (math.isfinite(speed) and speed > 0.0):
-        raise InputError("E104", f"speed is {speed:g} rad/s; it must be positive.")
+        raise InputError("E203", f"speed is {speed:g} rad/s; it must be positive.")
     parts: list[Part] = []
     still = np.zeros(pads.phases.size, dtype=complex)
     for thrust in thrusts:
@@ -169,7 +169,7 @@ def _require_bounded(line: ShaftLine, pads: DynamicPads, frequency: float) -> No
     for natural in undamped_frequencies(line, pads, highest=1.1 * frequency):
         if abs(frequency / natural - 1.0) < UNBOUNDED:
             raise InputError(
-                "E105",
+                "E204",
                 f"an excitation of {frequency / math.tau:.4g} Hz meets a natural frequency of "
                 f"{natural / math.tau:.4g} Hz and nothing damps the line: the motion has no bound. Give the damping "
                 "of the propeller or of the films, or change the speed.",

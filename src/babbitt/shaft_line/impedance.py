@@ -76,7 +76,7 @@ def shaft_stiffness(line: ShaftLine, frequency: float) -> Array:
     Raises
     ------
     InputError
-        E104 at a frequency at which a rod swings between fixed ends.
+        E203 at a frequency at which a rod swings between fixed ends.
     """
     masses = np.array(line.masses)
     matrix = np.diag(-(frequency**2) * masses)
@@ -86,7 +86,7 @@ def shaft_stiffness(line: ShaftLine, frequency: float) -> Array:
             own, cross = rod.stiffness, -rod.stiffness
         else:
             if abs(math.sin(angle)) < POLE:
-                raise InputError("E104", f"{frequency / math.tau:.6g} Hz is a frequency of rod {place + 1} between "
+                raise InputError("E203", f"{frequency / math.tau:.6g} Hz is a frequency of rod {place + 1} between "
                                  "fixed ends; its ends do not tell how it moves. Choose another frequency.")  # fmt: skip
             own, cross = rod.stiffness * angle / math.tan(angle), -rod.stiffness * angle / math.sin(angle)
         matrix[place, place] += own
@@ -111,12 +111,12 @@ def dynamic_stiffness(line: ShaftLine, pads: DynamicPads, frequency: float, film
     Raises
     ------
     InputError
-        E104 for a seating under a rigid ring, and at the poles of `shaft_stiffness`.
+        E203 for a seating under a rigid ring, and at the poles of `shaft_stiffness`.
     """
     c, damped = pads.ring_stiffness, np.iscomplexobj(films)
     joints, z = len(line.masses), films.size
     if line.seating is not None and math.isinf(c):
-        raise InputError("E104", "a seating needs a ring of finite stiffness between pads and housing; give "
+        raise InputError("E203", "a seating needs a ring of finite stiffness between pads and housing; give "
                          "ring_stiffness, 1e12 N/m for a ring that hardly gives way.")  # fmt: skip
     size = joints + (0 if math.isinf(c) else z) + (0 if line.seating is None else 1)
     matrix = np.zeros((size, size), dtype=complex if damped else float)
@@ -156,7 +156,7 @@ def respond(line: ShaftLine, pads: DynamicPads, frequency: float, thrust: comple
     Raises
     ------
     InputError
-        E104 at a pole of a rod; E105 at a resonance without damping.
+        E203 at a pole of a rod; E204 at a resonance without damping.
     """
     films = pads.film(frequency)
     matrix = dynamic_stiffness(line, pads, frequency, films)

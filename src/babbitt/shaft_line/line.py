@@ -92,7 +92,7 @@ class ShaftLine:
         _require_positive("shaft line", propeller_mass=self.propeller_mass, collar_mass=self.collar_mass)
         _require_not_negative("shaft line", propeller_damping=self.propeller_damping)
         if self.joint_masses and len(self.joint_masses) != len(self.rods) - 1:
-            raise InputError("E104", f"{len(self.joint_masses)} joint masses are given for {len(self.rods)} rods; "
+            raise InputError("E203", f"{len(self.joint_masses)} joint masses are given for {len(self.rods)} rods; "
                              "allowed: one less than the rods.")  # fmt: skip
 
     @property
@@ -116,10 +116,10 @@ class ShaftLine:
 def _require_positive(what: str, **values: float) -> None:
     for name, value in values.items():
         if not (math.isfinite(value) and value > 0.0):
-            raise InputError("E104", f"{name} of the {what} is {value:g}; it must be a positive number.")
+            raise InputError("E203", f"{name} of the {what} is {value:g}; it must be a positive number.")
 
 
 def _require_not_negative(what: str, **values: float) -> None:
     for name, value in values.items():
         if not (math.isfinite(value) and value >= 0.0):
-            raise InputError("E104", f"{name} of the {what} is {value:g}; it must be 0 or more.")
+            raise InputError("E203", f"{name} of the {what} is {value:g}; it must be 0 or more.")

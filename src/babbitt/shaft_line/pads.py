@@ -66,18 +66,18 @@ class GivenPads:
 
     def __post_init__(self) -> None:
         if len(self.stiffness) != len(self.damping):
-            raise InputError("E104", f"{len(self.stiffness)} pad stiffnesses and {len(self.damping)} dampings are "
+            raise InputError("E203", f"{len(self.stiffness)} pad stiffnesses and {len(self.damping)} dampings are "
                              "given; allowed: one of each per pad.")  # fmt: skip
         if len(self.stiffness) < 2:
-            raise InputError("E104", f"{len(self.stiffness)} pads are given; allowed: 2 or more.")
+            raise InputError("E203", f"{len(self.stiffness)} pads are given; allowed: 2 or more.")
         for place, value in enumerate(self.stiffness, start=1):
             if not (math.isfinite(value) and value > 0.0):
-                raise InputError("E104", f"stiffness of pad {place} is {value:g} N/m; it must be positive.")
+                raise InputError("E203", f"stiffness of pad {place} is {value:g} N/m; it must be positive.")
         for place, value in enumerate(self.damping, start=1):
             if not (math.isfinite(value) and value >= 0.0):
-                raise InputError("E104", f"damping of pad {place} is {value:g} N s/m; it must be 0 or more.")
+                raise InputError("E203", f"damping of pad {place} is {value:g} N s/m; it must be 0 or more.")
         if not self.ring_stiffness > 0.0:
-            raise InputError("E104", f"stiffness of the ring is {self.ring_stiffness:g} N/m; it must be positive.")
+            raise InputError("E203", f"stiffness of the ring is {self.ring_stiffness:g} N/m; it must be positive.")
 
     @property
     def phases(self) -> Array:

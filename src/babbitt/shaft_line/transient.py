@@ -177,7 +177,7 @@ def transient(state: LineState, amplitude: float = 1.0, revolutions: int = 2) ->
     Raises
     ------
     InputError
-        E102 for pads whose films are not similar.
+        E201 for pads whose films are not similar.
     """
     from scipy.integrate import solve_ivp
 

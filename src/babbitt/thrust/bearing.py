@@ -34,7 +34,7 @@ class HousingTilt:
 
     def __post_init__(self) -> None:
         if not self.offset >= 0.0:
-            raise InputError("E102", f"tilt of the housing is {self.offset:g} m; it must be 0 or more.")
+            raise InputError("E201", f"tilt of the housing is {self.offset:g} m; it must be 0 or more.")
 
 
 @dataclass(frozen=True)
@@ -69,17 +69,17 @@ class ThrustBearing:
 
     def __post_init__(self) -> None:
         if int(self.number) != self.number or self.number < 2:
-            raise InputError("E102", f"number of pads is {self.number:g}; allowed: a whole number from 2.")
+            raise InputError("E201", f"number of pads is {self.number:g}; allowed: a whole number from 2.")
         if self.number * self.pad.extent >= 2.0 * math.pi:
             room = 360.0 / self.number
-            raise InputError("E102", f"{self.number} pads of {math.degrees(self.pad.extent):g} deg overlap; allowed: "
+            raise InputError("E201", f"{self.number} pads of {math.degrees(self.pad.extent):g} deg overlap; allowed: "
                              f"less than {room:g} deg each.")  # fmt: skip
         if not self.ring_stiffness > 0.0:
-            raise InputError("E102", f"stiffness of the ring is {self.ring_stiffness:g} N/m; it must be positive.")
+            raise InputError("E201", f"stiffness of the ring is {self.ring_stiffness:g} N/m; it must be positive.")
         if not self.pad_mass >= 0.0:
-            raise InputError("E102", f"mass of a pad is {self.pad_mass:g} kg; it must be 0 or more.")
+            raise InputError("E201", f"mass of a pad is {self.pad_mass:g} kg; it must be 0 or more.")
         if self.height_errors and len(self.height_errors) != self.number:
-            raise InputError("E102", f"{len(self.height_errors)} pad heights are given for {self.number} pads.")
+            raise InputError("E201", f"{len(self.height_errors)} pad heights are given for {self.number} pads.")
 
     @property
     def angles(self) -> Array:

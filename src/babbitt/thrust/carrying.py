@@ -164,7 +164,7 @@ def carrying(pad: ThrustPad, viscosity: float, angular_speed: float) -> SimilarF
     Raises
     ------
     InputError
-        E103 if no tilt balances the pad, or it carries nothing.
+        E202 if no tilt balances the pad, or it carries nothing.
     """
     if pad.is_plane:
         height = REFERENCE_SHARE * pad.pivot_radius
@@ -205,7 +205,7 @@ def _tabulated(pad: ThrustPad, viscosity: float, angular_speed: float) -> Tabula
 def _require_load(pad: ThrustPad, load: float, height: float) -> None:
     if not load > 0.0:
         raise UnbalancedPad(
-            "E103",
+            "E202",
             f"the pad carries nothing at a film of {height * 1e6:.0f} µm: a plane pad that cannot tilt, or "
             "stands on a pivot at its middle, has no converging film; give it a taper, a step, or a pivot farther back.",
         )

@@ -57,10 +57,10 @@ def pad_state(
     Raises
     ------
     InputError
-        E102 if the height is not positive; E103 if no tilt balances the pad.
+        E201 if the height is not positive; E202 if no tilt balances the pad.
     """
     if not (np.isfinite(height) and height > 0.0):
-        raise InputError("E102", f"film at the pivot is {height:g} m; it must be positive.")
+        raise InputError("E201", f"film at the pivot is {height:g} m; it must be positive.")
     sector = SectorPad(pad.inner_radius, pad.outer_radius, pad.extent, viscosity, angular_speed, pad.form(),
                        turbulence=pad.turbulence)  # fmt: skip
     mesh = (intervals or pad.intervals, degree)
@@ -81,7 +81,7 @@ def pad_state(
         motion = motion + step
         film = _film(sector, to_film @ motion, mesh)
     raise UnbalancedPad(
-        "E103",
+        "E202",
         f"pivot at {pad.pivot_fraction:g} of the extent and radius {pad.pivot_radius:g} m: no tilt balances the pad. "
         "A flat pad needs a pivot behind its middle, 0.5 of the extent, and near the mean radius.",
     )

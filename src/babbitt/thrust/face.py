@@ -78,9 +78,9 @@ class SteppedFace:
 
 def _require(what: str, depth: float, fraction: float) -> None:
     if not depth > 0.0:
-        raise InputError("E102", f"depth of the {what} is {depth:g} m; it must be positive.")
+        raise InputError("E201", f"depth of the {what} is {depth:g} m; it must be positive.")
     if not 0.0 < fraction < 1.0:
-        raise InputError("E102", f"length of the {what} is {fraction:g} of the pad; allowed: between 0 and 1.")
+        raise InputError("E201", f"length of the {what} is {fraction:g} of the pad; allowed: between 0 and 1.")
 
 
 @lru_cache(maxsize=32)

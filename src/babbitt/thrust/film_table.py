@@ -76,13 +76,13 @@ def film_table(films: Carrying) -> FilmTable:
     Raises
     ------
     InputError
-        E102 for a pad with a face, a crown or turbulence, whose films are not similar.
+        E201 for a pad with a face, a crown or turbulence, whose films are not similar.
     """
     from scipy.interpolate import NdBSpline, RectBivariateSpline
 
     pad = films.pad
     if not isinstance(films, SimilarFilms):
-        raise InputError("E102", "the nonlinear transient needs plane laminar pads, whose films are similar; "
+        raise InputError("E201", "the nonlinear transient needs plane laminar pads, whose films are similar; "
                          "leave out the face, the crown and turbulence, or the transient.")  # fmt: skip
     reference = films.reference
     length, height = pad.outer_radius - pad.inner_radius, reference.height

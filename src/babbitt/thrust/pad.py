@@ -72,15 +72,15 @@ class ThrustPad:
 
     def __post_init__(self) -> None:
         if not 0.0 < self.inner_radius < self.outer_radius:
-            raise InputError("E102", f"radii of the pad are {self.inner_radius:g} and {self.outer_radius:g} m; the "
+            raise InputError("E201", f"radii of the pad are {self.inner_radius:g} and {self.outer_radius:g} m; the "
                              "inner must be positive and less than the outer.")  # fmt: skip
         if not 0.0 < self.extent < 2.0 * math.pi:
-            raise InputError("E102", f"extent of the pad is {self.extent:g} rad; allowed: between 0 and one turn.")
+            raise InputError("E201", f"extent of the pad is {self.extent:g} rad; allowed: between 0 and one turn.")
         if not self.inner_radius < self.pivot_radius < self.outer_radius:
-            raise InputError("E102", f"pivot_radius is {self.pivot_radius:g} m; it must lie on the pad, between "
+            raise InputError("E201", f"pivot_radius is {self.pivot_radius:g} m; it must lie on the pad, between "
                              f"{self.inner_radius:g} and {self.outer_radius:g} m.")  # fmt: skip
         if not 0.0 < self.pivot_fraction < 1.0:
-            raise InputError("E102", f"pivot_fraction is {self.pivot_fraction:g}; it must lie between 0, the leading "
+            raise InputError("E201", f"pivot_fraction is {self.pivot_fraction:g}; it must lie between 0, the leading "
                              "edge, and 1, the trailing edge.")  # fmt: skip
 
     @property

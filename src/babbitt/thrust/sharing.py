@@ -101,10 +101,10 @@ def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, departures:
     Raises
     ------
     InputError
-        E102 if the thrust is not positive.
+        E201 if the thrust is not positive.
     """
     if not (math.isfinite(thrust) and thrust > 0.0):
-        raise InputError("E102", f"thrust is {thrust:g} N; it must be positive.")
+        raise InputError("E201", f"thrust is {thrust:g} N; it must be positive.")
     away = bearing.departures() if departures is None else departures
     c = bearing.ring_stiffness
     mean = films.height_for(thrust / bearing.number)

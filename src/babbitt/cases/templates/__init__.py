@@ -11,6 +11,8 @@ _KINDS = {
     "journal": "one journal bearing, ISO 7902",
     "machine": "several bearings that share oil and supply, ISO 7902",
     "overhung_coupling": "load share of two bearings with an overhung coupling",
+    "thrust": "one thrust bearing of tilting or fixed pads",
+    "thrust_line": "axial vibration of a shaft line on its thrust bearing",
 }
 
 
@@ -18,7 +20,7 @@ def kinds() -> Mapping[str, str]:
     """Give the kinds of case and what each describes.
 
     >>> list(kinds())
-    ['journal', 'machine', 'overhung_coupling']
+    ['journal', 'machine', 'overhung_coupling', 'thrust', 'thrust_line']
     """
     return dict(_KINDS)
 
