@@ -23,8 +23,13 @@ from babbitt.report.labels import label
 from babbitt.report.line import Line
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_text
+from babbitt.report.thrust_figures import thrust_figures
+from babbitt.report.thrust_tables import tables
+from babbitt.report.thrust_words import answers
 from babbitt.results import Result
+from babbitt.shaft_line.design import LineDesign
 from babbitt.standards.iso7902.model import DesignCase
+from babbitt.thrust.design import ThrustDesign
 
 Data = dict[str, Any]
 
@@ -83,6 +88,8 @@ def bearing_content(chapter: Chapter) -> Data:
         drawings = draw(by_standard, result, clearance_range(by_standard))
     elif isinstance(case, FilmCase):
         drawings = report_figures(case, result)
+    elif isinstance(case, ThrustDesign | LineDesign):
+        drawings = thrust_figures(case, result)
     sources = sources_of(chapter.results)
     checks = [check_content(check, sources) for check in solved_checks(result)]
     return {
@@ -93,6 +100,8 @@ def bearing_content(chapter: Chapter) -> Data:
         "unchecked": judge.unchecked(result),
         "method": _method(result),
         "outcomes": [_outcome(member) for member in chapter.members if not member.result.outcome.solved],
+        "answers": [plain_text(said) for said in answers(result)],
+        "tables": tables(result) if isinstance(case, ThrustDesign | LineDesign) else [],
         "heading": "Operating point" if is_film(result) else "Results",
         "results": _key_results(chapter) if result.outcome.solved else [],
         "inputs": [
@@ -128,7 +137,8 @@ def bearing_content(chapter: Chapter) -> Data:
 
 
 def _method(result: Result) -> str:
-    return {"iso7902": "ISO 7902", "film": "Film in two dimensions", "statics": "Statics of the shaft"}.get(
+    return {"iso7902": "ISO 7902", "film": "Film in two dimensions", "statics": "Statics of the shaft",
+            "frequency domain": "Static films, vibration in the frequency domain"}.get(
         result.method, plain_text(result.method)
     )
 
@@ -148,7 +158,7 @@ def _outcome(member: Member) -> Data:
 
 def _key_results(chapter: Chapter) -> list[Data]:
     result = chapter.shown.result
-    film = "minimum_film_thickness" in result.values
+    film = "minimum_film_thickness" in result.values and result.kind not in ("thrust", "thrust_line")
     names = KEY_RESULTS if film else tuple(name for name in result.values if name not in NOT_FOR_PAPER)
     if film and not is_fed(result):
         names = tuple(name for name in names if name not in ("supply_flow", "total_flow"))

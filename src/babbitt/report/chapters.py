@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
 from babbitt.report.names import split_clearance
+from babbitt.shaft_line.design import LineDesign
+from babbitt.thrust.design import ThrustDesign
 from babbitt.results import Result
 
 if TYPE_CHECKING:
@@ -45,8 +47,8 @@ class Chapter:
     def shown_case(self) -> AnyDesign | None:
         """The case shown in full, with those words of the case file that hold for every member."""
         case = self.shown.case
-        if case is None:
-            return None
+        if case is None or isinstance(case, ThrustDesign | LineDesign):
+            return case
         others = [set(member.case.given) for member in self.members if member.case is not None]
         return replace(case, given=tuple(row for row in case.given if all(row in given for given in others)))
 
@@ -97,6 +99,8 @@ def _belongs(member: Member, before: Member) -> bool:
 
 
 def _without_clearance(case: AnyDesign) -> AnyDesign:
+    if isinstance(case, ThrustDesign | LineDesign):
+        return case
     if isinstance(case, FilmCase):
         return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
     return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))

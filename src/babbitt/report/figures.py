@@ -13,9 +13,12 @@ from babbitt.notices import InputError
 from babbitt.report import painters
 from babbitt.report.drawing import FORMATS, Drawing, rendered, style
 from babbitt.report.film_figures import all_figures
+from babbitt.report.thrust_figures import thrust_figures
 from babbitt.report.writing import write_whole
 from babbitt.results import Result
+from babbitt.shaft_line.design import LineDesign
 from babbitt.standards.iso7902.model import DesignCase, GivenLoad
+from babbitt.thrust.design import ThrustDesign
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -115,6 +118,8 @@ def _clearance_caption(clearance: ClearanceRange) -> str:
 def _all_of(case: AnyDesign, result: Result, image_format: str) -> tuple[Drawing, ...]:
     if isinstance(case, FilmCase):
         return all_figures(case, result, image_format)
+    if isinstance(case, ThrustDesign | LineDesign):
+        return thrust_figures(case, result, image_format)
     return draw(case, result, clearance_range(case), image_format)
 
 

@@ -7,14 +7,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from babbitt.bearings.model import FilmCase
-from babbitt.cases.build import AnyDesign
+from babbitt.cases.build import AnyDesign, JournalDesign
 from babbitt.design.ducts import Duct
-from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, PowerLaw, Vogel, Walther
+from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, Lubricant, PowerLaw, Vogel, Walther
 from babbitt.report.expression import Node, number_node, text
 from babbitt.report.film_inputs import CAVITATION, FILM_START, said_of_bore, said_of_hollow
 from babbitt.report.labels import label
 from babbitt.report.line import VOCABULARY, symbol
 from babbitt.report.text import plain_text
+from babbitt.shaft_line.design import LineDesign
 from babbitt.standards.iso7902.model import Curves, DesignCase, Friction, GivenEccentricity
 from babbitt.standards.iso7902.supply import (
     Arrangement,
@@ -24,6 +25,7 @@ from babbitt.standards.iso7902.supply import (
     Pockets,
     SupplyElement,
 )
+from babbitt.thrust.design import ThrustDesign
 
 LAWS = {
     Walther: "Walther (ASTM D341, short form)",
@@ -80,6 +82,8 @@ def inputs(case: AnyDesign) -> tuple[InputGroup, ...]:
     tuple of InputGroup
         Groups that say nothing are left out.
     """
+    if isinstance(case, ThrustDesign | LineDesign):
+        return thrust_inputs(case)
     geometry = _film_geometry(case) if isinstance(case, FilmCase) else _geometry(case)
     method = _film_method(case) if isinstance(case, FilmCase) else _method(case)
     groups = (
@@ -94,6 +98,20 @@ def inputs(case: AnyDesign) -> tuple[InputGroup, ...]:
         InputGroup("Method", (*method, *_limits(case))),
     )
     return tuple(group for group in groups if group.rows)
+
+
+def thrust_inputs(case: ThrustDesign | LineDesign) -> tuple[InputGroup, ...]:
+    """Inputs of a thrust bearing or a shaft line: as the case gave them, and its oil."""
+    given = InputGroup("As given", tuple(Row(plain_text(what), plain_text(words)) for what, words in case.given))
+    bearing = case.thrust if isinstance(case, LineDesign) else case
+    rows = list(_oil_rows(case.lubricant))
+    oil = bearing.oil
+    if oil.supply_temperature is not None:
+        rows.append(_named("supply_temperature", oil.supply_temperature))
+        rows.append(Row("Hot oil carried over", f"{100.0 * oil.carry_over:.4g}", None, "%"))
+    if oil.effective_temperature is not None:
+        rows.append(_named("effective_temperature", oil.effective_temperature, "Prescribed effective temperature"))
+    return (given, InputGroup("Lubricant", tuple(rows)))
 
 
 def _named(name: str, value: float, given_label: str = "") -> Row:
@@ -164,7 +182,7 @@ def _film_method(case: FilmCase) -> Iterator[Row]:
         yield _named("friction_factor", case.friction_factor)
 
 
-def _operation(case: AnyDesign) -> Iterator[Row]:
+def _operation(case: JournalDesign) -> Iterator[Row]:
     if isinstance(case.duty, GivenEccentricity):
         yield _named("eccentricity_ratio", case.duty.eccentricity_ratio, "Prescribed eccentricity e/c")
         if case.duty.attitude_angle is not None:
@@ -183,8 +201,11 @@ def _operation(case: AnyDesign) -> Iterator[Row]:
         yield _named("effective_temperature", case.effective_temperature, "Prescribed effective temperature")
 
 
-def _lubricant(case: AnyDesign) -> Iterator[Row]:
-    oil = case.lubricant
+def _lubricant(case: JournalDesign) -> Iterator[Row]:
+    yield from _oil_rows(case.lubricant)
+
+
+def _oil_rows(oil: Lubricant) -> Iterator[Row]:
     yield Row("Name", plain_text(oil.name))
     yield Row("Viscosity law", LAWS.get(type(oil.viscosity_law), type(oil.viscosity_law).__name__))
     for celsius in (40, 100):
@@ -201,7 +222,7 @@ def _lubricant(case: AnyDesign) -> Iterator[Row]:
     yield Row("Source", plain_text(oil.source))
 
 
-def _supply(case: AnyDesign) -> Iterator[Row]:
+def _supply(case: JournalDesign) -> Iterator[Row]:
     supply = case.oil_supply
     if supply is None:
         return
@@ -219,21 +240,21 @@ def _duct(duct: Duct) -> str:
     return said if duct.number == 1.0 else f"{duct.number:.4g} × ({said})"
 
 
-def _cooling(case: AnyDesign) -> Iterator[Row]:
+def _cooling(case: JournalDesign) -> Iterator[Row]:
     if case.cooling is not None:
         yield _named("ambient_temperature", case.cooling.ambient_temperature)
         yield _named("heat_transfer_coefficient", case.cooling.heat_transfer_coefficient)
         yield _named("cooling_surface", case.cooling.surface)
 
 
-def _surfaces(case: AnyDesign) -> Iterator[Row]:
+def _surfaces(case: JournalDesign) -> Iterator[Row]:
     surfaces = case.bearing.surfaces
     if surfaces is not None:
         for name, value in vars(surfaces).items():
             yield _named(name, value)
 
 
-def _material(case: AnyDesign) -> Iterator[Row]:
+def _material(case: JournalDesign) -> Iterator[Row]:
     metal = case.bearing.metal
     if metal is not None:
         yield Row("Bearing metal", plain_text(metal.name))
@@ -252,7 +273,7 @@ def _method(case: DesignCase) -> Iterator[Row]:
         yield _named("friction_factor", case.friction_factor)
 
 
-def _limits(case: AnyDesign) -> Iterator[Row]:
+def _limits(case: JournalDesign) -> Iterator[Row]:
     limits = case.limits
     for name, value, said in (
         ("minimum_film_thickness", limits.minimum_film_thickness, "Least film thickness set"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from time import perf_counter
 
 from babbitt.notices import Notice
@@ -75,6 +76,7 @@ class LineAnswer:
         return min((separation(nu, natural) for nu, natural in pairs), default=math.inf)
 
 
+@lru_cache(maxsize=4)
 def line_answer(design: LineDesign) -> LineAnswer:
     """Solve a line with all that its report says.
 
