@@ -123,7 +123,7 @@ def _rounded(value: Any) -> Any:
 
 
 def _expanded(bearing: JournalBearing, case: Case, make: Maker[DesignT]) -> Iterator[DesignT]:
-    if isinstance(case, OverhungCouplingCase):
+    if isinstance(case, OverhungCouplingCase | ThrustCase | ThrustLineCase):
         return
     joined = inputs(bearing, case)
     relative = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter)

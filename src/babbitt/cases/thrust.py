@@ -40,9 +40,7 @@ class ThrustBearingInputs(Part):
         None, description="Stiffness of the backing ring under each pad, c. None: rigid."
     )
     tilt: Tilt | None = Field(None, description="Tilt of the housing against the collar.")
-    turbulence: Literal["none", "ng_pan", "constantinescu"] = Field(
-        "none", description="Turbulence of the films."
-    )
+    turbulence: Literal["none", "ng_pan", "constantinescu"] = Field("none", description="Turbulence of the films.")
     film_limit: Annotated[float, si("m", "0.1 um", "1 mm")] | None = Field(
         None, description="Least film permitted. None: 10 um, an assumption."
     )
@@ -127,7 +125,10 @@ def words_of(case: ThrustBearingInputs) -> Iterator[tuple[str, str]]:
     else:
         yield "Pivot", "none, fixed pads"
     if pads.face is not None:
-        yield "Face", f"{pads.face.kind} {written(pads.face.depth, 'um')} deep over {pads.face.fraction:g} of the pad"
+        yield (
+            "Face",
+            f"{pads.face.kind} {written(pads.face.depth, 'um')} deep over {pads.face.fraction:g} of the pad",
+        )
     if pads.crown:
         yield "Crown", written(pads.crown, "um")
     if pads.mass:

@@ -40,7 +40,8 @@ class ShaftPiece(Part):
     modulus: Annotated[float, si("Pa", "1 GPa", "1000 GPa")] = Field(206e9, description="Young's modulus.")
     density: Annotated[float, si("kg/m3", "100 kg/m3", "30000 kg/m3")] = Field(7850.0, description="Density.")
     end_mass: PartMass = Field(
-        0.0, description="Point mass at the end towards the collar, such as a flange or a gear; not on the last piece."
+        0.0,
+        description="Point mass at the end towards the collar, such as a flange or a gear; not on the last piece.",
     )
 
     @rule
@@ -195,11 +196,18 @@ def _words(case: ThrustLineCase) -> Iterator[tuple[str, str]]:
     if case.seating is None:
         yield "Seating", "rigid"
     else:
-        yield "Seating", f"{written(case.seating.stiffness, 'GN/m')}, housing {written(case.seating.housing_mass, 't')}"
+        yield (
+            "Seating",
+            f"{written(case.seating.stiffness, 'GN/m')}, housing {written(case.seating.housing_mass, 't')}",
+        )
     for one in case.ripple:
         harmonic = case._thrust_harmonic(one)
-        yield "Thrust ripple", f"{written(harmonic.amplitude, 'kN')} at {harmonic.order:g} times the shaft frequency"
+        yield (
+            "Thrust ripple",
+            f"{written(harmonic.amplitude, 'kN')} at {harmonic.order:g} times the shaft frequency",
+        )
     for face in case.runout:
-        yield "Runout of the collar", f"amplitude {written(face.amplitude, 'um')}" + (
-            "" if face.lobes == 1 else f", {face.lobes} waves"
+        yield (
+            "Runout of the collar",
+            f"amplitude {written(face.amplitude, 'um')}" + ("" if face.lobes == 1 else f", {face.lobes} waves"),
         )

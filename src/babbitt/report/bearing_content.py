@@ -137,10 +137,12 @@ def bearing_content(chapter: Chapter) -> Data:
 
 
 def _method(result: Result) -> str:
-    return {"iso7902": "ISO 7902", "film": "Film in two dimensions", "statics": "Statics of the shaft",
-            "frequency domain": "Static films, vibration in the frequency domain"}.get(
-        result.method, plain_text(result.method)
-    )
+    return {
+        "iso7902": "ISO 7902",
+        "film": "Film in two dimensions",
+        "statics": "Statics of the shaft",
+        "frequency domain": "Static films, vibration in the frequency domain",
+    }.get(result.method, plain_text(result.method))
 
 
 def _outcome(member: Member) -> Data:

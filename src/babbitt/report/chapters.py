@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
 from babbitt.report.names import split_clearance
+from babbitt.results import Result
 from babbitt.shaft_line.design import LineDesign
 from babbitt.thrust.design import ThrustDesign
-from babbitt.results import Result
 
 if TYPE_CHECKING:
     from babbitt.cases.build import AnyDesign

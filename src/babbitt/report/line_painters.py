@@ -31,7 +31,9 @@ def histories(answer: LineAnswer, film_limit: float) -> Figure:
     ):
         for pad, history in enumerate(values):
             own = pad == chosen
-            panel.plot(angles, history, color=INK if own else PALE, linewidth=1.2 if own else 0.7, zorder=3 if own else 2)
+            panel.plot(
+                angles, history, color=INK if own else PALE, linewidth=1.2 if own else 0.7, zorder=3 if own else 2
+            )
         place = int(values[chosen].argmax() if panel is above else values[chosen].argmin())
         panel.annotate(f"pad {chosen + 1}", (angles[place], values[chosen, place]), xytext=(0, 4 if panel is above else -4),
                        textcoords="offset points", ha="center", va="bottom" if panel is above else "top", fontsize=7)  # fmt: skip  # noqa: E501
@@ -57,7 +59,9 @@ def mode_shapes(answer: LineAnswer) -> Figure:
     panel.set_ylim(-1.1, 1.1)
     panel.set_xlabel("distance from the propeller in m")
     panel.set_ylabel("displacement")
-    panel.legend(frameon=False, fontsize=7, loc="lower center", ncols=2, handlelength=2.6, bbox_to_anchor=(0.5, 0.0))
+    panel.legend(
+        frameon=False, fontsize=7, loc="lower center", ncols=2, handlelength=2.6, bbox_to_anchor=(0.5, 0.0)
+    )
     panel.set_ylim(-1.65, 1.1)
     return figure
 
@@ -85,7 +89,7 @@ def ring_sweep(answer: LineAnswer, limit: float) -> Figure:
     above.set_ylabel("dynamic load in %")
     below.set_ylabel("first frequency in Hz")
     below.set_xlabel("ring stiffness per pad in GN/m")
-    above.legend(frameon=False, fontsize=7, loc="upper left", handlelength=2.4, bbox_to_anchor=(0.0, 0.85))
+    above.legend(frameon=False, fontsize=7, loc="upper left", handlelength=2.4, bbox_to_anchor=(0.0, 0.70))
     return figure
 
 
@@ -95,7 +99,9 @@ def campbell(answer: LineAnswer, limit: float, speed: float) -> Figure:
     points = answer.campbell
     rpm = np.array([point.speed for point in points]) * RPM
     orders = sorted({part.harmonic.order for part in answer.state.forced.parts})
-    highest = 1.15 * max(max(orders) * points[-1].speed, points[0].frequencies[0], points[-1].frequencies[0]) / math.tau
+    highest = (
+        1.15 * max(max(orders) * points[-1].speed, points[0].frequencies[0], points[-1].frequencies[0]) / math.tau
+    )
     number = min(len(point.frequencies) for point in points)
     for n in range(number):
         frequencies = np.array([point.frequencies[n] for point in points]) / math.tau

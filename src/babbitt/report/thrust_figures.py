@@ -19,7 +19,9 @@ __all__ = ["thrust_figures"]
 Painted = tuple[str, str, "Figure", bool]
 
 
-def thrust_figures(design: ThrustDesign | LineDesign, result: Result, image_format: str = "svg") -> tuple[Drawing, ...]:
+def thrust_figures(
+    design: ThrustDesign | LineDesign, result: Result, image_format: str = "svg"
+) -> tuple[Drawing, ...]:
     """Every figure of a solved bearing or line.
 
     Parameters
@@ -44,11 +46,11 @@ def _of_bearing(design: ThrustDesign) -> Iterator[Painted]:
     state = operating_state(design)
     yield (
         "pads-polar", "Static load of each pad, outward from the ring; the collar turns as the arrow says. Thin ring: "
-        "mean load.", thrust_painters.pads_polar(state.share, None), False,
+        "mean load; dotted: where the housing comes closest.", thrust_painters.pads_polar(state.share, None), False,
     )  # fmt: skip
     yield (
         "pad-pressure", "Pressure on the pad that carries most, seen from the collar. Cross: highest pressure; circle: "
-        "pivot. The collar enters at the leading edge on the right.", thrust_painters.pad_pressure(state.share), False,
+        "pivot.", thrust_painters.pad_pressure(state.share), False,
     )  # fmt: skip
 
 
@@ -59,7 +61,7 @@ def _of_line(design: LineDesign) -> Iterator[Painted]:
     state = answer.state
     yield (
         "pads-polar", "Static load of each pad (grey) and the range of its dynamic load for any phases (black), outward "
-        "from the ring. Thin ring: mean load.", thrust_painters.pads_polar(state.share, state.forced.bounds()), False,
+        "from the ring. Thin ring: mean load; dotted: where the housing comes closest.", thrust_painters.pads_polar(state.share, state.forced.bounds()), False,
     )  # fmt: skip
     yield (
         "pad-pressure", "Static pressure on the pad that carries most, seen from the collar. Cross: highest pressure; "

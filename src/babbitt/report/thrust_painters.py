@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from babbitt.report.drawing import GREY, INK, Array, Sheet
+from babbitt.thrust.peak import between_nodes
 from babbitt.thrust.sharing import Share
 
 if TYPE_CHECKING:
@@ -35,17 +36,22 @@ def pads_polar(share: Share, dynamic: Array | None) -> Figure:
     panel.plot(around, np.full(181, base + share.mean_load / 1e3), color=GREY, linewidth=0.7)
     panel.plot(around, np.full(181, base), color=INK, linewidth=0.7)
     for number, angle in enumerate(bearing.angles, start=1):
-        panel.annotate(f"{number}", (angle, 0.86 * base), ha="center", va="center", fontsize=7)
-        panel.annotate(f"{loads[number - 1]:.3g}", (angle, base + 0.09 * largest), ha="center", va="center", fontsize=6)
-    panel.annotate("kN", (0.0, 0.0), ha="center", va="bottom", fontsize=7)
+        panel.annotate(f"{number}", (angle, 0.87 * base), ha="center", va="center", fontsize=7)
+        panel.annotate(
+            f"{loads[number - 1]:.3g}", (angle, 0.62 * base), ha="center", va="center", fontsize=6, color="0.3"
+        )
+    panel.annotate("kN", (0.0, 0.0), ha="center", va="center", fontsize=6, color="0.3")
     turn = bearing.sense * np.linspace(0.3, 1.2, 30) + math.pi / 2
-    panel.plot(turn, np.full(30, 0.5 * base), color=INK, linewidth=0.8)
-    panel.annotate("", (turn[-1], 0.5 * base), xytext=(turn[-3], 0.5 * base),
+    panel.plot(turn, np.full(30, 0.36 * base), color=INK, linewidth=0.8)
+    panel.annotate("", (turn[-1], 0.36 * base), xytext=(turn[-3], 0.36 * base),
                    arrowprops={"arrowstyle": "-|>", "linewidth": 0.8, "mutation_scale": 7.0, "color": INK})  # fmt: skip
     if bearing.tilt.offset > 0.0:
         at = bearing.tilt.direction
-        panel.annotate("closest", (at, 0.42 * base), ha="center", va="center", fontsize=6, color="0.3")
-    panel.set_ylim(0.0, 1.04 * (base + largest))
+        edge = 1.10 * (base + largest)
+        panel.plot([at, at], [base, edge], color=INK, linestyle=":", linewidth=0.8, zorder=1)
+        panel.annotate("closest", (at, edge), ha="center", va="center", fontsize=6, color="0.3",
+                       bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5})  # fmt: skip
+    panel.set_ylim(0.0, 1.14 * (base + largest))
     panel.axis("off")
     return figure
 
@@ -57,10 +63,11 @@ def pad_pressure(share: Share) -> Figure:
     figure, ((panel,),) = Sheet(81.0, 70.0, left=2.0, bottom=2.0).panels()
     panel.set_aspect("equal")
     panel.axis("off")
+    sense = share.bearing.sense
     turned = film.theta[:, None] - 0.5 * pad.extent + math.pi / 2
-    radius = 1e3 * film.radius[None, :]
-    x, y = -radius * np.cos(turned) * -1.0, radius * np.sin(turned)
-    pressure = state.pressure() / 1e6
+    radius, pressure = between_nodes(film.radius, state.pressure() / 1e6)
+    radius = 1e3 * radius[None, :]
+    x, y = sense * radius * np.cos(turned), radius * np.sin(turned)
     levels = np.linspace(0.0, float(pressure.max()), 9)[1:-1]
     lines = panel.contour(x, y, pressure, levels=levels, colors="0.25", linewidths=0.6)
     panel.clabel(lines, fmt=lambda value: f"{value:.2g}", fontsize=6, inline_spacing=2)
@@ -69,14 +76,16 @@ def pad_pressure(share: Share) -> Figure:
     i, j = np.unravel_index(int(pressure.argmax()), pressure.shape)
     panel.plot(x[i, j], y[i, j], "+", color=INK, markersize=6)
     angle = pad.pivot_angle - 0.5 * pad.extent + math.pi / 2
-    panel.plot(1e3 * pad.pivot_radius * math.cos(angle), 1e3 * pad.pivot_radius * math.sin(angle), "o", color=INK,
+    panel.plot(sense * 1e3 * pad.pivot_radius * math.cos(angle), 1e3 * pad.pivot_radius * math.sin(angle), "o", color=INK,
                markerfacecolor="white", markersize=4)  # fmt: skip
-    for side, text, ha in ((0, "leading", "left"), (-1, "trailing", "right")):
+    for side, text in ((0, "leading"), (-1, "trailing")):
         k = pressure.shape[1] // 2
+        ha = "left" if x[side, k] > 0.0 else "right"
         offset = 5 if ha == "left" else -5
         panel.annotate(text, (x[side, k], y[side, k]), xytext=(offset, 0), textcoords="offset points", fontsize=7,
                        ha=ha, va="center")  # fmt: skip
-    panel.annotate(f"largest {state.maximum_pressure / 1e6:.3g} MPa", (0.5, 0.0), xycoords="axes fraction", fontsize=7,
-                   ha="center", va="bottom")  # fmt: skip
-    panel.margins(0.16, 0.10)
+    panel.annotate(f"largest {state.maximum_pressure / 1e6:.3g} MPa", (0.0, float(y.min())), xytext=(0, -4),
+                   textcoords="offset points", fontsize=7, ha="center", va="top")  # fmt: skip
+    panel.margins(0.16, 0.14)
+    panel.set_ylim(float(y.min()) - 16.0 * (float(y.max()) - float(y.min())) / 100.0, None)
     return figure

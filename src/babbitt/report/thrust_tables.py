@@ -59,7 +59,7 @@ def _by_pad(result: Result, title: str, names: Sequence[str], note: str) -> dict
         [str(pad), *(quantity.format(value) for quantity, value in zip(quantities, values, strict=True))]
         for pad, values in enumerate(zip(*columns, strict=True), start=1)
     ]
-    heads = [{"text": "Pad", "symbol": None, "unit": ""}]
+    heads: list[dict[str, Any]] = [{"text": "Pad", "symbol": None, "unit": ""}]
     heads += [{"text": "", "symbol": symbol_node(q.symbol), "unit": q.display.label} for q in quantities]
     return {"title": title, "columns": heads, "rows": rows, "note": note}
 

@@ -51,7 +51,9 @@ def _survival(result: Result, checks: dict[str, Check]) -> str:
     if margin.value <= 0.0:
         left = f"a pad leaves the collar (margin {_percent(margin.value)} of the mean load)"
     sign = "≥" if film.ok else "<"
-    return f"{word}: thinnest film {_micro(film.value)} {sign} {_micro(film.limit)}, and {left}, whatever the phases."
+    return (
+        f"{word}: thinnest film {_micro(film.value)} {sign} {_micro(film.limit)}, and {left}, whatever the phases."
+    )
 
 
 def _loss(result: Result, check: Check) -> str:
@@ -79,7 +81,9 @@ def _causes(result: Result) -> str:
 
 def _ring(result: Result) -> str:
     v = result.values
-    best = f"the least of the sweep is {_percent(v['best_ring_loss'])} on a ring of {_giga(v['best_ring_stiffness'])}"
+    best = (
+        f"the least of the sweep is {_percent(v['best_ring_loss'])} on a ring of {_giga(v['best_ring_stiffness'])}"
+    )
     if "half_load_ring_stiffness" in v:
         said = f"A backing ring of {_giga(v['half_load_ring_stiffness'])} per pad would halve the dynamic load; {best}"
     else:
@@ -91,7 +95,9 @@ def _bearable(result: Result, limit: float) -> str:
     v = result.values
     parts = []
     if "admissible_runout" in v:
-        parts.append(f"runout up to {_micro(v['admissible_runout'])} (indicator {_micro(2.0 * v['admissible_runout'])})")
+        parts.append(
+            f"runout up to {_micro(v['admissible_runout'])} (indicator {_micro(2.0 * v['admissible_runout'])})"
+        )
     if "admissible_tilt" in v:
         parts.append(f"tilt up to {_micro(v['admissible_tilt'])}")
     if "admissible_ripple" in v:

@@ -90,7 +90,9 @@ def line_answer(design: LineDesign) -> LineAnswer:
     duty, films = design.duty, static.films
     state = state_of(duty, films, static.share)
     highest = max(state.frequencies, default=0.0)
-    known = max(MODES, len(undamped_frequencies(design.line, state.pads, highest=1.25 * highest)) if highest else 0)
+    known = max(
+        MODES, len(undamped_frequencies(design.line, state.pads, highest=1.25 * highest)) if highest else 0
+    )
     rings = usual_rings(duty, state, RINGS)
     return LineAnswer(
         static=static,
@@ -100,7 +102,7 @@ def line_answer(design: LineDesign) -> LineAnswer:
         causes=attribution(state),
         bearable=admissible(duty, films, design.loss_limit),
         rings=ring_sweep(duty, films, rings),
-        half=ring_for_loss(duty, films, 0.5 * state.losses.mean_bound, rings[:: 3]),
+        half=ring_for_loss(duty, films, 0.5 * state.losses.mean_bound, rings[::3]),
         campbell=speed_sweep(duty, design.films_at, design.speeds),
         nonlinear=transient(state) if design.nonlinear else None,
     )
@@ -238,9 +240,7 @@ def _arrays(design: LineDesign, answer: LineAnswer) -> dict[str, Matrix]:
          p.largest_over_mean) for p in answer.rings
     )  # fmt: skip
     if answer.campbell:
-        arrays["campbell"] = tuple(
-            (p.speed, p.state.losses.mean_bound, *p.frequencies) for p in answer.campbell
-        )
+        arrays["campbell"] = tuple((p.speed, p.state.losses.mean_bound, *p.frequencies) for p in answer.campbell)
         if barred := barred_ranges(answer.campbell):
             arrays["barred_ranges"] = barred
     return arrays
@@ -253,4 +253,3 @@ def _assumptions(design: LineDesign) -> Iterator[str]:
         yield "The seating is rigid: a flexible one lowers the first frequency, typically by a fifth at 2 GN/m."
     if design.speeds:
         yield "Over speed, thrust and ripple grow with its square; runout and tilt stay."
-

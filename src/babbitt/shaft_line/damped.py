@@ -28,7 +28,9 @@ class DampedMode:
     damping_ratio: float
 
 
-def damped_modes(line: ShaftLine, pads: DynamicPads, number: int, highest: float = math.inf) -> tuple[DampedMode, ...]:
+def damped_modes(
+    line: ShaftLine, pads: DynamicPads, number: int, highest: float = math.inf
+) -> tuple[DampedMode, ...]:
     """The lowest modes that swing, by frequency.
 
     Parameters

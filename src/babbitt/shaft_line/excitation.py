@@ -61,4 +61,6 @@ def _require(harmonic: ThrustHarmonic | RunoutHarmonic, what: str, unit: str) ->
     if not (math.isfinite(harmonic.order) and harmonic.order > 0.0):
         raise InputError("E203", f"order of the {what} is {harmonic.order:g}; it must be positive.")
     if not (math.isfinite(harmonic.amplitude) and harmonic.amplitude >= 0.0):
-        raise InputError("E203", f"amplitude of the {what} is {harmonic.amplitude:g} {unit}; it must be 0 or more.")
+        raise InputError(
+            "E203", f"amplitude of the {what} is {harmonic.amplitude:g} {unit}; it must be 0 or more."
+        )

@@ -106,7 +106,7 @@ class Forced:
         """Largest |N_i| over a revolution, N, shape (z,); the bound where harmonics do not repeat together."""
         if not self.commensurate:
             return self.bounds()
-        return np.abs(self.force_history(turned)).max(axis=1)
+        return np.asarray(np.abs(self.force_history(turned)).max(axis=1))
 
     def worst_turn(self) -> tuple[float, float]:
         """Angle of the propeller on the shaft, rad, at which the largest pad force is largest, and that force, N."""

@@ -96,7 +96,7 @@ def shaft_stiffness(line: ShaftLine, frequency: float) -> Array:
     return matrix
 
 
-def dynamic_stiffness(line: ShaftLine, pads: DynamicPads, frequency: float, films: ComplexArray) -> ComplexArray:
+def dynamic_stiffness(line: ShaftLine, pads: DynamicPads, frequency: float, films: ComplexArray | Array) -> ComplexArray | Array:
     """Matrix of the unknowns (joints, pads, housing); without pads on a rigid ring, without housing on a rigid seat.
 
     Parameters
@@ -139,7 +139,9 @@ def dynamic_stiffness(line: ShaftLine, pads: DynamicPads, frequency: float, film
     return matrix
 
 
-def respond(line: ShaftLine, pads: DynamicPads, frequency: float, thrust: complex, runout: ComplexArray) -> Response:
+def respond(
+    line: ShaftLine, pads: DynamicPads, frequency: float, thrust: complex, runout: ComplexArray
+) -> Response:
     """Solve the line at one frequency.
 
     Parameters
@@ -167,10 +169,10 @@ def respond(line: ShaftLine, pads: DynamicPads, frequency: float, thrust: comple
     rigid = math.isinf(pads.ring_stiffness)
     if not rigid:
         right[joints : joints + z] = films * runout
-    solution = np.linalg.solve(matrix, right)
+    solution: ComplexArray = np.asarray(np.linalg.solve(matrix, right), dtype=np.complex128)
     scale = np.abs(matrix) @ np.abs(solution) + np.abs(right)
     residual = float((np.abs(matrix @ solution - right) / np.where(scale > 0.0, scale, 1.0)).max())
     displaced = np.zeros(z, dtype=complex) if rigid else solution[joints : joints + z]
-    gaps = displaced - runout - solution[joints - 1]
+    gaps = np.asarray(displaced - runout - solution[joints - 1], dtype=np.complex128)
     housing = complex(solution[-1]) if line.seating is not None else 0j
     return Response(frequency, solution[:joints], displaced, gaps, -films * gaps, housing, residual)

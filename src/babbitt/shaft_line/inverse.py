@@ -90,9 +90,7 @@ def _largest(of: Callable[[float], float], limit: float) -> float | None:
     return bracketed_root(lambda f: of(f) - limit, 0.0, high, relative=RELATIVE)
 
 
-def ring_for_loss(
-    duty: LineDuty, films: Carrying, loss: float, rings: tuple[float, ...]
-) -> RingPoint | None:
+def ring_for_loss(duty: LineDuty, films: Carrying, loss: float, rings: tuple[float, ...]) -> RingPoint | None:
     """The stiffest ring on which L1 (bound) falls to ``loss``; None where no ring among ``rings`` reaches it.
 
     Parameters

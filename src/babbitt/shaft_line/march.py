@@ -46,7 +46,7 @@ class March:
     @property
     def peaks(self) -> Array:
         """Largest |N_i|, N."""
-        return np.abs(self.forces).max(axis=0)
+        return np.asarray(np.abs(self.forces).max(axis=0))
 
 
 def march(
@@ -75,7 +75,7 @@ def march(
     model = element_line(line, pads)
     dt = 2.0 * math.pi / (speed * steps)
     inverse = np.linalg.inv(model.stiffness + 2.0 / dt * model.damping + 4.0 / dt**2 * model.mass)
-    angles = speed * dt * np.arange(1, steps + 1)
+    angles = np.asarray(speed * dt * np.arange(1, steps + 1), dtype=np.float64)
     loads, runout = _loads(model, pads, speed, angles, thrusts, runouts)
     u, v = np.zeros(model.mass.shape[0]), np.zeros(model.mass.shape[0])
     a = np.zeros_like(u)

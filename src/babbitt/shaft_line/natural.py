@@ -130,7 +130,9 @@ def _along(line: ShaftLine, joints: Array, frequency: float) -> tuple[Array, Arr
         share = np.linspace(0.0, 1.0, PLACES)
         angle = frequency * rod.transit_time
         ends = joints[place], joints[place + 1]
-        shapes.append((ends[0] * np.sin(angle * (1.0 - share)) + ends[1] * np.sin(angle * share)) / math.sin(angle))
+        shapes.append(
+            (ends[0] * np.sin(angle * (1.0 - share)) + ends[1] * np.sin(angle * share)) / math.sin(angle)
+        )
         places.append(start + share * rod.length)
         start += rod.length
     return np.concatenate(places), np.concatenate(shapes)

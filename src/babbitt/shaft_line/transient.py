@@ -58,12 +58,12 @@ class Transient:
     @property
     def load_peaks(self) -> Array:
         """Largest load above the static one, N."""
-        return self.loads.max(axis=0) - self.static_loads
+        return np.asarray(self.loads.max(axis=0) - self.static_loads)
 
     @property
     def unload_peaks(self) -> Array:
         """Largest load below the static one, N, positive."""
-        return self.static_loads - self.loads.min(axis=0)
+        return np.asarray(self.static_loads - self.loads.min(axis=0))
 
     @property
     def peaks(self) -> Array:
@@ -73,7 +73,7 @@ class Transient:
     @property
     def film_shift(self) -> Array:
         """Mean film less the static one, m."""
-        return self.films[:-1].mean(axis=0) - self.static_films
+        return np.asarray(self.films[:-1].mean(axis=0) - self.static_films)
 
     @property
     def lifts_off(self) -> bool:
@@ -135,13 +135,15 @@ class Motion:
             matrix[:, tilt, tilt], right[:, tilt] = 1.0, 0.0
         if self.rigid:
             closing = -v[-1] - xi_rate
-            tilts = np.linalg.solve(matrix[:, 1:, 1:], (right[:, 1:] - matrix[:, 1:, 0] * closing[:, None])[..., None])
-            rates = np.concatenate([closing[:, None], tilts[..., 0]], axis=1)
+            tilts = np.linalg.solve(
+                matrix[:, 1:, 1:], (right[:, 1:] - matrix[:, 1:, 0] * closing[:, None])[..., None]
+            )
+            rates = np.asarray(np.concatenate([closing[:, None], tilts[..., 0]], axis=1), dtype=np.float64)
             loads = right[:, 0] - (matrix[:, 0, :] * rates).sum(axis=1)
             return gaps, rates, loads, np.zeros(self.z)
         loads = self.c * (x - housing[0])
         right[:, 0] -= loads
-        rates = np.linalg.solve(matrix, right[..., None])[..., 0]
+        rates = np.asarray(np.linalg.solve(matrix, right[..., None])[..., 0], dtype=np.float64)
         return gaps, rates, loads, rates[:, 0] + v[-1] + xi_rate
 
     def __call__(self, time: float, y: Array) -> Array:
@@ -215,7 +217,9 @@ def _linear_start(state: LineState, motion: Motion, amplitude: float) -> Array:
     x = np.zeros(z) if motion.rigid else state.share.loads / motion.c
     slopes = np.array([(pad.slope_x, pad.slope_y) for pad in state.share.states])
     housing = np.zeros(2)
-    along = np.concatenate([[0.0], np.cumsum([rod.transit_time for rod in line.rods])]) if line.rods else np.zeros(1)
+    along = (
+        np.concatenate([[0.0], np.cumsum([rod.transit_time for rod in line.rods])]) if line.rods else np.zeros(1)
+    )
     inner = np.linspace(0.0, along[-1], n)
     for part in parts:
         answer, nu = part.response, part.response.frequency

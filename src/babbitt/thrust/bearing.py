@@ -63,7 +63,7 @@ class ThrustBearing:
     ring_stiffness: float = math.inf
     pad_mass: float = 0.0
     inertia: TiltInertia = TiltInertia()  # noqa: RUF009
-    tilt: HousingTilt = HousingTilt()  # noqa: RUF009
+    tilt: HousingTilt = HousingTilt()
     height_errors: tuple[float, ...] = ()
     sense: float = 1.0
 

@@ -27,9 +27,17 @@ TABLE = (2e-6, 1e-3, 28)
 class Carrying(Protocol):
     """Load of a pad over its film, and the film at any thickness."""
 
-    pad: ThrustPad
-    viscosity: float
-    angular_speed: float
+    @property
+    def pad(self) -> ThrustPad:
+        """The pad."""
+
+    @property
+    def viscosity(self) -> float:
+        """Pa s."""
+
+    @property
+    def angular_speed(self) -> float:
+        """Of the runner, rad/s."""
 
     def load(self, height: Array) -> Array:
         """Loads, N, at heights of the pivot, m."""
@@ -130,7 +138,9 @@ class TabulatedFilms:
             change = np.log(state.load / load)
             if abs(change) < 1e-10:
                 return height
-            height *= float(np.exp(np.clip(-change * state.load / (height * float(self.slope(np.array(height)))), -0.5, 0.5)))
+            height *= float(
+                np.exp(np.clip(-change * state.load / (height * float(self.slope(np.array(height)))), -0.5, 0.5))
+            )
         return height
 
     def state(self, height: float) -> PadState:
@@ -177,7 +187,9 @@ def carrying(pad: ThrustPad, viscosity: float, angular_speed: float) -> SimilarF
 def _tabulated(pad: ThrustPad, viscosity: float, angular_speed: float) -> TabulatedFilms:
     """Films from thick to thin, each from the tilt of the one before, as far as the pad balances."""
     thinnest, thickest, count = TABLE
-    heights, loads, slopes = [], [], []
+    heights: list[float] = []
+    loads: list[float] = []
+    slopes: list[tuple[float, float]] = []
     guess: tuple[float, float] | None = None
     for height in np.geomspace(thickest, thinnest, count) * pad.outer_radius:
         try:
@@ -199,7 +211,9 @@ def _tabulated(pad: ThrustPad, viscosity: float, angular_speed: float) -> Tabula
         pad_state(pad, 1e-4 * pad.outer_radius, viscosity, angular_speed)  # says why it does not balance
         _require_load(pad, 0.0, 1e-4 * pad.outer_radius)
     order = slice(None, None, -1)
-    return TabulatedFilms(pad, np.array(heights[order]), np.array(loads[order]), tuple(slopes[order]), viscosity, angular_speed)
+    return TabulatedFilms(
+        pad, np.array(heights[order]), np.array(loads[order]), tuple(slopes[order]), viscosity, angular_speed
+    )
 
 
 def _require_load(pad: ThrustPad, load: float, height: float) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from time import perf_counter
 
 import numpy as np
@@ -12,7 +12,7 @@ from babbitt.results import Bound, Check, Matrix, Outcome, Result
 from babbitt.thrust.bearing import runout_at
 from babbitt.thrust.carrying import Carrying
 from babbitt.thrust.design import ThrustDesign, ThrustState, operating_state
-from babbitt.thrust.heat import ThermalRunaway, Temperatures
+from babbitt.thrust.heat import Temperatures, ThermalRunaway
 from babbitt.thrust.sharing import Share, share_of
 from babbitt.thrust.state import condensed
 
@@ -129,7 +129,7 @@ def _turned(design: ThrustDesign, state: ThrustState) -> float:
 def pad_arrays(share: Share, speed: float) -> dict[str, Matrix]:
     """One row with a number per pad for each quantity, and the full coefficients of the pad loaded most."""
     inertia = share.bearing.inertia
-    rows = {
+    rows: dict[str, Iterable[float]] = {
         "pad_load": share.loads,
         "pad_film_thickness": share.heights,
         "pad_minimum_film_thickness": [pad.minimum_film_thickness for pad in share.states],

@@ -135,7 +135,7 @@ def warm_films(
     design: ThrustDesign, bearing: ThrustBearing, speed: float, duty: GivenThrust | GivenFilm
 ) -> tuple[Carrying, Temperatures | None]:
     """Films of one pad in the oil of the design at a speed and a duty."""
-    films: Carrying = carrying(bearing.pad, design.oil.fixed_viscosity, speed)
+    films = carrying(bearing.pad, design.oil.fixed_viscosity, speed)
     balance = design.oil.balance
     if balance is None:
         return films, None

@@ -67,7 +67,11 @@ class FilmTable:
         inside = np.clip(s, self.lowest, self.highest)
         values = self.spline(inside)
         outside = np.any(inside != s, axis=1)
-        return values[:, :3] / heights[:, None] ** 2, values[:, 3:].reshape(-1, 3, 3) / heights[:, None, None] ** 3, outside
+        return (
+            values[:, :3] / heights[:, None] ** 2,
+            values[:, 3:].reshape(-1, 3, 3) / heights[:, None, None] ** 3,
+            outside,
+        )
 
 
 def film_table(films: Carrying) -> FilmTable:
@@ -95,7 +99,9 @@ def film_table(films: Carrying) -> FilmTable:
     for i, sx in enumerate(axes[0]):
         for j, sy in enumerate(axes[1]):
             motion = to_film @ np.array([height, sx * height / length, sy * height / length])
-            film = sector_film(sector, PlaneMotion(*(float(part) for part in motion)), STILL, pad.intervals, DEGREE)
+            film = sector_film(
+                sector, PlaneMotion(*(float(part) for part in motion)), STILL, pad.intervals, DEGREE
+            )
             values[i, j, :3] = to_film.T @ film.forces * height**2
             values[i, j, 3:] = (to_film.T @ film.damping @ to_film).ravel() * height**3
     splines = [RectBivariateSpline(*axes, values[:, :, k]) for k in range(12)]

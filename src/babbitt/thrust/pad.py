@@ -140,7 +140,9 @@ class ThrustPad:
         along = np.linspace(0, rows.shape[0] - 1, WATCHED).round().astype(int)
         across = np.linspace(0, rows.shape[1] - 1, min(WATCHED, rows.shape[1])).round().astype(int)
         angle = along[:, None] / (rows.shape[0] - 1) * self.extent - self.pivot_angle
-        radius = self.inner_radius + across[None, :] / (rows.shape[1] - 1) * (self.outer_radius - self.inner_radius)
+        radius = self.inner_radius + across[None, :] / (rows.shape[1] - 1) * (
+            self.outer_radius - self.inner_radius
+        )
         basis = np.stack(
             [np.ones(np.broadcast(angle, radius).shape), radius * np.cos(angle) - self.pivot_radius,
              radius * np.sin(angle)], axis=-1)  # fmt: skip

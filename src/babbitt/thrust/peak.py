@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from babbitt.film.sector import SectorFilm
 
-__all__ = ["peak_pressure"]
+__all__ = ["between_nodes", "peak_pressure"]
 
 Array = NDArray[np.float64]
 
@@ -30,6 +30,11 @@ def peak_pressure(film: SectorFilm) -> float:
     return float(fine[i, j])
 
 
+def between_nodes(radius: Array, values: Array) -> tuple[Array, Array]:
+    """Radii and values of the polynomials through the nodes, on `FINE` even radii; values of shape (lines, nodes)."""
+    return np.linspace(radius[0], radius[-1], FINE), values @ _across(radius.tobytes()).T
+
+
 @lru_cache(maxsize=64)
 def _across(nodes: bytes) -> Array:
     """Values of the Lagrange polynomials of the nodes on an even grid, shape (FINE, nodes)."""
@@ -47,4 +52,4 @@ def _across(nodes: bytes) -> Array:
         else:
             terms = weights / gap
             matrix[row] = terms / terms.sum()
-    return matrix
+    return np.asarray(matrix)

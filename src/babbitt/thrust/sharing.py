@@ -80,9 +80,9 @@ def heights_at(films: Carrying, ring_stiffness: float, positions: Array) -> Arra
         new = height - miss / (1.0 - films.slope(height) / ring_stiffness)
         new = np.where((new > low) & (new < high), new, 0.5 * (low + high))
         if np.all(np.abs(new - height) <= SETTLED * new):
-            return new
+            return np.asarray(new)
         height = new
-    return height
+    return np.asarray(height)
 
 
 def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, departures: Array | None = None) -> Share:

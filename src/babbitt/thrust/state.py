@@ -87,7 +87,7 @@ class PadState:
     def watched_films(self) -> Array:
         """Film at the points of `ThrustPad.watched`, m."""
         basis, face = self.pad.watched()
-        return basis @ np.array([self.height, self.slope_x, self.slope_y]) + face
+        return np.asarray(basis @ np.array([self.height, self.slope_x, self.slope_y]) + face)
 
     def pressure(self) -> Array:
         """Pressure on the nodes of ``film``, Pa."""
@@ -141,7 +141,7 @@ def tilt_answer(state: PadState, frequency: float, inertia: TiltInertia) -> Comp
     return answer
 
 
-def condensed(state: PadState, frequency: float, inertia: TiltInertia = TiltInertia()) -> complex:  # noqa: B008
+def condensed(state: PadState, frequency: float, inertia: TiltInertia = TiltInertia()) -> complex:
     """Complex stiffness k + j nu d of the height with the tilts free, N/m.
 
     At zero frequency k = 2 W/h_p of a plane pad, whatever its shape: W ~ 1/h_p^2.

@@ -181,8 +181,15 @@ _ALL = (
     ),
     # Not a temperature: 10 K and 10 degC are the same difference, and no offset may creep in.
     Kind("K difference", "a temperature difference", "900 K", {"K": 1.0}, open_to_pint=False),
-    Kind("N/m", "a stiffness", "20 GN/m", {"GN/m": 1e9, "MN/m": 1e6, "kN/m": 1e3, "N/m": 1.0, "kN/mm": 1e6, "N/mm": 1e3}),
-    Kind("N s/m", "a damping", "80 kN s/m", {"kN s/m": 1e3, "N s/m": 1.0, "MN s/m": 1e6, "kNs/m": 1e3, "Ns/m": 1.0}),
+    Kind(
+        "N/m",
+        "a stiffness",
+        "20 GN/m",
+        {"GN/m": 1e9, "MN/m": 1e6, "kN/m": 1e3, "N/m": 1.0, "kN/mm": 1e6, "N/mm": 1e3},
+    ),
+    Kind(
+        "N s/m", "a damping", "80 kN s/m", {"kN s/m": 1e3, "N s/m": 1.0, "MN s/m": 1e6, "kNs/m": 1e3, "Ns/m": 1.0}
+    ),
     Kind("kg m2", "a moment of inertia", "0.06 kg m2", {"kg m2": 1.0, "kgm2": 1.0}),
     Kind("W", "a power", "31 kW", {"kW": 1e3, "W": 1.0, "MW": 1e6}),
     Kind(
