@@ -78,7 +78,7 @@ def eliminated(of, pads, frequency, thrust, xi):
     kt = pads.film(frequency)
     under = pads.ring_stiffness - frequency**2 * pads.pad_mass
     z = kt * under / (kt + under)
-    rod, = of.rods
+    (rod,) = of.rods
     angle = frequency * rod.transit_time
     factor = rod.stiffness * angle
     far = factor / math.tan(angle) - frequency**2 * of.propeller_mass + 1j * frequency * of.propeller_damping
@@ -153,7 +153,9 @@ def test_t6_first_frequency_on_a_rigid_bearing():
 
 def test_t7_a_very_stiff_rod_is_a_point_mass():
     stiff = replace(line(), rods=(replace(ROD, modulus=206e17),))
-    assert ripple(stiff, given_pads()).forces == pytest.approx(ripple(line().rigid(), given_pads()).forces, rel=1e-6)
+    assert ripple(stiff, given_pads()).forces == pytest.approx(
+        ripple(line().rigid(), given_pads()).forces, rel=1e-6
+    )
 
 
 def test_t8_without_damping_all_forces_swing_together():
@@ -203,7 +205,10 @@ def test_the_count_misses_no_root_at_the_poles_of_the_rod():
     found = undamped_frequencies(line(), pads, highest=3000.0)
     assert len(found) == counts[-1]
     for frequency in found:
-        assert root_count(line(), pads, frequency * (1.0 + 1e-9)) - root_count(line(), pads, frequency * (1.0 - 1e-9)) == 1
+        assert (
+            root_count(line(), pads, frequency * (1.0 + 1e-9)) - root_count(line(), pads, frequency * (1.0 - 1e-9))
+            == 1
+        )
 
 
 def test_seating_as_stiff_as_rock_is_none():
@@ -252,7 +257,9 @@ def test_waves_of_the_face_pass_the_pads_in_their_order():
         lambda: GivenPads((1e9,), (1e8,)),
         lambda: GivenPads((1e9, 1e9), (1e8, 1e8), 0.0),
         lambda: forced(line(), given_pads(), 0.0, (RIPPLE,), ()),
-        lambda: dynamic_stiffness(line(seating=Seating(1e9)), given_pads(math.inf), SPEED, given_pads().film(SPEED)),
+        lambda: dynamic_stiffness(
+            line(seating=Seating(1e9)), given_pads(math.inf), SPEED, given_pads().film(SPEED)
+        ),
     ],
 )
 def test_unusable_input_is_refused_by_name(make):

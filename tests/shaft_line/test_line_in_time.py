@@ -10,8 +10,8 @@ from babbitt.shaft_line.march import march
 from babbitt.shaft_line.model import state_of
 from babbitt.shaft_line.transient import transient
 from babbitt.thrust.carrying import carrying
-from babbitt.thrust.film_table import film_table
 from babbitt.thrust.equilibrium import pad_state
+from babbitt.thrust.film_table import film_table
 
 FILMS = carrying(PAD, VISCOSITY, SPEED)
 

@@ -158,6 +158,7 @@ def test_modes_begin_at_the_propeller_and_have_one_node_more_each(base):
 
 def test_speed_sweep_and_barred_range():
     """With the films of each speed; blade frequency meets the first mode of a soft line."""
+
     def films_at(at):
         return FILMS.at(VISCOSITY, at.speed)
 

@@ -105,7 +105,9 @@ class ThrustPads(Part):
     @rule
     def _pivot_under_the_pad(self) -> Iterator[Complaint]:
         pivot = self.pivot
-        if isinstance(pivot, TiltingPivot) and not self.inner_radius < pivot.radius < self.outer_radius:
+        in_order = self.inner_radius < self.outer_radius
+        beside = isinstance(pivot, TiltingPivot) and not self.inner_radius < pivot.radius < self.outer_radius
+        if isinstance(pivot, TiltingPivot) and in_order and beside:
             yield Complaint(("pivot", "radius"), f"the pivot at {written(pivot.radius, 'mm')} is not under the pad",
                             f"between {written(self.inner_radius, 'mm')} and {written(self.outer_radius, 'mm')}")  # fmt: skip  # noqa: E501
 
@@ -113,7 +115,7 @@ class ThrustPads(Part):
     def _one_height_each(self) -> Iterator[Complaint]:
         if self.heights and len(self.heights) != self.number:
             yield Complaint(("heights",), f"{len(self.heights)} heights are given for {self.number} pads",
-                            f"{self.number} heights, or none")  # fmt: skip
+                            f"{self.number} heights, or leave them out")  # fmt: skip
 
     @rule
     def _fixed_pads_need_a_wedge(self) -> Iterator[Complaint]:
