@@ -78,7 +78,7 @@ def heights_at(films: Carrying, ring_stiffness: float, positions: Array) -> Arra
         miss = height - films.load(height) / ring_stiffness - positions
         high, low = np.where(miss > 0.0, height, high), np.where(miss > 0.0, low, height)
         new = height - miss / (1.0 - films.slope(height) / ring_stiffness)
-        new = np.where((new > low) & (new < high), new, 0.5 * (low + high))
+        new = np.where((new >= low) & (new <= high), new, 0.5 * (low + high))
         if np.all(np.abs(new - height) <= SETTLED * new):
             return np.asarray(new)
         height = new
