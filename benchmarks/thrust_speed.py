@@ -1,14 +1,17 @@
 """How long thrust pads and a shaft line take, and the 12 pads of a hydro-generator beside ROSS.
 
-Marks: one tilting pad with its tilt and all coefficients, load within 0.2 % of a fine mesh, 5 ms; the base case of the
-trawler line (pad, share, both harmonics, losses, films, frequencies, damping ratios) 0.2 s; a sweep of 40 rings 2 s; fifty
+Marks: one tilting pad with its tilt and all coefficients, load within 0.2 % of a fine mesh, 5 ms; the base case
+of the
+trawler line (pad, share, both harmonics, losses, films, frequencies, damping ratios) 0.2 s; a sweep of 40 rings
+2 s; fifty
 times as fast as the thermal `ThrustPad` of ROSS where that is installed.
 
     python benchmarks/thrust_speed.py
     BABBITT_ROSS_PYTHON=/path/to/python python benchmarks/thrust_speed.py     where ROSS lives elsewhere
 
 ROSS solves a temperature field on 10 x 10 cells, Babbitt one viscosity by its heat balance on 64 intervals and
-polynomials of degree 8: what is compared is the time to films, flows, temperatures, stiffness and damping. Times are those
+polynomials of degree 8: what is compared is the time to films, flows, temperatures, stiffness and damping. Times
+are those
 of the fastest warm calls, which other work on the machine disturbs least. Exit status 1 when a mark is missed.
 """
 

@@ -101,26 +101,31 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "E201": Explanation(
         "Thrust pad cannot be laid out",
-        "Radii, extent, pivot, face or number of the pads of a thrust bearing do not describe pads on a ring: they "
+        "Radii, extent, pivot, face or number of the pads of a thrust bearing do not describe pads on a ring: "
+        "they "
         "overlap, a pivot lies beside its pad, or a length is not positive.",
         "Correct what the message names.",
     ),
     "E202": Explanation(
         "Pad cannot be balanced on its pivot",
-        "No tilt makes the moments of the film about the pivot vanish, or the pad carries nothing. A plane pad in oil "
+        "No tilt makes the moments of the film about the pivot vanish, or the pad carries nothing. A plane "
+        "pad in oil "
         "of one viscosity carries only when its pivot lies behind the middle.",
-        "Move the pivot towards the trailing edge (0.55 to 0.65 of the extent are usual), give the pad a crown, or "
+        "Move the pivot towards the trailing edge (0.55 to 0.65 of the extent are usual), give the pad a "
+        "crown, or "
         "turn the shaft the other way.",
     ),
     "E203": Explanation(
         "Shaft line cannot be computed",
-        "A mass, length, stiffness, damping, speed or excitation of the shaft line is missing or of the wrong sign, or "
+        "A mass, length, stiffness, damping, speed or excitation of the shaft line is missing or of the wrong "
+        "sign, or "
         "an excitation falls on a frequency of a rod between fixed ends.",
         "Correct what the message names.",
     ),
     "E204": Explanation(
         "Resonance without damping",
-        "An excitation lies within 2 % of a natural frequency, and neither films nor propeller nor seating damp the "
+        "An excitation lies within 2 % of a natural frequency, and neither films nor propeller nor seating "
+        "damp the "
         "line: the amplitude has no bound.",
         "Give the damping of propeller, films or seating, or change speed, stiffness or mass.",
     ),
@@ -259,7 +264,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     # -- doubts about thrust bearings and shaft lines -----------------------------------------------------------
     "W201": Explanation(
         "Pads share the load very unevenly",
-        "The tilt of the housing, or a pad height, is as large as the film that an even share would have, or a pad "
+        "The tilt of the housing, or a pad height, is as large as the film that an even share would have, or "
+        "a pad "
         "carries less than 1 % of the mean. Such a pad flutters or runs dry on another day of another alignment.",
         "Align the housing, adjust the heights of the pads, or give the ring more compliance.",
     ),
@@ -271,7 +277,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W203": Explanation(
         "Excitation near a natural frequency",
-        "An excitation comes within 20 % of a natural frequency of the line. Frequencies are known no better than the "
+        "An excitation comes within 20 % of a natural frequency of the line. Frequencies are known no better "
+        "than the "
         "stiffness of seating and ring and the entrained water.",
         "Bar this speed range, or move the frequency by seating, ring, shaft or number of blades.",
     ),
@@ -283,7 +290,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W205": Explanation(
         "A pad leaves the collar or touches it",
-        "In the nonlinear motion the load of a pad falls to nothing, a corner comes as close as surfaces are rough, or "
+        "In the nonlinear motion the load of a pad falls to nothing, a corner comes as close as surfaces are "
+        "rough, or "
         "tilts leave the films that were tabulated. What follows such a moment is not computed reliably.",
         "Reduce runout, tilt or ripple; the tools for admissible amplitudes say how far.",
     ),

@@ -336,7 +336,8 @@ QUANTITIES: dict[str, Quantity] = {
             "1",
             "",
             4,
-            "Ring: stiffness, runout, ripple, bound, film amplitude, thinnest film, first frequency, static ratio; SI",
+            "Ring: stiffness, runout, ripple, bound, film amplitude, thinnest film, first frequency, static "
+            "ratio; SI",
         ),
         _q(
             "campbell",

@@ -30,8 +30,11 @@ def test_the_report_answers_and_tabulates(line):
     (chapter,) = content(line)["bearings"]
     assert len(chapter["answers"]) == 6
     assert [table["title"] for table in chapter["tables"]] == [
-        "Pads at rest", "Pads in motion", "Damped modes", "Backing rings",
-    ]  # fmt: skip
+        "Pads at rest",
+        "Pads in motion",
+        "Damped modes",
+        "Backing rings",
+    ]
     names = [figure["name"] for figure in chapter["figures"]]
     assert names == ["pads-polar", "pad-pressure", "film-history", "mode-shapes", "ring-sweep", "campbell"]
     assert all(figure["svg"].lstrip().startswith("<?xml") for figure in chapter["figures"])

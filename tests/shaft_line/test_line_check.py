@@ -39,9 +39,14 @@ def test_the_base_case(base):
 
 def test_what_a_surveyor_asks_is_answered(base):
     said = " ".join(answers(base))
-    for words in ("The film survives: thinnest film 19.6 µm", "beyond the limit of 50.0 %",
-                  "What dominates: the runout of the collar", "would halve the dynamic load", "runout up to 4.5 µm"):
-        assert words in said  # fmt: skip
+    for words in (
+        "The film survives: thinnest film 19.6 µm",
+        "beyond the limit of 50.0 %",
+        "What dominates: the runout of the collar",
+        "would halve the dynamic load",
+        "runout up to 4.5 µm",
+    ):
+        assert words in said
 
 
 def test_a_film_that_does_not_survive_says_so():
@@ -53,8 +58,10 @@ def test_a_film_that_does_not_survive_says_so():
 
 def test_an_excitation_near_a_mode_is_doubted():
     """A softer seating brings the first mode to 11 Hz; blade frequency is 8.3 Hz, at 160 rpm 10.7 Hz."""
-    found = result(("# seating: {stiffness: 2 GN/m, housing_mass: 12 t}", "seating: {stiffness: 0.3 GN/m}"),
-                   ("speed: 125 rpm", "speed: 160 rpm"))  # fmt: skip
+    found = result(
+        ("# seating: {stiffness: 2 GN/m, housing_mass: 12 t}", "seating: {stiffness: 0.3 GN/m}"),
+        ("speed: 125 rpm", "speed: 160 rpm"),
+    )
     assert "W203" in [notice.code for notice in found.warnings]
     assert found.frequency_separation < 0.2
 
@@ -74,8 +81,12 @@ def test_shaft_pieces_in_series_with_a_flange():
 
 
 def test_the_campbell_map_names_barred_speeds():
-    found = result(("# speeds: {lowest: 60 rpm, highest: 140 rpm, number: 21}",
-                    "speeds: {lowest: 100 rpm, highest: 500 rpm, number: 9}"))  # fmt: skip
+    found = result(
+        (
+            "# speeds: {lowest: 60 rpm, highest: 140 rpm, number: 21}",
+            "speeds: {lowest: 100 rpm, highest: 500 rpm, number: 9}",
+        )
+    )
     (low, high, order), *_ = found.arrays["barred_ranges"]
     assert order == 4.0
     assert 290.0 < low * 30.0 / math.pi < high * 30.0 / math.pi < 500.0
@@ -83,8 +94,10 @@ def test_the_campbell_map_names_barred_speeds():
 
 
 def test_without_excitation_nothing_is_lost():
-    found = result(("  - {share: 10 %}                   # blade frequency\n", "  - {share: 0 %}\n"),
-                   ("amplitude: 5 um", "amplitude: 0 um"))  # fmt: skip
+    found = result(
+        ("  - {share: 10 %}                   # blade frequency\n", "  - {share: 0 %}\n"),
+        ("amplitude: 5 um", "amplitude: 0 um"),
+    )
     assert found.loss_mean_bound == pytest.approx(0.0, abs=1e-12)
     assert found.dynamic_minimum_film == pytest.approx(found.minimum_film_thickness)
 

@@ -19,13 +19,30 @@ from babbitt.shaft_line.natural import root_count, undamped_frequencies
 from babbitt.shaft_line.pads import GivenPads
 
 BLADE = 4.0 * SPEED
-GOLDEN_RIPPLE_POINT = [8067.5889 - 833.2753j, 7634.5955 - 547.5975j, 6399.9315 + 76.8984j, 4878.8105 + 528.7131j,
-                       4165.6032 + 635.9528j]  # fmt: skip
-GOLDEN_RIPPLE_ROD = [8965.0574 - 986.5101j, 8485.6851 - 665.6186j, 7117.3624 + 37.9944j, 5429.2144 + 551.7110j,
-                     4636.9166 + 676.2580j]  # fmt: skip
-GOLDEN_RUNOUT_ROD = [13396.7471 + 9916.4174j, 15691.0382 - 4684.2408j, 6902.5718 - 13505.0555j,
-                     -2885.1320 - 12313.6841j, -8793.3217 - 7046.5288j, -12888.3004 + 96.6169j,
-                     -11512.3308 + 10645.5707j, 81.7909 + 16892.5255j]  # fmt: skip
+GOLDEN_RIPPLE_POINT = [
+    8067.5889 - 833.2753j,
+    7634.5955 - 547.5975j,
+    6399.9315 + 76.8984j,
+    4878.8105 + 528.7131j,
+    4165.6032 + 635.9528j,
+]
+GOLDEN_RIPPLE_ROD = [
+    8965.0574 - 986.5101j,
+    8485.6851 - 665.6186j,
+    7117.3624 + 37.9944j,
+    5429.2144 + 551.7110j,
+    4636.9166 + 676.2580j,
+]
+GOLDEN_RUNOUT_ROD = [
+    13396.7471 + 9916.4174j,
+    15691.0382 - 4684.2408j,
+    6902.5718 - 13505.0555j,
+    -2885.1320 - 12313.6841j,
+    -8793.3217 - 7046.5288j,
+    -12888.3004 + 96.6169j,
+    -11512.3308 + 10645.5707j,
+    81.7909 + 16892.5255j,
+]
 GOLDEN_PEAKS = [25577.8, 24354.5, 21627.3, 17745.2, 15850.0, 18339.8, 22787.6, 25402.8]
 
 
@@ -165,9 +182,12 @@ def test_t8_without_damping_all_forces_swing_together():
 
 @settings(max_examples=25, deadline=None)
 @given(
-    first=st.floats(3.0, 7.0), second=st.floats(3.0, 7.0), frequency=st.floats(1.0, 300.0), uneven=st.floats(0.0, 0.9),
+    first=st.floats(3.0, 7.0),
+    second=st.floats(3.0, 7.0),
+    frequency=st.floats(1.0, 300.0),
+    uneven=st.floats(0.0, 0.9),
     rigid=st.booleans(),
-)  # fmt: skip
+)
 def test_t9_propeller_damping_never_raises_a_pad_force(first, second, frequency, uneven, rigid):
     """U1 = Q/(D + j nu b0) with Im D >= 0: more damping, less motion, less force on every pad."""
     low, high = sorted((10.0**first, 10.0**second))

@@ -109,8 +109,11 @@ def test_inverse_tools_meet_the_loss(base):
     assert found.runout is not None
     assert found.tilt is not None
     assert found.ripple is not None
-    for changed in (base.duty.with_runout(found.runout / 5e-6), base.duty.with_tilt(found.tilt),
-                    base.duty.with_ripple(found.ripple / 50e3)):  # fmt: skip
+    for changed in (
+        base.duty.with_runout(found.runout / 5e-6),
+        base.duty.with_tilt(found.tilt),
+        base.duty.with_ripple(found.ripple / 50e3),
+    ):
         assert state_of(changed, FILMS).losses.mean_bound == pytest.approx(0.5, rel=1e-6)
     assert found.runout < 5e-6
 

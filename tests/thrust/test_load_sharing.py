@@ -81,16 +81,16 @@ def test_tables_of_a_faced_pad_share_like_films():
 @pytest.mark.parametrize(
     ("change", "says"),
     [
-        (dict(number=1), "pads"),
-        (dict(number=10), "overlap"),
-        (dict(ring_stiffness=0.0), "ring"),
-        (dict(pad_mass=-1.0), "mass"),
-        (dict(height_errors=(1e-6,)), "heights"),
+        ({"number": 1}, "pads"),
+        ({"number": 10}, "overlap"),
+        ({"ring_stiffness": 0.0}, "ring"),
+        ({"pad_mass": -1.0}, "mass"),
+        ({"height_errors": (1e-6,)}, "heights"),
     ],
 )
 def test_bearings_that_cannot_be_are_refused(change, says):
     with pytest.raises(InputError, match=says):
-        ThrustBearing(**(dict(pad=PAD, number=8) | change))
+        ThrustBearing(**({"pad": PAD, "number": 8} | change))
 
 
 def test_no_thrust_is_refused():

@@ -17,10 +17,17 @@ BALANCE = "{kind: heat_balance, lubricant: ISO VG 100, supply_temperature: 45 de
 
 def text(oil=GIVEN, **changes):
     lines = {
-        "babbitt": "1", "kind": "thrust", "name": "Block", "thrust": "500 kN", "speed": "125 rpm", "oil": oil,
-        "ring_stiffness": "20 GN/m", "tilt": "{offset: 30 um}", "pads": "{number: 8, inner_radius: 190 mm, "
+        "babbitt": "1",
+        "kind": "thrust",
+        "name": "Block",
+        "thrust": "500 kN",
+        "speed": "125 rpm",
+        "oil": oil,
+        "ring_stiffness": "20 GN/m",
+        "tilt": "{offset: 30 um}",
+        "pads": "{number: 8, inner_radius: 190 mm, "
         "outer_radius: 375 mm, extent: 36 deg, pivot: {kind: point, radius: 290 mm, fraction: 0.6}}",
-    } | changes  # fmt: skip
+    } | changes
     return "\n".join(f"{key}: {value}" for key, value in lines.items() if value is not None)
 
 
@@ -40,7 +47,9 @@ def test_the_case_gives_the_reference_share():
 
 @pytest.mark.parametrize("carry_over", [0.0, 0.5, 0.85])
 def test_the_heat_balance_closes(carry_over):
-    """P = rho c Q_fresh (T_drain - T_s), and mixing at the leading edges: Q_in T_in = lambda Q_t T_t + Q_fresh T_s."""
+    """P = rho c Q_fresh (T_drain - T_s), and mixing at the leading edges: Q_in T_in = lambda Q_t T_t + Q_fresh
+    T_s.
+    """
     found = result(oil=f"{BALANCE}, carry_over: {carry_over}}}")
     assert abs(found.energy_balance_error) < 1e-9
     case = parse_case(text(oil=f"{BALANCE}, carry_over: {carry_over}}}"))
@@ -74,23 +83,32 @@ def test_a_given_film_finds_its_thrust():
 
 
 def test_a_crowned_pad_runs_both_ways_alike():
-    pads = ("{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, crown: 20 um, "
-            "pivot: {kind: point, radius: 287 mm, fraction: 0.5}}")  # fmt: skip
+    pads = (
+        "{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, crown: 20 um, "
+        "pivot: {kind: point, radius: 287 mm, fraction: 0.5}}"
+    )
     ahead, astern = (result(pads=pads, speed=speed, thrust="100 kN") for speed in ("125 rpm", "-125 rpm"))
     assert astern.minimum_film_thickness == pytest.approx(ahead.minimum_film_thickness, rel=1e-6)
 
 
 def test_taper_land_pads_run_one_way():
-    pads = ("{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, pivot: {kind: fixed}, "
-            "face: {kind: taper, depth: 40 um, fraction: 0.7}}")  # fmt: skip
+    pads = (
+        "{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, pivot: {kind: fixed}, "
+        "face: {kind: taper, depth: 40 um, fraction: 0.7}}"
+    )
     assert result(pads=pads, thrust="200 kN").outcome.solved
     with pytest.raises(InputError, match="carries nothing"):
         result(pads=pads, thrust="200 kN", speed="-125 rpm")
 
 
 def test_turbulence_is_told_or_computed():
-    fast = {"speed": "6000 rpm", "oil": "{kind: viscosity, viscosity: 5 mPa s}", "thrust": "300 kN", "tilt": None,
-            "ring_stiffness": None}  # fmt: skip
+    fast = {
+        "speed": "6000 rpm",
+        "oil": "{kind: viscosity, viscosity: 5 mPa s}",
+        "thrust": "300 kN",
+        "tilt": None,
+        "ring_stiffness": None,
+    }
     laminar, turbulent = result(**fast), result(**fast, turbulence="ng_pan")
     assert "W204" in [notice.code for notice in laminar.warnings]
     assert "W204" not in [notice.code for notice in turbulent.warnings]
@@ -121,8 +139,12 @@ def test_runout_raises_the_load_of_a_slowly_turning_collar():
 
 
 def test_pad_heights_reach_the_pads():
-    found = result(tilt=None, pads="{number: 2, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, "
-                   "heights: [5 um, -5 um], pivot: {kind: line, radius: 290 mm, fraction: 0.6}}", thrust="120 kN")  # fmt: skip
+    found = result(
+        tilt=None,
+        pads="{number: 2, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, "
+        "heights: [5 um, -5 um], pivot: {kind: line, radius: 290 mm, fraction: 0.6}}",
+        thrust="120 kN",
+    )
     first, second = found.arrays["pad_load"][0]
     assert first > 1.2 * second
     assert found.settings["pivot"] == "line"

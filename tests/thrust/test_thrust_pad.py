@@ -38,8 +38,11 @@ def test_the_reference_pad(films):
 
 @settings(max_examples=12, deadline=None)
 @given(
-    fraction=st.floats(0.55, 0.68), width=st.floats(0.6, 1.6), extent=st.floats(20.0, 50.0), film=st.floats(2e-5, 2e-4),
-)  # fmt: skip
+    fraction=st.floats(0.55, 0.68),
+    width=st.floats(0.6, 1.6),
+    extent=st.floats(20.0, 50.0),
+    film=st.floats(2e-5, 2e-4),
+)
 def test_stiffness_at_rest_is_two_loads_over_the_film(fraction, width, extent, film):
     """W ~ 1/h^2 with the tilts free, so that k(0) = 2 W/h (R4), whatever the pad."""
     angle = math.radians(extent)
@@ -52,8 +55,17 @@ def test_stiffness_at_rest_is_two_loads_over_the_film(fraction, width, extent, f
 def test_a_scaled_film_is_the_film_solved_there(films):
     scaled = films.at(0.02, 2.0 * SPEED).state(30e-6)
     solved = pad_state(PAD, 30e-6, 0.02, 2.0 * SPEED)
-    for name in ("load", "slope_x", "slope_y", "minimum_film_thickness", "maximum_pressure", "leading_flow",
-                 "trailing_flow", "side_flow", "friction_torque"):  # fmt: skip
+    for name in (
+        "load",
+        "slope_x",
+        "slope_y",
+        "minimum_film_thickness",
+        "maximum_pressure",
+        "leading_flow",
+        "trailing_flow",
+        "side_flow",
+        "friction_torque",
+    ):
         assert getattr(scaled, name) == pytest.approx(getattr(solved, name), rel=1e-8), name
     assert scaled.stiffness == pytest.approx(solved.stiffness, rel=1e-7)
     assert scaled.damping == pytest.approx(solved.damping, rel=1e-7)
@@ -119,8 +131,15 @@ def test_a_fixed_pad_carries_one_way_and_mirrored_the_other(face):
 def test_a_wide_step_pad_has_the_load_of_rayleigh():
     """Optimum step: h1/h2 = 1.866 over 0.718 of the length, W h2^2/(mu U B^2 L) = 0.2063 (Rayleigh 1918)."""
     radius, length, land, ratio, share = 20.0, 0.02, 20e-6, 1.866, 0.718
-    pad = ThrustPad(radius - 0.2, radius + 0.2, length / radius, radius, 0.5, Pivot.FIXED,
-                    SteppedFace((ratio - 1.0) * land, share))  # fmt: skip
+    pad = ThrustPad(
+        radius - 0.2,
+        radius + 0.2,
+        length / radius,
+        radius,
+        0.5,
+        Pivot.FIXED,
+        SteppedFace((ratio - 1.0) * land, share),
+    )
     film = pad_state(pad, land, 0.03, 5.0 / radius, degree=24).film
     middle = film.pressure[:, film.radius.size // 2]
     found = np.trapezoid(middle, film.theta * radius) * land**2 / (0.03 * 5.0 * length**2)
@@ -150,8 +169,14 @@ def exponential_load(intervals: int) -> float:
     radius, length, land, ratio = 50.0, 0.02, 20e-6, 2.2
     along = np.linspace(0.0, 1.0, 8 * intervals + 1)
     rows = land * (ratio ** (1.0 - along) - 1.0)
-    pad = SectorPad(radius - length / 2, radius + length / 2, length / radius, 0.03, 5.0 / radius,
-                    form=tuple((float(value), float(value)) for value in rows))  # fmt: skip
+    pad = SectorPad(
+        radius - length / 2,
+        radius + length / 2,
+        length / radius,
+        0.03,
+        5.0 / radius,
+        form=tuple((float(value), float(value)) for value in rows),
+    )
     film = sector_film(pad, PlaneMotion(land), intervals=intervals, degree=12)
     return film.load * land**2 / (0.03 * 5.0 * length**3)
 
@@ -198,13 +223,19 @@ def test_turbulence_carries_more_and_stiffness_stays_the_derivative():
 @pytest.mark.parametrize(
     ("change", "says"),
     [
-        (dict(inner_radius=0.4), "radii"),
-        (dict(extent=0.0), "extent"),
-        (dict(pivot_radius=0.18), "pivot_radius"),
-        (dict(pivot_fraction=1.0), "pivot_fraction"),
+        ({"inner_radius": 0.4}, "radii"),
+        ({"extent": 0.0}, "extent"),
+        ({"pivot_radius": 0.18}, "pivot_radius"),
+        ({"pivot_fraction": 1.0}, "pivot_fraction"),
     ],
 )
 def test_pads_that_cannot_be_are_refused(change, says):
-    whole = dict(inner_radius=0.19, outer_radius=0.375, extent=0.6, pivot_radius=0.29, pivot_fraction=0.6)
+    whole = {
+        "inner_radius": 0.19,
+        "outer_radius": 0.375,
+        "extent": 0.6,
+        "pivot_radius": 0.29,
+        "pivot_fraction": 0.6,
+    }
     with pytest.raises(InputError, match=says):
         ThrustPad(**(whole | change))

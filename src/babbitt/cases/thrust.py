@@ -32,7 +32,8 @@ class ThrustBearingInputs(Part):
 
     pads: ThrustPads = Field(description="The pads.")
     speed: Annotated[float, either_sense("rad/s", "0.01 rpm", "1000000 rpm")] = Field(
-        description="Speed of the collar, positive counter-clockwise, towards growing pad numbers. Negative: the pads "
+        description="Speed of the collar, positive counter-clockwise, towards growing pad numbers. Negative: "
+        "the pads "
         "run backward."
     )
     oil: ThrustOil = Field(description="How viscous the films are.")
@@ -56,9 +57,13 @@ class ThrustBearingInputs(Part):
         if isinstance(pivot, TiltingPivot) and self.pads.face is None and self.pads.crown == 0.0:
             fraction = pivot.fraction if self.speed > 0.0 else 1.0 - pivot.fraction
             if fraction <= 0.5:
-                yield Complaint(("pads", "pivot", "fraction"), f"at this sense of rotation the pivot lies at "
-                                f"{fraction:g} of the pad from its leading edge, where no plane pad balances",
-                                "more than 0.5, behind the middle", "give a crown, or turn the other way")  # fmt: skip
+                yield Complaint(
+                    ("pads", "pivot", "fraction"),
+                    f"at this sense of rotation the pivot lies at "
+                    f"{fraction:g} of the pad from its leading edge, where no plane pad balances",
+                    "more than 0.5, behind the middle",
+                    "give a crown, or turn the other way",
+                )
 
     def design(self, name: str, duty: GivenThrust | GivenFilm, runout: float) -> ThrustDesign:
         """Give the bearing of the calculation."""
@@ -71,25 +76,40 @@ class ThrustBearingInputs(Part):
             at = oil.effective_temperature or oil.supply_temperature or 323.15
             turbulence = FilmTurbulence(law, float(oil.lubricant.density(at)), *TURBULENT_BETWEEN)
         pad = ThrustPad(
-            pads.inner_radius, pads.outer_radius, pads.extent,
+            pads.inner_radius,
+            pads.outer_radius,
+            pads.extent,
             tilting.radius if tilting else 0.5 * (pads.inner_radius + pads.outer_radius),
             tilting.fraction if tilting else 0.5,
             Pivot(tilting.kind) if tilting else Pivot.FIXED,
-            pads.plane_or_face(), pads.crown, turbulence,
-        )  # fmt: skip
+            pads.plane_or_face(),
+            pads.crown,
+            turbulence,
+        )
         sense = math.copysign(1.0, self.speed)
         bearing = ThrustBearing(
-            pad if sense > 0.0 else pad.mirrored(), pads.number,
-            math.inf if self.ring_stiffness is None else self.ring_stiffness, pads.mass,
+            pad if sense > 0.0 else pad.mirrored(),
+            pads.number,
+            math.inf if self.ring_stiffness is None else self.ring_stiffness,
+            pads.mass,
             TiltInertia(pads.inertia_radial, pads.inertia_along),
-            HousingTilt() if self.tilt is None else self.tilt.tilt(), pads.heights, sense,
-        )  # fmt: skip
+            HousingTilt() if self.tilt is None else self.tilt.tilt(),
+            pads.heights,
+            sense,
+        )
         return ThrustDesign(
-            name, bearing, duty, abs(self.speed), oil, runout,
+            name,
+            bearing,
+            duty,
+            abs(self.speed),
+            oil,
+            runout,
             USUAL_FILM_LIMIT if self.film_limit is None else self.film_limit,
             "assumption: 10 µm" if self.film_limit is None else "given in the case",
-            law, tuple(words_of(self)), self.assumptions,
-        )  # fmt: skip
+            law,
+            tuple(words_of(self)),
+            self.assumptions,
+        )
 
 
 class ThrustCase(ThrustBearingInputs, CaseFile):
@@ -118,10 +138,19 @@ class ThrustCase(ThrustBearingInputs, CaseFile):
 def words_of(case: ThrustBearingInputs) -> Iterator[tuple[str, str]]:
     """Tell how a case gave its numbers."""
     pads, pivot = case.pads, case.pads.pivot
-    yield "Pads", (f"{pads.number} of {written(pads.extent, 'deg')}, radii {written(pads.inner_radius, 'mm')} to "
-                   f"{written(pads.outer_radius, 'mm')}")  # fmt: skip
+    yield (
+        "Pads",
+        (
+            f"{pads.number} of {written(pads.extent, 'deg')}, radii {written(pads.inner_radius, 'mm')} to "
+            f"{written(pads.outer_radius, 'mm')}"
+        ),
+    )
     if isinstance(pivot, TiltingPivot):
-        yield "Pivot", f"{pivot.kind} at radius {written(pivot.radius, 'mm')}, {pivot.fraction:g} of the pad from its leading edge"  # fmt: skip  # noqa: E501
+        yield (
+            "Pivot",
+            f"{pivot.kind} at radius {written(pivot.radius, 'mm')}, {pivot.fraction:g} of the pad from its "
+            f"leading edge",
+        )
     else:
         yield "Pivot", "none, fixed pads"
     if pads.face is not None:
@@ -141,7 +170,12 @@ def words_of(case: ThrustBearingInputs) -> Iterator[tuple[str, str]]:
     ring = case.ring_stiffness
     yield "Backing ring", "rigid" if ring is None else f"{written(ring, 'GN/m')} per pad"
     if case.tilt is not None:
-        yield "Tilt of the housing", (f"{written(case.tilt.offset, 'um')} at the outer radius, closest at "
-                                      f"{math.degrees(case.tilt.direction):g}°")  # fmt: skip
+        yield (
+            "Tilt of the housing",
+            (
+                f"{written(case.tilt.offset, 'um')} at the outer radius, closest at "
+                f"{math.degrees(case.tilt.direction):g}°"
+            ),
+        )
     if case.turbulence != "none":
         yield "Turbulence", LAWS[case.turbulence].name

@@ -47,8 +47,11 @@ class ShaftPiece(Part):
     @rule
     def _bore_inside(self) -> Iterator[Complaint]:
         if self.bore >= self.diameter:
-            yield Complaint(("bore",), f"the bore {written(self.bore, 'mm')} leaves nothing of the shaft",
-                            f"less than {written(self.diameter, 'mm')}")  # fmt: skip
+            yield Complaint(
+                ("bore",),
+                f"the bore {written(self.bore, 'mm')} leaves nothing of the shaft",
+                f"less than {written(self.diameter, 'mm')}",
+            )
 
     def rod(self) -> Rod:
         """Give the rod of the calculation."""
@@ -109,8 +112,11 @@ class SpeedRange(Part):
     @rule
     def _in_order(self) -> Iterator[Complaint]:
         if self.highest <= self.lowest:
-            yield Complaint(("highest",), f"{written(self.highest, 'rpm')} is not above lowest "
-                            f"{written(self.lowest, 'rpm')}", "more than lowest")  # fmt: skip
+            yield Complaint(
+                ("highest",),
+                f"{written(self.highest, 'rpm')} is not above lowest {written(self.lowest, 'rpm')}",
+                "more than lowest",
+            )
 
     def speeds(self) -> tuple[float, ...]:
         """Give the speeds, rad/s."""
@@ -143,41 +149,56 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
     @rule
     def _seating_on_a_ring(self) -> Iterator[Complaint]:
         if self.seating is not None and self.ring_stiffness is None:
-            yield Complaint(("seating",), "a seating needs a ring of finite stiffness between pads and housing",
-                            "ring_stiffness besides it, such as '1000 GN/m' for a stiff ring")  # fmt: skip
+            yield Complaint(
+                ("seating",),
+                "a seating needs a ring of finite stiffness between pads and housing",
+                "ring_stiffness besides it, such as '1000 GN/m' for a stiff ring",
+            )
 
     @rule
     def _nothing_behind_the_last_piece(self) -> Iterator[Complaint]:
         if self.shaft[-1].end_mass:
-            yield Complaint(("shaft", len(self.shaft) - 1, "end_mass"), "the collar follows the last piece",
-                            "no end_mass here; add it to collar_mass")  # fmt: skip
+            yield Complaint(
+                ("shaft", len(self.shaft) - 1, "end_mass"),
+                "the collar follows the last piece",
+                "no end_mass here; add it to collar_mass",
+            )
 
     @rule
     def _similar_films_for_the_nonlinear_motion(self) -> Iterator[Complaint]:
         if self.nonlinear and (self.pads.face is not None or self.pads.crown or self.turbulence != "none"):
-            yield Complaint(("nonlinear",), "the nonlinear motion is for plane laminar pads, whose films are similar",
-                            "false, or pads without face, crown and turbulence")  # fmt: skip
+            yield Complaint(
+                ("nonlinear",),
+                "the nonlinear motion is for plane laminar pads, whose films are similar",
+                "false, or pads without face, crown and turbulence",
+            )
 
     def line_design(self) -> LineDesign:
         """Give the line of the calculation."""
         line = ShaftLine(
-            self.propeller.mass, self.propeller.damping, tuple(piece.rod() for piece in self.shaft), self.collar_mass,
+            self.propeller.mass,
+            self.propeller.damping,
+            tuple(piece.rod() for piece in self.shaft),
+            self.collar_mass,
             tuple(piece.end_mass for piece in self.shaft[:-1]),
-            None if self.seating is None
+            None
+            if self.seating is None
             else Seating(self.seating.stiffness, self.seating.damping, self.seating.housing_mass),
-        )  # fmt: skip
+        )
         first = self.runout[0].amplitude if self.runout else 0.0
         given = self.design(self.name, GivenThrust(self.thrust), first)
         from dataclasses import replace
 
         return LineDesign(
-            replace(given, given=(*given.given, *_words(self))), line,
+            replace(given, given=(*given.given, *_words(self))),
+            line,
             tuple(self._thrust_harmonic(one) for one in self.ripple),
             tuple(RunoutHarmonic(float(one.lobes), one.amplitude, one.phase) for one in self.runout),
             0.5 if self.loss_limit is None else self.loss_limit,
             "usual limit in industry: 50 % of the static load" if self.loss_limit is None else "given in the case",
-            () if self.speeds is None else self.speeds.speeds(), self.nonlinear,
-        )  # fmt: skip
+            () if self.speeds is None else self.speeds.speeds(),
+            self.nonlinear,
+        )
 
     def _thrust_harmonic(self, one: ThrustRipple) -> ThrustHarmonic:
         order = one.order if one.order is not None else float(self.propeller.blades * (one.blade_multiple or 1))
@@ -186,12 +207,20 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
 
 
 def _words(case: ThrustLineCase) -> Iterator[tuple[str, str]]:
-    yield "Propeller", (f"{written(case.propeller.mass, 't')} with entrained water, {case.propeller.blades} blades, "
-                        f"damping {written(case.propeller.damping, 'kN s/m')}")  # fmt: skip
+    yield (
+        "Propeller",
+        (
+            f"{written(case.propeller.mass, 't')} with entrained water, {case.propeller.blades} blades, "
+            f"damping {written(case.propeller.damping, 'kN s/m')}"
+        ),
+    )
     for place, piece in enumerate(case.shaft, start=1):
         bore = f", bore {written(piece.bore, 'mm')}" if piece.bore else ""
         mass = f", then {written(piece.end_mass, 'kg')}" if piece.end_mass else ""
-        yield f"Shaft, piece {place}", f"{written(piece.length, 'm')}, diameter {written(piece.diameter, 'mm')}{bore}{mass}"  # fmt: skip  # noqa: E501
+        yield (
+            f"Shaft, piece {place}",
+            f"{written(piece.length, 'm')}, diameter {written(piece.diameter, 'mm')}{bore}{mass}",
+        )
     yield "Collar and what is rigid to it", written(case.collar_mass, "t")
     if case.seating is None:
         yield "Seating", "rigid"

@@ -56,7 +56,8 @@ class OilByBalance(Part):
     supply_temperature: OilTemperature = Field(description="Temperature of the fresh oil.")
     carry_over: Annotated[float, si("1", "0", "0.99")] = Field(
         USUAL_CARRY_OVER,
-        description="Share of the hot oil leaving a pad over its trailing edge that enters the next one. 0.75 is an "
+        description="Share of the hot oil leaving a pad over its trailing edge that enters the next one. 0.75 "
+        "is an "
         "assumption; 0.7 to 0.9 are found at usual speeds, less with sprayed or scraped grooves.",
     )
 
@@ -75,8 +76,12 @@ def _covered(given: LubricantGiven, temperature: float, name: str) -> Iterator[C
     oil = given.lubricant()
     if not oil.covers(temperature):
         low, high = (kelvin - 273.15 for kelvin in oil.temperature_range)
-        yield Complaint((name,), f"{temperature - 273.15:.4g} degC lies outside the data of {oil.name}",
-                        f"{low:.4g} degC to {high:.4g} degC", code="E006")  # fmt: skip
+        yield Complaint(
+            (name,),
+            f"{temperature - 273.15:.4g} degC lies outside the data of {oil.name}",
+            f"{low:.4g} degC to {high:.4g} degC",
+            code="E006",
+        )
 
 
 ThrustOil = Annotated[GivenViscosity | OilAtTemperature | OilByBalance, Discriminator("kind")]

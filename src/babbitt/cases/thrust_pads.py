@@ -28,7 +28,8 @@ class TiltingPivot(Part):
     kind: Literal["point", "line"] = Field(description="Tilts about two axes, or about a radius only.")
     radius: Radius = Field(description="Radius of the pivot, r_p.")
     fraction: Share = Field(
-        description="Angle of the pivot from the leading edge over the angle of the pad, at positive speed. A plane pad "
+        description="Angle of the pivot from the leading edge over the angle of the pad, at positive speed. A "
+        "plane pad "
         "needs more than 0.5."
     )
 
@@ -78,7 +79,8 @@ class ThrustPads(Part):
     face: FaceGiven | None = Field(None, description="What is taken off the face. None: plane.")
     crown: Annotated[float, si("m", "-1 mm", "1 mm")] = Field(
         0.0,
-        description="Spherical crown: how much farther from the collar the middle of each edge is than the middle of "
+        description="Spherical crown: how much farther from the collar the middle of each edge is than the "
+        "middle of "
         "the pad. It stands for grinding, or for bending and heat as known from elsewhere.",
     )
     mass: PartMass = Field(0.0, description="Mass of one pad.")
@@ -91,16 +93,23 @@ class ThrustPads(Part):
     @rule
     def _radii_in_order(self) -> Iterator[Complaint]:
         if self.outer_radius <= self.inner_radius:
-            yield Complaint(("outer_radius",), f"{written(self.outer_radius, 'mm')} is not beyond inner_radius "
-                            f"{written(self.inner_radius, 'mm')}", f"more than {written(self.inner_radius, 'mm')}",
-                            "are the two exchanged?")  # fmt: skip
+            yield Complaint(
+                ("outer_radius",),
+                f"{written(self.outer_radius, 'mm')} is not beyond inner_radius "
+                f"{written(self.inner_radius, 'mm')}",
+                f"more than {written(self.inner_radius, 'mm')}",
+                "are the two exchanged?",
+            )
 
     @rule
     def _pads_do_not_touch(self) -> Iterator[Complaint]:
         room = 6.283185307179586 / self.number
         if self.extent >= room:
-            yield Complaint(("extent",), f"{self.number} pads of {written(self.extent, 'deg')} overlap",
-                            f"less than {written(room, 'deg')} for {self.number} pads")  # fmt: skip
+            yield Complaint(
+                ("extent",),
+                f"{self.number} pads of {written(self.extent, 'deg')} overlap",
+                f"less than {written(room, 'deg')} for {self.number} pads",
+            )
 
     @rule
     def _pivot_under_the_pad(self) -> Iterator[Complaint]:
@@ -108,20 +117,29 @@ class ThrustPads(Part):
         in_order = self.inner_radius < self.outer_radius
         beside = isinstance(pivot, TiltingPivot) and not self.inner_radius < pivot.radius < self.outer_radius
         if isinstance(pivot, TiltingPivot) and in_order and beside:
-            yield Complaint(("pivot", "radius"), f"the pivot at {written(pivot.radius, 'mm')} is not under the pad",
-                            f"between {written(self.inner_radius, 'mm')} and {written(self.outer_radius, 'mm')}")  # fmt: skip  # noqa: E501
+            yield Complaint(
+                ("pivot", "radius"),
+                f"the pivot at {written(pivot.radius, 'mm')} is not under the pad",
+                f"between {written(self.inner_radius, 'mm')} and {written(self.outer_radius, 'mm')}",
+            )
 
     @rule
     def _one_height_each(self) -> Iterator[Complaint]:
         if self.heights and len(self.heights) != self.number:
-            yield Complaint(("heights",), f"{len(self.heights)} heights are given for {self.number} pads",
-                            f"{self.number} heights, or leave them out")  # fmt: skip
+            yield Complaint(
+                ("heights",),
+                f"{len(self.heights)} heights are given for {self.number} pads",
+                f"{self.number} heights, or leave them out",
+            )
 
     @rule
     def _fixed_pads_need_a_wedge(self) -> Iterator[Complaint]:
         if isinstance(self.pivot, FixedPad) and self.face is None and self.crown == 0.0:
-            yield Complaint(("face",), "a fixed plane pad in oil of one viscosity carries nothing",
-                            "a face of kind taper or step, a crown, or a pivot")  # fmt: skip
+            yield Complaint(
+                ("face",),
+                "a fixed plane pad in oil of one viscosity carries nothing",
+                "a face of kind taper or step, a crown, or a pivot",
+            )
 
     def plane_or_face(self) -> PlaneFace | TaperedFace | SteppedFace:
         """Give the face of the calculation."""
@@ -132,7 +150,8 @@ class Tilt(Part):
     """Tilt of the housing against the collar."""
 
     offset: Annotated[float, si("m", "0 um", "10 mm")] = Field(
-        description="Axial departure at the outer radius of the pads, e_o: half the difference across the diameter."
+        description="Axial departure at the outer radius of the pads, e_o: half the difference across the "
+        "diameter."
     )
     direction: Annotated[float, si("rad", "-360 deg", "360 deg")] = Field(
         0.0, description="Where the housing comes closest to the collar, counter-clockwise from pad 1."

@@ -43,7 +43,8 @@ WITTRICK = (
     "Quarterly Journal of Mechanics and Applied Mathematics 24 (1971) 263-284."
 )
 SIDORIKA = (
-    "I. N. Sidorika: dynamic load capacity of the main thrust bearing of a geared-diesel trawler. Eastern-European "
+    "I. N. Sidorika: dynamic load capacity of the main thrust bearing of a geared-diesel trawler. "
+    "Eastern-European "
     "Journal of Enterprise Technologies 4/7 (70) (2014)."
 )
 VISCOSITY = "ASTM D341: Viscosity-temperature equations and charts for liquid petroleum or hydrocarbon products."

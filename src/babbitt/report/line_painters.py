@@ -35,8 +35,15 @@ def histories(answer: LineAnswer, film_limit: float) -> Figure:
                 angles, history, color=INK if own else PALE, linewidth=1.2 if own else 0.7, zorder=3 if own else 2
             )
         place = int(values[chosen].argmax() if panel is above else values[chosen].argmin())
-        panel.annotate(f"pad {chosen + 1}", (angles[place], values[chosen, place]), xytext=(0, 4 if panel is above else -4),
-                       textcoords="offset points", ha="center", va="bottom" if panel is above else "top", fontsize=7)  # fmt: skip  # noqa: E501
+        panel.annotate(
+            f"pad {chosen + 1}",
+            (angles[place], values[chosen, place]),
+            xytext=(0, 4 if panel is above else -4),
+            textcoords="offset points",
+            ha="center",
+            va="bottom" if panel is above else "top",
+            fontsize=7,
+        )
         panel.set_ylabel(name)
         panel.set_ylim(min(0.0, 1.1 * float(values.min())), 1.12 * float(values.max()))
     limit_line(below, 1e6 * film_limit, "limit")
@@ -51,8 +58,14 @@ def mode_shapes(answer: LineAnswer) -> Figure:
     """The lowest modes along the shaft."""
     figure, ((panel,),) = Sheet(81.0, 60.0, left=12.0).panels()
     for mode, dashes in zip(answer.modes[:4], DASHES, strict=False):
-        panel.plot(mode.places, mode.shape, color=INK, linestyle=dashes, linewidth=1.0,
-                   label=f"{mode.frequency / math.tau:.1f} Hz")  # fmt: skip
+        panel.plot(
+            mode.places,
+            mode.shape,
+            color=INK,
+            linestyle=dashes,
+            linewidth=1.0,
+            label=f"{mode.frequency / math.tau:.1f} Hz",
+        )
         end = float(mode.places[-1])
         panel.plot(np.full(mode.pads.size, 1.03 * end if end else 0.1), mode.pads, ".", color=GREY, markersize=3)
     panel.axhline(0.0, color=GREY, linewidth=0.5)
@@ -73,8 +86,14 @@ def ring_sweep(answer: LineAnswer, limit: float) -> Figure:
     c = np.array([point.stiffness for point in rings]) / 1e9
     for name, dashes in (("bound", "-"), ("runout", "--"), ("ripple", ":")):
         label = {"bound": "both", "runout": "runout", "ripple": "thrust ripple"}[name]
-        above.semilogx(c, [100.0 * getattr(point, name) for point in rings], color=INK, linestyle=dashes, linewidth=1.0,
-                       label=label)  # fmt: skip
+        above.semilogx(
+            c,
+            [100.0 * getattr(point, name) for point in rings],
+            color=INK,
+            linestyle=dashes,
+            linewidth=1.0,
+            label=label,
+        )
     below.semilogx(c, [point.first_frequency / math.tau for point in rings], color=INK, linewidth=1.0)
     own = answer.state.duty.bearing.ring_stiffness / 1e9
     if math.isfinite(own):
@@ -107,12 +126,25 @@ def campbell(answer: LineAnswer, limit: float, speed: float) -> Figure:
         frequencies = np.array([point.frequencies[n] for point in points]) / math.tau
         above.plot(rpm, frequencies, color=INK, linestyle="--", linewidth=1.0)
         if n == 0:
-            above.fill_between(rpm, (1 - BARRED_WITHIN) * frequencies, (1 + BARRED_WITHIN) * frequencies, color="0.92",
-                               linewidth=0.0, zorder=0)  # fmt: skip
+            above.fill_between(
+                rpm,
+                (1 - BARRED_WITHIN) * frequencies,
+                (1 + BARRED_WITHIN) * frequencies,
+                color="0.92",
+                linewidth=0.0,
+                zorder=0,
+            )
     for order in orders:
         above.plot(rpm, order * rpm / 60.0, color=INK, linewidth=0.9)
-        above.annotate(f"{order:g}", (rpm[-1], order * rpm[-1] / 60.0), xytext=(3, 0), textcoords="offset points",
-                       fontsize=7, va="center", annotation_clip=False)  # fmt: skip
+        above.annotate(
+            f"{order:g}",
+            (rpm[-1], order * rpm[-1] / 60.0),
+            xytext=(3, 0),
+            textcoords="offset points",
+            fontsize=7,
+            va="center",
+            annotation_clip=False,
+        )
     for low, high, _ in barred_ranges(points):
         for panel in (above, below):
             panel.axvspan(low * RPM, high * RPM, color="0.92", linewidth=0.0, zorder=0)

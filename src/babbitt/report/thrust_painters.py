@@ -43,14 +43,25 @@ def pads_polar(share: Share, dynamic: Array | None) -> Figure:
     panel.annotate("kN", (0.0, 0.0), ha="center", va="center", fontsize=6, color="0.3")
     turn = bearing.sense * np.linspace(0.3, 1.2, 30) + math.pi / 2
     panel.plot(turn, np.full(30, 0.36 * base), color=INK, linewidth=0.8)
-    panel.annotate("", (turn[-1], 0.36 * base), xytext=(turn[-3], 0.36 * base),
-                   arrowprops={"arrowstyle": "-|>", "linewidth": 0.8, "mutation_scale": 7.0, "color": INK})  # fmt: skip
+    panel.annotate(
+        "",
+        (turn[-1], 0.36 * base),
+        xytext=(turn[-3], 0.36 * base),
+        arrowprops={"arrowstyle": "-|>", "linewidth": 0.8, "mutation_scale": 7.0, "color": INK},
+    )
     if bearing.tilt.offset > 0.0:
         at = bearing.tilt.direction
         edge = 1.10 * (base + largest)
         panel.plot([at, at], [base, edge], color=INK, linestyle=":", linewidth=0.8, zorder=1)
-        panel.annotate("closest", (at, edge), ha="center", va="center", fontsize=6, color="0.3",
-                       bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5})  # fmt: skip
+        panel.annotate(
+            "closest",
+            (at, edge),
+            ha="center",
+            va="center",
+            fontsize=6,
+            color="0.3",
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5},
+        )
     panel.set_ylim(0.0, 1.14 * (base + largest))
     panel.axis("off")
     return figure
@@ -76,16 +87,36 @@ def pad_pressure(share: Share) -> Figure:
     i, j = np.unravel_index(int(pressure.argmax()), pressure.shape)
     panel.plot(x[i, j], y[i, j], "+", color=INK, markersize=6)
     angle = pad.pivot_angle - 0.5 * pad.extent + math.pi / 2
-    panel.plot(sense * 1e3 * pad.pivot_radius * math.cos(angle), 1e3 * pad.pivot_radius * math.sin(angle), "o", color=INK,
-               markerfacecolor="white", markersize=4)  # fmt: skip
+    panel.plot(
+        sense * 1e3 * pad.pivot_radius * math.cos(angle),
+        1e3 * pad.pivot_radius * math.sin(angle),
+        "o",
+        color=INK,
+        markerfacecolor="white",
+        markersize=4,
+    )
     for side, text in ((0, "leading"), (-1, "trailing")):
         k = pressure.shape[1] // 2
         ha = "left" if x[side, k] > 0.0 else "right"
         offset = 5 if ha == "left" else -5
-        panel.annotate(text, (x[side, k], y[side, k]), xytext=(offset, 0), textcoords="offset points", fontsize=7,
-                       ha=ha, va="center")  # fmt: skip
-    panel.annotate(f"largest {state.maximum_pressure / 1e6:.3g} MPa", (0.0, float(y.min())), xytext=(0, -4),
-                   textcoords="offset points", fontsize=7, ha="center", va="top")  # fmt: skip
+        panel.annotate(
+            text,
+            (x[side, k], y[side, k]),
+            xytext=(offset, 0),
+            textcoords="offset points",
+            fontsize=7,
+            ha=ha,
+            va="center",
+        )
+    panel.annotate(
+        f"largest {state.maximum_pressure / 1e6:.3g} MPa",
+        (0.0, float(y.min())),
+        xytext=(0, -4),
+        textcoords="offset points",
+        fontsize=7,
+        ha="center",
+        va="top",
+    )
     panel.margins(0.16, 0.14)
     panel.set_ylim(float(y.min()) - 16.0 * (float(y.max()) - float(y.min())) / 100.0, None)
     return figure

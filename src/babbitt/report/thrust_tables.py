@@ -13,9 +13,15 @@ from babbitt.results import Result
 __all__ = ["tables"]
 
 PAD_COLUMNS = (
-    "pad_load", "pad_film_thickness", "pad_minimum_film_thickness", "pad_maximum_pressure", "pad_stiffness",
-    "pad_damping", "pad_slope_radial", "pad_slope_along",
-)  # fmt: skip
+    "pad_load",
+    "pad_film_thickness",
+    "pad_minimum_film_thickness",
+    "pad_maximum_pressure",
+    "pad_stiffness",
+    "pad_damping",
+    "pad_slope_radial",
+    "pad_slope_along",
+)
 DYNAMIC_COLUMNS = ("pad_load", "runout_force", "ripple_force", "dynamic_peak", "dynamic_bound", "pad_dynamic_film")
 RINGS_SHOWN = 10
 
@@ -28,28 +34,47 @@ def tables(result: Result) -> list[dict[str, Any]]:
 
 
 def _tables(result: Result) -> Iterator[dict[str, Any]]:
-    yield _by_pad(result, "Pads at rest", PAD_COLUMNS, "Stiffness at rest and damping at the frequency of the shaft, "
-                  "tilts free.")  # fmt: skip
+    yield _by_pad(
+        result,
+        "Pads at rest",
+        PAD_COLUMNS,
+        "Stiffness at rest and damping at the frequency of the shaft, tilts free.",
+    )
     if result.kind != "thrust_line":
         return
-    yield _by_pad(result, "Pads in motion", DYNAMIC_COLUMNS, "Amplitudes by runout and by thrust ripple; peak with the "
-                  "phases given, bound for any.")  # fmt: skip
+    yield _by_pad(
+        result,
+        "Pads in motion",
+        DYNAMIC_COLUMNS,
+        "Amplitudes by runout and by thrust ripple; peak with the phases given, bound for any.",
+    )
     modes = result.arrays["damped_modes"]
     if modes:
         yield _plain(
-            "Damped modes", ("Mode", "Frequency", "Damping ratio"), ("", "Hz", "%"),
-            [(str(n), f"{f / math.tau:.2f}", f"{100.0 * d:.2f}") for n, (f, d) in enumerate(modes, start=1)], "",
-        )  # fmt: skip
+            "Damped modes",
+            ("Mode", "Frequency", "Damping ratio"),
+            ("", "Hz", "%"),
+            [(str(n), f"{f / math.tau:.2f}", f"{100.0 * d:.2f}") for n, (f, d) in enumerate(modes, start=1)],
+            "",
+        )
     rings = result.arrays["ring_sweep"]
     step = max(1, len(rings) // RINGS_SHOWN)
     yield _plain(
         "Backing rings",
-        ("Stiffness per pad", "Runout", "Ripple", "Both", "Film amplitude", "Thinnest film", "First frequency",
-         "Static max/mean"),
+        (
+            "Stiffness per pad",
+            "Runout",
+            "Ripple",
+            "Both",
+            "Film amplitude",
+            "Thinnest film",
+            "First frequency",
+            "Static max/mean",
+        ),
         ("GN/m", "%", "%", "%", "µm", "µm", "Hz", ""),
         [_ring(row) for row in rings[::step]],
         "Dynamic over mean static pad load for any phases; film amplitude by runout at a pivot.",
-    )  # fmt: skip
+    )
 
 
 def _by_pad(result: Result, title: str, names: Sequence[str], note: str) -> dict[str, Any]:
@@ -71,5 +96,13 @@ def _plain(title: str, names: Sequence[str], units: Sequence[str], rows: list[An
 
 def _ring(row: Sequence[float]) -> tuple[str, ...]:
     stiffness, runout, ripple, bound, amplitude, film, first, ratio = row
-    return (f"{stiffness / 1e9:.3g}", f"{100 * runout:.1f}", f"{100 * ripple:.1f}", f"{100 * bound:.1f}",
-            f"{1e6 * amplitude:.2f}", f"{1e6 * film:.1f}", f"{first / math.tau:.1f}", f"{ratio:.2f}")  # fmt: skip
+    return (
+        f"{stiffness / 1e9:.3g}",
+        f"{100 * runout:.1f}",
+        f"{100 * ripple:.1f}",
+        f"{100 * bound:.1f}",
+        f"{1e6 * amplitude:.2f}",
+        f"{1e6 * film:.1f}",
+        f"{first / math.tau:.1f}",
+        f"{ratio:.2f}",
+    )

@@ -61,9 +61,12 @@ def _loss(result: Result, check: Check) -> str:
     kept = "within" if check.ok else "beyond"
     assert check.bound is Bound.AT_MOST
     return (
-        f"Dynamic load: {_percent(v['loss_mean_bound'])} of the mean static pad load for any phases, {kept} the limit of "
-        f"{_percent(check.limit)}; {_percent(v['loss_mean_peak'])} with the phases given. Of the static load of the pad "
-        f"itself it is {_percent(v['loss_own_bound'])}: tilt counts on the mean basis only, since the tightest pad carries "
+        f"Dynamic load: {_percent(v['loss_mean_bound'])} of the mean static pad load for any phases, {kept} "
+        f"the limit of "
+        f"{_percent(check.limit)}; {_percent(v['loss_mean_peak'])} with the phases given. Of the static load "
+        f"of the pad "
+        f"itself it is {_percent(v['loss_own_bound'])}: tilt counts on the mean basis only, since the "
+        f"tightest pad carries "
         f"{v['pad_load_ratio']:.2f} times the mean."
     )
 
@@ -73,8 +76,10 @@ def _causes(result: Result) -> str:
     first = max(CAUSES, key=lambda name: v[name])
     return (
         f"What dominates: {CAUSES[first]}. Runout alone gives {_percent(v['runout_share'])}, thrust ripple alone "
-        f"{_percent(v['ripple_share'])}; of their sum the tilt of the housing accounts for {_percent(v['tilt_share'])} "
-        f"and the elasticity of the shaft for {_percent(v['elasticity_share'])}. More propeller damping cannot raise a "
+        f"{_percent(v['ripple_share'])}; of their sum the tilt of the housing accounts for "
+        f"{_percent(v['tilt_share'])} "
+        f"and the elasticity of the shaft for {_percent(v['elasticity_share'])}. More propeller damping "
+        f"cannot raise a "
         "pad force."
     )
 
@@ -85,7 +90,8 @@ def _ring(result: Result) -> str:
         f"the least of the sweep is {_percent(v['best_ring_loss'])} on a ring of {_giga(v['best_ring_stiffness'])}"
     )
     if "half_load_ring_stiffness" in v:
-        said = f"A backing ring of {_giga(v['half_load_ring_stiffness'])} per pad would halve the dynamic load; {best}"
+        half = _giga(v["half_load_ring_stiffness"])
+        said = f"A backing ring of {half} per pad would halve the dynamic load; {best}"
     else:
         said = f"No ring of the sweep halves the dynamic load; {best}"
     return f"{said}. A soft ring evens out the tilt and keeps runout away, but lets the first frequency fall."
@@ -130,7 +136,8 @@ def _nonlinear(result: Result) -> str:
     return (
         f"Nonlinear motion: largest load {v['nonlinear_load_peak'] / 1e3:.1f} kN above and "
         f"{v['nonlinear_unload_peak'] / 1e3:.1f} kN below the static one, thinnest film "
-        f"{_micro(v['nonlinear_minimum_film'])}, mean films up to {_micro(v['mean_film_shift'])} thicker than at rest."
+        f"{_micro(v['nonlinear_minimum_film'])}, mean films up to {_micro(v['mean_film_shift'])} thicker than "
+        f"at rest."
     )
 
 

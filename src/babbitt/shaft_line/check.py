@@ -21,7 +21,7 @@ from babbitt.shaft_line.sweeps import CampbellPoint, RingPoint, barred_ranges, r
 from babbitt.shaft_line.transient import Transient, transient
 from babbitt.thrust.check import pad_arrays, share_doubts, share_values
 from babbitt.thrust.design import ThrustState, operating_state
-from babbitt.thrust.heat import ThermalRunaway
+from babbitt.thrust.heat import ThermalRunawayError
 
 __all__ = ["LineAnswer", "line_answer", "line_check"]
 
@@ -84,7 +84,7 @@ def line_answer(design: LineDesign) -> LineAnswer:
     ------
     InputError
         E202, E203, E204: see `state_of`.
-    ThermalRunaway
+    ThermalRunawayError
     """
     static = operating_state(design.thrust)
     duty, films = design.duty, static.films
@@ -123,21 +123,29 @@ def line_check(design: LineDesign) -> Result:
     start = perf_counter()
     try:
         answer = line_answer(design)
-    except ThermalRunaway:
+    except ThermalRunawayError:
         said = "friction outruns the oil up to 300 °C; cool the supply, thin the oil or carry less hot oil over"
         return Result(design.name, design.kind, METHOD, Outcome.THERMAL_RUNAWAY, {}, message=said)
     values = _values(design, answer)
     values["wall_time"] = perf_counter() - start
     thrust = design.thrust
     return Result(
-        design.name, design.kind, METHOD, Outcome.CONVERGED, values, tuple(_checks(design, answer, values)),
+        design.name,
+        design.kind,
+        METHOD,
+        Outcome.CONVERGED,
+        values,
+        tuple(_checks(design, answer, values)),
         (*thrust.doubts, *share_doubts(thrust, answer.static), *_doubts(answer)),
         _not_checked(design),
         (*design.lubricant.assumptions, *thrust.assumptions, *_assumptions(design)),
-        settings={"lubricant": design.lubricant.name, "pivot": thrust.bearing.pad.pivot.value,
-                  "rods": str(len(design.line.rods))},
+        settings={
+            "lubricant": design.lubricant.name,
+            "pivot": thrust.bearing.pad.pivot.value,
+            "rods": str(len(design.line.rods)),
+        },
         arrays=_arrays(design, answer),
-    )  # fmt: skip
+    )
 
 
 def _values(design: LineDesign, answer: LineAnswer) -> dict[str, float]:
@@ -164,8 +172,11 @@ def _values(design: LineDesign, answer: LineAnswer) -> dict[str, float]:
         values["damping_ratio_1"] = answer.damped[0].damping_ratio
     if math.isfinite(answer.separation):
         values["frequency_separation"] = answer.separation
-    bearable = {"admissible_runout": answer.bearable.runout, "admissible_tilt": answer.bearable.tilt,
-                "admissible_ripple": answer.bearable.ripple}  # fmt: skip
+    bearable = {
+        "admissible_runout": answer.bearable.runout,
+        "admissible_tilt": answer.bearable.tilt,
+        "admissible_ripple": answer.bearable.ripple,
+    }
     values |= {name: value for name, value in bearable.items() if value is not None}
     if answer.half is not None:
         values["half_load_ring_stiffness"] = answer.half.stiffness
@@ -182,29 +193,60 @@ def _values(design: LineDesign, answer: LineAnswer) -> dict[str, float]:
 
 
 def _checks(design: LineDesign, answer: LineAnswer, values: dict[str, float]) -> Iterator[Check]:
-    yield Check("C201", "loss_mean_bound", values["loss_mean_bound"], design.loss_limit, Bound.AT_MOST,
-                design.loss_limit_source)  # fmt: skip
-    yield Check("C202", "dynamic_minimum_film", values["dynamic_minimum_film"], design.thrust.film_limit,
-                Bound.AT_LEAST, design.thrust.film_limit_source)  # fmt: skip
-    yield Check("C203", "unload_margin_bound", values["unload_margin_bound"], 0.0, Bound.AT_LEAST,
-                "a film cannot pull: below zero the pad leaves the collar")  # fmt: skip
+    yield Check(
+        "C201",
+        "loss_mean_bound",
+        values["loss_mean_bound"],
+        design.loss_limit,
+        Bound.AT_MOST,
+        design.loss_limit_source,
+    )
+    yield Check(
+        "C202",
+        "dynamic_minimum_film",
+        values["dynamic_minimum_film"],
+        design.thrust.film_limit,
+        Bound.AT_LEAST,
+        design.thrust.film_limit_source,
+    )
+    yield Check(
+        "C203",
+        "unload_margin_bound",
+        values["unload_margin_bound"],
+        0.0,
+        Bound.AT_LEAST,
+        "a film cannot pull: below zero the pad leaves the collar",
+    )
     if "frequency_separation" in values:
-        yield Check("C204", "frequency_separation", values["frequency_separation"], NEAR, Bound.AT_LEAST,
-                    SEPARATION_SOURCE, advisory=True)  # fmt: skip
+        yield Check(
+            "C204",
+            "frequency_separation",
+            values["frequency_separation"],
+            NEAR,
+            Bound.AT_LEAST,
+            SEPARATION_SOURCE,
+            advisory=True,
+        )
 
 
 def _doubts(answer: LineAnswer) -> Iterator[Notice]:
     state = answer.state
     relative = float(state.film.relative.max())
     if relative > LINEAR_UP_TO:
-        yield Notice("W202", f"film amplitude {relative:.2f} of the static film at pad "
-                     f"{1 + int(state.film.relative.argmax())} > {LINEAR_UP_TO:g}")  # fmt: skip
+        yield Notice(
+            "W202",
+            f"film amplitude {relative:.2f} of the static film at pad "
+            f"{1 + int(state.film.relative.argmax())} > {LINEAR_UP_TO:g}",
+        )
     for nu in state.frequencies:
         for place, mode in enumerate(answer.modes, start=1):
             away = separation(nu, mode.frequency)
             if away < NEAR:
-                yield Notice("W203", f"excitation {nu / math.tau:.2f} Hz is {away:.0%} away from natural frequency "
-                             f"{place}, {mode.frequency / math.tau:.2f} Hz")  # fmt: skip
+                yield Notice(
+                    "W203",
+                    f"excitation {nu / math.tau:.2f} Hz is {away:.0%} away from natural frequency "
+                    f"{place}, {mode.frequency / math.tau:.2f} Hz",
+                )
     moved = answer.nonlinear
     if moved is not None:
         for happens, said in (
@@ -236,9 +278,18 @@ def _arrays(design: LineDesign, answer: LineAnswer) -> dict[str, Matrix]:
     arrays |= {name: (tuple(float(one) for one in row),) for name, row in rows.items()}
     arrays["damped_modes"] = tuple((mode.frequency, mode.damping_ratio) for mode in answer.damped)
     arrays["ring_sweep"] = tuple(
-        (p.stiffness, p.runout, p.ripple, p.bound, p.film_amplitude, p.thinnest_film, p.first_frequency,
-         p.largest_over_mean) for p in answer.rings
-    )  # fmt: skip
+        (
+            p.stiffness,
+            p.runout,
+            p.ripple,
+            p.bound,
+            p.film_amplitude,
+            p.thinnest_film,
+            p.first_frequency,
+            p.largest_over_mean,
+        )
+        for p in answer.rings
+    )
     if answer.campbell:
         arrays["campbell"] = tuple((p.speed, p.state.losses.mean_bound, *p.frequencies) for p in answer.campbell)
         if barred := barred_ranges(answer.campbell):

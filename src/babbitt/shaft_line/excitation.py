@@ -38,7 +38,7 @@ class ThrustHarmonic:
 
 @dataclass(frozen=True)
 class RunoutHarmonic:
-    """Waviness of the collar face of ``order`` lobes: xi_i = amplitude cos(order (omega t - gamma_i) + phase) (D6).
+    """Waviness of the face in ``order`` lobes: xi_i = amplitude cos(order (omega t - gamma_i) + phase) (D6).
 
     Order 1 is face runout; ``amplitude`` (m) at the pivot radius is half the indicator reading.
     """

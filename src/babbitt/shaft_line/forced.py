@@ -109,7 +109,9 @@ class Forced:
         return np.asarray(np.abs(self.force_history(turned)).max(axis=1))
 
     def worst_turn(self) -> tuple[float, float]:
-        """Angle of the propeller on the shaft, rad, at which the largest pad force is largest, and that force, N."""
+        """Angle of the propeller on the shaft, rad, at which the largest pad force is largest, and that force,
+        N.
+        """
         thrusts = [part.harmonic.order for part in self.parts if not part.is_runout]
         if not thrusts or not self.commensurate:
             return 0.0, float(self.peaks().max())
@@ -171,6 +173,7 @@ def _require_bounded(line: ShaftLine, pads: DynamicPads, frequency: float) -> No
             raise InputError(
                 "E204",
                 f"an excitation of {frequency / math.tau:.4g} Hz meets a natural frequency of "
-                f"{natural / math.tau:.4g} Hz and nothing damps the line: the motion has no bound. Give the damping "
+                f"{natural / math.tau:.4g} Hz and nothing damps the line: the motion has no bound. Give the "
+                f"damping "
                 "of the propeller or of the films, or change the speed.",
             )

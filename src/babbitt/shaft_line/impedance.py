@@ -86,8 +86,11 @@ def shaft_stiffness(line: ShaftLine, frequency: float) -> Array:
             own, cross = rod.stiffness, -rod.stiffness
         else:
             if abs(math.sin(angle)) < POLE:
-                raise InputError("E203", f"{frequency / math.tau:.6g} Hz is a frequency of rod {place + 1} between "
-                                 "fixed ends; its ends do not tell how it moves. Choose another frequency.")  # fmt: skip
+                raise InputError(
+                    "E203",
+                    f"{frequency / math.tau:.6g} Hz is a frequency of rod {place + 1} between "
+                    "fixed ends; its ends do not tell how it moves. Choose another frequency.",
+                )
             own, cross = rod.stiffness * angle / math.tan(angle), -rod.stiffness * angle / math.sin(angle)
         matrix[place, place] += own
         matrix[place + 1, place + 1] += own
@@ -96,8 +99,10 @@ def shaft_stiffness(line: ShaftLine, frequency: float) -> Array:
     return matrix
 
 
-def dynamic_stiffness(line: ShaftLine, pads: DynamicPads, frequency: float, films: ComplexArray | Array) -> ComplexArray | Array:
-    """Matrix of the unknowns (joints, pads, housing); without pads on a rigid ring, without housing on a rigid seat.
+def dynamic_stiffness(
+    line: ShaftLine, pads: DynamicPads, frequency: float, films: ComplexArray | Array
+) -> ComplexArray | Array:
+    """Matrix of the unknowns: joints, pads unless the ring is rigid, housing unless the seat is.
 
     Parameters
     ----------
@@ -116,8 +121,11 @@ def dynamic_stiffness(line: ShaftLine, pads: DynamicPads, frequency: float, film
     c, damped = pads.ring_stiffness, np.iscomplexobj(films)
     joints, z = len(line.masses), films.size
     if line.seating is not None and math.isinf(c):
-        raise InputError("E203", "a seating needs a ring of finite stiffness between pads and housing; give "
-                         "ring_stiffness, 1e12 N/m for a ring that hardly gives way.")  # fmt: skip
+        raise InputError(
+            "E203",
+            "a seating needs a ring of finite stiffness between pads and housing; give "
+            "ring_stiffness, 1e12 N/m for a ring that hardly gives way.",
+        )
     size = joints + (0 if math.isinf(c) else z) + (0 if line.seating is None else 1)
     matrix = np.zeros((size, size), dtype=complex if damped else float)
     matrix[:joints, :joints] = shaft_stiffness(line, frequency)

@@ -92,8 +92,11 @@ class ShaftLine:
         _require_positive("shaft line", propeller_mass=self.propeller_mass, collar_mass=self.collar_mass)
         _require_not_negative("shaft line", propeller_damping=self.propeller_damping)
         if self.joint_masses and len(self.joint_masses) != len(self.rods) - 1:
-            raise InputError("E203", f"{len(self.joint_masses)} joint masses are given for {len(self.rods)} rods; "
-                             "allowed: one less than the rods.")  # fmt: skip
+            raise InputError(
+                "E203",
+                f"{len(self.joint_masses)} joint masses are given for {len(self.rods)} rods; "
+                "allowed: one less than the rods.",
+            )
 
     @property
     def shaft_mass(self) -> float:

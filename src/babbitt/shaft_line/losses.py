@@ -58,11 +58,14 @@ def losses_of(share: Share, forced: Forced) -> Losses:
     else:
         peaks, lowest = bounds, -bounds
     return Losses(
-        mean_peak=float(peaks.max() / mean), mean_bound=float(bounds.max() / mean),
-        own_peak=float((peaks / own).max()), own_bound=float((bounds / own).max()),
-        margin_peak=float((own + lowest).min() / mean), margin_bound=float((own - bounds).min() / mean),
+        mean_peak=float(peaks.max() / mean),
+        mean_bound=float(bounds.max() / mean),
+        own_peak=float((peaks / own).max()),
+        own_bound=float((bounds / own).max()),
+        margin_peak=float((own + lowest).min() / mean),
+        margin_bound=float((own - bounds).min() / mean),
         worst_pad=int(peaks.argmax()),
-    )  # fmt: skip
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,10 +106,12 @@ def film_check(share: Share, forced: Forced) -> FilmCheck:
     bound = statics - np.asarray(sum(np.abs(move) for move in moving))
     if not forced.commensurate:
         return FilmCheck(bound.min(axis=1), bound.min(axis=1), relative, np.zeros((bearing.number, 0)))
-    histories = np.array([
-        (forced.history([move[pad] for move in moving]) + statics[pad][:, None]).min(axis=0)
-        for pad in range(bearing.number)
-    ])  # fmt: skip
+    histories = np.array(
+        [
+            (forced.history([move[pad] for move in moving]) + statics[pad][:, None]).min(axis=0)
+            for pad in range(bearing.number)
+        ]
+    )
     return FilmCheck(histories.min(axis=1), bound.min(axis=1), relative, histories)
 
 

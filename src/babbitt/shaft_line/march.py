@@ -83,11 +83,7 @@ def march(
     mass, damping = model.mass, model.damping
     for turn in range(revolutions):
         for k in range(steps):
-            new = inverse @ (
-                loads[k]
-                + damping @ (2.0 / dt * u + v)
-                + mass @ (4.0 / dt**2 * u + 4.0 / dt * v + a)
-            )  # fmt: skip
+            new = inverse @ (loads[k] + damping @ (2.0 / dt * u + v) + mass @ (4.0 / dt**2 * u + 4.0 / dt * v + a))
             rate = 2.0 / dt * (new - u) - v
             a = 4.0 / dt**2 * (new - u) - 4.0 / dt * v - a
             u, v = new, rate

@@ -66,8 +66,11 @@ class GivenPads:
 
     def __post_init__(self) -> None:
         if len(self.stiffness) != len(self.damping):
-            raise InputError("E203", f"{len(self.stiffness)} pad stiffnesses and {len(self.damping)} dampings are "
-                             "given; allowed: one of each per pad.")  # fmt: skip
+            raise InputError(
+                "E203",
+                f"{len(self.stiffness)} pad stiffnesses and {len(self.damping)} dampings are "
+                "given; allowed: one of each per pad.",
+            )
         if len(self.stiffness) < 2:
             raise InputError("E203", f"{len(self.stiffness)} pads are given; allowed: 2 or more.")
         for place, value in enumerate(self.stiffness, start=1):

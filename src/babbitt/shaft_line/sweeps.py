@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -53,9 +54,15 @@ def ring_point(duty: LineDuty, films: Carrying, stiffness: float) -> RingPoint:
     state = state_of(duty.with_ring(stiffness), films)
     first = undamped_frequencies(duty.line, state.pads, 1)[0]
     return RingPoint(
-        stiffness, state.loss_of(runout=True), state.loss_of(runout=False), state.losses.mean_bound,
-        state.runout_film_amplitude, float(state.film.thinnest_bound.min()), first, state.share.largest_over_mean,
-    )  # fmt: skip
+        stiffness,
+        state.loss_of(runout=True),
+        state.loss_of(runout=False),
+        state.losses.mean_bound,
+        state.runout_film_amplitude,
+        float(state.film.thinnest_bound.min()),
+        first,
+        state.share.largest_over_mean,
+    )
 
 
 def ring_sweep(duty: LineDuty, films: Carrying, stiffnesses: Sequence[float]) -> tuple[RingPoint, ...]:
@@ -101,10 +108,14 @@ def speed_sweep(
     for speed in speeds:
         at = duty.at_speed(speed)
         state = state_of(at, films_at(at))
-        points.append(CampbellPoint(
-            speed, undamped_frequencies(duty.line, state.pads, MODES), damped_modes(duty.line, state.pads, MODES),
-            state,
-        ))  # fmt: skip
+        points.append(
+            CampbellPoint(
+                speed,
+                undamped_frequencies(duty.line, state.pads, MODES),
+                damped_modes(duty.line, state.pads, MODES),
+                state,
+            )
+        )
     return tuple(points)
 
 
@@ -117,7 +128,7 @@ def barred_ranges(points: Sequence[CampbellPoint]) -> tuple[tuple[float, float, 
     found = []
     for order in orders:
         inside: list[float] = []
-        for first, second in zip(points[:-1], points[1:], strict=True):
+        for first, second in itertools.pairwise(points):
             for step in range(21):
                 speed = first.speed + (second.speed - first.speed) * step / 20.0
                 natural = first.frequencies[0] + (second.frequencies[0] - first.frequencies[0]) * step / 20.0

@@ -189,9 +189,15 @@ def transient(state: LineState, amplitude: float = 1.0, revolutions: int = 2) ->
     turn = 2.0 * math.pi / speed
     times = turn * (revolutions - 1 + np.arange(SAMPLES + 1) / SAMPLES)
     solved = solve_ivp(
-        motion, (0.0, revolutions * turn), _linear_start(state, motion, amplitude), method="BDF", t_eval=times,
-        rtol=1e-6, atol=_tolerances(state, motion), max_step=turn / 60.0,
-    )  # fmt: skip
+        motion,
+        (0.0, revolutions * turn),
+        _linear_start(state, motion, amplitude),
+        method="BDF",
+        t_eval=times,
+        rtol=1e-6,
+        atol=_tolerances(state, motion),
+        max_step=turn / 60.0,
+    )
     loads, films, thinnest = [], [], []
     corners = state.duty.bearing.pad.corners()
     for time, y in zip(solved.t, solved.y.T, strict=True):
@@ -203,10 +209,15 @@ def transient(state: LineState, amplitude: float = 1.0, revolutions: int = 2) ->
     array = np.array(loads)
     moved = np.abs(array - state.share.loads).max()
     return Transient(
-        angles=solved.t * speed - 2.0 * math.pi * (revolutions - 1), loads=array, films=np.array(films),
-        thinnest=np.array(thinnest), static_loads=state.share.loads, static_films=state.share.heights,
-        outside=motion.outside, steady=float(np.abs(array[-1] - array[0]).max() / max(moved, 1e-300)),
-    )  # fmt: skip
+        angles=solved.t * speed - 2.0 * math.pi * (revolutions - 1),
+        loads=array,
+        films=np.array(films),
+        thinnest=np.array(thinnest),
+        static_loads=state.share.loads,
+        static_films=state.share.heights,
+        outside=motion.outside,
+        steady=float(np.abs(array[-1] - array[0]).max() / max(moved, 1e-300)),
+    )
 
 
 def _linear_start(state: LineState, motion: Motion, amplitude: float) -> Array:
@@ -239,6 +250,12 @@ def _tolerances(state: LineState, motion: Motion) -> Array:
     film = 1e-6 * float(state.share.heights.min()) * 0.1
     n, z = motion.n, motion.z
     seat = [film, film * state.duty.speed] if motion.seat is not None else []
-    return np.concatenate([
-        np.full(n, film), np.full(n, film * state.duty.speed), seat, np.full(z, film), np.full(2 * z, film),
-    ])  # fmt: skip
+    return np.concatenate(
+        [
+            np.full(n, film),
+            np.full(n, film * state.duty.speed),
+            seat,
+            np.full(z, film),
+            np.full(2 * z, film),
+        ]
+    )

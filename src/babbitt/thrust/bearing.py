@@ -72,8 +72,11 @@ class ThrustBearing:
             raise InputError("E201", f"number of pads is {self.number:g}; allowed: a whole number from 2.")
         if self.number * self.pad.extent >= 2.0 * math.pi:
             room = 360.0 / self.number
-            raise InputError("E201", f"{self.number} pads of {math.degrees(self.pad.extent):g} deg overlap; allowed: "
-                             f"less than {room:g} deg each.")  # fmt: skip
+            raise InputError(
+                "E201",
+                f"{self.number} pads of {math.degrees(self.pad.extent):g} deg overlap; allowed: "
+                f"less than {room:g} deg each.",
+            )
         if not self.ring_stiffness > 0.0:
             raise InputError("E201", f"stiffness of the ring is {self.ring_stiffness:g} N/m; it must be positive.")
         if not self.pad_mass >= 0.0:

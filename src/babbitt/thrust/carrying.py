@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.notices import InputError
-from babbitt.thrust.equilibrium import UnbalancedPad, pad_state
+from babbitt.thrust.equilibrium import UnbalancedPadError, pad_state
 from babbitt.thrust.pad import ThrustPad
 from babbitt.thrust.state import PadState
 
@@ -151,7 +151,7 @@ class TabulatedFilms:
         guess = (slopes[0] * share, slopes[1] * share)
         try:
             return pad_state(self.pad, height, self.viscosity, self.angular_speed, guess)
-        except UnbalancedPad:
+        except UnbalancedPadError:
             return pad_state(self.pad, height, self.viscosity, self.angular_speed)
 
     def at(self, viscosity: float, angular_speed: float) -> TabulatedFilms:
@@ -218,8 +218,9 @@ def _tabulated(pad: ThrustPad, viscosity: float, angular_speed: float) -> Tabula
 
 def _require_load(pad: ThrustPad, load: float, height: float) -> None:
     if not load > 0.0:
-        raise UnbalancedPad(
+        raise UnbalancedPadError(
             "E202",
             f"the pad carries nothing at a film of {height * 1e6:.0f} µm: a plane pad that cannot tilt, or "
-            "stands on a pivot at its middle, has no converging film; give it a taper, a step, or a pivot farther back.",
+            "stands on a pivot at its middle, has no converging film; give it a taper, a step, or a pivot "
+            "farther back.",
         )

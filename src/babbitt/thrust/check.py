@@ -12,7 +12,7 @@ from babbitt.results import Bound, Check, Matrix, Outcome, Result
 from babbitt.thrust.bearing import runout_at
 from babbitt.thrust.carrying import Carrying
 from babbitt.thrust.design import ThrustDesign, ThrustState, operating_state
-from babbitt.thrust.heat import Temperatures, ThermalRunaway
+from babbitt.thrust.heat import Temperatures, ThermalRunawayError
 from babbitt.thrust.sharing import Share, share_of
 from babbitt.thrust.state import condensed
 
@@ -42,23 +42,42 @@ def thrust_check(design: ThrustDesign) -> Result:
     start = perf_counter()
     try:
         state = operating_state(design)
-    except ThermalRunaway:
+    except ThermalRunawayError:
         said = "friction outruns the oil up to 300 °C; cool the supply, thin the oil or carry less hot oil over"
-        return Result(design.name, design.kind, METHOD, Outcome.THERMAL_RUNAWAY, {}, message=said,
-                      assumptions=_assumptions(design))  # fmt: skip
+        return Result(
+            design.name,
+            design.kind,
+            METHOD,
+            Outcome.THERMAL_RUNAWAY,
+            {},
+            message=said,
+            assumptions=_assumptions(design),
+        )
     values = share_values(design, state)
     if design.runout:
         values["quasi_static_load_ratio"] = _turned(design, state)
     values["wall_time"] = perf_counter() - start
-    limit = Check("C202", "minimum_film_thickness", values["minimum_film_thickness"], design.film_limit,
-                  Bound.AT_LEAST, design.film_limit_source)  # fmt: skip
+    limit = Check(
+        "C202",
+        "minimum_film_thickness",
+        values["minimum_film_thickness"],
+        design.film_limit,
+        Bound.AT_LEAST,
+        design.film_limit_source,
+    )
     return Result(
-        design.name, design.kind, METHOD, Outcome.CONVERGED, values, (limit,),
-        (*design.doubts, *share_doubts(design, state)), (),
+        design.name,
+        design.kind,
+        METHOD,
+        Outcome.CONVERGED,
+        values,
+        (limit,),
+        (*design.doubts, *share_doubts(design, state)),
+        (),
         (*design.lubricant.assumptions, *design.assumptions, *_assumptions(design)),
         settings={"lubricant": design.lubricant.name, "pivot": design.bearing.pad.pivot.value},
         arrays=pad_arrays(state.share, design.speed),
-    )  # fmt: skip
+    )
 
 
 def share_values(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
@@ -152,8 +171,11 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
     even = state.films.height_for(share.mean_load)
     nearest = -float(bearing.departures().min())
     if nearest >= even:
-        yield Notice("W201", f"tilt and heights bring a pad {nearest * 1e6:.1f} µm nearer to the collar, more than the "
-                     f"film of {even * 1e6:.1f} µm that an even share has")  # fmt: skip
+        yield Notice(
+            "W201",
+            f"tilt and heights bring a pad {nearest * 1e6:.1f} µm nearer to the collar, more than the "
+            f"film of {even * 1e6:.1f} µm that an even share has",
+        )
     least = float(share.loads.min() / share.mean_load)
     if least < LEAST_SHARE:
         yield Notice("W201", f"pad {1 + int(share.loads.argmin())} carries {least:.2%} of the mean load")
@@ -163,11 +185,15 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
 
 
 def _assumptions(design: ThrustDesign) -> tuple[str, ...]:
-    said = ["One viscosity for all films, that at the effective temperature; rigid pads; frictionless pivots; oil at "
-            "ambient pressure around each pad."]  # fmt: skip
+    said = [
+        "One viscosity for all films, that at the effective temperature; rigid pads; frictionless pivots; oil at "
+        "ambient pressure around each pad."
+    ]
     if design.oil.balance is not None:
-        said.append(f"{design.oil.carry_over:.0%} of the oil that leaves a pad over its trailing edge enters the next; "
-                    "all heat goes with the oil.")  # fmt: skip
+        said.append(
+            f"{design.oil.carry_over:.0%} of the oil that leaves a pad over its trailing edge enters the next; "
+            "all heat goes with the oil."
+        )
     if design.turbulence is not None:
         said.append(f"Turbulence by {design.turbulence.name}: {design.turbulence.source}.")
     return tuple(said)

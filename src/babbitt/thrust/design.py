@@ -125,7 +125,7 @@ def operating_state(design: ThrustDesign) -> ThrustState:
     ------
     InputError
         E202 where the pads do not balance.
-    ThermalRunaway
+    ThermalRunawayError
     """
     films, temperatures = warm_films(design, design.bearing, design.speed, design.duty)
     return ThrustState(films, _share(films, design.bearing, design.duty), temperatures)

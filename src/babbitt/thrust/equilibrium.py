@@ -11,7 +11,7 @@ from babbitt.thrust.pad import ThrustPad
 from babbitt.thrust.peak import peak_pressure
 from babbitt.thrust.state import PadState
 
-__all__ = ["UnbalancedPad", "pad_state"]
+__all__ = ["UnbalancedPadError", "pad_state"]
 
 Array = NDArray[np.float64]
 
@@ -25,7 +25,7 @@ FIRST_RISE = 0.35
 DEGREE = 8
 
 
-class UnbalancedPad(InputError):
+class UnbalancedPadError(InputError):
     """No tilt balances the pad on its pivot."""
 
 
@@ -61,8 +61,15 @@ def pad_state(
     """
     if not (np.isfinite(height) and height > 0.0):
         raise InputError("E201", f"film at the pivot is {height:g} m; it must be positive.")
-    sector = SectorPad(pad.inner_radius, pad.outer_radius, pad.extent, viscosity, angular_speed, pad.form(),
-                       turbulence=pad.turbulence)  # fmt: skip
+    sector = SectorPad(
+        pad.inner_radius,
+        pad.outer_radius,
+        pad.extent,
+        viscosity,
+        angular_speed,
+        pad.form(),
+        turbulence=pad.turbulence,
+    )
     mesh = (intervals or pad.intervals, degree)
     free = list(pad.free_tilts)
     motion = np.array([height, *(guess or _first_slopes(pad, height))])
@@ -80,9 +87,10 @@ def pad_state(
         step = _within_reach(pad, motion, step)
         motion = motion + step
         film = _film(sector, to_film @ motion, mesh)
-    raise UnbalancedPad(
+    raise UnbalancedPadError(
         "E202",
-        f"pivot at {pad.pivot_fraction:g} of the extent and radius {pad.pivot_radius:g} m: no tilt balances the pad. "
+        f"pivot at {pad.pivot_fraction:g} of the extent and radius {pad.pivot_radius:g} m: no tilt balances "
+        f"the pad. "
         "A flat pad needs a pivot behind its middle, 0.5 of the extent, and near the mean radius.",
     )
 
@@ -111,13 +119,22 @@ def _state(pad: ThrustPad, film: SectorFilm, motion: Array, viscosity: float, an
     basis, face = pad.watched()
     thinnest = float((basis @ motion + face).min())
     return PadState(
-        pad=pad, film=film, scale=(1.0, 1.0, 1.0),
-        height=float(motion[0]), slope_x=float(motion[1]), slope_y=float(motion[2]),
-        viscosity=viscosity, angular_speed=angular_speed,
+        pad=pad,
+        film=film,
+        scale=(1.0, 1.0, 1.0),
+        height=float(motion[0]),
+        slope_x=float(motion[1]),
+        slope_y=float(motion[2]),
+        viscosity=viscosity,
+        angular_speed=angular_speed,
         load=film.load,
-        stiffness=to_film.T @ film.stiffness @ to_film, damping=to_film.T @ film.damping @ to_film,
-        minimum_film_thickness=thinnest, maximum_pressure=peak_pressure(film),
-        leading_flow=film.leading_flow, trailing_flow=film.trailing_flow,
-        inner_flow=film.inner_flow, outer_flow=film.outer_flow,
+        stiffness=to_film.T @ film.stiffness @ to_film,
+        damping=to_film.T @ film.damping @ to_film,
+        minimum_film_thickness=thinnest,
+        maximum_pressure=peak_pressure(film),
+        leading_flow=film.leading_flow,
+        trailing_flow=film.trailing_flow,
+        inner_flow=film.inner_flow,
+        outer_flow=film.outer_flow,
         friction_torque=film.friction_torque,
-    )  # fmt: skip
+    )

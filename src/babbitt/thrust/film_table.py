@@ -86,8 +86,11 @@ def film_table(films: Carrying) -> FilmTable:
 
     pad = films.pad
     if not isinstance(films, SimilarFilms):
-        raise InputError("E201", "the nonlinear transient needs plane laminar pads, whose films are similar; "
-                         "leave out the face, the crown and turbulence, or the transient.")  # fmt: skip
+        raise InputError(
+            "E201",
+            "the nonlinear transient needs plane laminar pads, whose films are similar; "
+            "leave out the face, the crown and turbulence, or the transient.",
+        )
     reference = films.reference
     length, height = pad.outer_radius - pad.inner_radius, reference.height
     middle = np.array([reference.slope_x, reference.slope_y]) * length / height

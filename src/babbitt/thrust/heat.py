@@ -8,7 +8,8 @@ oil of the supply to what the leading edge draws in:
 
 with the side flow Q_s leaving at the mean temperature of the pad; all heat goes with the oil. These are the
 balances of M. K. Ghosh, B. C. Majumdar and M. Sarangi, Fundamentals of Fluid Film Lubrication (2014), and of
-C. M. Ettles (1969) for the groove. They close the energy of the bearing: P = rho c (Q_in - lambda Q_t)(T_drain - T_s).
+C. M. Ettles (1969) for the groove. They close the energy of the bearing: P = rho c (Q_in - lambda Q_t)(T_drain -
+T_s).
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from babbitt.lubricants import Lubricant
 from babbitt.thrust.carrying import Carrying
 from babbitt.thrust.state import PadState
 
-__all__ = ["HeatBalance", "Temperatures", "ThermalRunaway", "USUAL_CARRY_OVER", "balanced"]
+__all__ = ["HeatBalance", "Temperatures", "ThermalRunawayError", "USUAL_CARRY_OVER", "balanced"]
 
 USUAL_CARRY_OVER = 0.75
 """Assumption: share of the hot oil of a pad that enters the next one; 0.7 to 0.9 are found at usual speeds."""
@@ -32,7 +33,7 @@ TOLERANCE = 1e-7
 """Of the effective temperature, K."""
 
 
-class ThermalRunaway(Exception):
+class ThermalRunawayError(Exception):
     """No balance up to the highest temperature."""
 
 
@@ -115,7 +116,7 @@ def balanced(
 
     Raises
     ------
-    ThermalRunaway
+    ThermalRunawayError
         If friction outruns the oil up to 300 °C.
     """
     from babbitt.design.roots import bracketed_root
@@ -130,7 +131,7 @@ def balanced(
     while excess(high) > 0.0:
         low, high = high, high + 2.0 * (high - balance.supply_temperature)
         if low >= HOTTEST:
-            raise ThermalRunaway
+            raise ThermalRunawayError
     effective = bracketed_root(excess, low, min(high, HOTTEST + 60.0), absolute=TOLERANCE)
     found = at(effective)
     return found, temperatures_of(balance, pads_on(found), effective)

@@ -72,16 +72,25 @@ class ThrustPad:
 
     def __post_init__(self) -> None:
         if not 0.0 < self.inner_radius < self.outer_radius:
-            raise InputError("E201", f"radii of the pad are {self.inner_radius:g} and {self.outer_radius:g} m; the "
-                             "inner must be positive and less than the outer.")  # fmt: skip
+            raise InputError(
+                "E201",
+                f"radii of the pad are {self.inner_radius:g} and {self.outer_radius:g} m; the "
+                "inner must be positive and less than the outer.",
+            )
         if not 0.0 < self.extent < 2.0 * math.pi:
             raise InputError("E201", f"extent of the pad is {self.extent:g} rad; allowed: between 0 and one turn.")
         if not self.inner_radius < self.pivot_radius < self.outer_radius:
-            raise InputError("E201", f"pivot_radius is {self.pivot_radius:g} m; it must lie on the pad, between "
-                             f"{self.inner_radius:g} and {self.outer_radius:g} m.")  # fmt: skip
+            raise InputError(
+                "E201",
+                f"pivot_radius is {self.pivot_radius:g} m; it must lie on the pad, between "
+                f"{self.inner_radius:g} and {self.outer_radius:g} m.",
+            )
         if not 0.0 < self.pivot_fraction < 1.0:
-            raise InputError("E201", f"pivot_fraction is {self.pivot_fraction:g}; it must lie between 0, the leading "
-                             "edge, and 1, the trailing edge.")  # fmt: skip
+            raise InputError(
+                "E201",
+                f"pivot_fraction is {self.pivot_fraction:g}; it must lie between 0, the leading "
+                "edge, and 1, the trailing edge.",
+            )
 
     @property
     def pivot_angle(self) -> float:
@@ -107,7 +116,10 @@ class ThrustPad:
     def intervals(self) -> int:
         """Intervals along the pad, such that an edge of the face falls on a line."""
         edge = getattr(self.face, "fraction", 0.0)
-        return min(range(USUAL_INTERVALS - 8, USUAL_INTERVALS + 17), key=lambda n: (abs(edge * n - round(edge * n)), abs(n - USUAL_INTERVALS)))  # fmt: skip  # noqa: E501
+        return min(
+            range(USUAL_INTERVALS - 8, USUAL_INTERVALS + 17),
+            key=lambda n: (abs(edge * n - round(edge * n)), abs(n - USUAL_INTERVALS)),
+        )
 
     def form(self) -> tuple[tuple[float, ...], ...]:
         """Departure from a plane for the film (`SectorPad.form`); empty for a plane."""
@@ -144,8 +156,13 @@ class ThrustPad:
             self.outer_radius - self.inner_radius
         )
         basis = np.stack(
-            [np.ones(np.broadcast(angle, radius).shape), radius * np.cos(angle) - self.pivot_radius,
-             radius * np.sin(angle)], axis=-1)  # fmt: skip
+            [
+                np.ones(np.broadcast(angle, radius).shape),
+                radius * np.cos(angle) - self.pivot_radius,
+                radius * np.sin(angle),
+            ],
+            axis=-1,
+        )
         return basis.reshape(-1, 3), rows[np.ix_(along, across)].ravel()
 
     def mirrored(self) -> ThrustPad:

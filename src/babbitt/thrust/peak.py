@@ -31,7 +31,9 @@ def peak_pressure(film: SectorFilm) -> float:
 
 
 def between_nodes(radius: Array, values: Array) -> tuple[Array, Array]:
-    """Radii and values of the polynomials through the nodes, on `FINE` even radii; values of shape (lines, nodes)."""
+    """Radii and values of the polynomials through the nodes, on `FINE` even radii; values of shape (lines,
+    nodes).
+    """
     return np.linspace(radius[0], radius[-1], FINE), values @ _across(radius.tobytes()).T
 
 

@@ -111,17 +111,22 @@ class PadState:
         return replace(
             self,
             scale=(self.scale[0] * h, self.scale[1] * mu, self.scale[2] * omega),
-            height=height, slope_x=self.slope_x * h, slope_y=self.slope_y * h,
-            viscosity=viscosity, angular_speed=angular_speed,
+            height=height,
+            slope_x=self.slope_x * h,
+            slope_y=self.slope_y * h,
+            viscosity=viscosity,
+            angular_speed=angular_speed,
             load=self.load * mu * omega / h**2,
             stiffness=self.stiffness * mu * omega / h**3,
             damping=self.damping * mu / h**3,
             minimum_film_thickness=self.minimum_film_thickness * h,
             maximum_pressure=self.maximum_pressure * mu * omega / h**2,
-            leading_flow=self.leading_flow * flow, trailing_flow=self.trailing_flow * flow,
-            inner_flow=self.inner_flow * flow, outer_flow=self.outer_flow * flow,
+            leading_flow=self.leading_flow * flow,
+            trailing_flow=self.trailing_flow * flow,
+            inner_flow=self.inner_flow * flow,
+            outer_flow=self.outer_flow * flow,
             friction_torque=self.friction_torque * mu * omega / h,
-        )  # fmt: skip
+        )
 
 
 def tilt_answer(state: PadState, frequency: float, inertia: TiltInertia) -> ComplexArray:

@@ -76,14 +76,28 @@ def _sliders() -> Iterator[Comparison]:
     yield Comparison("W*", "wide plane pad, h₁/h₂ = 2.19", closed, wide_pad(256), Within(1e-4), "", "closed form")
     series = exponential_series()
     for n, allowed in ((32, 6e-3), (64, 1.5e-3)):
-        yield Comparison("W*", f"square exponential film, {n} intervals", series, exponential_pad(n), Within(allowed), "",
-                         "Fourier series")  # fmt: skip
+        yield Comparison(
+            "W*",
+            f"square exponential film, {n} intervals",
+            series,
+            exponential_pad(n),
+            Within(allowed),
+            "",
+            "Fourier series",
+        )
 
 
 def _exact() -> Iterator[Comparison]:
     state = films().state(50e-6)
-    yield Comparison("k(0)", "tilting pad, 2 W/h_p", 2.0 * state.load / state.height, condensed(state, 0.0).real,
-                     Within(1e-6), "N/m", "similarity")  # fmt: skip
+    yield Comparison(
+        "k(0)",
+        "tilting pad, 2 W/h_p",
+        2.0 * state.load / state.height,
+        condensed(state, 0.0).real,
+        Within(1e-6),
+        "N/m",
+        "similarity",
+    )
     hard = GivenPads((1e16,) * 8, (0.0,) * 8)
     bare = ShaftLine(14e3, 0.0, (ROD,), 8e3)
     angle = BLADE * ROD.transit_time
@@ -91,8 +105,15 @@ def _exact() -> Iterator[Comparison]:
     total = respond(bare, hard, BLADE, 1.0, np.zeros(8, dtype=complex)).total_force.real
     yield Comparison("ΣN/Q", "rod on a rigid bearing, 8.33 Hz", magnified, total, Within(1e-5), "", "closed form")
     first = undamped_frequencies(bare, hard, 1)[0] * ROD.transit_time
-    yield Comparison("kl tan kl", "rod on a rigid bearing, m₃/m₁", ROD.mass / 14e3, first * math.tan(first), Within(1e-4),
-                     "", "closed form")  # fmt: skip
+    yield Comparison(
+        "kl tan kl",
+        "rod on a rigid bearing, m₃/m₁",
+        ROD.mass / 14e3,
+        first * math.tan(first),
+        Within(1e-4),
+        "",
+        "closed form",
+    )
     even = GivenPads((2.5e9,) * 8, (1.8e8,) * 8, 2e10, 18.0)
     kt = even.film(SPEED)[0]
     under = 2e10 - SPEED**2 * 18.0
@@ -136,12 +157,24 @@ def _given_films() -> Iterator[Comparison]:
     ):
         for pad, (real, imaginary) in enumerate(rows):
             expected = complex(real, imaginary)
-            yield Comparison(f"|{name}|", f"pad {pad + 1}", abs(expected), abs(complex(found[pad])), Within(1e-5), "N",
-                             "prototype")  # fmt: skip
+            yield Comparison(
+                f"|{name}|",
+                f"pad {pad + 1}",
+                abs(expected),
+                abs(complex(found[pad])),
+                Within(1e-5),
+                "N",
+                "prototype",
+            )
     for pad, peak in enumerate(data["peaks_N"]):
-        yield Comparison("peak, rod", f"pad {pad + 1}", peak, float(both.peaks()[pad]), Within(1e-5), "N", "prototype")
+        yield Comparison(
+            "peak, rod", f"pad {pad + 1}", peak, float(both.peaks()[pad]), Within(1e-5), "N", "prototype"
+        )
     seated = ShaftLine(14e3, 8e4, (ROD,), 8e3, seating=Seating(1e9, 0.0, 12e3))
-    for name, of, values in (("f, rod", line(), data["natural_rod_Hz"]), ("f, seated", seated, data["natural_seated_Hz"])):
+    for name, of, values in (
+        ("f, rod", line(), data["natural_rod_Hz"]),
+        ("f, seated", seated, data["natural_seated_Hz"]),
+    ):
         found_frequencies = undamped_frequencies(of, given_pads(), len(values))
         for n, (expected, ours) in enumerate(zip(values, found_frequencies, strict=True), start=1):
             yield Comparison(name, f"mode {n}", expected, ours / math.tau, Within(1e-5), "Hz", "prototype")
@@ -151,7 +184,9 @@ def _base_case() -> Iterator[Comparison]:
     data = reference_data("trawler_line")
     share = share_of(films(), duty().bearing, duty().thrust)
     for pad, load in enumerate(data["share_kN"]):
-        yield Comparison("W_i", f"pad {pad + 1}", load, float(share.loads[pad]) / 1e3, Within(5e-3), "kN", "prototype")
+        yield Comparison(
+            "W_i", f"pad {pad + 1}", load, float(share.loads[pad]) / 1e3, Within(5e-3), "kN", "prototype"
+        )
     frequencies = undamped_frequencies(line(), FilmPads(share), 4)
     for n, (expected, found) in enumerate(zip(data["natural_Hz"], frequencies, strict=True), start=1):
         yield Comparison("f, films", f"mode {n}", expected, found / math.tau, Within(1e-3), "Hz", "prototype")
@@ -172,11 +207,20 @@ def draw(figure: Figure) -> None:
     for label, marker, errors in (
         ("wide plane pad", "o", [abs(wide_pad(n) / closed - 1.0) for n in counts]),
         ("square exponential film", "s", [abs(exponential_pad(n) / series - 1.0) for n in counts]),
-        ("tilting sector pad", "^",
-         [abs(pad_state(PAD, 50e-6, 0.045, SPEED, intervals=n, degree=12).load / limit - 1.0) for n in counts]),
-    ):  # fmt: skip
-        axes.loglog(counts, [100.0 * error for error in errors], color=INK, marker=marker, markerfacecolor="none",
-                    label=label)  # fmt: skip
+        (
+            "tilting sector pad",
+            "^",
+            [abs(pad_state(PAD, 50e-6, 0.045, SPEED, intervals=n, degree=12).load / limit - 1.0) for n in counts],
+        ),
+    ):
+        axes.loglog(
+            counts,
+            [100.0 * error for error in errors],
+            color=INK,
+            marker=marker,
+            markerfacecolor="none",
+            label=label,
+        )
     axes.loglog(counts, [300.0 / n**2 for n in counts], color=GREY, linewidth=0.8, label="slope 2")
     axes.set_xticks(counts, [str(n) for n in counts])
     axes.set_xticks([], minor=True)
@@ -194,23 +238,28 @@ CASE = ValidationCase(
             "independent program of the same equations: pad, pads with given films, static share, frequencies."
         ),
         source=(
-            "Wide plane pad: O. Reynolds (1886). Square pad under an exponential film: Fourier series across, exact along. "
+            "Wide plane pad: O. Reynolds (1886). Square pad under an exponential film: Fourier series across, "
+            "exact along. "
             "Rods: textbook waves. Prototype: finite volumes on 97 x 129 nodes (pad) and 25 x 33 (share)."
         ),
         assumptions=(
-            "Sliders are thin rings far out. The pad is that of the trawler line: radii 190 and 375 mm, 36°, pivot at 0.6 "
+            "Sliders are thin rings far out. The pad is that of the trawler line: radii 190 and 375 mm, 36°, "
+            "pivot at 0.6 "
             "of the pad and 290 mm, 45 mPa s, 125 rpm."
         ),
         tolerances=(
-            "Closed forms 1e-6 to 1e-4, films by their mesh: 0.6 % at 32 intervals, 0.15 % at 64, the usual mesh. Prototype: "
+            "Closed forms 1e-6 to 1e-4, films by their mesh: 0.6 % at 32 intervals, 0.15 % at 64, the usual "
+            "mesh. Prototype: "
             "1e-5 where films are given, 0.5 % where both solve a film, which is what its own meshes differ by."
         ),
         differences=(
             "None beyond the meshes. Errors of our loads fall with the square of the interval; across the pad the "
-            "polynomials leave less than 0.01 %. The peak pressure is read between the nodes, or it would be 3 % low."
+            "polynomials leave less than 0.01 %. The peak pressure is read between the nodes, or it would be "
+            "3 % low."
         ),
     ),
     run=run,
     draw=draw,
-    caption="Error of the load of three pads over the number of intervals along them; the grey line has slope two.",
+    caption="Error of the load of three pads over the number of intervals along them; the grey line has slope "
+    "two.",
 )
