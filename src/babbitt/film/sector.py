@@ -183,13 +183,13 @@ def sector_film(
     InputError
         E101 if runner and pad touch.
     """
-    height = gap.height
+    height = reference_height(pad, gap)
     theta = np.linspace(0.0, pad.extent, intervals + 1)
     mesh = element_axial_mesh((pad.inner_radius / pad.outer_radius, 1.0), (degree,))
     unit = pad.viscosity * pad.angular_speed * (pad.outer_radius / height) ** 2
     surface = sector_surface(pad, theta, mesh, height, unit)
     lengths = np.array([height, height / pad.outer_radius, height / pad.outer_radius])
-    at = -np.array([0.0, gap.slope_x, gap.slope_y]) / lengths
+    at = -np.array([gap.height - height, gap.slope_x, gap.slope_y]) / lengths
     moving = -np.array([rate.height, rate.slope_x, rate.slope_y]) / (lengths * pad.angular_speed)
     lowest = float(smallest_surface_gap(surface, at))
     if not lowest > 0.0:
@@ -227,6 +227,13 @@ def sector_film(
         * pad.viscosity * pad.angular_speed * pad.outer_radius**4 / height,
         mass_balance_error=float(free / max(abs(leading), 1e-300)),
     )  # fmt: skip
+
+
+def reference_height(pad: SectorPad, gap: PlaneMotion) -> float:
+    """Gap in the middle of the pad, m, in which gaps are measured: that at the axis may be none at all."""
+    middle, angle = 0.5 * (pad.inner_radius + pad.outer_radius), 0.5 * pad.extent
+    there = gap.height + middle * (gap.slope_x * math.cos(angle) + gap.slope_y * math.sin(angle))
+    return there if there > 0.0 else max(abs(there), abs(gap.height))
 
 
 def sector_surface(pad: SectorPad, theta: Array, mesh: AxialMesh, height: float, unit: float) -> Surface:

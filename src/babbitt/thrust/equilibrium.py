@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film.sector import PlaneMotion, SectorFilm, SectorPad, sector_film
 from babbitt.notices import InputError
 from babbitt.thrust.pad import ThrustPad
 from babbitt.thrust.peak import peak_pressure
 from babbitt.thrust.state import PadState
+
+if TYPE_CHECKING:
+    from babbitt.film.sector import SectorFilm, SectorPad
 
 __all__ = ["UnbalancedPadError", "pad_state"]
 
@@ -61,6 +65,8 @@ def pad_state(
     """
     if not (np.isfinite(height) and height > 0.0):
         raise InputError("E201", f"film at the pivot is {height:g} m; it must be positive.")
+    from babbitt.film.sector import SectorPad  # numba is imported when the first film is solved
+
     sector = SectorPad(
         pad.inner_radius,
         pad.outer_radius,
@@ -101,6 +107,8 @@ def _first_slopes(pad: ThrustPad, height: float) -> tuple[float, float]:
 
 
 def _film(sector: SectorPad, motion: Array, mesh: tuple[int, int]) -> SectorFilm:
+    from babbitt.film.sector import PlaneMotion, sector_film
+
     return sector_film(sector, PlaneMotion(*(float(part) for part in motion)), intervals=mesh[0], degree=mesh[1])
 
 

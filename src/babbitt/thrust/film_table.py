@@ -11,7 +11,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film.sector import STILL, PlaneMotion, SectorPad, sector_film
 from babbitt.notices import InputError
 from babbitt.thrust.carrying import Carrying, SimilarFilms
 from babbitt.thrust.equilibrium import DEGREE
@@ -83,6 +82,8 @@ def film_table(films: Carrying) -> FilmTable:
         E201 for a pad with a face, a crown or turbulence, whose films are not similar.
     """
     from scipy.interpolate import NdBSpline, RectBivariateSpline
+
+    from babbitt.film.sector import STILL, PlaneMotion, SectorPad, sector_film
 
     pad = films.pad
     if not isinstance(films, SimilarFilms):

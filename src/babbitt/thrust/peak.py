@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film.sector import SectorFilm
+if TYPE_CHECKING:
+    from babbitt.film.sector import SectorFilm
 
 __all__ = ["between_nodes", "peak_pressure"]
 

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film.sector import SectorFilm
 from babbitt.thrust.pad import ThrustPad
+
+if TYPE_CHECKING:
+    from babbitt.film.sector import SectorFilm
 
 __all__ = ["PadState", "TiltInertia", "condensed", "tilt_answer"]
 

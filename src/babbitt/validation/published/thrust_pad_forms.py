@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.film.sector import PlaneMotion, SectorPad, sector_film
 from babbitt.shaft_line.forced import forced
 from babbitt.shaft_line.impedance import respond
 from babbitt.shaft_line.line import Seating, ShaftLine
@@ -38,6 +37,8 @@ def run() -> tuple[Comparison, ...]:
 
 def wide_pad(intervals: int) -> float:
     """Load at mid radius of a wide plane pad, h1/h2 = 2.19, in mu U B^2 L/h2^2."""
+    from babbitt.film.sector import PlaneMotion, SectorPad, sector_film
+
     pad = SectorPad(FAR_OUT - 0.3, FAR_OUT + 0.3, LENGTH / FAR_OUT, OIL, SPEED_OF_SLIDER / FAR_OUT)
     film = sector_film(pad, PlaneMotion(2.19 * LAND, 0.0, -1.19 * LAND / LENGTH), intervals=intervals, degree=24)
     middle = film.pressure[:, film.radius.size // 2]
@@ -47,6 +48,8 @@ def wide_pad(intervals: int) -> float:
 
 def exponential_pad(intervals: int) -> float:
     """Load of a square pad under h = h1 exp(-a x), h1/h2 = 2.2, in mu U B^2 L/h2^2."""
+    from babbitt.film.sector import PlaneMotion, SectorPad, sector_film
+
     along = np.linspace(0.0, 1.0, 8 * intervals + 1)
     form = tuple((float(value), float(value)) for value in LAND * (2.2 ** (1.0 - along) - 1.0))
     half = 0.5 * LENGTH
