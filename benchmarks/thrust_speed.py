@@ -76,7 +76,11 @@ def base_case() -> object:
 
 def seconds_of_ross() -> float | None:
     interpreter = os.environ.get("BABBITT_ROSS_PYTHON", sys.executable)
-    done = subprocess.run([interpreter, "-c", BY_ROSS], capture_output=True, text=True, check=False)
+    environment = {**os.environ, "OMP_NUM_THREADS": "1", "NUMBA_NUM_THREADS": "1"}
+    environment.pop("PYTHONPATH", None)
+    done = subprocess.run(
+        [interpreter, "-c", BY_ROSS], env=environment, capture_output=True, text=True, check=False
+    )
     if "No module named 'ross'" in done.stderr:
         return None
     line = next((line for line in done.stdout.splitlines() if line.startswith("seconds ")), "")
