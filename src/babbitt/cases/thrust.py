@@ -18,7 +18,8 @@ from babbitt.thrust.bearing import HousingTilt, ThrustBearing
 from babbitt.thrust.design import GivenFilm, GivenThrust, ThrustDesign
 from babbitt.thrust.pad import Pivot, ThrustPad
 from babbitt.thrust.state import TiltInertia
-from babbitt.units import either_sense, si, written
+from babbitt.units import either_sense, si
+from babbitt.units import written as written_plainly
 
 Thrust = Annotated[float, si("N", "1 N", "1000 MN")]
 LAWS: dict[str, TurbulenceLaw] = {"ng_pan": NG_PAN, "constantinescu": CONSTANTINESCU}
@@ -133,6 +134,11 @@ class ThrustCase(ThrustBearingInputs, CaseFile):
         """Give the bearing of the calculation."""
         duty = GivenFilm(self.film) if self.film is not None else GivenThrust(self.thrust or 0.0)
         return self.design(self.name, duty, self.runout)
+
+
+def written(value: float, unit: str) -> str:
+    """Write an SI value in an everyday unit, as it looks on paper."""
+    return written_plainly(value, unit).replace(" um", " µm").replace(" deg", "°")
 
 
 def words_of(case: ThrustBearingInputs) -> Iterator[tuple[str, str]]:

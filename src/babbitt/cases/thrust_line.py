@@ -11,13 +11,14 @@ from pydantic import Field
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, WholeNumber
 from babbitt.cases.part import Complaint, Part, exactly_one, rule
-from babbitt.cases.thrust import Thrust, ThrustBearingInputs
+from babbitt.cases.thrust import Thrust, ThrustBearingInputs, written
 from babbitt.cases.thrust_pads import Damping, PartMass, Stiffness
 from babbitt.shaft_line.design import LineDesign
 from babbitt.shaft_line.excitation import RunoutHarmonic, ThrustHarmonic
 from babbitt.shaft_line.line import Rod, Seating, ShaftLine
 from babbitt.thrust.design import GivenThrust
-from babbitt.units import si, written
+from babbitt.units import si
+from babbitt.units import written as written_plainly
 
 Weight = Annotated[float, si("kg", "0.1 kg", "10000 t")]
 Phase = Annotated[float, si("rad", "-360 deg", "360 deg")]
@@ -49,8 +50,8 @@ class ShaftPiece(Part):
         if self.bore >= self.diameter:
             yield Complaint(
                 ("bore",),
-                f"the bore {written(self.bore, 'mm')} leaves nothing of the shaft",
-                f"less than {written(self.diameter, 'mm')}",
+                f"the bore {written_plainly(self.bore, 'mm')} leaves nothing of the shaft",
+                f"less than {written_plainly(self.diameter, 'mm')}",
             )
 
     def rod(self) -> Rod:
@@ -114,7 +115,7 @@ class SpeedRange(Part):
         if self.highest <= self.lowest:
             yield Complaint(
                 ("highest",),
-                f"{written(self.highest, 'rpm')} is not above lowest {written(self.lowest, 'rpm')}",
+                f"{written_plainly(self.highest, 'rpm')} is not above {written_plainly(self.lowest, 'rpm')}",
                 "more than lowest",
             )
 

@@ -77,10 +77,8 @@ def _causes(result: Result) -> str:
     return (
         f"What dominates: {CAUSES[first]}. Runout alone gives {_percent(v['runout_share'])}, thrust ripple alone "
         f"{_percent(v['ripple_share'])}; of their sum the tilt of the housing accounts for "
-        f"{_percent(v['tilt_share'])} "
-        f"and the elasticity of the shaft for {_percent(v['elasticity_share'])}. More propeller damping "
-        f"cannot raise a "
-        "pad force."
+        f"{_percent(v['tilt_share'])} and the elasticity of the shaft for {_percent(v['elasticity_share'])}. "
+        "More propeller damping cannot raise what the ripple does to a pad."
     )
 
 

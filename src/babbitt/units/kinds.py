@@ -187,9 +187,7 @@ _ALL = (
         "20 GN/m",
         {"GN/m": 1e9, "MN/m": 1e6, "kN/m": 1e3, "N/m": 1.0, "kN/mm": 1e6, "N/mm": 1e3},
     ),
-    Kind(
-        "N s/m", "a damping", "80 kN s/m", {"kN s/m": 1e3, "N s/m": 1.0, "MN s/m": 1e6}
-    ),
+    Kind("N s/m", "a damping", "80 kN s/m", {"kN s/m": 1e3, "N s/m": 1.0, "MN s/m": 1e6}),
     Kind("kg m2", "a moment of inertia", "0.06 kg m2", {"kg m2": 1.0, "g m2": 1e-3}),
     Kind("W", "a power", "31 kW", {"kW": 1e3, "W": 1.0, "MW": 1e6}),
     Kind(
