@@ -109,6 +109,36 @@ EXPLANATIONS: dict[str, Explanation] = {
         "Correct the quantity named. Groove and land widths are normal to the groove: starts (groove + land) = "
         "2 pi radius sin(angle).",
     ),
+    "E201": Explanation(
+        "Thrust pad cannot be laid out",
+        "Radii, extent, pivot, face or number of the pads of a thrust bearing do not describe pads on a ring: "
+        "they "
+        "overlap, a pivot lies beside its pad, or a length is not positive.",
+        "Correct what the message names.",
+    ),
+    "E202": Explanation(
+        "Pad cannot be balanced on its pivot",
+        "No tilt makes the moments of the film about the pivot vanish, or the pad carries nothing. A plane "
+        "pad in oil "
+        "of one viscosity carries only when its pivot lies behind the middle.",
+        "Move the pivot towards the trailing edge (0.55 to 0.65 of the extent are usual), give the pad a "
+        "crown, or "
+        "turn the shaft the other way.",
+    ),
+    "E203": Explanation(
+        "Shaft line cannot be computed",
+        "A mass, length, stiffness, damping, speed or excitation of the shaft line is missing or of the wrong "
+        "sign, or "
+        "an excitation falls on a frequency of a rod between fixed ends.",
+        "Correct what the message names.",
+    ),
+    "E204": Explanation(
+        "Resonance without damping",
+        "An excitation lies within 2 % of a natural frequency, and neither films nor propeller nor seating "
+        "damp the "
+        "line: the amplitude has no bound.",
+        "Give the damping of propeller, films or seating, or change speed, stiffness or mass.",
+    ),
     # -- doubts about the design check --------------------------------------------------------------------------
     "W101": Explanation(
         "Film is not laminar",
@@ -520,6 +550,40 @@ EXPLANATIONS: dict[str, Explanation] = {
         "Jacking pockets by strips: pressure and flow are estimates, good to a factor of two at small gaps.",
         "Choose `method: film`.",
     ),
+    # -- doubts about thrust bearings and shaft lines -----------------------------------------------------------
+    "W201": Explanation(
+        "Pads share the load very unevenly",
+        "The tilt of the housing, or a pad height, is as large as the film that an even share would have, or "
+        "a pad "
+        "carries less than 1 % of the mean. Such a pad flutters or runs dry on another day of another alignment.",
+        "Align the housing, adjust the heights of the pads, or give the ring more compliance.",
+    ),
+    "W202": Explanation(
+        "Dynamic film beyond the linear range",
+        "The film at a pivot moves by more than a fifth of its static value. Stiffness and damping of the static "
+        "film are then off: the error of a peak was measured as 5 % at 0.22 and 9 % at 0.33.",
+        "Solve the nonlinear motion (nonlinear: true), or take the bound with a margin.",
+    ),
+    "W203": Explanation(
+        "Excitation near a natural frequency",
+        "An excitation comes within 20 % of a natural frequency of the line. Frequencies are known no better "
+        "than the "
+        "stiffness of seating and ring and the entrained water.",
+        "Bar this speed range, or move the frequency by seating, ring, shaft or number of blades.",
+    ),
+    "W204": Explanation(
+        "Film of the pads is not laminar",
+        "The Reynolds number of the film at the mean radius exceeds about 1000. Vortices raise friction and carry "
+        "more load than the laminar film.",
+        "Choose turbulence: ng_pan or constantinescu.",
+    ),
+    "W205": Explanation(
+        "A pad leaves the collar or touches it",
+        "In the nonlinear motion the load of a pad falls to nothing, a corner comes as close as surfaces are "
+        "rough, or "
+        "tilts leave the films that were tabulated. What follows such a moment is not computed reliably.",
+        "Reduce runout, tilt or ripple; the tools for admissible amplitudes say how far.",
+    ),
     # -- no solution --------------------------------------------------------------------------------------------
     "S001": Explanation(
         "No film can carry the load",
@@ -675,23 +739,45 @@ EXPLANATIONS: dict[str, Explanation] = {
         "Design for the stable state; see the plot of the steady states over the clearance.",
     ),
     "C201": Explanation(
+        "Loss of load capacity by shaking",
+        "Largest dynamic force of a pad over the mean static load of a pad, for any phase between propeller and "
+        "collar; the usual limit is 50 %.",
+        "Reduce the cause that dominates; a backing ring of the stiffness shown halves the dynamic load.",
+    ),
+    "C202": Explanation(
+        "Thinnest film of the pads",
+        "Thinnest film at a corner of a pad: static, and in a shaft line with all harmonics for any phase.",
+        "Less load or runout, a more viscous or cooler oil, a better alignment, a compliant ring.",
+    ),
+    "C203": Explanation(
+        "Load left on the pad that is unloaded most",
+        "Least of static plus dynamic load over the mean pad load; at 0 a pad leaves the collar.",
+        "Reduce tilt first, which unloads the pads on one side, then runout.",
+    ),
+    "C204": Explanation(
+        "Distance of the excitations from natural frequencies",
+        "Least relative distance of an excitation from a natural frequency of the line; 20 % are advised.",
+        "Bar the speed range, or move the frequency by seating, ring, shaft or number of blades.",
+    ),
+    "C301": Explanation(
         "Least gap",
         "The smallest gap against the least that the case allows.",
         "More supply pressure, more recess area, or a stiffer restrictor.",
     ),
-    "C202": Explanation(
+    "C302": Explanation(
         "Load against its limit",
         "The load against the force of the film at the least gap allowed.",
         "More supply pressure or recess area.",
     ),
-    "C203": Explanation(
+    "C303": Explanation(
         "Supply pressure",
         "The supply pressure against what the pump can hold.",
         "Another pump or wider restrictors.",
     ),
-    "C204": Explanation(
+    "C304": Explanation(
         "Jacking pressure",
         "Breakaway and lifting pressure against the relief valve of the pump.",
         "A higher relief setting or a larger pocket.",
     ),
+    # -- checks of thrust bearings and shaft lines --------------------------------------------------------------
 }

@@ -15,8 +15,10 @@ from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.results import Outcome, Result
 from babbitt.segments.model import SegmentCase
+from babbitt.shaft_line.design import LineDesign
 from babbitt.shafts import bearing_loads
 from babbitt.standards.iso7902 import check as iso7902_check
+from babbitt.thrust.design import ThrustDesign
 
 
 @dataclass(frozen=True)
@@ -152,6 +154,14 @@ def solve_design(design: AnyDesign) -> Result:
         from babbitt.hydrostatics.jacking import jacking_check
 
         return jacking_check(design) if isinstance(design, JackingCase) else hydrostatic_check(design)
+    if isinstance(design, ThrustDesign):
+        from babbitt.thrust.check import thrust_check
+
+        return thrust_check(design)
+    if isinstance(design, LineDesign):
+        from babbitt.shaft_line.check import line_check
+
+        return line_check(design)
     return iso7902_check(design)
 
 

@@ -158,10 +158,14 @@ def test_every_block_is_run_or_said_to_be_text(page: Path) -> None:
             assert block.stands_for, f"{place}: say with '<!-- file: NAME -->' which file this is"
 
 
+BEYOND_A_LIMIT = ("trawler_thrust_line.yaml",)
+"""Examples of bearings that break a limit, as their sources say they do."""
+
+
 @pytest.mark.parametrize("file", sorted((ROOT / "examples").glob("*.yaml")), ids=lambda file: file.name)
 def test_example_cases_have_an_operating_point_within_limits(file: Path) -> None:
     status, output = run(f"babbitt solve {shlex.quote(str(file))} --strict")
-    assert status == 0, output
+    assert status == (1 if file.name in BEYOND_A_LIMIT else 0), output
 
 
 def test_every_example_is_listed_and_shown() -> None:

@@ -90,7 +90,7 @@ def test_written_is_read_back(number, pair):
     [
         ("120 kg", "m", ["'120 kg' is a mass", "a length such as '120 mm'"]),
         ("1 ounce", "m", ["is a mass"]),
-        ("5 kg m2", "Pa", ["of another kind", "a pressure"]),
+        ("5 kg m3", "Pa", ["of another kind", "a pressure"]),
         ("150 %", "rad", ["a number without unit", "an angle"]),
         ("3 rad", "1", ["an angle", "without unit"]),
         ("3 mmm", "m", ["not known", "did you mean 'mm'?"]),
@@ -134,7 +134,7 @@ def test_refusals(given, unit, words):
 
 @pytest.mark.parametrize(
     ("given", "unit", "kind"),
-    [("12 m/s", "rad/s", "m/s"), ("1 knot", "rad/s", "m/s"), ("1 kg m2", "m", None), ("1 mmm", "m", None)],
+    [("12 m/s", "rad/s", "m/s"), ("1 knot", "rad/s", "m/s"), ("1 kg m3", "m", None), ("1 mmm", "m", None)],
 )
 def test_a_refusal_knows_what_was_given_instead(given, unit, kind):
     with pytest.raises(QuantityError) as caught:

@@ -25,6 +25,10 @@ def scale(rows, row, column, factor):
         ("lund_thomsen_1978", "lund_thomsen_1978", lambda d: scale(d["two_grooves"], 4, 3, 1.035)),
         ("fowell_2007", "sliders", lambda d: d["fowell_2007"].update(q_over_U_m=5.236e-7)),
         ("parabolic_slider", "sliders", lambda d: d["parabolic"].update(x_reformation_over_L=0.994)),
+        ("trawler_stages", "trawler_line", lambda d: d["published"].update({"1c": 32.0})),
+        ("trawler_stages", "trawler_line", lambda d: scale(d["rings"], 3, 4, 1.04)),
+        ("thrust_pad_forms", "trawler_line", lambda d: d["pad"].update(maximum_pressure_MPa=4.55)),
+        ("thrust_hydro_generator", "thrust_hydro_generator", lambda d: d.update(stiffness_N_per_m=3.5e11)),
         ("friswell_2010", "friswell_2010", lambda d: scale(d["stiffness"], 1, 0, 1.0002)),
     ],
 )

@@ -8,6 +8,8 @@ from babbitt.cases.problems import CaseError, Problem
 from babbitt.cases.schema import case_schema
 from babbitt.cases.screw_heel import ScrewHeelCase
 from babbitt.cases.templates import kinds, template
+from babbitt.cases.thrust import ThrustCase
+from babbitt.cases.thrust_line import ThrustLineCase
 
 __all__ = [
     "KINDS",
@@ -19,6 +21,8 @@ __all__ = [
     "OverhungCouplingCase",
     "Problem",
     "ScrewHeelCase",
+    "ThrustCase",
+    "ThrustLineCase",
     "case_from_dict",
     "case_hash",
     "case_schema",

@@ -14,20 +14,23 @@ from babbitt.cases.joined_inputs import Inputs, Point, inputs
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import Case, HydrostaticBearing, JournalCase, Machine
 from babbitt.cases.one_dimension_cases import long_film_case, segment_case
-from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.part import Part
 from babbitt.cases.screw_heel import ScrewHeelCase, heel_cases
+from babbitt.cases.thrust import ThrustCase
+from babbitt.cases.thrust_line import ThrustLineCase
 from babbitt.footstep.case import HeelCase
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.segments.model import SegmentCase
+from babbitt.shaft_line.design import LineDesign
 from babbitt.standards.iso7902.model import DesignCase
+from babbitt.thrust.design import ThrustDesign
 
 JournalDesign = DesignCase | FilmCase | LongFilmCase | SegmentCase
 """A journal bearing by one method: ISO 7902, the film, the long film, or the segments."""
 
-AnyDesign = JournalDesign | HydrostaticCase | JackingCase
+AnyDesign = JournalDesign | HydrostaticCase | JackingCase | ThrustDesign | LineDesign
 """What a method computes and has one answer."""
 
 EveryDesign = AnyDesign | HeelCase
@@ -56,6 +59,10 @@ def design_cases(case: Case) -> tuple[EveryDesign, ...]:
         return heel_cases(case)
     if isinstance(case, HydrostaticBearing):
         return (case.design(),)
+    if isinstance(case, ThrustCase):
+        return (case.thrust_design(),)
+    if isinstance(case, ThrustLineCase):
+        return (case.line_design(),)
     return tuple(design for bearing in bearings_of(case) for design in design_cases_of(bearing, case))
 
 
@@ -73,7 +80,7 @@ def design_cases_of(bearing: JournalBearing, case: Case) -> tuple[JournalDesign,
 
 
 def bearings_of(case: Case) -> tuple[JournalBearing, ...]:
-    """Bearings of a case; empty for the statics of a shaft."""
+    """Journal bearings of a case; empty for any other kind."""
     match case:
         case Machine():
             return case.bearings
@@ -139,7 +146,7 @@ def _rounded(value: Any) -> Any:
 
 
 def _expanded(bearing: JournalBearing, case: Case, make: Maker[DesignT]) -> Iterator[DesignT]:
-    if isinstance(case, OverhungCouplingCase | ScrewHeelCase | HydrostaticBearing):
+    if not isinstance(case, JournalCase | Machine):
         return
     joined = inputs(bearing, case)
     relative = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter)

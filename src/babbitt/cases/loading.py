@@ -18,6 +18,8 @@ from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.plain_words import Path, nearest, shown
 from babbitt.cases.problems import CaseError, Problem
 from babbitt.cases.screw_heel import ScrewHeelCase
+from babbitt.cases.thrust import ThrustCase
+from babbitt.cases.thrust_line import ThrustLineCase
 
 LARGEST_FILE = 1_000_000
 """Bytes."""
@@ -34,6 +36,8 @@ KINDS: Mapping[str, type[Case]] = {
     "hydrostatic_thrust_ring": HydrostaticThrustRingCase,
     "hydrostatic_journal": HydrostaticJournalCase,
     "jacking_pocket": JackingPocketCase,
+    "thrust": ThrustCase,
+    "thrust_line": ThrustLineCase,
 }
 """What a file can hold, by its `kind`."""
 
@@ -84,7 +88,7 @@ def parse_case(text: str, name: str = "<text>") -> Case:
     Traceback (most recent call last):
     babbitt.cases.problems.CaseError: a.yaml:1: kind: 'jurnal' is not a kind of case; allowed: journal, machine,
     overhung_coupling, screw_heel, hydrostatic_pad, hydrostatic_thrust_ring, hydrostatic_journal,
-    jacking_pocket; did you mean 'journal'? [E003]
+    jacking_pocket, thrust, thrust_line; did you mean 'journal'? [E003]
     """
     return _parsed(text, name, FilePath())
 

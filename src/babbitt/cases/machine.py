@@ -1,4 +1,4 @@
-"""What a file can hold: one bearing, a machine of many, the statics of a shaft, or the footstep of a screw."""
+"""What a file can hold: one bearing of any kind, a machine of many, a shaft line, or the statics of a shaft."""
 
 from __future__ import annotations
 
@@ -18,6 +18,8 @@ from babbitt.cases.part import Complaint, as_far_as_usable, rule
 from babbitt.cases.plain_words import Path
 from babbitt.cases.screw_heel import ScrewHeelCase
 from babbitt.cases.shared import SharedInputs
+from babbitt.cases.thrust import ThrustCase
+from babbitt.cases.thrust_line import ThrustLineCase
 
 
 class JournalCase(JournalBearing, CaseFile):
@@ -68,7 +70,9 @@ class Machine(SharedInputs, CaseFile):
 HydrostaticBearing = HydrostaticPadCase | HydrostaticThrustRingCase | HydrostaticJournalCase | JackingPocketCase
 """Bearings that oil under pressure carries."""
 
-Case = JournalCase | Machine | OverhungCouplingCase | ScrewHeelCase | HydrostaticBearing
+Case = (
+    JournalCase | Machine | OverhungCouplingCase | ScrewHeelCase | HydrostaticBearing | ThrustCase | ThrustLineCase
+)
 """What a file can hold."""
 
 AnyCase = Annotated[Case, Discriminator("kind")]

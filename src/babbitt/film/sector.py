@@ -28,6 +28,7 @@ from babbitt.film._surface_forces import evaluate_surface
 from babbitt.film.axial import AxialMesh, element_axial_mesh
 from babbitt.film.model import Cavitation
 from babbitt.film.ring import gauss_angles
+from babbitt.film.turbulence import FilmTurbulence
 from babbitt.notices import InputError
 
 __all__ = ["PlaneMotion", "SectorFilm", "SectorPad", "sector_film"]
@@ -57,6 +58,8 @@ class SectorPad:
         Gauge, Pa, at the leading edge; the other edges are at ambient pressure.
     cavitation : Cavitation
         Mass-conserving or Reynolds.
+    turbulence : FilmTurbulence or None
+        None: laminar.
     """
 
     inner_radius: float
@@ -67,6 +70,7 @@ class SectorPad:
     form: tuple[tuple[float, ...], ...] = ()
     leading_pressure: float = 0.0
     cavitation: Cavitation = Cavitation.REYNOLDS
+    turbulence: FilmTurbulence | None = None
 
     def __post_init__(self) -> None:
         if not 0.0 < self.inner_radius < self.outer_radius:
@@ -179,13 +183,13 @@ def sector_film(
     InputError
         E101 if runner and pad touch.
     """
-    height = gap.height
+    height = reference_height(pad, gap)
     theta = np.linspace(0.0, pad.extent, intervals + 1)
     mesh = element_axial_mesh((pad.inner_radius / pad.outer_radius, 1.0), (degree,))
     unit = pad.viscosity * pad.angular_speed * (pad.outer_radius / height) ** 2
     surface = sector_surface(pad, theta, mesh, height, unit)
     lengths = np.array([height, height / pad.outer_radius, height / pad.outer_radius])
-    at = -np.array([0.0, gap.slope_x, gap.slope_y]) / lengths
+    at = -np.array([gap.height - height, gap.slope_x, gap.slope_y]) / lengths
     moving = -np.array([rate.height, rate.slope_x, rate.slope_y]) / (lengths * pad.angular_speed)
     lowest = float(smallest_surface_gap(surface, at))
     if not lowest > 0.0:
@@ -219,10 +223,17 @@ def sector_film(
         outer_flow=float(-row[1:-1, -1].sum()),
         leading_flow=leading,
         trailing_flow=float(-row[-1].sum()),
-        friction_torque=runner_torque(surface, work, at)
+        friction_torque=runner_torque(pad, surface, work, at)
         * pad.viscosity * pad.angular_speed * pad.outer_radius**4 / height,
         mass_balance_error=float(free / max(abs(leading), 1e-300)),
     )  # fmt: skip
+
+
+def reference_height(pad: SectorPad, gap: PlaneMotion) -> float:
+    """Gap in the middle of the pad, m, in which gaps are measured: that at the axis may be none at all."""
+    middle, angle = 0.5 * (pad.inner_radius + pad.outer_radius), 0.5 * pad.extent
+    there = gap.height + middle * (gap.slope_x * math.cos(angle) + gap.slope_y * math.sin(angle))
+    return there if there > 0.0 else max(abs(there), abs(gap.height))
 
 
 def sector_surface(pad: SectorPad, theta: Array, mesh: AxialMesh, height: float, unit: float) -> Surface:
@@ -235,6 +246,7 @@ def sector_surface(pad: SectorPad, theta: Array, mesh: AxialMesh, height: float,
     pressure = np.zeros(held.shape)
     pressure[0, 1:-1] = pad.leading_pressure / unit
     ones = np.ones((theta.size - 1, radius.size))
+    law = np.zeros(0) if pad.turbulence is None else pad.turbulence.kernel_row(unit_reynolds(pad, height))
     return Surface(
         step=np.diff(theta),
         shape_a=np.array([np.ones_like(a), np.cos(a), np.sin(a)]),
@@ -242,11 +254,18 @@ def sector_surface(pad: SectorPad, theta: Array, mesh: AxialMesh, height: float,
         lever=np.array([np.ones_like(radius), radius, radius]),
         gap_a=1.0 + form_at(pad, a, radius) / height,
         gap_b=1.0 + form_at(pad, b, radius) / height,
-        viscosity=ones, drag=ones, turbulence=np.zeros(0), radius=radius, share=weights * radius,
+        viscosity=ones, drag=ones, turbulence=law, radius=radius, share=weights * radius,
         along=weights / radius, node=mesh.node_of_point, slope=mesh.slope, held=held, held_pressure=pressure,
         held_fill=np.ones(held.shape), piezo=np.zeros((3, 0)), cyclic=False, reference=0.0, kappa=1.0 / 12.0,
         speed=1.0, conserving=pad.cavitation is Cavitation.MASS_CONSERVING,
     )  # fmt: skip
+
+
+def unit_reynolds(pad: SectorPad, height: float) -> float:
+    """Reynolds number of a gap of ``height`` at the outer radius; 0 for a laminar film."""
+    if pad.turbulence is None:
+        return 0.0
+    return pad.turbulence.density * pad.angular_speed * pad.outer_radius * height / pad.viscosity
 
 
 def form_at(pad: SectorPad, angle: Array, radius: Array) -> Array:
@@ -262,13 +281,17 @@ def form_at(pad: SectorPad, angle: Array, radius: Array) -> Array:
     return np.asarray(RegularGridInterpolator((rows, columns), values)(places))
 
 
-def runner_torque(surface: Surface, work: SurfaceWork, at: Array) -> float:
+def runner_torque(pad: SectorPad, surface: Surface, work: SurfaceWork, at: Array) -> float:
     """Integral of r (r mu/h + h/(2 r) dp/dtheta) r dr dtheta over mu omega R^4 / h_0."""
     pressure, fill = work.pressure, work.fill
     lift = at[:, None] * surface.lever
     ha, hb = surface.gap_a - surface.shape_a.T @ lift, surface.gap_b - surface.shape_b.T @ lift
     node, radius = surface.node, surface.radius
     half = 0.5 * surface.step[:, None]
-    shear = surface.viscosity * half * (1.0 / ha + 1.0 / hb) * fill[:-1][:, node] * radius**2
+    sheared = 1.0 / ha + 1.0 / hb
+    if pad.turbulence is not None:
+        reynolds = surface.turbulence[0] * radius
+        sheared = pad.turbulence.shear_factor(reynolds * ha) / ha + pad.turbulence.shear_factor(reynolds * hb) / hb
+    shear = surface.viscosity * half * sheared * fill[:-1][:, node] * radius**2
     slope = 0.25 * (ha + hb) * np.diff(pressure, axis=0)[:, node]
     return float(((shear + slope) @ surface.share).sum())

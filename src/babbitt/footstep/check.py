@@ -142,8 +142,8 @@ def _values(case: HeelCase, state: SteadyState) -> dict[str, float]:
         "clearance_film_temperature": nan if both else state.rim_temperature,
         "maximum_temperature": state.maximum_temperature,
         "friction_power": state.friction_power,
-        "axial_stiffness": state.axial_stiffness,
-        "axial_damping": state.axial_damping,
+        "face_gap_stiffness": state.axial_stiffness,
+        "face_gap_damping": state.axial_damping,
         "load_over_clearance": state.load_over_clearance,
         "rim_drain_number": state.drain_slope * step.oil.viscosity / slit_conductance(step),
         "clearance_reynolds_number": step.oil.density

@@ -183,12 +183,12 @@ def checks(case: HydrostaticCase, named: dict[str, float]) -> list[Check]:
     found = []
     if case.least_gap is not None:
         gap = named["minimum_film_thickness"]
-        found.append(Check("C201", "minimum_film_thickness", gap, case.least_gap, Bound.AT_LEAST, USER))
+        found.append(Check("C301", "minimum_film_thickness", gap, case.least_gap, Bound.AT_LEAST, USER))
         if case.duty.load is not None and "load_capacity" in named:
-            found.append(Check("C202", "load", named["load"], named["load_capacity"], Bound.AT_MOST,
+            found.append(Check("C302", "load", named["load"], named["load_capacity"], Bound.AT_MOST,
                                "film at the least gap allowed"))  # fmt: skip
     if case.highest_supply_pressure is not None:
-        found.append(Check("C203", "supply_pressure", named["supply_pressure"], case.highest_supply_pressure,
+        found.append(Check("C303", "supply_pressure", named["supply_pressure"], case.highest_supply_pressure,
                            Bound.AT_MOST, USER))  # fmt: skip
     return found
 

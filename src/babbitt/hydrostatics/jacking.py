@@ -156,8 +156,8 @@ def jacking_check(case: JackingCase) -> Result:
     if case.relief_pressure is not None:
         limit = case.relief_pressure
         found = [
-            Check("C204", "breakaway_pressure", upper, limit, Bound.AT_MOST, "relief valve of the pump"),
-            Check("C204", "pocket_pressure", lifted.pressure, limit, Bound.AT_MOST, "relief valve of the pump"),
+            Check("C304", "breakaway_pressure", upper, limit, Bound.AT_MOST, "relief valve of the pump"),
+            Check("C304", "pocket_pressure", lifted.pressure, limit, Bound.AT_MOST, "relief valve of the pump"),
         ]
     return Result(
         case.name, case.kind, case.method, Outcome.CONVERGED, named, checks=tuple(found),

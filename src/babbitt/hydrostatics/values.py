@@ -56,7 +56,7 @@ def values(case: HydrostaticCase, found: Answer) -> dict[str, float]:
             for axes, i, j in (("xx", 0, 0), ("xy", 0, 1), ("yx", 1, 0), ("yy", 1, 1))
         }
     else:
-        named |= {"pad_stiffness": float(stiffness[0, 0]), "pad_damping": float(damping[0, 0])}
+        named |= {"gap_stiffness": float(stiffness[0, 0]), "gap_damping": float(damping[0, 0])}
         if stiffness.shape[0] == 3 and case.kind == "hydrostatic_thrust_ring":
             named["least_tilt_stiffness"] = float(
                 np.linalg.eigvalsh(0.5 * (stiffness + stiffness.T)[1:, 1:]).min()
@@ -148,8 +148,8 @@ def arrays(case: HydrostaticCase, found: Answer) -> dict[str, Matrix]:
     stiffness, damping = impedance(found.response, network, case.compressibility, 0.0)
     prefix = "" if case.is_journal else "pad_"
     if case.kind == "hydrostatic_thrust_ring":
-        prefix = "ring_"
-    if stiffness.shape[0] > 1 and (case.is_journal or prefix == "ring_"):
+        prefix = "runner_"
+    if stiffness.shape[0] > 1 and (case.is_journal or prefix == "runner_"):
         named |= {f"{prefix}stiffness": matrix(stiffness), f"{prefix}damping": matrix(damping)}
     if case.frequencies:
         at = [impedance(found.response, network, case.compressibility, one) for one in case.frequencies]

@@ -36,9 +36,14 @@ from babbitt.report.one_dimension import METHOD_NAMES, OWN_RESULTS
 from babbitt.report.one_dimension_figures import figures_along_the_film
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_text
+from babbitt.report.thrust_figures import thrust_figures
+from babbitt.report.thrust_tables import tables
+from babbitt.report.thrust_words import answers
 from babbitt.results import Result
 from babbitt.segments.model import SegmentCase
+from babbitt.shaft_line.design import LineDesign
 from babbitt.standards.iso7902.model import DesignCase
+from babbitt.thrust.design import ThrustDesign
 
 Data = dict[str, Any]
 
@@ -94,6 +99,7 @@ METHODS = {
     "iso7902": "ISO 7902",
     "film": "Film in two dimensions",
     "quick": "Closed forms",
+    "frequency domain": "Static films, vibration in the frequency domain",
     "statics": "Statics of the shaft",
     "superposition": "Groove beside a slit (equations of the study, corrected)",
     "narrow_groove": "Narrow-groove theory",
@@ -138,6 +144,8 @@ def bearing_content(chapter: Chapter) -> Data:
         )
     elif isinstance(case, HydrostaticCase | JackingCase):
         drawings = hydrostatic_figures(case, result)
+    elif isinstance(case, ThrustDesign | LineDesign):
+        drawings = thrust_figures(case, result)
     sources = sources_of(chapter.results)
     checks = [check_content(check, sources) for check in solved_checks(result)]
     return {
@@ -148,6 +156,8 @@ def bearing_content(chapter: Chapter) -> Data:
         "unchecked": judge.unchecked(result),
         "method": _method(result),
         "outcomes": [_outcome(member) for member in chapter.members if not member.result.outcome.solved],
+        "answers": [plain_text(said) for said in answers(result)],
+        "tables": tables(result) if isinstance(case, ThrustDesign | LineDesign) else [],
         "heading": "Operating point" if is_film(result) else "Results",
         "results": _key_results(chapter) if result.outcome.solved else [],
         "inputs": [
@@ -213,8 +223,8 @@ def _outcome(member: Member) -> Data:
 
 def _key_results(chapter: Chapter) -> list[Data]:
     result = chapter.shown.result
-    hydrostatic = isinstance(chapter.shown_case, HydrostaticCase | JackingCase)
-    film = "minimum_film_thickness" in result.values and not hydrostatic
+    journal = not isinstance(chapter.shown_case, HydrostaticCase | JackingCase | ThrustDesign | LineDesign)
+    film = "minimum_film_thickness" in result.values and journal
     every = dict.fromkeys(name for r in chapter.results if r.outcome.solved for name in r.values)
     names = (*KEY_RESULTS, *OWN_RESULTS) if film else tuple(name for name in every if name not in NOT_FOR_PAPER)
     if film and not is_fed(result):

@@ -19,6 +19,8 @@ from babbitt.longfilm.model import LongFilmCase
 from babbitt.report.names import split_clearance
 from babbitt.results import Result
 from babbitt.segments.model import SegmentCase
+from babbitt.shaft_line.design import LineDesign
+from babbitt.thrust.design import ThrustDesign
 
 if TYPE_CHECKING:
     from babbitt.cases.build import EveryDesign
@@ -50,8 +52,8 @@ class Chapter:
     def shown_case(self) -> EveryDesign | None:
         """The case shown in full, with those words of the case file that hold for every member."""
         case = self.shown.case
-        if case is None:
-            return None
+        if case is None or isinstance(case, ThrustDesign | LineDesign):
+            return case
         others = [set(member.case.given) for member in self.members if member.case is not None]
         return replace(case, given=tuple(row for row in case.given if all(row in given for given in others)))
 
@@ -110,7 +112,7 @@ def _without_clearance(case: EveryDesign) -> EveryDesign:
         return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
     if isinstance(case, SegmentCase):
         return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
-    if isinstance(case, HydrostaticCase | JackingCase):
+    if isinstance(case, HydrostaticCase | JackingCase | ThrustDesign | LineDesign):
         return case
     return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
 

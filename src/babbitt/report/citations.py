@@ -15,7 +15,9 @@ from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.lubricants import Lubricant
 from babbitt.segments.model import SegmentCase
+from babbitt.shaft_line.design import LineDesign
 from babbitt.standards.iso7902.model import Curves, DesignCase
+from babbitt.thrust.design import ThrustDesign
 
 BABBITT = f"The Babbitt developers: Babbitt {__version__}, calculation and design of fluid-film bearings, 2026."
 ISO_7902 = (
@@ -62,6 +64,15 @@ NARROW_GROOVE = (
     "of Basic "
     "Engineering 87 (1965) 568-578 (narrow-groove theory)."
 )
+WITTRICK = (
+    "W. H. Wittrick, F. W. Williams: A general algorithm for computing natural frequencies of elastic structures. "
+    "Quarterly Journal of Mechanics and Applied Mathematics 24 (1971) 263-284."
+)
+SIDORIKA = (
+    "I. N. Sidorika: dynamic load capacity of the main thrust bearing of a geared-diesel trawler. "
+    "Eastern-European "
+    "Journal of Enterprise Technologies 4/7 (70) (2014)."
+)
 VISCOSITY = "ASTM D341: Viscosity-temperature equations and charts for liquid petroleum or hydrocarbon products."
 
 
@@ -98,6 +109,10 @@ def citations_of(case: Case) -> tuple[str, ...]:
     hydrostatic = [design for design in designs if isinstance(design, HydrostaticCase)]
     if hydrostatic or any(isinstance(design, JackingCase) for design in designs):
         found.append(REYNOLDS)
+    if any(isinstance(design, ThrustDesign | LineDesign) for design in designs):
+        found.append(REYNOLDS)
+    if any(isinstance(design, LineDesign) for design in designs):
+        found += [SIDORIKA, WITTRICK]
     oils = {oil.name: oil for oil in map(_oil, designs) if oil is not None}
     found += [f"{oil.name}: {oil.source}" for oil in oils.values()]
     return tuple(found)

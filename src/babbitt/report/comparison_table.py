@@ -43,8 +43,8 @@ COMPARED_HEELS = (
     "heel_leakage",
     "maximum_temperature",
     "friction_power",
-    "axial_stiffness",
-    "axial_damping",
+    "face_gap_stiffness",
+    "face_gap_damping",
     "rim_drain_number",
 )
 """The same of footsteps."""
@@ -61,8 +61,8 @@ HYDROSTATIC = (
     "friction_power",
     "temperature_rise",
     "effective_area",
-    "pad_stiffness",
-    "pad_damping",
+    "gap_stiffness",
+    "gap_damping",
     "least_tilt_stiffness",
     *(f"{name}_{axes}" for name in ("stiffness", "damping") for axes in ("xx", "xy", "yx", "yy")),
     "load_capacity",

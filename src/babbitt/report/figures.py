@@ -20,10 +20,13 @@ from babbitt.report.film_figures import all_figures
 from babbitt.report.heel_figures import heel_figures
 from babbitt.report.hydrostatic_figures import hydrostatic_figures
 from babbitt.report.one_dimension_figures import figures_along_the_film
+from babbitt.report.thrust_figures import thrust_figures
 from babbitt.report.writing import write_whole
 from babbitt.results import Result
 from babbitt.segments.model import SegmentCase
+from babbitt.shaft_line.design import LineDesign
 from babbitt.standards.iso7902.model import DesignCase, GivenLoad
+from babbitt.thrust.design import ThrustDesign
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -129,6 +132,8 @@ def _all_of(case: EveryDesign, result: Result, image_format: str) -> tuple[Drawi
         return heel_figures(case, result, image_format)
     if isinstance(case, HydrostaticCase | JackingCase):
         return hydrostatic_figures(case, result, image_format)
+    if isinstance(case, ThrustDesign | LineDesign):
+        return thrust_figures(case, result, image_format)
     return draw(case, result, clearance_range(case), image_format)
 
 

@@ -14,7 +14,7 @@ from babbitt.footstep.case import HeelCase
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
-from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, PowerLaw, Vogel, Walther
+from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, Lubricant, PowerLaw, Vogel, Walther
 from babbitt.report.expression import Node, number_node, text
 from babbitt.report.film_inputs import (
     CAVITATION,
@@ -31,6 +31,7 @@ from babbitt.report.line import VOCABULARY, symbol
 from babbitt.report.one_dimension import said_of
 from babbitt.report.text import plain_text
 from babbitt.segments.model import SegmentCase
+from babbitt.shaft_line.design import LineDesign
 from babbitt.standards.iso7902.model import Curves, DesignCase, Friction, GivenEccentricity
 from babbitt.standards.iso7902.supply import (
     Arrangement,
@@ -40,6 +41,7 @@ from babbitt.standards.iso7902.supply import (
     Pockets,
     SupplyElement,
 )
+from babbitt.thrust.design import ThrustDesign
 
 LAWS = {
     Walther: "Walther (ASTM D341, short form)",
@@ -103,6 +105,8 @@ def inputs(case: EveryDesign) -> tuple[InputGroup, ...]:
         )
         found = (_as_given(case), *(InputGroup(title, rows) for title, rows in said))
         return tuple(group for group in found if group.rows)
+    if isinstance(case, ThrustDesign | LineDesign):
+        return thrust_inputs(case)
     if isinstance(case, HydrostaticCase | JackingCase):
         found = (_as_given(case), *_hydrostatic(case))
         return tuple(group for group in found if group.rows)
@@ -133,6 +137,19 @@ def _as_given(case: EveryDesign) -> InputGroup:
 def _hydrostatic(case: HydrostaticCase | JackingCase) -> Iterator[InputGroup]:
     for title, rows in hydrostatic_inputs(case):
         yield InputGroup(title, tuple(Row(what, plain_text(value), None, unit) for what, value, unit in rows))
+
+
+def thrust_inputs(case: ThrustDesign | LineDesign) -> tuple[InputGroup, ...]:
+    """Inputs of a thrust bearing or a shaft line: as the case gave them, and its oil."""
+    bearing = case.thrust if isinstance(case, LineDesign) else case
+    rows = list(_oil_rows(case.lubricant))
+    oil = bearing.oil
+    if oil.supply_temperature is not None:
+        rows.append(_named("supply_temperature", oil.supply_temperature))
+        rows.append(Row("Hot oil carried over", f"{100.0 * oil.carry_over:.4g}", None, "%"))
+    if oil.effective_temperature is not None:
+        rows.append(_named("effective_temperature", oil.effective_temperature, "Prescribed effective temperature"))
+    return (_as_given(case), InputGroup("Lubricant", tuple(rows)))
 
 
 def _named(name: str, value: float, given_label: str = "") -> Row:
@@ -256,7 +273,10 @@ def _operation(case: JournalDesign) -> Iterator[Row]:
 
 
 def _lubricant(case: JournalDesign) -> Iterator[Row]:
-    oil = case.lubricant
+    yield from _oil_rows(case.lubricant)
+
+
+def _oil_rows(oil: Lubricant) -> Iterator[Row]:
     yield Row("Name", plain_text(oil.name))
     yield Row("Viscosity law", LAWS.get(type(oil.viscosity_law), type(oil.viscosity_law).__name__))
     for celsius in (40, 100):

@@ -18,6 +18,7 @@ from babbitt.report.columns import Column, columns_of, is_film
 from babbitt.report.heel_table import heel_table
 from babbitt.report.names import counted_results
 from babbitt.report.text import plain_text
+from babbitt.report.thrust_words import answers
 from babbitt.report.totals import totals
 from babbitt.report.verdict import Verdict
 from babbitt.results import Result
@@ -86,6 +87,8 @@ def render(name: str, results: Sequence[Result], width: int) -> RenderableType:
     else:
         parts.append(_machine(name, journals, width))
         parts += [bearing_table(result) for result in results if result not in journals]
+    said = [sentence for result in results for sentence in answers(result)]
+    parts += [Text(), *(Padding(Text(sentence), (0, 0, 0, 2)) for sentence in said)] if said else []
     parts += _remarks(results)
     return Group(*parts)
 

@@ -90,7 +90,7 @@ def compare_methods(case: Case) -> tuple[Comparison, ...]:
     bearings = bearings_of(case)
     if not bearings:
         raise InputError(
-            "E004", f"{case.name}: a case of kind {case.kind!r} has no film; there is nothing to compare"
+            "E004", f"{case.name}: a case of kind {case.kind!r} has one method; there is nothing to compare"
         )
     return tuple(found for bearing in bearings for found in _compared(bearing, case))
 

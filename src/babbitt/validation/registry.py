@@ -36,6 +36,9 @@ from babbitt.validation.published import (
     someya_1989_table1,
     someya_1989_table3,
     supply_losses,
+    thrust_hydro_generator,
+    thrust_pad_forms,
+    trawler_stages,
     viscosity_index,
 )
 
@@ -59,6 +62,9 @@ _CASES = (
     long_film_table.CASE,
     long_film_figures.CASE,
     grooved_segments.CASE,
+    thrust_pad_forms.CASE,
+    thrust_hydro_generator.CASE,
+    trawler_stages.CASE,
     reverse_gear_spans.CASE,
     reverse_gear.CASE,
     output_wheel_load_share.CASE,

@@ -16,6 +16,8 @@ _KINDS = {
     "hydrostatic_thrust_ring": "hydrostatic thrust ring with several recesses and tilt",
     "hydrostatic_journal": "recessed journal bearing, hydrostatic or hybrid",
     "jacking_pocket": "jacking pockets that lift a shaft before it turns",
+    "thrust": "one thrust bearing of tilting or fixed pads",
+    "thrust_line": "axial vibration of a shaft line on its thrust bearing",
 }
 
 
@@ -24,7 +26,7 @@ def kinds() -> Mapping[str, str]:
 
     >>> list(kinds())
     ['journal', 'machine', 'overhung_coupling', 'screw_heel', 'hydrostatic_pad',
-    'hydrostatic_thrust_ring', 'hydrostatic_journal', 'jacking_pocket']
+    'hydrostatic_thrust_ring', 'hydrostatic_journal', 'jacking_pocket', 'thrust', 'thrust_line']
     """
     return dict(_KINDS)
 

@@ -1,0 +1,187 @@
+"""A thrust bearing as an engineer writes it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from babbitt.cases.case_file import CaseFile
+from babbitt.cases.fields import Name, Prose
+from babbitt.cases.part import Complaint, Part, exactly_one, rule
+from babbitt.cases.thrust_oil import ThrustOil
+from babbitt.cases.thrust_pads import Stiffness, ThrustPads, Tilt, TiltingPivot
+from babbitt.film.turbulence import CONSTANTINESCU, NG_PAN, FilmTurbulence, TurbulenceLaw
+from babbitt.thrust.bearing import HousingTilt, ThrustBearing
+from babbitt.thrust.design import GivenFilm, GivenThrust, ThrustDesign
+from babbitt.thrust.pad import Pivot, ThrustPad
+from babbitt.thrust.state import TiltInertia
+from babbitt.units import either_sense, si
+from babbitt.units import written as written_plainly
+
+Thrust = Annotated[float, si("N", "1 N", "1000 MN")]
+LAWS: dict[str, TurbulenceLaw] = {"ng_pan": NG_PAN, "constantinescu": CONSTANTINESCU}
+TURBULENT_BETWEEN = (500.0, 1000.0)
+"""Local Reynolds numbers between which turbulence sets in: the usual choice with Ng and Pan's theory."""
+USUAL_FILM_LIMIT = 10e-6
+
+
+class ThrustBearingInputs(Part):
+    """What bearing and oil of a thrust bearing are, alone or in a shaft line."""
+
+    pads: ThrustPads = Field(description="The pads.")
+    speed: Annotated[float, either_sense("rad/s", "0.01 rpm", "1000000 rpm")] = Field(
+        description="Speed of the collar, positive counter-clockwise, towards growing pad numbers. Negative: "
+        "the pads "
+        "run backward."
+    )
+    oil: ThrustOil = Field(description="How viscous the films are.")
+    ring_stiffness: Stiffness | None = Field(
+        None, description="Stiffness of the backing ring under each pad, c. None: rigid."
+    )
+    tilt: Tilt | None = Field(None, description="Tilt of the housing against the collar.")
+    turbulence: Literal["none", "ng_pan", "constantinescu"] = Field("none", description="Turbulence of the films.")
+    film_limit: Annotated[float, si("m", "0.1 um", "1 mm")] | None = Field(
+        None, description="Least film permitted. None: 10 um, an assumption."
+    )
+    assumptions: tuple[Prose, ...] = Field(
+        (), max_length=100, description="Assumptions to be shown in the report."
+    )
+    notes: Prose = Field("", description="Notes to be shown in the report.")
+    source: Prose = Field("", description="Where the numbers come from.")
+
+    @rule
+    def _balanced_pivot(self) -> Iterator[Complaint]:
+        pivot = self.pads.pivot
+        if isinstance(pivot, TiltingPivot) and self.pads.face is None and self.pads.crown == 0.0:
+            fraction = pivot.fraction if self.speed > 0.0 else 1.0 - pivot.fraction
+            if fraction <= 0.5:
+                yield Complaint(
+                    ("pads", "pivot", "fraction"),
+                    f"at this sense of rotation the pivot lies at "
+                    f"{fraction:g} of the pad from its leading edge, where no plane pad balances",
+                    "more than 0.5, behind the middle",
+                    "give a crown, or turn the other way",
+                )
+
+    def design(self, name: str, duty: GivenThrust | GivenFilm, runout: float) -> ThrustDesign:
+        """Give the bearing of the calculation."""
+        pads, pivot = self.pads, self.pads.pivot
+        tilting = pivot if isinstance(pivot, TiltingPivot) else None
+        law = LAWS.get(self.turbulence)
+        oil = self.oil.oil()
+        turbulence = None
+        if law is not None:
+            at = oil.effective_temperature or oil.supply_temperature or 323.15
+            turbulence = FilmTurbulence(law, float(oil.lubricant.density(at)), *TURBULENT_BETWEEN)
+        pad = ThrustPad(
+            pads.inner_radius,
+            pads.outer_radius,
+            pads.extent,
+            tilting.radius if tilting else 0.5 * (pads.inner_radius + pads.outer_radius),
+            tilting.fraction if tilting else 0.5,
+            Pivot(tilting.kind) if tilting else Pivot.FIXED,
+            pads.plane_or_face(),
+            pads.crown,
+            turbulence,
+        )
+        sense = math.copysign(1.0, self.speed)
+        bearing = ThrustBearing(
+            pad if sense > 0.0 else pad.mirrored(),
+            pads.number,
+            math.inf if self.ring_stiffness is None else self.ring_stiffness,
+            pads.mass,
+            TiltInertia(pads.inertia_radial, pads.inertia_along),
+            HousingTilt() if self.tilt is None else self.tilt.tilt(),
+            pads.heights,
+            sense,
+        )
+        return ThrustDesign(
+            name,
+            bearing,
+            duty,
+            abs(self.speed),
+            oil,
+            runout,
+            USUAL_FILM_LIMIT if self.film_limit is None else self.film_limit,
+            "assumption: 10 µm" if self.film_limit is None else "given in the case",
+            law,
+            tuple(words_of(self)),
+            self.assumptions,
+        )
+
+
+class ThrustCase(ThrustBearingInputs, CaseFile):
+    """A file with one thrust bearing."""
+
+    kind: Literal["thrust"] = Field(description="One thrust bearing.")
+    name: Name = Field(description="Name of the bearing.")
+    thrust: Thrust | None = Field(None, description="Thrust F_0, in place of the film.")
+    film: Annotated[float, si("m", "0.1 um", "5 mm")] | None = Field(
+        None, description="Mean film at the pivots, in place of the thrust, which is then found."
+    )
+    runout: Annotated[float, si("m", "0 um", "5 mm")] = Field(
+        0.0, description="Face runout of the collar at the pivot radius: half the indicator reading."
+    )
+
+    @rule
+    def _thrust_or_film(self) -> Iterator[Complaint]:
+        yield from exactly_one(self, "thrust", "film")
+
+    def thrust_design(self) -> ThrustDesign:
+        """Give the bearing of the calculation."""
+        duty = GivenFilm(self.film) if self.film is not None else GivenThrust(self.thrust or 0.0)
+        return self.design(self.name, duty, self.runout)
+
+
+def written(value: float, unit: str) -> str:
+    """Write an SI value in an everyday unit, as it looks on paper."""
+    return written_plainly(value, unit).replace(" um", " µm").replace(" deg", "°")
+
+
+def words_of(case: ThrustBearingInputs) -> Iterator[tuple[str, str]]:
+    """Tell how a case gave its numbers."""
+    pads, pivot = case.pads, case.pads.pivot
+    yield (
+        "Pads",
+        (
+            f"{pads.number} of {written(pads.extent, 'deg')}, radii {written(pads.inner_radius, 'mm')} to "
+            f"{written(pads.outer_radius, 'mm')}"
+        ),
+    )
+    if isinstance(pivot, TiltingPivot):
+        yield (
+            "Pivot",
+            f"{pivot.kind} at radius {written(pivot.radius, 'mm')}, {pivot.fraction:g} of the pad from its "
+            f"leading edge",
+        )
+    else:
+        yield "Pivot", "none, fixed pads"
+    if pads.face is not None:
+        yield (
+            "Face",
+            f"{pads.face.kind} {written(pads.face.depth, 'um')} deep over {pads.face.fraction:g} of the pad",
+        )
+    if pads.crown:
+        yield "Crown", written(pads.crown, "um")
+    if pads.mass:
+        yield "Mass of a pad", written(pads.mass, "kg")
+    if pads.inertia_radial or pads.inertia_along:
+        yield "Inertias of a pad", f"{pads.inertia_radial:g} and {pads.inertia_along:g} kg m²"
+    if pads.heights:
+        yield "Heights of the pads", ", ".join(f"{1e6 * height:g}" for height in pads.heights) + " µm"
+    yield "Speed", written(case.speed, "rpm")
+    ring = case.ring_stiffness
+    yield "Backing ring", "rigid" if ring is None else f"{written(ring, 'GN/m')} per pad"
+    if case.tilt is not None:
+        yield (
+            "Tilt of the housing",
+            (
+                f"{written(case.tilt.offset, 'um')} at the outer radius, closest at "
+                f"{math.degrees(case.tilt.direction):g}°"
+            ),
+        )
+    if case.turbulence != "none":
+        yield "Turbulence", LAWS[case.turbulence].name

@@ -1,0 +1,243 @@
+"""A shaft line on its thrust bearing as an engineer writes it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from babbitt.cases.case_file import CaseFile
+from babbitt.cases.fields import Name, WholeNumber
+from babbitt.cases.part import Complaint, Part, exactly_one, rule
+from babbitt.cases.thrust import Thrust, ThrustBearingInputs, written
+from babbitt.cases.thrust_pads import Damping, PartMass, Stiffness
+from babbitt.shaft_line.design import LineDesign
+from babbitt.shaft_line.excitation import RunoutHarmonic, ThrustHarmonic
+from babbitt.shaft_line.line import Rod, Seating, ShaftLine
+from babbitt.thrust.design import GivenThrust
+from babbitt.units import si
+from babbitt.units import written as written_plainly
+
+Weight = Annotated[float, si("kg", "0.1 kg", "10000 t")]
+Phase = Annotated[float, si("rad", "-360 deg", "360 deg")]
+
+
+class Propeller(Part):
+    """The propeller."""
+
+    mass: Weight = Field(description="Mass with entrained water, m_1.")
+    damping: Damping = Field(0.0, description="Axial damping, b_0: slope of thrust against inflow speed.")
+    blades: Annotated[int, WholeNumber(1, 20)] = Field(description="Number of blades.")
+
+
+class ShaftPiece(Part):
+    """A uniform piece of shaft."""
+
+    length: Annotated[float, si("m", "1 mm", "500 m")] = Field(description="Length.")
+    diameter: Annotated[float, si("m", "1 mm", "5 m")] = Field(description="Outer diameter.")
+    bore: Annotated[float, si("m", "0 mm", "5 m")] = Field(0.0, description="Diameter of the bore.")
+    modulus: Annotated[float, si("Pa", "1 GPa", "1000 GPa")] = Field(206e9, description="Young's modulus.")
+    density: Annotated[float, si("kg/m3", "100 kg/m3", "30000 kg/m3")] = Field(7850.0, description="Density.")
+    end_mass: PartMass = Field(
+        0.0,
+        description="Point mass at the end towards the collar, such as a flange or a gear; not on the last piece.",
+    )
+
+    @rule
+    def _bore_inside(self) -> Iterator[Complaint]:
+        if self.bore >= self.diameter:
+            yield Complaint(
+                ("bore",),
+                f"the bore {written_plainly(self.bore, 'mm')} leaves nothing of the shaft",
+                f"less than {written_plainly(self.diameter, 'mm')}",
+            )
+
+    def rod(self) -> Rod:
+        """Give the rod of the calculation."""
+        area = 0.25 * math.pi * (self.diameter**2 - self.bore**2)
+        return Rod(self.length, area, self.modulus, self.density)
+
+
+class SeatingGiven(Part):
+    """What carries the housing of the thrust block."""
+
+    stiffness: Stiffness = Field(description="Axial stiffness to the hull, k_f.")
+    damping: Damping = Field(0.0, description="Damping, d_f.")
+    housing_mass: PartMass = Field(0.0, description="Mass of the housing, m_h.")
+
+
+class ThrustRipple(Part):
+    """One harmonic of the thrust."""
+
+    amplitude: Annotated[float, si("N", "0 N", "100 MN")] | None = Field(None, description="Amplitude, Q_m.")
+    share: Annotated[float, si("1", "0", "2")] | None = Field(
+        None, description="Amplitude over the thrust, in place of the amplitude."
+    )
+    blade_multiple: Annotated[int, WholeNumber(1, 20)] | None = Field(
+        None, description="1 is blade frequency, 2 twice that. 1 unless an order is given."
+    )
+    order: Annotated[float, si("1", "0.01", "1000")] | None = Field(
+        None, description="Frequency over that of the shaft, in place of blade_multiple: 1, or a gear ratio."
+    )
+    phase: Phase = Field(0.0, description="Phase, gamma.")
+
+    @rule
+    def _one_amplitude(self) -> Iterator[Complaint]:
+        yield from exactly_one(self, "amplitude", "share")
+
+    @rule
+    def _one_order(self) -> Iterator[Complaint]:
+        if self.blade_multiple is not None and self.order is not None:
+            yield Complaint(("order",), "given besides blade_multiple", "one of the two", "remove one")
+
+
+class Runout(Part):
+    """Runout or waviness of the collar face."""
+
+    amplitude: Annotated[float, si("m", "0 um", "5 mm")] = Field(
+        description="Amplitude at the pivot radius, A_R: half the indicator reading."
+    )
+    lobes: Annotated[int, WholeNumber(1, 50)] = Field(1, description="Waves around the face. 1 is runout.")
+    phase: Phase = Field(0.0, description="Phase.")
+
+
+class SpeedRange(Part):
+    """Speeds at which the line is solved, with a Campbell map."""
+
+    lowest: Annotated[float, si("rad/s", "0.01 rpm", "1000000 rpm")] = Field(description="Lowest speed.")
+    highest: Annotated[float, si("rad/s", "0.01 rpm", "1000000 rpm")] = Field(description="Highest speed.")
+    number: Annotated[int, WholeNumber(2, 200)] = Field(21, description="How many speeds.")
+
+    @rule
+    def _in_order(self) -> Iterator[Complaint]:
+        if self.highest <= self.lowest:
+            yield Complaint(
+                ("highest",),
+                f"{written_plainly(self.highest, 'rpm')} is not above {written_plainly(self.lowest, 'rpm')}",
+                "more than lowest",
+            )
+
+    def speeds(self) -> tuple[float, ...]:
+        """Give the speeds, rad/s."""
+        step = (self.highest - self.lowest) / (self.number - 1)
+        return tuple(self.lowest + step * k for k in range(self.number))
+
+
+class ThrustLineCase(ThrustBearingInputs, CaseFile):
+    """A file with a shaft line: propeller, shaft, collar, thrust bearing, seating, and what shakes them."""
+
+    kind: Literal["thrust_line"] = Field(description="Axial vibration of a shaft line on its thrust bearing.")
+    name: Name = Field(description="Name of the line.")
+    thrust: Thrust = Field(description="Steady thrust, F_0.")
+    propeller: Propeller = Field(description="The propeller.")
+    shaft: tuple[ShaftPiece, ...] = Field(
+        min_length=1, max_length=20, description="Pieces of the shaft from the propeller to the collar."
+    )
+    collar_mass: Weight = Field(description="Mass of the collar with all that is axially rigid to it, m_2.")
+    seating: SeatingGiven | None = Field(None, description="What carries the housing. None: rigid.")
+    ripple: tuple[ThrustRipple, ...] = Field((), max_length=20, description="Harmonics of the thrust.")
+    runout: tuple[Runout, ...] = Field((), max_length=20, description="Runout and waves of the collar face.")
+    loss_limit: Annotated[float, si("1", "0.01", "5")] | None = Field(
+        None, description="Limit of dynamic over mean static pad load. None: 50 %, usual in industry."
+    )
+    speeds: SpeedRange | None = Field(None, description="Speeds of a Campbell map. None: no map.")
+    nonlinear: bool = Field(
+        False, description="Solve the nonlinear motion, too: takes seconds, and needs plane laminar pads."
+    )
+
+    @rule
+    def _seating_on_a_ring(self) -> Iterator[Complaint]:
+        if self.seating is not None and self.ring_stiffness is None:
+            yield Complaint(
+                ("seating",),
+                "a seating needs a ring of finite stiffness between pads and housing",
+                "ring_stiffness besides it, such as '1000 GN/m' for a stiff ring",
+            )
+
+    @rule
+    def _nothing_behind_the_last_piece(self) -> Iterator[Complaint]:
+        if self.shaft[-1].end_mass:
+            yield Complaint(
+                ("shaft", len(self.shaft) - 1, "end_mass"),
+                "the collar follows the last piece",
+                "no end_mass here; add it to collar_mass",
+            )
+
+    @rule
+    def _similar_films_for_the_nonlinear_motion(self) -> Iterator[Complaint]:
+        if self.nonlinear and (self.pads.face is not None or self.pads.crown or self.turbulence != "none"):
+            yield Complaint(
+                ("nonlinear",),
+                "the nonlinear motion is for plane laminar pads, whose films are similar",
+                "false, or pads without face, crown and turbulence",
+            )
+
+    def line_design(self) -> LineDesign:
+        """Give the line of the calculation."""
+        line = ShaftLine(
+            self.propeller.mass,
+            self.propeller.damping,
+            tuple(piece.rod() for piece in self.shaft),
+            self.collar_mass,
+            tuple(piece.end_mass for piece in self.shaft[:-1]),
+            None
+            if self.seating is None
+            else Seating(self.seating.stiffness, self.seating.damping, self.seating.housing_mass),
+        )
+        first = self.runout[0].amplitude if self.runout else 0.0
+        given = self.design(self.name, GivenThrust(self.thrust), first)
+        from dataclasses import replace
+
+        return LineDesign(
+            replace(given, given=(*given.given, *_words(self))),
+            line,
+            tuple(self._thrust_harmonic(one) for one in self.ripple),
+            tuple(RunoutHarmonic(float(one.lobes), one.amplitude, one.phase) for one in self.runout),
+            0.5 if self.loss_limit is None else self.loss_limit,
+            "usual limit in industry: 50 % of the static load" if self.loss_limit is None else "given in the case",
+            () if self.speeds is None else self.speeds.speeds(),
+            self.nonlinear,
+        )
+
+    def _thrust_harmonic(self, one: ThrustRipple) -> ThrustHarmonic:
+        order = one.order if one.order is not None else float(self.propeller.blades * (one.blade_multiple or 1))
+        amplitude = one.amplitude if one.amplitude is not None else (one.share or 0.0) * self.thrust
+        return ThrustHarmonic(order, amplitude, one.phase)
+
+
+def _words(case: ThrustLineCase) -> Iterator[tuple[str, str]]:
+    yield (
+        "Propeller",
+        (
+            f"{written(case.propeller.mass, 't')} with entrained water, {case.propeller.blades} blades, "
+            f"damping {written(case.propeller.damping, 'kN s/m')}"
+        ),
+    )
+    for place, piece in enumerate(case.shaft, start=1):
+        bore = f", bore {written(piece.bore, 'mm')}" if piece.bore else ""
+        mass = f", then {written(piece.end_mass, 'kg')}" if piece.end_mass else ""
+        yield (
+            f"Shaft, piece {place}",
+            f"{written(piece.length, 'm')}, diameter {written(piece.diameter, 'mm')}{bore}{mass}",
+        )
+    yield "Collar and what is rigid to it", written(case.collar_mass, "t")
+    if case.seating is None:
+        yield "Seating", "rigid"
+    else:
+        yield (
+            "Seating",
+            f"{written(case.seating.stiffness, 'GN/m')}, housing {written(case.seating.housing_mass, 't')}",
+        )
+    for one in case.ripple:
+        harmonic = case._thrust_harmonic(one)
+        yield (
+            "Thrust ripple",
+            f"{written(harmonic.amplitude, 'kN')} at {harmonic.order:g} times the shaft frequency",
+        )
+    for face in case.runout:
+        yield (
+            "Runout of the collar",
+            f"amplitude {written(face.amplitude, 'um')}" + ("" if face.lobes == 1 else f", {face.lobes} waves"),
+        )

@@ -1,0 +1,179 @@
+"""A shaft line in pictures: histories of load and film, mode shapes, rings, Campbell map, nonlinear motion."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from babbitt.report.drawing import GREY, INK, PALE, Sheet, limit_line, mark
+from babbitt.shaft_line.check import LineAnswer
+from babbitt.shaft_line.sweeps import BARRED_WITHIN, barred_ranges
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+DASHES = ("-", "--", "-.", ":", (0, (6, 1, 1, 1, 1, 1)))
+RPM = 30.0 / math.pi
+
+
+def histories(answer: LineAnswer, film_limit: float) -> Figure:
+    """Loads and thinnest films of all pads over a revolution."""
+    state = answer.state
+    figure, ((above,), (below,)) = Sheet(166.0, 84.0, rows=2, left=14.0, between=5.0).panels(sharex=True)
+    angles = np.degrees(state.forced.angles)
+    loads = (state.share.loads[:, None] + state.forced.force_history()) / 1e3
+    films = 1e6 * state.film.histories
+    for panel, values, chosen, name in (
+        (above, loads, int(loads.max(axis=1).argmax()), "load in kN"),
+        (below, films, int(films.min(axis=1).argmin()), "thinnest film in µm"),
+    ):
+        for pad, history in enumerate(values):
+            own = pad == chosen
+            panel.plot(
+                angles, history, color=INK if own else PALE, linewidth=1.2 if own else 0.7, zorder=3 if own else 2
+            )
+        place = int(values[chosen].argmax() if panel is above else values[chosen].argmin())
+        panel.annotate(
+            f"pad {chosen + 1}",
+            (angles[place], values[chosen, place]),
+            xytext=(0, 4 if panel is above else -4),
+            textcoords="offset points",
+            ha="center",
+            va="bottom" if panel is above else "top",
+            fontsize=7,
+        )
+        panel.set_ylabel(name)
+        panel.set_ylim(min(0.0, 1.1 * float(values.min())), 1.12 * float(values.max()))
+    limit_line(below, 1e6 * film_limit, "limit")
+    limit_line(above, state.share.mean_load / 1e3, "mean static load")
+    below.set_xlabel("angle of the shaft in °")
+    below.set_xlim(0.0, 360.0)
+    below.set_xticks(range(0, 361, 45))
+    return figure
+
+
+def mode_shapes(answer: LineAnswer) -> Figure:
+    """The lowest modes along the shaft."""
+    figure, ((panel,),) = Sheet(81.0, 60.0, left=12.0).panels()
+    for mode, dashes in zip(answer.modes[:4], DASHES, strict=False):
+        panel.plot(
+            mode.places,
+            mode.shape,
+            color=INK,
+            linestyle=dashes,
+            linewidth=1.0,
+            label=f"{mode.frequency / math.tau:.1f} Hz",
+        )
+        end = float(mode.places[-1])
+        panel.plot(np.full(mode.pads.size, 1.03 * end if end else 0.1), mode.pads, ".", color=GREY, markersize=3)
+    panel.axhline(0.0, color=GREY, linewidth=0.5)
+    panel.set_ylim(-1.1, 1.1)
+    panel.set_xlabel("distance from the propeller in m")
+    panel.set_ylabel("displacement")
+    panel.legend(
+        frameon=False, fontsize=7, loc="lower center", ncols=2, handlelength=2.6, bbox_to_anchor=(0.5, 0.0)
+    )
+    panel.set_ylim(-1.65, 1.1)
+    return figure
+
+
+def ring_sweep(answer: LineAnswer, limit: float) -> Figure:
+    """Dynamic load and first frequency over the ring stiffness."""
+    figure, ((above,), (below,)) = Sheet(81.0, 84.0, rows=2, left=12.0, between=5.0).panels(sharex=True)
+    rings = answer.rings
+    c = np.array([point.stiffness for point in rings]) / 1e9
+    for name, dashes in (("bound", "-"), ("runout", "--"), ("ripple", ":")):
+        label = {"bound": "both", "runout": "runout", "ripple": "thrust ripple"}[name]
+        above.semilogx(
+            c,
+            [100.0 * getattr(point, name) for point in rings],
+            color=INK,
+            linestyle=dashes,
+            linewidth=1.0,
+            label=label,
+        )
+    below.semilogx(c, [point.first_frequency / math.tau for point in rings], color=INK, linewidth=1.0)
+    own = answer.state.duty.bearing.ring_stiffness / 1e9
+    if math.isfinite(own):
+        mark(above, own, 100.0 * answer.state.losses.mean_bound)
+        mark(below, own, answer.modes[0].frequency / math.tau)
+    if answer.half is not None:
+        for panel, value in ((above, 100.0 * answer.half.bound), (below, answer.half.first_frequency / math.tau)):
+            panel.plot([answer.half.stiffness / 1e9], [value], "o", color=INK, markerfacecolor="white", zorder=5)
+    limit_line(above, 100.0 * limit, "limit", at=0.01)
+    above.set_ylim(0.0, None)
+    below.set_ylim(0.0, None)
+    above.set_ylabel("dynamic load in %")
+    below.set_ylabel("first frequency in Hz")
+    below.set_xlabel("ring stiffness per pad in GN/m")
+    above.legend(frameon=False, fontsize=7, loc="upper left", handlelength=2.4, bbox_to_anchor=(0.0, 0.70))
+    return figure
+
+
+def campbell(answer: LineAnswer, limit: float, speed: float) -> Figure:
+    """Natural frequencies and rays of excitation over speed, dynamic load below."""
+    figure, ((above,), (below,)) = Sheet(166.0, 100.0, rows=2, left=14.0, between=5.0).panels(sharex=True)
+    points = answer.campbell
+    rpm = np.array([point.speed for point in points]) * RPM
+    orders = sorted({part.harmonic.order for part in answer.state.forced.parts})
+    highest = (
+        1.15 * max(max(orders) * points[-1].speed, points[0].frequencies[0], points[-1].frequencies[0]) / math.tau
+    )
+    number = min(len(point.frequencies) for point in points)
+    for n in range(number):
+        frequencies = np.array([point.frequencies[n] for point in points]) / math.tau
+        above.plot(rpm, frequencies, color=INK, linestyle="--", linewidth=1.0)
+        if n == 0:
+            above.fill_between(
+                rpm,
+                (1 - BARRED_WITHIN) * frequencies,
+                (1 + BARRED_WITHIN) * frequencies,
+                color="0.92",
+                linewidth=0.0,
+                zorder=0,
+            )
+    for order in orders:
+        above.plot(rpm, order * rpm / 60.0, color=INK, linewidth=0.9)
+        above.annotate(
+            f"{order:g}",
+            (rpm[-1], order * rpm[-1] / 60.0),
+            xytext=(3, 0),
+            textcoords="offset points",
+            fontsize=7,
+            va="center",
+            annotation_clip=False,
+        )
+    for low, high, _ in barred_ranges(points):
+        for panel in (above, below):
+            panel.axvspan(low * RPM, high * RPM, color="0.92", linewidth=0.0, zorder=0)
+    above.set_ylim(0.0, highest)
+    above.set_ylabel("frequency in Hz")
+    losses = [100.0 * point.state.losses.mean_bound for point in points]
+    below.plot(rpm, losses, color=INK, linewidth=1.0)
+    if rpm[0] <= speed * RPM <= rpm[-1]:
+        mark(below, speed * RPM, 100.0 * answer.state.losses.mean_bound)
+    limit_line(below, 100.0 * limit, "limit")
+    below.set_ylim(0.0, 1.15 * max(max(losses), 100.0 * limit))
+    below.set_ylabel("dynamic load in %")
+    below.set_xlabel("speed in rpm")
+    below.set_xlim(rpm[0], rpm[-1])
+    return figure
+
+
+def nonlinear(answer: LineAnswer) -> Figure:
+    """Load of the pad with the largest dynamic load, nonlinear and linear."""
+    moved, state = answer.nonlinear, answer.state
+    assert moved is not None
+    figure, ((panel,),) = Sheet(81.0, 60.0, left=13.0).panels()
+    pad = state.losses.worst_pad
+    linear = (state.share.loads[pad] + state.forced.force_history()[pad]) / 1e3
+    panel.plot(np.degrees(state.forced.angles), linear, color=INK, linestyle="--", linewidth=0.9)
+    panel.plot(np.degrees(moved.angles), moved.loads[:, pad] / 1e3, color=INK, linewidth=1.1)
+    panel.axhline(state.share.loads[pad] / 1e3, color=GREY, linewidth=0.6)
+    panel.set_xlim(0.0, 360.0)
+    panel.set_xticks(range(0, 361, 90))
+    panel.set_xlabel("angle of the shaft in °")
+    panel.set_ylabel(f"load of pad {pad + 1} in kN")
+    return figure

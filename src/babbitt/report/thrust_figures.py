@@ -1,0 +1,117 @@
+"""Figures of a thrust bearing and its shaft line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from babbitt.report.drawing import Drawing, rendered, style
+from babbitt.results import Result
+from babbitt.shaft_line.check import LineAnswer, line_answer
+from babbitt.shaft_line.design import LineDesign
+from babbitt.thrust.design import ThrustDesign, operating_state
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["thrust_figures"]
+
+Painted = tuple[str, str, "Figure", bool]
+
+
+def thrust_figures(
+    design: ThrustDesign | LineDesign, result: Result, image_format: str = "svg"
+) -> tuple[Drawing, ...]:
+    """Every figure of a solved bearing or line.
+
+    Parameters
+    ----------
+    design : ThrustDesign or LineDesign
+    result : Result
+        Its answer; an unsolved one has no figures.
+    image_format : {"svg", "pdf", "png"}
+    """
+    if not result.outcome.solved:
+        return ()
+    with style():
+        painted = _of_line(design) if isinstance(design, LineDesign) else _of_bearing(design)
+        return tuple(
+            Drawing(name, caption, rendered(figure, image_format), wide) for name, caption, figure, wide in painted
+        )
+
+
+def _of_bearing(design: ThrustDesign) -> Iterator[Painted]:
+    from babbitt.report import thrust_painters
+
+    state = operating_state(design)
+    yield (
+        "pads-polar",
+        "Static load of each pad, outward from the ring; the collar turns as the arrow says. Thin ring: "
+        "mean load; dotted: where the housing comes closest.",
+        thrust_painters.pads_polar(state.share, None),
+        False,
+    )
+    yield (
+        "pad-pressure",
+        "Pressure on the pad that carries most, seen from the collar. Cross: highest pressure; circle: pivot.",
+        thrust_painters.pad_pressure(state.share),
+        False,
+    )
+
+
+def _of_line(design: LineDesign) -> Iterator[Painted]:
+    from babbitt.report import line_painters, thrust_painters
+
+    answer: LineAnswer = line_answer(design)
+    state = answer.state
+    yield (
+        "pads-polar",
+        "Static load of each pad (grey) and the range of its dynamic load for any phases (black), outward "
+        "from the ring. Thin ring: mean load; dotted: where the housing comes closest.",
+        thrust_painters.pads_polar(state.share, state.forced.bounds()),
+        False,
+    )
+    yield (
+        "pad-pressure",
+        "Static pressure on the pad that carries most, seen from the collar. Cross: highest pressure; "
+        "circle: pivot.",
+        thrust_painters.pad_pressure(state.share),
+        False,
+    )
+    if state.forced.commensurate:
+        yield (
+            "film-history",
+            "Load (above) and thinnest film (below) of the pads over a revolution with the phases given. "
+            "Black: the pads with the largest load and the thinnest film; broken: limit of the film.",
+            line_painters.histories(answer, design.thrust.film_limit),
+            True,
+        )
+    yield (
+        "mode-shapes",
+        "Axial mode shapes along the shaft, the propeller on the left; dots: pads.",
+        line_painters.mode_shapes(answer),
+        False,
+    )
+    yield (
+        "ring-sweep",
+        "Dynamic load over the stiffness of the backing ring (above), and the first natural frequency "
+        "(below). Filled: the ring of this line; ring: the stiffest that halves the load.",
+        line_painters.ring_sweep(answer, design.loss_limit),
+        False,
+    )
+    if answer.campbell:
+        yield (
+            "campbell",
+            "Natural frequencies (broken) and excitations (rays, with their order) over the speed, and the "
+            "dynamic load below. Grey: within 20 % of the first frequency.",
+            line_painters.campbell(answer, design.loss_limit, design.thrust.speed),
+            True,
+        )
+    if answer.nonlinear is not None:
+        yield (
+            "nonlinear",
+            "Load of the pad with the largest dynamic load over a revolution: nonlinear films (full) and "
+            "films linear about the static ones (broken).",
+            line_painters.nonlinear(answer),
+            False,
+        )

@@ -1,0 +1,108 @@
+"""Tables of a thrust bearing and its shaft line for the report: pads, damped modes, rings."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from babbitt.quantities import QUANTITIES
+from babbitt.report.symbols import symbol_node
+from babbitt.results import Result
+
+__all__ = ["tables"]
+
+PAD_COLUMNS = (
+    "pad_load",
+    "pad_film_thickness",
+    "pad_minimum_film_thickness",
+    "pad_maximum_pressure",
+    "pad_stiffness",
+    "pad_damping",
+    "pad_slope_radial",
+    "pad_slope_along",
+)
+DYNAMIC_COLUMNS = ("pad_load", "runout_force", "ripple_force", "dynamic_peak", "dynamic_bound", "pad_dynamic_film")
+RINGS_SHOWN = 10
+
+
+def tables(result: Result) -> list[dict[str, Any]]:
+    """Tables as plain data: title, columns of (symbol, unit), rows of texts, a note."""
+    if not result.outcome.solved:
+        return []
+    return list(_tables(result))
+
+
+def _tables(result: Result) -> Iterator[dict[str, Any]]:
+    yield _by_pad(
+        result,
+        "Pads at rest",
+        PAD_COLUMNS,
+        "Stiffness at rest and damping at the frequency of the shaft, tilts free.",
+    )
+    if result.kind != "thrust_line":
+        return
+    yield _by_pad(
+        result,
+        "Pads in motion",
+        DYNAMIC_COLUMNS,
+        "Amplitudes by runout and by thrust ripple; peak with the phases given, bound for any.",
+    )
+    modes = result.arrays["damped_modes"]
+    if modes:
+        yield _plain(
+            "Damped modes",
+            ("Mode", "Frequency", "Damping ratio"),
+            ("", "Hz", "%"),
+            [(str(n), f"{f / math.tau:.2f}", f"{100.0 * d:.2f}") for n, (f, d) in enumerate(modes, start=1)],
+            "",
+        )
+    rings = result.arrays["ring_sweep"]
+    step = max(1, len(rings) // RINGS_SHOWN)
+    yield _plain(
+        "Backing rings",
+        (
+            "Stiffness per pad",
+            "Runout",
+            "Ripple",
+            "Both",
+            "Film amplitude",
+            "Thinnest film",
+            "First frequency",
+            "Static max/mean",
+        ),
+        ("GN/m", "%", "%", "%", "µm", "µm", "Hz", ""),
+        [_ring(row) for row in rings[::step]],
+        "Dynamic over mean static pad load for any phases; film amplitude by runout at a pivot.",
+    )
+
+
+def _by_pad(result: Result, title: str, names: Sequence[str], note: str) -> dict[str, Any]:
+    quantities = [QUANTITIES[name] for name in names]
+    columns = [result.arrays[name][0] for name in names]
+    rows = [
+        [str(pad), *(quantity.format(value) for quantity, value in zip(quantities, values, strict=True))]
+        for pad, values in enumerate(zip(*columns, strict=True), start=1)
+    ]
+    heads: list[dict[str, Any]] = [{"text": "Pad", "symbol": None, "unit": ""}]
+    heads += [{"text": "", "symbol": symbol_node(q.symbol), "unit": q.display.label} for q in quantities]
+    return {"title": title, "columns": heads, "rows": rows, "note": note}
+
+
+def _plain(title: str, names: Sequence[str], units: Sequence[str], rows: list[Any], note: str) -> dict[str, Any]:
+    heads = [{"text": name, "symbol": None, "unit": unit} for name, unit in zip(names, units, strict=True)]
+    return {"title": title, "columns": heads, "rows": [list(row) for row in rows], "note": note}
+
+
+def _ring(row: Sequence[float]) -> tuple[str, ...]:
+    stiffness, runout, ripple, bound, amplitude, film, first, ratio = row
+    return (
+        f"{stiffness / 1e9:.3g}",
+        f"{100 * runout:.1f}",
+        f"{100 * ripple:.1f}",
+        f"{100 * bound:.1f}",
+        f"{1e6 * amplitude:.2f}",
+        f"{1e6 * film:.1f}",
+        f"{first / math.tau:.1f}",
+        f"{ratio:.2f}",
+    )

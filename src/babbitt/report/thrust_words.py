@@ -1,0 +1,155 @@
+"""What a surveyor asks of a thrust bearing and its shaft line, answered in sentences."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from babbitt.results import Bound, Check, Result
+
+__all__ = ["answers"]
+
+CAUSES = {
+    "runout_share": "the runout of the collar",
+    "ripple_share": "the thrust ripple of the propeller",
+    "tilt_share": "the tilt of the housing",
+    "elasticity_share": "the elasticity of the shaft",
+}
+
+
+def answers(result: Result) -> tuple[str, ...]:
+    """Sentences about a solved thrust bearing or shaft line; none for other kinds.
+
+    >>> from babbitt.results import Outcome
+    >>> answers(Result("A", "journal", "film", Outcome.CONVERGED, {}))
+    ()
+    """
+    if not result.outcome.solved:
+        return ()
+    if result.kind == "thrust_line":
+        return tuple(_of_line(result))
+    return ()
+
+
+def _of_line(result: Result) -> Iterator[str]:
+    checks = {check.code: check for check in result.checks}
+    yield _survival(result, checks)
+    yield _loss(result, checks["C201"])
+    yield _causes(result)
+    yield _ring(result)
+    if bearable := _bearable(result, checks["C201"].limit):
+        yield bearable
+    yield _frequencies(result)
+    if "nonlinear_load_peak" in result.values:
+        yield _nonlinear(result)
+
+
+def _survival(result: Result, checks: dict[str, Check]) -> str:
+    film, margin = checks["C202"], checks["C203"]
+    word = "The film survives" if film.ok and margin.ok else "The film does not survive"
+    left = f"the pad that is unloaded most keeps {_percent(margin.value)} of the mean load"
+    if margin.value <= 0.0:
+        left = f"a pad leaves the collar (margin {_percent(margin.value)} of the mean load)"
+    sign = "≥" if film.ok else "<"
+    return (
+        f"{word}: thinnest film {_micro(film.value)} {sign} {_micro(film.limit)}, and {left}, whatever the phases."
+    )
+
+
+def _loss(result: Result, check: Check) -> str:
+    v = result.values
+    kept = "within" if check.ok else "beyond"
+    assert check.bound is Bound.AT_MOST
+    return (
+        f"Dynamic load: {_percent(v['loss_mean_bound'])} of the mean static pad load for any phases, {kept} "
+        f"the limit of "
+        f"{_percent(check.limit)}; {_percent(v['loss_mean_peak'])} with the phases given. Of the static load "
+        f"of the pad "
+        f"itself it is {_percent(v['loss_own_bound'])}: tilt counts on the mean basis only, since the "
+        f"tightest pad carries "
+        f"{v['pad_load_ratio']:.2f} times the mean."
+    )
+
+
+def _causes(result: Result) -> str:
+    v = result.values
+    first = max(CAUSES, key=lambda name: v[name])
+    return (
+        f"What dominates: {CAUSES[first]}. Runout alone gives {_percent(v['runout_share'])}, thrust ripple alone "
+        f"{_percent(v['ripple_share'])}; of their sum the tilt of the housing accounts for "
+        f"{_percent(v['tilt_share'])} and the elasticity of the shaft for {_percent(v['elasticity_share'])}. "
+        "More propeller damping cannot raise what the ripple does to a pad."
+    )
+
+
+def _ring(result: Result) -> str:
+    v = result.values
+    best = (
+        f"the least of the sweep is {_percent(v['best_ring_loss'])} on a ring of {_giga(v['best_ring_stiffness'])}"
+    )
+    if "half_load_ring_stiffness" in v:
+        half = _giga(v["half_load_ring_stiffness"])
+        said = f"A backing ring of {half} per pad would halve the dynamic load; {best}"
+    else:
+        said = f"No ring of the sweep halves the dynamic load; {best}"
+    return f"{said}. A soft ring evens out the tilt and keeps runout away, but lets the first frequency fall."
+
+
+def _bearable(result: Result, limit: float) -> str:
+    v = result.values
+    parts = []
+    if "admissible_runout" in v:
+        parts.append(
+            f"runout up to {_micro(v['admissible_runout'])} (indicator {_micro(2.0 * v['admissible_runout'])})"
+        )
+    if "admissible_tilt" in v:
+        parts.append(f"tilt up to {_micro(v['admissible_tilt'])}")
+    if "admissible_ripple" in v:
+        share = _percent(v["admissible_ripple"] / v["load"])
+        parts.append(f"thrust ripple up to {v['admissible_ripple'] / 1e3:.1f} kN, {share} of the thrust")
+    if not parts:
+        return ""
+    return f"Each alone, the others unchanged, keeps {_percent(limit)}: {'; '.join(parts)}."
+
+
+def _frequencies(result: Result) -> str:
+    v = result.values
+    first = v["natural_frequency_1"] / math.tau
+    said = f"First axial natural frequency {first:.1f} Hz"
+    if "damping_ratio_1" in v:
+        said += f", damping ratio {_percent(v['damping_ratio_1'])}"
+    if "frequency_separation" in v:
+        said += f"; the nearest excitation is {_percent(v['frequency_separation'])} away from a natural frequency"
+    barred = result.arrays.get("barred_ranges", ())
+    spans = [f"{_rpm(low)} to {_rpm(high)} rpm (order {order:g})" for low, high, order in barred]
+    if spans:
+        said += f". Within 20 % of it and to be barred or passed quickly: {', '.join(spans)}"
+    elif "campbell" in result.arrays:
+        said += ". No speed of the map comes within 20 % of it"
+    return f"{said}."
+
+
+def _nonlinear(result: Result) -> str:
+    v = result.values
+    return (
+        f"Nonlinear motion: largest load {v['nonlinear_load_peak'] / 1e3:.1f} kN above and "
+        f"{v['nonlinear_unload_peak'] / 1e3:.1f} kN below the static one, thinnest film "
+        f"{_micro(v['nonlinear_minimum_film'])}, mean films up to {_micro(v['mean_film_shift'])} thicker than "
+        f"at rest."
+    )
+
+
+def _percent(share: float) -> str:
+    return f"{100.0 * share:.1f} %"
+
+
+def _micro(length: float) -> str:
+    return f"{1e6 * length:.1f} µm"
+
+
+def _giga(stiffness: float) -> str:
+    return f"{stiffness / 1e9:.3g} GN/m"
+
+
+def _rpm(speed: float) -> str:
+    return f"{speed * 30.0 / math.pi:.0f}"

@@ -1,0 +1,130 @@
+"""How much of the static load the shaking takes: three losses, each with the peak and with the bound.
+
+L1 over the mean static load of a pad, L2 over the pad's own, L3 what is left on the pad that is unloaded most.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.shaft_line.forced import Forced, Part
+from babbitt.thrust.sharing import Share
+from babbitt.thrust.state import tilt_answer
+
+__all__ = ["FilmCheck", "Losses", "film_check", "losses_of"]
+
+Array = NDArray[np.float64]
+
+LINEAR_UP_TO = 0.2
+"""Dynamic over static film up to which the linear film holds: the error of a peak is about 5 % there."""
+
+
+@dataclass(frozen=True)
+class Losses:
+    """Shares of static load; ``_peak`` over one revolution with the phases given, ``_bound`` for any phases.
+
+    Attributes
+    ----------
+    mean_peak, mean_bound : float
+        L1: largest dynamic pad force over F0/z, the one that published percentages and the 50 % limit mean.
+    own_peak, own_bound : float
+        L2: largest ratio of dynamic force to the pad's own static load.
+    margin_peak, margin_bound : float
+        L3: least of static plus dynamic load over F0/z; 0 or less means that a pad leaves the collar.
+    worst_pad : int
+        Pad of the largest force, from 0.
+    """
+
+    mean_peak: float
+    mean_bound: float
+    own_peak: float
+    own_bound: float
+    margin_peak: float
+    margin_bound: float
+    worst_pad: int
+
+
+def losses_of(share: Share, forced: Forced) -> Losses:
+    """Losses of a bearing under all harmonics."""
+    mean, own = share.mean_load, share.loads
+    bounds = forced.bounds()
+    if forced.commensurate:
+        history = forced.force_history()
+        peaks, lowest = np.abs(history).max(axis=1), history.min(axis=1)
+    else:
+        peaks, lowest = bounds, -bounds
+    return Losses(
+        mean_peak=float(peaks.max() / mean),
+        mean_bound=float(bounds.max() / mean),
+        own_peak=float((peaks / own).max()),
+        own_bound=float((bounds / own).max()),
+        margin_peak=float((own + lowest).min() / mean),
+        margin_bound=float((own - bounds).min() / mean),
+        worst_pad=int(peaks.argmax()),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class FilmCheck:
+    """Thinnest dynamic films.
+
+    Attributes
+    ----------
+    thinnest : ndarray, shape (z,)
+        Least film of each pad over a revolution, m.
+    thinnest_bound : ndarray, shape (z,)
+        The same for any phases, m.
+    relative : ndarray, shape (z,)
+        Sum of the film amplitudes at the pivot over the static film: above 0.2 the linear film is off by more
+        than 5 %.
+    histories : ndarray, shape (z, angles)
+        Thinnest film over the points of each pad, m; empty where harmonics do not repeat together.
+    """
+
+    thinnest: Array
+    thinnest_bound: Array
+    relative: Array
+    histories: Array
+
+    @property
+    def linear(self) -> bool:
+        """Whether the linear film holds."""
+        return bool(self.relative.max() <= LINEAR_UP_TO)
+
+
+def film_check(share: Share, forced: Forced) -> FilmCheck:
+    """Films at the corners of all pads (at a grid, of pads with a face), static plus dynamic."""
+    bearing = share.bearing
+    basis = bearing.pad.watched()[0]
+    statics = np.array([state.watched_films() for state in share.states])
+    moving = [_moving(share, part, basis) for part in forced.parts]
+    relative = np.asarray(sum(np.abs(part.response.gaps) for part in forced.parts)) / share.heights
+    bound = statics - np.asarray(sum(np.abs(move) for move in moving))
+    if not forced.commensurate:
+        return FilmCheck(bound.min(axis=1), bound.min(axis=1), relative, np.zeros((bearing.number, 0)))
+    histories = np.array(
+        [
+            (forced.history([move[pad] for move in moving]) + statics[pad][:, None]).min(axis=0)
+            for pad in range(bearing.number)
+        ]
+    )
+    return FilmCheck(histories.min(axis=1), bound.min(axis=1), relative, histories)
+
+
+def _moving(share: Share, part: Part, basis: Array) -> NDArray[np.complex128]:
+    """Complex amplitudes of the film at the points of every pad, m, shape (z, points)."""
+    frequency = part.response.frequency
+    rows = []
+    for state, gap in zip(share.states, part.response.gaps, strict=True):
+        tilts = tilt_answer(state, frequency, share.bearing.inertia)
+        rows.append(gap * (basis @ np.array([1.0, *tilts])))
+    return np.array(rows)
+
+
+def separation(frequency: float, natural: float) -> float:
+    """Relative distance of an excitation from a natural frequency."""
+    return abs(frequency / natural - 1.0) if natural > 0.0 else math.inf

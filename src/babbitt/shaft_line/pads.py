@@ -1,0 +1,139 @@
+"""What the line feels of its pads: a complex stiffness each, from films or as given."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.notices import InputError
+from babbitt.thrust.bearing import ThrustBearing
+from babbitt.thrust.sharing import Share
+from babbitt.thrust.state import condensed
+
+__all__ = ["DynamicPads", "FilmPads", "GivenPads"]
+
+Array = NDArray[np.float64]
+ComplexArray = NDArray[np.complex128]
+
+
+class DynamicPads(Protocol):
+    """Pads that answer to the collar."""
+
+    @property
+    def phases(self) -> Array:
+        """Angles by which the collar passes each pad, rad, shape (z,)."""
+
+    @property
+    def ring_stiffness(self) -> float:
+        """c of the support under each pad, N/m; infinite for a rigid ring."""
+
+    @property
+    def pad_mass(self) -> float:
+        """kg."""
+
+    @property
+    def static_stiffness(self) -> Array:
+        """Stiffness at frequency zero, N/m: 2 W/h of plane pads."""
+
+    def film(self, frequency: float) -> ComplexArray:
+        """k + j nu d of each pad, N/m."""
+
+
+@dataclass(frozen=True)
+class GivenPads:
+    """Pads with stiffness (N/m) and damping (N s/m) given, the same at every frequency.
+
+    Attributes
+    ----------
+    stiffness, damping : tuple of float
+        One per pad.
+    ring_stiffness : float
+    pad_mass : float
+    sense : float
+        1: the collar passes the pads in their order.
+    """
+
+    stiffness: tuple[float, ...]
+    damping: tuple[float, ...]
+    ring_stiffness: float = math.inf
+    pad_mass: float = 0.0
+    sense: float = 1.0
+
+    def __post_init__(self) -> None:
+        if len(self.stiffness) != len(self.damping):
+            raise InputError(
+                "E203",
+                f"{len(self.stiffness)} pad stiffnesses and {len(self.damping)} dampings are "
+                "given; allowed: one of each per pad.",
+            )
+        if len(self.stiffness) < 2:
+            raise InputError("E203", f"{len(self.stiffness)} pads are given; allowed: 2 or more.")
+        for place, value in enumerate(self.stiffness, start=1):
+            if not (math.isfinite(value) and value > 0.0):
+                raise InputError("E203", f"stiffness of pad {place} is {value:g} N/m; it must be positive.")
+        for place, value in enumerate(self.damping, start=1):
+            if not (math.isfinite(value) and value >= 0.0):
+                raise InputError("E203", f"damping of pad {place} is {value:g} N s/m; it must be 0 or more.")
+        if not self.ring_stiffness > 0.0:
+            raise InputError("E203", f"stiffness of the ring is {self.ring_stiffness:g} N/m; it must be positive.")
+
+    @property
+    def phases(self) -> Array:
+        """Evenly spaced."""
+        z = len(self.stiffness)
+        return self.sense * 2.0 * math.pi * np.arange(z) / z
+
+    @property
+    def static_stiffness(self) -> Array:
+        """As given."""
+        return np.array(self.stiffness)
+
+    def film(self, frequency: float) -> ComplexArray:
+        """k + j nu d."""
+        return np.array(self.stiffness) + 1j * frequency * np.array(self.damping)
+
+
+@dataclass(frozen=True, eq=False)
+class FilmPads:
+    """Pads on their static films.
+
+    Attributes
+    ----------
+    share : Share
+    """
+
+    share: Share
+
+    @property
+    def bearing(self) -> ThrustBearing:
+        """The bearing."""
+        return self.share.bearing
+
+    @property
+    def phases(self) -> Array:
+        """Of the bearing."""
+        return self.bearing.phases()
+
+    @property
+    def ring_stiffness(self) -> float:
+        """Of the bearing."""
+        return self.bearing.ring_stiffness
+
+    @property
+    def pad_mass(self) -> float:
+        """Of the bearing."""
+        return self.bearing.pad_mass
+
+    @cached_property
+    def static_stiffness(self) -> Array:
+        """Condensed at frequency zero."""
+        return np.array([condensed(state, 0.0).real for state in self.share.states])
+
+    def film(self, frequency: float) -> ComplexArray:
+        """Condensed with the tilts free (R3)."""
+        return np.array([condensed(state, frequency, self.bearing.inertia) for state in self.share.states])

@@ -1,0 +1,261 @@
+"""Nonlinear motion: pads on the film forces of any height and tilt, shaft as rods, marched by a stiff solver."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.shaft_line.elements import shaft_elements
+from babbitt.shaft_line.model import LineState
+from babbitt.thrust.film_table import FilmTable, film_table
+from babbitt.thrust.state import tilt_answer
+
+__all__ = ["Transient", "transient"]
+
+Array = NDArray[np.float64]
+
+RODS = 3
+SAMPLES = 360
+"""Kept per revolution."""
+CONTACT = 1e-6
+"""Film at a corner that counts as contact, m: surfaces of a good finish touch there."""
+
+
+@dataclass(frozen=True, eq=False)
+class Transient:
+    """The last revolution of the nonlinear motion.
+
+    Attributes
+    ----------
+    angles : ndarray, shape (n,)
+        Of the shaft, rad.
+    loads : ndarray, shape (n, z)
+        W_i + N_i, N.
+    films : ndarray, shape (n, z)
+        At the pivots, m.
+    thinnest : ndarray, shape (n, z)
+        At the corners, m.
+    static_loads, static_films : ndarray, shape (z,)
+    outside : bool
+        Whether a pad tilted beyond the tabulated films.
+    steady : float
+        Difference of the loads at both ends of the revolution over the largest dynamic load: how far the motion
+        repeats.
+    """
+
+    angles: Array
+    loads: Array
+    films: Array
+    thinnest: Array
+    static_loads: Array
+    static_films: Array
+    outside: bool
+    steady: float
+
+    @property
+    def load_peaks(self) -> Array:
+        """Largest load above the static one, N."""
+        return np.asarray(self.loads.max(axis=0) - self.static_loads)
+
+    @property
+    def unload_peaks(self) -> Array:
+        """Largest load below the static one, N, positive."""
+        return np.asarray(self.static_loads - self.loads.min(axis=0))
+
+    @property
+    def peaks(self) -> Array:
+        """Largest departure either way, N."""
+        return np.maximum(self.load_peaks, self.unload_peaks)
+
+    @property
+    def film_shift(self) -> Array:
+        """Mean film less the static one, m."""
+        return np.asarray(self.films[:-1].mean(axis=0) - self.static_films)
+
+    @property
+    def lifts_off(self) -> bool:
+        """Whether a pad loses its load."""
+        return bool(self.loads.min() <= 0.0)
+
+    @property
+    def touches(self) -> bool:
+        """Whether a corner comes as close as surfaces are rough."""
+        return bool(self.thinnest.min() <= CONTACT)
+
+
+class Motion:
+    """Rates of (U, V, [U_h, V_h,] x, alpha_x, alpha_y); massless pads follow their films."""
+
+    def __init__(self, state: LineState, table: FilmTable) -> None:
+        duty, bearing = state.duty, state.duty.bearing
+        self.duty, self.bearing, self.table = duty, bearing, table
+        self.viscosity, self.c = state.films.viscosity, bearing.ring_stiffness
+        self.rigid = math.isinf(self.c)
+        shaft = shaft_elements(duty.line, RODS)
+        self.n, self.z = shaft.mass.shape[0], bearing.number
+        self.inverse_mass = np.linalg.inv(shaft.mass)
+        self.shaft, self.base = shaft, state.share.approach + bearing.departures()
+        self.mean_thrust = state.share.thrust
+        self.seat = duty.line.seating
+        self.held = [tilt for tilt in (1, 2) if tilt not in bearing.pad.free_tilts]
+        self.outside = False
+
+    def split(self, y: Array) -> tuple[Array, Array, Array, Array, Array]:
+        """U, V, housing (2,), x, slopes (z, 2)."""
+        n, z = self.n, self.z
+        housing = y[2 * n : 2 * n + 2] if self.seat is not None else np.zeros(2)
+        at = 2 * n + (2 if self.seat is not None else 0)
+        return y[:n], y[n : 2 * n], housing, y[at : at + z], y[at + z :].reshape(2, z).T
+
+    def runout(self, time: float) -> tuple[Array, Array]:
+        """xi_i and its rate."""
+        xi, rate = np.zeros(self.z), np.zeros(self.z)
+        speed = self.duty.speed
+        for part in self.duty.runouts:
+            phase = part.order * (speed * time - self.bearing.phases()) + part.phase
+            xi += part.amplitude * np.cos(phase)
+            rate -= part.amplitude * part.order * speed * np.sin(phase)
+        return xi, rate
+
+    def pads(self, time: float, y: Array) -> tuple[Array, Array, Array, Array]:
+        """Gaps, rates (z, 3) of gap and tilts, loads on the collar, and rates of x."""
+        u, v, housing, x, slopes = self.split(y)
+        xi, xi_rate = self.runout(time)
+        gaps = np.maximum(self.base + x - u[-1] - xi, 1e-9)
+        wedge, squeeze, outside = self.table.forces(gaps, slopes)
+        self.outside = self.outside or bool(outside.any())
+        right = wedge * (self.viscosity * self.duty.speed)
+        matrix = squeeze * self.viscosity
+        for tilt in self.held:
+            matrix = matrix.copy()
+            matrix[:, tilt, :], matrix[:, :, tilt] = 0.0, 0.0
+            matrix[:, tilt, tilt], right[:, tilt] = 1.0, 0.0
+        if self.rigid:
+            closing = -v[-1] - xi_rate
+            tilts = np.linalg.solve(
+                matrix[:, 1:, 1:], (right[:, 1:] - matrix[:, 1:, 0] * closing[:, None])[..., None]
+            )
+            rates = np.asarray(np.concatenate([closing[:, None], tilts[..., 0]], axis=1), dtype=np.float64)
+            loads = right[:, 0] - (matrix[:, 0, :] * rates).sum(axis=1)
+            return gaps, rates, loads, np.zeros(self.z)
+        loads = self.c * (x - housing[0])
+        right[:, 0] -= loads
+        rates = np.asarray(np.linalg.solve(matrix, right[..., None])[..., 0], dtype=np.float64)
+        return gaps, rates, loads, rates[:, 0] + v[-1] + xi_rate
+
+    def __call__(self, time: float, y: Array) -> Array:
+        """Rates of the state."""
+        u, v, housing, _, _ = self.split(y)
+        _, rates, loads, x_rate = self.pads(time, y)
+        force = -self.shaft.stiffness @ u - self.shaft.damping @ v
+        for part in self.duty.thrusts:
+            force[0] += part.amplitude * math.cos(part.order * self.duty.speed * time + part.phase)
+        force[-1] -= loads.sum() - self.mean_thrust
+        parts = [v, self.inverse_mass @ force]
+        if self.seat is not None:
+            seat = self.seat
+            pull = loads.sum() - self.mean_thrust - seat.stiffness * housing[0] - seat.damping * housing[1]
+            parts.append(np.array([housing[1], pull / max(seat.housing_mass, 1.0)]))
+        return np.concatenate([*parts, x_rate, rates[:, 1], rates[:, 2]])
+
+
+def transient(state: LineState, amplitude: float = 1.0, revolutions: int = 2) -> Transient:
+    """March the line from its linear answer until the motion repeats.
+
+    Pads are massless here; their inertia counts far above the excitations only.
+
+    Parameters
+    ----------
+    state : LineState
+        Of plane pads.
+    amplitude : float
+        Factor on all excitations.
+    revolutions : int
+        Of which the last is kept.
+
+    Raises
+    ------
+    InputError
+        E201 for pads whose films are not similar.
+    """
+    from scipy.integrate import solve_ivp
+
+    shaken = replace(state, duty=state.duty.with_runout(amplitude).with_ripple(amplitude))
+    motion = Motion(shaken, film_table(state.films))
+    speed = state.duty.speed
+    turn = 2.0 * math.pi / speed
+    times = turn * (revolutions - 1 + np.arange(SAMPLES + 1) / SAMPLES)
+    solved = solve_ivp(
+        motion,
+        (0.0, revolutions * turn),
+        _linear_start(state, motion, amplitude),
+        method="BDF",
+        t_eval=times,
+        rtol=1e-6,
+        atol=_tolerances(state, motion),
+        max_step=turn / 60.0,
+    )
+    loads, films, thinnest = [], [], []
+    corners = state.duty.bearing.pad.corners()
+    for time, y in zip(solved.t, solved.y.T, strict=True):
+        gaps, _, load, _ = motion.pads(time, y)
+        slopes = motion.split(y)[4]
+        loads.append(load)
+        films.append(gaps)
+        thinnest.append((corners @ np.column_stack([gaps, slopes]).T).min(axis=0))
+    array = np.array(loads)
+    moved = np.abs(array - state.share.loads).max()
+    return Transient(
+        angles=solved.t * speed - 2.0 * math.pi * (revolutions - 1),
+        loads=array,
+        films=np.array(films),
+        thinnest=np.array(thinnest),
+        static_loads=state.share.loads,
+        static_films=state.share.heights,
+        outside=motion.outside,
+        steady=float(np.abs(array[-1] - array[0]).max() / max(moved, 1e-300)),
+    )
+
+
+def _linear_start(state: LineState, motion: Motion, amplitude: float) -> Array:
+    """State at time 0 of the linear answer; along the shaft straight between its joints."""
+    line, parts = state.duty.line, state.forced.parts
+    n, z = motion.n, motion.z
+    u, v = np.zeros(n), np.zeros(n)
+    x = np.zeros(z) if motion.rigid else state.share.loads / motion.c
+    slopes = np.array([(pad.slope_x, pad.slope_y) for pad in state.share.states])
+    housing = np.zeros(2)
+    along = (
+        np.concatenate([[0.0], np.cumsum([rod.transit_time for rod in line.rods])]) if line.rods else np.zeros(1)
+    )
+    inner = np.linspace(0.0, along[-1], n)
+    for part in parts:
+        answer, nu = part.response, part.response.frequency
+        wave = np.interp(inner, along, answer.shaft.real) + 1j * np.interp(inner, along, answer.shaft.imag)
+        u += amplitude * wave.real
+        v += amplitude * (1j * nu * wave).real
+        x += amplitude * answer.pads.real
+        housing += amplitude * np.array([answer.housing.real, (1j * nu * answer.housing).real])
+        for i, pad in enumerate(state.share.states):
+            slopes[i] += amplitude * (answer.gaps[i] * tilt_answer(pad, nu, state.duty.bearing.inertia)).real
+    parts_of_state = [u, v, *([housing] if motion.seat is not None else []), x, slopes.T.ravel()]
+    return np.concatenate(parts_of_state)
+
+
+def _tolerances(state: LineState, motion: Motion) -> Array:
+    """Absolute tolerances: a ten-millionth of the film, and of the tilts and speeds that go with it."""
+    film = 1e-6 * float(state.share.heights.min()) * 0.1
+    n, z = motion.n, motion.z
+    seat = [film, film * state.duty.speed] if motion.seat is not None else []
+    return np.concatenate(
+        [
+            np.full(n, film),
+            np.full(n, film * state.duty.speed),
+            seat,
+            np.full(z, film),
+            np.full(2 * z, film),
+        ]
+    )

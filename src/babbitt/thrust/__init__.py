@@ -1,0 +1,1 @@
+"""Thrust bearings: pads that tilt on pivots or stand fixed, and how they share a load."""

@@ -1,0 +1,148 @@
+"""The tilt at which the moments about the pivot vanish, and the film that carries a load."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.notices import InputError
+from babbitt.thrust.pad import ThrustPad
+from babbitt.thrust.peak import peak_pressure
+from babbitt.thrust.state import PadState
+
+if TYPE_CHECKING:
+    from babbitt.film.sector import SectorFilm, SectorPad
+
+__all__ = ["UnbalancedPadError", "pad_state"]
+
+Array = NDArray[np.float64]
+
+MOMENT_TOLERANCE = 1e-10
+"""Of the moments over load times width of the pad."""
+MOST_STEPS = 25
+LEAST_GAP = 0.05
+"""Newton steps stop short of films thinner than this share of the height at the pivot."""
+FIRST_RISE = 0.35
+"""First guess of the fall of the film from the pivot to the trailing edge, over the height."""
+DEGREE = 8
+
+
+class UnbalancedPadError(InputError):
+    """No tilt balances the pad on its pivot."""
+
+
+def pad_state(
+    pad: ThrustPad,
+    height: float,
+    viscosity: float,
+    angular_speed: float,
+    guess: tuple[float, float] | None = None,
+    intervals: int | None = None,
+    degree: int = DEGREE,
+) -> PadState:
+    """Film of a pad whose pivot stands at a height and whose tilts are free.
+
+    Newton's method with the stiffness of the film.
+
+    Parameters
+    ----------
+    pad : ThrustPad
+    height : float
+        Film at the pivot, m.
+    viscosity, angular_speed : float
+        Pa s, rad/s, positive.
+    guess : tuple of float, optional
+        Slopes from which to start.
+    intervals, degree : int
+        Mesh along and across; see `ThrustPad.intervals`.
+
+    Raises
+    ------
+    InputError
+        E201 if the height is not positive; E202 if no tilt balances the pad.
+    """
+    if not (np.isfinite(height) and height > 0.0):
+        raise InputError("E201", f"film at the pivot is {height:g} m; it must be positive.")
+    from babbitt.film.sector import SectorPad  # numba is imported when the first film is solved
+
+    sector = SectorPad(
+        pad.inner_radius,
+        pad.outer_radius,
+        pad.extent,
+        viscosity,
+        angular_speed,
+        pad.form(),
+        turbulence=pad.turbulence,
+    )
+    mesh = (intervals or pad.intervals, degree)
+    free = list(pad.free_tilts)
+    motion = np.array([height, *(guess or _first_slopes(pad, height))])
+    to_film = pad.from_pivot()
+    film = _film(sector, to_film @ motion, mesh)
+    for _ in range(MOST_STEPS):
+        forces = to_film.T @ film.forces
+        if np.abs(forces[free]).max(initial=0.0) <= MOMENT_TOLERANCE * abs(forces[0]) * (
+            pad.outer_radius - pad.inner_radius
+        ):
+            return _state(pad, film, motion, viscosity, angular_speed)
+        stiffness = to_film.T @ film.stiffness @ to_film
+        step = np.zeros(3)
+        step[free] = np.linalg.solve(stiffness[np.ix_(free, free)], forces[free])
+        step = _within_reach(pad, motion, step)
+        motion = motion + step
+        film = _film(sector, to_film @ motion, mesh)
+    raise UnbalancedPadError(
+        "E202",
+        f"pivot at {pad.pivot_fraction:g} of the extent and radius {pad.pivot_radius:g} m: no tilt balances "
+        f"the pad. "
+        "A flat pad needs a pivot behind its middle, 0.5 of the extent, and near the mean radius.",
+    )
+
+
+def _first_slopes(pad: ThrustPad, height: float) -> tuple[float, float]:
+    behind = pad.pivot_radius * (1.0 - pad.pivot_fraction) * pad.extent
+    return (0.0, -FIRST_RISE * height / behind) if 2 in pad.free_tilts else (0.0, 0.0)
+
+
+def _film(sector: SectorPad, motion: Array, mesh: tuple[int, int]) -> SectorFilm:
+    from babbitt.film.sector import PlaneMotion, sector_film
+
+    return sector_film(sector, PlaneMotion(*(float(part) for part in motion)), intervals=mesh[0], degree=mesh[1])
+
+
+def _within_reach(pad: ThrustPad, motion: Array, step: Array) -> Array:
+    """The step, halved until the thinnest corner keeps its share of the height."""
+    corners = pad.corners()
+    for _ in range(MOST_STEPS):
+        if (corners @ (motion + step)).min() > LEAST_GAP * motion[0]:
+            return step
+        step = 0.5 * step
+    return step
+
+
+def _state(pad: ThrustPad, film: SectorFilm, motion: Array, viscosity: float, angular_speed: float) -> PadState:
+    to_film = pad.from_pivot()
+    basis, face = pad.watched()
+    thinnest = float((basis @ motion + face).min())
+    return PadState(
+        pad=pad,
+        film=film,
+        scale=(1.0, 1.0, 1.0),
+        height=float(motion[0]),
+        slope_x=float(motion[1]),
+        slope_y=float(motion[2]),
+        viscosity=viscosity,
+        angular_speed=angular_speed,
+        load=film.load,
+        stiffness=to_film.T @ film.stiffness @ to_film,
+        damping=to_film.T @ film.damping @ to_film,
+        minimum_film_thickness=thinnest,
+        maximum_pressure=peak_pressure(film),
+        leading_flow=film.leading_flow,
+        trailing_flow=film.trailing_flow,
+        inner_flow=film.inner_flow,
+        outer_flow=film.outer_flow,
+        friction_torque=film.friction_torque,
+    )

@@ -1,0 +1,81 @@
+"""Report, table and figures of thrust bearings and shaft lines hold what was computed."""
+
+import json
+
+import pytest
+
+from babbitt import parse_case
+from babbitt.cases import template
+from babbitt.report.content import content
+from babbitt.report.export import to_json
+from babbitt.report.figures import write_plots
+from babbitt.report.table import render
+from babbitt.report.thrust_tables import tables
+from babbitt.solving import solve
+
+LINE = template("thrust_line").replace("# speeds:", "speeds:").replace("number: 21", "number: 4")
+
+
+@pytest.fixture(scope="module")
+def line():
+    return solve(parse_case(LINE))
+
+
+@pytest.fixture(scope="module")
+def bearing():
+    return solve(parse_case(template("thrust")))
+
+
+def test_the_report_answers_and_tabulates(line):
+    (chapter,) = content(line)["bearings"]
+    assert len(chapter["answers"]) == 6
+    assert [table["title"] for table in chapter["tables"]] == [
+        "Pads at rest",
+        "Pads in motion",
+        "Damped modes",
+        "Backing rings",
+    ]
+    names = [figure["name"] for figure in chapter["figures"]]
+    assert names == ["pads-polar", "pad-pressure", "film-history", "mode-shapes", "ring-sweep", "campbell"]
+    assert all(figure["svg"].lstrip().startswith("<?xml") for figure in chapter["figures"])
+    titles = [group["title"] for group in chapter["inputs"]]
+    assert titles == ["As given", "Lubricant"]
+    json.dumps(chapter)
+
+
+def test_tables_have_a_row_a_pad_with_the_loads_of_the_result(bearing):
+    (at_rest,) = tables(bearing.results[0])
+    assert len(at_rest["rows"]) == 8
+    assert all(len(row) == len(at_rest["columns"]) for row in at_rest["rows"])
+    total = sum(float(row[1]) for row in at_rest["rows"])
+    assert total == pytest.approx(500.0, abs=0.5)
+
+
+def test_figures_are_written_one_file_each(bearing, tmp_path):
+    files = write_plots(bearing, tmp_path, "png")
+    assert sorted(file.name for file in files) == ["01-pad-pressure.png", "01-pads-polar.png"]
+    assert all(file.read_bytes().startswith(b"\x89PNG") for file in files)
+
+
+def test_the_terminal_shows_the_answers(line):
+    from rich.console import Console
+
+    console = Console(width=140, record=True, file=None, quiet=False)
+    with console.capture() as caught:
+        console.print(render(line.name, line.results, 140))
+    assert "What dominates: the runout of the collar" in caught.get()
+
+
+def test_json_holds_pads_and_rings(line):
+    (record,) = to_json(line)["bearings"]
+    assert len(record["results"]["pad_load"][0]) == 8
+    assert len(record["results"]["ring_sweep"]) == 40
+    assert len(record["results"]["campbell"]) == 4
+
+
+def test_the_report_is_typeset(line, bearing):
+    from babbitt.report.document import report
+
+    assert report(line, "pdf").startswith(b"%PDF")
+    page = report(bearing, "html").decode()
+    assert "Pads at rest" in page

@@ -1,0 +1,108 @@
+"""A shaft line from case to result: values, verdicts, doubts, answers in sentences."""
+
+import math
+
+import pytest
+
+from babbitt import parse_case
+from babbitt.cases import template
+from babbitt.notices import InputError
+from babbitt.report.thrust_words import answers
+from babbitt.solving import solve
+
+BASE = template("thrust_line").replace("amplitude: 4 um", "amplitude: 5 um")
+
+
+def result(*changes):
+    text = BASE
+    for old, new in changes:
+        assert old in text, old
+        text = text.replace(old, new)
+    return solve(parse_case(text)).results[0]
+
+
+@pytest.fixture(scope="module")
+def base():
+    return result()
+
+
+def test_the_base_case(base):
+    assert 100.0 * base.loss_mean_bound == pytest.approx(52.8, abs=0.3)
+    assert 100.0 * base.loss_mean_peak == pytest.approx(52.4, abs=0.3)
+    assert base.dynamic_minimum_film == pytest.approx(19.6e-6, rel=5e-3)
+    assert base.natural_frequency_1 / math.tau == pytest.approx(27.24, rel=1e-3)
+    assert not base.within_limits
+    codes = {check.code: check.ok for check in base.checks}
+    assert codes == {"C201": False, "C202": True, "C203": True, "C204": True}
+    assert not base.warnings
+
+
+def test_what_a_surveyor_asks_is_answered(base):
+    said = " ".join(answers(base))
+    for words in (
+        "The film survives: thinnest film 19.6 µm",
+        "beyond the limit of 50.0 %",
+        "What dominates: the runout of the collar",
+        "would halve the dynamic load",
+        "runout up to 4.5 µm",
+    ):
+        assert words in said
+
+
+def test_a_film_that_does_not_survive_says_so():
+    found = result(("amplitude: 5 um", "amplitude: 40 um"))
+    assert answers(found)[0].startswith("The film does not survive")
+    assert "W202" in [notice.code for notice in found.warnings]
+    assert not {check.code: check.ok for check in found.checks}["C203"]
+
+
+def test_an_excitation_near_a_mode_is_doubted():
+    """A softer seating brings the first mode to 11 Hz; blade frequency is 8.3 Hz, at 160 rpm 10.7 Hz."""
+    found = result(
+        ("# seating: {stiffness: 2 GN/m, housing_mass: 12 t}", "seating: {stiffness: 0.3 GN/m}"),
+        ("speed: 125 rpm", "speed: 160 rpm"),
+    )
+    assert "W203" in [notice.code for notice in found.warnings]
+    assert found.frequency_separation < 0.2
+
+
+def test_a_resonance_without_damping_is_refused_through_the_front_door():
+    """Films always damp, so that the refusal belongs to given pads; here the line answers."""
+    found = result(("damping: 80 kN s/m, ", ""))
+    assert found.outcome.solved
+    with pytest.raises(InputError):
+        parse_case(BASE.replace("speed: 125 rpm", "speed: 0 rpm"))
+
+
+def test_shaft_pieces_in_series_with_a_flange():
+    two = "  - {length: 15 m, diameter: 360 mm, end_mass: 300 kg}\n  - {length: 15 m, diameter: 360 mm}\n"
+    found = result(("  - {length: 30 m, diameter: 360 mm}\n", two))
+    assert found.natural_frequency_1 / math.tau == pytest.approx(27.1, abs=0.15)
+
+
+def test_the_campbell_map_names_barred_speeds():
+    found = result(
+        (
+            "# speeds: {lowest: 60 rpm, highest: 140 rpm, number: 21}",
+            "speeds: {lowest: 100 rpm, highest: 500 rpm, number: 9}",
+        )
+    )
+    (low, high, order), *_ = found.arrays["barred_ranges"]
+    assert order == 4.0
+    assert 290.0 < low * 30.0 / math.pi < high * 30.0 / math.pi < 500.0
+    assert "to be barred" in " ".join(answers(found))
+
+
+def test_without_excitation_nothing_is_lost():
+    found = result(
+        ("  - {share: 10 %}                   # blade frequency\n", "  - {share: 0 %}\n"),
+        ("amplitude: 5 um", "amplitude: 0 um"),
+    )
+    assert found.loss_mean_bound == pytest.approx(0.0, abs=1e-12)
+    assert found.dynamic_minimum_film == pytest.approx(found.minimum_film_thickness)
+
+
+def test_no_harmonic_at_all_is_not_checked():
+    start, end = BASE.index("ripple:"), BASE.index("film_limit:")
+    found = solve(parse_case(BASE[:start] + BASE[end:])).results[0]
+    assert [notice.code for notice in found.not_checked] == ["C201"]

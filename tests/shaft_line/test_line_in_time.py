@@ -1,0 +1,89 @@
+"""The march in time against the frequency domain (B5), and the nonlinear pads."""
+
+import numpy as np
+import pytest
+from trawler_line import RIPPLE, RUNOUT, duty, given_pads, line
+from trawler_pads import INERTIA, PAD, SPEED, VISCOSITY
+
+from babbitt.shaft_line.forced import forced
+from babbitt.shaft_line.march import march
+from babbitt.shaft_line.model import state_of
+from babbitt.shaft_line.transient import transient
+from babbitt.thrust.carrying import carrying
+from babbitt.thrust.equilibrium import pad_state
+from babbitt.thrust.film_table import film_table
+
+FILMS = carrying(PAD, VISCOSITY, SPEED)
+
+
+def test_the_march_meets_the_frequency_domain():
+    """B5: amplitudes 1e-5, peaks 1e-3, with every tilt of every pad in the march."""
+    state = state_of(duty(), FILMS)
+    found = march(state.duty.line, state.pads, SPEED, (RIPPLE,), (RUNOUT,))
+    for part in state.forced.parts:
+        amplitudes = found.amplitudes(int(part.harmonic.order))
+        scale = np.abs(part.response.forces).max()
+        assert np.abs(amplitudes - part.response.forces).max() < 1e-5 * scale
+        gaps = part.response.gaps
+        wave = np.exp(-1j * part.harmonic.order * found.angles)
+        assert np.abs(2.0 / wave.size * (wave @ found.gaps) - gaps).max() < 2e-5 * np.abs(gaps).max()
+    assert found.peaks == pytest.approx(state.forced.peaks(), rel=1e-3)
+
+
+def test_the_march_on_given_pads():
+    found = march(line(), given_pads(), SPEED, (RIPPLE,), (RUNOUT,))
+    expected = forced(line(), given_pads(), SPEED, (RIPPLE,), (RUNOUT,))
+    assert found.peaks == pytest.approx(expected.peaks(), rel=1e-3)
+
+
+def test_the_table_holds_the_film_off_its_nodes():
+    table = film_table(FILMS)
+    height, slopes = 40e-6, np.array([[1.3e-5, -1.9e-4]])
+    wedge, squeeze, outside = table.forces(np.array([height]), slopes)
+    assert not outside.any()
+    from babbitt.film.sector import PlaneMotion, SectorPad, sector_film
+
+    sector = SectorPad(PAD.inner_radius, PAD.outer_radius, PAD.extent, VISCOSITY, SPEED)
+    to_film = PAD.from_pivot()
+    film = sector_film(sector, PlaneMotion(*(to_film @ np.array([height, *slopes[0]]))), intervals=PAD.intervals)
+    forces = to_film.T @ film.forces
+    assert wedge[0] * VISCOSITY * SPEED == pytest.approx(forces, rel=1e-3, abs=1e-4 * film.load)
+    assert squeeze[0] * VISCOSITY == pytest.approx(to_film.T @ film.damping @ to_film, rel=2e-3)
+    assert pad_state(PAD, 50e-6, VISCOSITY, SPEED).load == pytest.approx(FILMS.load(50e-6), rel=1e-9)
+
+
+def test_small_nonlinear_motion_is_the_linear_one():
+    """Massless pads in both; the load peak within 0.5 %, what is left of second order in the unloading 1 %."""
+    from dataclasses import replace
+
+    light = replace(duty(), bearing=replace(duty().bearing, pad_mass=0.0, inertia=type(INERTIA)()))
+    state = state_of(light, FILMS)
+    found = transient(state, 0.05)
+    assert found.steady < 5e-3
+    history = 0.05 * state.forced.force_history()
+    assert found.load_peaks.max() == pytest.approx(history.max(), rel=5e-3)
+    assert found.unload_peaks.max() == pytest.approx(-history.min(), rel=1e-2)
+    assert not found.outside
+    assert not found.lifts_off
+    assert not found.touches
+
+
+def test_golden_nonlinear_motion():
+    """Load peak over the linear one 1.005 at once, and the films grow on the mean (rectification)."""
+    state = state_of(duty(), FILMS)
+    found = transient(state)
+    assert found.load_peaks.max() / state.forced.peaks().max() == pytest.approx(1.005, abs=0.005)
+    assert found.thinnest.min() == pytest.approx(19.77e-6, rel=0.01)
+    assert np.all(found.film_shift > 0.0)
+    assert np.all(found.load_peaks > 0.0)
+    assert np.all(found.unload_peaks > 0.0)
+
+
+def test_crowned_pads_have_no_similar_films_to_march():
+    from dataclasses import replace
+
+    from babbitt.notices import InputError
+
+    crowned = replace(PAD, crown=10e-6)
+    with pytest.raises(InputError, match="similar"):
+        film_table(carrying(crowned, VISCOSITY, SPEED))

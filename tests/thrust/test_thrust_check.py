@@ -1,0 +1,162 @@
+"""Thrust bearings from case to result: heat balance, doubts, either sense, given film, unsolved cases."""
+
+import math
+
+import pytest
+
+from babbitt import parse_case
+from babbitt.cases import template
+from babbitt.notices import InputError
+from babbitt.solving import solve
+from babbitt.thrust.design import GivenThrust, Oil, operating_state
+from babbitt.thrust.heat import HeatBalance, temperatures_of
+
+GIVEN = "{kind: viscosity, viscosity: 45 mPa s}"
+BALANCE = "{kind: heat_balance, lubricant: ISO VG 100, supply_temperature: 45 degC"
+
+
+def text(oil=GIVEN, **changes):
+    lines = {
+        "babbitt": "1",
+        "kind": "thrust",
+        "name": "Block",
+        "thrust": "500 kN",
+        "speed": "125 rpm",
+        "oil": oil,
+        "ring_stiffness": "20 GN/m",
+        "tilt": "{offset: 30 um}",
+        "pads": "{number: 8, inner_radius: 190 mm, "
+        "outer_radius: 375 mm, extent: 36 deg, pivot: {kind: point, radius: 290 mm, fraction: 0.6}}",
+    } | changes
+    return "\n".join(f"{key}: {value}" for key, value in lines.items() if value is not None)
+
+
+def result(**changes):
+    return solve(parse_case(text(**changes))).results[0]
+
+
+def test_the_case_gives_the_reference_share():
+    found = result()
+    assert found.outcome.solved
+    loads = [load / 1e3 for load in found.arrays["pad_load"][0]]
+    assert loads == pytest.approx([122.84, 93.08, 51.13, 31.27, 26.20, 31.27, 51.13, 93.08], rel=5e-3)
+    assert found.load == pytest.approx(500e3)
+    assert found.axial_stiffness == pytest.approx(sum(found.arrays["pad_stiffness"][0]))
+    assert len(found.arrays["full_stiffness"]) == 3
+
+
+@pytest.mark.parametrize("carry_over", [0.0, 0.5, 0.85])
+def test_the_heat_balance_closes(carry_over):
+    """P = rho c Q_fresh (T_drain - T_s), and mixing at the leading edges: Q_in T_in = lambda Q_t T_t + Q_fresh
+    T_s.
+    """
+    found = result(oil=f"{BALANCE}, carry_over: {carry_over}}}")
+    assert abs(found.energy_balance_error) < 1e-9
+    case = parse_case(text(oil=f"{BALANCE}, carry_over: {carry_over}}}"))
+    design = case.thrust_design()
+    state = operating_state(design)
+    temperatures = state.temperatures
+    trailing = sum(pad.trailing_flow for pad in state.share.states)
+    leading = sum(pad.leading_flow for pad in state.share.states)
+    mixed = carry_over * trailing * temperatures.trailing + temperatures.fresh_flow * temperatures.supply
+    assert leading * temperatures.inlet == pytest.approx(mixed, rel=1e-9)
+    oil = design.oil.lubricant
+    assert state.films.viscosity == pytest.approx(oil.dynamic_viscosity(temperatures.effective), rel=1e-9)
+    heat = oil.volumetric_heat_capacity(temperatures.effective)
+    carried = heat * temperatures.fresh_flow * (temperatures.drain - temperatures.supply)
+    assert carried == pytest.approx(found.friction_power, rel=1e-6)
+
+
+def test_more_hot_oil_carried_over_makes_warmer_thinner_films():
+    found = [result(oil=f"{BALANCE}, carry_over: {share}}}") for share in (0.0, 0.4, 0.8)]
+    films = [one.minimum_film_thickness for one in found]
+    assert films == sorted(films, reverse=True)
+    assert found[0].pad_inlet_temperature == pytest.approx(318.15)
+    assert found[0].effective_temperature < found[1].effective_temperature < found[2].effective_temperature
+
+
+def test_a_given_film_finds_its_thrust():
+    found = result(thrust=None, film="50 um", tilt=None, ring_stiffness=None)
+    assert found.pivot_film_thickness == pytest.approx(50e-6, rel=1e-9)
+    again = result(thrust=f"{found.load} N", tilt=None, ring_stiffness=None)
+    assert again.pivot_film_thickness == pytest.approx(50e-6, rel=1e-9)
+
+
+def test_a_crowned_pad_runs_both_ways_alike():
+    pads = (
+        "{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, crown: 20 um, "
+        "pivot: {kind: point, radius: 287 mm, fraction: 0.5}}"
+    )
+    ahead, astern = (result(pads=pads, speed=speed, thrust="100 kN") for speed in ("125 rpm", "-125 rpm"))
+    assert astern.minimum_film_thickness == pytest.approx(ahead.minimum_film_thickness, rel=1e-6)
+
+
+def test_taper_land_pads_run_one_way():
+    pads = (
+        "{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, pivot: {kind: fixed}, "
+        "face: {kind: taper, depth: 40 um, fraction: 0.7}}"
+    )
+    assert result(pads=pads, thrust="200 kN").outcome.solved
+    with pytest.raises(InputError, match="carries nothing"):
+        result(pads=pads, thrust="200 kN", speed="-125 rpm")
+
+
+def test_turbulence_is_told_or_computed():
+    fast = {
+        "speed": "6000 rpm",
+        "oil": "{kind: viscosity, viscosity: 5 mPa s}",
+        "thrust": "300 kN",
+        "tilt": None,
+        "ring_stiffness": None,
+    }
+    laminar, turbulent = result(**fast), result(**fast, turbulence="ng_pan")
+    assert "W204" in [notice.code for notice in laminar.warnings]
+    assert "W204" not in [notice.code for notice in turbulent.warnings]
+    assert turbulent.minimum_film_thickness > laminar.minimum_film_thickness
+    assert turbulent.friction_power > laminar.friction_power
+
+
+@pytest.mark.parametrize(("tilt", "doubted"), [("30 um", False), ("200 um", True)])
+def test_a_tilt_as_large_as_the_film_is_doubted(tilt, doubted):
+    found = result(tilt=f"{{offset: {tilt}}}", ring_stiffness=None)
+    assert ("W201" in [notice.code for notice in found.warnings]) is doubted
+
+
+def test_a_thin_film_breaks_its_limit():
+    assert not result(thrust="20 MN").within_limits
+    assert result(film_limit="1 um").within_limits
+
+
+def test_friction_that_outruns_the_oil_is_no_solution():
+    found = result(oil=f"{BALANCE}, carry_over: 0.99}}", thrust="300 MN", speed="30000 rpm")
+    assert not found.outcome.solved
+    assert found.message
+
+
+def test_runout_raises_the_load_of_a_slowly_turning_collar():
+    found = result(runout="5 um")
+    assert found.quasi_static_load_ratio > found.pad_load_ratio
+
+
+def test_pad_heights_reach_the_pads():
+    found = result(
+        tilt=None,
+        pads="{number: 2, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, "
+        "heights: [5 um, -5 um], pivot: {kind: line, radius: 290 mm, fraction: 0.6}}",
+        thrust="120 kN",
+    )
+    first, second = found.arrays["pad_load"][0]
+    assert first > 1.2 * second
+    assert found.settings["pivot"] == "line"
+
+
+def test_the_template_has_its_heat_balance():
+    design = parse_case(template("thrust")).thrust_design()
+    assert isinstance(design.oil, Oil)
+    assert isinstance(design.duty, GivenThrust)
+    state = operating_state(design)
+    balance = design.oil.balance
+    assert isinstance(balance, HeatBalance)
+    again = temperatures_of(balance, state.share.states, state.temperatures.effective)
+    assert again.effective == pytest.approx(state.temperatures.effective, abs=1e-5)
+    assert math.isclose(again.fresh_flow, state.temperatures.fresh_flow, rel_tol=1e-9)
