@@ -127,25 +127,6 @@ def bearing_content(chapter: Chapter) -> Data:
     """
     shown, several = chapter.shown, len(chapter.members) > 1
     case, result = chapter.shown_case, shown.result
-    drawings: tuple[Drawing, ...] = ()
-    by_standard = case if isinstance(case, DesignCase) else None
-    if by_standard is not None and result.outcome.solved:
-        drawings = draw(by_standard, result, clearance_range(by_standard))
-    elif isinstance(case, FilmCase):
-        drawings = report_figures(case, result)
-    elif isinstance(case, LongFilmCase | SegmentCase):
-        drawings = figures_along_the_film(case, result)
-    elif isinstance(case, HeelCase):
-        drawings = tuple(
-            drawing
-            for member in chapter.members
-            if isinstance(member.case, HeelCase)
-            for drawing in heel_figures(member.case, member.result)
-        )
-    elif isinstance(case, HydrostaticCase | JackingCase):
-        drawings = hydrostatic_figures(case, result)
-    elif isinstance(case, ThrustDesign | LineDesign):
-        drawings = thrust_figures(case, result)
     sources = sources_of(chapter.results)
     checks = [check_content(check, sources) for check in solved_checks(result)]
     return {
@@ -187,9 +168,30 @@ def bearing_content(chapter: Chapter) -> Data:
                 "svg": drawing.image.decode(),
                 "wide": drawing.wide,
             }
-            for drawing in drawings
+            for drawing in figures_of(chapter)
         ],
     }
+
+
+def figures_of(chapter: Chapter) -> tuple[Drawing, ...]:
+    """Figures of a chapter, by what was computed."""
+    case, result = chapter.shown_case, chapter.shown.result
+    match case:
+        case DesignCase() if result.outcome.solved:
+            return draw(case, result, clearance_range(case))
+        case FilmCase():
+            return report_figures(case, result)
+        case LongFilmCase() | SegmentCase():
+            return figures_along_the_film(case, result)
+        case HeelCase():
+            states = [(member.case, member.result) for member in chapter.members]
+            return tuple(one for own, of in states if isinstance(own, HeelCase) for one in heel_figures(own, of))
+        case HydrostaticCase() | JackingCase():
+            return hydrostatic_figures(case, result)
+        case ThrustDesign() | LineDesign():
+            return thrust_figures(case, result)
+        case _:
+            return ()
 
 
 def _sections(case: EveryDesign | None, chapter: Chapter) -> tuple[Section, ...]:

@@ -104,17 +104,19 @@ def _belongs(member: Member, before: Member) -> bool:
 
 
 def _without_clearance(case: EveryDesign) -> EveryDesign:
-    if isinstance(case, HeelCase):
-        return replace(case, footstep=case.smooth, other=None)
-    if isinstance(case, FilmCase):
-        return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
-    if isinstance(case, LongFilmCase):
-        return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
-    if isinstance(case, SegmentCase):
-        return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
-    if isinstance(case, HydrostaticCase | JackingCase | ThrustDesign | LineDesign):
-        return case
-    return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
+    match case:
+        case HydrostaticCase() | JackingCase() | ThrustDesign() | LineDesign():
+            return case
+        case HeelCase():
+            return replace(case, footstep=case.smooth, other=None)
+        case FilmCase():  # the branches are equal, their types are not
+            return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
+        case LongFilmCase():
+            return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
+        case SegmentCase():
+            return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
+        case _:
+            return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
 
 
 def _chapter(members: Sequence[Member]) -> Chapter:

@@ -124,16 +124,17 @@ def _clearance_caption(clearance: ClearanceRange) -> str:
 
 
 def _all_of(case: EveryDesign, result: Result, image_format: str) -> tuple[Drawing, ...]:
-    if isinstance(case, FilmCase):
-        return all_figures(case, result, image_format)
-    if isinstance(case, LongFilmCase | SegmentCase):
-        return figures_along_the_film(case, result, image_format)
-    if isinstance(case, HeelCase):
-        return heel_figures(case, result, image_format)
-    if isinstance(case, HydrostaticCase | JackingCase):
-        return hydrostatic_figures(case, result, image_format)
-    if isinstance(case, ThrustDesign | LineDesign):
-        return thrust_figures(case, result, image_format)
+    match case:
+        case FilmCase():
+            return all_figures(case, result, image_format)
+        case LongFilmCase() | SegmentCase():
+            return figures_along_the_film(case, result, image_format)
+        case HeelCase():
+            return heel_figures(case, result, image_format)
+        case HydrostaticCase() | JackingCase():
+            return hydrostatic_figures(case, result, image_format)
+        case ThrustDesign() | LineDesign():
+            return thrust_figures(case, result, image_format)
     return draw(case, result, clearance_range(case), image_format)
 
 

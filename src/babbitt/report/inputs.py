@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from babbitt.bearings.model import FilmCase
@@ -98,58 +98,58 @@ def inputs(case: EveryDesign) -> tuple[InputGroup, ...]:
     tuple of InputGroup
         Groups that say nothing are left out.
     """
-    if isinstance(case, HeelCase):
-        said = (
-            (title, tuple(Row(what, value, None, unit) for what, value, unit in rows))
-            for title, rows in heel_inputs(case)
-        )
-        found = (_as_given(case), *(InputGroup(title, rows) for title, rows in said))
-        return tuple(group for group in found if group.rows)
-    if isinstance(case, ThrustDesign | LineDesign):
-        return thrust_inputs(case)
-    if isinstance(case, HydrostaticCase | JackingCase):
-        found = (_as_given(case), *_hydrostatic(case))
-        return tuple(group for group in found if group.rows)
-    if isinstance(case, LongFilmCase | SegmentCase):
-        geometry, method = _one_dimension_geometry(case), _one_dimension_method(case)
-    elif isinstance(case, FilmCase):
-        geometry, method = _film_geometry(case), _film_method(case)
-    else:
-        geometry, method = _geometry(case), _method(case)
-    groups = (
-        _as_given(case),
-        InputGroup("Geometry", tuple(geometry)),
-        InputGroup("Operation", tuple(_operation(case))),
-        InputGroup("Lubricant", tuple(_lubricant(case))),
-        InputGroup("Oil supply", tuple(_supply(case))),
-        InputGroup("Cooling by the surroundings", tuple(_cooling(case))),
-        InputGroup("Surfaces", tuple(_surfaces(case))),
-        InputGroup("Material", tuple(_material(case))),
-        InputGroup("Method", (*method, *_limits(case))),
-    )
-    return tuple(group for group in groups if group.rows)
+    match case:
+        case HeelCase():
+            groups = _in_words(heel_inputs(case))
+        case HydrostaticCase() | JackingCase():
+            groups = _in_words(hydrostatic_inputs(case))
+        case ThrustDesign() | LineDesign():
+            groups = _thrust(case)
+        case _:
+            groups = _journal(case)
+    return tuple(group for group in (_as_given(case), *groups) if group.rows)
+
+
+def _in_words(said: Iterable[tuple[str, Iterable[tuple[str, str, str]]]]) -> Iterator[InputGroup]:
+    """Groups of rows that another module has put into words."""
+    for title, rows in said:
+        yield InputGroup(title, tuple(Row(what, plain_text(value), None, unit) for what, value, unit in rows))
+
+
+def _journal(case: JournalDesign) -> Iterator[InputGroup]:
+    match case:
+        case LongFilmCase() | SegmentCase():
+            geometry, method = _one_dimension_geometry(case), _one_dimension_method(case)
+        case FilmCase():
+            geometry, method = _film_geometry(case), _film_method(case)
+        case _:
+            geometry, method = _geometry(case), _method(case)
+    yield InputGroup("Geometry", tuple(geometry))
+    yield InputGroup("Operation", tuple(_operation(case)))
+    yield InputGroup("Lubricant", tuple(_oil_rows(case.lubricant)))
+    yield InputGroup("Oil supply", tuple(_supply(case)))
+    yield InputGroup("Cooling by the surroundings", tuple(_cooling(case)))
+    yield InputGroup("Surfaces", tuple(_surfaces(case)))
+    yield InputGroup("Material", tuple(_material(case)))
+    yield InputGroup("Method", (*method, *_limits(case)))
 
 
 def _as_given(case: EveryDesign) -> InputGroup:
     return InputGroup("As given", tuple(Row(plain_text(what), plain_text(words)) for what, words in case.given))
 
 
-def _hydrostatic(case: HydrostaticCase | JackingCase) -> Iterator[InputGroup]:
-    for title, rows in hydrostatic_inputs(case):
-        yield InputGroup(title, tuple(Row(what, plain_text(value), None, unit) for what, value, unit in rows))
+def _thrust(case: ThrustDesign | LineDesign) -> Iterator[InputGroup]:
+    """Of a thrust bearing or a shaft line: its oil; the case file says the rest."""
+    yield InputGroup("Lubricant", (*_oil_rows(case.lubricant), *_thrust_oil(case)))
 
 
-def thrust_inputs(case: ThrustDesign | LineDesign) -> tuple[InputGroup, ...]:
-    """Inputs of a thrust bearing or a shaft line: as the case gave them, and its oil."""
-    bearing = case.thrust if isinstance(case, LineDesign) else case
-    rows = list(_oil_rows(case.lubricant))
-    oil = bearing.oil
+def _thrust_oil(case: ThrustDesign | LineDesign) -> Iterator[Row]:
+    oil = (case.thrust if isinstance(case, LineDesign) else case).oil
     if oil.supply_temperature is not None:
-        rows.append(_named("supply_temperature", oil.supply_temperature))
-        rows.append(Row("Hot oil carried over", f"{100.0 * oil.carry_over:.4g}", None, "%"))
+        yield _named("supply_temperature", oil.supply_temperature)
+        yield Row("Hot oil carried over", f"{100.0 * oil.carry_over:.4g}", None, "%")
     if oil.effective_temperature is not None:
-        rows.append(_named("effective_temperature", oil.effective_temperature, "Prescribed effective temperature"))
-    return (_as_given(case), InputGroup("Lubricant", tuple(rows)))
+        yield _named("effective_temperature", oil.effective_temperature, "Prescribed effective temperature")
 
 
 def _named(name: str, value: float, given_label: str = "") -> Row:
@@ -270,10 +270,6 @@ def _operation(case: JournalDesign) -> Iterator[Row]:
             yield Row("Mass that moves with the journal", f"{case.moving_mass:.4g}", None, "kg")
     if case.effective_temperature is not None:
         yield _named("effective_temperature", case.effective_temperature, "Prescribed effective temperature")
-
-
-def _lubricant(case: JournalDesign) -> Iterator[Row]:
-    yield from _oil_rows(case.lubricant)
 
 
 def _oil_rows(oil: Lubricant) -> Iterator[Row]:
