@@ -1,0 +1,220 @@
+"""A film on its lines with the temperature in it: one pass of Reynolds equation, energy equation and walls."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.film._energy import Columns, Flows, Walls, gather_flows, new_flows, spread_viscosity, sweep_energy
+from babbitt.film.general import Sample
+from babbitt.film.heat import ConductingWalls, FilmHeat
+from babbitt.film.ring import TURN, Ring
+
+__all__ = ["WallState", "WarmRing", "columns_of"]
+
+Array = NDArray[np.float64]
+FILM_CONDUCTANCE = 2.5
+"""Conductance from the mean of a film to a wall over k/h, with which walls are corrected between passes; the answer
+does not depend on it (parallel plates: 2 for a linear, 3 for a parabolic profile)."""
+MOST_IMPEDANCE = 1e3
+"""K m2/W, stands for an insulated bush: with it 1 W/m2 would raise the bush by 1000 K."""
+
+
+@dataclass(eq=False)
+class WallState:
+    """Temperatures of the walls, K, and what couples the bush to itself.
+
+    `response` turns heat fluxes into the bush (W/m2, one a line) into bore temperatures over the ambient one.
+    """
+
+    bush: Array
+    journal: float
+    response: Array | None
+    bush_flux: Array
+    journal_heat: float = 0.0
+
+
+@dataclass(eq=False)
+class WarmRing:
+    """Film and temperature on one ring.
+
+    Attributes
+    ----------
+    sample : Sample
+    heat : FilmHeat
+    columns : Columns
+    flows : Flows
+    temperature : ndarray, shape (lines, columns, layers)
+        K.
+    groove : ndarray, shape (supplies,)
+        Mixing temperature of every supply, K.
+    walls : WallState
+    rise : float
+        mu omega R^2 / (rho c c^2): temperature per unit of dissipation over flow, K.
+    flow_heat : float
+        rho c omega R c B: heat per unit of flow and kelvin, W/K.
+    """
+
+    sample: Sample
+    heat: FilmHeat
+    columns: Columns
+    flows: Flows
+    temperature: Array
+    groove: Array
+    walls: WallState
+    reference_viscosity: float
+    rise: float
+    flow_heat: float
+    area: float
+    clearance: float
+    dissipation: float = 0.0
+    friction: float = 0.0
+
+    @classmethod
+    def of(cls, sample: Sample, heat: FilmHeat, viscosity: float, diameter: float, width: float, clearance: float,
+           speed: float) -> WarmRing:  # fmt: skip
+        """Film at the supply temperature."""
+        columns = columns_of(sample.ring, heat)
+        lines, count, layers = *columns.supply.shape, columns.layer.size
+        radius, stored = 0.5 * diameter, heat.volumetric_heat_capacity
+        cold = heat.supply_temperature
+        return cls(
+            sample, heat, columns, new_flows(lines, sample.ring.surface.step.size, count, layers),
+            np.full((lines, count, layers), cold), np.full(int(columns.supply.max()) + 1, cold),
+            walls_of(sample.ring, heat, lines), viscosity,
+            viscosity * speed * radius**2 / (stored * clearance**2), stored * speed * radius * clearance * width,
+            radius * width, clearance,
+        )  # fmt: skip
+
+    @property
+    def conduction(self) -> float:
+        """k / (rho c omega c^2)."""
+        return self.heat.conductivity * self.area / (self.clearance * self.flow_heat)
+
+    def kernel_walls(self) -> Walls:
+        """Walls as the kernels take them."""
+        adiabatic = self.heat.walls is None
+        lines = self.walls.bush.size
+        return Walls(
+            conduction=self.conduction, bush=self.walls.bush,
+            resistance=np.full(lines, -1.0 if adiabatic else 0.0), journal=self.walls.journal, insulated=adiabatic,
+            fresh=np.full(self.groove.size, self.heat.supply_temperature), ambient=self.heat.supply_temperature,
+        )  # fmt: skip
+
+    def relative_viscosity(self) -> Array:
+        """Viscosity of every layer over the reference."""
+        return np.asarray(self.heat.viscosity(self.temperature)) / self.reference_viscosity
+
+    def advance(self, at: Array, sweeps: int) -> tuple[int, float]:
+        """One pass at a journal position: number of nodes that changed sides, largest change of temperature, K."""
+        surface = self.sample.ring.surface
+        viscosity = self.relative_viscosity()
+        spread_viscosity(surface, self.columns, viscosity, self.flows)
+        changed = self.sample.evaluate(at)
+        self.gather(at)
+        change = self.sweep(viscosity, sweeps, 1e-9)
+        return changed, max(change, self.correct_walls())
+
+    def gather(self, at: Array) -> None:
+        """Flows and heat of the Reynolds solution."""
+        sample = self.sample
+        self.dissipation, self.friction = gather_flows(
+            sample.ring.surface, sample.film, sample.work, at, self.columns, self.flows
+        )
+        self.flows.heat[:] *= self.rise
+
+    def sweep(self, viscosity: Array, most: int, tolerance: float) -> float:
+        """Energy equation with the flows as they stand; change of the last sweep, K."""
+        surface = self.sample.ring.surface
+        return float(
+            sweep_energy(surface, self.columns, self.flows, self.kernel_walls(), viscosity, self.temperature,
+                         self.groove, most, tolerance)
+        )  # fmt: skip
+
+    def correct_walls(self) -> float:
+        """New wall temperatures from the heat that they take; their largest change, K."""
+        walls = self.heat.walls
+        if walls is None:
+            return 0.0
+        film = self.conductances()
+        bush, journal = self.wall_heat()
+        width = self.line_widths()
+        old, old_journal = self.walls.bush, self.walls.journal
+        self.walls.bush_flux = bush / (self.area * width)
+        conductance = FILM_CONDUCTANCE * film / (self.area * width)
+        if self.walls.response is not None:
+            response = self.walls.response
+            right = walls.bush.ambient_temperature + response @ (self.walls.bush_flux + conductance * old)
+            self.walls.bush = np.linalg.solve(np.eye(old.size) + response * conductance[None, :], right)
+        self.walls.journal_heat = float(journal.sum())
+        if walls.journal.temperature is None:
+            taken, loss = FILM_CONDUCTANCE * film.sum(), walls.journal.shaft_conductance
+            gained = self.walls.journal_heat + taken * old_journal + loss * walls.journal.ambient_temperature
+            self.walls.journal = float(gained / (taken + loss))
+        return max(float(np.abs(self.walls.bush - old).max()), abs(self.walls.journal - old_journal))
+
+    def line_widths(self) -> Array:
+        """Angle that belongs to every line, rad."""
+        step, lines = self.sample.ring.surface.step, self.walls.bush.size
+        width = np.zeros(lines)
+        width[: step.size] += 0.5 * step
+        np.add.at(width, (np.arange(step.size) + 1) % lines, 0.5 * step)
+        return width
+
+    def conductances(self) -> Array:
+        """k/h times area of the film of every line, W/K; none over grooves."""
+        flows, columns = self.flows, self.columns
+        per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
+        return np.asarray(self.conduction * self.flow_heat * self.line_widths() * per.sum(axis=1))
+
+    def wall_heat(self) -> tuple[Array, Array]:
+        """Heat that every line gives to bush and journal, W."""
+        flows, columns, layer = self.flows, self.columns, self.columns.layer
+        per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
+        scale = self.conduction * self.flow_heat * self.line_widths()[:, None] * per
+        bush = scale * 2.0 / layer[0] * (self.temperature[:, :, 0] - self.walls.bush[:, None])
+        journal = scale * 2.0 / layer[-1] * (self.temperature[:, :, -1] - self.walls.journal)
+        return bush.sum(axis=1), journal.sum(axis=1)
+
+
+def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
+    """Columns of a ring: all nodes together, or each its own where asked for or where supplies are narrower."""
+    supply, sides = ring.supply, list(ring.mesh.side_nodes)
+    inner = np.setdiff1d(np.arange(supply.shape[1]), sides)
+    whole = (supply[:, inner] == supply[:, inner[:1]]).all(axis=1)
+    resolved = heat.grid.resolved or not bool(whole.all())
+    node_share = np.bincount(ring.surface.node, ring.surface.share, minlength=supply.shape[1])
+    side = np.zeros(supply.shape[1], dtype=np.int64)
+    side[sides] = 1
+    if not resolved:
+        return Columns(np.zeros(supply.shape[1], dtype=np.int64), supply[:, inner[:1]].copy(), side,
+                       heat.grid.thicknesses(), np.array([node_share.sum()]))  # fmt: skip
+    cells = supply.copy()
+    cells[:, sides] = -1
+    grooved = whole & (supply[:, inner[0]] >= 0)
+    cells[np.ix_(grooved, sides)] = supply[grooved][:, inner[:1]]
+    return Columns(np.arange(supply.shape[1]), cells, side, heat.grid.thicknesses(), node_share)
+
+
+def walls_of(ring: Ring, heat: FilmHeat, lines: int) -> WallState:
+    """Walls at the supply temperature, and the response of the bush."""
+    cold, walls = heat.supply_temperature, heat.walls
+    none = np.zeros(lines)
+    if not isinstance(walls, ConductingWalls):
+        return WallState(np.full(lines, cold), cold, None, none)
+    theta = ring.theta[:lines]
+    step = np.diff(ring.theta)
+    width = np.zeros(lines)
+    width[: step.size] += 0.5 * step
+    np.add.at(width, (np.arange(step.size) + 1) % lines, 0.5 * step)
+    harmonics = lines // 2
+    impedance = np.minimum(walls.bush.impedances(harmonics), MOST_IMPEDANCE)
+    order = np.arange(harmonics + 1)
+    cosine, sine = np.cos(np.outer(theta, order)), np.sin(np.outer(theta, order))
+    weight = impedance / np.where(order == 0, TURN, math.pi)
+    response = ((cosine * weight) @ cosine.T + (sine * weight) @ sine.T) * width[None, :]
+    journal = cold if walls.journal.temperature is None else walls.journal.temperature
+    return WallState(np.full(lines, cold), journal, response, none)
