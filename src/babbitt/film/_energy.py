@@ -201,7 +201,7 @@ def gather_flows(surface, film, work, at, columns, flows):
         through = 0.0
         for j in range(nodes):
             c = columns.column[j]
-            through -= leaving[j]
+            through += leaving[j]
             if j < nodes - 1 and columns.column[j + 1] != c:
                 flows.axial[i, c] += through
             flows.heat[i, c] += warmth[i, j]
@@ -273,7 +273,8 @@ def cell(surface, columns, flows, walls, viscosity, temperature, i, c, low, diag
         else:
             right[k] -= phi * temperature[after, c, k]
         profile = flows.pressure_profile[east, c, k]
-        net += (leak + outward - inward) * profile
+        behind = flows.pressure_profile[east, c - 1, k] if c > 0 else 0.0
+        net += (leak + outward) * profile - inward * behind
         if leak > 0.0:
             diagonal[k] += leak * profile
         else:
@@ -283,14 +284,15 @@ def cell(surface, columns, flows, walls, viscosity, temperature, i, c, low, diag
         elif outward < 0.0:
             right[k] -= outward * profile * temperature[i, c + 1, k]
         if inward > 0.0:
-            right[k] += inward * profile * temperature[i, c - 1, k]
+            right[k] += inward * behind * temperature[i, c - 1, k]
         else:
-            diagonal[k] -= inward * profile
+            diagonal[k] -= inward * behind
         across -= net
         if k < layers - 1:
             between = conduct / (0.5 * (columns.layer[k] + columns.layer[k + 1]))
             if between > 0.0:
-                up, down = between * bernoulli(-across / between), between * bernoulli(across / between)
+                down = between * bernoulli(across / between)
+                up = down + across
             else:
                 up, down = max(across, 0.0), max(-across, 0.0)
             diagonal[k] += up

@@ -19,6 +19,8 @@ Array = NDArray[np.float64]
 FILM_CONDUCTANCE = 2.5
 """Conductance from the mean of a film to a wall over k/h, with which walls are corrected between passes; the answer
 does not depend on it (parallel plates: 2 for a linear, 3 for a parabolic profile)."""
+RELAX = 0.65
+"""Share of a new viscosity field that a pass takes: load, position and heat answer each other with a swing."""
 MOST_IMPEDANCE = 1e3
 """K m2/W, stands for an insulated bush: with it 1 W/m2 would raise the bush by 1000 K."""
 
@@ -72,6 +74,7 @@ class WarmRing:
     clearance: float
     dissipation: float = 0.0
     friction: float = 0.0
+    viscosity: Array | None = None
 
     @classmethod
     def of(cls, sample: Sample, heat: FilmHeat, viscosity: float, diameter: float, width: float, clearance: float,
@@ -111,7 +114,9 @@ class WarmRing:
     def advance(self, at: Array, sweeps: int) -> tuple[int, float]:
         """One pass at a journal position: number of nodes that changed sides, largest change of temperature, K."""
         surface = self.sample.ring.surface
-        viscosity = self.relative_viscosity()
+        fresh = self.relative_viscosity()
+        viscosity = fresh if self.viscosity is None else self.viscosity + RELAX * (fresh - self.viscosity)
+        self.viscosity = viscosity
         spread_viscosity(surface, self.columns, viscosity, self.flows)
         changed = self.sample.evaluate(at)
         self.gather(at)
@@ -155,6 +160,38 @@ class WarmRing:
             gained = self.walls.journal_heat + taken * old_journal + loss * walls.journal.ambient_temperature
             self.walls.journal = float(gained / (taken + loss))
         return max(float(np.abs(self.walls.bush - old).max()), abs(self.walls.journal - old_journal))
+
+    def start_from(self, coarse: WarmRing) -> None:
+        """Take over the temperatures of a coarser ring, linear between its lines."""
+        old, new = coarse.sample.ring.theta, self.sample.ring.theta
+        lines = self.temperature.shape[0]
+        rows = np.append(np.arange(coarse.temperature.shape[0]), 0)[: old.size]
+        after = np.clip(np.searchsorted(old, new[:lines] - 1e-12), 1, old.size - 1)
+        share = ((new[:lines] - old[after - 1]) / (old[after] - old[after - 1]))[:, None, None]
+        first, second = coarse.temperature[rows[after - 1]], coarse.temperature[rows[after]]
+        self.temperature[:] = (1.0 - share) * first + share * second
+        self.groove[:] = coarse.groove
+        flat = share[:, 0, 0]
+        self.walls.bush = (1.0 - flat) * coarse.walls.bush[rows[after - 1]] + flat * coarse.walls.bush[rows[after]]
+        self.walls.journal = coarse.walls.journal
+
+    def close(self, most: int, tolerance: float) -> float:
+        """Solve energy and walls beside the film as it stands; largest change of the last round, K."""
+        viscosity = self.relative_viscosity() if self.viscosity is None else self.viscosity
+        change = math.inf
+        for _ in range(most):
+            change = self.sweep(viscosity, 4, tolerance)
+            change = max(change, self.correct_walls())
+            if change < tolerance:
+                break
+        return change
+
+    def unit_friction(self) -> float:
+        """Friction power of the same film by shear alone at the reference viscosity."""
+        surface = self.sample.ring.surface
+        n = surface.step.size
+        per = np.where(self.columns.supply < 0, self.flows.fill * self.columns.size, 0.0)
+        return float((self.line_widths()[:, None] * per / np.maximum(self.flows.gap, 1e-12)).sum()) if n else 0.0
 
     def line_widths(self) -> Array:
         """Angle that belongs to every line, rad."""

@@ -1,0 +1,204 @@
+"""The door of the thermal film: where the journal rests when the oil heats itself.
+
+Every step is one pass of Reynolds equation, energy equation and walls (``warm_ring``), and one Newton step of the
+journal on the stiffness at frozen temperatures; on a coarse ring first, then on the fine one. At the end the film
+rests and the energy equation alone is solved until heat closes to round-off.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.film._equilibrium import CONTACT, CONVERGED, MODERATE_LOAD, NO_FILM, THINNEST, TOO_MANY_STEPS, damped_step
+from babbitt.film.general import Effort, Sample, SettledRing, line_density
+from babbitt.film.heat import FilmHeat
+from babbitt.film.model import JournalFilm, Resolution
+from babbitt.film.ring import Density, build_ring
+from babbitt.film.ring_solution import mirrored, ring_solution
+from babbitt.film.scales import Scales
+from babbitt.film.thermal_solution import ThermalFilm, thermal_film
+from babbitt.film.warm_ring import WarmRing
+from babbitt.notices import InputError
+
+__all__ = ["THERMAL_ENGINEERING", "THERMAL_REFERENCE", "solve_thermal_journal", "thermal_film_at"]
+
+Array = NDArray[np.float64]
+
+THERMAL_ENGINEERING = Resolution(4, 48, 24, 1e-6)
+THERMAL_REFERENCE = Resolution(6, 192, 96, 1e-7)
+
+SWEEPS = 2
+"""Of the energy equation in a pass."""
+SETTLED = 1e-3
+"""Change of temperature in a pass, K, at which film and temperature rest beside each other."""
+CLOSING, CLOSED = 400, 1e-10
+"""Sweeps that close the heat balance at most, and the change of temperature in K at which it counts as closed."""
+MOST_PASSES = 120
+
+
+@dataclass(frozen=True, eq=False)
+class WarmRest:
+    """Where a search ended."""
+
+    warm: WarmRing
+    position: Array
+    status: int
+    passes: int
+    gap: float
+
+
+def solve_thermal_journal(
+    film: JournalFilm, heat: FilmHeat, load: tuple[float, float], resolution: Resolution = THERMAL_ENGINEERING
+) -> ThermalFilm:
+    """Find where a film with its own temperatures carries a load.
+
+    Parameters
+    ----------
+    film : JournalFilm
+        ``viscosity`` is the unit of the calculation only; take that of the fresh oil.
+    heat : FilmHeat
+    load : tuple of float
+        Force on the journal, N.
+    resolution : Resolution
+
+    Returns
+    -------
+    ThermalFilm
+        Always; its film says whether it is an equilibrium.
+
+    Raises
+    ------
+    InputError
+        E101 if the load is not finite or the journal stands still.
+    """
+    begun = time.perf_counter()
+    if not all(math.isfinite(part) for part in load):
+        raise InputError("E101", f"load is {load}; both components must be finite, in N.")
+    if film.angular_speed == 0.0:
+        raise InputError("E101", "angular_speed is zero; a film at rest makes no heat and carries no steady load.")
+    scales = Scales.of(film, abs(film.angular_speed))
+    seen = mirrored(film) if film.angular_speed < 0.0 else film
+    found = search(seen, heat, scales, np.asarray(load) * scales.sense / scales.force, resolution)
+    return answer(film, seen, scales, found, begun)
+
+
+def thermal_film_at(
+    film: JournalFilm,
+    heat: FilmHeat,
+    position: tuple[float, float],
+    resolution: Resolution = THERMAL_ENGINEERING,
+) -> ThermalFilm:
+    """Film with its own temperatures at a prescribed position (m) of the journal; see `solve_thermal_journal`."""
+    begun = time.perf_counter()
+    scales = Scales.of(film, abs(film.angular_speed))
+    seen = mirrored(film) if film.angular_speed < 0.0 else film
+    at = np.asarray(position) * scales.sense / scales.length
+    effort = Effort(math.inf)
+    warm = fresh_ring(seen, heat, scales, 2 * resolution.intervals, resolution, None, effort)
+    gap = warm.sample.gap(at)
+    if not gap > 0.0:
+        return answer(film, seen, scales, WarmRest(warm, at, NO_FILM, 0, gap), begun)
+    status, passes = TOO_MANY_STEPS, 0
+    while passes < MOST_PASSES and status != CONVERGED:
+        passes += 1
+        changed, change = warm.advance(at, SWEEPS)
+        if changed == 0 and change < SETTLED:
+            status = CONVERGED
+    return answer(film, seen, scales, WarmRest(warm, at, status, passes, gap), begun)
+
+
+def search(film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution) -> WarmRest:
+    """A direct attempt, and if that loses the film, one that lets the load grow."""
+    found = attempt(film, heat, scales, load, resolution, 1.0)
+    if found.status != CONVERGED:
+        size = math.hypot(*load)
+        found = attempt(film, heat, scales, load, resolution, min(1.0, 0.1 * MODERATE_LOAD / max(size, 1e-300)))
+    return replace(found, status=NO_FILM) if found.gap < THINNEST else found
+
+
+def attempt(
+    film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution, share: float
+) -> WarmRest:
+    """Coarse rings under a growing load, then the fine ring."""
+    effort = Effort(math.inf)
+    per_turn = 2 * resolution.intervals
+    at, density, total = np.zeros(2), None, 0
+    warm: WarmRing | None = None
+    for _ in range(30):
+        warm = continued(fresh_ring(film, heat, scales, per_turn // 2, resolution, density, effort), warm)
+        found = rest(warm, share * load, at, 1e-3, 1.0)
+        total += found.passes
+        at, density = found.position, line_density(film, found.position, found.gap)
+        if found.status != CONVERGED:
+            return replace(found, passes=total)
+        if share == 1.0:
+            break
+        share = min(1.0, 3.0 * share)
+    warm = continued(fresh_ring(film, heat, scales, per_turn, resolution, density, effort), warm)
+    found = rest(warm, load, at, resolution.tolerance, SETTLED)
+    return replace(found, passes=total + found.passes)
+
+
+def fresh_ring(
+    film: JournalFilm, heat: FilmHeat, scales: Scales, per_turn: int, resolution: Resolution,
+    density: Density | None, effort: Effort,
+) -> WarmRing:  # fmt: skip
+    """Ring at the supply temperature."""
+    ring = build_ring(film, scales.pressure, per_turn, resolution.axial_unknowns, density)
+    return WarmRing.of(
+        Sample.of(ring, effort), heat, film.viscosity, film.diameter, film.width, film.clearance, scales.rate
+    )
+
+
+def continued(warm: WarmRing, before: WarmRing | None) -> WarmRing:
+    """Take over wet set and temperatures of a ring with the same columns."""
+    if before is not None:
+        warm.sample.start_from(before.sample)
+        warm.start_from(before)
+    return warm
+
+
+def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: float) -> WarmRest:
+    """Let film, temperature and journal come to rest on one ring."""
+    size_of_load = math.hypot(*load)
+    floor = tolerance * size_of_load + 1e-13
+    step_time, last = 0.0, 0.0
+    gap = warm.sample.gap(at)
+    if not gap > 0.0:
+        return WarmRest(warm, at, NO_FILM, 0, gap)
+    for passes in range(1, MOST_PASSES + 1):
+        changed, change = warm.advance(at, SWEEPS)
+        sample = warm.sample
+        residual = sample.force + load
+        size = math.hypot(*residual)
+        if not (math.isfinite(size) and math.isfinite(change)):
+            return WarmRest(warm, at, NO_FILM, passes, gap)
+        if size <= floor and change < settled and changed == 0:
+            return WarmRest(warm, at, CONVERGED, passes, gap)
+        flat = np.concatenate((sample.force, sample.stiffness.ravel(), sample.damping.ravel()))
+        dx, dy, step_time = damped_step(flat, residual[0], residual[1], size, last, size_of_load, gap, step_time)
+        move, last, halvings = np.array([dx, dy]), size, 0
+        new_gap = sample.gap(at + move)
+        while not new_gap > 0.4 * gap and halvings < 60:
+            move, halvings = 0.5 * move, halvings + 1
+            new_gap = sample.gap(at + move)
+        if not new_gap > CONTACT:
+            return WarmRest(warm, at, NO_FILM, passes, gap)
+        at, gap = at + move, new_gap
+    return WarmRest(warm, at, TOO_MANY_STEPS, MOST_PASSES, gap)
+
+
+def answer(film: JournalFilm, seen: JournalFilm, scales: Scales, found: WarmRest, begun: float) -> ThermalFilm:
+    """Close the heat balance, solve for the coefficients, and gather everything in SI and in the fixed frame."""
+    warm = found.warm
+    if found.status == CONVERGED:
+        warm.sample.evaluate(found.position, smooth=True)
+        warm.gather(found.position)
+        warm.close(CLOSING, CLOSED)
+    settled = SettledRing(seen, warm.sample, found.position, found.status, found.passes, found.gap)
+    return thermal_film(ring_solution(film, scales, settled, begun), scales, warm)
