@@ -177,11 +177,10 @@ def gather_flows(surface, film, work, at, columns, flows):
         after = (i + 1) % lines
         for j in range(nodes):
             c = columns.column[j]
-            flux = film.couette[i, j] * work.fill[i, j]
-            if surface.conserving and surface.held[i, j] and not work.holds[after, j]:
-                flux = film.inlet[i, j] * work.fill[i, j]
             drop = work.pressure[i, j] - work.pressure[after, j]
-            push = film.conductance[i, j] * drop
+            flux, push = film.couette[i, j] * work.fill[i, j], film.conductance[i, j] * drop
+            if surface.conserving and surface.held[i, j] and not work.holds[after, j]:
+                flux, push = film.inlet[i, j] * work.fill[i, j], 0.0
             flows.shear[i, c] += flux
             flows.pressure[i, c] += push
             friction -= flux * drop

@@ -39,6 +39,8 @@ SETTLED = 1e-3
 CLOSING, CLOSED = 400, 1e-10
 """Sweeps that close the heat balance at most, and the change of temperature in K at which it counts as closed."""
 MOST_PASSES = 120
+PATIENT_FROM, ROUNDS = 8, 8
+"""Pass from which on the wet set is let settle at every position, and in how many rounds."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,7 +174,7 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
     if not gap > 0.0:
         return WarmRest(warm, at, NO_FILM, 0, gap)
     for passes in range(1, MOST_PASSES + 1):
-        changed, change = warm.advance(at, SWEEPS)
+        changed, change = warm.advance(at, SWEEPS, 1 if passes < PATIENT_FROM else ROUNDS)
         sample = warm.sample
         residual = sample.force + load
         size = math.hypot(*residual)

@@ -111,14 +111,17 @@ class WarmRing:
         """Viscosity of every layer over the reference."""
         return np.asarray(self.heat.viscosity(self.temperature)) / self.reference_viscosity
 
-    def advance(self, at: Array, sweeps: int) -> tuple[int, float]:
+    def advance(self, at: Array, sweeps: int, rounds: int = 1) -> tuple[int, float]:
         """One pass at a journal position: number of nodes that changed sides, largest change of temperature, K."""
         surface = self.sample.ring.surface
         fresh = self.relative_viscosity()
         viscosity = fresh if self.viscosity is None else self.viscosity + RELAX * (fresh - self.viscosity)
         self.viscosity = viscosity
         spread_viscosity(surface, self.columns, viscosity, self.flows)
-        changed = self.sample.evaluate(at)
+        for _ in range(rounds):
+            changed = self.sample.evaluate(at)
+            if changed == 0:
+                break
         self.gather(at)
         change = self.sweep(viscosity, sweeps, 1e-9)
         return changed, max(change, self.correct_walls())
