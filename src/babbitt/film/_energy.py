@@ -222,15 +222,16 @@ def column_share(surface, j):
 
 @inlined
 def bernoulli(x):
-    """x / (exp(x) - 1)."""
-    if abs(x) < 1e-5:
-        return 1.0 - 0.5 * x
+    """x / (exp(x) - 1); by its series where conduction leads."""
+    if abs(x) < 0.3:
+        x2 = x * x
+        return 1.0 - 0.5 * x + x2 * (1.0 / 12.0 - x2 * (1.0 / 720.0 - x2 / 30240.0))
     if x > 500.0:
         return 0.0
     return x / (math.exp(x) - 1.0)
 
 
-@inner
+@inlined
 def cell(surface, columns, flows, walls, viscosity, temperature, i, c, low, diagonal, high, right):
     """Solve the layers of one cell, its neighbours as they are; returns the change of its temperatures."""
     lines, layers, n = temperature.shape[0], columns.layer.size, surface.step.size

@@ -36,7 +36,7 @@ SWEEPS = 2
 """Of the energy equation in a pass."""
 SETTLED = 1e-3
 """Change of temperature in a pass, K, at which film and temperature rest beside each other."""
-CLOSING, CLOSED = 400, 1e-10
+CLOSING, CLOSED = 400, 3e-8
 """Sweeps that close the heat balance at most, and the change of temperature in K at which it counts as closed."""
 MOST_PASSES = 120
 PATIENT_FROM, ROUNDS = 8, 8

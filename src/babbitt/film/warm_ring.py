@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,9 +35,12 @@ class WallState:
 
     bush: Array
     journal: float
-    response: Array | None
+    response: Array
     bush_flux: Array
     journal_heat: float = 0.0
+    conductance: Array = field(default_factory=lambda: np.zeros(0))
+    taken: float = 0.0
+    inverse: Array | None = None
 
 
 @dataclass(eq=False)
@@ -75,6 +79,7 @@ class WarmRing:
     dissipation: float = 0.0
     friction: float = 0.0
     viscosity: Array | None = None
+    film_moved: bool = True
 
     @classmethod
     def of(cls, sample: Sample, heat: FilmHeat, viscosity: float, diameter: float, width: float, clearance: float,
@@ -133,6 +138,7 @@ class WarmRing:
             sample.ring.surface, sample.film, sample.work, at, self.columns, self.flows
         )
         self.flows.heat[:] *= self.rise
+        self.film_moved = True
 
     def sweep(self, viscosity: Array, most: int, tolerance: float) -> float:
         """Energy equation with the flows as they stand; change of the last sweep, K."""
@@ -143,26 +149,35 @@ class WarmRing:
         )  # fmt: skip
 
     def correct_walls(self) -> float:
-        """New wall temperatures from the heat that they take; their largest change, K."""
-        walls = self.heat.walls
+        """New wall temperatures from the heat that they take; their largest change, K.
+
+        The film answers a warmer wall with less heat, about ``FILM_CONDUCTANCE`` k/h a kelvin: with that the bush
+        is solved as a whole, so that only the error of this guess is left to the next pass.
+        """
+        walls, state = self.heat.walls, self.walls
         if walls is None:
             return 0.0
-        film = self.conductances()
+        if state.inverse is None or self.film_moved:
+            self.prepare_walls()
         bush, journal = self.wall_heat()
-        width = self.line_widths()
-        old, old_journal = self.walls.bush, self.walls.journal
-        self.walls.bush_flux = bush / (self.area * width)
-        conductance = FILM_CONDUCTANCE * film / (self.area * width)
-        if self.walls.response is not None:
-            response = self.walls.response
-            right = walls.bush.ambient_temperature + response @ (self.walls.bush_flux + conductance * old)
-            self.walls.bush = np.linalg.solve(np.eye(old.size) + response * conductance[None, :], right)
-        self.walls.journal_heat = float(journal.sum())
+        old, old_journal = state.bush, state.journal
+        state.bush_flux = bush / (self.area * self.widths)
+        right = state.response @ (state.bush_flux + state.conductance * old) + walls.bush.ambient_temperature
+        state.bush = state.inverse @ right
+        state.journal_heat = float(journal.sum())
         if walls.journal.temperature is None:
-            taken, loss = FILM_CONDUCTANCE * film.sum(), walls.journal.shaft_conductance
-            gained = self.walls.journal_heat + taken * old_journal + loss * walls.journal.ambient_temperature
-            self.walls.journal = float(gained / (taken + loss))
-        return max(float(np.abs(self.walls.bush - old).max()), abs(self.walls.journal - old_journal))
+            loss = walls.journal.shaft_conductance
+            gained = state.journal_heat + state.taken * old_journal + loss * walls.journal.ambient_temperature
+            state.journal = float(gained / (state.taken + loss))
+        return max(float(np.abs(state.bush - old).max()), abs(state.journal - old_journal))
+
+    def prepare_walls(self) -> None:
+        """Conductances of the film as it stands, and the inverse of the bush beside them."""
+        state = self.walls
+        film = FILM_CONDUCTANCE * self.conductances()
+        state.conductance, state.taken = film / (self.area * self.widths), float(film.sum())
+        state.inverse = np.linalg.inv(np.eye(film.size) + state.response * state.conductance)
+        self.film_moved = False
 
     def start_from(self, coarse: WarmRing) -> None:
         """Take over the temperatures of a coarser ring, linear between its lines."""
@@ -194,27 +209,24 @@ class WarmRing:
         surface = self.sample.ring.surface
         n = surface.step.size
         per = np.where(self.columns.supply < 0, self.flows.fill * self.columns.size, 0.0)
-        return float((self.line_widths()[:, None] * per / np.maximum(self.flows.gap, 1e-12)).sum()) if n else 0.0
+        return float((self.widths[:, None] * per / np.maximum(self.flows.gap, 1e-12)).sum()) if n else 0.0
 
-    def line_widths(self) -> Array:
+    @cached_property
+    def widths(self) -> Array:
         """Angle that belongs to every line, rad."""
-        step, lines = self.sample.ring.surface.step, self.walls.bush.size
-        width = np.zeros(lines)
-        width[: step.size] += 0.5 * step
-        np.add.at(width, (np.arange(step.size) + 1) % lines, 0.5 * step)
-        return width
+        return line_widths(self.sample.ring, self.temperature.shape[0])
 
     def conductances(self) -> Array:
         """k/h times area of the film of every line, W/K; none over grooves."""
         flows, columns = self.flows, self.columns
         per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
-        return np.asarray(self.conduction * self.flow_heat * self.line_widths() * per.sum(axis=1))
+        return np.asarray(self.conduction * self.flow_heat * self.widths * per.sum(axis=1))
 
     def wall_heat(self) -> tuple[Array, Array]:
         """Heat that every line gives to bush and journal, W."""
         flows, columns, layer = self.flows, self.columns, self.columns.layer
         per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
-        scale = self.conduction * self.flow_heat * self.line_widths()[:, None] * per
+        scale = self.conduction * self.flow_heat * self.widths[:, None] * per
         bush = scale * 2.0 / layer[0] * (self.temperature[:, :, 0] - self.walls.bush[:, None])
         journal = scale * 2.0 / layer[-1] * (self.temperature[:, :, -1] - self.walls.journal)
         return bush.sum(axis=1), journal.sum(axis=1)
@@ -244,12 +256,9 @@ def walls_of(ring: Ring, heat: FilmHeat, lines: int) -> WallState:
     cold, walls = heat.supply_temperature, heat.walls
     none = np.zeros(lines)
     if not isinstance(walls, ConductingWalls):
-        return WallState(np.full(lines, cold), cold, None, none)
+        return WallState(np.full(lines, cold), cold, np.zeros((0, 0)), none)
     theta = ring.theta[:lines]
-    step = np.diff(ring.theta)
-    width = np.zeros(lines)
-    width[: step.size] += 0.5 * step
-    np.add.at(width, (np.arange(step.size) + 1) % lines, 0.5 * step)
+    width = line_widths(ring, lines)
     harmonics = lines // 2
     impedance = np.minimum(walls.bush.impedances(harmonics), MOST_IMPEDANCE)
     order = np.arange(harmonics + 1)
@@ -258,3 +267,12 @@ def walls_of(ring: Ring, heat: FilmHeat, lines: int) -> WallState:
     response = ((cosine * weight) @ cosine.T + (sine * weight) @ sine.T) * width[None, :]
     journal = cold if walls.journal.temperature is None else walls.journal.temperature
     return WallState(np.full(lines, cold), journal, response, none)
+
+
+def line_widths(ring: Ring, lines: int) -> Array:
+    """Half of the intervals beside every line, rad."""
+    step = np.diff(ring.theta)
+    width = np.zeros(lines)
+    width[: step.size] += 0.5 * step
+    np.add.at(width, (np.arange(step.size) + 1) % lines, 0.5 * step)
+    return width
