@@ -327,11 +327,13 @@ def sweep_energy(surface, columns, flows, walls, viscosity, temperature, groove,
     lines, count = temperature.shape[0], columns.size.size
     change = 0.0
     for _ in range(most):
-        change = mix_grooves(surface, columns, flows, walls, temperature, groove)
+        change = 0.0
         for i in range(lines):
             for c in range(count):
                 s = columns.supply[i, c]
                 if s >= 0:
+                    if (i == 0 or columns.supply[i - 1, c] != s) and (c == 0 or columns.supply[i, c - 1] != s):
+                        change = max(change, mix(surface, columns, flows, walls, temperature, groove, s))
                     for k in range(layers):
                         temperature[i, c, k] = groove[s]
                 elif flows.gap[i, c] > 0.0:
@@ -344,17 +346,15 @@ def sweep_energy(surface, columns, flows, walls, viscosity, temperature, groove,
 
 
 @inner
-def mix_grooves(surface, columns, flows, walls, temperature, groove):
-    """Mixing temperature of every supply: what the film brings, the heat in it, and fresh oil for the rest."""
-    change = 0.0
-    for s in range(groove.size):
-        brought, enthalpy, taken = groove_balance(surface, columns, flows, temperature, s)
-        fresh = max(taken - brought, 0.0)
-        if brought + fresh > 0.0:
-            value = (enthalpy + fresh * walls.fresh[s]) / (brought + fresh)
-            change = max(change, abs(value - groove[s]))
-            groove[s] = value
-    return change
+def mix(surface, columns, flows, walls, temperature, groove, s):
+    """Mixing temperature of a supply: what the film brings, the heat in it, and fresh oil for the rest."""
+    brought, enthalpy, taken = groove_balance(surface, columns, flows, temperature, s)
+    fresh = max(taken - brought, 0.0)
+    if brought + fresh <= 0.0:
+        return 0.0
+    before = groove[s]
+    groove[s] = (enthalpy + fresh * walls.fresh[s]) / (brought + fresh)
+    return abs(groove[s] - before)
 
 
 @compiled
