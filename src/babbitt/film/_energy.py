@@ -11,7 +11,7 @@ Balance of layer k of a cell, phi the flows through its faces (upwind along the 
 
     sum_out phi T_k - sum_in phi T_up + flux_k+1/2 - flux_k-1/2 = heat_k
 
-Dimensionless as ``_surface_film``; heat is dissipation times mu omega R^2 / (rho c c^2), a temperature times a flow.
+Dimensionless as ``_surface_film``; heat is dissipation times mu omega R^2 / (rho c c^2), temperature times flow.
 Source: Dowson, A generalized Reynolds equation for fluid-film lubrication, Int. J. Mech. Sci. 4 (1962) 159-170;
 exponential fluxes: Patankar, Numerical Heat Transfer and Fluid Flow (1980), 5.2.
 """
@@ -82,7 +82,7 @@ def new_flows(lines, n, columns, layers):
 
 @compiled
 def spread_viscosity(surface, columns, viscosity, flows):
-    """Effective viscosity and drag of every interval from those of the layers (lines, columns, layers), in place."""
+    """Effective viscosity and drag of every interval from the viscosity (lines, columns, layers), in place."""
     n, layers = surface.step.size, columns.layer.size
     lines = viscosity.shape[0]
     effective, drag = np.empty(columns.size.size), np.empty(columns.size.size)
@@ -321,7 +321,7 @@ def cell(surface, columns, flows, walls, viscosity, temperature, i, c, low, diag
 
 @compiled
 def sweep_energy(surface, columns, flows, walls, viscosity, temperature, groove, most, tolerance):
-    """March round the film until its temperatures rest; ``groove`` are those of the supplies. Returns the change."""
+    """March round the film until its temperatures, and those of the supplies, rest. Returns the last change."""
     layers = columns.layer.size
     low, diagonal, high, right = np.empty(layers), np.empty(layers), np.empty(layers), np.empty(layers)
     lines, count = temperature.shape[0], columns.size.size

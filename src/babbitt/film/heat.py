@@ -60,7 +60,7 @@ class BushRing:
         if len(self.radii) != len(self.conductivities) + 1 or not self.conductivities:
             raise InputError("E101", "a bush needs one radius more than conductivities, from the bore outwards.")
         if not all(a < b for a, b in zip(self.radii, self.radii[1:], strict=False)):
-            raise InputError("E101", f"radii of the bush are {self.radii} m; they must rise from the bore outwards.")
+            raise InputError("E101", f"radii of the bush are {self.radii} m; they must rise outwards.")
         if min(self.conductivities) <= 0.0 or self.heat_transfer_coefficient < 0.0:
             raise InputError("E101", "conductivities of the bush must be positive, the heat transfer coefficient "
                              "outside zero or more.")  # fmt: skip
@@ -68,8 +68,8 @@ class BushRing:
     def impedances(self, harmonics: int) -> Array:
         """Bore temperature over heat flux into the bore for cos(m theta), m = 0 .. harmonics, K m2/W.
 
-        From the outside in: with the ratio z = T / q at the outer radius b of a ring of conductivity k, at its inner
-        radius a
+        From the outside in: with the ratio z = T / q at the outer radius b of a ring of conductivity k, at its
+        inner radius a
 
             m = 0:  z_a = a (z_b / b + ln(b/a) / k)
             m > 0:  z_a = (a/(k m)) (t + v) / (1 + t v),  t = tanh(m ln(b/a)),  v = z_b k m / b

@@ -14,7 +14,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._equilibrium import CONTACT, CONVERGED, MODERATE_LOAD, NO_FILM, THINNEST, TOO_MANY_STEPS, damped_step
+from babbitt.film._equilibrium import (
+    CONTACT,
+    CONVERGED,
+    MODERATE_LOAD,
+    NO_FILM,
+    THINNEST,
+    TOO_MANY_STEPS,
+    damped_step,
+)
 from babbitt.film.general import Effort, Sample, SettledRing, line_density
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm, Resolution

@@ -123,7 +123,6 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing) -> ThermalF
     half = 0.5 * film.film.width
     nodes = warm.sample.ring.mesh.nodes * half
     resolved = columns.size.size > 1
-    power = warm.friction * scales.torque * scales.rate
     return ThermalFilm(
         film=replace(film, friction_torque=warm.friction * scales.torque),
         axial_positions=nodes if resolved else np.zeros(1),
@@ -136,5 +135,5 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing) -> ThermalF
         bush_flux=warm.walls.bush_flux.copy(),
         journal_temperature=warm.walls.journal,
         heat=HeatSplit(dissipation, over_sides + back, bush, journal),
-        effective_viscosity=warm.reference_viscosity * power / max(warm.unit_friction() * scales.torque * scales.rate, 1e-300),
+        effective_viscosity=warm.reference_viscosity * warm.friction / max(warm.unit_friction(), 1e-300),
     )

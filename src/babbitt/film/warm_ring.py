@@ -18,28 +18,32 @@ __all__ = ["WallState", "WarmRing", "columns_of"]
 
 Array = NDArray[np.float64]
 FILM_CONDUCTANCE = 2.5
-"""Conductance from the mean of a film to a wall over k/h, with which walls are corrected between passes; the answer
-does not depend on it (parallel plates: 2 for a linear, 3 for a parabolic profile)."""
+"""Conductance from the mean of a film to a wall over k/h, with which walls are corrected between passes; the
+answer does not depend on it (parallel plates: 2 for a linear, 3 for a parabolic profile)."""
 RELAX = 0.65
 """Share of a new viscosity field that a pass takes: load, position and heat answer each other with a swing."""
-MOST_IMPEDANCE = 1e3
-"""K m2/W, stands for an insulated bush: with it 1 W/m2 would raise the bush by 1000 K."""
+ALIKE = 0.2
+"""Change of the film's conductance, over its largest, up to which the inverse of the bush is kept."""
+MOST_HARMONICS = 32
+"""Of the temperature around the bore; a ring of steel damps the last a hundred times as much as the first."""
 
 
 @dataclass(eq=False)
 class WallState:
-    """Temperatures of the walls, K, and what couples the bush to itself.
+    """Temperatures of the walls, K, and the harmonics of the bush.
 
-    `response` turns heat fluxes into the bush (W/m2, one a line) into bore temperatures over the ambient one.
+    The bush is described by ``admittance`` (heat flux into the bore over its temperature, W/(m2 K)) of every
+    cosine and sine; ``analysis`` (modes, lines) takes a flux at the lines apart, ``synthesis`` (lines, modes) builds it.
     """
 
     bush: Array
     journal: float
-    response: Array
     bush_flux: Array
+    analysis: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    synthesis: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    admittance: Array = field(default_factory=lambda: np.zeros(0))
     journal_heat: float = 0.0
     conductance: Array = field(default_factory=lambda: np.zeros(0))
-    taken: float = 0.0
     inverse: Array | None = None
 
 
@@ -79,7 +83,6 @@ class WarmRing:
     dissipation: float = 0.0
     friction: float = 0.0
     viscosity: Array | None = None
-    film_moved: bool = True
 
     @classmethod
     def of(cls, sample: Sample, heat: FilmHeat, viscosity: float, diameter: float, width: float, clearance: float,
@@ -138,7 +141,6 @@ class WarmRing:
             sample.ring.surface, sample.film, sample.work, at, self.columns, self.flows
         )
         self.flows.heat[:] *= self.rise
-        self.film_moved = True
 
     def sweep(self, viscosity: Array, most: int, tolerance: float) -> float:
         """Energy equation with the flows as they stand; change of the last sweep, K."""
@@ -157,27 +159,28 @@ class WarmRing:
         walls, state = self.heat.walls, self.walls
         if walls is None:
             return 0.0
-        if state.inverse is None or self.film_moved:
-            self.prepare_walls()
+        film = FILM_CONDUCTANCE * self.conductances()
+        self.prepare_bush(film / (self.area * self.widths))
         bush, journal = self.wall_heat()
         old, old_journal = state.bush, state.journal
         state.bush_flux = bush / (self.area * self.widths)
-        right = state.response @ (state.bush_flux + state.conductance * old) + walls.bush.ambient_temperature
-        state.bush = state.inverse @ right
+        ambient = walls.bush.ambient_temperature
+        answer = times(state.analysis, state.bush_flux + state.conductance * (old - ambient))
+        state.bush = ambient + times(state.synthesis, times(state.inverse, answer))
         state.journal_heat = float(journal.sum())
         if walls.journal.temperature is None:
-            loss = walls.journal.shaft_conductance
-            gained = state.journal_heat + state.taken * old_journal + loss * walls.journal.ambient_temperature
-            state.journal = float(gained / (state.taken + loss))
+            taken, loss = float(film.sum()), walls.journal.shaft_conductance
+            gained = state.journal_heat + taken * old_journal + loss * walls.journal.ambient_temperature
+            state.journal = float(gained / (taken + loss))
         return max(float(np.abs(state.bush - old).max()), abs(state.journal - old_journal))
 
-    def prepare_walls(self) -> None:
-        """Conductances of the film as it stands, and the inverse of the bush beside them."""
+    def prepare_bush(self, conductance: Array) -> None:
+        """Inverse of the bush beside the film, in harmonics; kept while the film is nearly the same."""
         state = self.walls
-        film = FILM_CONDUCTANCE * self.conductances()
-        state.conductance, state.taken = film / (self.area * self.widths), float(film.sum())
-        state.inverse = np.linalg.inv(np.eye(film.size) + state.response * state.conductance)
-        self.film_moved = False
+        if state.inverse is None or np.abs(conductance - state.conductance).max() > ALIKE * conductance.max():
+            state.conductance = conductance
+            beside = (state.analysis * conductance) @ state.synthesis
+            state.inverse = np.linalg.inv(np.diag(state.admittance) + beside)
 
     def start_from(self, coarse: WarmRing) -> None:
         """Take over the temperatures of a coarser ring, linear between its lines."""
@@ -252,21 +255,26 @@ def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
 
 
 def walls_of(ring: Ring, heat: FilmHeat, lines: int) -> WallState:
-    """Walls at the supply temperature, and the response of the bush."""
+    """Walls at the supply temperature, and the harmonics of the bush."""
     cold, walls = heat.supply_temperature, heat.walls
     none = np.zeros(lines)
     if not isinstance(walls, ConductingWalls):
-        return WallState(np.full(lines, cold), cold, np.zeros((0, 0)), none)
+        return WallState(np.full(lines, cold), cold, none)
     theta = ring.theta[:lines]
-    width = line_widths(ring, lines)
-    harmonics = lines // 2
-    impedance = np.minimum(walls.bush.impedances(harmonics), MOST_IMPEDANCE)
-    order = np.arange(harmonics + 1)
-    cosine, sine = np.cos(np.outer(theta, order)), np.sin(np.outer(theta, order))
-    weight = impedance / np.where(order == 0, TURN, math.pi)
-    response = ((cosine * weight) @ cosine.T + (sine * weight) @ sine.T) * width[None, :]
+    order = np.arange(min(lines // 4, MOST_HARMONICS) + 1)
+    phase = np.outer(theta, order)
+    synthesis = np.concatenate((np.cos(phase), np.sin(phase[:, 1:])), axis=1)
+    weight = np.concatenate(([1.0 / TURN], np.full(synthesis.shape[1] - 1, 1.0 / math.pi)))
+    analysis = weight[:, None] * synthesis.T * line_widths(ring, lines)
+    admittance = 1.0 / walls.bush.impedances(order.size - 1)
     journal = cold if walls.journal.temperature is None else walls.journal.temperature
-    return WallState(np.full(lines, cold), journal, response, none)
+    both = np.concatenate((admittance, admittance[1:]))
+    return WallState(np.full(lines, cold), journal, none, analysis, synthesis, both)
+
+
+def times(matrix: Array, vector: Array) -> Array:
+    """Their product; einsum, since the threads of a BLAS cost more than products of this size."""
+    return np.asarray(np.einsum("ij,j->i", matrix, vector))
 
 
 def line_widths(ring: Ring, lines: int) -> Array:
