@@ -58,15 +58,28 @@ class Flows(NamedTuple):
 
 
 class Walls(NamedTuple):
-    """What lies behind the film, in the units of the cells."""
+    """What lies behind the film. Heat goes to it where it is not insulated; temperatures are changed in place.
 
-    conduction: float  # k / (rho c omega c^2); zero: both walls adiabatic
-    bush: Array  # temperature behind the resistance, (lines,)
-    resistance: Array  # of the bush per unit area, (lines,); negative: adiabatic
-    journal: float  # temperature
-    insulated: bool  # journal adiabatic
-    fresh: Array  # supply temperature of every supply, (supplies,)
-    ambient: float  # temperature of what enters over the sides
+    The bush is described by harmonics around the bore: ``analysis`` (modes, lines) takes a flux apart,
+    ``synthesis`` (lines, modes) builds it, ``inverse`` (modes, modes) is of bush and film, ``conductance`` (lines)
+    of the film.
+    """
+
+    insulated: bool
+    conduction: float  # k / (rho c omega c^2)
+    flow_heat: float  # rho c omega R c B, W/K
+    area: float  # R B, m2
+    bush: Array  # K, (lines,)
+    bush_flux: Array  # into the bush, W/m2, (lines,)
+    ambient: float  # around the bush, K
+    journal: Array  # temperature (K), heat taken (W), loss along the shaft (W/K), its ambient (K), (4,)
+    journal_given: bool
+    width: Array  # angle of every line, (lines,)
+    analysis: Array
+    synthesis: Array
+    inverse: Array
+    conductance: Array  # W/(m2 K), (lines,)
+    fresh: float  # temperature of supplies and of what enters over the sides, K
 
 
 @compiled
@@ -278,7 +291,7 @@ def cell(surface, columns, flows, walls, viscosity, temperature, i, c, low, diag
         if leak > 0.0:
             diagonal[k] += leak * profile
         else:
-            right[k] -= leak * profile * walls.ambient
+            right[k] -= leak * profile * walls.fresh
         if outward > 0.0:
             diagonal[k] += outward * profile
         elif outward < 0.0:
@@ -299,14 +312,13 @@ def cell(surface, columns, flows, walls, viscosity, temperature, i, c, low, diag
             high[k] = -down
             low[k + 1] = -up
             diagonal[k + 1] += down
-    if conduct > 0.0 and walls.resistance[i] >= 0.0:
-        wall = 1.0 / (0.5 * columns.layer[0] / conduct + walls.resistance[i] / (width * columns.size[c]))
+    if conduct > 0.0 and not walls.insulated:
+        wall = conduct / (0.5 * columns.layer[0])
         diagonal[0] += wall
         right[0] += wall * walls.bush[i]
-    if conduct > 0.0 and not walls.insulated:
         wall = conduct / (0.5 * columns.layer[layers - 1])
         diagonal[layers - 1] += wall
-        right[layers - 1] += wall * walls.journal
+        right[layers - 1] += wall * walls.journal[0]
     for k in range(1, layers):
         factor = low[k] / diagonal[k - 1]
         diagonal[k] -= factor * high[k - 1]
@@ -353,8 +365,64 @@ def mix(surface, columns, flows, walls, temperature, groove, s):
     if brought + fresh <= 0.0:
         return 0.0
     before = groove[s]
-    groove[s] = (enthalpy + fresh * walls.fresh[s]) / (brought + fresh)
+    groove[s] = (enthalpy + fresh * walls.fresh) / (brought + fresh)
     return abs(groove[s] - before)
+
+
+@compiled
+def answer_walls(columns, flows, walls, temperature):
+    """New temperatures of bush and journal from the heat that they take; their largest change, K.
+
+    The film answers a warmer wall with less heat, about ``conductance`` a kelvin: with that guess the bush is solved
+    as a whole, and only the error of the guess is left to the next round.
+    """
+    lines, count, last = temperature.shape[0], columns.size.size, columns.layer.size - 1
+    modes = walls.inverse.shape[0]
+    wanted, answer = np.zeros(modes), np.zeros(modes)
+    journal, taken = 0.0, 0.0
+    for i in range(lines):
+        bush = 0.0
+        for c in range(count):
+            if columns.supply[i, c] < 0:
+                film = walls.conduction * walls.flow_heat * walls.width[i]
+                film *= flows.fill[i, c] * columns.size[c] / flows.gap[i, c]
+                bush += film * 2.0 / columns.layer[0] * (temperature[i, c, 0] - walls.bush[i])
+                journal += film * 2.0 / columns.layer[last] * (temperature[i, c, last] - walls.journal[0])
+        walls.bush_flux[i] = bush / (walls.area * walls.width[i])
+        taken += walls.conductance[i] * walls.area * walls.width[i]
+        pull = walls.bush_flux[i] + walls.conductance[i] * (walls.bush[i] - walls.ambient)
+        for m in range(modes):
+            wanted[m] += walls.analysis[m, i] * pull
+    for m in range(modes):
+        for n in range(modes):
+            answer[m] += walls.inverse[m, n] * wanted[n]
+    change = 0.0
+    for i in range(lines):
+        value = walls.ambient
+        for m in range(modes):
+            value += walls.synthesis[i, m] * answer[m]
+        change = max(change, abs(value - walls.bush[i]))
+        walls.bush[i] = value
+    walls.journal[1] = journal
+    if not walls.journal_given:
+        loss = walls.journal[2]
+        value = (journal + taken * walls.journal[0] + loss * walls.journal[3]) / (taken + loss)
+        change = max(change, abs(value - walls.journal[0]))
+        walls.journal[0] = value
+    return change
+
+
+@compiled
+def close_energy(surface, columns, flows, walls, viscosity, temperature, groove, most, tolerance):
+    """Energy equation and walls beside a film at rest, until nothing changes any more; the last change."""
+    change = 0.0
+    for _ in range(most):
+        change = sweep_energy(surface, columns, flows, walls, viscosity, temperature, groove, 3, tolerance)
+        if not walls.insulated:
+            change = max(change, answer_walls(columns, flows, walls, temperature))
+        if change < tolerance:
+            break
+    return change
 
 
 @compiled

@@ -160,9 +160,7 @@ def fresh_ring(
 ) -> WarmRing:  # fmt: skip
     """Ring at the supply temperature."""
     ring = build_ring(film, scales.pressure, per_turn, resolution.axial_unknowns, density)
-    return WarmRing.of(
-        Sample.of(ring, effort), heat, film.viscosity, film.diameter, film.width, film.clearance, scales.rate
-    )
+    return WarmRing.of(Sample.of(ring, effort), heat, film, scales.rate)
 
 
 def continued(warm: WarmRing, before: WarmRing | None) -> WarmRing:

@@ -104,7 +104,7 @@ class ThermalFilm:
 
 def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing) -> ThermalFilm:
     """Temperatures and heat of a ring beside its film."""
-    flows, columns, unit = warm.flows, warm.columns, warm.flow_heat
+    flows, columns, unit = warm.flows, warm.columns, warm.walls.flow_heat
     cold = warm.heat.supply_temperature
     profile = flows.pressure_profile[np.arange(flows.leak.shape[0]) % flows.pressure_profile.shape[0]]
     own = (profile * warm.temperature).sum(axis=2)
@@ -114,9 +114,7 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing) -> ThermalF
     for s in range(warm.groove.size):
         brought, _, taken = groove_balance(warm.sample.ring.surface, columns, flows, warm.temperature, s)
         back += max(brought - taken, 0.0) * (warm.groove[s] - cold) * unit
-    bush, journal = (float(part.sum()) for part in warm.wall_heat())
-    if warm.heat.walls is None:
-        bush, journal = 0.0, 0.0
+    bush, journal = warm.bush_heat(), float(warm.walls.journal[1])
     dissipation = warm.dissipation * warm.rise * unit
     out = float(leaving.sum())
     edges = np.concatenate(([0.0], np.cumsum(columns.layer)))
@@ -133,7 +131,7 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing) -> ThermalF
         groove_temperatures=warm.groove.copy(),
         bush_temperature=warm.walls.bush.copy(),
         bush_flux=warm.walls.bush_flux.copy(),
-        journal_temperature=warm.walls.journal,
+        journal_temperature=float(warm.walls.journal[0]),
         heat=HeatSplit(dissipation, over_sides + back, bush, journal),
         effective_viscosity=warm.reference_viscosity * warm.friction / max(warm.unit_friction(), 1e-300),
     )

@@ -3,18 +3,28 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._energy import Columns, Flows, Walls, gather_flows, new_flows, spread_viscosity, sweep_energy
+from babbitt.film._energy import (
+    Columns,
+    Flows,
+    Walls,
+    answer_walls,
+    close_energy,
+    gather_flows,
+    new_flows,
+    spread_viscosity,
+    sweep_energy,
+)
 from babbitt.film.general import Sample
 from babbitt.film.heat import ConductingWalls, FilmHeat
+from babbitt.film.model import JournalFilm
 from babbitt.film.ring import TURN, Ring
 
-__all__ = ["WallState", "WarmRing", "columns_of"]
+__all__ = ["WarmRing", "columns_of"]
 
 Array = NDArray[np.float64]
 FILM_CONDUCTANCE = 2.5
@@ -26,25 +36,6 @@ ALIKE = 0.2
 """Change of the film's conductance, over its largest, up to which the inverse of the bush is kept."""
 MOST_HARMONICS = 32
 """Of the temperature around the bore; a ring of steel damps the last a hundred times as much as the first."""
-
-
-@dataclass(eq=False)
-class WallState:
-    """Temperatures of the walls, K, and the harmonics of the bush.
-
-    The bush is described by ``admittance`` (heat flux into the bore over its temperature, W/(m2 K)) of every
-    cosine and sine; ``analysis`` (modes, lines) takes a flux at the lines apart, ``synthesis`` (lines, modes) builds it.
-    """
-
-    bush: Array
-    journal: float
-    bush_flux: Array
-    analysis: Array = field(default_factory=lambda: np.zeros((0, 0)))
-    synthesis: Array = field(default_factory=lambda: np.zeros((0, 0)))
-    admittance: Array = field(default_factory=lambda: np.zeros(0))
-    journal_heat: float = 0.0
-    conductance: Array = field(default_factory=lambda: np.zeros(0))
-    inverse: Array | None = None
 
 
 @dataclass(eq=False)
@@ -64,8 +55,10 @@ class WarmRing:
     walls : WallState
     rise : float
         mu omega R^2 / (rho c c^2): temperature per unit of dissipation over flow, K.
-    flow_heat : float
-        rho c omega R c B: heat per unit of flow and kelvin, W/K.
+    dissipation, friction : float
+        Of the last pass, in units of mu omega^2 R^3 B / c.
+    viscosity : ndarray, shape (lines, columns, layers), or None
+        Of the last pass over the reference.
     """
 
     sample: Sample
@@ -74,45 +67,24 @@ class WarmRing:
     flows: Flows
     temperature: Array
     groove: Array
-    walls: WallState
+    walls: Walls
     reference_viscosity: float
     rise: float
-    flow_heat: float
-    area: float
-    clearance: float
     dissipation: float = 0.0
     friction: float = 0.0
     viscosity: Array | None = None
 
     @classmethod
-    def of(cls, sample: Sample, heat: FilmHeat, viscosity: float, diameter: float, width: float, clearance: float,
-           speed: float) -> WarmRing:  # fmt: skip
-        """Film at the supply temperature."""
+    def of(cls, sample: Sample, heat: FilmHeat, film: JournalFilm, speed: float) -> WarmRing:
+        """Film at the supply temperature, sheared at ``speed`` (rad/s)."""
         columns = columns_of(sample.ring, heat)
         lines, count, layers = *columns.supply.shape, columns.layer.size
-        radius, stored = 0.5 * diameter, heat.volumetric_heat_capacity
+        rise = film.viscosity * speed * (0.5 * film.diameter / film.clearance) ** 2 / heat.volumetric_heat_capacity
         cold = heat.supply_temperature
         return cls(
             sample, heat, columns, new_flows(lines, sample.ring.surface.step.size, count, layers),
             np.full((lines, count, layers), cold), np.full(int(columns.supply.max()) + 1, cold),
-            walls_of(sample.ring, heat, lines), viscosity,
-            viscosity * speed * radius**2 / (stored * clearance**2), stored * speed * radius * clearance * width,
-            radius * width, clearance,
-        )  # fmt: skip
-
-    @property
-    def conduction(self) -> float:
-        """k / (rho c omega c^2)."""
-        return self.heat.conductivity * self.area / (self.clearance * self.flow_heat)
-
-    def kernel_walls(self) -> Walls:
-        """Walls as the kernels take them."""
-        adiabatic = self.heat.walls is None
-        lines = self.walls.bush.size
-        return Walls(
-            conduction=self.conduction, bush=self.walls.bush,
-            resistance=np.full(lines, -1.0 if adiabatic else 0.0), journal=self.walls.journal, insulated=adiabatic,
-            fresh=np.full(self.groove.size, self.heat.supply_temperature), ambient=self.heat.supply_temperature,
+            walls_of(sample.ring, heat, film, speed, lines), film.viscosity, rise,
         )  # fmt: skip
 
     def relative_viscosity(self) -> Array:
@@ -146,41 +118,27 @@ class WarmRing:
         """Energy equation with the flows as they stand; change of the last sweep, K."""
         surface = self.sample.ring.surface
         return float(
-            sweep_energy(surface, self.columns, self.flows, self.kernel_walls(), viscosity, self.temperature,
-                         self.groove, most, tolerance)
+            sweep_energy(surface, self.columns, self.flows, self.walls, viscosity, self.temperature, self.groove,
+                         most, tolerance)
         )  # fmt: skip
 
     def correct_walls(self) -> float:
-        """New wall temperatures from the heat that they take; their largest change, K.
-
-        The film answers a warmer wall with less heat, about ``FILM_CONDUCTANCE`` k/h a kelvin: with that the bush
-        is solved as a whole, so that only the error of this guess is left to the next pass.
-        """
-        walls, state = self.heat.walls, self.walls
-        if walls is None:
+        """New wall temperatures from the heat that they take; their largest change, K."""
+        if self.walls.insulated:
             return 0.0
-        film = FILM_CONDUCTANCE * self.conductances()
-        self.prepare_bush(film / (self.area * self.widths))
-        bush, journal = self.wall_heat()
-        old, old_journal = state.bush, state.journal
-        state.bush_flux = bush / (self.area * self.widths)
-        ambient = walls.bush.ambient_temperature
-        answer = times(state.analysis, state.bush_flux + state.conductance * (old - ambient))
-        state.bush = ambient + times(state.synthesis, times(state.inverse, answer))
-        state.journal_heat = float(journal.sum())
-        if walls.journal.temperature is None:
-            taken, loss = float(film.sum()), walls.journal.shaft_conductance
-            gained = state.journal_heat + taken * old_journal + loss * walls.journal.ambient_temperature
-            state.journal = float(gained / (taken + loss))
-        return max(float(np.abs(state.bush - old).max()), abs(state.journal - old_journal))
+        self.prepare_bush()
+        return float(answer_walls(self.columns, self.flows, self.walls, self.temperature))
 
-    def prepare_bush(self, conductance: Array) -> None:
+    def prepare_bush(self) -> None:
         """Inverse of the bush beside the film, in harmonics; kept while the film is nearly the same."""
-        state = self.walls
-        if state.inverse is None or np.abs(conductance - state.conductance).max() > ALIKE * conductance.max():
-            state.conductance = conductance
-            beside = (state.analysis * conductance) @ state.synthesis
-            state.inverse = np.linalg.inv(np.diag(state.admittance) + beside)
+        walls, flows, columns = self.walls, self.flows, self.columns
+        per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
+        film = FILM_CONDUCTANCE * walls.conduction * walls.flow_heat / walls.area * per.sum(axis=1)
+        if np.abs(film - walls.conductance).max() > ALIKE * film.max():
+            assert isinstance(self.heat.walls, ConductingWalls)
+            walls.conductance[:] = film
+            admittance = admittances(self.heat.walls, walls.inverse.shape[0])
+            walls.inverse[:] = np.linalg.inv(np.diag(admittance) + (walls.analysis * film) @ walls.synthesis)
 
     def start_from(self, coarse: WarmRing) -> None:
         """Take over the temperatures of a coarser ring, linear between its lines."""
@@ -193,46 +151,29 @@ class WarmRing:
         self.temperature[:] = (1.0 - share) * first + share * second
         self.groove[:] = coarse.groove
         flat = share[:, 0, 0]
-        self.walls.bush = (1.0 - flat) * coarse.walls.bush[rows[after - 1]] + flat * coarse.walls.bush[rows[after]]
-        self.walls.journal = coarse.walls.journal
+        bush = coarse.walls.bush
+        self.walls.bush[:] = (1.0 - flat) * bush[rows[after - 1]] + flat * bush[rows[after]]
+        self.walls.journal[:] = coarse.walls.journal
 
     def close(self, most: int, tolerance: float) -> float:
         """Solve energy and walls beside the film as it stands; largest change of the last round, K."""
         viscosity = self.relative_viscosity() if self.viscosity is None else self.viscosity
-        change = math.inf
-        for _ in range(most):
-            change = self.sweep(viscosity, 4, tolerance)
-            change = max(change, self.correct_walls())
-            if change < tolerance:
-                break
-        return change
+        surface = self.sample.ring.surface
+        if not self.walls.insulated:
+            self.prepare_bush()
+        return float(
+            close_energy(surface, self.columns, self.flows, self.walls, viscosity, self.temperature, self.groove,
+                         most, tolerance)
+        )  # fmt: skip
 
     def unit_friction(self) -> float:
         """Friction power of the same film by shear alone at the reference viscosity."""
-        surface = self.sample.ring.surface
-        n = surface.step.size
         per = np.where(self.columns.supply < 0, self.flows.fill * self.columns.size, 0.0)
-        return float((self.widths[:, None] * per / np.maximum(self.flows.gap, 1e-12)).sum()) if n else 0.0
+        return float((self.walls.width[:, None] * per / np.maximum(self.flows.gap, 1e-12)).sum())
 
-    @cached_property
-    def widths(self) -> Array:
-        """Angle that belongs to every line, rad."""
-        return line_widths(self.sample.ring, self.temperature.shape[0])
-
-    def conductances(self) -> Array:
-        """k/h times area of the film of every line, W/K; none over grooves."""
-        flows, columns = self.flows, self.columns
-        per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
-        return np.asarray(self.conduction * self.flow_heat * self.widths * per.sum(axis=1))
-
-    def wall_heat(self) -> tuple[Array, Array]:
-        """Heat that every line gives to bush and journal, W."""
-        flows, columns, layer = self.flows, self.columns, self.columns.layer
-        per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
-        scale = self.conduction * self.flow_heat * self.widths[:, None] * per
-        bush = scale * 2.0 / layer[0] * (self.temperature[:, :, 0] - self.walls.bush[:, None])
-        journal = scale * 2.0 / layer[-1] * (self.temperature[:, :, -1] - self.walls.journal)
-        return bush.sum(axis=1), journal.sum(axis=1)
+    def bush_heat(self) -> float:
+        """Heat that the bush takes, W."""
+        return float((self.walls.bush_flux * self.walls.width).sum() * self.walls.area)
 
 
 def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
@@ -241,7 +182,7 @@ def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
     inner = np.setdiff1d(np.arange(supply.shape[1]), sides)
     whole = (supply[:, inner] == supply[:, inner[:1]]).all(axis=1)
     resolved = heat.grid.resolved or not bool(whole.all())
-    node_share = np.bincount(ring.surface.node, ring.surface.share, minlength=supply.shape[1])
+    node_share = np.bincount(ring.surface.node, ring.surface.share, minlength=supply.shape[1]).astype(float)
     side = np.zeros(supply.shape[1], dtype=np.int64)
     side[sides] = 1
     if not resolved:
@@ -254,27 +195,37 @@ def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
     return Columns(np.arange(supply.shape[1]), cells, side, heat.grid.thicknesses(), node_share)
 
 
-def walls_of(ring: Ring, heat: FilmHeat, lines: int) -> WallState:
+def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines: int) -> Walls:
     """Walls at the supply temperature, and the harmonics of the bush."""
-    cold, walls = heat.supply_temperature, heat.walls
-    none = np.zeros(lines)
-    if not isinstance(walls, ConductingWalls):
-        return WallState(np.full(lines, cold), cold, none)
-    theta = ring.theta[:lines]
-    order = np.arange(min(lines // 4, MOST_HARMONICS) + 1)
-    phase = np.outer(theta, order)
+    cold, given = heat.supply_temperature, heat.walls
+    radius, width = 0.5 * film.diameter, line_widths(ring, lines)
+    order = np.arange(0 if given is None else min(lines // 4, MOST_HARMONICS) + 1)
+    phase = np.outer(ring.theta[:lines], order)
     synthesis = np.concatenate((np.cos(phase), np.sin(phase[:, 1:])), axis=1)
-    weight = np.concatenate(([1.0 / TURN], np.full(synthesis.shape[1] - 1, 1.0 / math.pi)))
-    analysis = weight[:, None] * synthesis.T * line_widths(ring, lines)
-    admittance = 1.0 / walls.bush.impedances(order.size - 1)
-    journal = cold if walls.journal.temperature is None else walls.journal.temperature
-    both = np.concatenate((admittance, admittance[1:]))
-    return WallState(np.full(lines, cold), journal, none, analysis, synthesis, both)
+    weight = np.full(synthesis.shape[1], 1.0 / math.pi)
+    weight[:1] = 1.0 / TURN
+    journal = np.array([cold, 0.0, 0.0, cold])
+    if given is not None:
+        shaft = given.journal
+        start = cold if shaft.temperature is None else shaft.temperature
+        journal = np.array([start, 0.0, shaft.shaft_conductance, shaft.ambient_temperature])
+    return Walls(
+        insulated=given is None,
+        conduction=heat.conductivity / (heat.volumetric_heat_capacity * speed * film.clearance**2),
+        flow_heat=heat.volumetric_heat_capacity * speed * radius * film.clearance * film.width,
+        area=radius * film.width,
+        bush=np.full(lines, cold), bush_flux=np.zeros(lines),
+        ambient=cold if given is None else given.bush.ambient_temperature,
+        journal=journal, journal_given=given is not None and given.journal.temperature is not None, width=width,
+        analysis=weight[:, None] * synthesis.T * width, synthesis=synthesis,
+        inverse=np.zeros((weight.size, weight.size)), conductance=np.zeros(lines), fresh=cold,
+    )  # fmt: skip
 
 
-def times(matrix: Array, vector: Array) -> Array:
-    """Their product; einsum, since the threads of a BLAS cost more than products of this size."""
-    return np.asarray(np.einsum("ij,j->i", matrix, vector))
+def admittances(walls: ConductingWalls, modes: int) -> Array:
+    """Heat flux into the bore over its temperature for every cosine and sine, W/(m2 K)."""
+    own = 1.0 / walls.bush.impedances(modes // 2)
+    return np.concatenate((own, own[1:]))
 
 
 def line_widths(ring: Ring, lines: int) -> Array:
