@@ -373,8 +373,8 @@ def mix(surface, columns, flows, walls, temperature, groove, s):
 def answer_walls(columns, flows, walls, temperature):
     """New temperatures of bush and journal from the heat that they take; their largest change, K.
 
-    The film answers a warmer wall with less heat, about ``conductance`` a kelvin: with that guess the bush is solved
-    as a whole, and only the error of the guess is left to the next round.
+    The film answers a warmer wall with less heat, about ``conductance`` a kelvin: with that guess the bush is
+    solved as a whole, and only the error of the guess is left to the next round.
     """
     lines, count, last = temperature.shape[0], columns.size.size, columns.layer.size - 1
     modes = walls.inverse.shape[0]
