@@ -104,7 +104,8 @@ EXPLANATIONS: dict[str, Explanation] = {
         "Film is not laminar",
         "The Reynolds number of the film exceeds 41.3 sqrt(D/C), up to which the ISO 7902 procedure is valid. "
         "Vortices raise friction and temperature above the values shown.",
-        "Use a film method with turbulence, a smaller clearance, a more viscous oil or a lower speed.",
+        "Use `method: film` with `turbulence: ng_pan` or `constantinescu`, a smaller clearance, a more viscous oil "
+        "or a lower speed.",
     ),
     "W102": Explanation(
         "Width ratio outside the standard",
@@ -222,6 +223,12 @@ EXPLANATIONS: dict[str, Explanation] = {
         "comes from. Flows, and with them the heat balance, count oil that no supply delivers.",
         "Use `cavitation: mass_conserving` (the default) where flows and temperatures matter.",
     ),
+    "W140": Explanation(
+        "Starved supply",
+        "The film would draw more oil than a groove, pocket or hole is given. It fills only part of the gap "
+        "behind it: the film begins later, is thinner, and is less stiff than a flooded one.",
+        "More oil, or supplies where the film draws less; a wider bearing passes less oil for its load.",
+    ),
     "W120": Explanation(
         "The journal whirls",
         "The rotor is heavier than the critical mass: in this film a rigid rotor leaves its place and "
@@ -313,7 +320,7 @@ EXPLANATIONS: dict[str, Explanation] = {
     "C110": Explanation(
         "Laminar film",
         "The Reynolds number of the film is compared with 41.3 sqrt(D/C), the end of validity of the procedure.",
-        "Use a film method with turbulence.",
+        "Use `method: film` with `turbulence: ng_pan` or `constantinescu`.",
     ),
     "C111": Explanation(
         "Transition to mixed friction",

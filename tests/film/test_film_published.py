@@ -94,8 +94,8 @@ def test_raimondi_boyd(thickness, number, attitude, flow, side):
     s = VISCOSITY * turns * DIAMETER**2 / film.load * (0.5 * DIAMETER / CLEARANCE) ** 2
     assert s == pytest.approx(number, rel=0.015)  # Butenschoen supports us where they differ by 1.3 %
     assert math.degrees(film.attitude_angle) == pytest.approx(attitude, abs=0.6)
-    assert film.supply_flow.sum() / unit == pytest.approx(flow, rel=0.012)
-    assert film.side_flow.sum() / film.supply_flow.sum() == pytest.approx(side, abs=0.01)
+    assert film.inflow.sum() / unit == pytest.approx(flow, rel=0.012)
+    assert film.side_flow.sum() / film.inflow.sum() == pytest.approx(side, abs=0.01)
 
 
 # Lund, Thomsen (1978), two axial grooves of 20 degrees, L/D = 0.5, x along the load, K c / W and B c omega / W

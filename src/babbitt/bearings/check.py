@@ -7,7 +7,8 @@ from collections.abc import Iterator
 from time import perf_counter
 
 from babbitt.bearings.bore import LobedBore
-from babbitt.bearings.layout import without_pressure
+from babbitt.bearings.extent import full_film_share, turbulent_share
+from babbitt.bearings.layout import ALL_TURBULENT, supply_numbers, without_pressure
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.transition import transition_speed
 from babbitt.bearings.warm_film import FilmState, operating_film
@@ -25,6 +26,7 @@ from babbitt.design.values import (
     oil_values,
     supply_values,
 )
+from babbitt.film.starved import FedFilm
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Result
 
@@ -65,6 +67,8 @@ def film_check(case: FilmCase) -> Result:
         state = found.film
         values = _values(case, state)
         arrays = {"stiffness": _rows(state.solution.stiffness), "damping": _rows(state.solution.damping)}
+        if state.fed is not None:
+            arrays["supply_fill"] = (_fills(case, state.fed),)
         if solved:
             whirl = whirl_of(case, state)
             values |= _running_values(case, state, whirl)
@@ -116,6 +120,7 @@ def _values(case: FilmCase, state: FilmState) -> dict[str, float]:
         **heat_values(case, state),
         "recommended_relative_clearance": recommended_relative_clearance(duty["surface_speed"]),
         **supply_values(case, state),
+        **_extent_values(state),
     }
     if state.feed is not None:
         values["element_pressure"] = state.feed.element_pressure
@@ -155,6 +160,26 @@ def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     return {"side_flow": alone, "supply_flow": flow - alone, "total_flow": flow}
 
 
+def _fills(case: FilmCase, fed: FedFilm) -> tuple[float, ...]:
+    """Fill of every groove, pocket and hole in the order of the case."""
+    return tuple(fed.fill[number] for number in supply_numbers(case, fed.solution.film))
+
+
+def _extent_values(state: FilmState) -> dict[str, float]:
+    """Where the film is full and where it is turbulent, and what the supplies of given flow do."""
+    values, film = {}, state.solution.film
+    if film.turbulence is not None:
+        values["turbulent_share"] = turbulent_share(state.solution)
+    if state.fed is not None:
+        values |= {
+            "full_film_share": full_film_share(state.solution),
+            "least_fill": min(state.fed.fill),
+            "given_flow": sum(state.fed.drawn) + state.fed.surplus,
+            "surplus_flow": state.fed.surplus,
+        }
+    return values
+
+
 def _running_values(case: FilmCase, state: FilmState, whirl: Whirl) -> dict[str, float]:
     values = {"rotor_mass": whirl.rotor_mass, "whirl_frequency_ratio": whirl.frequency_ratio}
     if math.isfinite(whirl.critical_mass):
@@ -181,7 +206,13 @@ def _doubts(
     case: FilmCase, state: FilmState, values: dict[str, float], checks: tuple[Check, ...], whirl: Whirl
 ) -> Iterator[Notice]:
     yield from case.doubts
-    yield from doubts_about_film(case, values)
+    yield from (
+        doubt for doubt in doubts_about_film(case, values) if doubt.code != "W101" or case.turbulence is None
+    )
+    if state.fed is not None and state.fed.starved:
+        fills = ", ".join(f"{fill:.0%}" for fill in _fills(case, state.fed))
+        flow = values["given_flow"] * 6e4
+        yield Notice("W140", f"the supplies fill {fills} of the gap with the {flow:.3g} L/min given")
     if case.bearing_speed:
         yield Notice("W114", "the bearing rotates; friction power counts the journal speed only")
     yield from doubt_about_supply(state.feed is not None and state.feed.starved)
@@ -204,7 +235,24 @@ def _doubts(
 
 
 def _assumptions(case: FilmCase) -> Iterator[str]:
-    yield "One viscosity for the whole film, that at the effective temperature; rigid surfaces; laminar film."
+    flow = "laminar film" if case.turbulence is None else f"turbulence after {case.turbulence.name}"
+    yield f"One viscosity for the whole film, that at the effective temperature; rigid surfaces; {flow}."
+    if case.turbulence is not None:
+        yield (
+            f"The film is laminar up to the local Reynolds number 41.3 sqrt(D/C) and fully turbulent from "
+            f"{ALL_TURBULENT:g} times that number."
+        )
+    if case.pressure_viscosity is not None:
+        law = case.pressure_viscosity
+        yield (
+            f"Viscosity grows with pressure after {law.law.value.capitalize()}, {law.coefficient * 1e9:.3g} 1/GPa "
+            "at ambient pressure."
+        )
+    if _flows_given(case):
+        yield (
+            "Supplies of given flow: oil that a flooded film does not draw returns without passing it; stiffness, "
+            "damping and thresholds hold for the fills of the operating point; no oil is stored in grooves."
+        )
     if case.bearing.hollows:
         yield "Grooves, pockets and holes are deep: the oil in them is not sheared."
     if case.rotor_mass is None:
@@ -216,6 +264,11 @@ def _assumptions(case: FilmCase) -> Iterator[str]:
             f"Effective temperature prescribed: {case.effective_temperature - 273.15:.1f} °C; heat balance "
             f"not closed."
         )
+
+
+def _flows_given(case: FilmCase) -> bool:
+    common = case.oil_supply is not None and case.oil_supply.flow is not None
+    return common or any(hollow.flow is not None for hollow in case.bearing.hollows)
 
 
 def _settings(case: FilmCase) -> dict[str, str]:
@@ -231,4 +284,6 @@ def _settings(case: FilmCase) -> dict[str, str]:
         "grooves": str(grooves),
         "pockets": str(len(case.bearing.hollows) - grooves),
         "friction_factor": f"{case.friction_factor:g}",
+        "turbulence": case.turbulence.name if case.turbulence is not None else "laminar",
+        "pressure_viscosity": case.pressure_viscosity.law.value if case.pressure_viscosity is not None else "none",
     }

@@ -7,15 +7,30 @@ from dataclasses import replace
 
 from babbitt.bearings.bore import Arc
 from babbitt.bearings.model import FilmCase, Hollow
+from babbitt.design.numbers import critical_reynolds_number
 from babbitt.film.model import FilmStart, JournalFilm, Land, Pocket
+from babbitt.film.starved import GivenFlow
+from babbitt.film.turbulence import FilmTurbulence
 from babbitt.notices import InputError
 
-__all__ = ["film_of", "load_vector", "without_pressure"]
+__all__ = ["film_of", "given_flows", "load_vector", "supply_numbers", "without_pressure"]
 
 TURN = 2.0 * math.pi
 
 
-def film_of(case: FilmCase, relative_clearance: float, viscosity: float, element_pressure: float) -> JournalFilm:
+ALL_TURBULENT = 2.0
+"""Local Reynolds number, in those at which vortices set in, from which the film is fully turbulent.
+
+Assumption: for the common clearances it puts full turbulence at about 2000, as usual for films."""
+
+
+def film_of(
+    case: FilmCase,
+    relative_clearance: float,
+    viscosity: float,
+    element_pressure: float,
+    density: float | None = None,
+) -> JournalFilm:
     """Film of a case at one temperature.
 
     Parameters
@@ -27,6 +42,8 @@ def film_of(case: FilmCase, relative_clearance: float, viscosity: float, element
         Pa s.
     element_pressure : float
         Gauge pressure of every hollow that has none of its own, Pa.
+    density : float or None
+        kg/m3; only a turbulent film needs it.
 
     Raises
     ------
@@ -57,7 +74,30 @@ def film_of(case: FilmCase, relative_clearance: float, viscosity: float, element
         cavitation_pressure=case.cavitation_pressure,
         pockets=tuple(_pocket(hollow, width, element_pressure) for hollow, width in pockets),
         misalignment=bearing.misalignment,
+        turbulence=_turbulence(case, relative_clearance, density),
+        pressure_viscosity=case.pressure_viscosity.at(viscosity) if case.pressure_viscosity is not None else None,
     )
+
+
+def supply_numbers(case: FilmCase, film: JournalFilm) -> tuple[int, ...]:
+    """Which supply of the film (see ``FilmSolution.supply_flow``) each hollow of the bearing is."""
+    hollows = case.bearing.hollows
+    grooves = _ordered_grooves(case)
+    behind = [grooves[(land + 1) % len(grooves)] for land in film.land_order if grooves]
+    pockets = [hollow for hollow in hollows if hollow.width is not None]
+    return tuple(
+        behind.index(hollow) if hollow.width is None else len(grooves) + pockets.index(hollow) for hollow in hollows
+    )
+
+
+def given_flows(case: FilmCase, film: JournalFilm) -> tuple[GivenFlow, ...]:
+    """Flows that the supplies of a film are given: their own, and that of the oil supply shared by all others."""
+    numbered = list(zip(case.bearing.hollows, supply_numbers(case, film), strict=True))
+    given = [GivenFlow((number,), hollow.flow) for hollow, number in numbered if hollow.flow is not None]
+    if case.oil_supply is not None and case.oil_supply.flow is not None:
+        members = tuple(number for hollow, number in numbered if hollow.pressure is None and hollow.flow is None)
+        given += [GivenFlow(members, case.oil_supply.flow)] if members else []
+    return tuple(given)
 
 
 def load_vector(case: FilmCase, load: float) -> tuple[float, float]:
@@ -66,12 +106,29 @@ def load_vector(case: FilmCase, load: float) -> tuple[float, float]:
 
 
 def without_pressure(film: JournalFilm) -> JournalFilm:
-    """The same film with every groove and pocket full, at ambient pressure."""
+    """The same film without supply pressure above that of the surroundings."""
     return replace(
         film,
-        lands=tuple(replace(land, start_pressure=0.0, end_pressure=0.0) for land in film.lands),
-        pockets=tuple(replace(pocket, pressure=0.0) for pocket in film.pockets),
+        lands=tuple(
+            replace(land, start_pressure=min(land.start_pressure, 0.0), end_pressure=min(land.end_pressure, 0.0))
+            for land in film.lands
+        ),
+        pockets=tuple(replace(pocket, pressure=min(pocket.pressure, 0.0)) for pocket in film.pockets),
     )
+
+
+def _turbulence(case: FilmCase, relative_clearance: float, density: float | None) -> FilmTurbulence | None:
+    if case.turbulence is None:
+        return None
+    if density is None:
+        raise InputError("E101", "a turbulent film needs the density of the oil.")
+    onset = critical_reynolds_number(relative_clearance)
+    return FilmTurbulence(case.turbulence, density, onset, ALL_TURBULENT * onset)
+
+
+def _ordered_grooves(case: FilmCase) -> list[Hollow]:
+    grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
+    return sorted(grooves, key=lambda groove: groove.angle % TURN)
 
 
 def _start(case: FilmCase, grooves: list[Hollow]) -> FilmStart:
@@ -84,7 +141,7 @@ def _lands(case: FilmCase, grooves: list[Hollow], clearance: float, pressure: fl
     if not grooves:
         start = case.load_angle - math.pi  # the seam lies opposite the load
         return (shaped(Arc(start, start + TURN, clearance, (0.0, 0.0), sense)),)
-    ordered = sorted(grooves, key=lambda groove: groove.angle % TURN)
+    ordered = _ordered_grooves(case)
     lands = []
     for groove, following in zip(ordered, [*ordered[1:], ordered[0]], strict=True):
         between = (following.angle - groove.angle) % TURN or TURN
@@ -100,4 +157,6 @@ def _pocket(hollow: Hollow, width: float, pressure: float) -> Pocket:
 
 
 def _pressure(hollow: Hollow, pressure: float) -> float:
+    if hollow.flow is not None:
+        return 0.0  # until the film tells how far its flow fills it
     return pressure if hollow.pressure is None else hollow.pressure

@@ -17,6 +17,8 @@ from babbitt.design.conditions import (
     Surfaces,
 )
 from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Resolution
+from babbitt.film.piezoviscosity import Barus, PressureViscosity, Roelands
+from babbitt.film.turbulence import TurbulenceLaw
 from babbitt.lubricants import Lubricant
 from babbitt.materials import BearingMetal, LoadCharacter
 from babbitt.notices import Notice
@@ -49,6 +51,27 @@ class Rotation(Enum):
         return 1.0 if self is Rotation.COUNTER_CLOCKWISE else -1.0
 
 
+class PressureLaw(Enum):
+    """How the viscosity grows with pressure."""
+
+    BARUS = "barus"
+    ROELANDS = "roelands"
+
+
+@dataclass(frozen=True)
+class OilUnderPressure:
+    """Law of viscosity and pressure with its slope alpha = d ln mu / dp at ambient pressure, 1/Pa."""
+
+    law: PressureLaw
+    coefficient: float
+
+    def at(self, viscosity: float) -> PressureViscosity:
+        """Law at an ambient viscosity in Pa s."""
+        if self.law is PressureLaw.BARUS:
+            return Barus(self.coefficient)
+        return Roelands(self.coefficient, viscosity)
+
+
 @dataclass(frozen=True)
 class Hollow:
     """A groove, pocket or hole that feeds the film.
@@ -63,6 +86,8 @@ class Hollow:
         Of the centre from the mid-plane, m.
     pressure : float or None
         Gauge, Pa; None is that of the oil supply behind its losses.
+    flow : float or None
+        m3/s in place of a pressure.
     """
 
     angle: float
@@ -70,14 +95,21 @@ class Hollow:
     width: float | None = None
     axial_position: float = 0.0
     pressure: float | None = None
+    flow: float | None = None
 
     @classmethod
     def hole(
-        cls, angle: float, diameter: float, bore: float, axial_position: float = 0.0, pressure: float | None = None
+        cls,
+        angle: float,
+        diameter: float,
+        bore: float,
+        axial_position: float = 0.0,
+        pressure: float | None = None,
+        flow: float | None = None,
     ) -> Hollow:
         """A round hole as a square of the same area; ``bore`` is the diameter of the bearing, all m."""
         side = 0.5 * math.sqrt(math.pi) * diameter
-        return cls(angle, 2.0 * side / bore, side, axial_position, pressure)
+        return cls(angle, 2.0 * side / bore, side, axial_position, pressure, flow)
 
 
 @dataclass(frozen=True)
@@ -109,7 +141,8 @@ class FilmCase:
 
     Speeds in rad/s, positive counter-clockwise; `load_angle` in rad from +x. At least one of `oil_supply`
     and `cooling` carries the heat away, unless `effective_temperature` (K) is prescribed. `rotor_mass` (kg) is the
-    part of a rigid rotor that this bearing carries. `doubts` arose while the case was made and ride along.
+    part of a rigid rotor that this bearing carries. Without `turbulence` the film is laminar whatever its Reynolds
+    number. `doubts` arose while the case was made and ride along.
     """
 
     name: str
@@ -132,6 +165,8 @@ class FilmCase:
     assumptions: tuple[str, ...] = ()
     doubts: tuple[Notice, ...] = ()
     kind: str = "journal"
+    turbulence: TurbulenceLaw | None = None
+    pressure_viscosity: OilUnderPressure | None = None
 
     @property
     def rotation(self) -> Rotation:

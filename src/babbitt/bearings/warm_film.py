@@ -12,7 +12,7 @@ from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.compiling import announced
-from babbitt.bearings.layout import film_of, load_vector
+from babbitt.bearings.layout import film_of, given_flows, load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.design.conditions import GivenEccentricity
 from babbitt.design.feeding import Arrival, arrival
@@ -31,6 +31,7 @@ from babbitt.results import Outcome
 
 if TYPE_CHECKING:
     from babbitt.film.solution import FilmSolution
+    from babbitt.film.starved import FedFilm, GivenFlow
 
 LOAD_TOLERANCE = 1e-9
 """Of the film force over the load; small, so that the heat balance closes to 1e-8."""
@@ -50,6 +51,7 @@ class FilmState:
     total_flow: float
     feed: Arrival | None
     solution: FilmSolution
+    fed: FedFilm | None = None
 
 
 def operating_film(case: FilmCase) -> Equilibrium[FilmState]:
@@ -86,13 +88,22 @@ def film_at_temperature(temperature: float, case: FilmCase) -> FilmState:
     density, viscosity, heat_capacity = properties_at(oil, temperature)
 
     @cache  # the balance of the supply ends at a pressure that it has looked at
-    def solved(pressure: float) -> FilmSolution:
-        return resting_film(case, film_of(case, psi, viscosity, pressure))
+    def solved(pressure: float) -> tuple[FilmSolution, FedFilm | None]:
+        film = film_of(case, psi, viscosity, pressure, density)
+        flows = given_flows(case, film)
+        if not flows:
+            return resting_film(case, film), None
+        fed = starved_film(case, film, flows)
+        return fed.solution, fed
+
+    def from_system(pressure: float) -> float:
+        solution, fed = solved(pressure)
+        return float(solution.side_flow.sum()) - (sum(fed.drawn) if fed is not None else 0.0)
 
     feed = None
-    if case.oil_supply is not None:
-        feed = arrival(case.oil_supply, oil, lambda pressure: float(solved(pressure).side_flow.sum()))
-    solution = solved(feed.element_pressure if feed else 0.0)
+    if case.oil_supply is not None and case.oil_supply.flow is None:
+        feed = arrival(case.oil_supply, oil, from_system)
+    solution, fed = solved(feed.element_pressure if feed else 0.0)
     return FilmState(
         temperature=temperature,
         relative_clearance=psi,
@@ -104,17 +115,39 @@ def film_at_temperature(temperature: float, case: FilmCase) -> FilmState:
         total_flow=float(solution.side_flow.sum()),
         feed=feed,
         solution=solution,
+        fed=fed,
     )
 
 
 def resting_film(case: FilmCase, film: JournalFilm) -> FilmSolution:
     """Film that carries the load of the case, or that stands at its prescribed position."""
+    return _accepted(_settled(case, film))
+
+
+def starved_film(case: FilmCase, film: JournalFilm, flows: tuple[GivenFlow, ...]) -> FedFilm:
+    """Film whose supplies deliver given flows.
+
+    Raises
+    ------
+    NoFilmError
+        As overloaded, with the least flow that will do, where the oil is too little for the load.
+    """
+    from babbitt.film.starved import feed_film
+
+    fed = feed_film(film, flows, partial(_settled, case))
+    if fed.solution.outcome is Outcome.OVERLOADED:
+        raise NoFilmError(Outcome.OVERLOADED, least_flow=fed.least_flow)
+    _accepted(fed.solution)
+    return fed
+
+
+def _settled(case: FilmCase, film: JournalFilm) -> FilmSolution:
     with announced():
         from babbitt.film.solve import solve_journal
 
         if isinstance(case.duty, GivenEccentricity):
-            return _accepted(_at_eccentricity(case, case.duty, film))
-        return _accepted(solve_journal(film, load_vector(case, case.duty.load), resolution_of(case)))
+            return _at_eccentricity(case, case.duty, film)
+        return solve_journal(film, load_vector(case, case.duty.load), resolution_of(case))
 
 
 def film_at_angle(case: FilmCase, film: JournalFilm, eccentricity_ratio: float, attitude: float) -> FilmSolution:

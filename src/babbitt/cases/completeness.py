@@ -9,6 +9,7 @@ from babbitt.cases.materials import Materials
 from babbitt.cases.part import Complaint
 from babbitt.cases.plain_words import Path
 from babbitt.cases.shared import SharedInputs, merged
+from babbitt.cases.supply import Supply
 from babbitt.lubricants import Lubricant
 from babbitt.materials import bearing_metal
 from babbitt.units import written
@@ -58,8 +59,14 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
         points = bearing.operating_points
         if supply.temperature is None and not _all_give(points, "supply_temperature"):
             yield lacks("temperature", "supply", "oil temperature at the inlet such as '50 degC'")
-        if supply.pressure is None and not _all_give(points, "supply_pressure"):
-            yield lacks("pressure", "supply", "gauge pressure such as '0.2 MPa'")
+        if (
+            supply.pressure is None
+            and supply.flow is None
+            and not _all_give(points, "supply_pressure", "supply_flow")
+        ):
+            yield lacks("pressure", "supply", "gauge pressure such as '0.2 MPa', or flow for the film method")
+        own = bearing.supply is not None and bearing.supply.flow is not None
+        yield from _flow_goes_somewhere(bearing, supply, path if own else ())
     if cooling is not None:
         if cooling.ambient_temperature is None:
             yield lacks("ambient_temperature", "cooling", "temperature of the air such as '20 degC'")
@@ -73,8 +80,29 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
             yield lacks(part, "materials", "a name of the catalogue, or {thermal_expansion: 11e-6 1/K}")
 
 
-def _all_give(points: tuple[object, ...], name: str) -> bool:
-    return bool(points) and all(getattr(point, name) is not None for point in points)
+def _all_give(points: tuple[object, ...], *names: str) -> bool:
+    return bool(points) and all(any(getattr(point, name) is not None for name in names) for point in points)
+
+
+def _flow_goes_somewhere(bearing: JournalBearing, supply: Supply, path: Path) -> Iterator[Complaint]:
+    """Complain about a supply flow that the method does not know, or that no groove, pocket or hole takes."""
+    at: Path = (*path, "supply", "flow")
+    given = supply.flow is not None
+    for index, point in enumerate(bearing.operating_points):
+        if point.supply_flow is not None:
+            given, at = True, ("operating_points", index, "supply_flow")
+    if not given:
+        return
+    if bearing.method != "film":
+        yield Complaint(at, "ISO 7902 takes a supply pressure, not a flow", "method: film, or supply.pressure")
+    elif bearing.cavitation != "mass_conserving" or bearing.film_start == "widest_gap":
+        says = "a supply flow needs a film that conserves the oil and is fed somewhere"
+        yield Complaint(at, says, "cavitation: mass_conserving and film_start: groove")
+    elif bearing.hollows() and all(
+        one.pressure is not None or one.flow is not None for _, one in bearing.hollows()
+    ):
+        says = "every groove, pocket and hole has a pressure or flow of its own: no one takes this flow"
+        yield Complaint(at, says, "a groove, pocket or hole without pressure and flow")
 
 
 def _clearance_limits(bearing: JournalBearing, machine: SharedInputs | None, path: Path) -> Iterator[Complaint]:

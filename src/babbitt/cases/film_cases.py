@@ -10,6 +10,7 @@ from babbitt.cases.as_given import words_of
 from babbitt.cases.assumptions import common_assumptions_of
 from babbitt.cases.doubts import doubts_about_numbers
 from babbitt.cases.film_layout import film_layout
+from babbitt.cases.film_oil import LAWS_OF_TURBULENCE
 from babbitt.cases.joined_inputs import Inputs, Point, duty, housing_cooling, journal_speed, oil_supply
 from babbitt.film.model import Cavitation, FilmStart
 from babbitt.materials import LoadCharacter, bearing_metal
@@ -46,6 +47,8 @@ def film_case(inputs: Inputs, at: Point) -> FilmCase:
         ),
         doubts=doubts_about_numbers(bearing, point),
         kind=bearing.kind,
+        turbulence=LAWS_OF_TURBULENCE[bearing.turbulence],
+        pressure_viscosity=bearing.pressure_viscosity.law() if bearing.pressure_viscosity is not None else None,
     )
 
 

@@ -11,7 +11,8 @@ from pydantic import Discriminator, Field
 
 from babbitt.bearings.bore import Bore, LobedBore, MeasuredBore, RoundBore, TaperedBore, WornBore
 from babbitt.bearings.model import Hollow
-from babbitt.cases.part import Complaint, Part, exactly_one, rule
+from babbitt.cases.part import Complaint, Part, at_most_one, exactly_one, rule
+from babbitt.cases.supply import SupplyFlow
 from babbitt.units import si, written
 
 Angle = Annotated[float, si("rad", "-360 deg", "360 deg")]
@@ -20,11 +21,20 @@ Depth = Annotated[float, si("m", "0.1 um", "5 mm")]
 
 ANGLE = "Direction of its centre, counter-clockwise from the x axis."
 PRESSURE = "Gauge pressure, if not that of the supply."
+FLOW = "Oil flow in place of a pressure: flooded where the film draws less, starved where it asks for more."
 POSITION = "Axial position of its centre from the mid-plane."
 TURN = 2.0 * math.pi
 
 
-class GrooveGiven(Part):
+class FedPart(Part):
+    """What feeds the film by a pressure or a flow."""
+
+    @rule
+    def _pressure_or_flow(self) -> Iterator[Complaint]:
+        yield from at_most_one(self, "pressure", "flow")
+
+
+class GrooveGiven(FedPart):
     """An axial groove as wide as the bearing."""
 
     angle: Angle = Field(description=ANGLE)
@@ -32,17 +42,18 @@ class GrooveGiven(Part):
         description="Angle it takes around the bore; 0 is a line of supply."
     )
     pressure: HollowPressure | None = Field(None, description=PRESSURE)
+    flow: SupplyFlow | None = Field(None, description=FLOW)
 
     def hollow(self, diameter: float) -> Hollow:
         """Give the hollow of the film."""
-        return Hollow(self.angle, self.extent, pressure=self.pressure)
+        return Hollow(self.angle, self.extent, pressure=self.pressure, flow=self.flow)
 
     def reach(self, diameter: float) -> tuple[float, float]:
         """Angle and length along the shaft that it covers, rad and m."""
         return self.extent, math.inf
 
 
-class PocketGiven(Part):
+class PocketGiven(FedPart):
     """A rectangular pocket, narrower than the bearing; one of 360 deg is a circumferential groove."""
 
     angle: Angle = Field(description=ANGLE)
@@ -52,27 +63,29 @@ class PocketGiven(Part):
     width: Annotated[float, si("m", "0.1 mm", "3 m")] = Field(description="Size along the shaft.")
     axial_position: Annotated[float, si("m", "-3 m", "3 m")] = Field(0.0, description=POSITION)
     pressure: HollowPressure | None = Field(None, description=PRESSURE)
+    flow: SupplyFlow | None = Field(None, description=FLOW)
 
     def hollow(self, diameter: float) -> Hollow:
         """Give the hollow of the film."""
-        return Hollow(self.angle, self.extent, self.width, self.axial_position, self.pressure)
+        return Hollow(self.angle, self.extent, self.width, self.axial_position, self.pressure, self.flow)
 
     def reach(self, diameter: float) -> tuple[float, float]:
         """Angle and length along the shaft that it covers, rad and m."""
         return self.extent, self.width
 
 
-class SupplyHoleGiven(Part):
+class SupplyHoleGiven(FedPart):
     """A round hole in the bore."""
 
     angle: Angle = Field(description=ANGLE)
     diameter: Annotated[float, si("m", "0.1 mm", "1 m")] = Field(description="Diameter of the hole.")
     axial_position: Annotated[float, si("m", "-3 m", "3 m")] = Field(0.0, description=POSITION)
     pressure: HollowPressure | None = Field(None, description=PRESSURE)
+    flow: SupplyFlow | None = Field(None, description=FLOW)
 
     def hollow(self, diameter: float) -> Hollow:
         """Give the hollow of the film, a square of the same area."""
-        return Hollow.hole(self.angle, self.diameter, diameter, self.axial_position, self.pressure)
+        return Hollow.hole(self.angle, self.diameter, diameter, self.axial_position, self.pressure, self.flow)
 
     def reach(self, diameter: float) -> tuple[float, float]:
         """Angle and length along the shaft that it covers, rad and m."""

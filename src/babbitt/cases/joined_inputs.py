@@ -88,18 +88,22 @@ def oil_supply(supply: Supply | None, point: OperatingPoint | None) -> OilSupply
     """Oil supply with what the operating point changes; None where no oil is fed."""
     if supply is None:
         return None
-    temperature, pressure = supply.temperature, supply.pressure
+    temperature, pressure, flow = supply.temperature, supply.pressure, supply.flow
     if point is not None:
         temperature = point.supply_temperature or temperature
-        pressure = point.supply_pressure or pressure
-    if temperature is None or pressure is None:
-        raise ValueError("a case that was not validated: the supply has no temperature or no pressure")
+        if point.supply_pressure is not None or point.supply_flow is not None:
+            pressure, flow = point.supply_pressure, point.supply_flow
+    if temperature is None or (pressure is None and flow is None):
+        raise ValueError(
+            "a case that was not validated: the supply has no temperature, or no pressure and no flow"
+        )
     return OilSupply(
         temperature,
-        pressure,
+        0.0 if pressure is None else pressure,
         tuple(tube.duct() for tube in supply.tubes),
         tuple(hole.duct() for hole in supply.holes),
         supply.circulation_time,
+        flow if pressure is None else None,
     )
 
 

@@ -25,6 +25,7 @@ from babbitt.cases.film_features import (
     complaint_about_tilt,
     complaints_about_hollows,
 )
+from babbitt.cases.film_oil import PressureViscosityGiven, TurbulenceGiven
 from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
 from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_bare, is_given, rule
 from babbitt.cases.shared import SharedInputs
@@ -122,6 +123,14 @@ class JournalBearing(Duty, SharedInputs):
     )
     cavitation_pressure: Annotated[float, si("Pa", "-1 MPa", "0 Pa")] = Field(
         0.0, description="Gauge pressure at which the film breaks, for the film method."
+    )
+    turbulence: TurbulenceGiven = Field(
+        "laminar",
+        description="Turbulence of the film method where the local Reynolds number exceeds 41.3 sqrt(D/C): none, "
+        "whatever the Reynolds number, or flow factors by Ng and Pan or Constantinescu.",
+    )
+    pressure_viscosity: PressureViscosityGiven | None = Field(
+        None, description="Growth of the viscosity with pressure, for the film method."
     )
     film_start: Literal["groove", "widest_gap"] | None = Field(
         None,
@@ -261,6 +270,10 @@ class JournalBearing(Duty, SharedInputs):
             yield Complaint(("bore",), f"ISO 7902 knows round bores only, not {self.bore.kind}", "method: film")
         if self.misalignment is not None:
             yield Complaint(("misalignment",), "ISO 7902 knows no misaligned journal", "method: film")
+        if self.turbulence != "laminar":
+            yield Complaint(("turbulence",), "ISO 7902 knows laminar films only", "method: film")
+        if self.pressure_viscosity is not None:
+            yield Complaint(("pressure_viscosity",), "ISO 7902 knows no viscosity under pressure", "method: film")
         for path, duty in self._duties():
             if duty.attitude_angle is not None:
                 says = "ISO 7902 finds the attitude angle itself"
@@ -319,9 +332,22 @@ class JournalBearing(Duty, SharedInputs):
         if self.span not in (None, 360):
             says = f"a film that starts at the widest gap surrounds the journal; span is {self.span} deg"
             yield Complaint(("film_start",), says, "groove, or span 360 deg")
+        for name in ("turbulence", "pressure_viscosity"):
+            if getattr(self, name) not in (None, "laminar"):
+                says = "a film that starts at the widest gap is laminar and of constant viscosity"
+                yield Complaint((name,), says, "film_start: groove")
         if self.cavitation == "mass_conserving":
             says = "a film that starts at the widest gap does not conserve the oil"
             yield Complaint(("cavitation",), says, "reynolds")
+
+    @rule
+    def _given_flows_are_counted(self) -> Iterator[Complaint]:
+        for path, hollow in self.hollows():
+            if hollow.flow is None:
+                continue
+            if self.method == "film" and self.cavitation != "mass_conserving":
+                says = "the Reynolds condition does not count the oil that a supply of given flow delivers"
+                yield Complaint((*path, "flow"), says, "cavitation: mass_conserving, or a pressure")
 
     @rule
     def _grooves_stand_still(self) -> Iterator[Complaint]:

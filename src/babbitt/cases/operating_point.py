@@ -8,8 +8,8 @@ from typing import Annotated, ClassVar
 from pydantic import Field
 
 from babbitt.cases.fields import Name, Span
-from babbitt.cases.part import Complaint, Part, rule
-from babbitt.cases.supply import GaugePressure, OilTemperature
+from babbitt.cases.part import Complaint, Part, at_most_one, rule
+from babbitt.cases.supply import GaugePressure, OilTemperature, SupplyFlow
 from babbitt.cases.supply_element import SupplyElementGiven
 from babbitt.units import either_sense, si
 
@@ -54,10 +54,17 @@ class OperatingPoint(Duty):
     name: Name = Field(description="Name of the operating point.")
     supply_temperature: OilTemperature | None = Field(None, description="Oil temperature at the inlet.")
     supply_pressure: GaugePressure | None = Field(None, description="Gauge pressure of the supply system.")
+    supply_flow: SupplyFlow | None = Field(
+        None, description="Oil flow in place of the supply pressure, for the film method."
+    )
     span: Span | None = Field(None, description="Angular span, where the load turns relative to the pockets.")
     supply_element: SupplyElementGiven | None = Field(
         None, description="Supply element, where the load turns relative to the pockets."
     )
+
+    @rule
+    def _pressure_or_flow(self) -> Iterator[Complaint]:
+        yield from at_most_one(self, "supply_pressure", "supply_flow")
 
 
 def stating(names: tuple[str, ...], bearing: Duty, point: Duty | None) -> Duty:

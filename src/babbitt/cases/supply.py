@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Annotated, ClassVar
 
 from pydantic import Field
 
 from babbitt.cases.fields import WholeNumber
-from babbitt.cases.part import Part
+from babbitt.cases.part import Complaint, Part, at_most_one, rule
 from babbitt.design.ducts import Duct
 from babbitt.units import si
 
 OilTemperature = Annotated[float, si("K", "-30 degC", "200 degC")]
+SupplyFlow = Annotated[float, si("m3/s", "0.0001 L/min", "100000 L/min")]
 GaugePressure = Annotated[float, si("Pa", "1 kPa", "50 MPa")]
 
 
@@ -54,6 +56,11 @@ class Supply(Part):
     pressure: GaugePressure | None = Field(
         None, description="Gauge pressure of the supply system. Without tubes and holes, at the supply element."
     )
+    flow: SupplyFlow | None = Field(
+        None,
+        description="Oil flow in place of the pressure, for the film method: shared by all supplies without "
+        "pressure or flow of their own, so that all fill the same part of the gap.",
+    )
     tubes: tuple[Tube, ...] = Field((), max_length=20, description="Tubes on the way, one after the other.")
     holes: tuple[FeedHole, ...] = Field((), max_length=20, description="Holes on the way, one after the other.")
     circulation_time: Annotated[float, si("s", "1 s", "100 h")] | None = Field(
@@ -61,3 +68,7 @@ class Supply(Part):
         description="Whole oil volume over the whole flow of the supply system; above 5 min a higher oil "
         "temperature is permissible.",
     )
+
+    @rule
+    def _pressure_or_flow(self) -> Iterator[Complaint]:
+        yield from at_most_one(self, "pressure", "flow")

@@ -71,6 +71,7 @@ class GivenEccentricity:
 class OilSupply:
     """Oil fed under pressure: inlet temperature in K, gauge pressure in Pa, losses on the way.
 
+    `flow` (m³/s) in place of a pressure, which is then zero, is what a film that knows starved supplies is given.
     `circulation_time` (s, whole oil volume over whole flow) decides which temperature limit holds; None: unknown.
     """
 
@@ -79,6 +80,7 @@ class OilSupply:
     tubes: tuple[Duct, ...] = ()
     holes: tuple[Duct, ...] = ()
     circulation_time: float | None = None
+    flow: float | None = None
 
 
 @dataclass(frozen=True)

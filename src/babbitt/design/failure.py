@@ -12,6 +12,12 @@ def failure(case: Designed, found: Equilibrium[FilmT]) -> str:
     """Say how far an unsolved case came, and what to try."""
     reached = f"{found.last_temperature - 273.15:.1f} °C"
     match found.outcome:
+        case Outcome.OVERLOADED if found.least_flow is not None:
+            needed = f"a film needs about {found.least_flow * 6e4:.3g} L/min"
+            return (
+                f"at {reached} the oil given is too little for this load: {needed}. Try: more oil, less load, "
+                "a more viscous or cooler oil."
+            )
         case Outcome.OVERLOADED:
             far = f"at {reached} {_carried(found.capacity)}"
             if isinstance(case.duty, GivenLoad):

@@ -70,12 +70,15 @@ class NoFilmError(Exception):
         search for the film ended without an answer.
     capacity : float or None
         Largest load in N that the method knows a film for, if the load is too large.
+    least_flow : float or None
+        Least oil flow in m3/s with which a film was found, if the flow given is too small for the load.
     """
 
-    def __init__(self, outcome: Outcome, capacity: float | None = None) -> None:
+    def __init__(self, outcome: Outcome, capacity: float | None = None, least_flow: float | None = None) -> None:
         super().__init__(outcome.value)
         self.outcome = outcome
         self.capacity = capacity
+        self.least_flow = least_flow
 
 
 class WarmFilm(Protocol):
@@ -98,7 +101,8 @@ FilmT = TypeVar("FilmT", bound=WarmFilm)
 class Equilibrium(Generic[FilmT]):
     """How the heat balance ended: the film there (the last one reached if unsolved) and the work it took.
 
-    `capacity` is the largest load in N at the temperature where the film gave way, for an overloaded bearing.
+    `capacity` is the largest load in N at the temperature where the film gave way, for an overloaded bearing, and
+    `least_flow` the least oil flow in m3/s with which a film was found there, for one that lacks oil.
     """
 
     outcome: Outcome
@@ -106,6 +110,7 @@ class Equilibrium(Generic[FilmT]):
     evaluations: int
     last_temperature: float
     capacity: float | None = None
+    least_flow: float | None = None
 
 
 def outlet_temperature(effective_temperature: float, case: Designed) -> float | None:
@@ -213,7 +218,7 @@ def at_prescribed_temperature(temperature: float, film_at: Callable[[float], Fil
     try:
         return Equilibrium(Outcome.CONVERGED, film_at(temperature), 1, temperature)
     except NoFilmError as failure:
-        return Equilibrium(failure.outcome, None, 1, temperature, failure.capacity)
+        return Equilibrium(failure.outcome, None, 1, temperature, failure.capacity, failure.least_flow)
 
 
 class _SpentError(Exception):
@@ -279,7 +284,9 @@ class _Search(Generic[FilmT]):
             film: FilmT | None = self._film(temperature)
         except NoFilmError:
             film = None
-        return Equilibrium(failure.outcome, film, self._evaluations, temperature, failure.capacity)
+        return Equilibrium(
+            failure.outcome, film, self._evaluations, temperature, failure.capacity, failure.least_flow
+        )
 
     def given_up(self) -> Equilibrium[FilmT]:
         """End where the films allowed have run out."""

@@ -76,11 +76,10 @@ def supply_values(case: Designed, film: DesignFilm) -> Named:
     leaving = outlet_temperature(film.temperature, case)
     if case.oil_supply is None or leaving is None:
         return {}
-    return {
-        "supply_temperature": case.oil_supply.temperature,
-        "outlet_temperature": leaving,
-        "supply_pressure": case.oil_supply.pressure,
-    }
+    values = {"supply_temperature": case.oil_supply.temperature, "outlet_temperature": leaving}
+    if case.oil_supply.flow is None:
+        values["supply_pressure"] = case.oil_supply.pressure
+    return values
 
 
 def cooling_values(case: Designed, film: DesignFilm) -> Named:

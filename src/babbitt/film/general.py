@@ -185,7 +185,7 @@ def attempt(
     per_turn = resolution.ring_intervals
     size = math.hypot(*load)
     share = min(1.0, MODERATE_LOAD / max(size, 1e-300))
-    at, density, total, last_gap = np.zeros(2), None, 0, math.inf
+    at, density, total, last_gap = beginning(film, load), None, 0, math.inf
     coarse: Sample | None = None
     steps_per_grid = PATIENT_STEPS if patient else max_steps
     for _ in range(60):
@@ -212,11 +212,28 @@ def attempt(
     return SettledRing(film, fine, at, status, total + steps, gap)
 
 
+STARVED_START = 0.5
+"""Clearances from the middle, towards the load, at which the search for a starved film begins."""
+
+
+def beginning(film: JournalFilm, load: Array) -> Array:
+    """Where the search begins: in the middle, but for starved films.
+
+    Around a centred journal no gap narrows: a film that is not full stays so, and how much oil circles beside the
+    supplies is then undetermined.
+    """
+    size = math.hypot(*load)
+    if size == 0.0 or not film.is_starved:
+        return np.zeros(2)
+    return np.asarray(STARVED_START / size * load)
+
+
 def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: Resolution) -> SettledRing:
-    """Film at a position and velocity."""
+    """Film at a position and velocity, (2,), or with the tilts of ``build_ring``, (4,)."""
     total, coarse, density, effort = 0, None, None, Effort(math.inf)
     for per_turn in (resolution.ring_intervals // 4, resolution.ring_intervals):
-        sample = Sample.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density), effort)
+        ring = build_ring(film, unit, per_turn, resolution.axial_unknowns, density, motions=at.size)
+        sample = Sample.of(ring, effort)
         gap = sample.gap(at)
         if not gap > 0.0:
             return SettledRing(film, sample, at, NO_FILM, total, gap)

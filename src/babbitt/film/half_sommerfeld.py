@@ -36,10 +36,11 @@ def half_sommerfeld_at(
     if not found.outcome.solved:
         return replace(found, film=film)
     pressure = np.maximum(found.pressure, 0.0)
-    unknown = np.full((2, 2), np.nan)
+    unknown, two = np.full((2, 2), np.nan), np.full(2, np.nan)
     return replace(
         found, film=film, pressure=pressure, force=pressure_force(film, found, pressure), stiffness=unknown,
-        damping=unknown.copy(), side_flow=np.full_like(found.side_flow, np.nan), mass_balance_error=math.nan,
+        damping=unknown.copy(), side_flow=np.full_like(found.side_flow, np.nan), end_flows=two,
+        inflow=two[:1], outflow=two[:1], supply_flow=two[:0], mass_balance_error=math.nan,
     )  # fmt: skip
 
 

@@ -81,8 +81,8 @@ class Land:
         Departure of the bore from its circle, m, outward positive, at equally spaced angles from edge to edge
         (wear, measured form). Empty: none.
     start_fill : float
-        Share of the gap that the groove before the land can fill: 1 flooded, less where it is starved (its
-        pressure is then that of the cavity).
+        Share of the gap that the groove from which the journal enters the land can fill, 0 to 1: 1 flooded, less
+        where it is starved. A starved groove stands at the cavitation pressure.
     """
 
     start_angle: float
@@ -108,7 +108,8 @@ class Pocket:
     pressure : float
         Gauge, Pa.
     fill : float
-        Share of the gap behind it that it can fill: 1 flooded, less where it is starved.
+        Share of the gap behind it that it can fill, 0 to 1: 1 flooded, less where it is starved; it stands then
+        at the cavitation pressure.
     """
 
     centre_angle: float
@@ -213,6 +214,11 @@ class JournalFilm:
     pressure_viscosity: PressureViscosity | None = None
 
     @property
+    def land_order(self) -> list[int]:
+        """Numbers of the lands by their start angles within a turn."""
+        return sorted(range(len(self.lands)), key=lambda number: self.lands[number].start_angle % (2.0 * math.pi))
+
+    @property
     def is_surface(self) -> bool:
         """Whether the film is solved node by node (``ring``); all others separate into modes of the width."""
         return bool(
@@ -228,8 +234,13 @@ class JournalFilm:
             or self.pressure_viscosity
             or self.film_start is FilmStart.PERIODIC
             or any(land.start_pressure > 0.0 or land.end_pressure > 0.0 for land in self.lands)
-            or any(land.start_fill < 1.0 for land in self.lands)
+            or self.is_starved
         )
+
+    @property
+    def is_starved(self) -> bool:
+        """Whether a groove or pocket fills only part of the gap behind it."""
+        return any(land.start_fill < 1.0 for land in self.lands) or any(one.fill < 1.0 for one in self.pockets)
 
     @property
     def is_symmetric(self) -> bool:
@@ -267,6 +278,8 @@ class JournalFilm:
                              f"cavitation pressure, {self.cavitation_pressure} Pa.")  # fmt: skip
         if self.cavitation is Cavitation.HALF_SOMMERFELD:
             check_plain_ring(self)
+        check_fills(self)
+        check_oil(self)
 
 
 def check_lands(lands: tuple[Land, ...], cavitation_pressure: float) -> None:
@@ -324,6 +337,33 @@ def check_pockets(film: JournalFilm) -> None:
         if film.cavitation is Cavitation.MASS_CONSERVING and not film.pockets:
             raise InputError("E101", "nothing feeds this closed ring: a mass-conserving film would run dry. Give "
                              "pockets or holes, or choose Cavitation.REYNOLDS.")  # fmt: skip
+
+
+FULL = 1.0 - 1e-9
+"""Fill from which a supply can stand under pressure."""
+
+
+def check_fills(film: JournalFilm) -> None:
+    """Refuse fills beyond 0 to 1, starved supplies under pressure, starved films that do not count oil."""
+    supplies = [(land.start_fill, land.start_pressure) for land in film.lands]
+    supplies += [(pocket.fill, pocket.pressure) for pocket in film.pockets]
+    for fill, pressure in supplies:
+        if not 0.0 < fill <= 1.0:
+            raise InputError("E101", f"the fill of a groove or pocket is {fill}; it must lie above 0, up to 1.")
+        if fill < FULL and pressure > film.cavitation_pressure:
+            raise InputError("E101", f"a groove or pocket with a fill of {fill} stands at {pressure} Pa; one "
+                             "that is starved is at the cavitation pressure.")  # fmt: skip
+    if film.is_starved and film.cavitation is not Cavitation.MASS_CONSERVING:
+        raise InputError("E101", "a starved supply needs Cavitation.MASS_CONSERVING, which counts the oil.")
+
+
+def check_oil(film: JournalFilm) -> None:
+    """Refuse turbulence and piezoviscosity where the film is solved without them."""
+    if film.turbulence is None and film.pressure_viscosity is None:
+        return
+    if film.film_start is FilmStart.WIDEST_GAP or film.cavitation is Cavitation.HALF_SOMMERFELD:
+        raise InputError("E101", "a film that starts at the widest gap, or under the half-Sommerfeld condition, "
+                         "is laminar and of constant viscosity; choose another start or condition.")  # fmt: skip
 
 
 def check_steps(film: JournalFilm) -> None:

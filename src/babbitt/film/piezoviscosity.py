@@ -4,7 +4,9 @@ With mu(p) = mu_0 f(p) the flow h^3 / (12 mu) grad p is h^3 / (12 mu_0) grad r w
 
     r(p) = int_0^p dp' / f(p')         (Kirchhoff's transform; r = (1 - exp(-alpha p)) / alpha for Barus)
 
-so that the film is solved for r, and only loads need p(r).
+so that the film is solved for r, and only loads need p(r). For Barus r ends at 1 / alpha, where the pressure would
+be without bound: a film that asks for more has no pressure, and its solution says so. Couette shear takes mu(p)
+from line to line. The Reynolds number of a turbulent film keeps the viscosity at ambient pressure.
 """
 
 from __future__ import annotations
@@ -15,6 +17,8 @@ from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
+
+from babbitt.notices import InputError
 
 __all__ = ["Barus", "PressureViscosity", "Roelands", "pressure_of", "pressure_table", "reduced_pressure"]
 
@@ -49,6 +53,9 @@ class Barus:
 
     coefficient: float
 
+    def __post_init__(self) -> None:
+        check_coefficient(self.coefficient)
+
     def ratio(self, pressure: Array) -> Array:
         """f(p)."""
         return np.asarray(np.exp(self.coefficient * np.maximum(pressure, 0.0)))
@@ -69,12 +76,24 @@ class Roelands:
     coefficient: float
     viscosity: float
 
+    def __post_init__(self) -> None:
+        check_coefficient(self.coefficient)
+        if not math.log(max(self.viscosity, 1e-300)) + ROELANDS_LEVEL > 0.0:
+            raise InputError("E101", f"viscosity is {self.viscosity} Pa s; Roelands's law needs more than "
+                             f"{math.exp(-ROELANDS_LEVEL):.3g} Pa s, where its isotherms meet.")  # fmt: skip
+
     def ratio(self, pressure: Array) -> Array:
         """f(p)."""
         level = math.log(self.viscosity) + ROELANDS_LEVEL
         exponent = self.coefficient * ROELANDS_PRESSURE / level
         rise = (1.0 + np.maximum(pressure, 0.0) / ROELANDS_PRESSURE) ** exponent - 1.0
         return np.asarray(np.exp(level * rise))
+
+
+def check_coefficient(coefficient: float) -> None:
+    """Refuse coefficients that no oil has."""
+    if not (math.isfinite(coefficient) and coefficient > 0.0):
+        raise InputError("E101", f"pressure coefficient is {coefficient} 1/Pa; it must be positive.")
 
 
 def pressure_table(law: PressureViscosity) -> Array:

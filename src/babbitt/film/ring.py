@@ -43,12 +43,15 @@ class Ring:
     mesh : AxialMesh
     supply : ndarray of int, shape (lines, nodes)
         Which groove or pocket holds a node, -1 none, -2 the side edge. Grooves count first, pockets after them.
+    groove_lines : tuple of (int, int)
+        First and last line of every groove.
     """
 
     surface: Surface
     theta: Array
     mesh: AxialMesh
     supply: NDArray[np.int64]
+    groove_lines: tuple[tuple[int, int], ...]
 
 
 def build_ring(
@@ -103,7 +106,7 @@ def build_ring(
         kappa=(film.diameter / film.width) ** 2 / 12.0, speed=1.0 if film.angular_speed else 0.0,
         conserving=film.cavitation is Cavitation.MASS_CONSERVING,
     )  # fmt: skip
-    return Ring(surface, theta, mesh, held.supply)
+    return Ring(surface, theta, mesh, held.supply, tuple(lines_of_groove(arc, theta) for arc in grooves))
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,7 +140,7 @@ def hold_nodes(film: JournalFilm, theta: Array, mesh: AxialMesh, grooves: list[G
         held.mask[touched], held.fill[touched], held.supply[touched] = True, pocket.fill, number
         held.pressure[touched] = pocket.pressure
     edges = list(mesh.side_nodes)
-    held.mask[:, edges], held.fill[:, edges], held.supply[:, edges] = True, 1.0, -2
+    held.mask[:, edges], held.supply[:, edges] = True, -2  # their fill stays that of a groove that ends there
     held.pressure[:, edges] = sides[edges]
     return held
 
@@ -215,14 +218,22 @@ class GrooveArc:
 
 
 def groove_arcs(film: JournalFilm) -> list[GrooveArc]:
-    """Grooves between the lands."""
-    lands = sorted(film.lands, key=lambda land: land.start_angle % TURN)
+    """Grooves between the lands, each behind its land of ``film.land_order``."""
+    lands = [film.lands[number] for number in film.land_order]
     arcs = []
     for land, following in zip(lands, [*lands[1:], lands[0]], strict=True):
         extent = (following.start_angle - land.end_angle + 1e-9) % TURN - 1e-9
         pressure = 0.5 * (land.end_pressure + following.start_pressure)
         arcs.append(GrooveArc(land.end_angle, max(extent, 0.0), pressure, following.start_fill))
     return arcs
+
+
+def lines_of_groove(arc: GrooveArc, theta: Array) -> tuple[int, int]:
+    """Lines on both edges of a groove; the one that closes the turn begins at the last edge of the first groove."""
+    first, last = ((edge - theta[0] + 1e-8) % TURN - 1e-8 for edge in (arc.first, arc.last))
+    if first < 1e-7:
+        first = TURN
+    return int(np.abs(theta - theta[0] - first).argmin()), int(np.abs(theta - theta[0] - last).argmin())
 
 
 def within(angles: Array, first: float, last: float) -> NDArray[np.bool_]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +12,7 @@ from babbitt.film._equilibrium import CONVERGED, NO_FILM
 from babbitt.film._surface_film import Surface
 from babbitt.film._surface_forces import carry_streamers
 from babbitt.film.general import SettledRing
-from babbitt.film.model import Field, JournalFilm, Land
+from babbitt.film.model import Field, FilmStart, JournalFilm, Land
 from babbitt.film.piezoviscosity import pressure_of
 from babbitt.film.scales import Scales
 from babbitt.film.solution import FilmSolution
@@ -53,25 +53,25 @@ def mirrored(film: JournalFilm) -> JournalFilm:
 
 
 def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun: float) -> FilmSolution:
-    """Everything in SI and in the fixed frame.
-
-    Supply flows come one per groove, then one per pocket; each is the sum of the balances of the nodes it holds.
-    """
+    """Everything in SI and in the fixed frame."""
     sample, ring = settled.sample, settled.sample.ring
-    work, supply = sample.work, ring.supply
+    work = sample.work
     if not ring.surface.conserving and ring.surface.speed > 0.0:
         carry_streamers(ring.surface, sample.film, work)
-    count = int(supply.max()) + 1
-    flows = np.array([work.row[supply == number].sum() for number in range(count)])
-    side = -work.row[supply == -2].sum()
-    free = np.abs(work.row[(supply == -1) & work.counts])
-    passing = max(np.maximum(flows, 0.0).sum(), float(sample.film.couette.sum(axis=1).max()))
+    for edge in ring.mesh.side_nodes:
+        if ring.surface.held_pressure[0, edge] <= 0.0 and ring.surface.speed > 0.0:
+            drain_edge(settled, edge)
+    flows = flows_of(settled)
+    free = np.abs(work.row[(ring.supply == -1) & work.counts])
+    passing = max(np.maximum(flows.supplies, 0.0).sum(), float(sample.film.couette.sum(axis=1).max()))
     torque_journal, torque_bearing = friction(settled)
     frame = np.diag(scales.sense)
     unit = scales.force / scales.length
     outcome = {CONVERGED: Outcome.CONVERGED, NO_FILM: Outcome.OVERLOADED}.get(
         settled.status, Outcome.NOT_CONVERGED
     )
+    if ring.surface.piezo.size and work.pressure.max() > ring.surface.piezo[0, -1]:
+        outcome = Outcome.OVERLOADED  # beyond the law of viscosity and pressure
     lines = work.pressure.shape[0]
     return FilmSolution(
         film=film,
@@ -85,15 +85,98 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
         axial_positions=ring.mesh.nodes * (0.5 * film.width),
         pressure=true_pressures(ring.surface, work.pressure)[None] * scales.pressure + film.cavitation_pressure,
         void=1.0 - work.fill[None],
-        supply_flow=flows * scales.flow,
-        outflow=np.zeros(count),
-        side_flow=np.array([side * scales.flow]),
+        supply_flow=flows.supplies[supply_order(film, settled.film)] * scales.flow,
+        inflow=flows.entering * scales.flow,
+        outflow=flows.leaving * scales.flow,
+        side_flow=np.array([flows.sides.sum() * scales.flow]),
+        end_flows=flows.sides * scales.flow,
         friction_torque=torque_journal * scales.torque,
         bearing_torque=torque_bearing * scales.torque,
         mass_balance_error=float(free.sum() / max(passing, 1e-300)),
         iterations=settled.steps,
         wall_time=time.perf_counter() - begun,
     )
+
+
+def drain_edge(settled: SettledRing, edge: int) -> None:
+    """Let a side at cavitation pressure run partly filled where less oil arrives than its gap could carry.
+
+    The nodes of the side are held, which would draw in oil from outside (as ``_integrals.edge_column``).
+    """
+    ring, work = settled.sample.ring, settled.sample.work
+    full = flux_along(settled)[:, edge]
+    n, lines = full.size, work.row.shape[0]
+    row = work.row[:, edge].tolist()
+    flux, fill = full.tolist(), work.fill[:, edge].tolist()
+    in_groove = {line for first, last in ring.groove_lines for line in (first, last)}
+    for turn in range(2 if ring.surface.cyclic else 1):
+        for i in range(turn == 0, n):  # a closed ring starts over with what its first round ended with
+            if i in in_groove:
+                continue
+            arriving = full[i] - row[i] + flux[i - 1] - full[i - 1]
+            flux[i] = min(float(full[i]), max(arriving, 0.0))
+            fill[i] = flux[i] / full[i] if full[i] > 0.0 else 1.0
+    change = np.array(flux) - full
+    work.fill[:n, edge] = fill[:n]
+    work.row[:n, edge] += change
+    work.row[(np.arange(n) + 1) % lines, edge] -= change
+
+
+@dataclass(frozen=True)
+class RingFlows:
+    """Flows of a ring, dimensionless: from every supply, to both sides, into and out of every land."""
+
+    supplies: Array
+    sides: Array
+    entering: Array
+    leaving: Array
+
+
+def flows_of(settled: SettledRing) -> RingFlows:
+    """Flows from the balances of the nodes that are held.
+
+    The nodes on the sides of a groove between lands are held by the surroundings; what they send along the film
+    comes from the groove nevertheless, and only what crosses the side itself counts as side flow.
+    """
+    ring, work = settled.sample.ring, settled.sample.work
+    edges, along = list(ring.mesh.side_nodes), flux_along(settled)
+    count = len(ring.groove_lines) + len(settled.film.pockets)
+    supplies = np.array([work.row[ring.supply == number].sum() for number in range(count)])
+    sides = -work.row[:, edges].sum(axis=0)
+    entering = np.full(len(settled.film.lands), along[0].sum())  # a closed ring: across the seam
+    leaving, order = entering.copy(), settled.film.land_order
+    for number, (first, last) in enumerate(ring.groove_lines):
+        into, out_of = along[last], along[first - 1]
+        leaving[order[number]] = out_of.sum()
+        entering[order[(number + 1) % len(order)]] = into.sum()
+        from_ends = (into - out_of)[edges]
+        supplies[number] += from_ends.sum()
+        sides += from_ends
+    return RingFlows(supplies, sides if len(edges) == 2 else np.full(2, 0.5 * sides[0]), entering, leaving)
+
+
+def flux_along(settled: SettledRing) -> Array:
+    """Flux from every line to the next, as ``_surface_forces.balance_rows`` has it; shape (n, nodes)."""
+    surface, film, work = settled.sample.ring.surface, settled.sample.film, settled.sample.work
+    here = np.arange(surface.step.size)
+    after = (here + 1) % work.pressure.shape[0]
+    fill = work.fill[here]
+    flux = film.couette * fill + film.conductance * (work.pressure[here] - work.pressure[after])
+    if surface.conserving:
+        cramped = surface.held[here] & ~work.holds[after]
+        flux = np.where(cramped, film.inlet * fill, flux)
+    return np.asarray(flux)
+
+
+def supply_order(film: JournalFilm, seen: JournalFilm) -> list[int]:
+    """Where each supply of a film stands among those of the film that was solved (itself or its mirror image)."""
+    grooves = 0 if film.film_start is FilmStart.PERIODIC else len(film.lands)
+    pockets = [grooves + number for number in range(len(film.pockets))]
+    if seen.angular_speed == film.angular_speed or not grooves:
+        return list(range(grooves)) + pockets
+    own, mirror = film.land_order, seen.land_order
+    before = [mirror.index(own[(place + 1) % grooves]) for place in range(grooves)]  # the mirror's order runs back
+    return before + pockets
 
 
 def friction(settled: SettledRing) -> tuple[float, float]:
@@ -108,11 +191,12 @@ def friction(settled: SettledRing) -> tuple[float, float]:
     n = surface.step.size
     after = (np.arange(n) + 1) % work.pressure.shape[0]
     half = 0.5 * surface.step[:, None]
-    viscosity = surface.viscosity * (0.5 * (work.stiffening[:n] + work.stiffening[after]))[:, node]
+    ambient = surface.viscosity
+    viscosity = ambient * (0.5 * (work.stiffening[:n] + work.stiffening[after]))[:, node]
     factors = [np.ones_like(ha)] * 2
     turbulence = settled.film.turbulence
     if turbulence is not None:
-        factors = [turbulence.shear_factor(surface.turbulence[0] * gap / viscosity) for gap in (ha, hb)]
+        factors = [turbulence.shear_factor(surface.turbulence[0] * gap / ambient) for gap in (ha, hb)]
     shear = surface.speed * viscosity * half * (factors[0] / ha + factors[1] / hb) * work.fill[:n][:, node]
     shear[_in_hollow(settled, after)] = 0.0
     pressure = true_pressures(surface, work.pressure)

@@ -39,12 +39,20 @@ class FilmSolution:
         Gauge, Pa.
     void : ndarray, same shape
         1 - liquid fraction.
-    supply_flow, outflow, side_flow : ndarray, shape (lands,)
-        What enters each land from its first groove, what it hands to its second, what leaves by both sides, m3/s.
+    supply_flow : ndarray, shape (supplies,)
+        What every supply adds, m3/s: what leaves it into the film less what the film brings. Grooves between lands
+        come first, in the order of ``ring.groove_arcs`` (counter-clockwise, from that behind the land of least start
+        angle within a turn), then the pockets as they are given. A film that starts at the widest gap has that one.
+    inflow, outflow : ndarray, shape (lands,)
+        What crosses the edge at which the journal enters each land, and that at which it leaves it, m3/s.
+    side_flow : ndarray, shape (lands,) or (1,)
+        What leaves by both sides, m3/s: from every land, or from a surface as a whole (``film.is_surface``).
+    end_flows : ndarray, shape (2,)
+        What leaves by the sides z = -B/2 and z = B/2, m3/s.
     friction_torque, bearing_torque : float
         On the journal and on the bearing, N m, against and with the rotation.
     mass_balance_error : float
-        Over the supply flow. Under the Reynolds condition the film itself does not conserve oil.
+        Over the flow that enters the lands. Under the Reynolds condition the film itself does not conserve oil.
     iterations : int
     wall_time : float
         s.
@@ -62,8 +70,10 @@ class FilmSolution:
     pressure: Array
     void: Array
     supply_flow: Array
+    inflow: Array
     outflow: Array
     side_flow: Array
+    end_flows: Array
     friction_torque: float
     bearing_torque: float
     mass_balance_error: float

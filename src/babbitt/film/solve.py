@@ -273,12 +273,23 @@ def assemble(
         axial_positions=even_axial_operator(m).nodes * (0.5 * film.width),
         pressure=pressure * scales.pressure + film.cavitation_pressure,
         void=void,
-        supply_flow=totals[:, INFLOW] * scales.flow,
+        supply_flow=supply_flows(film, totals) * scales.flow,
+        inflow=totals[:, INFLOW] * scales.flow,
         outflow=totals[:, OUTFLOW] * scales.flow,
         side_flow=totals[:, SIDE_FLOW] * scales.flow,
+        end_flows=np.full(2, 0.5 * totals[:, SIDE_FLOW].sum() * scales.flow),
         friction_torque=float(totals[:, JOURNAL_TORQUE].sum() * scales.torque),
         bearing_torque=float(totals[:, BEARING_TORQUE].sum() * scales.torque),
         mass_balance_error=float(np.abs(totals[:, IMBALANCE]).sum() / max(abs(inflow), 1e-300)),
         iterations=steps,
         wall_time=time.perf_counter() - begun,
     )
+
+
+def supply_flows(film: JournalFilm, totals: Array) -> Array:
+    """What each groove adds: what it sends into the land behind it less what it gets from the land before it."""
+    order = film.land_order
+    following = order[1:] + order[:1]
+    if film.angular_speed < 0.0:
+        return np.asarray(totals[order, INFLOW] - totals[following, OUTFLOW])
+    return np.asarray(totals[following, INFLOW] - totals[order, OUTFLOW])

@@ -206,7 +206,10 @@ def _supply(case: AnyDesign) -> Iterator[Row]:
     if supply is None:
         return
     yield _named("supply_temperature", supply.temperature)
-    yield _named("supply_pressure", supply.pressure)
+    if supply.flow is None:
+        yield _named("supply_pressure", supply.pressure)
+    else:
+        yield _named("given_flow", supply.flow)
     for kind, ducts in (("Tube", supply.tubes), ("Hole", supply.holes)):
         for duct in ducts:
             yield Row(f"{kind} on the way", _duct(duct))

@@ -168,6 +168,12 @@ _ALL = (
         | {"um/(m K)": 1e-6, "um/m/K": 1e-6},
     ),
     Kind(
+        "1/Pa",
+        "a coefficient of viscosity and pressure",
+        "20 1/GPa",
+        {"1/Pa": 1.0, "Pa-1": 1.0, "1/GPa": 1e-9, "GPa-1": 1e-9, "1/MPa": 1e-6, "m2/N": 1.0, "mm2/N": 1e-6},
+    ),
+    Kind(
         "kg/(m3 K)",
         "a change of density per kelvin",
         "-0.63 kg/(m3 K)",

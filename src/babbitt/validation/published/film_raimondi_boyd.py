@@ -70,7 +70,7 @@ def _per_width(width_ratio: float, eccentricity_ratio: float) -> tuple[tuple[flo
         force = (float(film.force[0]) / width, float(film.force[1]) / width)
         return (
             force,
-            float(film.supply_flow.sum()) / width,
+            float(film.inflow.sum()) / width,
             float(film.side_flow.sum()) / width,
             film.maximum_pressure,
         )
