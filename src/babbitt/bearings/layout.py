@@ -86,7 +86,8 @@ def supply_numbers(case: FilmCase, film: JournalFilm) -> tuple[int, ...]:
     behind = [grooves[(land + 1) % len(grooves)] for land in film.land_order if grooves]
     pockets = [hollow for hollow in hollows if hollow.width is not None]
     return tuple(
-        behind.index(hollow) if hollow.width is None else len(grooves) + pockets.index(hollow) for hollow in hollows
+        behind.index(hollow) if hollow.width is None else len(grooves) + pockets.index(hollow)
+        for hollow in hollows
     )
 
 

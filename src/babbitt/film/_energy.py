@@ -266,7 +266,8 @@ def cell(surface, columns, flows, walls, viscosity, temperature, i, c, low, diag
         eta += columns.layer[k]
     for k in range(layers):
         right[k] = flows.heat[i, c] * (high[k] / total if total > 0.0 else columns.layer[k])
-        diagonal[k], low[k] = 0.0, 0.0
+        diagonal[k], low[k] = 1e-14, 0.0  # a cell that nothing passes keeps its temperature
+        right[k] += 1e-14 * temperature[i, c, k]
         high[k] = 0.0
     across = 0.0
     for k in range(layers):

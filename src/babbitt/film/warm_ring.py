@@ -23,6 +23,7 @@ from babbitt.film.general import Sample
 from babbitt.film.heat import ConductingWalls, FilmHeat
 from babbitt.film.model import JournalFilm
 from babbitt.film.ring import TURN, Ring
+from babbitt.film.ring_solution import drain_sides
 
 __all__ = ["WarmRing", "columns_of"]
 
@@ -109,6 +110,7 @@ class WarmRing:
     def gather(self, at: Array) -> None:
         """Flows and heat of the Reynolds solution."""
         sample = self.sample
+        drain_sides(sample.ring, sample.film, sample.work)
         self.dissipation, self.friction = gather_flows(
             sample.ring.surface, sample.film, sample.work, at, self.columns, self.flows
         )
