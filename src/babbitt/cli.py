@@ -1,4 +1,4 @@
-"""The command line: solve, check, new, validate, compare, export, list, explain, cite, schema.
+"""The command line: solve, check, new, validate, compare, sweep, export, list, explain, cite, schema.
 
 Nothing but results goes to standard output; messages go to standard error. Heavy modules are imported by the
 command that needs them, so that ``babbitt --help`` answers at once.
@@ -78,15 +78,23 @@ def solve(
         Path | None, typer.Option(metavar="OUT", help="Write the report: OUT.pdf or OUT.html.")
     ] = None,
     plots: Annotated[Path | None, typer.Option(metavar="DIR", help="Write the plots into a folder.")] = None,
+    fields: Annotated[
+        Path | None, typer.Option(metavar="OUT", help="Write the fields of the films as NetCDF: OUT.nc.")
+    ] = None,
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 when a design limit is violated.")] = False,
 ) -> None:
     """Solve the bearings of case files and print a table."""
-    from babbitt.cases import load_cases
+    from babbitt.cases import design_cases, load_cases
     from babbitt.report import outputs, print_machine
     from babbitt.solving import solve as solve_case
 
     cases = load_cases(files)  # every problem of every file first; nothing is written before
-    plan = outputs(files, json, report, plots)
+    plan = outputs(files, json, report, plots, fields)
+    if fields is not None:
+        from babbitt.report.fields import require_films
+
+        for path, case in zip(files, cases, strict=True):
+            require_films(str(path), design_cases(case))
     machines = [solve_case(case) for case in cases]
     if not plan.silent:
         for machine in machines:
@@ -179,6 +187,43 @@ def compare(file: Annotated[Path, typer.Argument(metavar="FILE", help="A case fi
     from babbitt.studies.comparison import compare_methods
 
     if not print_comparison(compare_methods(load_case(file))):
+        raise typer.Exit(NO_SOLUTION)
+
+
+@app.command(context_settings={"ignore_unknown_options": True})  # VALUES may begin with a minus sign
+def sweep(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file.")],
+    path: Annotated[
+        str,
+        typer.Argument(
+            metavar="PATH", help="Field that changes: load, clearance.mean, operating_points.0.speed, ..."
+        ),
+    ],
+    values: Annotated[
+        str, typer.Argument(metavar="VALUES", help="'1 kN, 2 kN', or first:last:number, as '1 kN:10 kN:10'.")
+    ],
+    bearing: Annotated[
+        str | None, typer.Option(metavar="NAME", help="One bearing of a machine; PATH begins at it.")
+    ] = None,
+    csv: Annotated[Path | None, typer.Option(metavar="OUT", help="Write all results as CSV, in SI units.")] = None,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="OUT", help="Draw the key results: OUT.png, OUT.svg or OUT.pdf.")
+    ] = None,
+) -> None:
+    """Solve a case for several values of one field and print the key results."""
+    from babbitt.cases.variation import case_variation
+    from babbitt.report.progress import shown
+    from babbitt.report.sweep_output import require_outputs, write_outputs
+    from babbitt.report.sweep_table import print_sweep
+    from babbitt.studies.case_sweep import sweep_case
+    from babbitt.studies.sweep_values import values_of
+
+    given = values_of(values)
+    require_outputs(file, csv, plot)
+    found = sweep_case(case_variation(file, path, bearing), given, shown(f"{file}: {path}"))
+    print_sweep(found)
+    write_outputs(found, csv, plot)
+    if not found.solved:
         raise typer.Exit(NO_SOLUTION)
 
 

@@ -5,16 +5,28 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from time import perf_counter
+from typing import TYPE_CHECKING
 
 from babbitt.bearings.bore import LobedBore
 from babbitt.bearings.extent import full_film_share, turbulent_share
+from babbitt.bearings.grid_error import grid_errors
 from babbitt.bearings.layout import ALL_TURBULENT, supply_numbers, without_pressure
 from babbitt.bearings.model import FilmCase
+from babbitt.bearings.orbit_answer import (
+    orbit_assumptions,
+    orbit_checks,
+    orbit_doubts,
+    orbit_failure,
+    orbit_of,
+    orbit_rows,
+    orbit_values,
+)
+from babbitt.bearings.resting import doubts_about_rest, resting_places
 from babbitt.bearings.transition import transition_speed
-from babbitt.bearings.warm_film import FilmState, operating_film
+from babbitt.bearings.warm_film import FilmState, operating_film, under_found_load
 from babbitt.bearings.whirl import Whirl, whirl_of
 from babbitt.design.checks import USER, checks_not_made, clearance_check, limit_checks
-from babbitt.design.conditions import GivenEccentricity, contact_film
+from babbitt.design.conditions import GivenEccentricity, GivenPosition, contact_film
 from babbitt.design.doubts import doubt_about_supply, doubts_about_film, doubts_about_running
 from babbitt.design.failure import failure
 from babbitt.design.screening import recommended_relative_clearance
@@ -26,14 +38,21 @@ from babbitt.design.values import (
     oil_values,
     supply_values,
 )
+from babbitt.film.model import END_DAM, Cavitation
 from babbitt.film.starved import FedFilm
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Result
+
+if TYPE_CHECKING:
+    from babbitt.film.tilt import TiltCoefficients
 
 METHOD = "film"
 
 OIL_INVENTED_FROM = 0.05
 """Mass balance error above which a film without mass conservation is doubted."""
+
+NO_MOMENT = 1e-10
+"""Share of load times width below which a moment of the film is round-off."""
 
 AXES = ("xx", "xy", "yx", "yy")
 
@@ -57,7 +76,9 @@ def film_check(case: FilmCase) -> Result:
     """
     start = perf_counter()
     found = operating_film(case)
-    solved = found.outcome.solved
+    outcome, message = found.outcome, ""
+    if not outcome.solved:
+        message = failure(case, found)
     values: dict[str, float] = {}
     checks: tuple[Check, ...] = ()
     warnings = case.doubts
@@ -66,28 +87,49 @@ def film_check(case: FilmCase) -> Result:
     if found.film is not None:
         state = found.film
         values = _values(case, state)
-        arrays = {"stiffness": _rows(state.solution.stiffness), "damping": _rows(state.solution.damping)}
+        if case.cavitation is not Cavitation.HALF_SOMMERFELD:
+            arrays = {"stiffness": _rows(state.solution.stiffness), "damping": _rows(state.solution.damping)}
         if state.fed is not None:
             arrays["supply_fill"] = (_fills(case, state.fed),)
-        if solved:
-            whirl = whirl_of(case, state)
-            values |= _running_values(case, state, whirl)
-            checks = (*limit_checks(case, values), *_whirl_checks(case, whirl), clearance_check(case, values))
+        if outcome.solved:
+            if case.tilt_coefficients:
+                from babbitt.film.tilt import tilt_coefficients
+
+                tilt = tilt_coefficients(state.solution, case.accuracy.resolution)
+                arrays |= {"tilt_stiffness": _rows(tilt.stiffness), "tilt_damping": _rows(tilt.damping)}
+                values |= _tilt_values(tilt, state.load * case.bearing.width)
+            loaded = under_found_load(case, state)
+            whirl = whirl_of(loaded, state) if case.cavitation is not Cavitation.HALF_SOMMERFELD else None
+            values |= _running_values(loaded, state, whirl)
+            values |= grid_errors(case, state) if case.error_estimate else {}
+            checks = (*_limit_checks(case, values), *_whirl_checks(case, whirl), clearance_check(case, values))
             not_made = checks_not_made(case, values)
             warnings = tuple(_doubts(case, state, values, checks, whirl))
+            places = resting_places(case, state)
+            if places is not None:
+                values["equilibria"] = float(len(places.places))
+                warnings = (*warnings, *doubts_about_rest(places))
+            orbit = orbit_of(case, state)
+            if orbit is not None:
+                outcome = orbit.outcome
+                message = "" if outcome.solved else orbit_failure(orbit)
+                values |= orbit_values(case, orbit)
+                arrays["orbit"] = orbit_rows(orbit)
+                checks = (*checks, *orbit_checks(checks, values))
+                warnings = (*warnings, *orbit_doubts(case, orbit))
         values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
     return Result(
         case.name,
         case.kind,
         METHOD,
-        found.outcome,
-        values,
+        outcome,
+        {name: value for name, value in values.items() if not math.isnan(value)},
         checks,
         warnings,
         not_made,
         (*case.lubricant.assumptions, *case.assumptions, *_assumptions(case)),
-        "" if solved else failure(case, found),
+        message,
         _settings(case),
         arrays,
     )
@@ -110,6 +152,7 @@ def _values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "american_sommerfeld_number": 1.0 / (2.0 * math.pi * film.sommerfeld_number),
         "eccentricity_ratio": film.eccentricity_ratio,
         "attitude_angle": film.attitude_angle,
+        "load_angle": math.atan2(-film.force[1], -film.force[0]),
         "minimum_film_thickness": film.minimum_film_thickness,
         "maximum_pressure": film.maximum_pressure,
         "friction_number": coefficient / state.relative_clearance,
@@ -133,6 +176,16 @@ def _values(case: FilmCase, state: FilmState) -> dict[str, float]:
     return values
 
 
+def _tilt_values(tilt: TiltCoefficients, scale: float) -> dict[str, float]:
+    """Moments and the corner of tilt; a moment that is round-off beside load times width counts as none."""
+    moments = {f"film_moment_{axis}": float(one) for axis, one in zip("xy", tilt.moment, strict=True)}
+    values = {name: one if abs(one) > NO_MOMENT * scale else 0.0 for name, one in moments.items()}
+    for name, matrix in (("tilt_stiffness", tilt.stiffness), ("tilt_damping", tilt.damping)):
+        own = matrix[2:, 2:].ravel()
+        values |= {f"{name}_{axes}": float(one) for axes, one in zip(AXES, own, strict=True)}
+    return values
+
+
 def _rows(matrix: object) -> tuple[tuple[float, ...], ...]:
     import numpy as np
 
@@ -150,13 +203,15 @@ def _lobe_values(case: FilmCase, state: FilmState) -> dict[str, float]:
 def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     """Flow by film pressure and by supply pressure: the latter is what the supply adds at the same position."""
     flow, film = state.total_flow, state.solution.film
+    if math.isnan(flow):
+        return {}
     calm = without_pressure(film)
     if calm == film:
         return {"side_flow": flow, "supply_flow": 0.0, "total_flow": flow}
     from babbitt.film.solve import film_at_position
 
     x, y = state.solution.position
-    alone = float(film_at_position(calm, (x, y), resolution=case.accuracy.resolution).side_flow.sum())
+    alone = film_at_position(calm, (x, y), resolution=case.accuracy.resolution).leaving_flow
     return {"side_flow": alone, "supply_flow": flow - alone, "total_flow": flow}
 
 
@@ -180,12 +235,8 @@ def _extent_values(state: FilmState) -> dict[str, float]:
     return values
 
 
-def _running_values(case: FilmCase, state: FilmState, whirl: Whirl) -> dict[str, float]:
-    values = {"rotor_mass": whirl.rotor_mass, "whirl_frequency_ratio": whirl.frequency_ratio}
-    if math.isfinite(whirl.critical_mass):
-        values["critical_mass"] = whirl.critical_mass
-    if whirl.threshold_speed is not None:
-        values["threshold_speed"] = whirl.threshold_speed
+def _running_values(case: FilmCase, state: FilmState, whirl: Whirl | None) -> dict[str, float]:
+    values = {} if whirl is None else _whirl_values(case, whirl)
     contact = contact_film(case)
     slow = transition_speed(case, state, contact) if contact is not None else None
     if slow is not None:
@@ -193,17 +244,43 @@ def _running_values(case: FilmCase, state: FilmState, whirl: Whirl) -> dict[str,
     return values
 
 
-def _whirl_checks(case: FilmCase, whirl: Whirl) -> Iterator[Check]:
+def _limit_checks(case: FilmCase, values: dict[str, float]) -> Iterator[Check]:
+    """Those of every method; a film that was solved as turbulent need not be laminar."""
+    yield from (one for one in limit_checks(case, values) if one.code != "C110" or case.turbulence is None)
+
+
+def _whirl_values(case: FilmCase, whirl: Whirl) -> dict[str, float]:
+    values = {"rotor_mass": whirl.rotor_mass, "whirl_frequency_ratio": whirl.frequency_ratio}
     if math.isfinite(whirl.critical_mass):
-        own = case.rotor_mass is not None
-        source = USER if own else "load over g, as if the load were the weight of the rotor"
-        yield Check(
-            "C115", "critical_mass", whirl.critical_mass, whirl.rotor_mass, Bound.AT_LEAST, source, not own
-        )
+        values["critical_mass"] = whirl.critical_mass
+    if whirl.threshold_speed is not None:
+        values["threshold_speed"] = whirl.threshold_speed
+    if whirl.elastic is not None and case.shaft_stiffness is not None:
+        values["shaft_stiffness"] = case.shaft_stiffness
+        if math.isfinite(whirl.elastic.critical_mass):
+            values["critical_mass_elastic"] = whirl.elastic.critical_mass
+        if whirl.elastic.threshold_speed is not None:
+            values["threshold_speed_elastic"] = whirl.elastic.threshold_speed
+    return values
+
+
+def _whirl_checks(case: FilmCase, whirl: Whirl | None) -> Iterator[Check]:
+    if whirl is None:
+        return
+    own = case.rotor_mass is not None
+    source = USER if own else "load over g, as if the load were the weight of the rotor"
+    for name, critical in _critical_masses(whirl).items():
+        if math.isfinite(critical):
+            yield Check("C115", name, critical, whirl.rotor_mass, Bound.AT_LEAST, source, not own)
+
+
+def _critical_masses(whirl: Whirl) -> dict[str, float]:
+    rigid = {"critical_mass": whirl.critical_mass}
+    return rigid if whirl.elastic is None else rigid | {"critical_mass_elastic": whirl.elastic.critical_mass}
 
 
 def _doubts(
-    case: FilmCase, state: FilmState, values: dict[str, float], checks: tuple[Check, ...], whirl: Whirl
+    case: FilmCase, state: FilmState, values: dict[str, float], checks: tuple[Check, ...], whirl: Whirl | None
 ) -> Iterator[Notice]:
     yield from case.doubts
     yield from (
@@ -225,13 +302,22 @@ def _doubts(
         yield Notice(
             "W121", f"supply flow of {flow:.2g} L/min from grooves as wide as the bearing: a rough estimate"
         )
-    if whirl.critical_mass < whirl.rotor_mass:
+    if case.error_estimate and "position_error" not in values and "load_error" not in values:
+        yield Notice("W125", "the film on the finer grid was not found")
+    if whirl is not None:
+        yield from _doubts_about_whirl(whirl)
+    yield from doubts_about_running(case, values, checks)
+
+
+def _doubts_about_whirl(whirl: Whirl) -> Iterator[Notice]:
+    least = min(_critical_masses(whirl).values())
+    if least < whirl.rotor_mass:
+        shaft = " on its elastic shaft" if whirl.elastic is not None else ""
         yield Notice(
             "W120",
-            f"critical mass {whirl.critical_mass:.4g} kg < {whirl.rotor_mass:.4g} kg; whirl at "
+            f"critical mass{shaft} {least:.4g} kg < {whirl.rotor_mass:.4g} kg; whirl at "
             f"{whirl.frequency_ratio:.2f} of the speed",
         )
-    yield from doubts_about_running(case, values, checks)
 
 
 def _assumptions(case: FilmCase) -> Iterator[str]:
@@ -253,11 +339,24 @@ def _assumptions(case: FilmCase) -> Iterator[str]:
             "Supplies of given flow: oil that a flooded film does not draw returns without passing it; stiffness, "
             "damping and thresholds hold for the fills of the operating point; no oil is stored in grooves."
         )
+    grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
+    if any(hollow.pressure != 0.0 for hollow in grooves) and case.oil_supply is not None:
+        yield (
+            f"The pressure of grooves as wide as the bearing falls to that of the sides over the last "
+            f"{100.0 * END_DAM:g} % of the width at either end."
+        )
+    if case.bearing.side_pressures != (0.0, 0.0):
+        yield "Oil that a side under pressure presses into the film is as warm as that of the supply."
     if case.bearing.hollows:
         yield "Grooves, pockets and holes are deep: the oil in them is not sheared."
-    if case.rotor_mass is None:
+    if case.changing_load is not None:
+        yield from orbit_assumptions(case)
+    if case.cavitation is Cavitation.HALF_SOMMERFELD:
+        yield "Half-Sommerfeld film: neither flows nor stiffness, damping and threshold of whirl follow from it."
+    elif case.rotor_mass is None:
         yield "The mass of the rotor is not given: stability is judged as if the load were its weight."
-    if isinstance(case.duty, GivenEccentricity) and case.duty.attitude_angle is not None:
+    by_attitude = isinstance(case.duty, GivenEccentricity) and case.duty.attitude_angle is not None
+    if by_attitude or isinstance(case.duty, GivenPosition):
         yield "The position is prescribed: the load found need not point along the load angle."
     if case.effective_temperature is not None:
         yield (
@@ -274,7 +373,8 @@ def _flows_given(case: FilmCase) -> bool:
 def _settings(case: FilmCase) -> dict[str, str]:
     """The choices that the numbers depend on."""
     grooves = sum(hollow.width is None for hollow in case.bearing.hollows)
-    return {
+    orbit = {} if case.changing_load is None else {"orbit_cavitation": Cavitation.REYNOLDS.name.lower()}
+    return orbit | {
         "lubricant": case.lubricant.name,
         "cavitation": case.cavitation.name.lower(),
         "film_start": case.bearing.film_start.name.lower(),

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from babbitt.bearings.compiling import announced
 from babbitt.bearings.layout import film_of, given_flows, load_vector
 from babbitt.bearings.model import FilmCase
-from babbitt.design.conditions import GivenEccentricity
+from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition
 from babbitt.design.feeding import Arrival, arrival
 from babbitt.design.heat_balance import (
     SPARING,
@@ -52,6 +52,15 @@ class FilmState:
     feed: Arrival | None
     solution: FilmSolution
     fed: FedFilm | None = None
+
+
+DEAR = 1500
+"""Grid points of a film that is solved node by node, beyond which sweeps and orbits take a draft grid."""
+
+
+def is_dear(state: FilmState) -> bool:
+    """Whether a film takes so long that sweeps and orbits see it on a draft grid."""
+    return bool(state.solution.film.is_surface and state.solution.pressure.size > DEAR)
 
 
 def operating_film(case: FilmCase) -> Equilibrium[FilmState]:
@@ -112,7 +121,7 @@ def film_at_temperature(temperature: float, case: FilmCase) -> FilmState:
         volumetric_heat_capacity=heat_capacity,
         load=solution.load,
         friction_power=case.friction_factor * solution.friction_torque * abs(case.journal_speed),
-        total_flow=float(solution.side_flow.sum()),
+        total_flow=solution.leaving_flow,
         feed=feed,
         solution=solution,
         fed=fed,
@@ -147,17 +156,40 @@ def _settled(case: FilmCase, film: JournalFilm) -> FilmSolution:
 
         if isinstance(case.duty, GivenEccentricity):
             return _at_eccentricity(case, case.duty, film)
+        if isinstance(case.duty, GivenPosition):
+            return film_at(case, film, (case.duty.x, case.duty.y))
         return solve_journal(film, load_vector(case, case.duty.load), resolution_of(case))
 
 
 def film_at_angle(case: FilmCase, film: JournalFilm, eccentricity_ratio: float, attitude: float) -> FilmSolution:
     """Film with the journal at an eccentricity and an attitude angle in rad."""
-    from babbitt.film.solve import film_at_position
-
     eccentricity = eccentricity_ratio * film.clearance
     angle = case.load_angle + case.rotation.sense * attitude
-    position = (eccentricity * math.cos(angle), eccentricity * math.sin(angle))
-    return _accepted(film_at_position(film, position, resolution=resolution_of(case)))
+    return film_at(case, film, (eccentricity * math.cos(angle), eccentricity * math.sin(angle)))
+
+
+def film_at(case: FilmCase, film: JournalFilm, position: tuple[float, float]) -> FilmSolution:
+    """Film with the journal centre at a position in m.
+
+    Raises
+    ------
+    NoFilmError
+        When the position lies outside the clearance, among others.
+    """
+    from babbitt.film.solve import film_at_position
+
+    found = film_at_position(film, position, resolution=resolution_of(case))
+    if found.outcome is Outcome.OVERLOADED:
+        raise NoFilmError(Outcome.OUTSIDE_CLEARANCE)
+    return _accepted(found)
+
+
+def under_found_load(case: FilmCase, state: FilmState) -> FilmCase:
+    """The case with the load in the direction that was found, where the position was prescribed."""
+    if isinstance(case.duty, GivenLoad):
+        return case
+    fx, fy = state.solution.force
+    return replace(case, load_angle=math.atan2(-fy, -fx))
 
 
 def _at_eccentricity(case: FilmCase, duty: GivenEccentricity, film: JournalFilm) -> FilmSolution:
