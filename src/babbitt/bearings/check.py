@@ -22,6 +22,17 @@ from babbitt.bearings.orbit_answer import (
     orbit_values,
 )
 from babbitt.bearings.resting import doubts_about_rest, resting_places
+from babbitt.bearings.thermal_answer import (
+    doubts_about_heat,
+    flow_without_pressure,
+    stiffness_values,
+    thermal_assumptions,
+    thermal_rows,
+    thermal_setting,
+    thermal_values,
+    with_own_coefficients,
+)
+from babbitt.bearings.thermal_film import thermal_operating_film
 from babbitt.bearings.transition import transition_speed
 from babbitt.bearings.warm_film import FilmState, operating_film, under_found_load
 from babbitt.bearings.whirl import Whirl, whirl_of
@@ -75,7 +86,7 @@ def film_check(case: FilmCase) -> Result:
     leaves with ``T_ex``, and ``T_eff`` is the mean of both; without oil supply ``T_eff`` is that of the bearing.
     """
     start = perf_counter()
-    found = operating_film(case)
+    found = operating_film(case) if case.heat is None else thermal_operating_film(case)
     outcome, message = found.outcome, ""
     if not outcome.solved:
         message = failure(case, found)
@@ -86,7 +97,7 @@ def film_check(case: FilmCase) -> Result:
     arrays = {}
     if found.film is not None:
         state = found.film
-        values = _values(case, state)
+        values, followed = _values(case, state), True
         if case.cavitation is not Cavitation.HALF_SOMMERFELD:
             arrays = {"stiffness": _rows(state.solution.stiffness), "damping": _rows(state.solution.damping)}
         if state.fed is not None:
@@ -98,6 +109,10 @@ def film_check(case: FilmCase) -> Result:
                 tilt = tilt_coefficients(state.solution, case.accuracy.resolution)
                 arrays |= {"tilt_stiffness": _rows(tilt.stiffness), "tilt_damping": _rows(tilt.damping)}
                 values |= _tilt_values(tilt, state.load * case.bearing.width)
+            if state.thermal is not None:
+                arrays |= thermal_rows(case, state.thermal)
+                state, followed = with_own_coefficients(case, state)
+                arrays["stiffness"] = _rows(state.solution.stiffness)
             loaded = under_found_load(case, state)
             whirl = whirl_of(loaded, state) if case.cavitation is not Cavitation.HALF_SOMMERFELD else None
             values |= _running_values(loaded, state, whirl)
@@ -105,7 +120,10 @@ def film_check(case: FilmCase) -> Result:
             checks = (*_limit_checks(case, values), *_whirl_checks(case, whirl), clearance_check(case, values))
             not_made = checks_not_made(case, values)
             warnings = tuple(_doubts(case, state, values, checks, whirl))
-            places = resting_places(case, state)
+            if state.thermal is not None:
+                values |= stiffness_values(state)
+                warnings = (*warnings, *doubts_about_heat(case, state, values, followed))
+            places = resting_places(case, state) if case.heat is None else None
             if places is not None:
                 values["equilibria"] = float(len(places.places))
                 warnings = (*warnings, *doubts_about_rest(places))
@@ -136,7 +154,7 @@ def film_check(case: FilmCase) -> Result:
 
 
 def _values(case: FilmCase, state: FilmState) -> dict[str, float]:
-    bearing, film = case.bearing, state.solution
+    bearing, film, thermal = case.bearing, state.solution, state.thermal
     duty = duty_values(case, state)
     coefficient = state.friction_power / (state.load * duty["surface_speed"])
     values = {
@@ -160,16 +178,19 @@ def _values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "friction_torque": case.friction_factor * film.friction_torque,
         "friction_power": state.friction_power,
         **_flow_values(case, state),
-        **heat_values(case, state),
+        **(
+            heat_values(case, state) | supply_values(case, state)
+            if thermal is None
+            else thermal_values(case, state)
+        ),
         "recommended_relative_clearance": recommended_relative_clearance(duty["surface_speed"]),
-        **supply_values(case, state),
         **_extent_values(state),
     }
     if state.feed is not None:
         values["element_pressure"] = state.feed.element_pressure
         values["tube_loss"] = state.feed.tube_loss
         values["hole_loss"] = state.feed.hole_loss
-    values |= cooling_values(case, state) | limit_values(case)
+    values |= (cooling_values(case, state) if thermal is None else {}) | limit_values(case)
     for name, matrix in (("stiffness", film.stiffness), ("damping", film.damping)):
         values |= {f"{name}_{axes}": float(one) for axes, one in zip(AXES, matrix.ravel(), strict=True)}
     values["mass_balance_error"] = film.mass_balance_error
@@ -211,7 +232,10 @@ def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     from babbitt.film.solve import film_at_position
 
     x, y = state.solution.position
-    alone = film_at_position(calm, (x, y), resolution=case.accuracy.resolution).leaving_flow
+    if state.thermal is None:
+        alone = film_at_position(calm, (x, y), resolution=case.accuracy.resolution).leaving_flow
+    else:
+        alone = flow_without_pressure(case, state, calm)
     return {"side_flow": alone, "supply_flow": flow - alone, "total_flow": flow}
 
 
@@ -322,7 +346,10 @@ def _doubts_about_whirl(whirl: Whirl) -> Iterator[Notice]:
 
 def _assumptions(case: FilmCase) -> Iterator[str]:
     flow = "laminar film" if case.turbulence is None else f"turbulence after {case.turbulence.name}"
-    yield f"One viscosity for the whole film, that at the effective temperature; rigid surfaces; {flow}."
+    if case.heat is None:
+        yield f"One viscosity for the whole film, that at the effective temperature; rigid surfaces; {flow}."
+    else:
+        yield from thermal_assumptions(case, flow)
     if case.turbulence is not None:
         yield (
             f"The film is laminar up to the local Reynolds number 41.3 sqrt(D/C) and fully turbulent from "
@@ -376,6 +403,7 @@ def _settings(case: FilmCase) -> dict[str, str]:
     orbit = {} if case.changing_load is None else {"orbit_cavitation": Cavitation.REYNOLDS.name.lower()}
     return orbit | {
         "lubricant": case.lubricant.name,
+        "thermal": thermal_setting(case),
         "cavitation": case.cavitation.name.lower(),
         "film_start": case.bearing.film_start.name.lower(),
         "accuracy": case.accuracy.value,

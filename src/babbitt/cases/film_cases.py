@@ -9,6 +9,7 @@ from babbitt.bearings.model import Accuracy, FilmBearing, FilmCase, Hollow, Sear
 from babbitt.cases.as_given import words_of
 from babbitt.cases.assumptions import common_assumptions_of
 from babbitt.cases.doubts import doubts_about_numbers
+from babbitt.cases.film_heat_cases import heat_assumptions, heat_model
 from babbitt.cases.film_layout import film_layout
 from babbitt.cases.film_oil import LAWS_OF_TURBULENCE
 from babbitt.cases.joined_inputs import Inputs, Point, duty, housing_cooling, journal_speed, oil_supply
@@ -50,11 +51,13 @@ def film_case(inputs: Inputs, at: Point) -> FilmCase:
             *bearing.assumptions,
             *layout.assumptions,
             *common_assumptions_of(bearing, inputs.supply, inputs.cooling, inputs.materials),
+            *heat_assumptions(inputs),
         ),
         doubts=doubts_about_numbers(bearing, point),
         kind=bearing.kind,
         turbulence=LAWS_OF_TURBULENCE[bearing.turbulence],
         pressure_viscosity=bearing.pressure_viscosity.law() if bearing.pressure_viscosity is not None else None,
+        heat=heat_model(inputs),
     )
 
 

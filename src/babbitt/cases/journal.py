@@ -26,6 +26,13 @@ from babbitt.cases.film_features import (
     WornBoreGiven,
     complaints_about_hollows,
 )
+from babbitt.cases.film_heat import (
+    AxialTemperatureGiven,
+    CoefficientsGiven,
+    ThermalGiven,
+    WallsGiven,
+    complaints_about_heat,
+)
 from babbitt.cases.film_oil import PressureViscosityGiven, TurbulenceGiven
 from babbitt.cases.film_rules import (
     SURFACE_FIELDS,
@@ -172,6 +179,27 @@ class JournalBearing(Duty, SharedInputs):
     )
     pressure_viscosity: PressureViscosityGiven | None = Field(
         None, description="Growth of the viscosity with pressure, for the film method."
+    )
+    thermal: ThermalGiven | None = Field(
+        None,
+        description="Temperature of the film method: prescribed (isothermal), one for the whole film from the "
+        "heat balance (global), or varying around the journal and across the gap, with walls that take no heat "
+        "(adiabatic) or with bush, housing and journal that conduct (full). global if not given, isothermal with "
+        "an effective_temperature.",
+    )
+    walls: WallsGiven | None = Field(
+        None,
+        description="Bush, housing and journal of a full thermal film. What is not given is assumed and told.",
+    )
+    axial_temperature: AxialTemperatureGiven = Field(
+        "mean",
+        description="Whether temperatures of an adiabatic or full film are means over the width, or resolved "
+        "along it. Between pockets and holes they are always resolved.",
+    )
+    temperature_coefficients: CoefficientsGiven = Field(
+        "frozen",
+        description="Whether the stiffness of an adiabatic or full film answers displacements at frozen "
+        "temperatures, or with temperatures that follow.",
     )
     film_start: Literal["groove", "widest_gap", "periodic"] | None = Field(
         None,
@@ -448,6 +476,10 @@ class JournalBearing(Duty, SharedInputs):
             if self.method == "film" and self.cavitation != "mass_conserving":
                 says = "the Reynolds condition does not count the oil that a supply of given flow delivers"
                 yield Complaint((*path, "flow"), says, "cavitation: mass_conserving, or a pressure")
+
+    @rule
+    def _heat_goes_with_the_film(self) -> Iterator[Complaint]:
+        yield from complaints_about_heat(self)
 
     @rule
     def _grooves_stand_still(self) -> Iterator[Complaint]:

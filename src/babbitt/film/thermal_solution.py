@@ -96,6 +96,15 @@ class ThermalFilm:
         return float(self.film.angles[0, line]), float(self.axial_positions[column])
 
     @property
+    def mean_bush_temperature(self) -> float:
+        """Mean over the bore, K."""
+        angles = self.film.angles.ravel()[: self.bush_temperature.size]
+        behind = np.abs(np.diff(angles))
+        behind = np.append(behind, 2.0 * np.pi - behind.sum())
+        weight = 0.5 * (behind + np.roll(behind, 1))
+        return float(self.bush_temperature @ weight / weight.sum())
+
+    @property
     def mean_temperature(self) -> Array:
         """Mean over the gap, K, shape (lines, columns)."""
         edges = np.concatenate(([0.0], 0.5 * (self.layers[1:] + self.layers[:-1]), [1.0]))
@@ -121,6 +130,10 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing) -> ThermalF
     half = 0.5 * film.film.width
     nodes = warm.sample.ring.mesh.nodes * half
     resolved = columns.size.size > 1
+    wall, shaft = warm.walls.bush.copy(), float(warm.walls.journal[0])
+    if warm.walls.insulated:  # walls are as warm as the oil that touches them
+        touching = warm.temperature[:, :, [0, -1]].mean(axis=1)
+        wall, shaft = touching[:, 0].copy(), float(touching[:, 1] @ warm.walls.width / warm.walls.width.sum())
     return ThermalFilm(
         film=replace(film, friction_torque=warm.friction * scales.torque),
         axial_positions=nodes if resolved else np.zeros(1),
@@ -129,9 +142,9 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing) -> ThermalF
         supply_temperature=cold,
         side_temperature=float((leaving * own).sum() / out) if out > 0.0 else cold,
         groove_temperatures=warm.groove.copy(),
-        bush_temperature=warm.walls.bush.copy(),
+        bush_temperature=wall,
         bush_flux=warm.walls.bush_flux.copy(),
-        journal_temperature=float(warm.walls.journal[0]),
+        journal_temperature=shaft,
         heat=HeatSplit(dissipation, over_sides + back, bush, journal),
         effective_viscosity=warm.reference_viscosity * warm.friction / max(warm.unit_friction(), 1e-300),
     )
