@@ -32,9 +32,9 @@ from babbitt.bearings.thermal_answer import (
     thermal_values,
     with_own_coefficients,
 )
-from babbitt.bearings.thermal_film import thermal_operating_film
+from babbitt.bearings.thermal_film import settled_film
 from babbitt.bearings.transition import transition_speed
-from babbitt.bearings.warm_film import FilmState, operating_film, under_found_load
+from babbitt.bearings.warm_film import FilmState, under_found_load
 from babbitt.bearings.whirl import Whirl, whirl_of
 from babbitt.design.checks import USER, checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import GivenEccentricity, GivenPosition, contact_film
@@ -86,7 +86,7 @@ def film_check(case: FilmCase) -> Result:
     leaves with ``T_ex``, and ``T_eff`` is the mean of both; without oil supply ``T_eff`` is that of the bearing.
     """
     start = perf_counter()
-    found = operating_film(case) if case.heat is None else thermal_operating_film(case)
+    found = settled_film(case)
     outcome, message = found.outcome, ""
     if not outcome.solved:
         message = failure(case, found)

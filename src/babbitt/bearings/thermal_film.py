@@ -17,7 +17,7 @@ from babbitt.bearings.compiling import announced
 from babbitt.bearings.heat_model import AxialTemperature
 from babbitt.bearings.layout import film_of, load_vector
 from babbitt.bearings.model import FilmCase
-from babbitt.bearings.warm_film import FilmState
+from babbitt.bearings.warm_film import FilmState, operating_film
 from babbitt.design.conditions import GivenEccentricity, GivenPosition
 from babbitt.design.feeding import arrival
 from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-__all__ = ["following_stiffness", "thermal_operating_film"]
+__all__ = ["film_heat", "following_stiffness", "settled_film", "thermal_operating_film", "thermal_resolution"]
 
 MOST_ROUNDS = 25
 SAME_CLEARANCE = 1e-5
@@ -90,6 +90,11 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
             failure.outcome, state, 0, state.temperature if state else cold, failure.capacity, failure.least_flow
         )
     return Equilibrium(Outcome.NOT_CONVERGED, state, MOST_ROUNDS, at)
+
+
+def settled_film(case: FilmCase) -> Equilibrium[FilmState]:
+    """Film of a case in equilibrium, by its thermal model."""
+    return operating_film(case) if case.heat is None else thermal_operating_film(case)
 
 
 def _secant(last: tuple[float, float] | None, here: tuple[float, float]) -> float:

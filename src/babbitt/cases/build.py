@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any, TypeVar
 
 from babbitt.bearings.model import FilmCase
@@ -71,9 +72,17 @@ def iso7902_cases(bearing: JournalBearing, case: Case) -> tuple[DesignCase, ...]
     return tuple(_expanded(bearing, case, iso7902_case))
 
 
-def film_cases(bearing: JournalBearing, case: Case) -> tuple[FilmCase, ...]:
-    """Film cases of one bearing of a case, whatever method it names."""
-    return tuple(_expanded(bearing, case, film_case))
+def film_cases(bearing: JournalBearing, case: Case, thermal: str | None = None) -> tuple[FilmCase, ...]:
+    """Film cases of one bearing of a case, whatever method it names.
+
+    Parameters
+    ----------
+    bearing : JournalBearing
+    case : Case
+    thermal : str, optional
+        ``global``, ``adiabatic`` or ``full`` in place of what the bearing says.
+    """
+    return tuple(_expanded(bearing, case, partial(film_case, thermal=thermal)))
 
 
 def case_hash(case: Case) -> str:

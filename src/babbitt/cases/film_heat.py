@@ -19,6 +19,7 @@ __all__ = [
     "ThermalGiven",
     "WallsGiven",
     "complaints_about_heat",
+    "may_have_own_temperatures",
 ]
 
 ThermalGiven = Literal["isothermal", "global", "adiabatic", "full"]
@@ -150,6 +151,11 @@ def complaints_about_heat(bearing: JournalBearing) -> Iterator[Complaint]:
         yield from _complaints_about_own_temperatures(bearing)
     if bearing.walls is not None:
         yield from _complaints_about_sizes(bearing, bearing.walls)
+
+
+def may_have_own_temperatures(bearing: JournalBearing) -> bool:
+    """Whether nothing about a bearing but its method keeps its film from having its own temperatures."""
+    return not any(_complaints_about_own_temperatures(bearing))
 
 
 def _complaints_about_own_temperatures(bearing: JournalBearing) -> Iterator[Complaint]:

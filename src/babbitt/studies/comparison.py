@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case
-from babbitt.cases.build import bearings_of, film_cases, iso7902_cases
+from babbitt.cases.build import AnyDesign, bearings_of, iso7902_cases
 from babbitt.cases.journal import JournalBearing
 from babbitt.film.model import Cavitation, FilmStart
 from babbitt.notices import InputError
@@ -15,15 +15,28 @@ from babbitt.results import Result
 from babbitt.solving import solve_design
 from babbitt.standards.iso7902 import DesignCase, check
 from babbitt.standards.iso7902.model import Curves, Friction
+from babbitt.studies.thermal_variants import GLOBAL, ThermalVariant, thermal_variants
 
 
 @dataclass(frozen=True)
 class Variant:
-    """One way to compute a bearing, and what it assumes or neglects."""
+    """One way to compute a bearing, and what it assumes or neglects.
+
+    Attributes
+    ----------
+    label, remark : str
+    result : Result
+    design : DesignCase or FilmCase or None
+        What the result was computed from.
+    is_method : bool
+        False: differs from a method in one choice only, and is shown apart.
+    """
 
     label: str
     remark: str
     result: Result
+    design: AnyDesign | None = None
+    is_method: bool = True
 
 
 @dataclass(frozen=True)
@@ -44,7 +57,7 @@ FRICTION_LABELS = {
 CAVITATION_LABELS = {
     Cavitation.MASS_CONSERVING: (
         "film",
-        "sees the feeding; conserves the oil; assumes one temperature for the whole film",
+        "as film, but lets it begin again only where oil reaches it",
     ),
     Cavitation.REYNOLDS: (
         "film, Reynolds",
@@ -84,34 +97,46 @@ def compare_methods(case: Case) -> tuple[Comparison, ...]:
 
 
 def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
-    standard, films = iso7902_cases(bearing, case), film_cases(bearing, case)
-    for index, film in enumerate(films):
+    standard = iso7902_cases(bearing, case)
+    for index, films in enumerate(thermal_variants(bearing, case)):
         by_standard = _variants(standard[index]) if standard else ()
-        by_film = _film_variants(film)
+        by_film = tuple(_film_variant(one) for one in films)
         ordered = (*by_film, *by_standard) if bearing.method == "film" else (*by_standard, *by_film)
-        yield Comparison(film.name, ordered)
+        plain = next((one.case for one in films if one.case.heat is None), None)
+        among = (*ordered, *(_cavitation_variants(plain) if plain is not None else ()))
+        methods = (one for one in among if one.is_method)
+        yield Comparison(films[0].case.name, (*methods, *(one for one in among if not one.is_method)))
 
 
-def _film_variants(film: FilmCase) -> tuple[Variant, ...]:
+def _film_variant(one: ThermalVariant) -> Variant:
+    label, remark = one.label, one.remark
+    if label == GLOBAL and one.case.cavitation is not Cavitation.MASS_CONSERVING:
+        label, remark = CAVITATION_LABELS.get(one.case.cavitation, HALF_SOMMERFELD)
+    return Variant(label, remark, solve_design(one.case), one.case)
+
+
+def _cavitation_variants(film: FilmCase) -> tuple[Variant, ...]:
+    """The same film with the conditions of rupture that the case does not ask for."""
     found = []
-    for cavitation in dict.fromkeys((film.cavitation, *CAVITATION_LABELS)):
+    for cavitation, (label, remark) in CAVITATION_LABELS.items():
         unfed = film.bearing.film_start is not FilmStart.GROOVE and not film.bearing.hollows
-        if unfed and cavitation is Cavitation.MASS_CONSERVING:
+        if cavitation is film.cavitation or (unfed and cavitation is Cavitation.MASS_CONSERVING):
             continue
-        label, remark = CAVITATION_LABELS.get(cavitation, HALF_SOMMERFELD)
-        found.append(Variant(label, remark, solve_design(replace(film, cavitation=cavitation))))
+        other = replace(film, cavitation=cavitation)
+        found.append(Variant(label, remark, solve_design(other), other, is_method=False))
     return tuple(found)
 
 
 def _variants(design: DesignCase) -> tuple[Variant, ...]:
     common = "assumes one temperature for the whole film; rupture as on a centred arc; rigid parallel surfaces"
-    found = [Variant(ISO_LABEL, common, check(design))]
+    found = [Variant(ISO_LABEL, common, check(design), design)]
     if design.bearing.span < 360:  # all friction models agree on a full bearing
         for model, (label, remark) in FRICTION_LABELS.items():
             plain = replace(design, friction=model, friction_factor=1.0)
             if plain != design:
-                found.append(Variant(label, remark, check(plain)))
+                found.append(Variant(label, remark, check(plain), plain, is_method=False))
     elif design.curves is Curves.COMPUTED:
         closed = replace(design, curves=Curves.CLOSED_FORM)
-        found.append(Variant("closed forms", "deviates by up to 7 % in So (DIN 31652 fits)", check(closed)))
+        deviates = "deviates by up to 7 % in So (DIN 31652 fits)"
+        found.append(Variant("closed forms", deviates, check(closed), closed, is_method=False))
     return tuple(found)
