@@ -11,6 +11,7 @@ from rich.text import Text
 from babbitt.quantities import QUANTITIES
 from babbitt.report.table import console
 from babbitt.report.text import plain_text
+from babbitt.results import Result
 from babbitt.studies.comparison import Comparison, Variant
 from babbitt.studies.temperature_cost import cost_of_one_temperature
 
@@ -26,7 +27,6 @@ COMPARED = (
     "journal_temperature",
     "bearing_temperature",
     "friction_power",
-    "heat_to_oil",
     "heat_film_to_bush",
     "side_flow",
     "supply_flow",
@@ -74,12 +74,17 @@ def _table(title: Text, variants: Sequence[Variant]) -> Table:
         quantity = QUANTITIES[name]
         shown = [
             quantity.format(variant.result.values[name])
-            if variant.result.outcome.solved and name in variant.result.values
+            if variant.result.outcome.solved and name in variant.result.values and not _is_idle(name, variant.result)
             else "–"
             for variant in variants
         ]
         table.add_row(f"{quantity.meaning}, {quantity.symbol}", quantity.display.label, *shown)
     return table
+
+
+def _is_idle(name: str, result: Result) -> bool:
+    """Whether a value only follows from the temperature that was prescribed."""
+    return name == "outlet_temperature" and result.settings.get("thermal") == "isothermal"
 
 
 def _print_remarks(to: Console, variants: Sequence[Variant]) -> None:

@@ -102,8 +102,8 @@ def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
         by_standard = _variants(standard[index]) if standard else ()
         by_film = tuple(_film_variant(one) for one in films)
         ordered = (*by_film, *by_standard) if bearing.method == "film" else (*by_standard, *by_film)
-        plain = next((one.case for one in films if one.case.heat is None), None)
-        among = (*ordered, *(_cavitation_variants(plain) if plain is not None else ()))
+        plain = next((one.case for one in films if one.label == GLOBAL), films[0].case)
+        among = (*ordered, *_cavitation_variants(plain))
         methods = (one for one in among if one.is_method)
         yield Comparison(films[0].case.name, (*methods, *(one for one in among if not one.is_method)))
 
