@@ -60,9 +60,8 @@ class Flows(NamedTuple):
 class Walls(NamedTuple):
     """What lies behind the film. Heat goes to it where it is not insulated; temperatures are changed in place.
 
-    The bush is described by harmonics around the bore: ``analysis`` (modes, lines) takes a flux apart,
-    ``synthesis`` (lines, modes) builds it, ``inverse`` (modes, modes) is of bush and film, ``conductance`` (lines)
-    of the film.
+    The bush is described by harmonics around the bore, cosines and then sines: ``analysis`` (modes, lines) takes a
+    flux apart, ``synthesis`` (lines, modes) builds a temperature, ``admittance`` is flux over temperature.
     """
 
     insulated: bool
@@ -77,8 +76,10 @@ class Walls(NamedTuple):
     width: Array  # angle of every line, (lines,)
     analysis: Array
     synthesis: Array
-    inverse: Array
-    conductance: Array  # W/(m2 K), (lines,)
+    admittance: Array  # W/(m2 K), (modes,)
+    harmonics: Array  # of the bore temperature over the ambient one, K, (modes,)
+    inverse: Array  # of the derivatives of what the walls pass on less what they take, (modes + 1, modes + 1)
+    conductance: Array  # k/h of the film for which the inverse was made, W/(m2 K), (lines,)
     fresh: float  # temperature of supplies and of what enters over the sides, K
 
 
@@ -371,45 +372,52 @@ def mix(surface, columns, flows, walls, temperature, groove, s):
 
 
 @compiled
-def answer_walls(columns, flows, walls, temperature):
-    """New temperatures of bush and journal from the heat that they take; their largest change, K.
-
-    The film answers a warmer wall with less heat, about ``conductance`` a kelvin: with that guess the bush is
-    solved as a whole, and only the error of the guess is left to the next round.
-    """
-    lines, count, last = temperature.shape[0], columns.size.size, columns.layer.size - 1
-    modes = walls.inverse.shape[0]
-    wanted, answer = np.zeros(modes), np.zeros(modes)
-    journal, taken = 0.0, 0.0
-    for i in range(lines):
+def wall_fluxes(columns, flows, walls, temperature, flux):
+    """Fill the heat flux into the bush at every line (W/m2); returns the heat that the journal takes, W."""
+    last, journal = columns.layer.size - 1, 0.0
+    for i in range(temperature.shape[0]):
         bush = 0.0
-        for c in range(count):
+        for c in range(columns.size.size):
             if columns.supply[i, c] < 0:
                 film = walls.conduction * walls.flow_heat * walls.width[i]
                 film *= flows.fill[i, c] * columns.size[c] / flows.gap[i, c]
                 bush += film * 2.0 / columns.layer[0] * (temperature[i, c, 0] - walls.bush[i])
                 journal += film * 2.0 / columns.layer[last] * (temperature[i, c, last] - walls.journal[0])
-        walls.bush_flux[i] = bush / (walls.area * walls.width[i])
-        taken += walls.conductance[i] * walls.area * walls.width[i]
-        pull = walls.bush_flux[i] + walls.conductance[i] * (walls.bush[i] - walls.ambient)
-        for m in range(modes):
-            wanted[m] += walls.analysis[m, i] * pull
+        flux[i] = bush / (walls.area * walls.width[i])
+    return journal
+
+
+@compiled
+def answer_walls(columns, flows, walls, temperature):
+    """New temperatures of bush and journal from the heat that they take; their largest change, K.
+
+    Newton on what the walls take less what they pass on, harmonic by harmonic and for the journal; ``inverse`` is of
+    the derivatives, the film's own answer to a warmer wall among them.
+    """
+    modes = walls.analysis.shape[0]
+    walls.journal[1] = wall_fluxes(columns, flows, walls, temperature, walls.bush_flux)
+    left = np.zeros(modes + 1)
+    left[modes] = walls.journal[1] - walls.journal[2] * (walls.journal[0] - walls.journal[3])
     for m in range(modes):
-        for n in range(modes):
-            answer[m] += walls.inverse[m, n] * wanted[n]
+        left[m] = -walls.admittance[m] * walls.harmonics[m]
+        for i in range(temperature.shape[0]):
+            left[m] += walls.analysis[m, i] * walls.bush_flux[i]
+    step = np.zeros(modes + 1)
+    for m in range(modes + 1):
+        for n in range(modes + 1):
+            step[m] += walls.inverse[m, n] * left[n]
     change = 0.0
-    for i in range(lines):
-        value = walls.ambient
+    for i in range(temperature.shape[0]):
+        value = 0.0
         for m in range(modes):
-            value += walls.synthesis[i, m] * answer[m]
-        change = max(change, abs(value - walls.bush[i]))
-        walls.bush[i] = value
-    walls.journal[1] = journal
+            value += walls.synthesis[i, m] * step[m]
+        change = max(change, abs(value))
+        walls.bush[i] += value
+    for m in range(modes):
+        walls.harmonics[m] += step[m]
     if not walls.journal_given:
-        loss = walls.journal[2]
-        value = (journal + taken * walls.journal[0] + loss * walls.journal[3]) / (taken + loss)
-        change = max(change, abs(value - walls.journal[0]))
-        walls.journal[0] = value
+        walls.journal[0] += step[modes]
+        change = max(change, abs(step[modes]))
     return change
 
 

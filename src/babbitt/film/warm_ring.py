@@ -18,9 +18,10 @@ from babbitt.film._energy import (
     new_flows,
     spread_viscosity,
     sweep_energy,
+    wall_fluxes,
 )
 from babbitt.film.general import Sample
-from babbitt.film.heat import ConductingWalls, FilmHeat
+from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm
 from babbitt.film.ring import TURN, Ring
 from babbitt.film.ring_solution import drain_sides
@@ -28,9 +29,9 @@ from babbitt.film.ring_solution import drain_sides
 __all__ = ["WarmRing", "columns_of"]
 
 Array = NDArray[np.float64]
-FILM_CONDUCTANCE = 2.5
-"""Conductance from the mean of a film to a wall over k/h, with which walls are corrected between passes; the
-answer does not depend on it (parallel plates: 2 for a linear, 3 for a parabolic profile)."""
+FILM_CONDUCTANCE, UNIFORM_SHARE = 2.5, 1.5
+"""Guess of what a film gives less to a place of the wall that is 1 K warmer: k/h times the first, and the second times
+what it gives less to a bush warmer all around. Only the number of passes depends on it."""
 RELAX = 0.65
 """Share of a new viscosity field that a pass takes: load, position and heat answer each other with a swing."""
 ALIKE = 0.2
@@ -132,15 +133,50 @@ class WarmRing:
         return float(answer_walls(self.columns, self.flows, self.walls, self.temperature))
 
     def prepare_bush(self) -> None:
-        """Inverse of the bush beside the film, in harmonics; kept while the film is nearly the same."""
+        """Derivatives of the balance of the walls; kept while the film is nearly the same.
+
+        What the film gives less to a warmer wall is exact for the journal and the first harmonics of the bush: the
+        energy equation is linear, and solved once for each with that wall at 1 K and all else at zero. The others get
+        a guess on the safe side; the answer does not depend on it.
+        """
         walls, flows, columns = self.walls, self.flows, self.columns
         per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
-        film = FILM_CONDUCTANCE * walls.conduction * walls.flow_heat / walls.area * per.sum(axis=1)
-        if np.abs(film - walls.conductance).max() > ALIKE * film.max():
-            assert isinstance(self.heat.walls, ConductingWalls)
-            walls.conductance[:] = film
-            admittance = admittances(self.heat.walls, walls.inverse.shape[0])
-            walls.inverse[:] = np.linalg.inv(np.diag(admittance) + (walls.analysis * film) @ walls.synthesis)
+        film = walls.conduction * walls.flow_heat / walls.area * per.sum(axis=1)
+        if not np.abs(film - walls.conductance).max() > ALIKE * film.max():
+            return
+        walls.conductance[:] = film
+        modes, half = walls.analysis.shape[0], walls.analysis.shape[0] // 2
+        exact = [m for m in (0, 1, half + 1, modes) if m <= modes]
+        answers = {m: self.answer_to(m) for m in exact}
+        local = FILM_CONDUCTANCE * film + UNIFORM_SHARE * np.abs(answers[0][0])
+        matrix = np.zeros((modes + 1, modes + 1))
+        matrix[:modes, :modes] = np.diag(walls.admittance) + (walls.analysis * local) @ walls.synthesis
+        for m, (flux, journal) in answers.items():
+            matrix[:modes, m] = -walls.analysis @ flux
+            matrix[modes, m] = -journal
+            if m < modes:
+                matrix[m, m] += walls.admittance[m]
+        matrix[modes, modes] += walls.journal[2]
+        if walls.journal_given:
+            matrix[modes], matrix[:, modes] = 0.0, 0.0
+            matrix[modes, modes] = 1.0
+        walls.inverse[:] = np.linalg.inv(matrix)
+
+    def answer_to(self, mode: int) -> tuple[Array, float]:
+        """Heat flux into the bush (W/m2) and heat into the journal (W) with one wall at 1 K and all else at zero."""
+        walls, columns = self.walls, self.columns
+        modes = walls.analysis.shape[0]
+        bush = walls.synthesis[:, mode].copy() if mode < modes else np.zeros(walls.bush.size)
+        journal = np.zeros(4)
+        journal[0] = 0.0 if mode < modes else 1.0
+        held = walls._replace(bush=bush, journal=journal, fresh=0.0)
+        quiet = self.flows._replace(heat=np.zeros_like(self.flows.heat))
+        temperature = np.zeros_like(self.temperature)
+        surface = self.sample.ring.surface
+        viscosity = self.relative_viscosity() if self.viscosity is None else self.viscosity
+        sweep_energy(surface, columns, quiet, held, viscosity, temperature, np.zeros_like(self.groove), 4, 1e-3)
+        flux = np.zeros(bush.size)
+        return flux, float(wall_fluxes(columns, quiet, held, temperature, flux))
 
     def start_from(self, coarse: WarmRing) -> None:
         """Take over the temperatures of a coarser ring, linear between its lines."""
@@ -156,6 +192,8 @@ class WarmRing:
         bush = coarse.walls.bush
         self.walls.bush[:] = (1.0 - flat) * bush[rows[after - 1]] + flat * bush[rows[after]]
         self.walls.journal[:] = coarse.walls.journal
+        self.walls.harmonics[:] = self.walls.analysis @ (self.walls.bush - self.walls.ambient)
+        self.walls.bush[:] = self.walls.ambient + self.walls.synthesis @ self.walls.harmonics
 
     def close(self, most: int, tolerance: float) -> float:
         """Solve energy and walls beside the film as it stands; largest change of the last round, K."""
@@ -211,6 +249,11 @@ def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines:
         shaft = given.journal
         start = cold if shaft.temperature is None else shaft.temperature
         journal = np.array([start, 0.0, shaft.shaft_conductance, shaft.ambient_temperature])
+    admittance, harmonics = np.zeros(weight.size), np.zeros(weight.size)
+    if given is not None:
+        own = 1.0 / given.bush.impedances(order[-1])
+        admittance = np.concatenate((own, own[1:]))
+        harmonics[0] = cold - given.bush.ambient_temperature
     return Walls(
         insulated=given is None,
         conduction=heat.conductivity / (heat.volumetric_heat_capacity * speed * film.clearance**2),
@@ -220,14 +263,9 @@ def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines:
         ambient=cold if given is None else given.bush.ambient_temperature,
         journal=journal, journal_given=given is not None and given.journal.temperature is not None, width=width,
         analysis=weight[:, None] * synthesis.T * width, synthesis=synthesis,
-        inverse=np.zeros((weight.size, weight.size)), conductance=np.zeros(lines), fresh=cold,
+        admittance=admittance, harmonics=harmonics, inverse=np.zeros((weight.size + 1, weight.size + 1)),
+        conductance=np.zeros(lines), fresh=cold,
     )  # fmt: skip
-
-
-def admittances(walls: ConductingWalls, modes: int) -> Array:
-    """Heat flux into the bore over its temperature for every cosine and sine, W/(m2 K)."""
-    own = 1.0 / walls.bush.impedances(modes // 2)
-    return np.concatenate((own, own[1:]))
 
 
 def line_widths(ring: Ring, lines: int) -> Array:
