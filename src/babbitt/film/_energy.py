@@ -335,13 +335,19 @@ def cell(surface, columns, flows, walls, viscosity, temperature, i, c, low, diag
 
 @compiled
 def sweep_energy(surface, columns, flows, walls, viscosity, temperature, groove, most, tolerance):
-    """March round the film until its temperatures, and those of the supplies, rest. Returns the last change."""
+    """March round the film until its temperatures, and those of the supplies, rest. Returns the last change.
+
+    Oil that goes round many times before it leaves warms slowly, and in one pattern: of two sweeps the changes d_1,
+    d_2 tell its share lambda = d_1 d_2 / d_1^2, and lambda / (1 - lambda) d_2 is what is still to come (Aitken).
+    """
     layers = columns.layer.size
     low, diagonal, high, right = np.empty(layers), np.empty(layers), np.empty(layers), np.empty(layers)
     lines, count = temperature.shape[0], columns.size.size
+    before, last = np.empty(temperature.shape), np.empty(temperature.shape)
     change = 0.0
-    for _ in range(most):
+    for turn in range(most):
         change = 0.0
+        before[:] = temperature
         for i in range(lines):
             for c in range(count):
                 s = columns.supply[i, c]
@@ -356,7 +362,30 @@ def sweep_energy(surface, columns, flows, walls, viscosity, temperature, groove,
                     change = max(change, moved)
         if change < tolerance:
             break
+        if turn % 3 == 2:
+            both, alone = 0.0, 0.0
+            for i in range(lines):
+                for c in range(count):
+                    for k in range(layers):
+                        both += (temperature[i, c, k] - before[i, c, k]) * last[i, c, k]
+                        alone += last[i, c, k] * last[i, c, k]
+            share = min(max(both / alone, 0.0), MOST_SHARE) if alone > 0.0 else 0.0
+            for i in range(lines):
+                for c in range(count):
+                    s = columns.supply[i, c]
+                    for k in range(layers):
+                        temperature[i, c, k] += (temperature[i, c, k] - before[i, c, k]) * share / (1.0 - share)
+                    if s >= 0:
+                        groove[s] = temperature[i, c, 0]
+        else:
+            for i in range(lines):
+                for c in range(count):
+                    for k in range(layers):
+                        last[i, c, k] = temperature[i, c, k] - before[i, c, k]
     return change
+
+
+MOST_SHARE = 0.97  # of a change that the next sweep repeats: more is not extrapolated
 
 
 @inner
@@ -406,19 +435,23 @@ def answer_walls(columns, flows, walls, temperature):
     for m in range(modes + 1):
         for n in range(modes + 1):
             step[m] += walls.inverse[m, n] * left[n]
-    change = 0.0
-    for i in range(temperature.shape[0]):
-        value = 0.0
+    change = 0.0 if walls.journal_given else abs(step[modes])
+    rise = np.zeros(temperature.shape[0])
+    for i in range(rise.size):
         for m in range(modes):
-            value += walls.synthesis[i, m] * step[m]
-        change = max(change, abs(value))
-        walls.bush[i] += value
+            rise[i] += walls.synthesis[i, m] * step[m]
+        change = max(change, abs(rise[i]))
+    share = min(1.0, MOST_RISE / max(change, 1e-300))
+    for i in range(rise.size):
+        walls.bush[i] += share * rise[i]
     for m in range(modes):
-        walls.harmonics[m] += step[m]
+        walls.harmonics[m] += share * step[m]
     if not walls.journal_given:
-        walls.journal[0] += step[modes]
-        change = max(change, abs(step[modes]))
-    return change
+        walls.journal[0] += share * step[modes]
+    return share * change
+
+
+MOST_RISE = 20.0  # K: change of a temperature in one pass; what a film that leaks nothing would reach has no bound
 
 
 @compiled
@@ -426,7 +459,7 @@ def close_energy(surface, columns, flows, walls, viscosity, temperature, groove,
     """Energy equation and walls beside a film at rest, until nothing changes any more; the last change."""
     change = 0.0
     for _ in range(most):
-        change = sweep_energy(surface, columns, flows, walls, viscosity, temperature, groove, 3, tolerance)
+        change = sweep_energy(surface, columns, flows, walls, viscosity, temperature, groove, 4, tolerance)
         if not walls.insulated:
             change = max(change, answer_walls(columns, flows, walls, temperature))
         if change < tolerance:

@@ -24,6 +24,7 @@ from babbitt.film._equilibrium import (
     damped_step,
 )
 from babbitt.film.general import Effort, Sample, SettledRing, line_density
+from babbitt.film.general import rest as carry
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm, Resolution
 from babbitt.film.ring import Density, build_ring
@@ -40,10 +41,13 @@ Array = NDArray[np.float64]
 THERMAL_ENGINEERING = Resolution(4, 48, 24, 1e-6)
 THERMAL_REFERENCE = Resolution(6, 192, 96, 1e-7)
 
-SWEEPS = 2
+SWEEPS = 3
 """Of the energy equation in a pass."""
 SETTLED = 1e-3
 """Change of temperature in a pass, K, at which film and temperature rest beside each other."""
+COLD_LOAD = 2.0
+"""Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks nothing
+and would have no bound to its temperature."""
 CLOSING, CLOSED = 400, 3e-8
 """Sweeps that close the heat balance at most, and the change of temperature in K at which it counts as closed."""
 MOST_PASSES = 120
@@ -137,8 +141,12 @@ def attempt(
     """Coarse rings under a growing load, then the fine ring."""
     effort = Effort(math.inf)
     per_turn = 2 * resolution.intervals
-    at, density, total = np.zeros(2), None, 0
+    density, total = None, 0
     warm: WarmRing | None = None
+    cold = Sample.of(build_ring(film, scales.pressure, per_turn // 2, resolution.axial_unknowns, None), effort)
+    at, _, _, gap = carry(cold, min(share, COLD_LOAD / max(math.hypot(*load), 1e-300)) * load, np.zeros(2), 0.05, 30, False)
+    if not gap > 0.0:
+        at = np.zeros(2)
     for _ in range(30):
         warm = continued(fresh_ring(film, heat, scales, per_turn // 2, resolution, density, effort), warm)
         found = rest(warm, share * load, at, 1e-3, 1.0)

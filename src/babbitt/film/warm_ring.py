@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film._energy import (
+    MOST_RISE,
     Columns,
     Flows,
     Walls,
@@ -105,7 +106,12 @@ class WarmRing:
             if changed == 0:
                 break
         self.gather(at)
-        change = self.sweep(viscosity, sweeps, 1e-9)
+        before = self.temperature.copy()
+        self.sweep(viscosity, sweeps, 1e-9)
+        rise = self.temperature - before
+        change = float(np.abs(rise).max())
+        if change > MOST_RISE:
+            self.temperature[:] = before + rise * (MOST_RISE / change)
         return changed, max(change, self.correct_walls())
 
     def gather(self, at: Array) -> None:
@@ -174,7 +180,7 @@ class WarmRing:
         temperature = np.zeros_like(self.temperature)
         surface = self.sample.ring.surface
         viscosity = self.relative_viscosity() if self.viscosity is None else self.viscosity
-        sweep_energy(surface, columns, quiet, held, viscosity, temperature, np.zeros_like(self.groove), 4, 1e-3)
+        sweep_energy(surface, columns, quiet, held, viscosity, temperature, np.zeros_like(self.groove), 7, 1e-3)
         flux = np.zeros(bush.size)
         return flux, float(wall_fluxes(columns, quiet, held, temperature, flux))
 
