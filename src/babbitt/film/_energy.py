@@ -417,11 +417,11 @@ def wall_fluxes(columns, flows, walls, temperature, flux):
 
 
 @compiled
-def answer_walls(columns, flows, walls, temperature):
+def answer_walls(columns, flows, walls, temperature, part):
     """New temperatures of bush and journal from the heat that they take; their largest change, K.
 
     Newton on what the walls take less what they pass on, harmonic by harmonic and for the journal; ``inverse`` is of
-    the derivatives, the film's own answer to a warmer wall among them.
+    the derivatives, the film's own answer to a warmer wall among them. ``part`` of the step is taken.
     """
     modes = walls.analysis.shape[0]
     walls.journal[1] = wall_fluxes(columns, flows, walls, temperature, walls.bush_flux)
@@ -441,7 +441,7 @@ def answer_walls(columns, flows, walls, temperature):
         for m in range(modes):
             rise[i] += walls.synthesis[i, m] * step[m]
         change = max(change, abs(rise[i]))
-    share = min(1.0, MOST_RISE / max(change, 1e-300))
+    share = part * min(1.0, MOST_RISE / max(change, 1e-300))
     for i in range(rise.size):
         walls.bush[i] += share * rise[i]
     for m in range(modes):
@@ -461,7 +461,7 @@ def close_energy(surface, columns, flows, walls, viscosity, temperature, groove,
     for _ in range(most):
         change = sweep_energy(surface, columns, flows, walls, viscosity, temperature, groove, 4, tolerance)
         if not walls.insulated:
-            change = max(change, answer_walls(columns, flows, walls, temperature))
+            change = max(change, answer_walls(columns, flows, walls, temperature, 1.0))
         if change < tolerance:
             break
     return change

@@ -51,6 +51,8 @@ and would have no bound to its temperature."""
 CLOSING, CLOSED = 400, 3e-8
 """Sweeps that close the heat balance at most, and the change of temperature in K at which it counts as closed."""
 MOST_PASSES = 120
+STUBBORN = 4
+"""Passes at rest after which nodes that change sides for ever are let be."""
 PATIENT_FROM, ROUNDS = 8, 8
 """Pass from which on the wet set is let settle at every position, and in how many rounds."""
 
@@ -183,7 +185,7 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
     """Let film, temperature and journal come to rest on one ring."""
     size_of_load = math.hypot(*load)
     floor = tolerance * size_of_load + 1e-13
-    step_time, last = 0.0, 0.0
+    step_time, last, calm = 0.0, 0.0, 0
     gap = warm.sample.gap(at)
     if not gap > 0.0:
         return WarmRest(warm, at, NO_FILM, 0, gap)
@@ -194,8 +196,10 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
         size = math.hypot(*residual)
         if not (math.isfinite(size) and math.isfinite(change)):
             return WarmRest(warm, at, NO_FILM, passes, gap)
-        if size <= floor and change < settled and changed == 0:
-            return WarmRest(warm, at, CONVERGED, passes, gap)
+        if size <= floor and change < settled:
+            calm += 1
+            if changed == 0 or calm > STUBBORN:
+                return WarmRest(warm, at, CONVERGED, passes, gap)
         flat = np.concatenate((sample.force, sample.stiffness.ravel(), sample.damping.ravel()))
         dx, dy, step_time = damped_step(flat, residual[0], residual[1], size, last, size_of_load, gap, step_time)
         move, last, halvings = np.array([dx, dy]), size, 0

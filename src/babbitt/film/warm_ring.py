@@ -33,8 +33,10 @@ Array = NDArray[np.float64]
 FILM_CONDUCTANCE, UNIFORM_SHARE = 2.5, 1.5
 """Guess of what a film gives less to a place of the wall that is 1 K warmer: k/h times the first, and the second times
 what it gives less to a bush warmer all around. Only the number of passes depends on it."""
-RELAX = 0.65
-"""Share of a new viscosity field that a pass takes: load, position and heat answer each other with a swing."""
+RELAX, CALM, LEAST_RELAX = 0.65, 12, 0.05
+"""Share of a new viscosity field that a pass takes, passes after which a film that swings takes less, and the least."""
+FLICKER = 30
+"""Passes after which a few nodes that still change sides are let be, as ``_equilibrium.CYCLING``."""
 ALIKE = 0.2
 """Change of the film's conductance, over its largest, up to which the inverse of the bush is kept."""
 MOST_HARMONICS = 32
@@ -62,6 +64,13 @@ class WarmRing:
         Of the last pass, in units of mu omega^2 R^3 B / c.
     viscosity : ndarray, shape (lines, columns, layers), or None
         Of the last pass over the reference.
+    relaxation : float
+        Share (of the logarithm) of a new viscosity field that a pass takes: load, position and heat answer each
+        other with a swing.
+    passes : int
+        So far.
+    last_rise : ndarray or None
+        Change of the temperature in the last one, K.
     """
 
     sample: Sample
@@ -76,6 +85,9 @@ class WarmRing:
     dissipation: float = 0.0
     friction: float = 0.0
     viscosity: Array | None = None
+    relaxation: float = RELAX
+    passes: int = 0
+    last_rise: Array | None = None
 
     @classmethod
     def of(cls, sample: Sample, heat: FilmHeat, film: JournalFilm, speed: float) -> WarmRing:
@@ -98,13 +110,18 @@ class WarmRing:
         """One pass at a journal position: number of nodes that changed sides, largest change of temperature, K."""
         surface = self.sample.ring.surface
         fresh = self.relative_viscosity()
-        viscosity = fresh if self.viscosity is None else self.viscosity + RELAX * (fresh - self.viscosity)
-        self.viscosity = viscosity
+        if self.viscosity is not None:
+            fresh = self.viscosity * (fresh / self.viscosity) ** self.relaxation
+        self.viscosity = viscosity = fresh
         spread_viscosity(surface, self.columns, viscosity, self.flows)
+        wet = self.sample.work.wet
         for _ in range(rounds):
+            known = wet.copy()
             changed = self.sample.evaluate(at)
             if changed == 0:
                 break
+        if self.passes > FLICKER and changed <= 0.01 * wet.size:
+            wet[:], changed = known, 0
         self.gather(at)
         before = self.temperature.copy()
         self.sweep(viscosity, sweeps, 1e-9)
@@ -112,7 +129,13 @@ class WarmRing:
         change = float(np.abs(rise).max())
         if change > MOST_RISE:
             self.temperature[:] = before + rise * (MOST_RISE / change)
-        return changed, max(change, self.correct_walls())
+        change = max(change, self.correct_walls(min(1.0, self.relaxation / RELAX)))
+        self.passes += 1
+        if self.passes > CALM and self.last_rise is not None:
+            swings = float((rise * self.last_rise).sum()) < 0.0
+            self.relaxation = max(0.7 * self.relaxation, LEAST_RELAX) if swings else min(1.1 * self.relaxation, RELAX)
+        self.last_rise = rise
+        return changed, change
 
     def gather(self, at: Array) -> None:
         """Flows and heat of the Reynolds solution."""
@@ -131,12 +154,12 @@ class WarmRing:
                          most, tolerance)
         )  # fmt: skip
 
-    def correct_walls(self) -> float:
-        """New wall temperatures from the heat that they take; their largest change, K."""
+    def correct_walls(self, share: float) -> float:
+        """Share of the way to new wall temperatures from the heat that they take; their largest change, K."""
         if self.walls.insulated:
             return 0.0
         self.prepare_bush()
-        return float(answer_walls(self.columns, self.flows, self.walls, self.temperature))
+        return float(answer_walls(self.columns, self.flows, self.walls, self.temperature, share))
 
     def prepare_bush(self) -> None:
         """Derivatives of the balance of the walls; kept while the film is nearly the same.
