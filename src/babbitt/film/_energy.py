@@ -362,7 +362,7 @@ def sweep_energy(surface, columns, flows, walls, viscosity, temperature, groove,
                     change = max(change, moved)
         if change < tolerance:
             break
-        if turn % 3 == 2:
+        if turn % 3 == 1 and turn < most - 1:
             both, alone = 0.0, 0.0
             for i in range(lines):
                 for c in range(count):
@@ -377,7 +377,7 @@ def sweep_energy(surface, columns, flows, walls, viscosity, temperature, groove,
                         temperature[i, c, k] += (temperature[i, c, k] - before[i, c, k]) * share / (1.0 - share)
                     if s >= 0:
                         groove[s] = temperature[i, c, 0]
-        else:
+        elif turn % 3 == 0:
             for i in range(lines):
                 for c in range(count):
                     for k in range(layers):
@@ -459,7 +459,8 @@ def close_energy(surface, columns, flows, walls, viscosity, temperature, groove,
     """Energy equation and walls beside a film at rest, until nothing changes any more; the last change."""
     change = 0.0
     for _ in range(most):
-        change = sweep_energy(surface, columns, flows, walls, viscosity, temperature, groove, 4, tolerance)
+        enough = max(tolerance, 0.02 * change)  # walls that answer to a film on its way are thrown off theirs
+        change = sweep_energy(surface, columns, flows, walls, viscosity, temperature, groove, 16, enough)
         if not walls.insulated:
             change = max(change, answer_walls(columns, flows, walls, temperature, 1.0))
         if change < tolerance:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from babbitt.film._equilibrium import (
     CONTACT,
     CONVERGED,
+    CYCLING,
     MODERATE_LOAD,
     NO_FILM,
     THINNEST,
@@ -48,8 +49,9 @@ SETTLED = 1e-3
 COLD_LOAD = 2.0
 """Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks nothing
 and would have no bound to its temperature."""
-CLOSING, CLOSED = 400, 3e-8
-"""Sweeps that close the heat balance at most, and the change of temperature in K at which it counts as closed."""
+CLOSING, CLOSED, OPEN = 400, 3e-8, 1e-4
+"""Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from which the
+film counts as not converged."""
 MOST_PASSES = 120
 STUBBORN = 4
 """Passes at rest after which nodes that change sides for ever are let be."""
@@ -146,7 +148,9 @@ def attempt(
     density, total = None, 0
     warm: WarmRing | None = None
     cold = Sample.of(build_ring(film, scales.pressure, per_turn // 2, resolution.axial_unknowns, None), effort)
-    at, _, _, gap = carry(cold, min(share, COLD_LOAD / max(math.hypot(*load), 1e-300)) * load, np.zeros(2), 0.05, 30, False)
+    at, _, _, gap = carry(
+        cold, min(share, COLD_LOAD / max(math.hypot(*load), 1e-300)) * load, np.zeros(2), 0.05, 30, False
+    )
     if not gap > 0.0:
         at = np.zeros(2)
     for _ in range(30):
@@ -196,7 +200,7 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
         size = math.hypot(*residual)
         if not (math.isfinite(size) and math.isfinite(change)):
             return WarmRest(warm, at, NO_FILM, passes, gap)
-        if size <= floor and change < settled:
+        if change < settled and (size <= floor or (passes > CYCLING and size <= 1e-4 * size_of_load)):
             calm += 1
             if changed == 0 or calm > STUBBORN:
                 return WarmRest(warm, at, CONVERGED, passes, gap)
@@ -219,6 +223,7 @@ def answer(film: JournalFilm, seen: JournalFilm, scales: Scales, found: WarmRest
     if found.status == CONVERGED:
         warm.sample.evaluate(found.position, smooth=True)
         warm.gather(found.position)
-        warm.close(CLOSING, CLOSED)
+        if not warm.close(CLOSING, CLOSED) < OPEN:
+            found = replace(found, status=TOO_MANY_STEPS)
     settled = SettledRing(seen, warm.sample, found.position, found.status, found.passes, found.gap)
     return thermal_film(ring_solution(film, scales, settled, begun), scales, warm)

@@ -119,11 +119,12 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing) -> ThermalF
     out = float(leaving.sum())
     edges = np.concatenate(([0.0], np.cumsum(columns.layer)))
     half = 0.5 * film.film.width
-    nodes = warm.sample.ring.mesh.nodes * half
+    mesh = warm.sample.ring.mesh
+    inner = np.delete(mesh.nodes, list(mesh.side_nodes)) * half
     resolved = columns.size.size > 1
     return ThermalFilm(
         film=replace(film, friction_torque=warm.friction * scales.torque),
-        axial_positions=nodes if resolved else np.zeros(1),
+        axial_positions=inner if resolved else np.zeros(1),
         layers=0.5 * (edges[1:] + edges[:-1]),
         temperature=warm.temperature.copy(),
         supply_temperature=cold,

@@ -133,7 +133,9 @@ class WarmRing:
         self.passes += 1
         if self.passes > CALM and self.last_rise is not None:
             swings = float((rise * self.last_rise).sum()) < 0.0
-            self.relaxation = max(0.7 * self.relaxation, LEAST_RELAX) if swings else min(1.1 * self.relaxation, RELAX)
+            self.relaxation = (
+                max(0.7 * self.relaxation, LEAST_RELAX) if swings else min(1.1 * self.relaxation, RELAX)
+            )
         self.last_rise = rise
         return changed, change
 
@@ -229,6 +231,7 @@ class WarmRing:
         viscosity = self.relative_viscosity() if self.viscosity is None else self.viscosity
         surface = self.sample.ring.surface
         if not self.walls.insulated:
+            self.walls.conductance[:] = 0.0  # made anew: the closing rounds see this film only
             self.prepare_bush()
         return float(
             close_energy(surface, self.columns, self.flows, self.walls, viscosity, self.temperature, self.groove,
@@ -246,7 +249,10 @@ class WarmRing:
 
 
 def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
-    """Columns of a ring: all nodes together, or each its own where asked for or where supplies are narrower."""
+    """Columns of a ring: all nodes together, or each its own where asked for or where supplies are narrower.
+
+    A node on a side goes with the one beside it: alone it would hold hardly any oil, and any temperature.
+    """
     supply, sides = ring.supply, list(ring.mesh.side_nodes)
     inner = np.setdiff1d(np.arange(supply.shape[1]), sides)
     whole = (supply[:, inner] == supply[:, inner[:1]]).all(axis=1)
@@ -257,11 +263,9 @@ def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
     if not resolved:
         return Columns(np.zeros(supply.shape[1], dtype=np.int64), supply[:, inner[:1]].copy(), side,
                        heat.grid.thicknesses(), np.array([node_share.sum()]))  # fmt: skip
-    cells = supply.copy()
-    cells[:, sides] = -1
-    grooved = whole & (supply[:, inner[0]] >= 0)
-    cells[np.ix_(grooved, sides)] = supply[grooved][:, inner[:1]]
-    return Columns(np.arange(supply.shape[1]), cells, side, heat.grid.thicknesses(), node_share)
+    column = np.searchsorted(inner, np.arange(supply.shape[1])).clip(0, inner.size - 1)
+    size = np.bincount(column, node_share).astype(float)
+    return Columns(column, supply[:, inner].copy(), side, heat.grid.thicknesses(), size)
 
 
 def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines: int) -> Walls:
