@@ -39,12 +39,12 @@ __all__ = ["THERMAL_ENGINEERING", "THERMAL_REFERENCE", "solve_thermal_journal", 
 
 Array = NDArray[np.float64]
 
-THERMAL_ENGINEERING = Resolution(4, 48, 24, 1e-6)
+THERMAL_ENGINEERING = Resolution(4, 48, 24, 1e-5)
 THERMAL_REFERENCE = Resolution(6, 192, 96, 1e-7)
 
 SWEEPS = 3
 """Of the energy equation in a pass."""
-SETTLED = 1e-3
+SETTLED = 1e-2
 """Change of temperature in a pass, K, at which film and temperature rest beside each other."""
 COLD_LOAD = 2.0
 """Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks nothing

@@ -37,7 +37,7 @@ RELAX, CALM, LEAST_RELAX = 0.65, 12, 0.05
 """Share of a new viscosity field that a pass takes, passes after which a film that swings takes less, and the least."""
 FLICKER = 30
 """Passes after which a few nodes that still change sides are let be, as ``_equilibrium.CYCLING``."""
-ALIKE = 0.2
+ALIKE = 0.5
 """Change of the film's conductance, over its largest, up to which the inverse of the bush is kept."""
 MOST_HARMONICS = 32
 """Of the temperature around the bore; a ring of steel damps the last a hundred times as much as the first."""
