@@ -52,6 +52,8 @@ and would have no bound to its temperature."""
 CLOSING, CLOSED, OPEN = 400, 3e-8, 1e-4
 """Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from which the
 film counts as not converged."""
+POLISH, POLISHED = 8, 1e-10
+"""Steps of the journal at frozen temperatures at the end, at most, and the residual force over load that ends them."""
 MOST_PASSES = 120
 STUBBORN = 4
 """Passes at rest after which nodes that change sides for ever are let be."""
@@ -68,6 +70,7 @@ class WarmRest:
     status: int
     passes: int
     gap: float
+    load: Array | None = None
 
 
 def solve_thermal_journal(
@@ -203,7 +206,7 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
         if change < settled and (size <= floor or (passes > CYCLING and size <= 1e-4 * size_of_load)):
             calm += 1
             if changed == 0 or calm > STUBBORN:
-                return WarmRest(warm, at, CONVERGED, passes, gap)
+                return WarmRest(warm, at, CONVERGED, passes, gap, load)
         flat = np.concatenate((sample.force, sample.stiffness.ravel(), sample.damping.ravel()))
         dx, dy, step_time = damped_step(flat, residual[0], residual[1], size, last, size_of_load, gap, step_time)
         move, last, halvings = np.array([dx, dy]), size, 0
@@ -217,10 +220,26 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
     return WarmRest(warm, at, TOO_MANY_STEPS, MOST_PASSES, gap)
 
 
+def polished(found: WarmRest) -> WarmRest:
+    """Let the film carry the load exactly, its temperatures as they are: a few steps of Newton."""
+    if found.load is None:
+        return found
+    sample, at = found.warm.sample, found.position
+    for _ in range(POLISH):
+        sample.evaluate(at)
+        residual = sample.force + found.load
+        if math.hypot(*residual) <= POLISHED * math.hypot(*found.load) + 1e-14:
+            break
+        at = at + np.linalg.solve(sample.stiffness, residual)
+    gap = sample.gap(at)
+    return replace(found, position=at, gap=gap) if gap > CONTACT else found
+
+
 def answer(film: JournalFilm, seen: JournalFilm, scales: Scales, found: WarmRest, begun: float) -> ThermalFilm:
     """Close the heat balance, solve for the coefficients, and gather everything in SI and in the fixed frame."""
     warm = found.warm
     if found.status == CONVERGED:
+        found = polished(found)
         warm.sample.evaluate(found.position, smooth=True)
         warm.gather(found.position)
         if not warm.close(CLOSING, CLOSED) < OPEN:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._energy import groove_balance
+from babbitt.film._heat_cells import groove_balance
 from babbitt.film.scales import Scales
 from babbitt.film.solution import FilmSolution
 from babbitt.film.warm_ring import WarmRing
@@ -112,7 +112,7 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing) -> ThermalF
     over_sides = float((leaving * (own - cold)).sum() + (entering * 0.0).sum()) * unit
     back = 0.0
     for s in range(warm.groove.size):
-        brought, _, taken = groove_balance(warm.sample.ring.surface, columns, flows, warm.temperature, s)
+        brought, _, taken = groove_balance(warm.sample.ring.surface, columns, flows, 1.0, warm.temperature, s)
         back += max(brought - taken, 0.0) * (warm.groove[s] - cold) * unit
     bush, journal = warm.bush_heat(), float(warm.walls.journal[1])
     dissipation = warm.dissipation * warm.rise * unit

@@ -8,19 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._energy import (
-    MOST_RISE,
-    Columns,
-    Flows,
-    Walls,
-    answer_walls,
-    close_energy,
-    gather_flows,
-    new_flows,
-    spread_viscosity,
-    sweep_energy,
-    wall_fluxes,
-)
+from babbitt.film._heat_cells import Cells, fill_cells, new_cells, sweep_energy
+from babbitt.film._heat_flows import Columns, Flows, gather_flows, new_flows, spread_viscosity
+from babbitt.film._heat_walls import MOST_RISE, Walls, answer_walls, close_energy, wall_fluxes
 from babbitt.film.general import Sample
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm
@@ -37,6 +27,8 @@ RELAX, CALM, LEAST_RELAX = 0.65, 12, 0.05
 """Share of a new viscosity field that a pass takes, passes after which a film that swings takes less, and the least."""
 FLICKER = 30
 """Passes after which a few nodes that still change sides are let be, as ``_equilibrium.CYCLING``."""
+ANSWER_SWEEPS = 12
+"""Of the energy equation that gives the film's answer to a warmer wall, at most."""
 ALIKE = 0.5
 """Change of the film's conductance, over its largest, up to which the inverse of the bush is kept."""
 MOST_HARMONICS = 32
@@ -77,6 +69,7 @@ class WarmRing:
     heat: FilmHeat
     columns: Columns
     flows: Flows
+    cells: Cells
     temperature: Array
     groove: Array
     walls: Walls
@@ -98,6 +91,7 @@ class WarmRing:
         cold = heat.supply_temperature
         return cls(
             sample, heat, columns, new_flows(lines, sample.ring.surface.step.size, count, layers),
+            new_cells(lines, count, layers),
             np.full((lines, count, layers), cold), np.full(int(columns.supply.max()) + 1, cold),
             walls_of(sample.ring, heat, film, speed, lines), film.viscosity, rise,
         )  # fmt: skip
@@ -124,7 +118,8 @@ class WarmRing:
             wet[:], changed = known, 0
         self.gather(at)
         before = self.temperature.copy()
-        self.sweep(viscosity, sweeps, 1e-9)
+        self.fill(viscosity)
+        self.sweep(sweeps, 1e-9)
         rise = self.temperature - before
         change = float(np.abs(rise).max())
         if change > MOST_RISE:
@@ -148,12 +143,17 @@ class WarmRing:
         )
         self.flows.heat[:] *= self.rise
 
-    def sweep(self, viscosity: Array, most: int, tolerance: float) -> float:
-        """Energy equation with the flows as they stand; change of the last sweep, K."""
+    def fill(self, viscosity: Array) -> None:
+        """Cells of the energy equation for the flows as they stand."""
+        fill_cells(self.sample.ring.surface, self.columns, self.flows, self.walls.conduction, self.walls.insulated,
+                   self.walls.fresh, viscosity, self.cells)  # fmt: skip
+
+    def sweep(self, most: int, tolerance: float) -> float:
+        """Solve the energy equation; change of the last sweep, K."""
         surface = self.sample.ring.surface
         return float(
-            sweep_energy(surface, self.columns, self.flows, self.walls, viscosity, self.temperature, self.groove,
-                         most, tolerance)
+            sweep_energy(surface, self.columns, self.flows, self.cells, 1.0, self.walls, self.temperature,
+                         self.groove, most, tolerance)
         )  # fmt: skip
 
     def correct_walls(self, share: float) -> float:
@@ -200,14 +200,13 @@ class WarmRing:
         bush = walls.synthesis[:, mode].copy() if mode < modes else np.zeros(walls.bush.size)
         journal = np.zeros(4)
         journal[0] = 0.0 if mode < modes else 1.0
-        held = walls._replace(bush=bush, journal=journal, fresh=0.0)
-        quiet = self.flows._replace(heat=np.zeros_like(self.flows.heat))
+        held = walls._replace(bush=bush, journal=journal)
         temperature = np.zeros_like(self.temperature)
         surface = self.sample.ring.surface
-        viscosity = self.relative_viscosity() if self.viscosity is None else self.viscosity
-        sweep_energy(surface, columns, quiet, held, viscosity, temperature, np.zeros_like(self.groove), 7, 1e-3)
+        sweep_energy(surface, columns, self.flows, self.cells, 0.0, held, temperature, np.zeros_like(self.groove),
+                     ANSWER_SWEEPS, 1e-3)  # fmt: skip
         flux = np.zeros(bush.size)
-        return flux, float(wall_fluxes(columns, quiet, held, temperature, flux))
+        return flux, float(wall_fluxes(columns, self.flows, held, temperature, flux))
 
     def start_from(self, coarse: WarmRing) -> None:
         """Take over the temperatures of a coarser ring, linear between its lines."""
@@ -228,13 +227,13 @@ class WarmRing:
 
     def close(self, most: int, tolerance: float) -> float:
         """Solve energy and walls beside the film as it stands; largest change of the last round, K."""
-        viscosity = self.relative_viscosity() if self.viscosity is None else self.viscosity
+        self.fill(self.relative_viscosity() if self.viscosity is None else self.viscosity)
         surface = self.sample.ring.surface
         if not self.walls.insulated:
             self.walls.conductance[:] = 0.0  # made anew: the closing rounds see this film only
             self.prepare_bush()
         return float(
-            close_energy(surface, self.columns, self.flows, self.walls, viscosity, self.temperature, self.groove,
+            close_energy(surface, self.columns, self.flows, self.cells, self.walls, self.temperature, self.groove,
                          most, tolerance)
         )  # fmt: skip
 
