@@ -110,7 +110,7 @@ class HeatGrid:
         False: one profile per line, mean over the width. Pockets and holes are always resolved.
     """
 
-    layers: int = 10
+    layers: int = 8
     resolved: bool = False
 
     def thicknesses(self) -> Array:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from babbitt.film._equilibrium import (
     CONTACT,
     CONVERGED,
+    CYCLING,
     MODERATE_LOAD,
     NO_FILM,
     THINNEST,
@@ -24,6 +25,7 @@ from babbitt.film._equilibrium import (
     damped_step,
 )
 from babbitt.film.general import Effort, Sample, SettledRing, line_density
+from babbitt.film.general import rest as carry
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm, Resolution
 from babbitt.film.ring import Density, build_ring
@@ -37,16 +39,24 @@ __all__ = ["THERMAL_ENGINEERING", "THERMAL_REFERENCE", "solve_thermal_journal", 
 
 Array = NDArray[np.float64]
 
-THERMAL_ENGINEERING = Resolution(4, 48, 24, 1e-6)
+THERMAL_ENGINEERING = Resolution(4, 48, 24, 1e-5)
 THERMAL_REFERENCE = Resolution(6, 192, 96, 1e-7)
 
-SWEEPS = 2
+SWEEPS = 3
 """Of the energy equation in a pass."""
-SETTLED = 1e-3
+SETTLED = 1e-2
 """Change of temperature in a pass, K, at which film and temperature rest beside each other."""
-CLOSING, CLOSED = 400, 3e-8
-"""Sweeps that close the heat balance at most, and the change of temperature in K at which it counts as closed."""
+COLD_LOAD = 2.0
+"""Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks nothing
+and would have no bound to its temperature."""
+CLOSING, CLOSED, OPEN = 400, 3e-8, 1e-4
+"""Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from which the
+film counts as not converged."""
+POLISH, POLISHED = 8, 1e-10
+"""Steps of the journal at frozen temperatures at the end, at most, and the residual force over load that ends them."""
 MOST_PASSES = 120
+STUBBORN = 4
+"""Passes at rest after which nodes that change sides for ever are let be."""
 PATIENT_FROM, ROUNDS = 8, 8
 """Pass from which on the wet set is let settle at every position, and in how many rounds."""
 
@@ -60,6 +70,7 @@ class WarmRest:
     status: int
     passes: int
     gap: float
+    load: Array | None = None
 
 
 def solve_thermal_journal(
@@ -137,8 +148,14 @@ def attempt(
     """Coarse rings under a growing load, then the fine ring."""
     effort = Effort(math.inf)
     per_turn = 2 * resolution.intervals
-    at, density, total = np.zeros(2), None, 0
+    density, total = None, 0
     warm: WarmRing | None = None
+    cold = Sample.of(build_ring(film, scales.pressure, per_turn // 2, resolution.axial_unknowns, None), effort)
+    at, _, _, gap = carry(
+        cold, min(share, COLD_LOAD / max(math.hypot(*load), 1e-300)) * load, np.zeros(2), 0.05, 30, False
+    )
+    if not gap > 0.0:
+        at = np.zeros(2)
     for _ in range(30):
         warm = continued(fresh_ring(film, heat, scales, per_turn // 2, resolution, density, effort), warm)
         found = rest(warm, share * load, at, 1e-3, 1.0)
@@ -175,7 +192,7 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
     """Let film, temperature and journal come to rest on one ring."""
     size_of_load = math.hypot(*load)
     floor = tolerance * size_of_load + 1e-13
-    step_time, last = 0.0, 0.0
+    step_time, last, calm = 0.0, 0.0, 0
     gap = warm.sample.gap(at)
     if not gap > 0.0:
         return WarmRest(warm, at, NO_FILM, 0, gap)
@@ -186,8 +203,10 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
         size = math.hypot(*residual)
         if not (math.isfinite(size) and math.isfinite(change)):
             return WarmRest(warm, at, NO_FILM, passes, gap)
-        if size <= floor and change < settled and changed == 0:
-            return WarmRest(warm, at, CONVERGED, passes, gap)
+        if change < settled and (size <= floor or (passes > CYCLING and size <= 1e-4 * size_of_load)):
+            calm += 1
+            if changed == 0 or calm > STUBBORN:
+                return WarmRest(warm, at, CONVERGED, passes, gap, load)
         flat = np.concatenate((sample.force, sample.stiffness.ravel(), sample.damping.ravel()))
         dx, dy, step_time = damped_step(flat, residual[0], residual[1], size, last, size_of_load, gap, step_time)
         move, last, halvings = np.array([dx, dy]), size, 0
@@ -201,12 +220,29 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
     return WarmRest(warm, at, TOO_MANY_STEPS, MOST_PASSES, gap)
 
 
+def polished(found: WarmRest) -> WarmRest:
+    """Let the film carry the load exactly, its temperatures as they are: a few steps of Newton."""
+    if found.load is None:
+        return found
+    sample, at = found.warm.sample, found.position
+    for _ in range(POLISH):
+        sample.evaluate(at)
+        residual = sample.force + found.load
+        if math.hypot(*residual) <= POLISHED * math.hypot(*found.load) + 1e-14:
+            break
+        at = at + np.linalg.solve(sample.stiffness, residual)
+    gap = sample.gap(at)
+    return replace(found, position=at, gap=gap) if gap > CONTACT else found
+
+
 def answer(film: JournalFilm, seen: JournalFilm, scales: Scales, found: WarmRest, begun: float) -> ThermalFilm:
     """Close the heat balance, solve for the coefficients, and gather everything in SI and in the fixed frame."""
     warm = found.warm
     if found.status == CONVERGED:
+        found = polished(found)
         warm.sample.evaluate(found.position, smooth=True)
         warm.gather(found.position)
-        warm.close(CLOSING, CLOSED)
+        if not warm.close(CLOSING, CLOSED) < OPEN:
+            found = replace(found, status=TOO_MANY_STEPS)
     settled = SettledRing(seen, warm.sample, found.position, found.status, found.passes, found.gap)
     return thermal_film(ring_solution(film, scales, settled, begun), scales, warm)

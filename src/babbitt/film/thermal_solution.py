@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._energy import groove_balance
+from babbitt.film._heat_cells import groove_balance
 from babbitt.film.scales import Scales
 from babbitt.film.solution import FilmSolution
 from babbitt.film.warm_ring import WarmRing
@@ -121,14 +121,15 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing) -> ThermalF
     over_sides = float((leaving * (own - cold)).sum() + (entering * 0.0).sum()) * unit
     back = 0.0
     for s in range(warm.groove.size):
-        brought, _, taken = groove_balance(warm.sample.ring.surface, columns, flows, warm.temperature, s)
+        brought, _, taken = groove_balance(warm.sample.ring.surface, columns, flows, 1.0, warm.temperature, s)
         back += max(brought - taken, 0.0) * (warm.groove[s] - cold) * unit
     bush, journal = warm.bush_heat(), float(warm.walls.journal[1])
     dissipation = warm.dissipation * warm.rise * unit
     out = float(leaving.sum())
     edges = np.concatenate(([0.0], np.cumsum(columns.layer)))
     half = 0.5 * film.film.width
-    nodes = warm.sample.ring.mesh.nodes * half
+    mesh = warm.sample.ring.mesh
+    inner = np.delete(mesh.nodes, list(mesh.side_nodes)) * half
     resolved = columns.size.size > 1
     wall, shaft = warm.walls.bush.copy(), float(warm.walls.journal[0])
     if warm.walls.insulated:  # walls are as warm as the oil that touches them
@@ -136,7 +137,7 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing) -> ThermalF
         wall, shaft = touching[:, 0].copy(), float(touching[:, 1] @ warm.walls.width / warm.walls.width.sum())
     return ThermalFilm(
         film=replace(film, friction_torque=warm.friction * scales.torque),
-        axial_positions=nodes if resolved else np.zeros(1),
+        axial_positions=inner if resolved else np.zeros(1),
         layers=0.5 * (edges[1:] + edges[:-1]),
         temperature=warm.temperature.copy(),
         supply_temperature=cold,

@@ -8,19 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._energy import (
-    Columns,
-    Flows,
-    Walls,
-    answer_walls,
-    close_energy,
-    gather_flows,
-    new_flows,
-    spread_viscosity,
-    sweep_energy,
-)
+from babbitt.film._heat_cells import Cells, fill_cells, new_cells, sweep_energy
+from babbitt.film._heat_flows import Columns, Flows, gather_flows, new_flows, spread_viscosity
+from babbitt.film._heat_walls import MOST_RISE, Walls, answer_walls, close_energy, wall_fluxes
 from babbitt.film.general import Sample
-from babbitt.film.heat import ConductingWalls, FilmHeat
+from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm
 from babbitt.film.ring import TURN, Ring
 from babbitt.film.ring_solution import drain_sides
@@ -28,12 +20,16 @@ from babbitt.film.ring_solution import drain_sides
 __all__ = ["WarmRing", "columns_of"]
 
 Array = NDArray[np.float64]
-FILM_CONDUCTANCE = 2.5
-"""Conductance from the mean of a film to a wall over k/h, with which walls are corrected between passes; the
-answer does not depend on it (parallel plates: 2 for a linear, 3 for a parabolic profile)."""
-RELAX = 0.65
-"""Share of a new viscosity field that a pass takes: load, position and heat answer each other with a swing."""
-ALIKE = 0.2
+FILM_CONDUCTANCE, UNIFORM_SHARE = 2.5, 1.5
+"""Guess of what a film gives less to a place of the wall that is 1 K warmer: k/h times the first, and the second times
+what it gives less to a bush warmer all around. Only the number of passes depends on it."""
+RELAX, CALM, LEAST_RELAX = 0.65, 12, 0.05
+"""Share of a new viscosity field that a pass takes, passes after which a film that swings takes less, and the least."""
+FLICKER = 30
+"""Passes after which a few nodes that still change sides are let be, as ``_equilibrium.CYCLING``."""
+ANSWER_SWEEPS = 12
+"""Of the energy equation that gives the film's answer to a warmer wall, at most."""
+ALIKE = 0.5
 """Change of the film's conductance, over its largest, up to which the inverse of the bush is kept."""
 MOST_HARMONICS = 32
 """Of the temperature around the bore; a ring of steel damps the last a hundred times as much as the first."""
@@ -60,12 +56,20 @@ class WarmRing:
         Of the last pass, in units of mu omega^2 R^3 B / c.
     viscosity : ndarray, shape (lines, columns, layers), or None
         Of the last pass over the reference.
+    relaxation : float
+        Share (of the logarithm) of a new viscosity field that a pass takes: load, position and heat answer each
+        other with a swing.
+    passes : int
+        So far.
+    last_rise : ndarray or None
+        Change of the temperature in the last one, K.
     """
 
     sample: Sample
     heat: FilmHeat
     columns: Columns
     flows: Flows
+    cells: Cells
     temperature: Array
     groove: Array
     walls: Walls
@@ -74,6 +78,9 @@ class WarmRing:
     dissipation: float = 0.0
     friction: float = 0.0
     viscosity: Array | None = None
+    relaxation: float = RELAX
+    passes: int = 0
+    last_rise: Array | None = None
 
     @classmethod
     def of(cls, sample: Sample, heat: FilmHeat, film: JournalFilm, speed: float) -> WarmRing:
@@ -84,6 +91,7 @@ class WarmRing:
         cold = heat.supply_temperature
         return cls(
             sample, heat, columns, new_flows(lines, sample.ring.surface.step.size, count, layers),
+            new_cells(lines, count, layers),
             np.full((lines, count, layers), cold), np.full(int(columns.supply.max()) + 1, cold),
             walls_of(sample.ring, heat, film, speed, lines), film.viscosity, rise,
         )  # fmt: skip
@@ -96,16 +104,35 @@ class WarmRing:
         """One pass at a journal position: number of nodes that changed sides, largest change of temperature, K."""
         surface = self.sample.ring.surface
         fresh = self.relative_viscosity()
-        viscosity = fresh if self.viscosity is None else self.viscosity + RELAX * (fresh - self.viscosity)
-        self.viscosity = viscosity
+        if self.viscosity is not None:
+            fresh = self.viscosity * (fresh / self.viscosity) ** self.relaxation
+        self.viscosity = viscosity = fresh
         spread_viscosity(surface, self.columns, viscosity, self.flows)
+        wet = self.sample.work.wet
         for _ in range(rounds):
+            known = wet.copy()
             changed = self.sample.evaluate(at)
             if changed == 0:
                 break
+        if self.passes > FLICKER and changed <= 0.01 * wet.size:
+            wet[:], changed = known, 0
         self.gather(at)
-        change = self.sweep(viscosity, sweeps, 1e-9)
-        return changed, max(change, self.correct_walls())
+        before = self.temperature.copy()
+        self.fill(viscosity)
+        self.sweep(sweeps, 1e-9)
+        rise = self.temperature - before
+        change = float(np.abs(rise).max())
+        if change > MOST_RISE:
+            self.temperature[:] = before + rise * (MOST_RISE / change)
+        change = max(change, self.correct_walls(min(1.0, self.relaxation / RELAX)))
+        self.passes += 1
+        if self.passes > CALM and self.last_rise is not None:
+            swings = float((rise * self.last_rise).sum()) < 0.0
+            self.relaxation = (
+                max(0.7 * self.relaxation, LEAST_RELAX) if swings else min(1.1 * self.relaxation, RELAX)
+            )
+        self.last_rise = rise
+        return changed, change
 
     def gather(self, at: Array) -> None:
         """Flows and heat of the Reynolds solution."""
@@ -116,31 +143,70 @@ class WarmRing:
         )
         self.flows.heat[:] *= self.rise
 
-    def sweep(self, viscosity: Array, most: int, tolerance: float) -> float:
-        """Energy equation with the flows as they stand; change of the last sweep, K."""
+    def fill(self, viscosity: Array) -> None:
+        """Cells of the energy equation for the flows as they stand."""
+        fill_cells(self.sample.ring.surface, self.columns, self.flows, self.walls.conduction, self.walls.insulated,
+                   self.walls.fresh, viscosity, self.cells)  # fmt: skip
+
+    def sweep(self, most: int, tolerance: float) -> float:
+        """Solve the energy equation; change of the last sweep, K."""
         surface = self.sample.ring.surface
         return float(
-            sweep_energy(surface, self.columns, self.flows, self.walls, viscosity, self.temperature, self.groove,
-                         most, tolerance)
+            sweep_energy(surface, self.columns, self.flows, self.cells, 1.0, self.walls, self.temperature,
+                         self.groove, most, tolerance)
         )  # fmt: skip
 
-    def correct_walls(self) -> float:
-        """New wall temperatures from the heat that they take; their largest change, K."""
+    def correct_walls(self, share: float) -> float:
+        """Share of the way to new wall temperatures from the heat that they take; their largest change, K."""
         if self.walls.insulated:
             return 0.0
         self.prepare_bush()
-        return float(answer_walls(self.columns, self.flows, self.walls, self.temperature))
+        return float(answer_walls(self.columns, self.flows, self.walls, self.temperature, share))
 
     def prepare_bush(self) -> None:
-        """Inverse of the bush beside the film, in harmonics; kept while the film is nearly the same."""
+        """Derivatives of the balance of the walls; kept while the film is nearly the same.
+
+        What the film gives less to a warmer wall is exact for the journal and the first harmonics of the bush: the
+        energy equation is linear, and solved once for each with that wall at 1 K and all else at zero. The others get
+        a guess on the safe side; the answer does not depend on it.
+        """
         walls, flows, columns = self.walls, self.flows, self.columns
         per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
-        film = FILM_CONDUCTANCE * walls.conduction * walls.flow_heat / walls.area * per.sum(axis=1)
-        if np.abs(film - walls.conductance).max() > ALIKE * film.max():
-            assert isinstance(self.heat.walls, ConductingWalls)
-            walls.conductance[:] = film
-            admittance = admittances(self.heat.walls, walls.inverse.shape[0])
-            walls.inverse[:] = np.linalg.inv(np.diag(admittance) + (walls.analysis * film) @ walls.synthesis)
+        film = walls.conduction * walls.flow_heat / walls.area * per.sum(axis=1)
+        if not np.abs(film - walls.conductance).max() > ALIKE * film.max():
+            return
+        walls.conductance[:] = film
+        modes, half = walls.analysis.shape[0], walls.analysis.shape[0] // 2
+        exact = [m for m in (0, 1, half + 1, modes) if m <= modes]
+        answers = {m: self.answer_to(m) for m in exact}
+        local = FILM_CONDUCTANCE * film + UNIFORM_SHARE * np.abs(answers[0][0])
+        matrix = np.zeros((modes + 1, modes + 1))
+        matrix[:modes, :modes] = np.diag(walls.admittance) + (walls.analysis * local) @ walls.synthesis
+        for m, (flux, journal) in answers.items():
+            matrix[:modes, m] = -walls.analysis @ flux
+            matrix[modes, m] = -journal
+            if m < modes:
+                matrix[m, m] += walls.admittance[m]
+        matrix[modes, modes] += walls.journal[2]
+        if walls.journal_given:
+            matrix[modes], matrix[:, modes] = 0.0, 0.0
+            matrix[modes, modes] = 1.0
+        walls.inverse[:] = np.linalg.inv(matrix)
+
+    def answer_to(self, mode: int) -> tuple[Array, float]:
+        """Heat flux into the bush (W/m2) and heat into the journal (W) with one wall at 1 K and all else at zero."""
+        walls, columns = self.walls, self.columns
+        modes = walls.analysis.shape[0]
+        bush = walls.synthesis[:, mode].copy() if mode < modes else np.zeros(walls.bush.size)
+        journal = np.zeros(4)
+        journal[0] = 0.0 if mode < modes else 1.0
+        held = walls._replace(bush=bush, journal=journal)
+        temperature = np.zeros_like(self.temperature)
+        surface = self.sample.ring.surface
+        sweep_energy(surface, columns, self.flows, self.cells, 0.0, held, temperature, np.zeros_like(self.groove),
+                     ANSWER_SWEEPS, 1e-3)  # fmt: skip
+        flux = np.zeros(bush.size)
+        return flux, float(wall_fluxes(columns, self.flows, held, temperature, flux))
 
     def start_from(self, coarse: WarmRing) -> None:
         """Take over the temperatures of a coarser ring, linear between its lines."""
@@ -156,15 +222,18 @@ class WarmRing:
         bush = coarse.walls.bush
         self.walls.bush[:] = (1.0 - flat) * bush[rows[after - 1]] + flat * bush[rows[after]]
         self.walls.journal[:] = coarse.walls.journal
+        self.walls.harmonics[:] = self.walls.analysis @ (self.walls.bush - self.walls.ambient)
+        self.walls.bush[:] = self.walls.ambient + self.walls.synthesis @ self.walls.harmonics
 
     def close(self, most: int, tolerance: float) -> float:
         """Solve energy and walls beside the film as it stands; largest change of the last round, K."""
-        viscosity = self.relative_viscosity() if self.viscosity is None else self.viscosity
+        self.fill(self.relative_viscosity() if self.viscosity is None else self.viscosity)
         surface = self.sample.ring.surface
         if not self.walls.insulated:
+            self.walls.conductance[:] = 0.0  # made anew: the closing rounds see this film only
             self.prepare_bush()
         return float(
-            close_energy(surface, self.columns, self.flows, self.walls, viscosity, self.temperature, self.groove,
+            close_energy(surface, self.columns, self.flows, self.cells, self.walls, self.temperature, self.groove,
                          most, tolerance)
         )  # fmt: skip
 
@@ -179,7 +248,10 @@ class WarmRing:
 
 
 def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
-    """Columns of a ring: all nodes together, or each its own where asked for or where supplies are narrower."""
+    """Columns of a ring: all nodes together, or each its own where asked for or where supplies are narrower.
+
+    A node on a side goes with the one beside it: alone it would hold hardly any oil, and any temperature.
+    """
     supply, sides = ring.supply, list(ring.mesh.side_nodes)
     inner = np.setdiff1d(np.arange(supply.shape[1]), sides)
     whole = (supply[:, inner] == supply[:, inner[:1]]).all(axis=1)
@@ -190,11 +262,9 @@ def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
     if not resolved:
         return Columns(np.zeros(supply.shape[1], dtype=np.int64), supply[:, inner[:1]].copy(), side,
                        heat.grid.thicknesses(), np.array([node_share.sum()]))  # fmt: skip
-    cells = supply.copy()
-    cells[:, sides] = -1
-    grooved = whole & (supply[:, inner[0]] >= 0)
-    cells[np.ix_(grooved, sides)] = supply[grooved][:, inner[:1]]
-    return Columns(np.arange(supply.shape[1]), cells, side, heat.grid.thicknesses(), node_share)
+    column = np.searchsorted(inner, np.arange(supply.shape[1])).clip(0, inner.size - 1)
+    size = np.bincount(column, node_share).astype(float)
+    return Columns(column, supply[:, inner].copy(), side, heat.grid.thicknesses(), size)
 
 
 def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines: int) -> Walls:
@@ -211,6 +281,11 @@ def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines:
         shaft = given.journal
         start = cold if shaft.temperature is None else shaft.temperature
         journal = np.array([start, 0.0, shaft.shaft_conductance, shaft.ambient_temperature])
+    admittance, harmonics = np.zeros(weight.size), np.zeros(weight.size)
+    if given is not None:
+        own = 1.0 / given.bush.impedances(order[-1])
+        admittance = np.concatenate((own, own[1:]))
+        harmonics[0] = cold - given.bush.ambient_temperature
     return Walls(
         insulated=given is None,
         conduction=heat.conductivity / (heat.volumetric_heat_capacity * speed * film.clearance**2),
@@ -220,14 +295,9 @@ def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines:
         ambient=cold if given is None else given.bush.ambient_temperature,
         journal=journal, journal_given=given is not None and given.journal.temperature is not None, width=width,
         analysis=weight[:, None] * synthesis.T * width, synthesis=synthesis,
-        inverse=np.zeros((weight.size, weight.size)), conductance=np.zeros(lines), fresh=cold,
+        admittance=admittance, harmonics=harmonics, inverse=np.zeros((weight.size + 1, weight.size + 1)),
+        conductance=np.zeros(lines), fresh=cold,
     )  # fmt: skip
-
-
-def admittances(walls: ConductingWalls, modes: int) -> Array:
-    """Heat flux into the bore over its temperature for every cosine and sine, W/(m2 K)."""
-    own = 1.0 / walls.bush.impedances(modes // 2)
-    return np.concatenate((own, own[1:]))
 
 
 def line_widths(ring: Ring, lines: int) -> Array:
