@@ -269,7 +269,9 @@ def _inside(thermal: ThermalFilm) -> ThermalFilm:
 def _accepted(thermal: ThermalFilm, oil: Lubricant) -> ThermalFilm:
     """The film if it rests below the temperatures at which oil ends."""
     hottest = thermal.maximum_temperature
-    if math.isfinite(hottest) and hottest >= (usable := highest_usable(oil)):
+    if not math.isfinite(hottest + thermal.effective_viscosity):
+        raise NoFilmError(Outcome.NOT_CONVERGED)
+    if hottest >= (usable := highest_usable(oil)):
         raise NoFilmError(Outcome.THERMAL_RUNAWAY if usable >= CEILING else Outcome.NO_LUBRICANT_DATA)
     if not thermal.film.outcome.solved:
         raise NoFilmError(thermal.film.outcome)

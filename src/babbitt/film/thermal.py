@@ -29,7 +29,7 @@ from babbitt.film.general import rest as carry
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm, Resolution
 from babbitt.film.ring import Density, build_ring
-from babbitt.film.ring_solution import mirrored, ring_solution
+from babbitt.film.ring_solution import mirrored, ring_solution, supply_order
 from babbitt.film.scales import Scales
 from babbitt.film.thermal_solution import ThermalFilm, thermal_film
 from babbitt.film.warm_ring import WarmRing
@@ -245,4 +245,4 @@ def answer(film: JournalFilm, seen: JournalFilm, scales: Scales, found: WarmRest
         if not warm.close(CLOSING, CLOSED) < OPEN:
             found = replace(found, status=TOO_MANY_STEPS)
     settled = SettledRing(seen, warm.sample, found.position, found.status, found.passes, found.gap)
-    return thermal_film(ring_solution(film, scales, settled, begun), scales, warm)
+    return thermal_film(ring_solution(film, scales, settled, begun), scales, warm, supply_order(film, seen))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -111,8 +112,8 @@ class ThermalFilm:
         return np.asarray(self.temperature @ np.diff(edges))
 
 
-def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing) -> ThermalFilm:
-    """Temperatures and heat of a ring beside its film."""
+def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequence[int]) -> ThermalFilm:
+    """Temperatures and heat of a ring beside its film; ``order`` is that of its supplies in the bearing as given."""
     flows, columns, unit = warm.flows, warm.columns, warm.walls.flow_heat
     cold = warm.heat.supply_temperature
     profile = flows.pressure_profile[np.arange(flows.leak.shape[0]) % flows.pressure_profile.shape[0]]
@@ -142,7 +143,7 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing) -> ThermalF
         temperature=warm.temperature.copy(),
         supply_temperature=cold,
         side_temperature=float((leaving * own).sum() / out) if out > 0.0 else cold,
-        groove_temperatures=warm.groove.copy(),
+        groove_temperatures=warm.groove[list(order)],
         bush_temperature=wall,
         bush_flux=warm.walls.bush_flux.copy(),
         journal_temperature=shaft,

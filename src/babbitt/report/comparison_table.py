@@ -74,7 +74,7 @@ def _table(title: Text, variants: Sequence[Variant]) -> Table:
         quantity = QUANTITIES[name]
         shown = [
             quantity.format(variant.result.values[name])
-            if variant.result.outcome.solved and name in variant.result.values and not _is_idle(name, variant.result)
+            if name in variant.result.values and _counts(name, variant.result)
             else "–"
             for variant in variants
         ]
@@ -82,9 +82,10 @@ def _table(title: Text, variants: Sequence[Variant]) -> Table:
     return table
 
 
-def _is_idle(name: str, result: Result) -> bool:
-    """Whether a value only follows from the temperature that was prescribed."""
-    return name == "outlet_temperature" and result.settings.get("thermal") == "isothermal"
+def _counts(name: str, result: Result) -> bool:
+    """Whether a value is an answer, and not only a consequence of the temperature that was prescribed."""
+    prescribed = name == "outlet_temperature" and result.settings.get("thermal") == "isothermal"
+    return result.outcome.solved and not prescribed
 
 
 def _print_remarks(to: Console, variants: Sequence[Variant]) -> None:

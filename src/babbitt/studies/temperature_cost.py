@@ -42,9 +42,10 @@ def _said(label: str, plain: Result, fullest: str, full: Result) -> str:
     less = full.friction_power / plain.friction_power - 1.0
     film = QUANTITIES["minimum_film_thickness"]
     words = (
-        f"Against {label} the {fullest} is {abs(thin):.0%} {'thinner' if thin < 0.0 else 'thicker'} at its thinnest "
-        f"({film.format(full.minimum_film_thickness)} instead of {film.format(plain.minimum_film_thickness)} µm) and "
-        f"takes {abs(less):.0%} {'less' if less < 0.0 else 'more'} power"
+        f"Against {label} the {fullest} is {abs(thin):.0%} {'thinner' if thin < 0.0 else 'thicker'} at its "
+        f"thinnest ({film.format(full.minimum_film_thickness)} instead of "
+        f"{film.format(plain.minimum_film_thickness)} µm) and takes {abs(less):.0%} "
+        f"{'less' if less < 0.0 else 'more'} power"
     )
     known = "outlet_temperature" if "outlet_temperature" in plain.values else "effective_temperature"
     hottest = full.values.get("maximum_bush_temperature", full.maximum_temperature)

@@ -18,8 +18,8 @@ PRESCRIBED = "film at given T"
 
 REMARKS = {
     "film at T_en": (
-        "sees the feeding; takes the temperature of the fresh oil for the whole film: neglects that the film heats "
-        "itself"
+        "sees the feeding; takes the temperature of the fresh oil for the whole film: neglects that the film "
+        "heats itself"
     ),
     PRESCRIBED: "sees the feeding; takes the given temperature for the whole film, whatever heat it makes",
     GLOBAL: "sees the feeding; conserves the oil; assumes one temperature for the whole film",
