@@ -46,8 +46,8 @@ def fields(case: FilmCase, result: Result) -> xarray.Dataset:
         from the mid-plane). Every variable has ``units`` and ``long_name``. The values of the result stand as
         variables without dimension under their names. ``film_thickness`` is not a number over grooves and pockets,
         where ``supply`` is 1. A film with its own temperatures has ``temperature`` (K, mean across the gap) over
-        the bore, ``temperature_through`` over ``theta`` and the place across the gap ``eta`` (0 on the bush, 1 on the
-        journal) in the middle of the width, and ``bush_temperature`` over ``theta``.
+        the bore, ``temperature_through`` over ``theta`` and the place across the gap ``eta`` (0 on the bush, 1 on
+        the journal) in the middle of the width, and ``bush_temperature`` over ``theta``.
 
     Raises
     ------

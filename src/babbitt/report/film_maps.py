@@ -99,7 +99,7 @@ def degrees(panel: Axes, field: FilmField) -> None:
 def levels_of(shown: Array) -> tuple[list[str], Array]:
     """Shades from pale to dark and the round levels between them."""
     lowest, highest = float(np.nanmin(shown)), float(np.nanmax(shown))
-    levels = np.array(_steps(lowest, highest, 9))
+    levels = np.array(_steps(lowest, highest, 14))
     if levels.size < 2:
         levels = np.array([lowest - 0.5, highest + 0.5])
     return [str(round(1.0 - 0.55 * place / levels.size, 3)) for place in range(levels.size + 1)], levels
