@@ -27,7 +27,9 @@ def test_laminar_unless_asked_and_told_where_it_is_not():
     for law in ("ng_pan", "constantinescu"):
         turbulent = answer(**FAST, turbulence=law)
         assert "W101" not in codes(turbulent)
-        assert turbulent.effective_temperature > laminar.effective_temperature + 10.0  # its friction is in the balance
+        assert (
+            turbulent.effective_temperature > laminar.effective_temperature + 10.0
+        )  # its friction is in the balance
         assert turbulent.heat_to_oil == pytest.approx(turbulent.friction_power, rel=1e-6)
         assert 0.85 < turbulent.turbulent_share < 0.9  # the lands: 320 of 360 degrees
         assert any("fully turbulent from 2 times" in said for said in turbulent.assumptions)
@@ -52,7 +54,8 @@ def test_pressure_thickens_the_oil():
     heavy = {"load": "200 kN", **COOL}
     plain = answer(**heavy)
     barus, roelands = (
-        answer(**heavy, pressure_viscosity={"kind": kind, "coefficient": "20 1/GPa"}) for kind in ("barus", "roelands")
+        answer(**heavy, pressure_viscosity={"kind": kind, "coefficient": "20 1/GPa"})
+        for kind in ("barus", "roelands")
     )
     assert plain.minimum_film_thickness < roelands.minimum_film_thickness < barus.minimum_film_thickness
     assert barus.minimum_film_thickness < 1.3 * plain.minimum_film_thickness
@@ -108,7 +111,10 @@ def test_flows_find_their_supplies():
 
 
 def test_pressure_of_one_beside_the_flow_of_another():
-    grooves = [{"angle": "0 deg", "extent": "20 deg", "flow": "0.5 L/min"}, {"angle": "180 deg", "extent": "20 deg"}]
+    grooves = [
+        {"angle": "0 deg", "extent": "20 deg", "flow": "0.5 L/min"},
+        {"angle": "180 deg", "extent": "20 deg"},
+    ]
     found = answer(grooves=grooves, **COOL)
     assert found.given_flow == pytest.approx(0.5 * LITRE)
     (fills,) = found.arrays["supply_fill"]

@@ -38,6 +38,7 @@ class Walls(NamedTuple):
     inverse: Array  # of the derivatives of what the walls pass on less what they take, (modes + 1, modes + 1)
     conductance: Array  # k/h of the film for which the inverse was made, W/(m2 K), (lines,)
     fresh: float  # temperature of supplies and of what enters over the sides, K
+    carry_over: float  # share of the oil brought to a supply that goes on with the film
 
 
 @compiled
