@@ -142,7 +142,7 @@ def test_heat_lost_along_the_shaft_is_what_the_journal_takes():
 
 @pytest.mark.parametrize("heat", [ADIABATIC, FULL], ids=["adiabatic", "full"])
 def test_the_default_grid_is_close_to_a_fine_one(heat):
-    """1 % of the film thickness, 1 K: engineering accuracy; the temperature moves less than 0.2 K along the film."""
+    """1 % of the film thickness and 1 K are wanted; along the film the temperature moves less than 0.2 K."""
     usual = solve_thermal_journal(BEARING, heat, WEIGHT)
     along = solve_thermal_journal(BEARING, heat, WEIGHT, Resolution(4, 192, 96, 1e-7))
     fine = solve_thermal_journal(BEARING, replace(heat, grid=HeatGrid(20)), WEIGHT, Resolution(8, 192, 96, 1e-7))

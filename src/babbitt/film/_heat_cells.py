@@ -5,9 +5,9 @@ Balance of layer k of a cell (``_heat_flows``), phi the flows through its faces,
     sum_out phi T_k - sum_in phi T_up + flux_k+1/2 - flux_k-1/2 = heat_k
 
 Between layers oil moves and heat is conducted, F = D [B(-M/D) T_k - B(M/D) T_k+1] with B(x) = x / (exp(x) - 1),
-which is exact where both are constant. The matrices of the cells do not depend on temperature: a film has its own once,
-and a sweep only fills right-hand sides.
-Source: Patankar, Numerical Heat Transfer and Fluid Flow (1980), 5.2 (exponential scheme).
+which is exact where both are constant. The matrices of the cells do not depend on temperature: a film has its
+own once, and a sweep only fills right-hand sides. Source: Patankar, Numerical Heat Transfer and Fluid Flow
+(1980), 5.2 (exponential scheme).
 """
 
 from __future__ import annotations
@@ -64,8 +64,9 @@ def bernoulli(x):
 def fill_cells(surface, columns, flows, conduction, stirred, insulated, fresh, viscosity, cells):
     """Factors and sources of all cells; ``conduction`` is k / (rho c omega c^2), ``fresh`` enters at the sides.
 
-    Turbulence conducts between layers: k (1 + s (f - 1)) with f the turbulent over the laminar shear and s, ``stirred``,
-    the Prandtl number over that of turbulence; the halves of the outer layers beside the walls stay laminar.
+    Turbulence conducts between layers: k (1 + s (f - 1)) with f the turbulent over the laminar shear and s,
+    ``stirred``, the Prandtl number over that of turbulence; the halves of the outer layers beside the walls stay
+    laminar.
     """
     lines, n = flows.gap.shape[0], surface.step.size
     layers, last = columns.layer.size, flows.gap.shape[1] - 1
@@ -219,7 +220,8 @@ def extrapolate(temperature, before, last, columns, groove):
 
 @inner
 def mix(surface, columns, flows, sources, walls, temperature, groove, s):
-    """Mixing temperature of a supply: what is carried over of the oil that the film brings, and fresh oil for the rest.
+    """Mixing temperature of a supply: what is carried over of the oil that the film brings, and fresh oil for
+    the rest.
 
     Oil that is not carried over leaves the supply as it came.
     """

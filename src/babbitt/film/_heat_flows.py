@@ -1,8 +1,8 @@
 """Kernels: flows and heat of a film with variable viscosity across the gap, from the Reynolds solution.
 
 Cells lie around the lines, one per column of the width (all nodes of a line together, or each node its own), and
-are cut into layers across the gap, eta = 0 on the bush and 1 on the journal. Layers share the flows of the Reynolds
-solution, so that no oil is lost: with J_n(eta) = int_0^eta eta'^n / mu d eta' and J_n = J_n(1)
+are cut into layers across the gap, eta = 0 on the bush and 1 on the journal. Layers share the flows of the
+Reynolds solution, so that no oil is lost: with J_n(eta) = int_0^eta eta'^n / mu d eta' and J_n = J_n(1)
 
     u = (U / J_0) J_0(eta) + h^2 dp/dx [J_1(eta) - (J_1/J_0) J_0(eta)],
     mean flow  C U h - F h^3 dp/dx,   C = 1 - J_1/J_0,   F = J_2 - J_1^2/J_0.
@@ -58,8 +58,8 @@ def new_flows(lines, n, columns, layers):
     cell, between = (lines, columns), (n, columns)
     return Flows(
         np.zeros(between), np.zeros(between), np.zeros(cell), np.zeros(cell), np.zeros(cell), np.zeros(cell),
-        np.zeros(cell), np.ones(cell), np.zeros((n, columns, layers)), np.zeros((n, columns, layers)), np.zeros(between),
-        np.zeros(between), np.zeros(between),
+        np.zeros(cell), np.ones(cell), np.zeros((n, columns, layers)), np.zeros((n, columns, layers)),
+        np.zeros(between), np.zeros(between), np.zeros(between),
     )  # fmt: skip
 
 

@@ -61,8 +61,8 @@ def wall_fluxes(columns, flows, walls, temperature, flux):
 def answer_walls(columns, flows, walls, temperature, part):
     """New temperatures of bush and journal from the heat that they take; their largest change, K.
 
-    Newton on what the walls take less what they pass on, harmonic by harmonic and for the journal; ``inverse`` is of
-    the derivatives, the film's own answer to a warmer wall among them. ``part`` of the step is taken.
+    Newton on what the walls take less what they pass on, harmonic by harmonic and for the journal; ``inverse``
+    is of the derivatives, the film's own answer to a warmer wall among them. ``part`` of the step is taken.
     """
     modes = walls.analysis.shape[0]
     walls.journal[1] = wall_fluxes(columns, flows, walls, temperature, walls.bush_flux)

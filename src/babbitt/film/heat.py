@@ -138,8 +138,8 @@ class FilmHeat:
         None: no heat leaves through bush and journal.
     grid : HeatGrid
     carry_over : float
-        Share, 0 to 1, of the hot oil that the film brings to a groove or pocket and that goes on with the next film;
-        the rest is replaced by fresh oil. 1: all of it, as far as the next film takes oil.
+        Share, 0 to 1, of the hot oil that the film brings to a groove or pocket and that goes on with the next
+        film; the rest is replaced by fresh oil. 1: all of it, as far as the next film takes oil.
     """
 
     viscosity: Callable[[Array], Array]

@@ -229,7 +229,7 @@ def groove_arcs(film: JournalFilm) -> list[GrooveArc]:
 
 
 def lines_of_groove(arc: GrooveArc, theta: Array) -> tuple[int, int]:
-    """Lines on both edges of a groove; the one that closes the turn begins at the last edge of the first groove."""
+    """Lines on both edges of a groove; the one that closes the turn begins at the last edge of the first."""
     first, last = ((edge - theta[0] + 1e-8) % TURN - 1e-8 for edge in (arc.first, arc.last))
     if first < 1e-7:
         first = TURN

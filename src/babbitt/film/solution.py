@@ -41,8 +41,9 @@ class FilmSolution:
         1 - liquid fraction.
     supply_flow : ndarray, shape (supplies,)
         What every supply adds, m3/s: what leaves it into the film less what the film brings. Grooves between lands
-        come first, in the order of ``ring.groove_arcs`` (counter-clockwise, from that behind the land of least start
-        angle within a turn), then the pockets as they are given. A film that starts at the widest gap has that one.
+        come first, in the order of ``ring.groove_arcs`` (counter-clockwise, from that behind the land of least
+        start angle within a turn), then the pockets as they are given. A film that starts at the widest gap has
+        that one.
     inflow, outflow : ndarray, shape (lands,)
         What crosses the edge at which the journal enters each land, and that at which it leaves it, m3/s.
     side_flow : ndarray, shape (lands,) or (1,)

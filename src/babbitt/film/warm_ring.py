@@ -21,10 +21,10 @@ __all__ = ["WarmRing", "columns_of"]
 
 Array = NDArray[np.float64]
 FILM_CONDUCTANCE, UNIFORM_SHARE = 2.5, 1.5
-"""Guess of what a film gives less to a place of the wall that is 1 K warmer: k/h times the first, and the second times
-what it gives less to a bush warmer all around. Only the number of passes depends on it."""
+"""Guess of what a film gives less to a place of the wall that is 1 K warmer: k/h times the first, and the second
+times what it gives less to a bush warmer all around. Only the number of passes depends on it."""
 RELAX, CALM, LEAST_RELAX = 0.65, 12, 0.05
-"""Share of a new viscosity field that a pass takes, passes after which a film that swings takes less, and the least."""
+"""Share of a new viscosity field that a pass takes; passes after which a film that swings takes less; the least."""
 TURBULENT_PRANDTL = 0.9
 """Eddy viscosity over eddy diffusivity of heat; textbook value of turbulent boundary layers."""
 FLICKER = 30
@@ -150,7 +150,8 @@ class WarmRing:
 
     def fill(self, viscosity: Array) -> None:
         """Cells of the energy equation for the flows as they stand."""
-        fill_cells(self.sample.ring.surface, self.columns, self.flows, self.walls.conduction, self.stirred, self.walls.insulated,
+        fill_cells(self.sample.ring.surface, self.columns, self.flows, self.walls.conduction, self.stirred,
+        self.walls.insulated,
                    self.walls.fresh, viscosity, self.cells)  # fmt: skip
 
     def sweep(self, most: int, tolerance: float) -> float:
@@ -172,8 +173,8 @@ class WarmRing:
         """Derivatives of the balance of the walls; kept while the film is nearly the same.
 
         What the film gives less to a warmer wall is exact for the journal and the first harmonics of the bush: the
-        energy equation is linear, and solved once for each with that wall at 1 K and all else at zero. The others get
-        a guess on the safe side; the answer does not depend on it.
+        energy equation is linear, and solved once for each with that wall at 1 K and all else at zero. The
+        others get a guess on the safe side; the answer does not depend on it.
         """
         walls, flows, columns = self.walls, self.flows, self.columns
         per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
@@ -199,7 +200,7 @@ class WarmRing:
         walls.inverse[:] = np.linalg.inv(matrix)
 
     def answer_to(self, mode: int) -> tuple[Array, float]:
-        """Heat flux into the bush (W/m2) and heat into the journal (W) with one wall at 1 K and all else at zero."""
+        """Heat flux into the bush (W/m2) and heat into the journal (W), one wall at 1 K and all else at zero."""
         walls, columns = self.walls, self.columns
         modes = walls.analysis.shape[0]
         bush = walls.synthesis[:, mode].copy() if mode < modes else np.zeros(walls.bush.size)
