@@ -28,7 +28,8 @@ from babbitt.film.general import Effort, Sample, SettledRing, line_density
 from babbitt.film.general import rest as carry
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm, Resolution
-from babbitt.film.ring import Density, build_ring
+from babbitt.film.ring import build_ring
+from babbitt.film.ring_mesh import Density
 from babbitt.film.ring_solution import mirrored, ring_solution
 from babbitt.film.scales import Scales
 from babbitt.film.thermal_solution import ThermalFilm, thermal_film

@@ -24,7 +24,7 @@ FILM_CONDUCTANCE, UNIFORM_SHARE = 2.5, 1.5
 """Guess of what a film gives less to a place of the wall that is 1 K warmer: k/h times the first, and the second
 times what it gives less to a bush warmer all around. Only the number of passes depends on it."""
 RELAX, CALM, LEAST_RELAX = 0.65, 12, 0.05
-"""Share of a new viscosity field that a pass takes; passes after which a film that swings takes less; the least."""
+"""Share of a new viscosity field that a pass takes, passes after which a swinging film takes less, the least."""
 TURBULENT_PRANDTL = 0.9
 """Eddy viscosity over eddy diffusivity of heat; textbook value of turbulent boundary layers."""
 FLICKER = 30
