@@ -264,16 +264,18 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W131": Explanation(
         "The journal can rest elsewhere",
-        "Under the same load the film has more than one equilibrium. The results are those of the first. Slow, "
-        "lightly loaded bearings with a high supply pressure are of this kind: beside a groove under pressure the "
-        "narrowing gap chokes the flow, and the oil pushes the less, the nearer the journal comes.",
+        "Under the same load the film has more than one equilibrium. The results are those of the one found "
+        "first; where that is a saddle, those of the thinnest film among the places at which the journal stays. "
+        "Slow, lightly loaded bearings with a high supply pressure are of this kind: beside a groove under "
+        "pressure the narrowing gap chokes the flow, and the oil pushes the less, the nearer the journal comes.",
         "Lower the supply pressure, raise the speed or the load, or feed where the load does not lead the "
         "journal.",
     ),
     "W132": Explanation(
         "The journal leaves its place",
-        "The equilibrium found is a saddle: the smallest push and the journal moves to another place.",
-        "Read the further equilibria (W131); prescribe another `position` to see the film there.",
+        "The equilibrium shown is a saddle: the smallest push and the journal moves to another place. No place "
+        "where it stays was found, or with `equilibria: first` none was looked for.",
+        "Leave `equilibria` at auto; lower the supply pressure, or raise the speed or the load.",
     ),
     "W133": Explanation(
         "Orbit on a coarse grid",

@@ -97,20 +97,37 @@ def test_pockets_under_pressure_are_like_grooves():
     assert len(found.places) == 3
 
 
-def test_the_answer_names_the_other_places():
-    slow = {
-        "grooves": [{"angle": "90 deg", "extent": "20 deg"}, {"angle": "-90 deg", "extent": "20 deg"}],
-        "supply": {"temperature": "45 degC", "pressure": "0.5 MPa"},
-        "load": "150 N",
-        "speed": "60 rpm",
-        "effective_temperature": "50 degC",
-    }
-    result = answer(**slow)
+SLOW_CASE = {
+    "grooves": [{"angle": "90 deg", "extent": "20 deg"}, {"angle": "-90 deg", "extent": "20 deg"}],
+    "supply": {"temperature": "45 degC", "pressure": "0.5 MPa"},
+    "load": "150 N",
+    "speed": "60 rpm",
+    "effective_temperature": "50 degC",
+}
+
+
+def test_a_saddle_is_not_shown_and_the_other_places_are_named():
+    result = answer(**SLOW_CASE)
     (told,) = [notice for notice in result.warnings if notice.code == "W131"]
     assert result.equilibria == 3
     assert told.message.startswith("2 besides the one shown")
     assert told.message.count("e/c =") == 2
-    assert "equilibria" not in answer(**slow, equilibria="first").values
+    assert not any(notice.code == "W132" for notice in result.warnings)
+    assert np.linalg.det(result.arrays["stiffness"]) > 0.0
+    assert "it never stays" in told.message
+    first = answer(**SLOW_CASE, equilibria="first")
+    assert "equilibria" not in first.values
+    assert np.linalg.det(first.arrays["stiffness"]) < 0.0
+    assert [notice.code for notice in first.warnings if notice.code.startswith("W13")] == ["W132"]
+    assert first.eccentricity_ratio == pytest.approx(float(told.message.split("e/c = ")[1][:5]), abs=5e-4)
     assert answer(bore={"kind": "lobes", "preload": 0.5}).equilibria == 1
     assert "equilibria" not in answer().values  # a fast bearing with little supply pressure
     assert answer(equilibria="all").equilibria == 1
+
+
+def test_the_heat_balance_closes_where_the_journal_stays():
+    given = SLOW_CASE | {"effective_temperature": None, "speed": "30 rpm"}
+    result = answer(**given)
+    assert result.equilibria == 3
+    assert np.linalg.det(result.arrays["stiffness"]) > 0.0
+    assert abs(result.energy_balance_error) < 1e-6

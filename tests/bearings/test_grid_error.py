@@ -38,7 +38,7 @@ BEARINGS = {
     "pockets": POCKETS,
 }
 BEYOND = Resolution(12, 1536, 48, 1e-10)
-BEYOND_POCKETS = Resolution(10, 640, 48, 1e-9)
+BEYOND_POCKETS = Resolution(10, 384, 48, 1e-9)
 FACTOR, LIGHT_FACTOR = 2.0, 3.0
 
 

@@ -83,7 +83,7 @@ def test_a_full_film_that_is_squeezed_gives_off_what_the_gap_loses():
         share = 0.5 * (angles[2:] - angles[:-2])  # of the lines between the groove edges
         closing = velocity[0] * np.cos(angles[1:-1]) + velocity[1] * np.sin(angles[1:-1])
         lost = 0.05 * 0.08 * share @ closing
-        given = found.side_flow[land] + found.outflow[land] - found.supply_flow[land]
+        given = found.side_flow[land] + found.outflow[land] - found.inflow[land]
         assert given == pytest.approx(lost, rel=1e-3, abs=1e-3 * 0.05 * 0.08 * 4e-3)
 
 

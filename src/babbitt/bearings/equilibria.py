@@ -23,7 +23,7 @@ from babbitt.film.solution import FilmSolution
 from babbitt.film.solve import film_at_position
 from babbitt.film.stability import critical_mass
 
-__all__ = ["RestingPlace", "RestingPlaces", "find_equilibria"]
+__all__ = ["RestingPlace", "RestingPlaces", "equilibrium_near", "find_equilibria"]
 
 Array = NDArray[np.float64]
 
@@ -117,7 +117,7 @@ def find_equilibria(
     wanted = np.asarray(load)
     for directions in (DIRECTIONS, 2 * DIRECTIONS):
         for start in _starts(film, wanted, directions):
-            found = _polished(film, wanted, start, resolution)
+            found = equilibrium_near(film, load, (float(start[0]), float(start[1])), resolution)
             if found is not None and not any(_near(film, found, place.film) for place in places):
                 places.append(RestingPlace(found))
         if sum(place.index for place in places) == 1:
@@ -158,8 +158,10 @@ def _force(film: JournalFilm, at: Array) -> Array:
     return found.force if found.outcome.solved else np.full(2, np.nan)
 
 
-def _polished(film: JournalFilm, load: Array, start: Array, resolution: Resolution) -> FilmSolution | None:
-    """The equilibrium that a root finder reaches from a start, None where it reaches none.
+def equilibrium_near(
+    film: JournalFilm, load: tuple[float, float], start: tuple[float, float], resolution: Resolution
+) -> FilmSolution | None:
+    """The equilibrium that a root finder reaches from a start in m under a load in N, None where it reaches none.
 
     Powell's hybrid method is quick, but updates the stiffness by secants and gets lost where it rises steeply;
     least squares with the exact stiffness at every step are tried then.
@@ -167,7 +169,7 @@ def _polished(film: JournalFilm, load: Array, start: Array, resolution: Resoluti
     from scipy.optimize import least_squares, root
 
     c = film.clearance
-    begun = film_at_position(film, (float(start[0]), float(start[1])), resolution=resolution)
+    begun, wanted = film_at_position(film, start, resolution=resolution), np.asarray(load)
     if not begun.outcome.solved:
         return None
     unit = max(float(np.linalg.norm(begun.stiffness)) * c, 1e-300)
@@ -177,7 +179,7 @@ def _polished(film: JournalFilm, load: Array, start: Array, resolution: Resoluti
 
     def residual(place: Array) -> Array:
         found = film_there(place)
-        return (found.force + load) / unit if found.outcome.solved else -CONTACT * place / math.hypot(*place)
+        return (found.force + wanted) / unit if found.outcome.solved else -CONTACT * place / math.hypot(*place)
 
     def slope(place: Array) -> Array:
         found = film_there(place)
@@ -189,10 +191,10 @@ def _polished(film: JournalFilm, load: Array, start: Array, resolution: Resoluti
         found = film_there(place)
         if not found.outcome.solved:
             return None
-        step = np.linalg.lstsq(found.stiffness, found.force + load, rcond=None)[0]
+        step = np.linalg.lstsq(found.stiffness, found.force + wanted, rcond=None)[0]
         return found if float(np.linalg.norm(step)) < 0.1 * SAME_PLACE * c else None
 
-    quick = root(residual, start / c, jac=slope, method="hybr", options={"xtol": 1e-9, "maxfev": 60})
+    quick = root(residual, np.asarray(start) / c, jac=slope, method="hybr", options={"xtol": 1e-9, "maxfev": 60})
     return settled(quick.x) or settled(
-        least_squares(residual, start / c, slope, xtol=1e-9, ftol=1e-14, gtol=1e-14, max_nfev=60).x
+        least_squares(residual, np.asarray(start) / c, slope, xtol=1e-9, ftol=1e-14, gtol=1e-14, max_nfev=60).x
     )

@@ -10,6 +10,7 @@ import numpy as np
 
 from babbitt.bearings.layout import load_vector
 from babbitt.bearings.model import FilmCase
+from babbitt.bearings.settling import place_of, settled_film
 from babbitt.bearings.warm_film import FilmState, resolution_of
 from babbitt.design.conditions import GivenLoad
 from babbitt.film.model import Resolution
@@ -78,11 +79,11 @@ def grid_errors(case: FilmCase, state: FilmState) -> dict[str, float]:
 
 
 def _on_grid(case: FilmCase, state: FilmState, grid: Resolution) -> FilmSolution:
-    from babbitt.film.solve import film_at_position, solve_journal
+    from babbitt.film.solve import film_at_position
 
     film = state.solution.film
     if isinstance(case.duty, GivenLoad):
-        return solve_journal(film, load_vector(case, case.duty.load), grid)
+        return settled_film(film, load_vector(case, case.duty.load), grid, place_of(state.solution))
     x, y = state.solution.position
     return film_at_position(film, (x, y), resolution=grid)
 

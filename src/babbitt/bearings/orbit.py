@@ -206,7 +206,7 @@ def _marched(journal: MasslessJournal | HeavyJournal, begun: float) -> Orbit:
         else:
             thins = thinnest[-1] < (1.0 - STILL_THINNING) * thinnest[-2]
             outcome = Outcome.SQUEEZED_OUT if thins and moved < FAR else outcome
-        return _read(journal, instants[:-1], states, outcome, cycles, begun)
+        return _read(journal, instants[:-1], states, outcome, moved > FAR, cycles, begun)
     except NoMotionError:
         nothing = np.full(1, np.nan)
         two = np.full((1, 2), np.nan)
@@ -247,6 +247,7 @@ def _read(
     instants: Array,
     states: Array,
     outcome: Outcome,
+    wanders: bool,
     cycles: int,
     begun: float,
 ) -> Orbit:
@@ -256,7 +257,7 @@ def _read(
     films = [film for _, film in found]
     thickness = np.array([film.minimum_film_thickness for film in films])
     error = _load_error(journal, int(np.argmin(thickness)), films, velocity)
-    if outcome is Outcome.CONVERGED and error > GRID_DOUBT:
+    if not wanders and error > GRID_DOUBT:
         outcome = Outcome.SQUEEZED_OUT
     return Orbit(
         outcome=outcome,

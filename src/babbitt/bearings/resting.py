@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from babbitt.bearings.bore import LobedBore
 from babbitt.bearings.layout import load_vector
 from babbitt.bearings.model import FilmCase, Search
+from babbitt.bearings.settling import is_saddle
 from babbitt.bearings.warm_film import FilmState
 from babbitt.design.conditions import GivenLoad
 from babbitt.film.model import Cavitation, FilmStart, JournalFilm
@@ -16,6 +17,7 @@ from babbitt.notices import Notice
 
 if TYPE_CHECKING:
     from babbitt.bearings.equilibria import RestingPlace, RestingPlaces
+    from babbitt.film.solution import FilmSolution
 
 SUPPLY_SHARE = 0.5
 """Supply pressure over η ω (R/c)² from which further equilibria are sought. Assumption: two opposite grooves make
@@ -28,7 +30,9 @@ def resting_places(case: FilmCase, state: FilmState) -> RestingPlaces | None:
     """All equilibria under the load of a case, that of the operating point first; None where they are not
     sought."""
     film = state.solution.film
-    wanted = case.search is Search.ALL or (case.search is Search.AUTO and _likely(case, film))
+    wanted = case.search is Search.ALL or (
+        case.search is Search.AUTO and (state.left_saddle or _likely(case, film))
+    )
     if not (wanted and isinstance(case.duty, GivenLoad)) or film.cavitation is Cavitation.HALF_SOMMERFELD:
         return None
     from babbitt.bearings.equilibria import find_equilibria
@@ -47,13 +51,16 @@ def _likely(case: FilmCase, film: JournalFilm) -> bool:
     return isinstance(case.bearing.bore, LobedBore) or supply > SUPPLY_SHARE * wedge
 
 
-def doubts_about_rest(found: RestingPlaces) -> Iterator[Notice]:
+def doubts_about_rest(shown: FilmSolution, found: RestingPlaces | None) -> Iterator[Notice]:
     """Further equilibria, and an operating point that the journal leaves by itself."""
-    first, *others = found.places
+    if is_saddle(shown):
+        known = "was looked for" if found is None else "was found"
+        yield Notice("W132", f"the static stiffness is that of a saddle (det K < 0), and no better place {known}")
+    if found is None:
+        return
+    others = found.places[1:]
     if others:
         yield Notice("W131", f"{len(others)} besides the one shown: " + "; ".join(_said(one) for one in others))
-    if first.index < 0:
-        yield Notice("W132", "the static stiffness of the film is that of a saddle (det K < 0)")
     if not found.complete:
         yield Notice("W134", f"{len(found.places)} found, and their indices do not sum to one")
 

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-__all__ = ["film_heat", "following_stiffness", "settled_film", "thermal_operating_film", "thermal_resolution"]
+__all__ = ["film_heat", "following_stiffness", "film_equilibrium", "thermal_operating_film", "thermal_resolution"]
 
 MOST_ROUNDS = 25
 SAME_CLEARANCE = 1e-5
@@ -92,7 +92,7 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
     return Equilibrium(Outcome.NOT_CONVERGED, state, MOST_ROUNDS, at)
 
 
-def settled_film(case: FilmCase) -> Equilibrium[FilmState]:
+def film_equilibrium(case: FilmCase) -> Equilibrium[FilmState]:
     """Film of a case in equilibrium, by its thermal model."""
     return operating_film(case) if case.heat is None else thermal_operating_film(case)
 

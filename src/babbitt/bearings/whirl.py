@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.rotor import RIGID, critical_mass_of_rotor
+from babbitt.bearings.settling import place_of, settled_film
 from babbitt.bearings.warm_film import FilmState
 from babbitt.design.roots import bracketed_root
 
@@ -79,12 +80,10 @@ def mass_of_rotor(case: FilmCase, load: float) -> float:
 
 def at_speed(case: FilmCase, state: FilmState, speed: float) -> FilmSolution:
     """The film under the same load in the direction found, with the same oil, at another speed in rad/s."""
-    from babbitt.film.solve import solve_journal
-
     film = replace(state.solution.film, angular_speed=case.rotation.sense * speed)
     share = -state.load / math.hypot(*state.solution.force)
     load = share * float(state.solution.force[0]), share * float(state.solution.force[1])
-    return solve_journal(film, load, case.accuracy.resolution)
+    return settled_film(film, load, case.accuracy.resolution, place_of(state.solution))
 
 
 def threshold_speed(case: FilmCase, state: FilmState, mass: float, shaft_stiffness: float = RIGID) -> float | None:

@@ -18,7 +18,7 @@ __all__ = [
     "CoefficientsGiven",
     "ThermalGiven",
     "WallsGiven",
-    "complaints_about_heat",
+    "heat_goes_with_the_film",
     "may_have_own_temperatures",
 ]
 
@@ -125,7 +125,8 @@ REFUSED = (
 """Fields that a film with its own temperatures does not know, and why."""
 
 
-def complaints_about_heat(bearing: JournalBearing) -> Iterator[Complaint]:
+@rule
+def heat_goes_with_the_film(bearing: JournalBearing) -> Iterator[Complaint]:
     """Complain about a thermal model and what does not go with it."""
     if bearing.method != "film":
         for name in ("thermal", "walls", "axial_temperature", "temperature_coefficients"):

@@ -1,4 +1,4 @@
-"""What goes together in the film method: position, changing load, and films that close around the journal."""
+"""What goes together in the film method: position, changing load, where the film begins, and its oil."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from babbitt.cases.part import Complaint, is_given
+from babbitt.cases.part import Complaint, is_given, rule
+from babbitt.film.model import FilmStart
 from babbitt.notices import InputError
 from babbitt.units import written
 
@@ -21,7 +22,8 @@ CLEARANCE_GROWTH = 2.0
 refused."""
 
 
-def complaints_about_position(bearing: JournalBearing) -> Iterator[Complaint]:
+@rule
+def position_is_near_the_bearing(bearing: JournalBearing) -> Iterator[Complaint]:
     """Complain about a position that no clearance reaches."""
     if bearing.bore is not None and bearing.bore.kind != "round":
         return  # lobes and wear give more room in some directions; the calculation tells
@@ -39,7 +41,8 @@ def complaints_about_position(bearing: JournalBearing) -> Iterator[Complaint]:
             yield Complaint((*path, "position"), says, f"less than the radial clearance, {written(play, 'um')}")
 
 
-def complaints_about_changing_load(bearing: JournalBearing) -> Iterator[Complaint]:
+@rule
+def changing_load_is_added_to_a_load(bearing: JournalBearing) -> Iterator[Complaint]:
     """Complain about a changing load beside a prescribed position, or in a film without damping."""
     if bearing.dynamic_load is None:
         return
@@ -56,11 +59,12 @@ def complaints_about_changing_load(bearing: JournalBearing) -> Iterator[Complain
         yield Complaint(("cavitation",), "a half-Sommerfeld film has no damping and makes no orbit", "reynolds")
 
 
-def complaints_about_half_sommerfeld(bearing: JournalBearing) -> Iterator[Complaint]:
+@rule
+def half_sommerfeld_is_of_a_plain_ring(bearing: JournalBearing) -> Iterator[Complaint]:
     """Complain about the half-Sommerfeld condition anywhere but in a plain closed ring."""
     if bearing.cavitation != "half_sommerfeld" or bearing.method != "film":
         return
-    allowed = "a plain round bore without grooves, pockets, holes, tilt, steps and turbulence; else cavitation: reynolds"
+    allowed = "a plain round bore without feeding, tilt, steps and turbulence; else cavitation: reynolds"
     says = "the half-Sommerfeld condition is for a plain closed ring"
     if bearing.film_start not in (None, "periodic"):
         yield Complaint(("film_start",), f"{says}, where the film begins nowhere", "periodic")
@@ -85,7 +89,8 @@ def _is_special(bearing: JournalBearing) -> bool:
     )
 
 
-def complaints_about_closed_ring(bearing: JournalBearing) -> Iterator[Complaint]:
+@rule
+def closed_ring_is_plain(bearing: JournalBearing) -> Iterator[Complaint]:
     """Complain about a closed ring that is cut, or that runs dry."""
     if bearing.film_start != "periodic" or bearing.method != "film":
         return
@@ -98,3 +103,60 @@ def complaints_about_closed_ring(bearing: JournalBearing) -> Iterator[Complaint]
     if bearing.cavitation == "mass_conserving" and not bearing.hollows():
         says = "a mass-conserving film that nothing feeds runs dry"
         yield Complaint(("cavitation",), says, "reynolds, half_sommerfeld, or give pockets or holes")
+
+
+@rule
+def sides_stand_above_cavitation(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about sides at less than the pressure at which the film breaks."""
+    for index, pressure in enumerate(bearing.side_pressures or ()):
+        if pressure < bearing.cavitation_pressure:
+            says = f"{written(pressure, 'kPa')} is less than the pressure at which the film breaks"
+            yield Complaint(
+                ("side_pressures", index), says, f"at least {written(bearing.cavitation_pressure, 'kPa')}"
+            )
+
+
+@rule
+def widest_gap_is_of_a_plain_bore(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about anything but a plain bore whose film starts at the widest gap."""
+    if bearing.film_start != "widest_gap" or bearing.method != "film":
+        return
+    if bearing.hollows():
+        says = "a film that starts at the widest gap has no grooves, pockets or holes"
+        yield Complaint(("film_start",), says, "groove")
+    if (bearing.bore is not None and bearing.bore.kind != "round") or bearing.misalignment is not None:
+        says = "a film that starts at the widest gap needs a round bore and an aligned journal"
+        yield Complaint(("film_start",), says, "groove")
+    for name in SURFACE_FIELDS:
+        if is_given(bearing, name):
+            says = f"a film that starts at the widest gap has no {name.replace('_', ' ')}"
+            yield Complaint(("film_start",), says, "groove")
+    if bearing.span not in (None, 360):
+        says = f"a film that starts at the widest gap surrounds the journal; span is {bearing.span} deg"
+        yield Complaint(("film_start",), says, "groove, or span 360 deg")
+    for name in ("turbulence", "pressure_viscosity"):
+        if getattr(bearing, name) not in (None, "laminar"):
+            says = "a film that starts at the widest gap is laminar and of constant viscosity"
+            yield Complaint((name,), says, "film_start: groove")
+    if bearing.cavitation == "mass_conserving":
+        says = "a film that starts at the widest gap does not conserve the oil"
+        yield Complaint(("cavitation",), says, "reynolds")
+
+
+@rule
+def given_flows_are_counted(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about given flows in a film that does not count its oil."""
+    for path, hollow in bearing.hollows():
+        if hollow.flow is None:
+            continue
+        if bearing.method == "film" and bearing.cavitation != "mass_conserving":
+            says = "the Reynolds condition does not count the oil that a supply of given flow delivers"
+            yield Complaint((*path, "flow"), says, "cavitation: mass_conserving, or a pressure")
+
+
+@rule
+def grooves_stand_still(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about grooves that turn with the bearing."""
+    if bearing.method == "film" and bearing.bearing_speed and bearing.film_starts() is FilmStart.GROOVE:
+        says = "grooves and pockets that turn with the bearing leave no steady film"
+        yield Complaint(("bearing_speed",), says, "0 rpm, or film_start: widest_gap")

@@ -8,22 +8,17 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.cases import clearance, cooling, supply_element
+from babbitt.cases import clearance, cooling, film_rules, film_shape_rules, standard_rules, supply_element
 from babbitt.cases.choices import FrictionGiven, LimitsGiven
 from babbitt.cases.clearance import ClearanceGiven
 from babbitt.cases.dynamic_load import DynamicLoadGiven
 from babbitt.cases.fields import Name, Prose, Span
 from babbitt.cases.film_features import (
-    MOST_DEPARTURE,
     BoreGiven,
     GrooveGiven,
-    LobedBoreGiven,
-    MeasuredBoreGiven,
     MisalignmentGiven,
     PocketGiven,
-    PressureDamBoreGiven,
     SupplyHoleGiven,
-    WornBoreGiven,
     complaints_about_hollows,
 )
 from babbitt.cases.film_heat import (
@@ -31,22 +26,14 @@ from babbitt.cases.film_heat import (
     CoefficientsGiven,
     ThermalGiven,
     WallsGiven,
-    complaints_about_heat,
+    heat_goes_with_the_film,
 )
 from babbitt.cases.film_oil import PressureViscosityGiven, TurbulenceGiven
-from babbitt.cases.film_rules import (
-    SURFACE_FIELDS,
-    complaints_about_changing_load,
-    complaints_about_closed_ring,
-    complaints_about_half_sommerfeld,
-    complaints_about_position,
-)
 from babbitt.cases.film_surface import (
     CrowningGiven,
     DisplacementGiven,
     SidePressure,
     StepGiven,
-    complaints_about_steps,
 )
 from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
 from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_bare, is_given, rule
@@ -347,145 +334,21 @@ class JournalBearing(Duty, SharedInputs):
     def _hollows_fit(self) -> Iterator[Complaint]:
         yield from complaints_about_hollows(self.hollows(), self.actual_width, self.diameter)
 
-    @rule
-    def _method_knows_the_bearing(self) -> Iterator[Complaint]:
-        if self.method == "film":
-            return
-        if self.bore is not None and self.bore.kind != "round":
-            yield Complaint(("bore",), f"ISO 7902 knows round bores only, not {self.bore.kind}", "method: film")
-        if self.misalignment is not None:
-            yield Complaint(("misalignment",), "ISO 7902 knows no misaligned journal", "method: film")
-        if self.turbulence != "laminar":
-            yield Complaint(("turbulence",), "ISO 7902 knows laminar films only", "method: film")
-        if self.pressure_viscosity is not None:
-            yield Complaint(("pressure_viscosity",), "ISO 7902 knows no viscosity under pressure", "method: film")
-        for name in SURFACE_FIELDS:
-            if is_given(self, name):
-                says = f"ISO 7902 knows no {name.replace('_', ' ')}"
-                yield Complaint((name,), says, "method: film, or leave it out")
-        for path, duty in self.duties():
-            if duty.attitude_angle is not None:
-                says = "ISO 7902 finds the attitude angle itself"
-                yield Complaint((*path, "attitude_angle"), says, "method: film, or leave it out")
-            if duty.position is not None:
-                says = "ISO 7902 finds the attitude angle itself and takes no position"
-                yield Complaint((*path, "position"), says, "method: film, or eccentricity_ratio")
-        if self.dynamic_load is not None:
-            yield Complaint(("dynamic_load",), "ISO 7902 knows steady loads only", "method: film")
-
-    @rule
-    def _position_is_near_the_bearing(self) -> Iterator[Complaint]:
-        yield from complaints_about_position(self)
-
-    @rule
-    def _changing_load_is_added_to_a_load(self) -> Iterator[Complaint]:
-        yield from complaints_about_changing_load(self)
-
-    @rule
-    def _half_sommerfeld_is_of_a_plain_ring(self) -> Iterator[Complaint]:
-        yield from complaints_about_half_sommerfeld(self)
-
-    @rule
-    def _closed_ring_is_plain(self) -> Iterator[Complaint]:
-        yield from complaints_about_closed_ring(self)
-
-    @rule
-    def _tilt_leaves_a_film(self) -> Iterator[Complaint]:
-        width = self.actual_width
-        if self.misalignment is None or width is None:
-            return
-        play = self.clearance.at_20_degrees(self.diameter).relative(self.diameter).minimum * self.diameter / 2.0
-        offset = math.hypot(self.misalignment.x, self.misalignment.y) * width / 2.0
-        if offset >= play:
-            says = f"the journal touches at the edges: it leans {written(offset, 'um')} there"
-            yield Complaint(("misalignment",), says, f"less than the radial clearance, {written(play, 'um')}")
-
-    @rule
-    def _departures_are_of_the_size_of_the_clearance(self) -> Iterator[Complaint]:
-        if not isinstance(self.bore, WornBoreGiven | MeasuredBoreGiven):
-            return
-        largest = self.bore.largest_departure
-        clearance = self.clearance.at_20_degrees(self.diameter).mean / 2.0
-        if largest > MOST_DEPARTURE * clearance:
-            says = f"the bore departs by {written(largest, 'um')} from its circle"
-            allowed = f"up to {MOST_DEPARTURE:g} times the radial clearance of {written(clearance, 'um')}"
-            yield Complaint(("bore",), says, allowed)
-
-    @rule
-    def _steps_fit(self) -> Iterator[Complaint]:
-        width = self.actual_width
-        yield from complaints_about_steps(self.steps, width)
-        if isinstance(self.bore, PressureDamBoreGiven) and width is not None:
-            yield from self.bore.too_wide(width)
-
-    @rule
-    def _sides_stand_above_cavitation(self) -> Iterator[Complaint]:
-        for index, pressure in enumerate(self.side_pressures or ()):
-            if pressure < self.cavitation_pressure:
-                says = f"{written(pressure, 'kPa')} is less than the pressure at which the film breaks"
-                yield Complaint(
-                    ("side_pressures", index), says, f"at least {written(self.cavitation_pressure, 'kPa')}"
-                )
-
-    @rule
-    def _displacement_is_of_the_size_of_the_clearance(self) -> Iterator[Complaint]:
-        if self.displacement is None:
-            return
-        clearance = self.clearance.at_20_degrees(self.diameter).mean / 2.0
-        if self.displacement.largest > MOST_DEPARTURE * clearance:
-            says = f"the surfaces are displaced by {written(self.displacement.largest, 'um')}"
-            allowed = f"up to {MOST_DEPARTURE:g} times the radial clearance of {written(clearance, 'um')}"
-            yield Complaint(("displacement",), says, allowed)
-
-    @rule
-    def _lobes_lie_between_grooves(self) -> Iterator[Complaint]:
-        if isinstance(self.bore, LobedBoreGiven) and len(self.grooves) < 2:
-            says = f"lobes lie between grooves; {len(self.grooves)} given"
-            yield Complaint(("bore",), says, "as many grooves as lobes, at least two")
-
-    @rule
-    def _widest_gap_is_of_a_plain_bore(self) -> Iterator[Complaint]:
-        if self.film_start != "widest_gap" or self.method != "film":
-            return
-        if self.hollows():
-            says = "a film that starts at the widest gap has no grooves, pockets or holes"
-            yield Complaint(("film_start",), says, "groove")
-        if (self.bore is not None and self.bore.kind != "round") or self.misalignment is not None:
-            says = "a film that starts at the widest gap needs a round bore and an aligned journal"
-            yield Complaint(("film_start",), says, "groove")
-        for name in SURFACE_FIELDS:
-            if is_given(self, name):
-                says = f"a film that starts at the widest gap has no {name.replace('_', ' ')}"
-                yield Complaint(("film_start",), says, "groove")
-        if self.span not in (None, 360):
-            says = f"a film that starts at the widest gap surrounds the journal; span is {self.span} deg"
-            yield Complaint(("film_start",), says, "groove, or span 360 deg")
-        for name in ("turbulence", "pressure_viscosity"):
-            if getattr(self, name) not in (None, "laminar"):
-                says = "a film that starts at the widest gap is laminar and of constant viscosity"
-                yield Complaint((name,), says, "film_start: groove")
-        if self.cavitation == "mass_conserving":
-            says = "a film that starts at the widest gap does not conserve the oil"
-            yield Complaint(("cavitation",), says, "reynolds")
-
-    @rule
-    def _given_flows_are_counted(self) -> Iterator[Complaint]:
-        for path, hollow in self.hollows():
-            if hollow.flow is None:
-                continue
-            if self.method == "film" and self.cavitation != "mass_conserving":
-                says = "the Reynolds condition does not count the oil that a supply of given flow delivers"
-                yield Complaint((*path, "flow"), says, "cavitation: mass_conserving, or a pressure")
-
-    @rule
-    def _heat_goes_with_the_film(self) -> Iterator[Complaint]:
-        yield from complaints_about_heat(self)
-
-    @rule
-    def _grooves_stand_still(self) -> Iterator[Complaint]:
-        if self.method == "film" and self.bearing_speed and self.film_starts() is FilmStart.GROOVE:
-            says = "grooves and pockets that turn with the bearing leave no steady film"
-            yield Complaint(("bearing_speed",), says, "0 rpm, or film_start: widest_gap")
+    _standard_knows_the_bearing = standard_rules.standard_knows_the_bearing
+    _tilt_leaves_a_film = film_shape_rules.tilt_leaves_a_film
+    _departures_are_of_the_size_of_the_clearance = film_shape_rules.departures_are_of_the_size_of_the_clearance
+    _steps_fit = film_shape_rules.steps_fit
+    _displacement_is_of_the_size_of_the_clearance = film_shape_rules.displacement_is_of_the_size_of_the_clearance
+    _lobes_lie_between_grooves = film_shape_rules.lobes_lie_between_grooves
+    _position_is_near_the_bearing = film_rules.position_is_near_the_bearing
+    _changing_load_is_added_to_a_load = film_rules.changing_load_is_added_to_a_load
+    _half_sommerfeld_is_of_a_plain_ring = film_rules.half_sommerfeld_is_of_a_plain_ring
+    _closed_ring_is_plain = film_rules.closed_ring_is_plain
+    _sides_stand_above_cavitation = film_rules.sides_stand_above_cavitation
+    _widest_gap_is_of_a_plain_bore = film_rules.widest_gap_is_of_a_plain_bore
+    _given_flows_are_counted = film_rules.given_flows_are_counted
+    _grooves_stand_still = film_rules.grooves_stand_still
+    _heat_goes_with_the_film = heat_goes_with_the_film
 
     def film_starts(self) -> FilmStart:
         """Where the film begins: as given, else nowhere under the half-Sommerfeld condition, else at grooves."""

@@ -5,9 +5,9 @@ Balance of layer k of a cell (``_heat_flows``), phi the flows through its faces,
     sum_out phi T_k - sum_in phi T_up + flux_k+1/2 - flux_k-1/2 = heat_k
 
 Between layers oil moves and heat is conducted, F = D [B(-M/D) T_k - B(M/D) T_k+1] with B(x) = x / (exp(x) - 1),
-which is exact where both are constant. The matrices of the cells do not depend on temperature: a film has its own once,
-and a sweep only fills right-hand sides.
-Source: Patankar, Numerical Heat Transfer and Fluid Flow (1980), 5.2 (exponential scheme).
+which is exact where both are constant. The matrices of the cells do not depend on temperature: a film has its
+own once, and a sweep only fills right-hand sides. Source: Patankar, Numerical Heat Transfer and Fluid Flow
+(1980), 5.2 (exponential scheme).
 """
 
 from __future__ import annotations
@@ -61,8 +61,13 @@ def bernoulli(x):
 
 
 @compiled
-def fill_cells(surface, columns, flows, conduction, insulated, fresh, viscosity, cells):
-    """Factors and sources of all cells; ``conduction`` is k / (rho c omega c^2), ``fresh`` enters at the sides."""
+def fill_cells(surface, columns, flows, conduction, stirred, insulated, fresh, viscosity, cells):
+    """Factors and sources of all cells; ``conduction`` is k / (rho c omega c^2), ``fresh`` enters at the sides.
+
+    Turbulence conducts between layers: k (1 + s (f - 1)) with f the turbulent over the laminar shear and s,
+    ``stirred``, the Prandtl number over that of turbulence; the halves of the outer layers beside the walls stay
+    laminar.
+    """
     lines, n = flows.gap.shape[0], surface.step.size
     layers, last = columns.layer.size, flows.gap.shape[1] - 1
     low, diagonal, spread = np.empty(layers), np.empty(layers), np.empty(layers)
@@ -103,7 +108,8 @@ def fill_cells(surface, columns, flows, conduction, insulated, fresh, viscosity,
                 cells.heat[i, c, k] = flows.heat[i, c] * share + max(-aside, 0.0) * fresh
                 across -= leaves - arrives + ahead + aside - behind
                 if k < layers - 1:
-                    between = conduct / (0.5 * (columns.layer[k] + columns.layer[k + 1]))
+                    between = conduct * (1.0 + stirred * (flows.stir[i, c] - 1.0))
+                    between /= 0.5 * (columns.layer[k] + columns.layer[k + 1])
                     if between > 0.0:
                         down = between * bernoulli(across / between)
                         up = down + across
@@ -150,8 +156,8 @@ def sweep_energy(surface, columns, flows, cells, sources, walls, temperature, gr
                 s = columns.supply[i, c]
                 if s >= 0:
                     if (i == 0 or columns.supply[i - 1, c] != s) and (c == 0 or columns.supply[i, c - 1] != s):
-                        fresh = sources * walls.fresh
-                        change = max(change, mix(surface, columns, flows, sources, fresh, temperature, groove, s))
+                        moved = mix(surface, columns, flows, sources, walls, temperature, groove, s)
+                        change = max(change, moved)
                     for k in range(layers):
                         temperature[i, c, k] = groove[s]
                 elif flows.gap[i, c] > 0.0:
@@ -213,14 +219,19 @@ def extrapolate(temperature, before, last, columns, groove):
 
 
 @inner
-def mix(surface, columns, flows, sources, fresh, temperature, groove, s):
-    """Mixing temperature of a supply: what the film brings, the heat in it, and fresh oil for the rest."""
+def mix(surface, columns, flows, sources, walls, temperature, groove, s):
+    """Mixing temperature of a supply: what is carried over of the oil that the film brings, and fresh oil for
+    the rest.
+
+    Oil that is not carried over leaves the supply as it came.
+    """
     brought, enthalpy, taken = groove_balance(surface, columns, flows, sources, temperature, s)
-    added = max(taken - brought, 0.0)
-    if brought + added <= 0.0:
+    kept = walls.carry_over * brought
+    added = max(taken - kept, 0.0)
+    if kept + added <= 0.0:
         return 0.0
     before = groove[s]
-    groove[s] = (enthalpy + added * fresh) / (brought + added)
+    groove[s] = (walls.carry_over * enthalpy + added * sources * walls.fresh) / (kept + added)
     return abs(groove[s] - before)
 
 

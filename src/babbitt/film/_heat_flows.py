@@ -1,8 +1,8 @@
 """Kernels: flows and heat of a film with variable viscosity across the gap, from the Reynolds solution.
 
 Cells lie around the lines, one per column of the width (all nodes of a line together, or each node its own), and
-are cut into layers across the gap, eta = 0 on the bush and 1 on the journal. Layers share the flows of the Reynolds
-solution, so that no oil is lost: with J_n(eta) = int_0^eta eta'^n / mu d eta' and J_n = J_n(1)
+are cut into layers across the gap, eta = 0 on the bush and 1 on the journal. Layers share the flows of the
+Reynolds solution, so that no oil is lost: with J_n(eta) = int_0^eta eta'^n / mu d eta' and J_n = J_n(1)
 
     u = (U / J_0) J_0(eta) + h^2 dp/dx [J_1(eta) - (J_1/J_0) J_0(eta)],
     mean flow  C U h - F h^3 dp/dx,   C = 1 - J_1/J_0,   F = J_2 - J_1^2/J_0.
@@ -44,6 +44,7 @@ class Flows(NamedTuple):
     heat: Array  # dissipation, (lines, columns)
     gap: Array  # (lines, columns)
     fill: Array  # (lines, columns)
+    stir: Array  # turbulent over laminar shear, (lines, columns)
     shear_profile: Array  # share of the layers in the flow by shear, (n, columns, layers)
     pressure_profile: Array  # share of the layers in the flow by pressure
     stress: Array  # shear stress over that of the surface speed at unit flow by pressure: slope, (n, columns)
@@ -57,8 +58,8 @@ def new_flows(lines, n, columns, layers):
     cell, between = (lines, columns), (n, columns)
     return Flows(
         np.zeros(between), np.zeros(between), np.zeros(cell), np.zeros(cell), np.zeros(cell), np.zeros(cell),
-        np.zeros(cell), np.zeros((n, columns, layers)), np.zeros((n, columns, layers)), np.zeros(between),
-        np.zeros(between), np.zeros(between),
+        np.zeros(cell), np.ones(cell), np.zeros((n, columns, layers)), np.zeros((n, columns, layers)),
+        np.zeros(between), np.zeros(between), np.zeros(between),
     )  # fmt: skip
 
 
@@ -136,6 +137,7 @@ def gather_flows(surface, film, work, at, columns, flows):
             flows.gap[after, c] += share * hb
             weight[i, c] += share
             weight[after, c] += share
+            flows.stir[i, c] = stirring(surface, i, q, ha)
             plugged = surface.viscosity[i, q] > 1e9 or (
                 surface.held[i, j] and surface.held[after, j] and columns.side[j] == 0
             )
@@ -144,7 +146,8 @@ def gather_flows(surface, film, work, at, columns, flows):
             half, speed = 0.5 * surface.step[i], surface.speed
             a, b = 1.0 / ha, 1.0 / hb
             j1 = half * (a + b)
-            sheared = share * speed * speed * flows.shear_viscosity[i, c] * j1 * work.fill[i, j]
+            churned = half * (a * stirring(surface, i, q, ha) + b * stirring(surface, i, q, hb))
+            sheared = share * speed * speed * flows.shear_viscosity[i, c] * churned * work.fill[i, j]
             if work.holds[i, j] and work.fill[i, j] == 1.0:
                 f, g = surface.viscosity[i, q], speed * surface.drag[i, q]
                 j2, j3 = half * (a * a + b * b), half * (a * a * a + b * b * b)
@@ -190,6 +193,17 @@ def gather_flows(surface, film, work, at, columns, flows):
                 flows.leak[i, c] -= work.row[i, j]
             flows.fill[i, c] += min(max(work.fill[i, j], 0.0), 1.0) * column_share(surface, j) / columns.size[c]
     return flows.heat.sum(), friction
+
+
+@inlined
+def stirring(surface, i, q, gap):
+    """Turbulent over laminar shear at a place of the film, as ``turbulence.FilmTurbulence.shear_factor``."""
+    law = surface.turbulence
+    if law.size == 0:
+        return 1.0
+    number = law[0] * gap / surface.viscosity[i, q]
+    t = min(max((number - law[1]) / (law[2] - law[1]), 0.0), 1.0)
+    return 1.0 + t * t * (3.0 - 2.0 * t) * law[7] * number ** law[8]
 
 
 @inlined

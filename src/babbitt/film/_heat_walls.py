@@ -38,6 +38,7 @@ class Walls(NamedTuple):
     inverse: Array  # of the derivatives of what the walls pass on less what they take, (modes + 1, modes + 1)
     conductance: Array  # k/h of the film for which the inverse was made, W/(m2 K), (lines,)
     fresh: float  # temperature of supplies and of what enters over the sides, K
+    carry_over: float  # share of the oil brought to a supply that goes on with the film
 
 
 @compiled
@@ -60,8 +61,8 @@ def wall_fluxes(columns, flows, walls, temperature, flux):
 def answer_walls(columns, flows, walls, temperature, part):
     """New temperatures of bush and journal from the heat that they take; their largest change, K.
 
-    Newton on what the walls take less what they pass on, harmonic by harmonic and for the journal; ``inverse`` is of
-    the derivatives, the film's own answer to a warmer wall among them. ``part`` of the step is taken.
+    Newton on what the walls take less what they pass on, harmonic by harmonic and for the journal; ``inverse``
+    is of the derivatives, the film's own answer to a warmer wall among them. ``part`` of the step is taken.
     """
     modes = walls.analysis.shape[0]
     walls.journal[1] = wall_fluxes(columns, flows, walls, temperature, walls.bush_flux)

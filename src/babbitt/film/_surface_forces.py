@@ -166,7 +166,8 @@ def drain_edge(surface, film, work, edge, fed):
     """Let a side at cavitation pressure run partly filled where less oil arrives than its gap could carry.
 
     Nodes of a side are held, which would draw in oil from outside (as ``_integrals.edge_column``). ``fed`` marks
-    the lines of grooves; a closed ring starts over with what its first round ended with. Twice changes nothing more.
+    the lines of grooves; a closed ring starts over with what its first round ended with. Twice changes nothing
+    more.
     """
     lines, n = surface.held.shape[0], surface.step.size
     full = film.couette[:, edge] * work.fill[:n, edge]

@@ -137,6 +137,9 @@ class FilmHeat:
     walls : ConductingWalls or None
         None: no heat leaves through bush and journal.
     grid : HeatGrid
+    carry_over : float
+        Share, 0 to 1, of the hot oil that the film brings to a groove or pocket and that goes on with the next
+        film; the rest is replaced by fresh oil. 1: all of it, as far as the next film takes oil.
     """
 
     viscosity: Callable[[Array], Array]
@@ -145,9 +148,12 @@ class FilmHeat:
     supply_temperature: float
     walls: ConductingWalls | None = None
     grid: HeatGrid = HeatGrid()
+    carry_over: float = 1.0
 
     def __post_init__(self) -> None:
         for name in ("volumetric_heat_capacity", "conductivity", "supply_temperature"):
             value = getattr(self, name)
             if not (math.isfinite(value) and value > 0.0):
                 raise InputError("E101", f"{name} is {value}; it must be a positive number (SI units, K).")
+        if not 0.0 <= self.carry_over <= 1.0:
+            raise InputError("E101", f"carry_over is {self.carry_over}; it is a share, from 0 to 1.")

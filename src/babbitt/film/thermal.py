@@ -28,7 +28,8 @@ from babbitt.film.general import Effort, Sample, SettledRing, line_density
 from babbitt.film.general import rest as carry
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm, Resolution
-from babbitt.film.ring import Density, build_ring
+from babbitt.film.ring import build_ring
+from babbitt.film.ring_mesh import Density
 from babbitt.film.ring_solution import mirrored, ring_solution, supply_order
 from babbitt.film.scales import Scales
 from babbitt.film.thermal_solution import ThermalFilm, thermal_film
@@ -47,13 +48,13 @@ SWEEPS = 3
 SETTLED = 1e-2
 """Change of temperature in a pass, K, at which film and temperature rest beside each other."""
 COLD_LOAD = 2.0
-"""Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks nothing
-and would have no bound to its temperature."""
+"""Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks
+nothing and would have no bound to its temperature."""
 CLOSING, CLOSED, OPEN = 400, 3e-8, 1e-4
-"""Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from which the
-film counts as not converged."""
+"""Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from
+which the film counts as not converged."""
 POLISH, POLISHED = 8, 1e-10
-"""Steps of the journal at frozen temperatures at the end, at most, and the residual force over load that ends them."""
+"""Last steps of the journal at frozen temperatures, at most, and the residual force over load that ends them."""
 MOST_PASSES = 120
 STUBBORN = 4
 """Passes at rest after which nodes that change sides for ever are let be."""

@@ -122,8 +122,12 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
     over_sides = float((leaving * (own - cold)).sum() + (entering * 0.0).sum()) * unit
     back = 0.0
     for s in range(warm.groove.size):
-        brought, _, taken = groove_balance(warm.sample.ring.surface, columns, flows, 1.0, warm.temperature, s)
-        back += max(brought - taken, 0.0) * (warm.groove[s] - cold) * unit
+        brought, enthalpy, taken = groove_balance(
+            warm.sample.ring.surface, columns, flows, 1.0, warm.temperature, s
+        )
+        carried = warm.heat.carry_over
+        back += (1.0 - carried) * (enthalpy - brought * cold) * unit
+        back += max(carried * brought - taken, 0.0) * (warm.groove[s] - cold) * unit
     bush, journal = warm.bush_heat(), float(warm.walls.journal[1])
     dissipation = warm.dissipation * warm.rise * unit
     out = float(leaving.sum())

@@ -21,10 +21,12 @@ __all__ = ["WarmRing", "columns_of"]
 
 Array = NDArray[np.float64]
 FILM_CONDUCTANCE, UNIFORM_SHARE = 2.5, 1.5
-"""Guess of what a film gives less to a place of the wall that is 1 K warmer: k/h times the first, and the second times
-what it gives less to a bush warmer all around. Only the number of passes depends on it."""
+"""Guess of what a film gives less to a place of the wall that is 1 K warmer: k/h times the first, and the second
+times what it gives less to a bush warmer all around. Only the number of passes depends on it."""
 RELAX, CALM, LEAST_RELAX = 0.65, 12, 0.05
-"""Share of a new viscosity field that a pass takes, passes after which a film that swings takes less, and the least."""
+"""Share of a new viscosity field that a pass takes, passes after which a swinging film takes less, the least."""
+TURBULENT_PRANDTL = 0.9
+"""Eddy viscosity over eddy diffusivity of heat; textbook value of turbulent boundary layers."""
 FLICKER = 30
 """Passes after which a few nodes that still change sides are let be, as ``_equilibrium.CYCLING``."""
 ANSWER_SWEEPS = 12
@@ -52,6 +54,8 @@ class WarmRing:
     walls : WallState
     rise : float
         mu omega R^2 / (rho c c^2): temperature per unit of dissipation over flow, K.
+    stirred : float
+        Prandtl number of the oil over that of turbulence; zero where the film is laminar.
     dissipation, friction : float
         Of the last pass, in units of mu omega^2 R^3 B / c.
     viscosity : ndarray, shape (lines, columns, layers), or None
@@ -75,6 +79,7 @@ class WarmRing:
     walls: Walls
     reference_viscosity: float
     rise: float
+    stirred: float
     dissipation: float = 0.0
     friction: float = 0.0
     viscosity: Array | None = None
@@ -93,7 +98,7 @@ class WarmRing:
             sample, heat, columns, new_flows(lines, sample.ring.surface.step.size, count, layers),
             new_cells(lines, count, layers),
             np.full((lines, count, layers), cold), np.full(int(columns.supply.max()) + 1, cold),
-            walls_of(sample.ring, heat, film, speed, lines), film.viscosity, rise,
+            walls_of(sample.ring, heat, film, speed, lines), film.viscosity, rise, stirring_of(film, heat),
         )  # fmt: skip
 
     def relative_viscosity(self) -> Array:
@@ -145,7 +150,8 @@ class WarmRing:
 
     def fill(self, viscosity: Array) -> None:
         """Cells of the energy equation for the flows as they stand."""
-        fill_cells(self.sample.ring.surface, self.columns, self.flows, self.walls.conduction, self.walls.insulated,
+        fill_cells(self.sample.ring.surface, self.columns, self.flows, self.walls.conduction, self.stirred,
+        self.walls.insulated,
                    self.walls.fresh, viscosity, self.cells)  # fmt: skip
 
     def sweep(self, most: int, tolerance: float) -> float:
@@ -167,8 +173,8 @@ class WarmRing:
         """Derivatives of the balance of the walls; kept while the film is nearly the same.
 
         What the film gives less to a warmer wall is exact for the journal and the first harmonics of the bush: the
-        energy equation is linear, and solved once for each with that wall at 1 K and all else at zero. The others get
-        a guess on the safe side; the answer does not depend on it.
+        energy equation is linear, and solved once for each with that wall at 1 K and all else at zero. The
+        others get a guess on the safe side; the answer does not depend on it.
         """
         walls, flows, columns = self.walls, self.flows, self.columns
         per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
@@ -194,7 +200,7 @@ class WarmRing:
         walls.inverse[:] = np.linalg.inv(matrix)
 
     def answer_to(self, mode: int) -> tuple[Array, float]:
-        """Heat flux into the bush (W/m2) and heat into the journal (W) with one wall at 1 K and all else at zero."""
+        """Heat flux into the bush (W/m2) and heat into the journal (W), one wall at 1 K and all else at zero."""
         walls, columns = self.walls, self.columns
         modes = walls.analysis.shape[0]
         bush = walls.synthesis[:, mode].copy() if mode < modes else np.zeros(walls.bush.size)
@@ -296,8 +302,16 @@ def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines:
         journal=journal, journal_given=given is not None and given.journal.temperature is not None, width=width,
         analysis=weight[:, None] * synthesis.T * width, synthesis=synthesis,
         admittance=admittance, harmonics=harmonics, inverse=np.zeros((weight.size + 1, weight.size + 1)),
-        conductance=np.zeros(lines), fresh=cold,
+        conductance=np.zeros(lines), fresh=cold, carry_over=heat.carry_over,
     )  # fmt: skip
+
+
+def stirring_of(film: JournalFilm, heat: FilmHeat) -> float:
+    """Prandtl number of the oil over ``TURBULENT_PRANDTL``; zero for a laminar film."""
+    if film.turbulence is None:
+        return 0.0
+    capacity = heat.volumetric_heat_capacity / film.turbulence.density
+    return film.viscosity * capacity / heat.conductivity / TURBULENT_PRANDTL
 
 
 def line_widths(ring: Ring, lines: int) -> Array:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from babbitt.bearings.model import FilmCase
-from babbitt.bearings.thermal_film import thermal_operating_film
-from babbitt.bearings.warm_film import FilmState, film_at_temperature
+from babbitt.bearings.thermal_film import film_equilibrium
+from babbitt.bearings.warm_film import FilmState
 from babbitt.results import Result
 
 SLOW = 4500
@@ -13,12 +15,12 @@ SLOW = 4500
 
 def state_of(case: FilmCase, result: Result) -> FilmState:
     """The film of a solved result, from its effective temperature, or with its own temperatures found again."""
-    if case.heat is not None:
-        found = thermal_operating_film(case).film
-        if found is None:
-            raise ValueError("a film that was solved before")
-        return found
-    return film_at_temperature(result.values["effective_temperature"], case)
+    if case.heat is None:
+        case = replace(case, effective_temperature=result.values["effective_temperature"])
+    found = film_equilibrium(case).film
+    if found is None:
+        raise ValueError(f"{result.name} has no film")
+    return found
 
 
 def is_slow(state: FilmState) -> bool:

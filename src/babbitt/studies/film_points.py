@@ -129,10 +129,11 @@ def film_points(
     angle = math.atan2(-fy, -fx)
     if _is_plain(film):
         return _at_once(film, angle, some_loads, some_speeds, case.accuracy.resolution)
+    from babbitt.bearings.settling import place_of
     from babbitt.bearings.warm_film import is_dear
 
     grid = (Accuracy.DRAFT if is_dear(state) else case.accuracy).resolution
-    return _one_by_one(film, angle, some_loads, some_speeds, grid, watch)
+    return _one_by_one(film, angle, some_loads, some_speeds, grid, place_of(state.solution), watch)
 
 
 def _is_plain(film: JournalFilm) -> bool:
@@ -162,9 +163,15 @@ def _at_once(film: JournalFilm, angle: float, loads: Array, speeds: Array, grid:
 
 
 def _one_by_one(
-    film: JournalFilm, angle: float, loads: Array, speeds: Array, grid: Resolution, watch: Watch
+    film: JournalFilm,
+    angle: float,
+    loads: Array,
+    speeds: Array,
+    grid: Resolution,
+    near: tuple[float, float],
+    watch: Watch,
 ) -> FilmPoints:
-    from babbitt.film.solve import solve_journal
+    from babbitt.bearings.settling import settled_film
 
     solved = np.zeros(loads.shape, dtype=bool)
     position, least = np.full((loads.size, 2), np.nan), np.full(loads.size, np.nan)
@@ -172,7 +179,7 @@ def _one_by_one(
     for place in watch(range(loads.size)):
         turning = replace(film, angular_speed=math.copysign(float(speeds[place]), film.angular_speed))
         load = float(loads[place]) * math.cos(angle), float(loads[place]) * math.sin(angle)
-        found: FilmSolution = solve_journal(turning, load, grid)
+        found: FilmSolution = settled_film(turning, load, grid, near)
         solved[place] = found.outcome.solved
         if found.outcome.solved:
             position[place], least[place] = found.position, found.minimum_film_thickness

@@ -1,71 +1,17 @@
-"""The command line: solve, check, new, validate, compare, sweep, export, list, explain, cite, schema.
-
-Nothing but results goes to standard output; messages go to standard error. Heavy modules are imported by the
-command that needs them, so that ``babbitt --help`` answers at once.
-"""
+"""Commands that calculate: solve, check, compare, sweep, export."""
 
 from __future__ import annotations
 
 import math
-import os
 import sys
-from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, NoReturn
+from typing import Annotated
 
 import typer
 
-from babbitt import __version__
-from babbitt.notices import EXPLANATIONS, BabbittError, InputError
+from babbitt.cli.app import LIMIT_VIOLATED, NO_SOLUTION, Files, app
 
-SOLVED, LIMIT_VIOLATED, UNUSABLE_INPUT, NO_SOLUTION = 0, 1, 2, 3
-"""Exit statuses."""
-
-app = typer.Typer(
-    name="babbitt",
-    no_args_is_help=True,
-    add_completion=False,
-    pretty_exceptions_enable=False,
-    help="Compute and design fluid-film (plain) bearings.",
-    epilog="Exit status: 0 solved, 1 a design limit is violated (only with --strict), 2 input not usable, "
-    "3 no solution found.",
-)
-
-Files = Annotated[list[Path], typer.Argument(metavar="FILE...", help="Case files in YAML or JSON.")]
-
-
-def main() -> None:
-    """Run the command line; a mistake of the user ends with one clear message and exit status 2."""
-    try:
-        app()
-    except BabbittError as error:
-        _fail(error)
-    except BrokenPipeError:  # the reader of a pipe has gone; nothing is left to say
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    except OSError as error:  # standard output cannot take the results, such as a full disk
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        _fail(InputError("E007", f"cannot write to standard output: {error.strerror or error}"))
-
-
-def _fail(error: BabbittError) -> NoReturn:
-    print(f"{error.message}", file=sys.stderr)
-    print(f"({error.code}: babbitt explain {error.code})", file=sys.stderr)
-    sys.exit(UNUSABLE_INPUT)
-
-
-def _version(wanted: bool) -> None:
-    if wanted:
-        print(f"babbitt {__version__}")
-        raise typer.Exit
-
-
-@app.callback()
-def _babbitt(
-    version: Annotated[
-        bool, typer.Option("--version", callback=_version, is_eager=True, help="Show the version and exit.")
-    ] = False,
-) -> None:
-    pass
+__all__ = ["check", "compare", "export", "solve", "sweep"]
 
 
 @app.command()
@@ -128,55 +74,6 @@ def check(files: Files) -> None:
             print(f"  {said}")
     if problems:
         raise CaseError(problems)
-
-
-@app.command()
-def new(
-    kind: Annotated[str, typer.Argument(metavar="KIND", help="What to describe: see `babbitt list kinds`.")],
-    output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Where to write it.")
-    ] = None,
-) -> None:
-    """Write a commented case file that runs as it stands."""
-    from babbitt.cases import template
-
-    text = template(kind)
-    if output is None:
-        print(text, end="")
-        return
-    if output.exists():
-        raise InputError("E007", f"{output} exists already; nothing was overwritten. Choose another name.")
-    _write(output, text)
-    print(f"wrote {output}; solve it with: babbitt solve {output}", file=sys.stderr)
-
-
-@app.command()
-def schema() -> None:
-    """Print the JSON Schema of case files, with which editors complete and check them."""
-    import json
-
-    from babbitt.cases import case_schema
-
-    print(json.dumps(case_schema(), indent=2, ensure_ascii=False))
-
-
-@app.command()
-def validate(
-    names: Annotated[
-        list[str] | None, typer.Argument(metavar="[NAME...]", help="Cases; all when omitted.")
-    ] = None,
-) -> None:
-    """Run the published cases that ship with the package, side by side with the print.
-
-    Exit status 1 if a judged value differs by more than its tolerance.
-    """
-    from babbitt.report.validation_table import print_validation
-    from babbitt.validation import cases, validation_case
-
-    chosen = [validation_case(name) for name in names] if names else list(cases())
-    agreed = [print_validation(case) for case in chosen]
-    if not all(agreed):
-        raise typer.Exit(LIMIT_VIOLATED)
 
 
 @app.command()
@@ -282,50 +179,3 @@ def export(
     table = mirrored(run.table()) if other_end else run.table()
     write_table(table, output, format_name)
     print(f"wrote {output}: {table.speeds.size} speeds; {declaration(table.frame)}", file=sys.stderr)
-
-
-@app.command(name="list")
-def list_(
-    what: Annotated[str, typer.Argument(metavar="WHAT", help="lubricants, materials, kinds or cases.")],
-) -> None:
-    """Show what is on board, with sources."""
-    from babbitt.report import listings
-
-    show: dict[str, Callable[[], None]] = {
-        "lubricants": listings.print_lubricants,
-        "materials": listings.print_materials,
-        "kinds": listings.print_kinds,
-        "cases": listings.print_cases,
-    }
-    if what not in show:
-        raise InputError("E005", f"nothing is listed under {what!r}; there are: {', '.join(show)}")
-    show[what]()
-
-
-@app.command()
-def explain(code: Annotated[str, typer.Argument(metavar="CODE", help="Such as W101 or C104.")]) -> None:
-    """Explain a code of an error, warning or check, and what to do about it."""
-    from difflib import get_close_matches
-
-    found = EXPLANATIONS.get(code.upper())
-    if found is None:
-        near = get_close_matches(code.upper(), EXPLANATIONS, n=1)
-        hint = f"did you mean {near[0]}? " if near else ""
-        raise InputError("E005", f"no code {code!r}; {hint}All: {', '.join(EXPLANATIONS)}")
-    print(f"{code.upper()}  {found.title}\n\n{found.meaning}\n\nWhat to do: {found.remedy}")
-
-
-@app.command()
-def cite(file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file.")]) -> None:
-    """Say what to cite for the methods that a case uses."""
-    from babbitt.cases import load_case
-    from babbitt.report.citations import citations_of
-
-    print("\n\n".join(citations_of(load_case(file))))
-
-
-def _write(path: Path, text: str) -> None:
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise InputError("E007", f"cannot write {path}: {error.strerror}") from None
