@@ -113,7 +113,7 @@ class ThermalFilm:
 
 
 def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequence[int]) -> ThermalFilm:
-    """Temperatures and heat of a ring beside its film; ``order`` is that of its supplies in the bearing as given."""
+    """Temperatures and heat of a ring beside its film; ``order`` of its supplies in the bearing as given."""
     flows, columns, unit = warm.flows, warm.columns, warm.walls.flow_heat
     cold = warm.heat.supply_temperature
     profile = flows.pressure_profile[np.arange(flows.leak.shape[0]) % flows.pressure_profile.shape[0]]

@@ -41,7 +41,6 @@ def operating_relative_clearance(
     >>> round(operating_relative_clearance(1.12e-3, 23e-6, 11e-6, 353.15), 8)
     0.00184
     """
-    if journal_temperature is None:
-        journal_temperature = temperature
-    bore = expansion_bearing * (temperature - REFERENCE_TEMPERATURE)
-    return relative_clearance + bore - expansion_journal * (journal_temperature - REFERENCE_TEMPERATURE)
+    together = (expansion_bearing - expansion_journal) * (temperature - REFERENCE_TEMPERATURE)
+    apart = 0.0 if journal_temperature is None else expansion_journal * (journal_temperature - temperature)
+    return relative_clearance + together - apart

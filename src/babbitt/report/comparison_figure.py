@@ -1,4 +1,4 @@
-"""The figure of `babbitt compare`: what every method tells of one bearing, and its temperature around the journal."""
+"""The figure of `babbitt compare`: what every method tells of one bearing, and its temperatures around the bore."""
 
 from __future__ import annotations
 
@@ -43,6 +43,7 @@ def comparison_figure(comparison: Comparison) -> Figure:
     _temperatures(axes[0][3], solved)
     for panel in axes[0][1:]:
         panel.set_yticklabels([])
+    figure.subplots_adjust(top=1.0 - 7.0 / 112.0)
     for panel in axes[1][1:]:
         panel.remove()
     below = axes[1][0]
@@ -82,8 +83,8 @@ def _temperatures(panel: Axes, variants: Sequence[Variant]) -> None:
     panel.set_ylim(places[-1] - 0.5, places[0] + 0.5)
     panel.grid(axis="y", linewidth=0.3, color="0.85")
     panel.set_xlabel("temperatures in °C")
-    panel.legend(frameon=False, fontsize=7, ncols=4, loc="lower center", bbox_to_anchor=(0.4, 0.98), borderpad=0.0,
-                 handletextpad=0.1, columnspacing=0.6)  # fmt: skip
+    panel.legend(frameon=False, fontsize=7, ncols=4, loc="lower right", bbox_to_anchor=(1.05, 0.98), borderpad=0.0,
+                 handletextpad=0.0, columnspacing=0.4)  # fmt: skip
 
 
 def _is_isothermal(variant: Variant) -> bool:

@@ -14,10 +14,13 @@ from babbitt.cases.journal import JournalBearing
 __all__ = ["ThermalVariant", "thermal_variants"]
 
 GLOBAL = "film"
-PRESCRIBED = "film at given T"
+
+INLET = "inlet"
+PRESCRIBED = "prescribed"
+ZERO_CELSIUS = 273.15
 
 REMARKS = {
-    "film at T_en": (
+    INLET: (
         "sees the feeding; takes the temperature of the fresh oil for the whole film: neglects that the film "
         "heats itself"
     ),
@@ -73,11 +76,20 @@ def thermal_variants(bearing: JournalBearing, case: Case) -> Iterator[tuple[Ther
             found[PRESCRIBED] = own
         if own.oil_supply is not None:
             cold = replace(with_balance[index], effective_temperature=own.oil_supply.temperature)
-            found["film at T_en"] = cold
+            found[INLET] = cold
         if own.oil_supply is not None or own.cooling is not None:
             found[GLOBAL] = with_balance[index]
         found |= {OWN[name]: films[index] for name, films in heated.items()}
-        yield tuple(ThermalVariant(label, REMARKS[label], film) for label, film in _ordered(bearing, own, found))
+        yield tuple(
+            ThermalVariant(_label(name, film), REMARKS[name], film) for name, film in _ordered(bearing, own, found)
+        )
+
+
+def _label(name: str, film: FilmCase) -> str:
+    """What stands at the head of a column: a prescribed temperature by its value."""
+    if film.effective_temperature is None:
+        return name
+    return f"film at {film.effective_temperature - ZERO_CELSIUS:.4g} °C"
 
 
 def _ordered(bearing: JournalBearing, own: FilmCase, found: dict[str, FilmCase]) -> Iterator[tuple[str, FilmCase]]:
