@@ -110,7 +110,7 @@ def test_a_given_eccentricity_finds_its_load_again(full):
     at = TEXT.replace("load: 12 kN", f"eccentricity_ratio: {result.eccentricity_ratio}")
     found = film_check(design(at))
     assert found.load == pytest.approx(12e3, rel=2e-3)
-    assert found.attitude_angle == pytest.approx(result.attitude_angle, abs=2e-3)
+    assert found.attitude_angle == pytest.approx(result.attitude_angle, abs=5e-3)
 
 
 def test_temperatures_that_follow_soften_or_stiffen_but_keep_the_sign(full):
