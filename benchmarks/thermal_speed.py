@@ -1,12 +1,13 @@
-"""The thermal film beside ROSS, in one run: equilibrium with eight coefficients, adiabatic and with conducting walls.
+"""The thermal film beside ROSS, in one run: equilibrium with eight coefficients, adiabatic or conducting walls.
 
     python benchmarks/thermal_speed.py
     BABBITT_ROSS_PYTHON=/path/to/python python benchmarks/thermal_speed.py      where ROSS lives elsewhere
 
-Two lands of 176 degrees, D = 0.4 m, B = 0.263 m, c = 195 um, 900 rpm, 112.8 kN downwards, ISO VG 32 fed at 50 degC.
-The bearing is the same, the models are not: mixing in the grooves, walls and rupture differ, so that only times are
-compared. Fastest warm calls, one thread. Errors are those against Babbitt's own reference grid. Exit status 1 when a
-mark is missed: adiabatic 3 ms, full 8 ms, resolved 60 ms; 1 % of the film thickness and 1 K; 500 times faster than ROSS.
+Two lands of 176 degrees, D = 0.4 m, B = 0.263 m, c = 195 um, 900 rpm, 112.8 kN downwards, ISO VG 32 fed at
+50 degC. The bearing is the same, the models are not: mixing in the grooves, walls and rupture differ, so that only
+times are compared. Fastest warm calls, one thread. Errors are those against Babbitt's own reference grid. Exit
+status 1 when a mark is missed: adiabatic 3 ms, full 8 ms, resolved 60 ms; 1 % of the film thickness and 1 K; 500
+times faster than ROSS.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Babbitt's side: warm calls of the thermal film with adiabatic and conducting walls, eight coefficients included."""
+"""Babbitt's side: warm calls of the thermal film, adiabatic and with conducting walls, coefficients included."""
 
 from __future__ import annotations
 

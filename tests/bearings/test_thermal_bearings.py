@@ -130,7 +130,8 @@ def test_what_is_not_given_is_assumed_and_told():
     walls = TEXT[TEXT.index("walls:") : TEXT.index("load:")]
     result = film_check(design(TEXT.replace(walls, "")))
     said = " ".join(result.assumptions)
-    for words in ("Outside diameter of the bush 150 mm", "still air", "Perfect thermal contact", "along the shaft"):
+    told = ("Outside diameter of the bush 150 mm", "still air", "Perfect thermal contact", "along the shaft")
+    for words in told:
         assert words in said
     assert "Outside diameter" not in " ".join(film_check(design()).assumptions)
 

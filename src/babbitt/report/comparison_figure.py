@@ -1,4 +1,4 @@
-"""The figure of `babbitt compare`: what every method tells of one bearing, and its temperatures around the bore."""
+"""The figure of `babbitt compare`: what every method tells of one bearing, and temperatures around the bore."""
 
 from __future__ import annotations
 
