@@ -27,7 +27,7 @@ from babbitt.film._equilibrium import (
 from babbitt.film.general import Effort, Sample, SettledRing, line_density
 from babbitt.film.general import rest as carry
 from babbitt.film.heat import FilmHeat
-from babbitt.film.model import JournalFilm, Resolution
+from babbitt.film.model import Cavitation, JournalFilm, Resolution
 from babbitt.film.ring import build_ring
 from babbitt.film.ring_mesh import Density
 from babbitt.film.ring_solution import mirrored, ring_solution
@@ -96,11 +96,14 @@ def solve_thermal_journal(
     Raises
     ------
     InputError
-        E101 if the load is not finite or the journal stands still.
+        E101 if the load is not finite, the journal stands still, or the film does not conserve oil.
     """
     begun = time.perf_counter()
     if not all(math.isfinite(part) for part in load):
         raise InputError("E101", f"load is {load}; both components must be finite, in N.")
+    if film.cavitation is not Cavitation.MASS_CONSERVING:
+        raise InputError("E101", f"cavitation is {film.cavitation.name.lower()}; oil that comes from nowhere where a "
+                         "film forms anew has no temperature. Choose mass_conserving.")  # fmt: skip
     if film.angular_speed == 0.0:
         raise InputError("E101", "angular_speed is zero; a film at rest makes no heat and carries no steady load.")
     scales = Scales.of(film, abs(film.angular_speed))
