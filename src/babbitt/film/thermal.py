@@ -102,8 +102,8 @@ def solve_thermal_journal(
     if not all(math.isfinite(part) for part in load):
         raise InputError("E101", f"load is {load}; both components must be finite, in N.")
     if film.cavitation is not Cavitation.MASS_CONSERVING:
-        raise InputError("E101", f"cavitation is {film.cavitation.name.lower()}; oil that comes from nowhere where a "
-                         "film forms anew has no temperature. Choose mass_conserving.")  # fmt: skip
+        raise InputError("E101", f"cavitation is {film.cavitation.name.lower()}; oil that comes from nowhere, "
+                         "where a film forms anew, has no temperature. Choose mass_conserving.")  # fmt: skip
     if film.angular_speed == 0.0:
         raise InputError("E101", "angular_speed is zero; a film at rest makes no heat and carries no steady load.")
     scales = Scales.of(film, abs(film.angular_speed))
