@@ -167,8 +167,9 @@ def _complaints_about_own_temperatures(bearing: JournalBearing) -> Iterator[Comp
     if bearing.turbulence != "laminar":
         says = "a film with its own temperatures is laminar"
         yield Complaint(("turbulence",), says, also)
-    if bearing.cavitation == "half_sommerfeld":
-        yield Complaint(("cavitation",), "half-Sommerfeld films have no flow to carry heat", "mass_conserving")
+    if bearing.cavitation != "mass_conserving":
+        says = "oil that comes from nowhere has no temperature: only a film that conserves it knows its own"
+        yield Complaint(("cavitation",), says, f"mass_conserving, or {also}")
     if bearing.film_start == "widest_gap":
         says = "a film with its own temperatures begins at what feeds it"
         yield Complaint(("film_start",), says, "groove")

@@ -101,12 +101,14 @@ def _around(panel: Axes, variants: Sequence[Variant]) -> None:
             field = field_of(thermal.film, one.design.load_angle - math.pi)
             line = centre_line(thermal, field)
             places = np.degrees(line.theta)
-            panel.plot(places, line.highest - ZERO_CELSIUS, LINES[curve], color=INK,
+            panel.plot(places, line.highest - ZERO_CELSIUS, LINES[curve % len(LINES)], color=INK,
                        label=f"{one.label}, hottest across the gap")  # fmt: skip
             curve += 1
         else:
-            panel.axhline(one.result.values["effective_temperature"] - ZERO_CELSIUS, color=GREY, linewidth=0.9,
-                          linestyle=LINES[level % len(LINES)], label=f"{one.label}, $T_\\mathrm{{eff}}$")  # fmt: skip
+            panel.axhline(
+                one.result.values["effective_temperature"] - ZERO_CELSIUS, color=GREY, linewidth=0.9,
+                linestyle=LINES[level % len(LINES)], label=f"{one.label}, $T_\\mathrm{{eff}}$",
+            )  # fmt: skip
             level += 1
     if field is not None:
         film_maps.degrees(panel, field)
