@@ -3,9 +3,9 @@
     python benchmarks/thermal_robustness.py [number [seed [file for failed cases]]]
 
 Diameters 30 to 500 mm, specific loads 0.01 to 12 MPa, speeds 10 to 20 000 rpm up to 100 m/s at the surface,
-clearances 0.8 to 2 times that of Vogelpohl's rule, width ratios 0.3 to 1, oils ISO VG 22 to 220 at 30 to 60 °C;
-one or two grooves, pockets, a hole, tilt, lobes; adiabatic and conducting walls, mean and resolved along the width.
-Every case goes from its text through the whole solution with thermal growth and supply.
+clearances 0.8 to 2 times that of Vogelpohl's rule, width ratios 0.3 to 1, oils ISO VG 22 to 220 at 30 to
+60 °C; one or two grooves, pockets, a hole, tilt, lobes; adiabatic and conducting walls, mean and resolved along
+the width. Every case goes from its text through the whole solution with thermal growth and supply.
 
 Marks: at most 1 % without a solution of those that work as a film of one temperature with a gap of at least 3 % of
 the clearance, none silent, none slower than 2 s. What such a film does not carry either, or only nearly touching,

@@ -32,7 +32,8 @@ def said_of_heat(heat: HeatModel | None, temperature: float | None) -> str:
     """Say how the temperature of the film is found."""
     if heat is None:
         return "one for the whole film, from the heat balance" if temperature is None else "one, prescribed"
-    along = "means over the width" if heat.axial_temperature is AxialTemperature.MEAN else "resolved along the width"
+    means = heat.axial_temperature is AxialTemperature.MEAN
+    along = "means over the width" if means else "resolved along the width"
     walls = "walls that take no heat" if heat.walls is None else "bush and journal that conduct"
     return f"around the journal and across the gap, {along}; {walls}"
 
