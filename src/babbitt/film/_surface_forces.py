@@ -159,3 +159,26 @@ def carry_streamers(surface, film, work):
                 flux = film.couette[i, j] * work.fill[i, j]
                 flux += film.conductance[i, j] * (work.pressure[i, j] - work.pressure[after, j])
                 flux = max(flux, 0.0)
+
+
+@compiled
+def drain_edge(surface, film, work, edge, fed):
+    """Let a side at cavitation pressure run partly filled where less oil arrives than its gap could carry.
+
+    Nodes of a side are held, which would draw in oil from outside (as ``_integrals.edge_column``). ``fed`` marks
+    the lines of grooves; a closed ring starts over with what its first round ended with. Twice changes nothing
+    more.
+    """
+    lines, n = surface.held.shape[0], surface.step.size
+    full = film.couette[:, edge] * work.fill[:n, edge]
+    flux = full.copy()
+    for turn in range(2 if surface.cyclic else 1):
+        for i in range(1 if turn == 0 else 0, n):
+            if not fed[i]:
+                arriving = full[i] - work.row[i, edge] + flux[i - 1] - full[i - 1]
+                flux[i] = min(full[i], max(arriving, 0.0))
+    for i in range(n):
+        if not fed[i] and film.couette[i, edge] > 0.0:
+            work.fill[i, edge] = flux[i] / film.couette[i, edge]
+        work.row[i, edge] += flux[i] - full[i]
+        work.row[(i + 1) % lines, edge] -= flux[i] - full[i]

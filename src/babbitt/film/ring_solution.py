@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film._equilibrium import CONVERGED, NO_FILM
-from babbitt.film._surface_film import Surface
-from babbitt.film._surface_forces import carry_streamers
+from babbitt.film._surface_film import Surface, SurfaceFilm, SurfaceWork
+from babbitt.film._surface_forces import carry_streamers, drain_edge
 from babbitt.film.general import SettledRing
 from babbitt.film.model import Field, FilmStart, JournalFilm, Land
 from babbitt.film.piezoviscosity import pressure_of
+from babbitt.film.ring import Ring
 from babbitt.film.scales import Scales
 from babbitt.film.solution import FilmSolution
 from babbitt.results import Outcome
@@ -58,9 +59,7 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
     work = sample.work
     if not ring.surface.conserving and ring.surface.speed > 0.0:
         carry_streamers(ring.surface, sample.film, work)
-    for edge in ring.mesh.side_nodes:
-        if ring.surface.held_pressure[0, edge] <= 0.0 and ring.surface.speed > 0.0:
-            drain_edge(settled, edge)
+    drain_sides(ring, sample.film, work)
     flows = flows_of(settled)
     free = np.abs(work.row[(ring.supply == -1) & work.counts])
     passing = max(np.maximum(flows.supplies, 0.0).sum(), float(sample.film.couette.sum(axis=1).max()))
@@ -99,30 +98,6 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
     )
 
 
-def drain_edge(settled: SettledRing, edge: int) -> None:
-    """Let a side at cavitation pressure run partly filled where less oil arrives than its gap could carry.
-
-    The nodes of the side are held, which would draw in oil from outside (as ``_integrals.edge_column``).
-    """
-    ring, work = settled.sample.ring, settled.sample.work
-    full = flux_along(settled)[:, edge]
-    n, lines = full.size, work.row.shape[0]
-    row = work.row[:, edge].tolist()
-    flux, fill = full.tolist(), work.fill[:, edge].tolist()
-    in_groove = {line for first, last in ring.groove_lines for line in (first, last)}
-    for turn in range(2 if ring.surface.cyclic else 1):
-        for i in range(turn == 0, n):  # a closed ring starts over with what its first round ended with
-            if i in in_groove:
-                continue
-            arriving = full[i] - row[i] + flux[i - 1] - full[i - 1]
-            flux[i] = min(float(full[i]), max(arriving, 0.0))
-            fill[i] = flux[i] / full[i] if full[i] > 0.0 else 1.0
-    change = np.array(flux) - full
-    work.fill[:n, edge] = fill[:n]
-    work.row[:n, edge] += change
-    work.row[(np.arange(n) + 1) % lines, edge] -= change
-
-
 @dataclass(frozen=True)
 class RingFlows:
     """Flows of a ring, dimensionless: from every supply, to both sides, into and out of every land."""
@@ -156,6 +131,17 @@ def flows_of(settled: SettledRing) -> RingFlows:
         supplies[number] += from_ends.sum()
         sides += from_ends
     return RingFlows(supplies, sides if len(edges) == 2 else np.full(2, 0.5 * sides[0]), entering, leaving)
+
+
+def drain_sides(ring: Ring, film: SurfaceFilm, work: SurfaceWork) -> None:
+    """Let sides at cavitation pressure run partly filled where less oil arrives than their gap could carry."""
+    if not ring.surface.speed > 0.0:
+        return
+    fed = np.zeros(work.row.shape[0], dtype=bool)
+    fed[[line for ends in ring.groove_lines for line in ends]] = True
+    for edge in ring.mesh.side_nodes:
+        if ring.surface.held_pressure[0, edge] <= 0.0:
+            drain_edge(ring.surface, film, work, edge, fed)
 
 
 def twins(film: JournalFilm, grooves: int) -> list[int]:
