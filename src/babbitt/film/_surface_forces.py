@@ -23,7 +23,9 @@ def evaluate_surface(surface, film, work, at, rate, smooth, force, stiffness, da
             for j in range(work.pressure.shape[1]):
                 if again == 0:
                     work.pressure[i, j] = work.solution[0, i, j]
-                    work.stiffening[i, j] = true_pressure(surface, work.pressure[i, j])[1]
+                    work.stiffening[i, j] = 1.0
+                    if work.holds[i, j]:
+                        work.stiffening[i, j] = true_pressure(surface, work.pressure[i, j])[1]
                 else:
                     work.solution[0, i, j] = work.pressure[i, j]
     work.ending[:] = 0.0
@@ -92,11 +94,13 @@ def end_adjoints_at_rupture(surface, film, work):
             after, before = (i + 1) % lines, (i - 1) % lines
             pressure = work.solution[0, i, j]
             if not work.holds[after, j]:
-                surplus = (film.couette[after % n, j] - film.couette[i, j]) / film.conductance[i, j]
+                surplus = film.couette[after % n, j] - film.couette[i, j] + film.squeeze[after, j]
+                surplus /= film.conductance[i, j]
                 work.ending[i, j] += film.conductance[i, j] * shortening(pressure, surplus)
             if not work.holds[before, j] and not surface.conserving:
                 first = film.couette[(before - 1) % n, j]
-                surplus = (film.couette[before, j] - first) / film.conductance[before, j]
+                surplus = film.couette[before, j] - first + film.squeeze[before, j]
+                surplus /= film.conductance[before, j]
                 work.ending[i, j] += film.conductance[before, j] * shortening(pressure, surplus)
 
 

@@ -61,8 +61,8 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
         carry_streamers(ring.surface, sample.film, work)
     drain_sides(ring, sample.film, work)
     flows = flows_of(settled)
-    free = np.abs(work.row[(ring.supply == -1) & work.counts])
-    passing = max(np.maximum(flows.supplies, 0.0).sum(), float(sample.film.couette.sum(axis=1).max()))
+    free = np.abs(work.row[ring.supply == -1])
+    passing = max(np.maximum(flows.supplies, 0.0).sum(), float(np.abs(flows.entering).sum()))
     torque_journal, torque_bearing = friction(settled)
     frame = np.diag(scales.sense)
     unit = scales.force / scales.length
@@ -89,6 +89,7 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
         outflow=flows.leaving * scales.flow,
         side_flow=np.array([flows.sides.sum() * scales.flow]),
         end_flows=flows.sides * scales.flow,
+        side_inflow=flows.drawn * scales.flow,
         friction_torque=torque_journal * scales.torque,
         bearing_torque=torque_bearing * scales.torque,
         mass_balance_error=float(free.sum() / max(passing, 1e-300)),
@@ -100,10 +101,11 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
 
 @dataclass(frozen=True)
 class RingFlows:
-    """Flows of a ring, dimensionless: from every supply, to both sides, into and out of every land."""
+    """Flows of a ring, dimensionless: from supplies, to both sides and drawn in there, into and out of lands."""
 
     supplies: Array
     sides: Array
+    drawn: float
     entering: Array
     leaving: Array
 
@@ -120,7 +122,7 @@ def flows_of(settled: SettledRing) -> RingFlows:
     supplies = np.array([work.row[ring.supply == number].sum() for number in range(count)])
     if len(edges) == 1:  # a hole beyond the mid-plane is seen in its image on this side
         supplies = 0.5 * (supplies + supplies[twins(settled.film, len(ring.groove_lines))])
-    sides = -work.row[:, edges].sum(axis=0)
+    outward = -work.row[:, edges]
     entering = np.full(len(settled.film.lands), along[0].sum())  # a closed ring: across the seam
     leaving, order = entering.copy(), settled.film.land_order
     for number, (first, last) in enumerate(ring.groove_lines):
@@ -129,8 +131,18 @@ def flows_of(settled: SettledRing) -> RingFlows:
         entering[order[(number + 1) % len(order)]] = into.sum()
         from_ends = (into - out_of)[edges]
         supplies[number] += from_ends.sum()
-        sides += from_ends
-    return RingFlows(supplies, sides if len(edges) == 2 else np.full(2, 0.5 * sides[0]), entering, leaving)
+        beside = groove_lines(first, last, outward.shape[0])
+        past_groove = outward[beside].sum(axis=0) + from_ends  # what passes along its ends is no side flow
+        outward[beside] = 0.0
+        outward[last] = past_groove
+    sides = outward.sum(axis=0)
+    drawn = float(np.maximum(-outward, 0.0).sum())
+    return RingFlows(supplies, sides if len(edges) == 2 else np.full(2, 0.5 * sides[0]), drawn, entering, leaving)
+
+
+def groove_lines(first: int, last: int, lines: int) -> NDArray[np.int64]:
+    """Every line of a groove, that which closes the turn included."""
+    return np.arange(first, (last if last >= first else last + lines) + 1) % lines
 
 
 def drain_sides(ring: Ring, film: SurfaceFilm, work: SurfaceWork) -> None:
