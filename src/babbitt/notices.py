@@ -271,6 +271,24 @@ EXPLANATIONS: dict[str, Explanation] = {
         "behind it: the film begins later, is thinner, and is less stiff than a flooded one.",
         "More oil, or supplies where the film draws less; a wider bearing passes less oil for its load.",
     ),
+    "W145": Explanation(
+        "Film outside the lubricant data",
+        "Somewhere in the film the temperature lies outside the range for which the lubricant's numbers are "
+        "meant; its viscosity there is extrapolated.",
+        "Give the lubricant by points that enclose the coldest and the hottest place of the film.",
+    ),
+    "W146": Explanation(
+        "Heat balance of the film left open",
+        "Dissipation, heat carried by the oil, and heat taken by bush and journal do not add up to round-off: the "
+        "energy equation was left before it had settled.",
+        "Try another `accuracy`; temperatures are right to about this share of their rise.",
+    ),
+    "W147": Explanation(
+        "Stiffness with frozen temperatures only",
+        "The stiffness was asked for with temperatures that follow the motion. The film beside the operating "
+        "point did not settle.",
+        "Use `temperature_coefficients: frozen`, or move supplies out of the loaded zone.",
+    ),
     "W120": Explanation(
         "The journal whirls",
         "The rotor is heavier than the critical mass: in this film it leaves its place and whirls at about half "

@@ -20,8 +20,15 @@ from babbitt.bearings.orbit_answer import (
     orbit_values,
 )
 from babbitt.bearings.resting import doubts_about_rest, resting_places
+from babbitt.bearings.thermal_answer import (
+    doubts_about_heat,
+    stiffness_values,
+    thermal_rows,
+    with_own_coefficients,
+)
+from babbitt.bearings.thermal_film import film_equilibrium
 from babbitt.bearings.transition import transition_speed
-from babbitt.bearings.warm_film import FilmState, operating_film, under_found_load
+from babbitt.bearings.warm_film import FilmState, under_found_load
 from babbitt.bearings.whirl import Whirl, whirl_of
 from babbitt.bearings.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
@@ -56,7 +63,7 @@ def film_check(case: FilmCase) -> Result:
     leaves with ``T_ex``, and ``T_eff`` is the mean of both; without oil supply ``T_eff`` is that of the bearing.
     """
     start = perf_counter()
-    found = operating_film(case)
+    found = film_equilibrium(case)
     outcome, message = found.outcome, ""
     if not outcome.solved:
         message = failure(case, found)
@@ -67,7 +74,7 @@ def film_check(case: FilmCase) -> Result:
     arrays = {}
     if found.film is not None:
         state = found.film
-        values = film_values(case, state)
+        values, followed = film_values(case, state), True
         if case.cavitation is not Cavitation.HALF_SOMMERFELD:
             arrays = {"stiffness": rows_of(state.solution.stiffness), "damping": rows_of(state.solution.damping)}
         if state.fed is not None:
@@ -79,6 +86,10 @@ def film_check(case: FilmCase) -> Result:
                 tilt = tilt_coefficients(state.solution, case.accuracy.resolution)
                 arrays |= {"tilt_stiffness": rows_of(tilt.stiffness), "tilt_damping": rows_of(tilt.damping)}
                 values |= tilt_values(tilt, state.load * case.bearing.width)
+            if state.thermal is not None:
+                arrays |= thermal_rows(case, state.thermal)
+                state, followed = with_own_coefficients(case, state)
+                arrays["stiffness"] = rows_of(state.solution.stiffness)
             loaded = under_found_load(case, state)
             whirl = whirl_of(loaded, state) if case.cavitation is not Cavitation.HALF_SOMMERFELD else None
             values |= _running_values(loaded, state, whirl)
@@ -86,7 +97,10 @@ def film_check(case: FilmCase) -> Result:
             checks = (*_limit_checks(case, values), *whirl_checks(case, whirl), clearance_check(case, values))
             not_made = checks_not_made(case, values)
             warnings = tuple(_doubts(case, state, values, checks, whirl))
-            places = resting_places(case, state)
+            if state.thermal is not None:
+                values |= stiffness_values(state)
+                warnings = (*warnings, *doubts_about_heat(case, state, values, followed))
+            places = resting_places(case, state) if case.heat is None else None
             if places is not None:
                 values["equilibria"] = float(len(places.places))
             if isinstance(case.duty, GivenLoad):

@@ -8,6 +8,7 @@ from enum import Enum
 
 from babbitt.bearings.bore import Bore, RoundBore
 from babbitt.bearings.changing_load import ChangingLoad
+from babbitt.bearings.heat_model import HeatModel
 from babbitt.design.conditions import (
     Duty,
     HousingCooling,
@@ -160,6 +161,7 @@ class FilmCase:
     `tilt_coefficients` asks for stiffness and damping against tilt, too, `error_estimate` for the error of the
     grid. `changing_load` acts besides the load of the duty; `moving_mass` (kg) then moves with the journal.
     `doubts` arose while the case was made and ride along.
+    With a model of its `heat` the film has its own temperatures; without, one temperature.
     """
 
     name: str
@@ -190,6 +192,7 @@ class FilmCase:
     kind: str = "journal"
     turbulence: TurbulenceLaw | None = None
     pressure_viscosity: OilUnderPressure | None = None
+    heat: HeatModel | None = None
 
     @property
     def rotation(self) -> Rotation:

@@ -33,6 +33,7 @@ from babbitt.results import Outcome
 if TYPE_CHECKING:
     from babbitt.film.solution import FilmSolution
     from babbitt.film.starved import FedFilm, GivenFlow
+    from babbitt.film.thermal_solution import ThermalFilm
 
 LOAD_TOLERANCE = 1e-9
 """Of the film force over the load; small, so that the heat balance closes to 1e-8."""
@@ -53,6 +54,7 @@ class FilmState:
     feed: Arrival | None
     solution: FilmSolution
     fed: FedFilm | None = None
+    thermal: ThermalFilm | None = None
     left_saddle: bool = False
 
 

@@ -29,6 +29,13 @@ from babbitt.cases.film_features import (
     SupplyHoleGiven,
     complaints_about_hollows,
 )
+from babbitt.cases.film_heat import (
+    AxialTemperatureGiven,
+    CoefficientsGiven,
+    ThermalGiven,
+    WallsGiven,
+    heat_goes_with_the_film,
+)
 from babbitt.cases.film_oil import PressureViscosityGiven, TurbulenceGiven
 from babbitt.cases.film_surface import (
     CrowningGiven,
@@ -177,6 +184,27 @@ class JournalBearing(Duty, SharedInputs):
     )
     pressure_viscosity: PressureViscosityGiven | None = Field(
         None, description="Growth of the viscosity with pressure, for the film method."
+    )
+    thermal: ThermalGiven | None = Field(
+        None,
+        description="Temperature of the film method: prescribed (isothermal), one for the whole film from the "
+        "heat balance (global), or varying around the journal and across the gap, with walls that take no heat "
+        "(adiabatic) or with bush, housing and journal that conduct (full). global if not given, isothermal with "
+        "an effective_temperature.",
+    )
+    walls: WallsGiven | None = Field(
+        None,
+        description="Bush, housing and journal of a full thermal film. What is not given is assumed and told.",
+    )
+    axial_temperature: AxialTemperatureGiven = Field(
+        "mean",
+        description="Whether temperatures of an adiabatic or full film are means over the width, or resolved "
+        "along it. Between pockets and holes they are always resolved.",
+    )
+    temperature_coefficients: CoefficientsGiven = Field(
+        "frozen",
+        description="Whether the stiffness of an adiabatic or full film answers displacements at frozen "
+        "temperatures, or with temperatures that follow.",
     )
     film_start: Literal["groove", "widest_gap", "periodic"] | None = Field(
         None,
@@ -347,6 +375,7 @@ class JournalBearing(Duty, SharedInputs):
     _widest_gap_is_of_a_plain_bore = film_rules.widest_gap_is_of_a_plain_bore
     _given_flows_are_counted = film_rules.given_flows_are_counted
     _grooves_stand_still = film_rules.grooves_stand_still
+    _heat_goes_with_the_film = heat_goes_with_the_film
 
     def film_starts(self) -> FilmStart:
         """Where the film begins: as given, else nowhere under the half-Sommerfeld condition, else at grooves."""

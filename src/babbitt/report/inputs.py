@@ -19,8 +19,11 @@ from babbitt.report.expression import Node, number_node, text
 from babbitt.report.film_inputs import (
     CAVITATION,
     said_of_bore,
+    said_of_bush,
     said_of_changing_load,
+    said_of_heat,
     said_of_hollow,
+    said_of_journal,
     said_of_start,
     said_of_step,
 )
@@ -234,7 +237,14 @@ def _one_dimension_method(case: LongFilmCase | SegmentCase) -> Iterator[Row]:
 
 
 def _film_method(case: FilmCase) -> Iterator[Row]:
-    yield Row("Film", "Reynolds equation in two dimensions, laminar, one viscosity")
+    if case.heat is None:
+        yield Row("Film", "Reynolds equation in two dimensions, laminar, one viscosity")
+    else:
+        yield Row("Film", "generalised Reynolds equation in two dimensions and energy equation, laminar")
+    yield Row("Temperature", said_of_heat(case.heat, case.effective_temperature))
+    if case.heat is not None and case.heat.walls is not None:
+        yield Row("Bush and housing", said_of_bush(case.heat.walls))
+        yield Row("Journal", said_of_journal(case.heat.walls))
     yield Row("Where the film breaks up", CAVITATION[case.cavitation])
     yield Row("Where the film begins", said_of_start(case.bearing))
     yield Row("Grid", case.accuracy.value)
