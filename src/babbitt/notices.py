@@ -271,6 +271,12 @@ EXPLANATIONS: dict[str, Explanation] = {
         "behind it: the film begins later, is thinner, and is less stiff than a flooded one.",
         "More oil, or supplies where the film draws less; a wider bearing passes less oil for its load.",
     ),
+    "W141": Explanation(
+        "Oil drawn in at the sides",
+        "Where the film is ruptured, or a side stands under pressure, the sides draw oil in. The film counts on it: "
+        "its sides lie in oil, which enters as warm as that of the supply. A side in air would draw air.",
+        "A `cavitation_pressure` of 0 bar for sides in air; otherwise a supply that keeps the sides flooded.",
+    ),
     "W145": Explanation(
         "Film outside the lubricant data",
         "Somewhere in the film the temperature lies outside the range for which the lubricant's numbers are "

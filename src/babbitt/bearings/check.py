@@ -41,6 +41,9 @@ from babbitt.results import Check, Result
 
 METHOD = "film"
 
+DRAWN_IN_FROM = 0.02
+"""Oil that the sides draw in, over what leaves, from which it is told."""
+
 OIL_INVENTED_FROM = 0.05
 """Mass balance error above which a film without mass conservation is doubted."""
 
@@ -162,6 +165,10 @@ def _doubts(
     if values["mass_balance_error"] > OIL_INVENTED_FROM:
         share = values["mass_balance_error"]
         yield Notice("W122", f"{share:.0%} of the oil that passes the film comes from nowhere")
+    film = state.solution
+    if film.side_inflow > DRAWN_IN_FROM * film.leaving_flow:
+        flow = film.side_inflow * 6e4
+        yield Notice("W141", f"the sides draw in {flow:.2g} L/min")
     grooved = any(hollow.width is None for hollow in case.bearing.hollows)
     if grooved and without_pressure(state.solution.film) != state.solution.film:
         flow = values["supply_flow"] * 6e4

@@ -31,8 +31,6 @@ COMPARED = (
     "side_flow",
     "supply_flow",
     "total_flow",
-    "maximum_temperature",
-    "journal_temperature",
     "film_flow",
     "flow_inconsistency",
     "maximum_pressure",
