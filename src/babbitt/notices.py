@@ -233,8 +233,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W141": Explanation(
         "Oil drawn in at the sides",
-        "Where the film is ruptured, or a side stands under pressure, the sides draw oil in. The film counts on it: "
-        "its sides lie in oil, which enters as warm as that of the supply. A side in air would draw air.",
+        "Where the film is ruptured, or a side stands under pressure, the sides draw oil in. The film counts on "
+        "it: its sides lie in oil, which enters as warm as that of the supply. A side in air would draw air.",
         "A `cavitation_pressure` of 0 bar for sides in air; otherwise a supply that keeps the sides flooded.",
     ),
     "W145": Explanation(
