@@ -336,6 +336,13 @@ def check_round(film: JournalFilm) -> None:
             "this start or end of the film is for plain bearings: laminar, one viscosity, no pockets, steps, tilt, "
             "crowning, displacement, side pressures; choose another.",
         )
+
+
+def check_plain_ring(film: JournalFilm) -> None:
+    """Refuse half-Sommerfeld films other than the closed, plain, round ring for which the condition is used."""
+    if film.film_start is not FilmStart.PERIODIC or film.pockets or film.misalignment != (0.0, 0.0):
+        raise InputError("E101", "the half-Sommerfeld condition is for a plain closed ring; choose "
+                         "FilmStart.PERIODIC without pockets and tilt, or another condition.")  # fmt: skip
     check_round(film)
 
 
