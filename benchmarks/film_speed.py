@@ -8,6 +8,7 @@ import math
 import os
 import time
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -39,8 +40,8 @@ def kernel_call(film, resolution):
     scales = Scales.of(film, film.angular_speed)
     bearing, axial = kernel_bearing(film, scales), kernel_operator(resolution.axial_unknowns)
     weight, result = LOAD[1] / scales.force, np.zeros(10)
-    return lambda: find_equilibrium(
-        axial, bearing, resolution.coarse_intervals, resolution.intervals, 0.0, weight, 0.0, 0.0,
+    return partial(
+        find_equilibrium, axial, bearing, resolution.coarse_intervals, resolution.intervals, 0.0, weight, 0.0, 0.0,
         resolution.tolerance, 80, result,
     )  # fmt: skip
 

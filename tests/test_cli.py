@@ -1,5 +1,6 @@
 """The command line holds its contract: exit statuses, standard output, nothing written on bad input."""
 
+import csv
 import json
 import math
 import re
@@ -331,3 +332,169 @@ def test_brackets_in_the_name_of_an_operating_point_make_no_bearing(run, tmp_pat
     status, out, _ = run("solve", "case.yaml")
     assert status == 0
     assert "Total of" not in out
+
+
+GROOVED = """\
+kind: journal
+name: Grooved
+method: film
+diameter: 200 mm
+width: 120 mm
+clearance: {kind: relative, mean: 1.5 permille}
+materials: {bearing: C10, journal: C45}
+lubricant: ISO VG 46
+supply: {temperature: 45 degC, pressure: 0.15 MPa}
+grooves: [{angle: 0 deg, extent: 20 deg}, {angle: 180 deg, extent: 20 deg}]
+load: 30 kN
+speed: 3000 rpm
+"""
+
+TWO_FILMS = """\
+kind: machine
+name: Pair
+lubricant: ISO VG 46
+supply: {temperature: 45 degC, pressure: 0.15 MPa}
+materials: {bearing: C10, journal: C45}
+bearings:
+  - &one
+    kind: journal
+    name: drive / free end
+    method: film
+    diameter: 200 mm
+    width: 120 mm
+    clearance: {kind: relative, mean: 1.5 permille}
+    grooves: [{angle: 0 deg, extent: 20 deg}, {angle: 180 deg, extent: 20 deg}]
+    load: 30 kN
+    speed: 3000 rpm
+  - {<<: *one, name: overloaded, load: 90 MN}
+  - {<<: *one, name: gear end, load: 20 kN}
+"""
+
+
+def test_a_sweep_prints_one_line_a_value_and_writes_csv_and_plot(run, tmp_path):
+    (tmp_path / "film.yaml").write_text(GROOVED)
+    outputs = ("--csv", "load.csv", "--plot", "load.svg")
+    status, out, err = run("sweep", "film.yaml", "load", "10 kN:50 kN:3", *outputs)
+    assert status == 0, err
+    lines = out.splitlines()
+    assert "load" in lines[1]
+    assert lines[2].split()[0] == "kN"
+    assert [line.split()[0] for line in lines[4:7]] == ["10", "30", "50"]
+    rows = list(csv.DictReader((tmp_path / "load.csv").read_text().splitlines()))
+    assert [float(row["load [kN]"]) for row in rows] == [10.0, 30.0, 50.0]
+    assert {row["status"] for row in rows} == {"converged"}
+    alone = solve(parse_case(GROOVED)).results[0]
+    assert float(rows[1]["minimum_film_thickness_m"]) == pytest.approx(alone.minimum_film_thickness, rel=1e-9)
+    assert float(rows[1]["stiffness_xx_N_per_m"]) == pytest.approx(alone.stiffness_xx, rel=1e-9)
+    assert (tmp_path / "load.svg").read_text().lstrip().startswith("<?xml")
+
+
+def test_a_sweep_leaves_cells_empty_where_there_is_no_film(run, tmp_path):
+    (tmp_path / "film.yaml").write_text(GROOVED)
+    status, out, _ = run("sweep", "film.yaml", "load", "30 kN, 90 MN", "--csv", "load.csv")
+    assert status == 3
+    assert "load 90 MN, Grooved: no film can carry this load" in " ".join(out.split())
+    _, row = csv.DictReader((tmp_path / "load.csv").read_text().splitlines())
+    assert row["status"] in ("overloaded", "not_converged")
+    assert row["minimum_film_thickness_m"] == ""
+
+
+def test_a_sweep_of_a_machine_names_its_bearings(run):
+    gear = EXAMPLES / "marine_reverse_gear.yaml"
+    status, out, _ = run("sweep", gear, "supply.temperature", "45 degC, 50 degC")
+    assert status == 0
+    assert out.count("Output wheel") == 2
+    status, out, _ = run("sweep", gear, "load", "300 kN, 350 kN", "--bearing", "Output wheel")
+    assert status == 0
+    assert "First-stage" not in out
+
+
+def test_values_of_a_sweep_may_be_negative(run, tmp_path):
+    (tmp_path / "film.yaml").write_text(GROOVED)
+    status, out, err = run("sweep", "film.yaml", "load_angle", "-120 deg:-60 deg:3")
+    assert status == 0, err
+    assert [line.split()[0] for line in out.splitlines()[4:7]] == ["-120", "-90", "-60"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("load", "1 kN:2 rpm:3"), "kind of '1 kN'"),
+        (("laod", "1 kN, 2 kN"), "did you mean 'load'"),
+        (("load", "1 kN, 3 m"), "a length"),
+        (("lubricant.x", "1, 2"), "not a mapping"),
+        (("load", "1 kN", "--bearing", "Nobody"), "there are: Grooved"),
+        (("load", "1 kN", "--plot", "out.docx"), ".png, .svg or .pdf"),
+        (("load", "1 kN", "--csv", "film.yaml"), "the case file"),
+        (("load", "1 kN", "--csv", "x.svg", "--plot", "x.svg"), "another output"),
+        (("load", "1 kN", "--csv", "none/x.csv"), "does not exist"),
+    ],
+)
+def test_mistakes_in_a_sweep_are_told_and_nothing_is_written(run, tmp_path, arguments, words):
+    (tmp_path / "film.yaml").write_text(GROOVED)
+    status, out, err = run("sweep", "film.yaml", *arguments)
+    assert status == 2
+    assert out == ""
+    assert words in err
+    assert [path.name for path in tmp_path.iterdir()] == ["film.yaml"]
+
+
+def test_fields_of_one_film_stand_at_the_root_of_the_file(run, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    pytest.importorskip("h5netcdf")
+    (tmp_path / "film.yaml").write_text(GROOVED)
+    assert run("solve", "film.yaml", "--fields", "film.nc")[0] == 0
+    with xarray.open_dataset(tmp_path / "film.nc") as found:
+        assert found.attrs["title"] == "Grooved"
+        assert found.pressure.attrs["units"] == "Pa"
+        assert float(found.pressure.max()) == pytest.approx(float(found.maximum_pressure), rel=0.01)
+
+
+def test_fields_of_several_films_stand_in_groups_and_unsolved_ones_are_told(run, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    h5netcdf = pytest.importorskip("h5netcdf")
+    (tmp_path / "pair.yaml").write_text(TWO_FILMS)
+    status, _, err = run("solve", "pair.yaml", "--fields", "pair.nc")
+    assert status == 3
+    assert "overloaded: no operating point, so no fields are saved" in err
+    with h5netcdf.File(tmp_path / "pair.nc", "r") as file:
+        assert set(file.groups) == {"drive - free end", "gear end"}
+        assert file.attrs["title"] == "Pair"
+    with xarray.open_dataset(tmp_path / "pair.nc", group="gear end") as found:
+        assert float(found["load"]) == pytest.approx(20e3)
+
+
+def test_several_files_give_one_file_of_fields_each(run, tmp_path):
+    pytest.importorskip("h5netcdf")
+    for name in ("a", "b"):
+        (tmp_path / f"{name}.yaml").write_text(GROOVED)
+    (tmp_path / "out").mkdir()
+    assert run("solve", "a.yaml", "b.yaml", "--fields", "out")[0] == 0
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["a.nc", "b.nc"]
+
+
+def test_a_film_without_operating_point_leaves_no_fields(run, tmp_path):
+    pytest.importorskip("h5netcdf")
+    (tmp_path / "film.yaml").write_text(GROOVED.replace("30 kN", "90 MN"))
+    status, _, err = run("solve", "film.yaml", "--fields", "film.nc")
+    assert status == 3
+    assert "no fields are saved" in err
+    assert not (tmp_path / "film.nc").exists()
+
+
+def test_fields_need_a_film_a_suffix_and_their_extra(run, tmp_path, monkeypatch):
+    (tmp_path / "film.yaml").write_text(GROOVED)
+    (tmp_path / "journal.yaml").write_text(template("journal"))
+    for arguments, words in (
+        (("journal.yaml", "--fields", "out.nc"), "method: film"),
+        (("film.yaml", "--fields", "out.csv"), ".nc"),
+        (("film.yaml", "journal.yaml", "--fields", "out.nc"), "name a folder"),
+    ):
+        status, out, err = run("solve", *arguments)
+        assert (status, out) == (2, "")
+        assert words in err
+    monkeypatch.setitem(sys.modules, "xarray", None)
+    status, out, err = run("solve", "film.yaml", "--fields", "out.nc")
+    assert (status, out) == (2, "")
+    assert "pip install 'babbitt[files]'" in err
+    assert not list(tmp_path.glob("out*"))

@@ -104,8 +104,8 @@ EXPLANATIONS: dict[str, Explanation] = {
         "Film is not laminar",
         "The Reynolds number of the film exceeds 41.3 sqrt(D/C), up to which the ISO 7902 procedure is valid. "
         "Vortices raise friction and temperature above the values shown.",
-        "Use `method: film` with `turbulence: ng_pan` or `constantinescu`, a smaller clearance, a more viscous oil "
-        "or a lower speed.",
+        "Use `method: film` with `turbulence: ng_pan` or `constantinescu`, a smaller clearance, a more "
+        "viscous oil or a lower speed.",
     ),
     "W102": Explanation(
         "Width ratio outside the standard",
@@ -212,9 +212,11 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W121": Explanation(
         "Flow of open grooves",
-        "A groove as wide as the bearing meets the open side: the flow out of its corners grows without bound as "
-        "the grid is refined, and what runs straight out of its ends is not counted. Supply flow and, through the "
-        "heat balance, temperature and film thickness inherit this; a finer `accuracy` does not cure it.",
+        "A groove as wide as the bearing ends somewhere, and how its ends are closed decides what leaks there. "
+        "The film lets its pressure fall to that of the sides over the last 2.5 % of the width at either end and "
+        "counts the flow over the lands beside them; what runs straight out of the ends is not counted. Supply "
+        "flow and, through the heat balance, temperature and film thickness inherit this; a finer `accuracy` does "
+        "not cure it.",
         "Describe grooves that end before the side as pockets with their true width.",
     ),
     "W122": Explanation(
@@ -231,12 +233,43 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W120": Explanation(
         "The journal whirls",
-        "The rotor is heavier than the critical mass: in this film a rigid rotor leaves its place and "
-        "whirls at about "
-        "half the speed.",
-        "A larger clearance, a thinner oil, a narrower bearing, a bore with preload, or tilting pads; "
-        "with an elastic "
-        "rotor make a rotordynamic analysis with stiffness and damping of the film.",
+        "The rotor is heavier than the critical mass: in this film it leaves its place and whirls at about half "
+        "the speed. The rotor is rigid, or one mass on an elastic shaft where `shaft_stiffness` is given.",
+        "A larger clearance, a thinner oil, a narrower bearing, a bore with preload, or tilting pads; for a rotor "
+        "of several masses make a rotordynamic analysis with stiffness and damping of the film.",
+    ),
+    "W125": Explanation(
+        "No estimate of the grid error",
+        "The film was found on the grid of the case, but not on a finer one, with which `error_estimate` compares "
+        "it.",
+        "Choose another `accuracy`; that numbers of two accuracies agree is an estimate, too.",
+    ),
+    "W131": Explanation(
+        "The journal can rest elsewhere",
+        "Under the same load the film has more than one equilibrium. The results are those of the one found "
+        "first; where that is a saddle, those of the thinnest film among the places at which the journal stays. "
+        "Slow, lightly loaded bearings with a high supply pressure are of this kind: beside a groove under "
+        "pressure the narrowing gap chokes the flow, and the oil pushes the less, the nearer the journal comes.",
+        "Lower the supply pressure, raise the speed or the load, or feed where the load does not lead the "
+        "journal.",
+    ),
+    "W132": Explanation(
+        "The journal leaves its place",
+        "The equilibrium shown is a saddle: the smallest push and the journal moves to another place. No place "
+        "where it stays was found, or with `equilibria: first` none was looked for.",
+        "Leave `equilibria` at auto; lower the supply pressure, or raise the speed or the load.",
+    ),
+    "W133": Explanation(
+        "Orbit on a coarse grid",
+        "Where wedge and squeeze nearly cancel, as for a load that rotates near half the speed, the film force is "
+        "a small difference of two large ones, and the grid blurs it.",
+        "A finer `accuracy`.",
+    ),
+    "W134": Explanation(
+        "An equilibrium may be missing",
+        "The directions of the force around the clearance tell how many equilibria there must be, and another "
+        "number was found. One of them may lie nearer to contact than the search looks.",
+        "A finer `accuracy`; look at the film at the places in question with `position`.",
     ),
     # -- no solution --------------------------------------------------------------------------------------------
     "S001": Explanation(
@@ -267,6 +300,23 @@ EXPLANATIONS: dict[str, Explanation] = {
         "viscosity, density or heat capacity would be absent, zero or negative.",
         "Describe the lubricant by points that enclose the operating temperature, with a gentler slope of density "
         "and heat capacity.",
+    ),
+    "S006": Explanation(
+        "Position outside the clearance",
+        "At the prescribed position the journal touches or cuts the bore: there is no film.",
+        "A position nearer to the centre, or a larger clearance; both count at operating temperature.",
+    ),
+    "S007": Explanation(
+        "The film is squeezed out",
+        "Under the changing load the film becomes thinner from cycle to cycle until nothing is left. A load that "
+        "rotates at half the speed of the journal builds no wedge and does so always.",
+        "Another ratio of the speeds, a steady load besides, more oil, or less load.",
+    ),
+    "S008": Explanation(
+        "The orbit does not close",
+        "The journal does not come back to its place after a cycle of the load, however long it runs: it whirls, "
+        "or its orbit takes several cycles.",
+        "A smaller `moving_mass`, or a bore with preload.",
     ),
     # -- checks of the design -----------------------------------------------------------------------------------
     "C101": Explanation(
@@ -339,8 +389,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "C115": Explanation(
         "Critical mass",
-        "The mass above which a rigid rotor whirls is compared with the mass of the rotor (`rotor_mass`), or, as "
-        "advice only, with the load over g.",
+        "The mass above which a rigid rotor whirls, and with `shaft_stiffness` that of a rotor on an elastic "
+        "shaft, is compared with the mass of the rotor (`rotor_mass`), or, as advice only, with the load over g.",
         "A larger clearance, a thinner oil, a narrower bearing, or a bore with preload.",
     ),
     "C114": Explanation(

@@ -23,6 +23,7 @@ class DisplayUnit:
 SI = {
     "": DisplayUnit(""),
     "count": DisplayUnit("", decimals=0),
+    "percent": DisplayUnit("%", 1e2, decimals=2),
     "permille": DisplayUnit("‰", 1e3),
     "mm": DisplayUnit("mm", 1e3, decimals=2),
     "um": DisplayUnit("µm", 1e6, decimals=1),
@@ -46,6 +47,8 @@ SI = {
     "t": DisplayUnit("t", 1e-3),
     "MN/m": DisplayUnit("MN/m", 1e-6),
     "kNs/m": DisplayUnit("kN s/m", 1e-3),
+    "kNm/rad": DisplayUnit("kN m/rad", 1e-3),
+    "Nms/rad": DisplayUnit("N m s/rad"),
 }
 
 
@@ -129,6 +132,7 @@ QUANTITIES: dict[str, Quantity] = {
         # film
         _q("eccentricity_ratio", "ε", "1", "", 3, "Relative eccentricity e/c"),
         _q("attitude_angle", "β", "rad", "deg", 3, "Angle from the load line to the narrowest gap"),
+        _q("load_angle", "φ_F", "rad", "deg", 3, "Direction of the load, counter-clockwise from +x"),
         _q("minimum_film_thickness", "h_min", "m", "um", 3, "Minimum film thickness"),
         _q("sommerfeld_number", "So", "1", "", 4, "Sommerfeld number F ψ²/(B D η ω) of ISO 7902"),
         _q("american_sommerfeld_number", "S", "1", "", 4, "American Sommerfeld number η N L D (R/c)²/F"),
@@ -219,6 +223,41 @@ QUANTITIES: dict[str, Quantity] = {
             )
             for axes, row, column in (("xx", "x", "x"), ("xy", "x", "y"), ("yx", "y", "x"), ("yy", "y", "y"))
         ),
+        *(
+            _q(
+                f"{name}_{axes}",
+                f"{symbol}_{axes}",
+                unit,
+                shown,
+                4,
+                f"{title} against tilt, moment int z dF_{axes[0]} over {motion} d{axes[1]}/dz",
+            )
+            for name, symbol, unit, shown, title, motion in (
+                ("tilt_stiffness", "k_φ", "N m/rad", "kNm/rad", "Film stiffness", "slope"),
+                ("tilt_damping", "c_φ", "N m s/rad", "Nms/rad", "Film damping", "rate of the slope"),
+            )
+            for axes in ("xx", "xy", "yx", "yy")
+        ),
+        _q(
+            "tilt_stiffness",
+            "K_φ",
+            "SI",
+            "",
+            4,
+            "Film stiffness, d(F_x, F_y, M_x, M_y) = -K d(x, y, dx/dz, dy/dz), M = int z dF; N/m, N, N m/rad",
+        ),
+        _q(
+            "tilt_damping",
+            "C_φ",
+            "SI",
+            "",
+            4,
+            "Film damping in the motions of tilt_stiffness, those units times s",
+        ),
+        *(
+            _q(f"film_moment_{axis}", f"M_{axis}", "N m", "Nm", 4, f"Moment of the film, int z dF_{axis}")
+            for axis in "xy"
+        ),
         _q("rotor_mass", "m", "kg", "t", 4, "Mass of the rigid rotor carried by the bearing"),
         _q("critical_mass", "m_cr", "kg", "t", 4, "Mass above which a rigid rotor whirls"),
         _q(
@@ -230,10 +269,39 @@ QUANTITIES: dict[str, Quantity] = {
             "Whirl frequency over rotational frequency; 0: cannot whirl",
         ),
         _q("threshold_speed", "N_w", "rad/s", "rpm", 4, "Speed above which the rotor whirls"),
+        _q("shaft_stiffness", "k_s", "N/m", "MN/m", 4, "Stiffness of the shaft between rotor mass and journal"),
+        _q(
+            "critical_mass_elastic", "m_cr,e", "kg", "t", 4, "Mass above which a rotor on the elastic shaft whirls"
+        ),
+        _q(
+            "threshold_speed_elastic",
+            "N_w,e",
+            "rad/s",
+            "rpm",
+            4,
+            "Speed above which the rotor on the elastic shaft whirls",
+        ),
         _q("preload", "m_l", "1", "", 3, "Preload of the lobes, 1 - c/c_l"),
         _q("lobe_clearance", "c_l", "m", "um", 4, "Radial clearance of the lobes"),
+        _q("equilibria", "n_eq", "1", "count", 1, "Places found where the journal can rest under its load"),
+        # orbit under a changing load
+        _q("orbit", "r(t)", "SI", "", 4, "Rows of angle turned, x, y, F_x, F_y, least film, largest pressure"),
+        _q("orbit_largest_eccentricity_ratio", "ε_max", "1", "", 3, "Largest relative eccentricity on the orbit"),
+        _q("orbit_minimum_film_thickness", "h_min,o", "m", "um", 3, "Least film thickness on the orbit"),
+        _q("orbit_minimum_film_direction", "φ_min", "rad", "deg", 3, "Direction of the journal there, from +x"),
+        _q("orbit_minimum_film_turned", "τ_min", "rad", "deg", 3, "Angle that the journal has turned by then"),
+        _q("orbit_maximum_pressure", "p_max,o", "Pa", "MPa", 3, "Maximum film pressure on the orbit"),
+        _q("orbit_friction_power", "P_f,o", "W", "kW", 4, "Mean friction power on the orbit, torque times speed"),
+        _q("orbit_load_power", "P_F,o", "W", "kW", 3, "Mean power that the moving load does on the film"),
+        _q("orbit_load_error", "δ_F", "1", "", 2, "Share of the load that a finer grid does not confirm there"),
+        _q("orbit_cycles", "n_o", "1", "count", 2, "Cycles until the orbit closed"),
         _q("mass_balance_error", "δ_m", "1", "", 2, "Oil lost in the film over the oil supplied"),
         _q("energy_balance_error", "δ_E", "1", "", 2, "Heat balance defect over friction power"),
+        _q("minimum_film_thickness_error", "δ_h", "1", "percent", 2, "Error of h_min by the grid, estimated"),
+        _q("position_error", "δ_e", "1", "percent", 2, "Error of the position by the grid over c, estimated"),
+        _q("load_error", "δ_F", "1", "percent", 2, "Error of the load found by the grid, estimated"),
+        _q("stiffness_error", "δ_K", "1", "percent", 2, "Error of the stiffness matrix by the grid, estimated"),
+        _q("damping_error", "δ_C", "1", "percent", 2, "Error of the damping matrix by the grid, estimated"),
         _q("iterations", "n", "1", "count", 3, "Evaluations of the temperature iteration"),
         _q("wall_time", "t", "s", "s", 3, "Time taken"),
         # statics of the shaft

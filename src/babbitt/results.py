@@ -21,6 +21,9 @@ class Outcome(Enum):
     NO_CLEARANCE = "the clearance closes at operating temperature"
     NO_LUBRICANT_DATA = "the lubricant data do not reach the temperature of the film"
     NOT_CONVERGED = "the iteration ended without meeting its tolerance"
+    OUTSIDE_CLEARANCE = "the prescribed position lies outside the clearance"
+    SQUEEZED_OUT = "the changing load squeezes the film out"
+    NOT_PERIODIC = "the journal does not come back to its place from cycle to cycle"
 
     @property
     def solved(self) -> bool:
@@ -39,6 +42,9 @@ _OUTCOME_CODES = {
     "NO_CLEARANCE": "S003",
     "NOT_CONVERGED": "S004",
     "NO_LUBRICANT_DATA": "S005",
+    "OUTSIDE_CLEARANCE": "S006",
+    "SQUEEZED_OUT": "S007",
+    "NOT_PERIODIC": "S008",
 }
 
 

@@ -3,16 +3,12 @@
 import math
 import subprocess
 import sys
-from dataclasses import replace
 
 import numpy as np
 import pytest
-from film_bearings import GROOVES, answer, case, film, solved
+from film_bearings import GROOVES, answer, case, solved
 
 from babbitt.bearings.bore import Arc, LobedBore, MeasuredBore, TaperedBore, WornBore
-from babbitt.bearings.layout import film_of
-from babbitt.bearings.model import Hollow
-from babbitt.notices import InputError
 from babbitt.results import Outcome
 from babbitt.solving import solve
 
@@ -225,7 +221,7 @@ NARROW = {
     "circumferential groove": {"pockets": [{"angle": "90 deg", "extent": "360 deg", "width": "20 mm"}]},
     "by rule": {"span": "180 deg", "supply_element": {"kind": "pocket", "place": "both_sides", "width": "60 mm"}},
 }
-"""Bores for which the tilted journal is computed: everything that feeds them is narrower than the bearing."""
+"""Bores with a tilted journal that are fed by what is narrower than the bearing."""
 
 
 @pytest.mark.parametrize("feed", NARROW)
@@ -250,15 +246,6 @@ def test_a_vanishing_tilt_is_none(feed):
     assert askew.minimum_film_thickness == pytest.approx(straight.minimum_film_thickness, rel=1e-3)
     for name in ("total_flow", "friction_power", "stiffness_yy", "damping_yy"):
         assert askew.values[name] == pytest.approx(straight.values[name], rel=3e-3), name
-
-
-@pytest.mark.parametrize("besides", [{"hollows": (Hollow(1.0, 0.3, 0.05),)}, {"misalignment": (1e-4, 0.0)}])
-def test_the_film_of_full_width_grooves_takes_neither_pockets_nor_tilt(besides):
-    plain = film(effective_temperature="60 degC")
-    more = {"hollows": (*plain.bearing.hollows, *besides.get("hollows", ()))}
-    bearing = replace(plain.bearing, **(besides | more))
-    with pytest.raises(InputError, match="open ends"):
-        film_of(replace(plain, bearing=bearing), 1.5e-3, 0.02, 1e5)
 
 
 def test_a_threshold_is_where_the_critical_mass_meets_the_rotor():

@@ -22,14 +22,15 @@ def codes(result):
 def test_laminar_unless_asked_and_told_where_it_is_not():
     laminar = answer(**FAST)
     assert "W101" in codes(laminar)
+    assert "C110" in [check.code for check in laminar.checks]
     assert laminar.settings["turbulence"] == "laminar"
     assert "turbulent_share" not in laminar.values
     for law in ("ng_pan", "constantinescu"):
         turbulent = answer(**FAST, turbulence=law)
         assert "W101" not in codes(turbulent)
-        assert (
-            turbulent.effective_temperature > laminar.effective_temperature + 10.0
-        )  # its friction is in the balance
+        assert "C110" not in [check.code for check in turbulent.checks]
+        # the turbulent friction is in the heat balance
+        assert turbulent.effective_temperature > laminar.effective_temperature + 10.0
         assert turbulent.heat_to_oil == pytest.approx(turbulent.friction_power, rel=1e-6)
         assert 0.85 < turbulent.turbulent_share < 0.9  # the lands: 320 of 360 degrees
         assert any("fully turbulent from 2 times" in said for said in turbulent.assumptions)
@@ -98,8 +99,11 @@ def test_heat_balance_of_a_starved_film():
 
 def test_flows_find_their_supplies():
     """Numbers in the order of the film, whatever the order in the case and the sense of rotation."""
-    grooves = [{"angle": "200 deg", "extent": "10 deg", "flow": "3 L/min"},
-               {"angle": "-40 deg", "extent": "10 deg"}, {"angle": "80 deg", "extent": "10 deg", "flow": "1 L/min"}]  # fmt: skip
+    grooves = [
+        {"angle": "200 deg", "extent": "10 deg", "flow": "3 L/min"},
+        {"angle": "-40 deg", "extent": "10 deg"},
+        {"angle": "80 deg", "extent": "10 deg", "flow": "1 L/min"},
+    ]
     for speed in ("3000 rpm", "-3000 rpm"):
         case = film(grooves=grooves, speed=speed, supply={"temperature": "45 degC", "flow": "2 L/min"})
         made = film_of(case, 1.5e-3, 0.02, 0.0)

@@ -9,7 +9,7 @@ from babbitt.film.ring import build_ring
 from babbitt.film.scales import Scales
 
 
-def coefficients_and_differences(film, at, axial_unknowns=4, per_turn=192, step=1e-5):
+def coefficients_and_differences(film, at, axial_unknowns=4, per_turn=192, step=1e-6):
     """Stiffness and damping, each exact and by differences, dimensionless; the wet set settles at every place."""
     ring = build_ring(film, Scales.of(film, film.angular_speed).pressure, per_turn, axial_unknowns, None)
     sample = Sample.of(ring, Effort(math.inf))

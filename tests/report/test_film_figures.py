@@ -21,12 +21,14 @@ from babbitt.cases import design_cases, load_case
 from babbitt.film.model import Cavitation
 from babbitt.notices import InputError
 from babbitt.quantities import QUANTITIES
-from babbitt.report.film_sweeps import SLOW, over_load, over_speed, state_of, thresholds
+from babbitt.report.film_state import SLOW, state_of
 from babbitt.solving import MachineResult
+from babbitt.studies.locus import locus_over_load, locus_over_speed
+from babbitt.studies.stability_map import stability_map
 
 pytest.importorskip("matplotlib")
 
-from babbitt.report import film_curves, film_maps, film_polar
+from babbitt.report import film_curves, film_maps, film_polar, film_stability
 from babbitt.report.bearing_content import bearing_content
 from babbitt.report.chapters import chapters
 from babbitt.report.drawing import style
@@ -36,7 +38,7 @@ from babbitt.report.film_figures import LEFT_OUT, all_figures, report_figures
 GEAR = Path(__file__).parents[2] / "examples" / "reverse_gear_film.yaml"
 LOBES = [{"angle": f"{angle} deg", "extent": "15 deg"} for angle in (90, 210, 330)]
 POCKETS = [{"angle": f"{angle} deg", "extent": "20 deg", "width": "90 mm"} for angle in (0, 180)]
-REPORTED = ["pressure-map", "pressure-polar", "journal-locus", "coefficients", "stability"]
+REPORTED = ["pressure-map", "pressure-polar", "journal-locus", "coefficients", "stability-map"]
 RPM = QUANTITIES["angular_speed"].display.scale
 NAMES = ("two", "clockwise", "reynolds", "lobes", "pinion", "tilted")
 
@@ -145,33 +147,6 @@ def test_a_lobed_bore_leaves_the_assembled_clearance_towards_the_middle_of_a_lob
     assert between > 1.25 * film.clearance
 
 
-# -- sweeps ------------------------------------------------------------------------------------------------------
-
-
-def test_sweeps_pass_through_the_operating_point():
-    case, _, state = bearing("two")
-    by_load, by_speed = over_load(case, state), over_speed(case, state)
-    middle = by_load.points.size // 2
-    assert by_load.points[middle] == pytest.approx(state.load)
-    assert by_load.films[middle].position == pytest.approx(state.solution.position, rel=1e-4)
-    assert by_speed.films[by_speed.points.size // 2].stiffness == pytest.approx(state.solution.stiffness, rel=1e-3)
-    eccentricities = [film.eccentricity_ratio for film in by_load.films]
-    assert np.all(np.diff(eccentricities) > 0.0)
-
-
-def test_the_threshold_at_the_load_is_that_of_the_result():
-    case, result, state = bearing("two")
-    loads, speeds = thresholds(case, state)
-    assert loads[loads.size // 2] == pytest.approx(state.load)
-    assert speeds[loads.size // 2] == pytest.approx(result.values["threshold_speed"], rel=1e-4)
-
-
-def test_a_rotor_that_always_whirls_and_one_that_never_does_have_no_threshold():
-    case, _, state = bearing("two")
-    assert thresholds(replace(case, rotor_mass=1e9), state)[1][0] == 0.0
-    assert np.isinf(thresholds(replace(case, rotor_mass=1e-3), state)[1]).all()
-
-
 # -- what is drawn -----------------------------------------------------------------------------------------------
 
 
@@ -232,12 +207,13 @@ def test_the_polar_figure_says_pressure_load_and_position():
 def test_the_locus_ends_inside_the_bore_and_marks_the_operating_point():
     case, _, state = bearing("two")
     with style():
-        figure = film_curves.locus(case, state, over_load(case, state))
+        figure = film_curves.locus(case, state, locus_over_load(case, state), locus_over_speed(case, state))
     (panel,) = figure.axes
     assert (panel.get_xlabel(), panel.get_ylabel()) == ("$x/c$", "$y/c$")
-    room, curve, point = panel.lines[0], panel.lines[2], panel.lines[-1]
+    room, curve, other, point = panel.lines[0], panel.lines[2], panel.lines[3], panel.lines[-1]
     assert np.hypot(*room.get_data()).min() >= 1.0 - 1e-4
-    assert np.hypot(*curve.get_data()).max() < 1.0
+    for line in (curve, other):
+        assert np.hypot(*line.get_data()).max() < 1.0
     here = state.solution.position / state.solution.film.clearance
     assert np.ravel(point.get_data()) == pytest.approx(here)
 
@@ -245,7 +221,7 @@ def test_the_locus_ends_inside_the_bore_and_marks_the_operating_point():
 def test_coefficients_pass_through_those_of_the_result():
     case, result, state = bearing("two")
     with style():
-        figure = film_curves.coefficients(state, over_speed(case, state))
+        figure = film_curves.coefficients(state, locus_over_speed(case, state))
     assert [panel.get_xlabel() for panel in figure.axes] == ["$N$ in rpm", "$N$ in rpm", *2 * ["$\\mathrm{So}$"]]
     assert figure.axes[0].get_ylabel().endswith("in MN/m")
     assert figure.axes[1].get_ylabel().endswith("in kN s/m")
@@ -259,17 +235,62 @@ def test_coefficients_pass_through_those_of_the_result():
     assert all(mark in "".join(named) for mark in ("{xx}", "{xy}", "{yx}", "{yy}"))
 
 
-def test_the_stability_map_shows_the_point_below_its_threshold():
-    case, result, state = bearing("two")
+@cache
+def mapped(name, **changes):
+    case, _, state = bearing(name)
+    changed = replace(case, **changes)
     with style():
-        figure = film_curves.stability(case, state, *thresholds(case, state))
-    (panel,) = figure.axes
-    assert panel.get_xlabel().endswith("in kN")
-    assert panel.get_ylabel() == "$N$ in rpm"
-    curve, point = panel.lines
-    assert np.ravel(point.get_data()) == pytest.approx([30.0, 3000.0], rel=1e-3)
-    assert np.interp(30.0, *curve.get_data()) == pytest.approx(RPM * result.values["threshold_speed"], rel=1e-3)
-    assert [text.get_text() for text in panel.texts] == ["whirls", "stable"]
+        figure = film_stability.stability(
+            changed, state, stability_map(changed, state), locus_over_load(changed, state)
+        )
+    return figure.axes
+
+
+def words(panel):
+    return [text.get_text() for text in panel.texts]
+
+
+def test_the_stability_map_marks_the_point_and_names_its_regions():
+    left, right = mapped("two")
+    _, result, state = bearing("two")
+    assert left.get_xlabel().endswith("in kN")
+    assert left.get_ylabel() == "$N$ in rpm"
+    assert np.ravel(left.lines[-1].get_data()) == pytest.approx([30.0, 3000.0], rel=1e-3)
+    assert {"stable", "whirls"} <= set(words(left))
+    assert any(text.endswith(" m") for text in words(left))
+    assert right.get_xlabel() == "$\\mathrm{So}$"
+    assert right.get_ylabel() == "$m\\,c\\,ω^2/F$"
+    assert words(right) == ["whirls", "stable"]
+    curve, point = right.lines
+    number, mass = np.ravel(point.get_data())
+    assert number == pytest.approx(state.solution.sommerfeld_number)
+    critical = np.interp(number, *curve.get_data())
+    assert critical / mass == pytest.approx(result.critical_mass / result.rotor_mass, rel=1e-3)
+
+
+def test_an_elastic_shaft_shows_the_rigid_rotor_beside_it():
+    _, right = mapped("two", shaft_stiffness=1e8)
+    elastic, rigid, _ = right.lines
+    assert "rigid" in words(right)
+    assert np.interp(0.3, *elastic.get_data()) < 0.6 * np.interp(0.3, *rigid.get_data())
+
+
+def test_a_map_of_a_rotor_that_never_whirls_has_one_word():
+    assert words(mapped("two", rotor_mass=1e-3)[0]) == ["stable"]
+
+
+def test_names_of_levels_keep_off_edges_and_supplies():
+    case, _, state = bearing("pinion")
+    found = field("pinion")
+    with style():
+        figure = film_maps.unrolled(case, state.solution, found)
+    half = 1e3 * found.z[-1]
+    named = [text for panel in figure.axes for text in panel.texts if re.fullmatch(r"[0-9.]+", text.get_text())]
+    assert len(named) > 4
+    for text in named:
+        x, y = text.get_position()
+        assert abs(y) < 0.95 * half
+        assert figure.axes[0].get_xlim()[0] < x < figure.axes[0].get_xlim()[1]
 
 
 # -- where they go -----------------------------------------------------------------------------------------------
@@ -280,13 +301,18 @@ def test_the_report_has_the_figures_of_a_film():
     (chapter,) = chapters((case,), (result,))
     figures = bearing_content(chapter)["figures"]
     assert [figure["name"] for figure in figures] == REPORTED
-    assert [figure["name"] for figure in figures if figure["wide"]] == ["pressure-map", "coefficients"]
+    wide = [figure["name"] for figure in figures if figure["wide"]]
+    assert wide == [
+        "pressure-map",
+        "coefficients",
+        "stability-map",
+    ]
 
 
 def test_a_slow_film_says_in_the_report_what_is_left_out(monkeypatch):
     case, result, state = bearing("tilted")
     assert state.solution.pressure.size < SLOW
-    monkeypatch.setattr("babbitt.report.film_sweeps.SLOW", 10)
+    monkeypatch.setattr("babbitt.report.film_state.SLOW", 10)
     drawings = report_figures(case, result)
     assert [drawing.name for drawing in drawings] == REPORTED[:2]
     assert drawings[0].caption.endswith(LEFT_OUT)
@@ -392,3 +418,26 @@ def test_a_missing_extra_is_named(package, tmp_path, monkeypatch):
     with pytest.raises(InputError, match=r"babbitt\[files\]"):
         write_fields(case, result, tmp_path / "film.nc")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_orbit_is_drawn_where_there_is_one():
+    case = film_bearings.film(dynamic_load={"kind": "rotating", "magnitude": "10 kN"})
+    result = film_check(case)
+    drawn = {drawing.name for drawing in report_figures(case, result)}
+    assert drawn == {*REPORTED, "orbit"}
+    from babbitt.report.film_orbit import orbit
+
+    with style():
+        figure = orbit(state_of(case, result), result)
+    rows = np.array(result.arrays["orbit"])
+    thickness = 1e6 * rows[:, 5]
+    (panel,) = [axes for axes in figure.axes if "µm" in axes.get_ylabel()]
+    shown, filled = panel.lines
+    assert filled.get_ydata()[0] == pytest.approx(thickness.min())
+    np.testing.assert_allclose(shown.get_ydata()[:-1], thickness)
+
+
+def test_a_film_without_stiffness_has_no_curves():
+    case = film_bearings.film(grooves=None, cavitation="half_sommerfeld", effective_temperature="60 degC")
+    drawn = [drawing.name for drawing in report_figures(case, film_check(case))]
+    assert drawn == ["pressure-map", "pressure-polar"]

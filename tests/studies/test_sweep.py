@@ -6,7 +6,9 @@ import math
 
 import numpy as np
 import pytest
+from film_bearings import film
 
+from babbitt.bearings.check import film_check
 from babbitt.lubricants import lubricant
 from babbitt.results import Outcome
 from babbitt.standards.iso7902 import check
@@ -77,3 +79,13 @@ def test_an_absent_result_is_all_gaps():
 def test_a_number_that_the_case_does_not_have_is_an_error(path):
     with pytest.raises(ValueError, match="case"):
         sweep(CASE, path, [1.0])
+
+
+def test_a_film_is_swept_as_a_standard_bearing_is():
+    case = film(effective_temperature="60 degC")
+    found = sweep(case, "duty.load", [10e3, 30e3, 9e10])
+    assert found.solved.tolist() == [True, True, False]
+    assert found["minimum_film_thickness"][1] == pytest.approx(film_check(case).minimum_film_thickness)
+    assert found["minimum_film_thickness"][0] > found["minimum_film_thickness"][1]
+    assert np.isnan(found["stiffness_xx"][2])
+    assert varied(case, "bearing.width", 0.1).bearing.width == 0.1

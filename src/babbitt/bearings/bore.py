@@ -6,9 +6,18 @@ import math
 from dataclasses import dataclass
 from typing import Protocol
 
-from babbitt.film.model import Land
+from babbitt.film.model import Land, Step
 
-__all__ = ["Bore", "LobedBore", "MeasuredBore", "RoundBore", "TaperedBore", "WornBore"]
+__all__ = [
+    "Bore",
+    "LobedBore",
+    "MeasuredBore",
+    "PressureDamBore",
+    "RoundBore",
+    "TaperedBore",
+    "WornBore",
+    "steps_of",
+]
 
 SAMPLES = 721
 """Points at which the departure of a land from its circle is described."""
@@ -81,6 +90,39 @@ class LobedBore:
         narrowest = arc.start + share * (arc.end - arc.start)
         away = -self.preload * clearance
         return arc.land(clearance, (away * math.cos(narrowest), away * math.sin(narrowest)))
+
+
+@dataclass(frozen=True)
+class PressureDamBore(RoundBore):
+    """A round bore with a recess that ends in a dam, and opposite, or nowhere, a track that relieves the film.
+
+    Attributes
+    ----------
+    angle : float
+        Direction of the dam, rad: the edge at which the recess ends and against which the journal drags the oil.
+    extent : float
+        Of the recess before the dam, rad.
+    width, depth : float
+        Of the recess, m.
+    relief : Step or None
+        Track around the middle of the loaded land.
+    """
+
+    angle: float
+    extent: float
+    width: float
+    depth: float
+    relief: Step | None = None
+
+    def steps(self, sense: float) -> tuple[Step, ...]:
+        """Recess and track in the film of a journal that turns counter-clockwise (1) or clockwise (-1)."""
+        recess = Step(self.angle - 0.5 * sense * self.extent, self.extent, self.width, self.depth)
+        return (recess,) if self.relief is None else (recess, self.relief)
+
+
+def steps_of(bore: Bore, sense: float) -> tuple[Step, ...]:
+    """Steps that belong to the form of a bore; `sense` is 1 where the journal turns counter-clockwise."""
+    return bore.steps(sense) if isinstance(bore, PressureDamBore) else ()
 
 
 @dataclass(frozen=True)

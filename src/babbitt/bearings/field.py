@@ -10,10 +10,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film.model import JournalFilm
-from babbitt.film.ring import axial_gain, bore_gap, groove_arcs
+from babbitt.film.ring import axial_gain, bore_gap
+from babbitt.film.ring_mesh import groove_arcs
 from babbitt.film.solution import FilmSolution
 
-__all__ = ["FilmField", "clearance_outline", "field_of", "journal_gap", "supply_patches"]
+__all__ = [
+    "FilmField",
+    "StepPatch",
+    "SupplyPatch",
+    "between",
+    "clearance_outline",
+    "field_of",
+    "inside",
+    "journal_gap",
+    "step_patches",
+    "supply_patches",
+]
 
 Array = NDArray[np.float64]
 TURN = 2.0 * math.pi
@@ -65,6 +77,15 @@ class SupplyPatch:
     pressure: float
 
 
+@dataclass(frozen=True)
+class StepPatch:
+    """A step on the unrolled bore: rad and m, from the lower to the upper end, and its depth in m."""
+
+    theta: tuple[float, float]
+    z: tuple[float, float]
+    depth: float
+
+
 def field_of(solution: FilmSolution, start: float = 0.0) -> FilmField:
     """Film over the bore, from an angle once around.
 
@@ -99,7 +120,7 @@ def field_of(solution: FilmSolution, start: float = 0.0) -> FilmField:
     void = _around(theta, lines, _void_across(solution, z))
     gap = journal_gap(solution, theta, z)
     for patch in patches:
-        over = np.ix_(_inside(theta, patch.theta), _between(z, patch.z))
+        over = np.ix_(inside(theta, patch.theta), between(z, patch.z))
         pressure[over], void[over], gap[over] = patch.pressure, 0.0, math.nan
     return FilmField(theta, z, pressure, 1.0 - void, gap)
 
@@ -109,11 +130,21 @@ def journal_gap(solution: FilmSolution, theta: Array, z: Array) -> Array:
     film = solution.film
     x, y = solution.position
     bore = film.clearance * bore_gap(film, theta)[:, None] + axial_gain(film, theta, z)
-    for step in film.steps:
-        ends, half = 0.5 * step.extent, 0.5 * step.axial_length
-        along = _inside(theta, (step.centre_angle - ends, step.centre_angle + ends))
-        bore[np.ix_(along, _between(z, (step.axial_centre - half, step.axial_centre + half)))] += step.depth
+    for step in step_patches(film):
+        bore[np.ix_(inside(theta, step.theta), between(z, step.z))] += step.depth
     return np.asarray(bore - x * np.cos(theta)[:, None] - y * np.sin(theta)[:, None])
+
+
+def step_patches(film: JournalFilm) -> tuple[StepPatch, ...]:
+    """Every step of the bore."""
+    return tuple(
+        StepPatch(
+            (step.centre_angle - 0.5 * step.extent, step.centre_angle + 0.5 * step.extent),
+            (step.axial_centre - 0.5 * step.axial_length, step.axial_centre + 0.5 * step.axial_length),
+            step.depth,
+        )
+        for step in film.steps
+    )
 
 
 def supply_patches(film: JournalFilm) -> tuple[SupplyPatch, ...]:
@@ -162,12 +193,14 @@ def _around(theta: Array, lines: Array, rows: Array) -> Array:
     return np.array([np.interp(theta, lines, column, period=TURN) for column in rows.T]).T
 
 
-def _inside(theta: Array, ends: tuple[float, float]) -> NDArray[np.bool_]:
+def inside(theta: Array, ends: tuple[float, float]) -> NDArray[np.bool_]:
+    """Which angles lie inside an arc of the unrolled bore."""
     first, last = ends
     return np.asarray(np.remainder(theta - first - EDGE, TURN) < last - first - 2.0 * EDGE)
 
 
-def _between(z: Array, ends: tuple[float, float]) -> NDArray[np.bool_]:
+def between(z: Array, ends: tuple[float, float]) -> NDArray[np.bool_]:
+    """Which axial places lie between two ends, these included."""
     return np.asarray((z >= ends[0] - 1e-12) & (z <= ends[1] + 1e-12))
 
 
@@ -207,16 +240,13 @@ def _void_across(solution: FilmSolution, z: Array) -> Array:
 
 def _polynomials(solution: FilmSolution, places: Array) -> Array:
     """Matrix from the nodes of a line to axial places, shape (places, nodes): one polynomial per axial element."""
-    nodes, film = solution.axial_positions, solution.film
-    if not film.pockets and nodes[0] == 0.0:
+    nodes, breaks = solution.axial_positions, solution.axial_breaks
+    if not breaks:
         full = np.concatenate((-nodes[:0:-1], nodes))
         matrix = _lagrange(full, places)
         folded = matrix[:, nodes.size - 1 :].copy()
         folded[:, 1:] += matrix[:, nodes.size - 2 :: -1]
         return folded
-    ends = {end for patch in supply_patches(film) for end in patch.z}
-    breaks = [i for i, node in enumerate(nodes) if any(abs(node - end) < 1e-9 * film.width for end in ends)]
-    breaks = sorted({0, *breaks, nodes.size - 1})
     matrix = np.zeros((places.size, nodes.size))
     for first, last in pairwise(breaks):
         here = (places >= nodes[first] - 1e-12) & (places <= nodes[last] + 1e-12)

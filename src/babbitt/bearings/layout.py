@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from babbitt.bearings.bore import Arc
+from babbitt.bearings.bore import Arc, steps_of
 from babbitt.bearings.model import FilmCase, Hollow
 from babbitt.design.numbers import critical_reynolds_number
 from babbitt.film.model import FilmStart, JournalFilm, Land, Pocket
@@ -48,19 +48,11 @@ def film_of(
     Raises
     ------
     InputError
-        E101 for a layout that the film engine refuses, or cannot answer rightly: an open groove across the whole
-        width besides pockets, holes or misalignment.
+        E101 for a layout that the film engine refuses.
     """
     bearing = case.bearing
     clearance = 0.5 * relative_clearance * bearing.diameter
     grooves = [hollow for hollow in bearing.hollows if hollow.width is None]
-    if grooves and (len(grooves) < len(bearing.hollows) or bearing.misalignment != (0.0, 0.0)):
-        raise InputError(
-            "E101",
-            "a groove as wide as the bearing goes together with neither pockets or holes nor misalignment: the "
-            "flow through its open ends would come out wrong, without bound. Give grooves as hollows of their "
-            "true width.",
-        )
     pockets = [(hollow, hollow.width) for hollow in bearing.hollows if hollow.width is not None]
     return JournalFilm(
         diameter=bearing.diameter,
@@ -76,6 +68,10 @@ def film_of(
         misalignment=bearing.misalignment,
         turbulence=_turbulence(case, relative_clearance, density),
         pressure_viscosity=case.pressure_viscosity.at(viscosity) if case.pressure_viscosity is not None else None,
+        steps=(*steps_of(bearing.bore, case.rotation.sense), *bearing.steps),
+        crowning=bearing.crowning,
+        displacement=bearing.displacement,
+        side_pressures=bearing.side_pressures,
     )
 
 

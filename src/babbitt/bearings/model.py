@@ -7,23 +7,24 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from babbitt.bearings.bore import Bore, RoundBore
+from babbitt.bearings.changing_load import ChangingLoad
 from babbitt.design.conditions import (
-    GivenEccentricity,
-    GivenLoad,
+    Duty,
     HousingCooling,
     Limits,
     OilSupply,
     Proportions,
     Surfaces,
 )
-from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Resolution
+from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Resolution, Step
+from babbitt.film.model import Field as FieldOfFilm
 from babbitt.film.piezoviscosity import Barus, PressureViscosity, Roelands
 from babbitt.film.turbulence import TurbulenceLaw
 from babbitt.lubricants import Lubricant
 from babbitt.materials import BearingMetal, LoadCharacter
 from babbitt.notices import Notice
 
-__all__ = ["Accuracy", "FilmBearing", "FilmCase", "Hollow", "Rotation"]
+__all__ = ["Accuracy", "FilmBearing", "FilmCase", "Hollow", "Rotation", "Search"]
 
 
 class Accuracy(Enum):
@@ -49,6 +50,14 @@ class Rotation(Enum):
     def sense(self) -> float:
         """1 or -1."""
         return 1.0 if self is Rotation.COUNTER_CLOCKWISE else -1.0
+
+
+class Search(Enum):
+    """Whether further equilibria of the journal are looked for."""
+
+    AUTO = "in lobed bores, and between grooves whose pressure rivals that of the wedge"
+    ALL = "always"
+    FIRST = "never"
 
 
 class PressureLaw(Enum):
@@ -117,7 +126,8 @@ class FilmBearing(Proportions):
     """A journal bearing as the film sees it; lengths in m, clearance at 20 °C.
 
     `misalignment` holds the slopes dx/dz and dy/dz of the journal axis in rad. `clearance_tolerance` holds the
-    least and the greatest relative clearance where a tolerance is known.
+    least and the greatest relative clearance where a tolerance is known. `steps`, `crowning`, `displacement` and
+    `side_pressures` are those of `babbitt.film.model.JournalFilm`; steps that belong to the bore stand there.
     """
 
     diameter: float
@@ -129,6 +139,10 @@ class FilmBearing(Proportions):
     bore: Bore = field(default_factory=RoundBore)
     film_start: FilmStart = FilmStart.GROOVE
     misalignment: tuple[float, float] = (0.0, 0.0)
+    steps: tuple[Step, ...] = ()
+    crowning: tuple[float, ...] = ()
+    displacement: FieldOfFilm = ()
+    side_pressures: tuple[float, float] = (0.0, 0.0)
     surfaces: Surfaces | None = None
     metal: BearingMetal | None = None
     load_character: LoadCharacter = LoadCharacter.CALM
@@ -141,13 +155,16 @@ class FilmCase:
 
     Speeds in rad/s, positive counter-clockwise; `load_angle` in rad from +x. At least one of `oil_supply`
     and `cooling` carries the heat away, unless `effective_temperature` (K) is prescribed. `rotor_mass` (kg) is the
-    part of a rigid rotor that this bearing carries. Without `turbulence` the film is laminar whatever its Reynolds
-    number. `doubts` arose while the case was made and ride along.
+    part of a rotor that this bearing carries, `shaft_stiffness` (N/m) the stiffness of the shaft between that mass
+    and the journal; None is rigid. Without `turbulence` the film is laminar whatever its Reynolds number.
+    `tilt_coefficients` asks for stiffness and damping against tilt, too, `error_estimate` for the error of the
+    grid. `changing_load` acts besides the load of the duty; `moving_mass` (kg) then moves with the journal.
+    `doubts` arose while the case was made and ride along.
     """
 
     name: str
     bearing: FilmBearing
-    duty: GivenLoad | GivenEccentricity
+    duty: Duty
     journal_speed: float
     lubricant: Lubricant
     oil_supply: OilSupply | None = None
@@ -160,6 +177,12 @@ class FilmCase:
     effective_temperature: float | None = None
     friction_factor: float = 1.0
     rotor_mass: float | None = None
+    shaft_stiffness: float | None = None
+    error_estimate: bool = False
+    changing_load: ChangingLoad | None = None
+    moving_mass: float = 0.0
+    search: Search = Search.AUTO
+    tilt_coefficients: bool = False
     limits: Limits = field(default_factory=Limits)
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()

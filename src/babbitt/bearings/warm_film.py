@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 
 from babbitt.bearings.compiling import announced
 from babbitt.bearings.layout import film_of, given_flows, load_vector
-from babbitt.bearings.model import FilmCase
-from babbitt.design.conditions import GivenEccentricity
+from babbitt.bearings.model import FilmCase, Search
+from babbitt.bearings.settling import held_place, is_saddle, settled_film
+from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition
 from babbitt.design.feeding import Arrival, arrival
 from babbitt.design.heat_balance import (
     SPARING,
@@ -39,7 +40,7 @@ LOAD_TOLERANCE = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class FilmState:
-    """State of the film at one effective temperature, SI."""
+    """State of the film at one effective temperature, SI; `left_saddle` where the place found first was one."""
 
     temperature: float
     relative_clearance: float
@@ -52,14 +53,40 @@ class FilmState:
     feed: Arrival | None
     solution: FilmSolution
     fed: FedFilm | None = None
+    left_saddle: bool = False
+
+
+DEAR = 1500
+"""Grid points of a film that is solved node by node, beyond which sweeps and orbits take a draft grid."""
+
+
+def is_dear(state: FilmState) -> bool:
+    """Whether a film takes so long that sweeps and orbits see it on a draft grid."""
+    return bool(state.solution.film.is_surface and state.solution.pressure.size > DEAR)
 
 
 def operating_film(case: FilmCase) -> Equilibrium[FilmState]:
     """Film at the temperature at which its heat balance closes, or at the one that the case prescribes.
 
-    Always ends with a status; see `babbitt.design.heat_balance.find_equilibrium`.
+    Always ends with a status; see `babbitt.design.heat_balance.find_equilibrium`. Where the journal leaves by
+    itself the place found first (a saddle), the balance is closed again at a place where it stays.
     """
-    film_at = partial(film_at_temperature, case=case)
+    found = _balanced(case, None)
+    if found.film is None or not found.outcome.solved or case.search is Search.FIRST:
+        return found
+    if not isinstance(case.duty, GivenLoad) or not is_saddle(found.film.solution):
+        return found
+    near = held_place(found.film.solution, load_vector(case, case.duty.load), resolution_of(case))
+    if near is None:
+        return found
+    again = _balanced(case, near)
+    if again.film is None or not again.outcome.solved:
+        return found
+    return replace(again, film=replace(again.film, left_saddle=True))
+
+
+def _balanced(case: FilmCase, near: tuple[float, float] | None) -> Equilibrium[FilmState]:
+    film_at = partial(film_at_temperature, case=case, near=near)
     if case.effective_temperature is not None:
         return at_prescribed_temperature(case.effective_temperature, film_at)
     return find_equilibrium(case, film_at, SPARING)
@@ -70,8 +97,8 @@ def resolution_of(case: FilmCase) -> Resolution:
     return replace(case.accuracy.resolution, tolerance=LOAD_TOLERANCE)
 
 
-def film_at_temperature(temperature: float, case: FilmCase) -> FilmState:
-    """Film at an effective temperature in K.
+def film_at_temperature(temperature: float, case: FilmCase, near: tuple[float, float] | None = None) -> FilmState:
+    """Film at an effective temperature in K; `near` is a place for `settled_film`.
 
     Raises
     ------
@@ -92,8 +119,8 @@ def film_at_temperature(temperature: float, case: FilmCase) -> FilmState:
         film = film_of(case, psi, viscosity, pressure, density)
         flows = given_flows(case, film)
         if not flows:
-            return resting_film(case, film), None
-        fed = starved_film(case, film, flows)
+            return resting_film(case, film, near), None
+        fed = starved_film(case, film, flows, near)
         return fed.solution, fed
 
     def from_system(pressure: float) -> float:
@@ -112,19 +139,21 @@ def film_at_temperature(temperature: float, case: FilmCase) -> FilmState:
         volumetric_heat_capacity=heat_capacity,
         load=solution.load,
         friction_power=case.friction_factor * solution.friction_torque * abs(case.journal_speed),
-        total_flow=float(solution.side_flow.sum()),
+        total_flow=solution.leaving_flow,
         feed=feed,
         solution=solution,
         fed=fed,
     )
 
 
-def resting_film(case: FilmCase, film: JournalFilm) -> FilmSolution:
+def resting_film(case: FilmCase, film: JournalFilm, near: tuple[float, float] | None = None) -> FilmSolution:
     """Film that carries the load of the case, or that stands at its prescribed position."""
-    return _accepted(_settled(case, film))
+    return _accepted(_settled(case, near, film))
 
 
-def starved_film(case: FilmCase, film: JournalFilm, flows: tuple[GivenFlow, ...]) -> FedFilm:
+def starved_film(
+    case: FilmCase, film: JournalFilm, flows: tuple[GivenFlow, ...], near: tuple[float, float] | None = None
+) -> FedFilm:
     """Film whose supplies deliver given flows.
 
     Raises
@@ -134,30 +163,51 @@ def starved_film(case: FilmCase, film: JournalFilm, flows: tuple[GivenFlow, ...]
     """
     from babbitt.film.starved import feed_film
 
-    fed = feed_film(film, flows, partial(_settled, case))
+    fed = feed_film(film, flows, partial(_settled, case, near))
     if fed.solution.outcome is Outcome.OVERLOADED:
         raise NoFilmError(Outcome.OVERLOADED, least_flow=fed.least_flow)
     _accepted(fed.solution)
     return fed
 
 
-def _settled(case: FilmCase, film: JournalFilm) -> FilmSolution:
+def _settled(case: FilmCase, near: tuple[float, float] | None, film: JournalFilm) -> FilmSolution:
     with announced():
-        from babbitt.film.solve import solve_journal
-
         if isinstance(case.duty, GivenEccentricity):
             return _at_eccentricity(case, case.duty, film)
-        return solve_journal(film, load_vector(case, case.duty.load), resolution_of(case))
+        if isinstance(case.duty, GivenPosition):
+            return film_at(case, film, (case.duty.x, case.duty.y))
+        return settled_film(film, load_vector(case, case.duty.load), resolution_of(case), near)
 
 
 def film_at_angle(case: FilmCase, film: JournalFilm, eccentricity_ratio: float, attitude: float) -> FilmSolution:
     """Film with the journal at an eccentricity and an attitude angle in rad."""
-    from babbitt.film.solve import film_at_position
-
     eccentricity = eccentricity_ratio * film.clearance
     angle = case.load_angle + case.rotation.sense * attitude
-    position = (eccentricity * math.cos(angle), eccentricity * math.sin(angle))
-    return _accepted(film_at_position(film, position, resolution=resolution_of(case)))
+    return film_at(case, film, (eccentricity * math.cos(angle), eccentricity * math.sin(angle)))
+
+
+def film_at(case: FilmCase, film: JournalFilm, position: tuple[float, float]) -> FilmSolution:
+    """Film with the journal centre at a position in m.
+
+    Raises
+    ------
+    NoFilmError
+        When the position lies outside the clearance, among others.
+    """
+    from babbitt.film.solve import film_at_position
+
+    found = film_at_position(film, position, resolution=resolution_of(case))
+    if found.outcome is Outcome.OVERLOADED:
+        raise NoFilmError(Outcome.OUTSIDE_CLEARANCE)
+    return _accepted(found)
+
+
+def under_found_load(case: FilmCase, state: FilmState) -> FilmCase:
+    """The case with the load in the direction that was found, where the position was prescribed."""
+    if isinstance(case.duty, GivenLoad):
+        return case
+    fx, fy = state.solution.force
+    return replace(case, load_angle=math.atan2(-fy, -fx))
 
 
 def _at_eccentricity(case: FilmCase, duty: GivenEccentricity, film: JournalFilm) -> FilmSolution:

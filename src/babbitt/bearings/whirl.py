@@ -1,4 +1,4 @@
-"""When the journal whirls in its film: critical mass, whirl frequency, threshold speed of a rigid rotor."""
+"""When the journal whirls in its film: critical mass, whirl frequency, threshold speed of the rotor."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from babbitt.bearings.layout import load_vector
 from babbitt.bearings.model import FilmCase
+from babbitt.bearings.rotor import RIGID, critical_mass_of_rotor
+from babbitt.bearings.settling import place_of, settled_film
 from babbitt.bearings.warm_film import FilmState
 from babbitt.design.roots import bracketed_root
 
@@ -27,14 +28,24 @@ SEARCH_STEP = 1.25
 
 @dataclass(frozen=True)
 class Whirl:
-    """Stability of a rigid rotor in this film: kg, ratio to the speed, rad/s.
+    """Stability of a rotor in this film: kg, ratio to the speed, rad/s.
 
-    `threshold_speed` is None where no speed within the search changes what the journal does.
+    `threshold_speed` is None where no speed within the search changes what the journal does. Without `elastic` the
+    rotor is rigid; with it, the same for the shaft as stiff as the case says.
     """
 
     critical_mass: float
     frequency_ratio: float
     rotor_mass: float
+    threshold_speed: float | None
+    elastic: ElasticWhirl | None = None
+
+
+@dataclass(frozen=True)
+class ElasticWhirl:
+    """Critical mass in kg and threshold speed in rad/s of a rotor on its elastic shaft."""
+
+    critical_mass: float
     threshold_speed: float | None
 
 
@@ -44,37 +55,45 @@ def whirl_of(case: FilmCase, state: FilmState) -> Whirl:
     The threshold keeps load, viscosity and clearance of the operating point. Without a mass of the rotor, the
     load is taken as its weight.
     """
-    from babbitt.film.stability import critical_mass, whirl_frequency
+    from babbitt.film.stability import whirl_frequency
 
     stiffness, damping = state.solution.stiffness, state.solution.damping
     speed = abs(state.solution.film.angular_speed)
-    mass = case.rotor_mass if case.rotor_mass is not None else state.load / STANDARD_GRAVITY
+    mass, shaft = mass_of_rotor(case, state.load), case.shaft_stiffness
     return Whirl(
-        critical_mass(stiffness, damping),
+        critical_mass_of_rotor(stiffness, damping),
         whirl_frequency(stiffness, damping) / speed,
         mass,
         threshold_speed(case, state, mass),
+        None
+        if shaft is None
+        else ElasticWhirl(
+            critical_mass_of_rotor(stiffness, damping, shaft), threshold_speed(case, state, mass, shaft)
+        ),
     )
 
 
+def mass_of_rotor(case: FilmCase, load: float) -> float:
+    """Mass of the rotor in kg: that of the case, or the one whose weight is the load in N."""
+    return case.rotor_mass if case.rotor_mass is not None else load / STANDARD_GRAVITY
+
+
 def at_speed(case: FilmCase, state: FilmState, speed: float) -> FilmSolution:
-    """The film under the same load, with the same oil, at another speed in rad/s."""
-    from babbitt.film.solve import solve_journal
-
+    """The film under the same load in the direction found, with the same oil, at another speed in rad/s."""
     film = replace(state.solution.film, angular_speed=case.rotation.sense * speed)
-    return solve_journal(film, load_vector(case, state.load), case.accuracy.resolution)
+    share = -state.load / math.hypot(*state.solution.force)
+    load = share * float(state.solution.force[0]), share * float(state.solution.force[1])
+    return settled_film(film, load, case.accuracy.resolution, place_of(state.solution))
 
 
-def threshold_speed(case: FilmCase, state: FilmState, mass: float) -> float | None:
-    """Speed in rad/s above which a rigid rotor whirls, nearest to the operating speed; None if none is in
-    sight."""
-    from babbitt.film.stability import critical_mass
+def threshold_speed(case: FilmCase, state: FilmState, mass: float, shaft_stiffness: float = RIGID) -> float | None:
+    """Speed in rad/s above which a rotor whirls, nearest to the operating speed; None if none is in sight."""
 
     def excess(speed: float) -> float:
         found = at_speed(case, state, speed)
         if not found.outcome.solved:
             return math.nan
-        critical = critical_mass(found.stiffness, found.damping)
+        critical = critical_mass_of_rotor(found.stiffness, found.damping, shaft_stiffness)
         return (
             math.atan(math.log(critical / mass))
             if 0.0 < critical < math.inf

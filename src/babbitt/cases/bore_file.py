@@ -1,4 +1,4 @@
-"""Files that a case names: measured bores (CSV, angle and departure) and tables of limits (TOML)."""
+"""Files that a case names: measured bores and changing loads (CSV), tables of limits (TOML)."""
 
 from __future__ import annotations
 
@@ -35,6 +35,11 @@ HEADING = re.compile(r"^\s*[^\[\](]+?\s*[\[(]\s*(?P<unit>[^\])]+?)\s*[\])]\s*$")
 
 EXAMPLE = "two columns with the heading 'angle [deg],departure [um]'"
 
+LOAD_EXAMPLE = "three columns with the heading 'angle [deg],fx [kN],fy [kN]'"
+
+MOST_LOADS = 1440
+"""Points of a changing load."""
+
 
 class TableError(Exception):
     """A table that cannot be used: where in the case, what is wrong, what would do."""
@@ -45,7 +50,8 @@ class TableError(Exception):
 
 
 def with_tables(given: dict[str, Any], folder: FilePath) -> dict[str, Any]:
-    """Put the points of every measured bore, and the text of every table of limits, in the place of its file.
+    """Put the points of measured bores and changing loads, and the text of tables of limits, in place of their
+    files.
 
     Parameters
     ----------
@@ -70,7 +76,7 @@ def with_tables(given: dict[str, Any], folder: FilePath) -> dict[str, Any]:
 
 
 def _with_table(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:
-    return _with_limits(_with_bore(bearing, path, folder), path, folder)
+    return _with_limits(_with_load(_with_bore(bearing, path, folder), path, folder), path, folder)
 
 
 def _with_limits(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:
@@ -106,28 +112,48 @@ def _with_bore(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[st
     return bearing | {"bore": rest | {"departures": departures_of(folder / bore["file"], at)}}
 
 
+def _with_load(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:
+    load = bearing.get("dynamic_load")
+    if not (isinstance(load, dict) and load.get("kind") == "table" and "file" in load and "angle" not in load):
+        return bearing
+    at = (*path, "dynamic_load", "file")
+    if not isinstance(load["file"], str):
+        raise TableError(at, f"{shown(load['file'])} is not the name of a file", LOAD_EXAMPLE)
+    rows = _columns(folder / load["file"], at, ("rad", "N", "N"), LOAD_EXAMPLE)
+    if len(rows) > MOST_LOADS:
+        raise TableError(at, f"{load['file']} has {len(rows)} points", f"at most {MOST_LOADS}")
+    rest = {name: value for name, value in load.items() if name != "file"}
+    columns = {name: [row[place] for row in rows] for place, name in enumerate(("angle", "fx", "fy"))}
+    return bearing | {"dynamic_load": rest | columns}
+
+
 def departures_of(file: FilePath, at: Path) -> list[float]:
     """Departures in m at equal steps from angle 0, interpolated linearly between the points of a table."""
+    points = [(angle, departure) for angle, departure in _columns(file, at, ("rad", "m"), EXAMPLE)]
+    return _once_around(points, file.name, at)
+
+
+def _columns(file: FilePath, at: Path, kinds: tuple[str, ...], example: str) -> list[tuple[float, ...]]:
+    """Rows of a table whose heading has the units, each column in its SI unit."""
     try:
         if file.stat().st_size > LARGEST_TABLE:
-            raise TableError(at, f"{file.name} is larger than {LARGEST_TABLE // 1_000_000} MB", EXAMPLE)
+            raise TableError(at, f"{file.name} is larger than {LARGEST_TABLE // 1_000_000} MB", example)
         rows = [row for row in csv.reader(file.read_text(encoding="utf-8-sig").splitlines()) if any(row)]
     except (OSError, UnicodeDecodeError, csv.Error):
-        raise TableError(at, f"{file.name} cannot be read", EXAMPLE) from None
-    units = [HEADING.match(cell) for cell in rows[0]] if rows else []
-    if len(units) != 2 or not units[0] or not units[1]:
-        raise TableError(at, f"{file.name} has no heading with units", EXAMPLE)
-    kinds = ((units[0]["unit"], "rad"), (units[1]["unit"], "m"))
-    points = []
+        raise TableError(at, f"{file.name} cannot be read", example) from None
+    heading = [HEADING.match(cell) for cell in rows[0]] if rows else []
+    units = [match["unit"] for match in heading if match is not None]
+    if not len(units) == len(heading) == len(kinds):
+        raise TableError(at, f"{file.name} has no heading with units", example)
+    found = []
     for line, row in enumerate(rows[1:], start=2):
         try:
-            angle, departure = (
-                read(f"{float(cell)} {unit}", si) for cell, (unit, si) in zip(row, kinds, strict=True)
+            found.append(
+                tuple(read(f"{float(cell)} {unit}", si) for cell, unit, si in zip(row, units, kinds, strict=True))
             )
         except (ValueError, QuantityError):
-            raise TableError(at, f"row {line} of {file.name} is {shown(','.join(row))}", EXAMPLE) from None
-        points.append((angle, departure))
-    return _once_around(points, file.name, at)
+            raise TableError(at, f"row {line} of {file.name} is {shown(','.join(row))}", example) from None
+    return found
 
 
 def _once_around(points: list[tuple[float, float]], name: str, at: Path) -> list[float]:

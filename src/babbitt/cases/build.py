@@ -61,11 +61,12 @@ def iso7902_cases(bearing: JournalBearing, case: Case) -> tuple[DesignCase, ...]
     """Design cases of ISO 7902 of one bearing of a case, whatever method it names; empty if the standard knows
     it not.
 
-    The standard knows round bores with an aligned journal and a tabulated span.
+    The standard knows round bores with an aligned journal and a tabulated span, and finds the position itself.
     """
     known = bearing.bore is None or bearing.bore.kind == "round"
     spans = all(bearing.span_at(point) is not None for point in bearing.operating_points or (None,))
-    if not (known and spans and bearing.misalignment is None):
+    stands = any(duty.position is not None for duty in (bearing, *bearing.operating_points))
+    if stands or not (known and spans and bearing.misalignment is None):
         return ()
     return tuple(_expanded(bearing, case, iso7902_case))
 

@@ -98,6 +98,9 @@ def _flow_goes_somewhere(bearing: JournalBearing, supply: Supply, path: Path) ->
     elif bearing.cavitation != "mass_conserving" or bearing.film_start == "widest_gap":
         says = "a supply flow needs a film that conserves the oil and is fed somewhere"
         yield Complaint(at, says, "cavitation: mass_conserving and film_start: groove")
+    elif bearing.dynamic_load is not None:
+        says = "the orbit under a changing load does not count the oil that a supply of given flow delivers"
+        yield Complaint(at, says, "supply.pressure")
     elif bearing.hollows() and all(
         one.pressure is not None or one.flow is not None for _, one in bearing.hollows()
     ):

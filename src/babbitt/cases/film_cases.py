@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 
 from babbitt.bearings.bore import RoundBore
-from babbitt.bearings.model import Accuracy, FilmBearing, FilmCase, Hollow
+from babbitt.bearings.model import Accuracy, FilmBearing, FilmCase, Hollow, Search
 from babbitt.cases.as_given import words_of
 from babbitt.cases.assumptions import common_assumptions_of
 from babbitt.cases.doubts import doubts_about_numbers
 from babbitt.cases.film_layout import film_layout
 from babbitt.cases.film_oil import LAWS_OF_TURBULENCE
 from babbitt.cases.joined_inputs import Inputs, Point, duty, housing_cooling, journal_speed, oil_supply
-from babbitt.film.model import Cavitation, FilmStart
+from babbitt.film.model import Cavitation
 from babbitt.materials import LoadCharacter, bearing_metal
 
 
@@ -37,6 +37,12 @@ def film_case(inputs: Inputs, at: Point) -> FilmCase:
         effective_temperature=bearing.effective_temperature,
         friction_factor=bearing.friction.factor,
         rotor_mass=bearing.rotor_mass,
+        shaft_stiffness=bearing.shaft_stiffness,
+        error_estimate=bearing.error_estimate,
+        changing_load=bearing.dynamic_load.changing_load() if bearing.dynamic_load is not None else None,
+        moving_mass=bearing.dynamic_load.moving_mass if bearing.dynamic_load is not None else 0.0,
+        search=Search[bearing.equilibria.upper()],
+        tilt_coefficients=bearing.tilt_coefficients,
         limits=bearing.limits.limits(),
         given=words_of(bearing, point, at.clearance_case, inputs.cooling, inputs.materials),
         assumptions=(
@@ -65,8 +71,12 @@ def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[Hollow, ...]) -> Fil
         expansion_journal=materials.journal.expansion(),
         hollows=hollows,
         bore=bearing.bore.bore() if bearing.bore is not None else RoundBore(),
-        film_start=FilmStart[(bearing.film_start or "groove").upper()],
+        film_start=bearing.film_starts(),
         misalignment=(askew.x, askew.y) if askew is not None else (0.0, 0.0),
+        steps=tuple(step.step() for step in bearing.steps),
+        crowning=bearing.crowning.crowning(inputs.width) if bearing.crowning is not None else (),
+        displacement=bearing.displacement.field(inputs.width) if bearing.displacement is not None else (),
+        side_pressures=bearing.side_pressures or (0.0, 0.0),
         surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,
         metal=bearing_metal(materials.bearing_metal) if materials.bearing_metal is not None else None,
         load_character=LoadCharacter(materials.load_character or LoadCharacter.CALM),

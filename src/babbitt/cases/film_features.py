@@ -9,10 +9,11 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.bearings.bore import Bore, LobedBore, MeasuredBore, RoundBore, TaperedBore, WornBore
+from babbitt.bearings.bore import Bore, LobedBore, MeasuredBore, PressureDamBore, RoundBore, TaperedBore, WornBore
 from babbitt.bearings.model import Hollow
 from babbitt.cases.part import Complaint, Part, at_most_one, exactly_one, rule
 from babbitt.cases.supply import SupplyFlow
+from babbitt.film.model import Step
 from babbitt.units import si, written
 
 Angle = Annotated[float, si("rad", "-360 deg", "360 deg")]
@@ -144,6 +145,47 @@ class TaperedBoreGiven(Part):
         return TaperedBore(self.depth, self.share)
 
 
+class ReliefGiven(Part):
+    """The track of a pressure dam bearing that relieves its loaded land."""
+
+    angle: Angle = Field(description=ANGLE)
+    extent: Annotated[float, si("rad", "1 deg", "360 deg")] = Field(description="Angle it takes around the bore.")
+    width: Annotated[float, si("m", "0.1 mm", "3 m")] = Field(
+        description="Size along the shaft, around the middle."
+    )
+    depth: Depth = Field(description="How much deeper it lies.")
+
+
+class PressureDamBoreGiven(Part):
+    """A round bore with a recess that ends in a dam, to load the journal from the other side."""
+
+    kind: Literal["pressure_dam"] = Field(description="A recess of the unloaded land ends in a dam.")
+    angle: Angle = Field(
+        description="Direction of the dam: the edge at which the recess ends in the sense of rotation."
+    )
+    extent: Annotated[float, si("rad", "1 deg", "180 deg")] = Field(
+        description="Arc of the recess before the dam."
+    )
+    width: Annotated[float, si("m", "0.1 mm", "3 m")] = Field(
+        description="Size of the recess along the shaft, around the middle."
+    )
+    depth: Depth = Field(description="Depth of the recess.")
+    relief: ReliefGiven | None = Field(None, description="Track that relieves the loaded land.")
+
+    def bore(self) -> Bore:
+        """Give the bore of the film."""
+        track = self.relief
+        relief = None if track is None else Step(track.angle, track.extent, track.width, track.depth)
+        return PressureDamBore(self.angle, self.extent, self.width, self.depth, relief)
+
+    def too_wide(self, width: float) -> Iterator[Complaint]:
+        """Complain about a recess or track wider than the bearing."""
+        for path, part in ((("bore",), self), (("bore", "relief"), self.relief)):
+            if part is not None and part.width > width * (1.0 + 1e-9):
+                says = f"{written(part.width, 'mm')} is wider than the bearing"
+                yield Complaint((*path, "width"), says, f"up to {written(width, 'mm')}")
+
+
 class WornBoreGiven(Part):
     """A bore worn by its journal."""
 
@@ -195,7 +237,8 @@ class MeasuredBoreGiven(Part):
 
 
 BoreGiven = Annotated[
-    RoundBoreGiven | LobedBoreGiven | TaperedBoreGiven | WornBoreGiven | MeasuredBoreGiven, Discriminator("kind")
+    RoundBoreGiven | LobedBoreGiven | TaperedBoreGiven | PressureDamBoreGiven | WornBoreGiven | MeasuredBoreGiven,
+    Discriminator("kind"),
 ]
 
 __all__ = [
@@ -204,30 +247,9 @@ __all__ = [
     "LobedBoreGiven",
     "MisalignmentGiven",
     "PocketGiven",
+    "PressureDamBoreGiven",
     "SupplyHoleGiven",
 ]
-
-
-OPEN_ENDS = "the flow through open ends would come out wrong, without bound"
-AS_POCKETS = "give the grooves as pockets of their true width, which ends before the edge of the bearing"
-
-
-def complaint_about_tilt(full_width: bool) -> Iterator[Complaint]:
-    """Complain about a tilted journal in a bore that is fed over its whole width.
-
-    Parameters
-    ----------
-    full_width : bool
-        Whether a groove or a line of supply is as wide as the bearing.
-    """
-    if full_width:
-        says = "a tilted journal does not go together with a groove or line of supply as wide as the bearing: "
-        yield Complaint(
-            ("misalignment",),
-            says + OPEN_ENDS,
-            "bores fed by pockets, holes or circumferential grooves",
-            AS_POCKETS,
-        )
 
 
 def complaints_about_hollows(
@@ -260,15 +282,9 @@ def complaints_about_hollows(
                 says = f"it reaches {written(beyond, 'mm')} from the mid-plane, beyond the bearing"
                 yield Complaint((*path, "axial_position"), says, f"up to {written((width - length) / 2.0, 'mm')}")
     grooves = [(path, hollow) for path, hollow in hollows if isinstance(hollow, GrooveGiven)]
-    narrow = [path for path, hollow in hollows if not isinstance(hollow, GrooveGiven)]
-    if grooves and narrow:
-        says = f"grooves as wide as the bearing do not go together with pockets or holes: {OPEN_ENDS}"
-        yield Complaint(narrow[0], says, "grooves alone, or pockets and holes alone", AS_POCKETS)
     for index, (path, hollow) in enumerate(hollows):
         for other_path, other in hollows[:index]:
-            if isinstance(hollow, GrooveGiven) is isinstance(other, GrooveGiven) and _overlap(
-                hollow, other, diameter
-            ):
+            if _overlap(hollow, other, diameter):
                 says = f"it touches or overlaps {other_path[0]}[{other_path[1]}]"
                 yield Complaint(
                     (*path, "angle"), says, "hollows with land between them, at least 1 deg for grooves"

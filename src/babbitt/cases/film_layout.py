@@ -60,10 +60,12 @@ def film_layout(bearing: JournalBearing, point: OperatingPoint | None, width: fl
         1 if the journal turns counter-clockwise, -1 if not.
     """
     given = bearing.hollows()
-    if bearing.film_start is not None and FilmStart[bearing.film_start.upper()] is FilmStart.WIDEST_GAP:
+    if bearing.film_starts() is FilmStart.WIDEST_GAP:
         return FilmLayout(
             (), ("The film starts at the widest gap, at ambient pressure: nothing feeds it elsewhere.",)
         )
+    if bearing.film_starts() is FilmStart.PERIODIC and not given:
+        return FilmLayout((), ("The film closes around the journal, and nothing feeds it.",))
     if given:
         return FilmLayout(tuple(hollow.hollow(bearing.diameter) for _, hollow in given))
     return _by_rule(bearing, point, width, sense)

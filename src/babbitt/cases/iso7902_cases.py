@@ -6,6 +6,8 @@ from babbitt.cases.as_given import words_of
 from babbitt.cases.assumptions import assumptions_of
 from babbitt.cases.doubts import doubts_about
 from babbitt.cases.joined_inputs import Inputs, Point, duty, housing_cooling, journal_speed, oil_supply
+from babbitt.cases.operating_point import OperatingPoint
+from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition
 from babbitt.materials import LoadCharacter, bearing_metal
 from babbitt.standards.iso7902.model import Bearing, Curves, DesignCase, Friction
 
@@ -16,7 +18,7 @@ def iso7902_case(inputs: Inputs, at: Point) -> DesignCase:
     return DesignCase(
         name=at.name,
         bearing=_iso_bearing(inputs, at),
-        duty=duty(inputs, point),
+        duty=_duty(inputs, point),
         journal_speed=journal_speed(bearing, point),
         lubricant=inputs.lubricant,
         oil_supply=oil_supply(inputs.supply, point),
@@ -36,6 +38,13 @@ def iso7902_case(inputs: Inputs, at: Point) -> DesignCase:
         kind=bearing.kind,
         effective_temperature=bearing.effective_temperature,
     )
+
+
+def _duty(inputs: Inputs, point: OperatingPoint | None) -> GivenLoad | GivenEccentricity:
+    given = duty(inputs, point)
+    if isinstance(given, GivenPosition):
+        raise ValueError("a case that was not validated: the standard takes no position")
+    return given
 
 
 def _iso_bearing(inputs: Inputs, at: Point) -> Bearing:

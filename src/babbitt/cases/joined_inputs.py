@@ -11,7 +11,7 @@ from babbitt.cases.materials import Materials
 from babbitt.cases.operating_point import LOADS, SPEEDS, OperatingPoint, stating
 from babbitt.cases.shared import merged
 from babbitt.cases.supply import Supply
-from babbitt.design.conditions import GivenEccentricity, GivenLoad, HousingCooling, OilSupply
+from babbitt.design.conditions import Duty, GivenEccentricity, GivenLoad, GivenPosition, HousingCooling, OilSupply
 from babbitt.design.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coefficient
 from babbitt.lubricants import Lubricant
 
@@ -61,12 +61,14 @@ def inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> Inputs:
     )
 
 
-def duty(inputs: Inputs, point: OperatingPoint | None) -> GivenLoad | GivenEccentricity:
+def duty(inputs: Inputs, point: OperatingPoint | None) -> Duty:
     """What the bearing carries: the load, or the prescribed position."""
     bearing = inputs.bearing
     given = stating(LOADS, bearing, point)
     if given.eccentricity_ratio is not None:
         return GivenEccentricity(given.eccentricity_ratio, given.attitude_angle)
+    if given.position is not None:
+        return GivenPosition(given.position.x, given.position.y)
     if given.load is not None:
         return GivenLoad(given.load)
     if given.specific_load is None:

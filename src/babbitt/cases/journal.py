@@ -8,29 +8,32 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.cases import clearance, cooling, supply_element
+from babbitt.cases import clearance, cooling, film_rules, film_shape_rules, standard_rules, supply_element
 from babbitt.cases.choices import FrictionGiven, LimitsGiven
 from babbitt.cases.clearance import ClearanceGiven
+from babbitt.cases.dynamic_load import DynamicLoadGiven
 from babbitt.cases.fields import Name, Prose, Span
 from babbitt.cases.film_features import (
-    MOST_DEPARTURE,
     BoreGiven,
     GrooveGiven,
-    LobedBoreGiven,
-    MeasuredBoreGiven,
     MisalignmentGiven,
     PocketGiven,
     SupplyHoleGiven,
-    WornBoreGiven,
-    complaint_about_tilt,
     complaints_about_hollows,
 )
 from babbitt.cases.film_oil import PressureViscosityGiven, TurbulenceGiven
+from babbitt.cases.film_surface import (
+    CrowningGiven,
+    DisplacementGiven,
+    SidePressure,
+    StepGiven,
+)
 from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
 from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_bare, is_given, rule
 from babbitt.cases.shared import SharedInputs
 from babbitt.cases.supply_element import SupplyElementGiven, UnevenPockets
 from babbitt.cases.surfaces import SurfacesGiven
+from babbitt.film.model import FilmStart
 from babbitt.units import si, written
 
 WIDTH_RATIOS = (0.1, 1.5)
@@ -87,6 +90,24 @@ class JournalBearing(Duty, SharedInputs):
     misalignment: MisalignmentGiven | None = Field(
         None, description="Slopes of the journal axis in the bore, for the film method."
     )
+    steps: tuple[StepGiven, ...] = Field(
+        (),
+        max_length=24,
+        description="Rectangles of the bore that lie deeper and belong to the film. Film method.",
+    )
+    crowning: CrowningGiven | None = Field(
+        None, description="What the radius of the journal lacks along its axis, for the film method."
+    )
+    displacement: DisplacementGiven | None = Field(
+        None, description="What the gap gains by displacement of its surfaces, for the film method."
+    )
+    side_pressures: tuple[SidePressure, SidePressure] | None = Field(
+        None,
+        description="Gauge pressures at the sides z = -B/2 and B/2, for the film method. Ambient if not given.",
+    )
+    tilt_coefficients: bool = Field(
+        False, description="Stiffness and damping against tilt of the journal, too, by the film method."
+    )
     surfaces: SurfacesGiven | None = Field(None, description="Roughness, tilt and waviness of the surfaces.")
 
     bearing_speed: Annotated[float, si("rad/s", "-1000000 rpm", "1000000 rpm")] = Field(
@@ -103,6 +124,12 @@ class JournalBearing(Duty, SharedInputs):
         "by the film "
         "method. Without it the load is taken as weight.",
     )
+    shaft_stiffness: Annotated[float, si("N/m", "1 kN/m", "1000 GN/m")] | None = Field(
+        None,
+        description="Stiffness of the shaft between the rotor mass and this bearing (for a shaft on two equal "
+        "bearings half its stiffness in the middle), for the threshold of whirl by the film method. Rigid if not "
+        "given.",
+    )
     effective_temperature: Annotated[float, si("K", "-30 degC", "290 degC")] | None = Field(
         None, description="Effective temperature of the film, in place of a heat balance."
     )
@@ -115,11 +142,12 @@ class JournalBearing(Duty, SharedInputs):
         "computed",
         description="Own solutions of the Reynolds equation, or the closed forms of DIN 31652 (360 deg).",
     )
-    cavitation: Literal["mass_conserving", "reynolds"] = Field(
+    cavitation: Literal["mass_conserving", "reynolds", "half_sommerfeld"] = Field(
         "mass_conserving",
         description="What the film method does where the film breaks up: conserve the oil (JFO), or let "
         "pressure and "
-        "its gradient vanish (Reynolds, as in most published tables).",
+        "its gradient vanish (Reynolds, as in most published tables), or count suctions of the full film as "
+        "nothing (half-Sommerfeld, as in closed forms: a plain ring without feeding, no flows and no stiffness).",
     )
     cavitation_pressure: Annotated[float, si("Pa", "-1 MPa", "0 Pa")] = Field(
         0.0, description="Gauge pressure at which the film breaks, for the film method."
@@ -132,14 +160,30 @@ class JournalBearing(Duty, SharedInputs):
     pressure_viscosity: PressureViscosityGiven | None = Field(
         None, description="Growth of the viscosity with pressure, for the film method."
     )
-    film_start: Literal["groove", "widest_gap"] | None = Field(
+    film_start: Literal["groove", "widest_gap", "periodic"] | None = Field(
         None,
         description="Where the film method lets the film begin: at what feeds it, or at the widest gap of "
         "a full round "
-        "bore (as the characteristics of the standard). groove if not given.",
+        "bore (as the characteristics of the standard), or nowhere, for it closes around the journal (periodic). "
+        "groove if not given; periodic with cavitation: half_sommerfeld.",
     )
     accuracy: Literal["draft", "engineering", "reference"] = Field(
         "engineering", description="How fine the grid of the film method is."
+    )
+    error_estimate: bool = Field(
+        False,
+        description="Solve the film on a finer grid, too, and say how far film thickness, position, stiffness and "
+        "damping may be wrong by the grid. Film method.",
+    )
+    dynamic_load: DynamicLoadGiven | None = Field(
+        None,
+        description="Load that changes while the journal turns, added to the load, for the film method: the orbit "
+        "of the journal is found.",
+    )
+    equilibria: Literal["auto", "all", "first"] = Field(
+        "auto",
+        description="Whether the film method looks for further places where the journal can rest: always, never, "
+        "or in lobed bores and between grooves whose pressure rivals that of the wedge.",
     )
     limits: LimitsGiven = Field(LimitsGiven(), description="Limits in place of those by experience.")
     assumptions: tuple[Prose, ...] = Field(
@@ -174,7 +218,7 @@ class JournalBearing(Duty, SharedInputs):
     @rule
     def _loads_make_sense(self) -> Iterator[Complaint]:
         width = self.actual_width
-        for path, duty in self._duties():
+        for path, duty in self.duties():
             if duty.load is None or width is None:
                 continue
             pressure = duty.load / (width * self.diameter)
@@ -190,7 +234,7 @@ class JournalBearing(Duty, SharedInputs):
 
     @rule
     def _speeds_make_sense(self) -> Iterator[Complaint]:
-        for path, duty in self._duties():
+        for path, duty in self.duties():
             speed = duty.speed
             if speed is None and duty.surface_speed is not None:
                 speed = 2.0 * duty.surface_speed / self.diameter
@@ -237,7 +281,7 @@ class JournalBearing(Duty, SharedInputs):
 
     @rule
     def _span_is_known(self) -> Iterator[Complaint]:
-        if self.method == "film" and (self.hollows() or self.film_start == "widest_gap"):
+        if self.method == "film" and (self.hollows() or self.film_starts() is not FilmStart.GROOVE):
             return
         for point in self.operating_points or (None,):
             if self.span_at(point) is None:
@@ -262,98 +306,25 @@ class JournalBearing(Duty, SharedInputs):
     def _hollows_fit(self) -> Iterator[Complaint]:
         yield from complaints_about_hollows(self.hollows(), self.actual_width, self.diameter)
 
-    @rule
-    def _method_knows_the_bearing(self) -> Iterator[Complaint]:
-        if self.method == "film":
-            return
-        if self.bore is not None and self.bore.kind != "round":
-            yield Complaint(("bore",), f"ISO 7902 knows round bores only, not {self.bore.kind}", "method: film")
-        if self.misalignment is not None:
-            yield Complaint(("misalignment",), "ISO 7902 knows no misaligned journal", "method: film")
-        if self.turbulence != "laminar":
-            yield Complaint(("turbulence",), "ISO 7902 knows laminar films only", "method: film")
-        if self.pressure_viscosity is not None:
-            yield Complaint(("pressure_viscosity",), "ISO 7902 knows no viscosity under pressure", "method: film")
-        for path, duty in self._duties():
-            if duty.attitude_angle is not None:
-                says = "ISO 7902 finds the attitude angle itself"
-                yield Complaint((*path, "attitude_angle"), says, "method: film, or leave it out")
+    _standard_knows_the_bearing = standard_rules.standard_knows_the_bearing
+    _tilt_leaves_a_film = film_shape_rules.tilt_leaves_a_film
+    _departures_are_of_the_size_of_the_clearance = film_shape_rules.departures_are_of_the_size_of_the_clearance
+    _steps_fit = film_shape_rules.steps_fit
+    _displacement_is_of_the_size_of_the_clearance = film_shape_rules.displacement_is_of_the_size_of_the_clearance
+    _lobes_lie_between_grooves = film_shape_rules.lobes_lie_between_grooves
+    _position_is_near_the_bearing = film_rules.position_is_near_the_bearing
+    _changing_load_is_added_to_a_load = film_rules.changing_load_is_added_to_a_load
+    _half_sommerfeld_is_of_a_plain_ring = film_rules.half_sommerfeld_is_of_a_plain_ring
+    _closed_ring_is_plain = film_rules.closed_ring_is_plain
+    _sides_stand_above_cavitation = film_rules.sides_stand_above_cavitation
+    _widest_gap_is_of_a_plain_bore = film_rules.widest_gap_is_of_a_plain_bore
+    _given_flows_are_counted = film_rules.given_flows_are_counted
+    _grooves_stand_still = film_rules.grooves_stand_still
 
-    @rule
-    def _tilt_leaves_a_film(self) -> Iterator[Complaint]:
-        width = self.actual_width
-        if self.misalignment is None or width is None:
-            return
-        play = self.clearance.at_20_degrees(self.diameter).relative(self.diameter).minimum * self.diameter / 2.0
-        offset = math.hypot(self.misalignment.x, self.misalignment.y) * width / 2.0
-        if offset >= play:
-            says = f"the journal touches at the edges: it leans {written(offset, 'um')} there"
-            yield Complaint(("misalignment",), says, f"less than the radial clearance, {written(play, 'um')}")
-
-    @rule
-    def _tilt_needs_narrow_supplies(self) -> Iterator[Complaint]:
-        width = self.actual_width
-        if self.misalignment is None or self.method != "film" or width is None or self.film_start == "widest_gap":
-            return
-        from babbitt.cases.film_layout import film_layout  # it reads this model
-
-        if not self.hollows() and any(self.span_at(point) is None for point in self.operating_points or (None,)):
-            return
-        layouts = (film_layout(self, point, width, 1.0) for point in self.operating_points or (None,))
-        yield from complaint_about_tilt(any(hollow.width is None for at in layouts for hollow in at.hollows))
-
-    @rule
-    def _departures_are_of_the_size_of_the_clearance(self) -> Iterator[Complaint]:
-        if not isinstance(self.bore, WornBoreGiven | MeasuredBoreGiven):
-            return
-        largest = self.bore.largest_departure
-        clearance = self.clearance.at_20_degrees(self.diameter).mean / 2.0
-        if largest > MOST_DEPARTURE * clearance:
-            says = f"the bore departs by {written(largest, 'um')} from its circle"
-            allowed = f"up to {MOST_DEPARTURE:g} times the radial clearance of {written(clearance, 'um')}"
-            yield Complaint(("bore",), says, allowed)
-
-    @rule
-    def _lobes_lie_between_grooves(self) -> Iterator[Complaint]:
-        if isinstance(self.bore, LobedBoreGiven) and len(self.grooves) < 2:
-            says = f"lobes lie between grooves; {len(self.grooves)} given"
-            yield Complaint(("bore",), says, "as many grooves as lobes, at least two")
-
-    @rule
-    def _widest_gap_is_of_a_plain_bore(self) -> Iterator[Complaint]:
-        if self.film_start != "widest_gap" or self.method != "film":
-            return
-        if self.hollows():
-            says = "a film that starts at the widest gap has no grooves, pockets or holes"
-            yield Complaint(("film_start",), says, "groove")
-        if (self.bore is not None and self.bore.kind != "round") or self.misalignment is not None:
-            says = "a film that starts at the widest gap needs a round bore and an aligned journal"
-            yield Complaint(("film_start",), says, "groove")
-        if self.span not in (None, 360):
-            says = f"a film that starts at the widest gap surrounds the journal; span is {self.span} deg"
-            yield Complaint(("film_start",), says, "groove, or span 360 deg")
-        for name in ("turbulence", "pressure_viscosity"):
-            if getattr(self, name) not in (None, "laminar"):
-                says = "a film that starts at the widest gap is laminar and of constant viscosity"
-                yield Complaint((name,), says, "film_start: groove")
-        if self.cavitation == "mass_conserving":
-            says = "a film that starts at the widest gap does not conserve the oil"
-            yield Complaint(("cavitation",), says, "reynolds")
-
-    @rule
-    def _given_flows_are_counted(self) -> Iterator[Complaint]:
-        for path, hollow in self.hollows():
-            if hollow.flow is None:
-                continue
-            if self.method == "film" and self.cavitation != "mass_conserving":
-                says = "the Reynolds condition does not count the oil that a supply of given flow delivers"
-                yield Complaint((*path, "flow"), says, "cavitation: mass_conserving, or a pressure")
-
-    @rule
-    def _grooves_stand_still(self) -> Iterator[Complaint]:
-        if self.method == "film" and self.bearing_speed and self.film_start != "widest_gap":
-            says = "grooves and pockets that turn with the bearing leave no steady film"
-            yield Complaint(("bearing_speed",), says, "0 rpm, or film_start: widest_gap")
+    def film_starts(self) -> FilmStart:
+        """Where the film begins: as given, else nowhere under the half-Sommerfeld condition, else at grooves."""
+        unfed = "periodic" if self.cavitation == "half_sommerfeld" else "groove"
+        return FilmStart[(self.film_start or unfed).upper()]
 
     def hollows(self) -> list[tuple[tuple[str | int, ...], GrooveGiven | PocketGiven | SupplyHoleGiven]]:
         """Grooves, pockets and holes, each with its path in the case."""
@@ -377,7 +348,8 @@ class JournalBearing(Duty, SharedInputs):
         """Supply element at an operating point (None: the bearing as such)."""
         return self.supply_element if point is None else point.supply_element or self.supply_element
 
-    def _duties(self) -> Iterator[tuple[tuple[str | int, ...], Duty]]:
+    def duties(self) -> Iterator[tuple[tuple[str | int, ...], Duty]]:
+        """Loads and speeds of the bearing and of its operating points, each with its path in the case."""
         yield (), self
         for index, point in enumerate(self.operating_points):
             yield ("operating_points", index), point

@@ -9,6 +9,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from babbitt.cases.bore_file import TableError, with_tables
+from babbitt.cases.displacement_file import with_displacements
 from babbitt.cases.document import DocumentError, Node, read_document
 from babbitt.cases.machine import Case, JournalCase, Machine
 from babbitt.cases.overhung_coupling import OverhungCouplingCase
@@ -79,12 +80,41 @@ def parse_case(text: str, name: str = "<text>") -> Case:
     return _parsed(text, name, FilePath())
 
 
-def _parsed(text: str, name: str, folder: FilePath) -> Case:
+def read_file(path: FilePath) -> dict[str, Any]:
+    """What stands in a case file, not yet checked but for being a mapping.
+
+    Raises
+    ------
+    CaseError
+        When it cannot be read, or is no document of the case language.
+    """
+    given = _document(_text_of(path), str(path)).plain()
+    if not isinstance(given, dict):
+        load_case(path)  # tells what is wrong
+    return dict(given)
+
+
+def build_case(given: Mapping[str, Any], name: str, folder: FilePath) -> Case:
+    """Read a case from a dictionary whose tables are named from a folder.
+
+    Raises
+    ------
+    CaseError
+        With every problem; lines are 0.
+    """
+    return _case(dict(given), name, None, folder)
+
+
+def _document(text: str, name: str) -> Node:
     try:
-        root = read_document(text)
+        return read_document(text)
     except DocumentError as error:
         problem = Problem(name, error.line, "", error.says, allowed=error.allowed, hint=error.hint, code="E002")
         raise CaseError([problem]) from None
+
+
+def _parsed(text: str, name: str, folder: FilePath) -> Case:
+    root = _document(text, name)
     return _case(root.plain(), name, root, folder).with_text(text)
 
 
@@ -142,7 +172,7 @@ def _case(given: Any, name: str, root: Node | None, folder: FilePath) -> Case:
         hint = nearest(kind, KINDS) if isinstance(kind, str) else ""
         raise CaseError([_problem(name, root, given, ("kind",), says, ", ".join(KINDS), hint)])
     try:
-        return KINDS[kind].model_validate(with_tables(given, folder))
+        return KINDS[kind].model_validate(with_displacements(with_tables(given, folder), folder))
     except TableError as error:
         raise CaseError([_problem(name, root, given, error.path, error.says, error.allowed)]) from None
     except ValidationError as error:

@@ -13,8 +13,17 @@ from babbitt.cases.supply import GaugePressure, OilTemperature, SupplyFlow
 from babbitt.cases.supply_element import SupplyElementGiven
 from babbitt.units import either_sense, si
 
-LOADS = ("load", "specific_load", "eccentricity_ratio")
+LOADS = ("load", "specific_load", "eccentricity_ratio", "position")
 SPEEDS = ("speed", "surface_speed")
+
+
+class PositionGiven(Part):
+    """Where the journal centre stands."""
+
+    example: ClassVar[str] = "{x: 20 um, y: -60 um}"
+
+    x: Annotated[float, si("m", "-5 mm", "5 mm")] = Field(description="To the right of the bearing centre.")
+    y: Annotated[float, si("m", "-5 mm", "5 mm")] = Field(description="Above the bearing centre.")
 
 
 class Duty(Part):
@@ -33,6 +42,11 @@ class Duty(Part):
         None,
         description="Besides the eccentricity ratio, for the film method: from the load angle to the journal "
         "centre in the sense of rotation. The direction of the load is then found, too.",
+    )
+    position: PositionGiven | None = Field(
+        None,
+        description="Prescribed place of the journal centre, for the film method, in place of the load. The load "
+        "and its direction are found.",
     )
     speed: Annotated[float, either_sense("rad/s", "0.1 rpm", "1000000 rpm")] | None = Field(
         None, description="Rotational speed of the journal, positive counter-clockwise."

@@ -68,6 +68,18 @@ class GivenEccentricity:
 
 
 @dataclass(frozen=True)
+class GivenPosition:
+    """The journal centre stands `x`, `y` from the bearing centre, in m; the load and its direction are found."""
+
+    x: float
+    y: float
+
+
+Duty = GivenLoad | GivenEccentricity | GivenPosition
+"""What a bearing carries, or where its journal stands."""
+
+
+@dataclass(frozen=True)
 class OilSupply:
     """Oil fed under pressure: inlet temperature in K, gauge pressure in Pa, losses on the way.
 
@@ -159,7 +171,7 @@ class Designed(Protocol):
     @property
     def journal_speed(self) -> float: ...  # noqa: D102
     @property
-    def duty(self) -> GivenLoad | GivenEccentricity: ...  # noqa: D102
+    def duty(self) -> Duty: ...  # noqa: D102
     @property
     def bearing_speed(self) -> float: ...  # noqa: D102
 

@@ -28,6 +28,8 @@ def failure(case: Designed, found: Equilibrium[FilmT]) -> str:
             far = f"the clearance is used up at {reached}"
         case Outcome.NO_LUBRICANT_DATA:
             far = f"the laws of {case.lubricant.name} were followed to {reached}"
+        case Outcome.OUTSIDE_CLEARANCE:
+            far = f"at {reached} the journal would touch or cut the bore there"
         case _ if found.film is None:
             far = f"no equilibrium of the journal was found at {reached}"
         case _:

@@ -18,6 +18,7 @@ factors.
 from __future__ import annotations
 
 from babbitt.film._compiling import inlined
+from babbitt.film._endings import apply_ends
 from babbitt.film._structs import END_PRESSURE, START_PRESSURE
 
 
@@ -42,7 +43,8 @@ def count_wet(grid, k, lines, m):
 def solve_land(axial, bearing, grid, k, film, lines, nodal_from):
     """Solve land k for pressure (or void) and the adjoints of both force components; the wet set stands.
 
-    Lines are treated in modes up to the line before the first one with a dry node, but at most to nodal_from - 1.
+    Lines are treated in modes up to the line before the first one with a dry node, but at most to nodal_from - 1;
+    below n it says that from there on the film ends between lines (``_endings``).
     """
     m = len(axial.size)
     n = film.conductance.size
@@ -53,7 +55,7 @@ def solve_land(axial, bearing, grid, k, film, lines, nodal_from):
     if broken < n:
         if full > 0:
             full_line_to_nodes(axial, lines, full)
-        sweep_broken_lines(axial, bearing, grid, k, film, lines, broken)
+        sweep_broken_lines(axial, bearing, grid, k, film, lines, broken, nodal_from < n)
         back_substitute(lines, max(full, 1), n, m, bearing.conserving)
         if full > 0:
             rotate(axial.modes_transposed, solution, modal, full, full, m)
@@ -134,7 +136,7 @@ def rotate(matrix, vectors, result, first, last, m):
 
 
 @inlined
-def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken):
+def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken, between):
     """Forward elimination in nodal coordinates from the first broken line on."""
     m = len(axial.size)
     n = film.conductance.size
@@ -144,6 +146,9 @@ def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken):
         if lines.wet_count[i] == 0 and not conserving:
             for a in range(m):
                 lines.lower[i, a], lines.upper[i, a] = 0.0, 0.0
+            continue
+        if lines.wet_count[i] == 0:
+            sweep_dry_line(axial, bearing, grid, k, film, lines, i)
             continue
         t0, t1 = film.conductance[i - 1], film.conductance[i]
         stretch = bearing.kappa * film.cubed[i]
@@ -173,7 +178,9 @@ def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken):
             swept[i, 2, a] = -q * grid.weight_y[k, i] if here else 0.0
             for b in range(m):
                 inverse[i, a, b] = stretch * axial.stiffness[a, b] if row_counts and wet[k, i, b] else 0.0
-            inverse[i, a, a] = inverse[i, a, a] + t0 + t1 + lines.ending[i, a] if here else void_here
+            inverse[i, a, a] = inverse[i, a, a] + t0 + t1 if here else void_here
+        if between:
+            apply_ends(axial, film, lines, i, stretch, conserving, wet[k, i])
         if i > 1 and (conserving or lines.wet_count[i - 1] > 0):
             for a in range(m):
                 r0, r1, r2 = 0.0, 0.0, 0.0
@@ -187,11 +194,35 @@ def sweep_broken_lines(axial, bearing, grid, k, film, lines, broken):
                 swept[i, 0, a] -= lower * r0
                 swept[i, 1, a] -= upper * r1
                 swept[i, 2, a] -= upper * r2
-        if lines.wet_count[i] > 0:
-            invert(inverse, i, m)
-        else:
-            for a in range(m):
-                inverse[i, a, a] = 1.0 / inverse[i, a, a]
+        invert(inverse, i, m)
+
+
+@inlined
+def sweep_dry_line(axial, bearing, grid, k, film, lines, i):
+    """Forward elimination of a line without pressure: every column transports its void."""
+    m = len(axial.size)
+    n = film.conductance.size
+    inverse, swept = lines.inverse, lines.swept
+    t0, arriving = film.conductance[i - 1], film.couette[i - 1]
+    source = arriving - film.couette[i] - film.squeeze[i]
+    if i == 1:
+        source += film.inlet[0] - film.couette[0]
+    if i == n - 1:
+        source += film.conductance[i] * bearing.lands[k, END_PRESSURE]
+    side = bearing.kappa * film.cubed[i] * bearing.side_pressure
+    pivot = -1.0 / (film.couette[i] + film.squeeze[i])
+    for a in range(m):
+        lower = -t0 if grid.wet[k, i - 1, a] else arriving
+        lines.lower[i, a], lines.upper[i, a] = lower, 0.0
+        right = axial.root_weights[a] * source + axial.load[a] * side
+        if i > 1 and lines.wet_count[i - 1] == 0:
+            right -= lower * inverse[i - 1, a, a] * swept[i - 1, 0, a]
+        elif i > 1:
+            for b in range(m):
+                right -= lower * inverse[i - 1, a, b] * swept[i - 1, 0, b]
+        swept[i, 0, a], swept[i, 1, a], swept[i, 2, a] = right, 0.0, 0.0
+        for b in range(m):
+            inverse[i, a, b] = pivot if a == b else 0.0
 
 
 @inlined
@@ -225,6 +256,11 @@ def back_substitute(lines, first, n, m, conserving):
                 swept[i, 0, b] -= lines.upper[i + 1, b] * solution[i + 1, 0, b]
                 swept[i, 1, b] -= lines.lower[i + 1, b] * solution[i + 1, 1, b]
                 swept[i, 2, b] -= lines.lower[i + 1, b] * solution[i + 1, 2, b]
+        if lines.wet_count[i] == 0:
+            for r in range(3):
+                for a in range(m):
+                    solution[i, r, a] = inverse[i, a, a] * swept[i, r, a]
+            continue
         for a in range(m):
             r0, r1, r2 = 0.0, 0.0, 0.0
             for b in range(m):

@@ -12,11 +12,13 @@ import math
 import numpy as np
 
 from babbitt.film._compiling import compiled, inner, spliced
-from babbitt.film._elimination import solve_land
-from babbitt.film._forces import add_forces, end_at_rupture, update_wet_set
+from babbitt.film._elimination import count_wet, solve_land
+from babbitt.film._endings import add_ends, find_ends
+from babbitt.film._forces import add_forces, update_wet_set
 from babbitt.film._grids import (
     film_coefficients,
     graded_lines,
+    intervals_of,
     new_film,
     new_grid,
     new_lines,
@@ -31,6 +33,9 @@ PATIENCE = 40  # updates of the wet set before a patient step
 PATIENT_STEPS = 6  # patient steps before the lines are graded anew: a grid blind to the thin film never settles
 THINNEST = 1e-3  # of the clearance: a film that settles below, or ends there unsettled, is overloaded
 CONTACT = 1e-6  # of the clearance: where a search gives up
+LONGEST = 300  # steps of an attempt on coarse grids
+COARSE = 1e-2  # of the load: residual at which a coarse grid has done its part, settled wet set or not
+CROWD = 16  # one node in so many may change sides in a step; with more the journal waits for the wet set
 CYCLING = 30  # steps after which a node that changes sides for ever is let be, if the load is carried within 1e-4
 
 
@@ -42,32 +47,30 @@ def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, re
 
     Between two lines the rupture moves without the wet set noticing, and the adjoints end on a line: stiffness and
     damping are the exact derivatives of the discrete film, but jump by a per cent when a node changes sides.
-    With ``smooth`` the adjoints are solved once more and end at the rupture itself. (Callers write bool(0): for
-    the literal False the compiler would make a second kernel.)
+    With ``smooth`` a film that has settled on this grid keeps its pressure, and the adjoints end where it does
+    (``_endings``). (Callers write bool(0): for the literal False the compiler would make a second kernel.)
     """
     result[:] = 0.0
     changed = 0
-    n = film.conductance.size
+    m, n = len(axial.size), film.conductance.size
     for k in range(bearing.lands.shape[0]):
         film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film)
-        nodal_from = n
-        for again in range(2):
-            solve_land(axial, bearing, grid, k, film, lines, nodal_from)
-            if again == 1:
-                lines.ending[:] = 0.0
-                for i in range(n + 1):
-                    for j in range(len(axial.size)):
-                        lines.solution[i, 0, j] = grid.value[k, i, j]
-            else:
-                for i in range(n + 1):
-                    for j in range(len(axial.size)):
-                        grid.value[k, i, j] = lines.solution[i, 0, j]
+        first = n
+        if smooth:
+            count_wet(grid, k, lines, m)
+            first = find_ends(axial, bearing, grid, k, film, lines)
+        solve_land(axial, bearing, grid, k, film, lines, first)
+        for i in range(n + 1):
+            for j in range(m):
                 if smooth:
-                    nodal_from = end_at_rupture(axial, bearing, grid, k, film, lines)
-            if not smooth or nodal_from == n:
-                break
+                    lines.solution[i, 0, j] = grid.value[k, i, j]
+                else:
+                    grid.value[k, i, j] = lines.solution[i, 0, j]
         add_forces(axial, bearing, grid, k, film, lines, result)
-        changed += update_wet_set(axial, bearing, grid, k, film, lines)
+        if smooth:
+            add_ends(axial, grid, k, film, lines, first, result)
+        else:
+            changed += update_wet_set(axial, bearing, grid, k, film, lines)
     return changed
 
 
@@ -108,6 +111,7 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
     load = math.hypot(load_x, load_y)
     floor = tolerance * load + 1e-13
     step_time, last_size, calm = 0.0, 0.0, 0
+    held = False
     shrink = 0.6 if patient else 0.25  # of the smallest gap in one step
     gap = smallest_gap(grid, x, y)
     if not gap > 0.0:
@@ -119,13 +123,16 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
             changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, bool(0), result)
             if changed == 0:
                 break
+        held = changed * CROWD > grid.wet.size and not held
+        if held:
+            continue
         rx, ry = result[0] + load_x, result[1] + load_y
         size = math.hypot(rx, ry)
         if not size < np.inf:
             return x, y, NO_FILM, step, gap
         if size <= floor or (step > CYCLING and size <= 1e-4 * load):
             calm += 1
-            if changed == 0 or calm > 4:  # ties may change sides for ever
+            if changed == 0 or calm > 4 or tolerance >= COARSE:  # ties may change sides for ever
                 return x, y, CONVERGED, step, gap
         dx, dy, step_time = damped_step(result, rx, ry, size, last_size, load, gap, step_time)
         if not math.isfinite(dx + dy):
@@ -165,14 +172,16 @@ def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient,
             share * load_y,
             x,
             y,
-            1e-2,
+            COARSE,
             steps_per_grid,
             patient,
             result,
         )
         total += steps
         settled = status == CONVERGED
-        if status == NO_FILM or not (settled or patient):
+        if max(gap, last_gap) < THINNEST:  # no way back from there is known
+            status = NO_FILM
+        if status == NO_FILM or not (settled or patient) or total > LONGEST:
             break
         if settled and (share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap)):
             break
@@ -193,21 +202,26 @@ def approach(axial, bearing, n_coarse, load_x, load_y, x, y, max_steps, patient,
 def find_equilibrium(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tolerance, max_steps, result):
     """Equilibrium on graded lines: returns x, y, status, steps, smallest gap and the grid; fills ``result``.
 
-    A fast attempt first; if it loses the film, a patient one; then one that raises the load in small steps.
+    Numbers of intervals are those of lands up to half a turn (``intervals_of``).
+
+    A fast attempt first; if it loses the film, one that searches on the fine grid, for a coarse one may be blind
+    to a thin film beside a groove; then two patient ones, with large steps of the load and with small.
     """
+    n_coarse, n_fine = intervals_of(bearing, n_coarse), intervals_of(bearing, n_fine)
     fine = new_grid(bearing.lands.shape[0], n_fine, len(axial.size))
     film, lines = new_film(n_fine), new_lines(n_fine, len(axial.size))
     status, total, gap, x0, y0 = NO_FILM, 0, 0.0, x, y
-    for attempt in range(3):
-        first, factor = (LIGHT_LOAD, 1.5) if attempt == 2 else (MODERATE_LOAD, 4.0)
+    for attempt in range(4):
+        first, factor = (LIGHT_LOAD, 1.5) if attempt == 3 else (MODERATE_LOAD, 4.0)
+        n_search, patient = n_fine if attempt % 2 == 1 else n_coarse, attempt > 1
         x, y, status, steps, coarse = approach(
-            axial, bearing, n_coarse, load_x, load_y, x0, y0, max_steps, attempt > 0, first, factor, result
+            axial, bearing, n_search, load_x, load_y, x0, y0, max_steps, patient, first, factor, result
         )
         total += steps
         if status == CONVERGED:
             graded_lines(bearing, coarse, x, y, fine)
             x, y, status, steps, gap = settle(
-                axial, bearing, fine, film, lines, load_x, load_y, x, y, tolerance, max_steps, attempt > 0, result
+                axial, bearing, fine, film, lines, load_x, load_y, x, y, tolerance, max_steps, patient, result
             )
             total += steps
         if status == CONVERGED:

@@ -9,6 +9,7 @@ film ends with p = dp/dn = 0 the first-order pressure vanishes on the unperturbe
 from __future__ import annotations
 
 from babbitt.film._compiling import inlined
+from babbitt.film._endings import reach
 from babbitt.film._structs import END_PRESSURE, START_PRESSURE
 
 TIE = 1e-12  # a pressure or void this far below zero counts as zero
@@ -53,41 +54,9 @@ def update_wet_set(axial, bearing, grid, k, film, lines):
 
 
 @inlined
-def end_at_rupture(axial, bearing, grid, k, film, lines):
-    """Let the adjoints vanish at the rupture instead of the first dry line; returns the first line concerned.
-
-    Near the rupture p'' is constant. In the discrete film the pressure d intervals before the first dry line is
-    then g (d^2/2 + e d), with g = (Q_i+1 - Q_i)/T_i the surplus of the dry line, and its slope is that of the
-    parabola that ends e intervals behind that line: e = p_i/g - 1/2. The conductance from the last wet line to
-    the end of the film is T_i / (1 + e) instead of T_i.
-    """
-    m = len(axial.size)
-    n = film.conductance.size
-    first = n
-    for i in range(1, n):
-        if lines.wet_count[i - 1] + lines.wet_count[i] + lines.wet_count[i + 1] in (0, 3 * m):
-            continue
-        for j in range(m):
-            if not grid.wet[k, i, j]:
-                continue
-            pressure = lines.solution[i, 0, j] / axial.root_weights[j]
-            if i < n - 1 and not grid.wet[k, i + 1, j]:
-                surplus = (film.couette[i + 1] - film.couette[i]) / film.conductance[i]
-                lines.ending[i, j] += film.conductance[i] * shortening(pressure, surplus)
-                first = min(first, i)
-            if i > 1 and not grid.wet[k, i - 1, j] and not bearing.conserving:
-                surplus = (film.couette[i - 1] - film.couette[i - 2]) / film.conductance[i - 1]
-                lines.ending[i, j] += film.conductance[i - 1] * shortening(pressure, surplus)
-                first = min(first, i)
-    return first
-
-
-@inlined
 def shortening(pressure, surplus):
-    """Relative change of the conductance of an interval at the end of the film: 1/(1/2 + p/g) - 1."""
-    if surplus <= 0.0:
-        return 0.0
-    return 1.0 / (0.5 + min(pressure / surplus, 1.0)) - 1.0
+    """Relative change of the conductance of an interval in which the film ends."""
+    return 1.0 / reach(pressure, surplus) - 1.0
 
 
 @inlined

@@ -55,10 +55,20 @@ def new_film(n):
 def new_lines(n, m):
     """Workspace of a land with n intervals and m axial unknowns."""
     return Lines(
-        np.zeros(n + 1, np.int64), np.zeros((n + 1, m)), np.zeros((n + 1, 3, m)), np.empty((n + 1, m)),
+        np.zeros(n + 1, np.int64), np.ones((n + 1, m)), np.ones((n + 1, m)), np.full((n + 1, m), 0.5),
+        np.zeros((n + 1, 3, m)), np.empty((n + 1, m)),
         np.empty((n + 1, m, m)), np.zeros((n + 1, m)), np.zeros((n + 1, m)),
         np.zeros((n + 1, 3, m)), np.empty((n + 1, 3, m)),
     )  # fmt: skip
+
+
+@inlined
+def intervals_of(bearing, n):
+    """Intervals of every land for n over half a turn: a land that is longer gets more in proportion."""
+    longest = math.pi
+    for k in range(bearing.lands.shape[0]):
+        longest = max(longest, bearing.lands[k, END] - bearing.lands[k, START])
+    return math.ceil(n * longest / math.pi - 1e-9)
 
 
 @inlined
@@ -115,8 +125,10 @@ def graded_lines(bearing, coarse, x, y, grid):
                 passed += density[c] * coarse.step[k, c]
                 c += 1
             grid.theta[k, i] = coarse.theta[k, c] + (wanted - passed) / density[c]
+            before, behind = max(c, 1), min(c + 1, cells - 1)  # the edges of the land tell nothing
             for j in range(m):
-                grid.wet[k, i, j] = coarse.wet[k, c, j] or coarse.wet[k, c + 1, j]
+                grid.wet[k, i, j] = coarse.wet[k, before, j] or coarse.wet[k, behind, j]
+        grid.wet[k, 0, :] = grid.wet[k, n, :] = True
         grid.theta[k, 0], grid.theta[k, n] = bearing.lands[k, START], bearing.lands[k, END]
     fill_grid(bearing, grid)
 

@@ -39,7 +39,7 @@ def integrate(axial, bearing, grid, film, x, y, x_rate, y_rate, pressure, void, 
         for i in range(1, n):
             for j in range(m):
                 stored += axial.root_weights[j] ** 2 * (1.0 - void[k, i, j]) * film.squeeze[i]
-            stored += axial.edge_weight * film.squeeze[i]
+            stored += axial.edge_weight * (1.0 - void[k, i, m]) * film.squeeze[i]
         totals[k, IMBALANCE] = totals[k, INFLOW] - totals[k, OUTFLOW] - totals[k, SIDE_FLOW] - stored
 
 
@@ -67,7 +67,11 @@ def inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals)
 
 @inner
 def edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals):
-    """Side flow: what the row of the edge node cannot pass on."""
+    """Side flow: what the row of the edge node can neither pass on nor store.
+
+    With the liquid fraction phi, w (Q_i + S_i) phi + side flow = w q_i-1 - kappa H_i (K p)_edge. Of what arrives,
+    the gap takes up to w (Q_i + S_i); only where it is full (phi = 1) does oil leave at the side.
+    """
     m = len(axial.size)
     n = film.conductance.size
     weight = axial.edge_weight
@@ -77,15 +81,17 @@ def edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals):
     totals[k, INFLOW] += weight * flux
     for i in range(n):
         if i > 0:
-            arriving = weight * (flux - film.squeeze[i])
+            if not bearing.conserving and grid.wet[k, i, m - 1] and not grid.wet[k, i - 1, m - 1]:
+                flux = film.couette[i - 1]  # where a Reynolds film begins, oil comes from nowhere, here as inside
+            arriving = weight * flux
             for j in range(m + 1):
                 arriving -= bearing.kappa * film.cubed[i] * axial.edge_stiffness[j] * pressure[k, i, j]
-            flux = film.couette[i]
-            if bearing.side_pressure <= 0.0:
-                flux = min(flux, max(arriving / weight, 0.0))
-            if film.couette[i] > 0.0:
-                void[k, i, m] = 1.0 - flux / film.couette[i]
-            totals[k, SIDE_FLOW] += arriving - weight * flux
+            room, liquid = weight * (film.couette[i] + film.squeeze[i]), 1.0
+            if bearing.side_pressure <= 0.0 and room > 0.0:
+                liquid = min(max(arriving, 0.0) / room, 1.0)
+            void[k, i, m] = 1.0 - liquid
+            flux = liquid * film.couette[i]
+            totals[k, SIDE_FLOW] += arriving - liquid * room
         add_friction(bearing, grid, k, i, film, x, y, weight, flux, i == 0, 0.0, 0.0, void[k, i, m], totals)
     totals[k, OUTFLOW] += weight * flux
 

@@ -6,7 +6,15 @@ import math
 
 from babbitt.film._compiling import compiled, spliced
 from babbitt.film._equilibrium import CONVERGED, NO_FILM, TOO_MANY_STEPS, evaluate
-from babbitt.film._grids import graded_lines, new_film, new_grid, new_lines, smallest_gap, uniform_lines
+from babbitt.film._grids import (
+    graded_lines,
+    intervals_of,
+    new_film,
+    new_grid,
+    new_lines,
+    smallest_gap,
+    uniform_lines,
+)
 
 
 @spliced
@@ -22,6 +30,7 @@ def find_wet_set(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, max_st
 def film_at(axial, bearing, n_coarse, n_fine, x, y, x_rate, y_rate, max_steps, result):
     """Film at a position and velocity on graded lines: returns status, steps, gap, grid; fills ``result``."""
     m, count = len(axial.size), bearing.lands.shape[0]
+    n_coarse, n_fine = intervals_of(bearing, n_coarse), intervals_of(bearing, n_fine)
     n = n_coarse
     grid = new_grid(count, n, m)
     uniform_lines(bearing, grid)

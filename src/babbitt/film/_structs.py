@@ -86,7 +86,9 @@ class Lines(NamedTuple):
     """Solution on the lines of one land and the workspace of the elimination."""
 
     wet_count: NDArray[int64]  # wet nodes of a line, as the last solution saw them, (n + 1,)
-    ending: Array  # what the last interval adds to the diagonal of a row at the end of the film, (n + 1, m)
+    before: Array  # how far the film reaches from a node, in intervals (``_endings``), (n + 1, m)
+    behind: Array  # the same to the other side, (n + 1, m)
+    fill: Array  # part of the interval before a node behind a closing front, 1/2 elsewhere, (n + 1, m)
     solution: Array  # u or sigma = sqrt(w) s, adjoint of F_x, adjoint of F_y: (n + 1, 3, m)
     pivot: Array  # inverse modal pivots, (n + 1, m)
     inverse: Array  # inverse of the block of a line, (n + 1, m, m)

@@ -188,6 +188,14 @@ class AxialMesh:
         return np.flatnonzero(np.concatenate(([True], np.diff(self.points) < 1e-9)))
 
     @property
+    def breaks(self) -> tuple[int, ...]:
+        """Nodes at the ends of the elements; none where the only element is half of an even polynomial."""
+        starts = self.element_starts
+        if starts.size == 1 and self.nodes[0] == 0.0:
+            return ()
+        return (*(int(node) for node in self.node_of_point[starts]), self.nodes.size - 1)
+
+    @property
     def element_centres(self) -> Array:
         """Middle of the element that a point belongs to, shape (points,)."""
         starts = self.element_starts

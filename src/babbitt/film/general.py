@@ -29,7 +29,8 @@ from babbitt.film._surface_film import (
 )
 from babbitt.film._surface_forces import evaluate_surface
 from babbitt.film.model import JournalFilm, Resolution
-from babbitt.film.ring import Density, Ring, axial_gain, bore_gap, build_ring
+from babbitt.film.ring import Ring, axial_gain, bore_gap, build_ring
+from babbitt.film.ring_mesh import Density
 
 __all__ = ["SettledRing", "rest_ring", "ring_at"]
 
@@ -41,7 +42,7 @@ ZERO = np.zeros(2)
 class Effort:
     """What a search may still spend, in multiplications: a bound that is the same on every machine."""
 
-    left: float = 1.8e8
+    left: float = 2.0e8
 
 
 @dataclass(eq=False)
@@ -140,8 +141,8 @@ def rest(
                 break
         residual = sample.force + load
         size = math.hypot(*residual)
-        if not math.isfinite(size):
-            return at, NO_FILM, step, gap
+        if not math.isfinite(size):  # a closed ring that ran dry says nothing about its load
+            return at, TOO_MANY_STEPS, step, gap
         if sample.effort.left < 0.0:
             return at, TOO_MANY_STEPS, step, gap
         if size <= floor or (step > CYCLING and size <= 1e-4 * size_of_load):
@@ -164,11 +165,12 @@ def rest(
 
 
 def rest_ring(film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int) -> SettledRing:
-    """Equilibrium under a dimensionless load: a fast attempt, and if that loses the film, a patient one."""
+    """Equilibrium under a dimensionless load: a fast and a patient attempt, then both from a finer ring."""
     effort = Effort()
-    settled = attempt(film, unit, load, resolution, max_steps, effort, patient=False)
-    if settled.status != CONVERGED:
-        settled = attempt(film, unit, load, resolution, max_steps, effort, patient=True)
+    for refinement, patient in ((4, False), (4, True), (2, False), (2, True)):
+        settled = attempt(film, unit, load, resolution, max_steps, effort, refinement, patient)
+        if settled.status == CONVERGED or effort.left < 0.0:
+            break
     return replace(settled, status=NO_FILM) if settled.gap < THINNEST else settled
 
 
@@ -179,9 +181,10 @@ def attempt(
     resolution: Resolution,
     max_steps: int,
     effort: Effort,
+    refinement: int,
     patient: bool,
 ) -> SettledRing:
-    """Coarse rings first, heavier loads step by step, then the fine ring."""
+    """Coarse rings first, heavier loads step by step, then the fine ring, with ``refinement`` times the lines."""
     per_turn = resolution.ring_intervals
     size = math.hypot(*load)
     share = min(1.0, MODERATE_LOAD / max(size, 1e-300))
@@ -189,13 +192,17 @@ def attempt(
     coarse: Sample | None = None
     steps_per_grid = PATIENT_STEPS if patient else max_steps
     for _ in range(60):
-        sample = Sample.of(build_ring(film, unit, per_turn // 4, resolution.axial_unknowns, density), effort)
+        sample = Sample.of(
+            build_ring(film, unit, per_turn // refinement, resolution.axial_unknowns, density), effort
+        )
         if coarse is not None:
             sample.start_from(coarse)
         coarse = sample
         at, status, steps, gap = rest(sample, share * load, at, 1e-2, steps_per_grid, patient)
         total += steps
         settled = status == CONVERGED
+        if max(gap, last_gap) < THINNEST:  # no way back from there is known
+            status = NO_FILM
         if status == NO_FILM or effort.left < 0.0 or not (settled or patient):
             return SettledRing(film, sample, at, status, total, gap)
         density = line_density(film, at, gap)

@@ -3,14 +3,28 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 from babbitt.film.piezoviscosity import PressureViscosity
 from babbitt.film.turbulence import FilmTurbulence
 from babbitt.notices import InputError
 
-__all__ = ["Cavitation", "FilmStart", "JournalFilm", "Land", "Pocket", "Resolution", "Step", "grooved_bore"]
+__all__ = [
+    "END_DAM",
+    "Cavitation",
+    "FilmStart",
+    "JournalFilm",
+    "Land",
+    "Pocket",
+    "Resolution",
+    "Step",
+    "grooved_bore",
+]
+
+END_DAM = 0.025
+"""Share of the width over which the pressure of a groove as wide as the bearing falls to that of the side, either
+end. Assumption: real grooves end before the edge, or leak through their ends by an amount that no film knows."""
 
 
 class Cavitation(Enum):
@@ -247,8 +261,8 @@ class JournalFilm:
         """Whether both halves of the width are alike."""
         return (
             self.misalignment == (0.0, 0.0)
-            and all(pocket.axial_centre == 0.0 for pocket in self.pockets)
-            and all(step.axial_centre == 0.0 for step in self.steps)
+            and {replace(one, axial_centre=-one.axial_centre) for one in self.pockets} == set(self.pockets)
+            and {replace(one, axial_centre=-one.axial_centre) for one in self.steps} == set(self.steps)
             and all(row == row[::-1] for row in (*self.viscosity_field, *self.displacement))
             and self.axial_viscosity == self.axial_viscosity[::-1]
             and self.crowning == self.crowning[::-1]

@@ -1,34 +1,30 @@
-"""The unrolled bearing of a film that differs across the width: lines, nodes, what is held, and the gap.
+"""The unrolled bearing of a film that differs across the width: nodes, what is held, and the gap.
 
 One surface from a groove once round the bearing (or a closed ring where no groove spans the width). Lines fall on
-every groove and pocket edge; axial elements end on every pocket edge, for the pressure has kinks there.
+every groove and pocket edge; axial elements end on every pocket edge, for the pressure has kinks there
+(``ring_mesh``).
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film._surface_film import Surface
-from babbitt.film.axial import AxialMesh, element_axial_mesh, even_axial_mesh
-from babbitt.film.model import Cavitation, Field, FilmStart, JournalFilm, Land, Pocket, Step
+from babbitt.film.axial import AxialMesh
+from babbitt.film.model import END_DAM, Cavitation, Field, FilmStart, JournalFilm, Land
 from babbitt.film.piezoviscosity import pressure_table, reduced_pressure
+from babbitt.film.ring_mesh import Density, GrooveArc, axial_mesh, groove_arcs, ring_lines, within
 
-__all__ = ["Ring", "build_ring", "circumferential_lines"]
+__all__ = ["Ring", "build_ring"]
 
 Array = NDArray[np.float64]
-Density = Callable[[Array], Array]
 TURN = 2.0 * math.pi
 GROOVE_GAP = 20.0  # gap over a groove or pocket, in clearances: deep, and never the smallest
 PLUG = 1e12  # viscosity there
-END_DAM = 0.025
-"""Share of the width over which the pressure of a groove as wide as the bearing falls to that of the side, either
-end. Assumption: real grooves end before the edge, or leak through their ends by an amount that no film knows."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,9 +75,9 @@ def build_ring(
     """
     mesh = axial_mesh(film, degree, halved=film.is_symmetric and motions == 2)
     grooves = [gap for gap in groove_arcs(film) if film.film_start is not FilmStart.PERIODIC]
-    start = grooves[0].first + grooves[0].extent if grooves else film.lands[0].start_angle
-    arcs = [(arc.first, arc.last) for arc in grooves]
-    theta = circumferential_lines(start, arcs, rectangles(film), per_turn, density)
+    order = film.land_order
+    start = film.lands[order[1 % len(order)]].start_angle  # behind the first groove, or the seam of a closed ring
+    theta = ring_lines(film, start, per_turn, density)
     inside = np.zeros(theta.size - 1, dtype=bool)
     for arc in grooves:
         inside |= within(0.5 * (theta[1:] + theta[:-1]), arc.first, arc.last)
@@ -145,12 +141,6 @@ def hold_nodes(film: JournalFilm, theta: Array, mesh: AxialMesh, grooves: list[G
     return held
 
 
-def rectangles(film: JournalFilm) -> list[tuple[float, float]]:
-    """Arcs of pockets and steps, rad."""
-    parts: tuple[Pocket | Step, ...] = (*film.pockets, *film.steps)
-    return [(part.centre_angle - 0.5 * part.extent, part.centre_angle + 0.5 * part.extent) for part in parts]
-
-
 def piezo_table(film: JournalFilm, pressure_unit: float, base: float) -> Array:
     """Reduced pressure and pressure above cavitation and dp/dr of the oil; the kernels' units."""
     law = film.pressure_viscosity
@@ -174,27 +164,6 @@ def turbulence_row(film: JournalFilm) -> Array:
     return film.turbulence.kernel_row(film.turbulence.density * speed * film.clearance / film.viscosity)
 
 
-def axial_mesh(film: JournalFilm, degree: int, *, halved: bool) -> AxialMesh:
-    """Mesh of half the width where everything is symmetric, of the whole width otherwise."""
-    half = 0.5 * film.width
-    parts: tuple[Pocket | Step, ...] = (*film.pockets, *film.steps)
-    ends = {
-        round(end / half, 12) for part in parts
-        for end in (part.axial_centre - 0.5 * part.axial_length, part.axial_centre + 0.5 * part.axial_length)
-    }  # fmt: skip
-    if film.film_start is not FilmStart.PERIODIC and any(arc.pressure > 0.0 for arc in groove_arcs(film)):
-        ends |= {-1.0 + 2.0 * END_DAM, 1.0 - 2.0 * END_DAM}
-    inner = [end for end in sorted(ends) if -1.0 + 1e-9 < end < 1.0 - 1e-9 and (not halved or end > 1e-9)]
-    if halved and not inner:
-        return even_axial_mesh(degree)
-    boundaries = (0.0 if halved else -1.0, *inner, 1.0)
-    if not inner:
-        return element_axial_mesh(boundaries, (2 * degree,))
-    lengths = np.diff(boundaries)
-    degrees = tuple(int(max(2, min(degree, round(2 * degree * length + 1)))) for length in lengths)
-    return element_axial_mesh(boundaries, degrees)
-
-
 def axial_cover(film: JournalFilm, centre: float, length: float, mesh: AxialMesh) -> NDArray[np.bool_]:
     """Nodes that a pocket covers, its edges included."""
     half = 0.5 * film.width
@@ -202,79 +171,12 @@ def axial_cover(film: JournalFilm, centre: float, length: float, mesh: AxialMesh
     return np.asarray((mesh.nodes >= low - 1e-9) & (mesh.nodes <= high + 1e-9))
 
 
-@dataclass(frozen=True)
-class GrooveArc:
-    """A groove between two lands: rad, gauge Pa, and the share of the gap that it fills."""
-
-    first: float
-    extent: float
-    pressure: float
-    fill: float = 1.0
-
-    @property
-    def last(self) -> float:
-        """Where the groove ends, rad."""
-        return self.first + self.extent
-
-
-def groove_arcs(film: JournalFilm) -> list[GrooveArc]:
-    """Grooves between the lands, each behind its land of ``film.land_order``."""
-    lands = [film.lands[number] for number in film.land_order]
-    arcs = []
-    for land, following in zip(lands, [*lands[1:], lands[0]], strict=True):
-        extent = (following.start_angle - land.end_angle + 1e-9) % TURN - 1e-9
-        pressure = 0.5 * (land.end_pressure + following.start_pressure)
-        arcs.append(GrooveArc(land.end_angle, max(extent, 0.0), pressure, following.start_fill))
-    return arcs
-
-
 def lines_of_groove(arc: GrooveArc, theta: Array) -> tuple[int, int]:
-    """Lines on both edges of a groove; the one that closes the turn begins at the last edge of the first."""
+    """Lines on both edges of a groove; the turn begins and closes at the last edge of the first groove."""
     first, last = ((edge - theta[0] + 1e-8) % TURN - 1e-8 for edge in (arc.first, arc.last))
     if first < 1e-7:
         first = TURN
     return int(np.abs(theta - theta[0] - first).argmin()), int(np.abs(theta - theta[0] - last).argmin())
-
-
-def within(angles: Array, first: float, last: float) -> NDArray[np.bool_]:
-    """Which angles lie between first and last, edges included, whatever the turn."""
-    return np.asarray((angles - first + 1e-9) % TURN <= last - first + 2e-9)
-
-
-def circumferential_lines(
-    start: float,
-    grooves: list[tuple[float, float]],
-    pockets: list[tuple[float, float]],
-    per_turn: int,
-    density: Density | None,
-) -> Array:
-    """Lines over one turn: on every edge, between them at the wanted density, none inside a groove."""
-    edges = {0.0, TURN}
-    for first, last in [*grooves, *pockets]:
-        for edge in (first, last):
-            edges.add(round((edge - start + 1e-9) % TURN - 1e-9, 10) + 0.0)
-    marks = np.array(sorted(edge for edge in edges if edge >= 0.0))
-    marks = start + marks[np.concatenate(([True], np.diff(marks) > 1e-8))]
-    marks[-1] = start + TURN
-    spans = []
-    for left, right in pairwise(marks):
-        fine = np.linspace(left, right, 8 + int(720 * (right - left) / TURN))
-        wanted = np.ones(fine.size) if density is None else density(fine)
-        spans.append((fine, cumulative_trapezoid(wanted, fine)))
-    per_mass = per_turn / sum(mass[-1] for _, mass in spans)
-    pieces = [marks[:1]]
-    for fine, mass in spans:
-        middle = np.array([0.5 * (fine[0] + fine[-1])])
-        over_groove = any(within(middle, first, last)[0] for first, last in grooves)
-        count = 1 if over_groove else max(2, round(per_mass * mass[-1]))
-        pieces.append(np.interp(mass[-1] * np.arange(1, count) / count, mass, fine))
-        pieces.append(fine[-1:])
-    return np.concatenate(pieces)
-
-
-def cumulative_trapezoid(values: Array, at: Array) -> Array:
-    """Integral from the first place to every other, shape (n,)."""
-    return np.concatenate(([0.0], np.cumsum(0.5 * (values[1:] + values[:-1]) * np.diff(at))))
 
 
 def gauss_angles(theta: Array) -> tuple[Array, Array]:

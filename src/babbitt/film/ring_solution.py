@@ -94,6 +94,7 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
         mass_balance_error=float(free.sum() / max(passing, 1e-300)),
         iterations=settled.steps,
         wall_time=time.perf_counter() - begun,
+        axial_breaks=ring.mesh.breaks,
     )
 
 
@@ -117,6 +118,8 @@ def flows_of(settled: SettledRing) -> RingFlows:
     edges, along = list(ring.mesh.side_nodes), flux_along(settled)
     count = len(ring.groove_lines) + len(settled.film.pockets)
     supplies = np.array([work.row[ring.supply == number].sum() for number in range(count)])
+    if len(edges) == 1:  # a hole beyond the mid-plane is seen in its image on this side
+        supplies = 0.5 * (supplies + supplies[twins(settled.film, len(ring.groove_lines))])
     sides = -work.row[:, edges].sum(axis=0)
     entering = np.full(len(settled.film.lands), along[0].sum())  # a closed ring: across the seam
     leaving, order = entering.copy(), settled.film.land_order
@@ -139,6 +142,12 @@ def drain_sides(ring: Ring, film: SurfaceFilm, work: SurfaceWork) -> None:
     for edge in ring.mesh.side_nodes:
         if ring.surface.held_pressure[0, edge] <= 0.0:
             drain_edge(ring.surface, film, work, edge, fed)
+
+
+def twins(film: JournalFilm, grooves: int) -> list[int]:
+    """Number of the image in the mid-plane of every groove and pocket of a film with halves alike."""
+    images = [replace(pocket, axial_centre=-pocket.axial_centre) for pocket in film.pockets]
+    return [*range(grooves), *(grooves + film.pockets.index(image) for image in images)]
 
 
 def flux_along(settled: SettledRing) -> Array:

@@ -41,9 +41,8 @@ class FilmSolution:
         1 - liquid fraction.
     supply_flow : ndarray, shape (supplies,)
         What every supply adds, m3/s: what leaves it into the film less what the film brings. Grooves between lands
-        come first, in the order of ``ring.groove_arcs`` (counter-clockwise, from that behind the land of least
-        start angle within a turn), then the pockets as they are given. A film that starts at the widest gap has
-        that one.
+        come first, counter-clockwise from that behind the land of least start angle within a turn, then pockets in
+        their own order. A film that starts at the widest gap is supplied there.
     inflow, outflow : ndarray, shape (lands,)
         What crosses the edge at which the journal enters each land, and that at which it leaves it, m3/s.
     side_flow : ndarray, shape (lands,) or (1,)
@@ -57,6 +56,9 @@ class FilmSolution:
     iterations : int
     wall_time : float
         s.
+    axial_breaks : tuple of int
+        Positions at which one polynomial of the pressure across the width ends and the next begins, both ends
+        included. Empty: a single even polynomial.
     """
 
     film: JournalFilm
@@ -80,6 +82,7 @@ class FilmSolution:
     mass_balance_error: float
     iterations: int
     wall_time: float
+    axial_breaks: tuple[int, ...] = ()
 
     @property
     def eccentricity_ratio(self) -> float:
@@ -106,6 +109,16 @@ class FilmSolution:
         film = self.film
         psi = 2.0 * film.clearance / film.diameter
         return self.load * psi**2 / (film.width * film.diameter * film.viscosity * abs(film.angular_speed))
+
+    @property
+    def leaving_flow(self) -> float:
+        """What leaves by the sides, m3/s.
+
+        Oil that a side under pressure presses in counts where it leaves, be it through the supplies.
+        """
+        leaving = float(np.maximum(self.end_flows, 0.0).sum())
+        pressed_in = bool((self.end_flows < 0.0).any())
+        return leaving + max(-float(self.supply_flow.sum()), 0.0) if pressed_in else leaving
 
     @property
     def maximum_pressure(self) -> float:

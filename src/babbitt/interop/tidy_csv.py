@@ -144,7 +144,8 @@ def _table(where: str, name: str, rows: list[dict[str, str]]) -> CoefficientTabl
         load_angle=number(f"{where}: load_angle_rad", load) if load else None,
         x_axis_angle=number(f"{where}: x_axis_angle_rad", axis) if axis else 0.0,
     )
-    known = {title: quantity for title in first if title is not None and (quantity := static_quantity(title))}
+    others = [title for title in first if title is not None and title not in _FRAME]
+    known = {title: quantity for title in others if (quantity := static_quantity(title))}
     return CoefficientTable(
         name=name,
         speeds=np.array(numbers(_SPEED)),

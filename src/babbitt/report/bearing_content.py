@@ -48,12 +48,31 @@ KEY_RESULTS = (
     "effective_viscosity",
     "film_reynolds_number",
     "transition_speed",
-    *(f"{name}_{axes}" for name in ("stiffness", "damping") for axes in ("xx", "xy", "yx", "yy")),
+    *(
+        f"{name}_{axes}"
+        for name in ("stiffness", "damping", "tilt_stiffness", "tilt_damping")
+        for axes in ("xx", "xy", "yx", "yy")
+    ),
+    "film_moment_x",
+    "film_moment_y",
     "critical_mass",
     "whirl_frequency_ratio",
     "threshold_speed",
+    "critical_mass_elastic",
+    "threshold_speed_elastic",
+    "orbit_largest_eccentricity_ratio",
+    "orbit_minimum_film_thickness",
+    "orbit_minimum_film_direction",
+    "orbit_minimum_film_turned",
+    "orbit_maximum_pressure",
+    "orbit_friction_power",
     "lobe_clearance",
     "preload",
+    "minimum_film_thickness_error",
+    "position_error",
+    "load_error",
+    "stiffness_error",
+    "damping_error",
 )
 """Results shown at the head of a bearing; kinds without a film show all they have."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import tempfile
+from collections.abc import Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from babbitt import __version__
 from babbitt.bearings.field import field_of, supply_patches
 from babbitt.bearings.model import FilmCase
+from babbitt.bearings.warm_film import under_found_load
 from babbitt.notices import InputError
 from babbitt.quantities import QUANTITIES
 from babbitt.report.writing import require_writable, write_whole
@@ -19,7 +21,9 @@ from babbitt.results import Result
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["fields", "write_fields"]
+    from babbitt.solving import MachineResult
+
+__all__ = ["fields", "require_films", "require_netcdf", "write_fields", "write_machine_fields"]
 
 TURN = 2.0 * math.pi
 
@@ -52,11 +56,12 @@ def fields(case: FilmCase, result: Result) -> xarray.Dataset:
         raise _missing("xarray") from None
     import numpy as np
 
-    from babbitt.report.film_sweeps import state_of
+    from babbitt.report.film_state import state_of
 
     if not result.outcome.solved:
         raise InputError("E003", f"{result.name}: no fields without an operating point ({result.outcome.value})")
-    solution = state_of(case, result).solution
+    state = state_of(case, result)
+    solution, case = state.solution, under_found_load(case, state)
     field = field_of(solution, case.load_angle - math.pi)
     supply = np.zeros(field.pressure.shape, dtype=np.int8)
     for patch in supply_patches(solution.film):
@@ -109,18 +114,88 @@ def write_fields(case: FilmCase, result: Result, path: str | Path) -> None:
         installed. Nothing is left behind then.
     """
     path = Path(path)
+    require_netcdf(path)
+    require_writable(path)
+    _save(path, {None: fields(case, result)})
+
+
+def write_machine_fields(machine: MachineResult, path: str | Path) -> tuple[str, ...]:
+    """Save the fields of every film of a machine in one NetCDF file.
+
+    Parameters
+    ----------
+    machine : MachineResult
+    path : str or Path
+        Ends in ``.nc``. The film of a case that has one stands at the root of the file; several stand in groups
+        that are named as the bearings are, a slash in a name replaced by a hyphen (``xarray.open_datatree`` reads
+        them all, ``xarray.open_dataset(path, group=name)`` one).
+
+    Returns
+    -------
+    tuple of str
+        Names of films that are left out, for they have no operating point; nothing is written where all are.
+
+    Raises
+    ------
+    InputError
+        E004 without a film; E007 as `write_fields`.
+    """
+    path = Path(path)
+    require_netcdf(path)
+    require_writable(path)
+    require_films(machine.name, machine.design_cases)
+    pairs = [
+        (case, result)
+        for case, result in zip(machine.design_cases, machine.results, strict=True)
+        if isinstance(case, FilmCase)
+    ]
+    found = {case.name: fields(case, result) for case, result in pairs if result.outcome.solved}
+    if found and len(pairs) == 1:
+        _save(path, {None: next(iter(found.values()))})
+    elif found:
+        import xarray
+
+        root = xarray.Dataset(attrs={"title": machine.name, "source": f"Babbitt {__version__}"})
+        _save(path, {None: root, **{name.replace("/", "-"): dataset for name, dataset in found.items()}})
+    return tuple(case.name for case, _ in pairs if case.name not in found)
+
+
+def require_films(name: str, designs: Sequence[object]) -> None:
+    """Refuse a case without a film.
+
+    Raises
+    ------
+    InputError
+        E004.
+    """
+    if not any(isinstance(design, FilmCase) for design in designs):
+        raise InputError(
+            "E004", f"{name}: no bearing names the film method, which alone has fields; write method: film"
+        )
+
+
+def require_netcdf(path: Path) -> None:
+    """Find out before any work is done whether fields can be saved under a name.
+
+    Raises
+    ------
+    InputError
+        E007 for another suffix, or when an extra is not installed.
+    """
     if path.suffix.lower() != ".nc":
         raise InputError("E007", f"cannot write {path}: fields are saved as NetCDF, in a file that ends in .nc")
-    require_writable(path)
-    dataset = fields(case, result)
-    for engine in ("h5netcdf", "h5py"):  # xarray writes with the first, which rests on the second
+    for package in ("xarray", "h5netcdf", "h5py"):  # the first writes with the second, which rests on the third
         try:
-            import_module(engine)
+            import_module(package)
         except ImportError:
-            raise _missing(engine) from None
+            raise _missing(package) from None
+
+
+def _save(path: Path, datasets: Mapping[str | None, xarray.Dataset]) -> None:
     with tempfile.TemporaryDirectory(prefix="babbitt-") as folder:
         partial = Path(folder) / "fields.nc"
-        dataset.to_netcdf(partial, engine="h5netcdf")
+        for group, dataset in datasets.items():
+            dataset.to_netcdf(partial, engine="h5netcdf", group=group, mode="w" if group is None else "a")
         write_whole(path, partial.read_bytes())
 
 

@@ -1,4 +1,4 @@
-"""Curves of a film: locus of the journal, coefficients over speed and load number, threshold of whirl."""
+"""Curves of a film: locus of the journal, coefficients over speed and load number."""
 
 from __future__ import annotations
 
@@ -12,12 +12,15 @@ from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState
 from babbitt.quantities import QUANTITIES
 from babbitt.report.drawing import GREY, INK, PALE, Array, Sheet, arrow, axis_label, mark, mathematics
-from babbitt.report.film_sweeps import Swept
 from babbitt.report.painters import plain_ticks
+from babbitt.studies.film_points import FilmPoints
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
+
+LABEL = (0.27, 0.11)
+"""Room that the name of a load takes, as shares of half the width and height of the picture."""
 
 AXES = ("xx", "xy", "yx", "yy")
 LINES: dict[str, dict[str, object]] = {
@@ -29,8 +32,8 @@ LINES: dict[str, dict[str, object]] = {
 """Direct coefficients in ink, cross-coupled ones in grey; the second of each pair dashed."""
 
 
-def locus(case: FilmCase, state: FilmState, swept: Swept) -> Figure:
-    """Journal centre over the load, inside the room that the bore leaves it."""
+def locus(case: FilmCase, state: FilmState, by_load: FilmPoints, by_speed: FilmPoints) -> Figure:
+    """Journal centre over the load and over the speed, inside the room that the bore leaves it."""
     from matplotlib.ticker import MaxNLocator
 
     figure, ((panel,),) = Sheet(81.0, 67.0, left=11.0, bottom=9.5).panels()
@@ -40,12 +43,13 @@ def locus(case: FilmCase, state: FilmState, swept: Swept) -> Figure:
     room = clearance_outline(film, directions) / film.clearance
     panel.plot(room * np.cos(directions), room * np.sin(directions), color=INK, linewidth=0.8)
     panel.plot([0.0], [0.0], "+", color=GREY, markersize=6, markeredgewidth=0.8)
-    centres = np.array([found.position for found in swept.films]) / film.clearance
+    centres, others = by_load.position / film.clearance, by_speed.position / film.clearance
     panel.plot(centres[:, 0], centres[:, 1], color=INK)
+    panel.plot(others[:, 0], others[:, 1], color=PALE, linewidth=4.0, zorder=1.5, solid_capstyle="butt")
     here = state.solution.position / film.clearance
-    _tick_loads(panel, swept.points / state.load, centres)
-    mark(panel, here[0], here[1])
     reach = 1.04 * float(np.abs(np.concatenate((room * np.cos(directions), room * np.sin(directions)))).max())
+    _tick_loads(panel, by_load.loads / state.load, centres, reach)
+    mark(panel, here[0], here[1])
     tail = -0.3 * math.cos(case.load_angle), -0.3 * math.sin(case.load_angle)
     arrow(panel, (0.2 * tail[0], 0.2 * tail[1]), tail, colour=GREY)
     panel.annotate("load", tail, xytext=(3, 0), textcoords="offset points", fontsize=7, color="0.3", va="center")
@@ -56,16 +60,15 @@ def locus(case: FilmCase, state: FilmState, swept: Swept) -> Figure:
     return figure
 
 
-def _tick_loads(panel: Axes, shares: Array, centres: Array) -> None:
+def _tick_loads(panel: Axes, shares: Array, centres: Array, reach: float) -> None:
     """Name some loads along the locus, as multiples of that of the operating point."""
     last: Array | None = None
     for wanted in (1.0, 8.0, 4.0, 2.0, 0.5, 0.25, 0.1, 0.02):
         if not shares.min() * 0.999 <= wanted <= shares.max() * 1.001:
             continue
         at = np.array([np.interp(math.log(wanted), np.log(shares), column) for column in centres.T])
-        taken = np.array([]) if last is None else last
-        if taken.size and np.hypot(*(taken - at).T).min() < 0.15:
-            continue
+        if last is not None and (np.abs(last - at) < np.multiply(LABEL, reach)).all(axis=1).any():
+            continue  # its name would lie on another
         last = at[None, :] if last is None else np.concatenate((last, at[None, :]))
         if wanted != 1.0:
             panel.plot(*at, "o", markersize=2.6, markerfacecolor="white", markeredgecolor=INK, markeredgewidth=0.7)
@@ -85,22 +88,20 @@ def _aside(shares: Array, centres: Array, share: float) -> Array:
     return np.asarray(across if across[0] > 0.0 else -across)
 
 
-def coefficients(state: FilmState, swept: Swept) -> Figure:
+def coefficients(state: FilmState, by_speed: FilmPoints) -> Figure:
     """Stiffness and damping over the speed, and without dimension over the load number."""
     figure, axes = Sheet(166.0, 94.0, 2, 2, across=15.0, between=11.0).panels()
     film, load = state.solution.film, state.load
     rpm = QUANTITIES["angular_speed"].display.scale
-    numbers = np.array([found.sommerfeld_number for found in swept.films])
-    units = film.clearance / load, film.clearance * swept.points / load
+    units = film.clearance / load, film.clearance * by_speed.speeds / load
     for column, (name, symbol) in enumerate((("stiffness", "K"), ("damping", "C"))):
         shown = QUANTITIES[name]
-        values = np.array([getattr(found, name) for found in swept.films])
+        values: Array = getattr(by_speed, name)
         here = getattr(state.solution, name)
         top, bottom = axes[0][column], axes[1][column]
-        _family(top, rpm * swept.points, values * shown.display.scale, symbol)
-        _family(
-            bottom, numbers, values * np.broadcast_to(units[column], swept.points.shape)[:, None, None], symbol
-        )
+        _family(top, rpm * by_speed.speeds, values * shown.display.scale, symbol)
+        unit = np.broadcast_to(units[column], by_speed.speeds.shape)[:, None, None]
+        _family(bottom, by_speed.sommerfeld_number, values * unit, symbol)
         own = units[0] if column == 0 else film.clearance * abs(film.angular_speed) / load
         for place, axis in enumerate(AXES):
             value = here[place // 2][place % 2]
@@ -185,32 +186,3 @@ def mark_small(panel: Axes, x: float, y: float, axis: str) -> None:
     low, high = panel.get_ylim()
     if low <= y <= high:
         panel.plot([x], [y], "o", color=LINES[axis]["color"], markersize=3.2, zorder=5)
-
-
-def stability(case: FilmCase, state: FilmState, loads: Array, speeds: Array) -> Figure:
-    """Speed at which a rigid rotor begins to whirl, over the load; the operating point below or above it."""
-    figure, ((panel,),) = Sheet(81.0, 50.0).panels()
-    rpm, kilo = QUANTITIES["threshold_speed"].display.scale, QUANTITIES["load"].display.scale
-    here = rpm * abs(state.solution.film.angular_speed)
-    found = np.isfinite(speeds) & (speeds > 0.0)
-    panel.set(xscale="log", yscale="log")
-    x, y = kilo * loads, rpm * speeds
-    low, high = min([0.5 * here, *(0.7 * y[found])]), max([2.0 * here, *(1.5 * y[found])])
-    edge = np.clip(y, low, high)  # always whirling: from the bottom on; always stable: up to the top
-    panel.fill_between(x, edge, high, where=(~np.isnan(y)).tolist(), color="0.9", linewidth=0.0)
-    panel.plot(x[found], y[found], color=INK)
-    aside = x[0] * (x[-1] / x[0]) ** 0.2  # away from the operating point in the middle
-    border = math.exp(np.interp(math.log(aside), np.log(x), np.log(np.nan_to_num(edge, nan=high))))
-    if border < 0.9 * high:
-        _word(panel, aside, math.sqrt(border * high), "whirls")
-    if border > 1.1 * low and not np.isnan(y).all():
-        _word(panel, aside, math.sqrt(border * low), "stable")
-    mark(panel, kilo * state.load, here)
-    panel.set(xlim=(x[0], x[-1]), ylim=(low, high), xlabel=axis_label(QUANTITIES["load"]), ylabel="$N$ in rpm")
-    plain_ticks(panel.xaxis)
-    plain_ticks(panel.yaxis)
-    return figure
-
-
-def _word(panel: Axes, x: float, y: float, text: str) -> None:
-    panel.annotate(text, (x, y), fontsize=7, ha="center", va="center", color="0.3")

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
-from babbitt.bearings.warm_film import FilmState
-from babbitt.bearings.whirl import FASTEST
+from babbitt.bearings.warm_film import FilmState, under_found_load
+from babbitt.film.model import Cavitation
 from babbitt.report.drawing import Drawing, rendered, style
 from babbitt.results import Result
 
@@ -40,15 +40,17 @@ def report_figures(case: FilmCase, result: Result, image_format: str = "svg") ->
     -------
     tuple of Drawing
     """
-    from babbitt.report.film_sweeps import is_slow, state_of
+    from babbitt.report.film_state import is_slow, state_of
 
     if not result.outcome.solved:
         return ()
     state = state_of(case, result)
+    case = under_found_load(case, state)
     with style():
         if is_slow(state):
-            return _drawn(_at_rest(case, state, LEFT_OUT), image_format)
-        return _drawn((*_at_rest(case, state), *_swept(case, state)), image_format)
+            return _drawn((*_at_rest(case, state, LEFT_OUT), *_moving(state, result)), image_format)
+        painted = (*_at_rest(case, state), *_moving(state, result), *_swept(case, state))
+        return _drawn(painted, image_format)
 
 
 def all_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tuple[Drawing, ...]:
@@ -65,13 +67,15 @@ def all_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tu
     -------
     tuple of Drawing
     """
-    from babbitt.report.film_sweeps import state_of
+    from babbitt.report.film_state import state_of
 
     if not result.outcome.solved:
         return ()
     state = state_of(case, result)
+    case = under_found_load(case, state)
     with style():
-        return _drawn((*_at_rest(case, state), *_surface(case, state), *_swept(case, state)), image_format)
+        at_rest = (*_at_rest(case, state), *_surface(case, state))
+        return _drawn((*at_rest, *_moving(state, result), *_swept(case, state)), image_format)
 
 
 def _drawn(painted: Iterator[Painted] | tuple[Painted, ...], image_format: str) -> tuple[Drawing, ...]:
@@ -108,29 +112,53 @@ def _surface(case: FilmCase, state: FilmState) -> Iterator[Painted]:
     yield "pressure-surface", "Pressure over the unrolled bore.", film_maps.surface(field), True
 
 
-def _swept(case: FilmCase, state: FilmState) -> Iterator[Painted]:
-    from babbitt.report import film_curves
-    from babbitt.report.film_sweeps import over_load, over_speed, thresholds
+def _moving(state: FilmState, result: Result) -> Iterator[Painted]:
+    from babbitt.report import film_orbit
 
+    if "orbit" in result.arrays:
+        yield (
+            "orbit",
+            "Orbit of the journal under the changing load within the room that the bore leaves it, named by the "
+            "angle that the journal has turned; the cross is its place under the steady load alone. Beside it the "
+            "least film thickness and the size of the load over one cycle. Filled: the thinnest film.",
+            film_orbit.orbit(state, result),
+            True,
+        )
+
+
+def _swept(case: FilmCase, state: FilmState) -> Iterator[Painted]:
+    from babbitt.report import film_curves, film_stability
+    from babbitt.report.progress import shown
+    from babbitt.studies.locus import locus_over_load, locus_over_speed
+    from babbitt.studies.stability_map import stability_map
+
+    if case.cavitation is Cavitation.HALF_SOMMERFELD:
+        return  # a film without stiffness and damping
+
+    by_load = locus_over_load(case, state, watch=shown(f"{case.name}: over the load"))
+    by_speed = locus_over_speed(case, state, watch=shown(f"{case.name}: over the speed"))
     yield (
         "journal-locus",
-        f"Journal centre over the load within the room that the bore leaves it, {KEPT}. Filled: "
-        "the operating point.",
-        film_curves.locus(case, state, over_load(case, state)),
+        "Journal centre over the load (line) and, from a quarter to two and a half times the speed, over the "
+        f"speed (broad, pale), within the room that the bore leaves it, {KEPT}. Filled: the operating point.",
+        film_curves.locus(case, state, by_load, by_speed),
         False,
     )
     yield (
         "coefficients",
         f"Stiffness and damping over the speed at the given load, {KEPT}; below, the same films without dimension "
         "over the Sommerfeld number. Filled: the operating point.",
-        film_curves.coefficients(state, over_speed(case, state)),
+        film_curves.coefficients(state, by_speed),
         True,
     )
-    mass = "of the given mass" if case.rotor_mass is not None else "whose weight is the load"
+    whose = "of the given mass" if case.rotor_mass is not None else "whose weight is the load"
+    shaft = "a rigid rotor" if case.shaft_stiffness is None else "a rotor on its elastic shaft"
+    found = stability_map(case, state, watch=shown(f"{case.name}: stability map"))
     yield (
-        "stability",
-        f"Speed at which a rigid rotor {mass} begins to whirl, {KEPT}. Filled: the operating point; searched from "
-        f"a tenth to {FASTEST:g} times its speed.",
-        film_curves.stability(case, state, *thresholds(case, state)),
-        False,
+        "stability-map",
+        f"Left: where {shaft} {whose} whirls (grey), over load and speed, {KEPT}; thin lines: the critical mass "
+        "as a multiple of the mass m of the rotor. Right: the critical mass without dimension over the Sommerfeld "
+        "number, for loads at the given speed. Filled: the operating point.",
+        film_stability.stability(case, state, found, by_load),
+        True,
     )

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 
-from babbitt.bearings.bore import Bore, LobedBore, MeasuredBore, TaperedBore, WornBore
-from babbitt.bearings.model import Hollow
-from babbitt.film.model import Cavitation, FilmStart
+from babbitt.bearings.bore import Bore, LobedBore, MeasuredBore, PressureDamBore, TaperedBore, WornBore
+from babbitt.bearings.changing_load import ChangingLoad, RotatingLoad, TabulatedLoad
+from babbitt.bearings.model import FilmBearing, Hollow
+from babbitt.film.model import Cavitation, FilmStart, Step
 
 CAVITATION = {
     Cavitation.MASS_CONSERVING: "the oil is conserved (Jakobsson, Floberg, Olsson)",
     Cavitation.REYNOLDS: "pressure and its gradient vanish (Reynolds, Swift-Stieber)",
+    Cavitation.HALF_SOMMERFELD: "suctions of the full film count as nothing (half-Sommerfeld, Gumbel)",
 }
 
 FILM_START = {
@@ -20,6 +22,25 @@ FILM_START = {
 }
 
 
+def said_of_start(bearing: FilmBearing) -> str:
+    """Say where the film begins."""
+    if bearing.film_start is FilmStart.PERIODIC and not bearing.hollows:
+        return "nowhere: it closes around the journal, and nothing feeds it"
+    return FILM_START[bearing.film_start]
+
+
+def said_of_changing_load(load: ChangingLoad) -> str:
+    """Say what a changing load is."""
+    match load:
+        case RotatingLoad():
+            speed = f"{load.speed_ratio:.4g} times the speed of the journal"
+            return f"{1e-3 * load.magnitude:.4g} kN rotating at {speed}, from {math.degrees(load.phase):.4g}°"
+        case TabulatedLoad():
+            return f"table of {len(load.angles)} points over {math.degrees(load.cycle):.4g}°"
+        case _:
+            return "as given"
+
+
 def said_of_bore(bore: Bore) -> str:
     """Say what form a bore has."""
     match bore:
@@ -27,12 +48,27 @@ def said_of_bore(bore: Bore) -> str:
             return f"lobes, preload {bore.preload:.3g}, narrowest at {bore.offset:.3g} of the lobe"
         case TaperedBore():
             return f"lands tapered by {1e6 * bore.depth:.4g} µm over {bore.share:.3g} of their length"
+        case PressureDamBore():
+            said = (
+                f"round with a recess {1e6 * bore.depth:.4g} µm deep, {1e3 * bore.width:.4g} mm wide and "
+                f"{math.degrees(bore.extent):.4g}° long that ends in a dam at {math.degrees(bore.angle):.4g}°"
+            )
+            return said if bore.relief is None else f"{said}; relief track: {said_of_step(bore.relief)}"
         case WornBore():
             return f"worn {1e6 * bore.depth:.4g} µm deep at {math.degrees(bore.angle):.4g}°"
         case MeasuredBore():
             return f"measured at {len(bore.departures)} points"
         case _:
             return "round"
+
+
+def said_of_step(step: Step) -> str:
+    """Say where a step is and how deep it lies."""
+    where = f"at {math.degrees(math.remainder(step.centre_angle, 2.0 * math.pi)):.4g}°"
+    if step.axial_centre:
+        where += f", {1e3 * step.axial_centre:.4g} mm from the mid-plane"
+    size = f"{math.degrees(step.extent):.4g}° long, {1e3 * step.axial_length:.4g} mm wide"
+    return f"{where}, {size}, {1e6 * step.depth:.4g} µm deep"
 
 
 def said_of_hollow(hollow: Hollow) -> tuple[str, str]:

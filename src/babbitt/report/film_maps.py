@@ -3,11 +3,20 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.bearings.field import FilmField, supply_patches
+from babbitt.bearings.field import (
+    FilmField,
+    StepPatch,
+    SupplyPatch,
+    between,
+    inside,
+    step_patches,
+    supply_patches,
+)
 from babbitt.bearings.model import FilmCase
 from babbitt.film.model import JournalFilm
 from babbitt.film.solution import FilmSolution
@@ -16,7 +25,9 @@ from babbitt.report.drawing import GREY, INK, MILLIMETRE, Array, Sheet
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.contour import QuadContourSet
     from matplotlib.figure import Figure
+    from matplotlib.patches import Rectangle
 
 RUPTURED = 0.995
 """Liquid fraction below which the film is drawn as ruptured."""
@@ -33,13 +44,15 @@ def unrolled(case: FilmCase, solution: FilmSolution, field: FilmField) -> Figure
     figure, axes = Sheet(166.0, 92.0, 2, 1, left=12.0, between=5.5).panels(sharex=True, sharey=True)
     figure.subplots_adjust(top=1.0 - 6.0 / 92.0)  # room for what stands above the upper panel
     top, bottom = axes[0][0], axes[1][0]
-    _pressure(top, field)
+    _pressure(top, solution, field)
     _thickness(bottom, solution, field)
     for panel in (top, bottom):
         _ruptured(panel, field)
+        _outlines(panel, solution.film, field)
         _supplies(panel, solution.film, field)
         _load_line(panel, case)
         panel.set_ylabel("$z$ in mm")
+    _depths(bottom, solution.film, field)
     degrees(top, field)
     bottom.set_xlabel("θ in °, counter-clockwise from $+x$")
     _says(top, "pressure in MPa")
@@ -83,7 +96,7 @@ def degrees(panel: Axes, field: FilmField) -> None:
     panel.xaxis.set_major_formatter(FuncFormatter(lambda angle, _: f"{round(angle) % 360}"))
 
 
-def _pressure(panel: Axes, field: FilmField) -> None:
+def _pressure(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
     shown, highest = 1e-6 * field.pressure, 1e-6 * float(field.pressure.max())
     if not highest > 0.0:
         return
@@ -92,13 +105,33 @@ def _pressure(panel: Axes, field: FilmField) -> None:
     shades = [str(round(1.0 - 0.42 * place / levels.size, 3)) for place in range(levels.size)]
     panel.contourf(theta, z, shown.T, levels=[*levels, 1.01 * max(highest, levels[-1])], colors=shades)
     lines = panel.contour(theta, z, shown.T, levels=levels, colors="0.25", linewidths=0.45)
-    panel.clabel(lines, levels[1::2], fontsize=6, fmt="%g", inline_spacing=2)
+    _level_names(panel, lines, solution.film, field)
     row, column = np.unravel_index(int(field.pressure.argmax()), field.pressure.shape)
     _point(panel, theta[row], z[column], f"{highest:.3g}")
 
 
+def _level_names(panel: Axes, lines: QuadContourSet, film: JournalFilm, field: FilmField) -> None:
+    """Name every second level where there is room: within the picture, beside grooves and pockets, once."""
+    half, low, high = 1e3 * field.z[-1], math.degrees(field.theta[0]), math.degrees(field.theta[-1])
+    for level, segments in list(zip(lines.levels, lines.allsegs, strict=True))[1::2]:
+        places = np.concatenate([np.empty((0, 2)), *(np.asarray(line) for line in segments if len(line) > 1)])
+        free = (np.abs(places[:, 1]) < 0.8 * half) & (places[:, 0] > low + 8.0) & (places[:, 0] < high - 8.0)
+        for patch in supply_patches(film):
+            first, last = np.degrees(patch.theta)
+            around = np.remainder(places[:, 0] - first + 8.0, 360.0) < last - first + 16.0
+            free &= ~(around & (places[:, 1] > 1e3 * patch.z[0] - 0.2 * half)
+                      & (places[:, 1] < 1e3 * patch.z[1] + 0.2 * half))  # fmt: skip
+        if free.any():
+            kept = places[free]
+            place = kept[np.abs(kept[:, 1] + 0.55 * half).argmin()]
+            panel.clabel(lines, [level], fontsize=6, fmt="%g", inline_spacing=2, manual=[tuple(place)])
+
+
 def _thickness(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
-    shown = np.ma.masked_invalid(1e6 * field.film_thickness)
+    thickness = field.film_thickness.copy()
+    for step in step_patches(solution.film):
+        thickness[inside(field.theta, step.theta)[:, None] & between(field.z, step.z)[None, :]] = math.nan
+    shown = np.ma.masked_invalid(1e6 * thickness)
     lowest, highest = float(shown.min()), float(shown.max())
     top = min(highest, lowest + WIDEST_LEVEL * 1e6 * solution.film.clearance)
     levels = np.array(_steps(lowest, top, 9))
@@ -109,7 +142,7 @@ def _thickness(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
             theta, z, shown.T, levels=[0.0, *levels, max(1.01 * highest, 1.01 * levels[-1])], colors=shades
         )
         lines = panel.contour(theta, z, shown.T, levels=levels, colors="0.25", linewidths=0.45)
-        panel.clabel(lines, levels[1::2], fontsize=6, fmt="%g", inline_spacing=2)
+        _level_names(panel, lines, solution.film, field)
     row, column = _thinnest(field)
     _point(
         panel, theta[row], z[column], QUANTITIES["minimum_film_thickness"].format(solution.minimum_film_thickness)
@@ -175,23 +208,50 @@ def _largest_run(there: Array | np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
     return 0.5 * float(places[first] + places[last - 1]) if width > 25.0 else None
 
 
+def _outlines(panel: Axes, film: JournalFilm, field: FilmField) -> None:
+    """Outlines of the steps of the bore."""
+    for patch in step_patches(film):
+        for corner, width, height in _rectangles(patch, field):
+            panel.add_patch(_rectangle(corner, width, height, "none"))
+
+
+def _depths(panel: Axes, film: JournalFilm, field: FilmField) -> None:
+    """How much thicker the film is over the steps, where its thickness is not drawn."""
+    first, last = np.degrees(field.theta[[0, -1]])
+    for patch in step_patches(film):
+        for corner, width, height in _rectangles(patch, field):
+            low, high = max(corner[0], first), min(corner[0] + width, last)
+            if high - low > 24.0:
+                panel.annotate(
+                    f"{1e6 * patch.depth:+.4g}", (0.5 * (low + high), corner[1] + 0.5 * height), ha="center",
+                    va="center", fontsize=7, zorder=5,
+                )  # fmt: skip
+
+
 def _supplies(panel: Axes, film: JournalFilm, field: FilmField) -> None:
     """Grooves, pockets and holes as white areas with an outline."""
+    for patch in supply_patches(film):
+        for corner, width, height in _rectangles(patch, field):
+            panel.add_patch(_rectangle(corner, width, height, "white"))
+
+
+def _rectangle(corner: tuple[float, float], width: float, height: float, fill: str) -> Rectangle:
     from matplotlib.patches import Rectangle
 
-    start = field.theta[0]
-    turn = 2.0 * math.pi
-    for patch in supply_patches(film):
-        extent = patch.theta[1] - patch.theta[0]
-        first = start + (patch.theta[0] - start) % turn
-        for low in (first, first - turn):  # a patch over the seam shows on both sides
-            if low + extent < start - 1e-9 or low > start + turn:
-                continue
+    return Rectangle(corner, width, height, facecolor=fill, edgecolor=INK, linewidth=0.8, zorder=4)
+
+
+def _rectangles(
+    patch: SupplyPatch | StepPatch, field: FilmField
+) -> Iterator[tuple[tuple[float, float], float, float]]:
+    """Corner, width and height as drawn; a patch over the seam shows on both sides."""
+    start, turn = field.theta[0], 2.0 * math.pi
+    extent = patch.theta[1] - patch.theta[0]
+    first = start + (patch.theta[0] - start) % turn
+    for low in (first, first - turn):
+        if start - 1e-9 <= low + extent and low <= start + turn:
             corner = (math.degrees(low), 1e3 * patch.z[0])
-            width, height = math.degrees(extent), 1e3 * (patch.z[1] - patch.z[0])
-            panel.add_patch(
-                Rectangle(corner, width, height, facecolor="white", edgecolor=INK, linewidth=0.8, zorder=4)
-            )
+            yield corner, math.degrees(extent), 1e3 * (patch.z[1] - patch.z[0])
 
 
 def _load_line(panel: Axes, case: FilmCase) -> None:

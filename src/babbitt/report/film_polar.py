@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.bearings.field import FilmField, supply_patches
+from babbitt.bearings.field import FilmField, inside, step_patches, supply_patches
 from babbitt.bearings.model import FilmCase
 from babbitt.film.ring import GROOVE_GAP, bore_gap
 from babbitt.film.solution import FilmSolution
@@ -44,6 +44,10 @@ def _bore(panel: Axes, solution: FilmSolution, field: FilmField) -> Array:
     gap = bore_gap(film, field.theta)
     land = gap < 0.5 * GROOVE_GAP
     radius = JOURNAL + PLAY * np.interp(field.theta, field.theta[land], gap[land], period=2.0 * math.pi)
+    for step in step_patches(film):
+        if step.z[0] <= 0.0 <= step.z[1]:
+            deeper = min(PLAY * step.depth / film.clearance, 0.8 * DEEP)
+            radius = np.where(inside(field.theta, step.theta), radius + deeper, radius)
     panel.plot(radius * np.cos(field.theta), radius * np.sin(field.theta), color=INK, linewidth=0.9)
     for patch in supply_patches(film):
         if patch.z[0] <= 0.0 <= patch.z[1]:

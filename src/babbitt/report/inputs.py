@@ -8,10 +8,18 @@ from dataclasses import dataclass
 
 from babbitt.bearings.model import FilmCase
 from babbitt.cases.build import AnyDesign
+from babbitt.design.conditions import GivenPosition
 from babbitt.design.ducts import Duct
 from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, PowerLaw, Vogel, Walther
 from babbitt.report.expression import Node, number_node, text
-from babbitt.report.film_inputs import CAVITATION, FILM_START, said_of_bore, said_of_hollow
+from babbitt.report.film_inputs import (
+    CAVITATION,
+    said_of_bore,
+    said_of_changing_load,
+    said_of_hollow,
+    said_of_start,
+    said_of_step,
+)
 from babbitt.report.labels import label
 from babbitt.report.line import VOCABULARY, symbol
 from babbitt.report.text import plain_text
@@ -151,12 +159,23 @@ def _film_geometry(case: FilmCase) -> Iterator[Row]:
     if bearing.misalignment != (0.0, 0.0):
         slopes = ", ".join(f"{1e3 * slope:.4g}" for slope in bearing.misalignment)
         yield Row("Slopes of the journal axis dx/dz, dy/dz", slopes, None, "mm/m")
+    for step in bearing.steps:
+        yield Row("Step of the bore", said_of_step(step))
+    if bearing.crowning:
+        ends = ", ".join(f"{1e6 * drop:.4g}" for drop in (bearing.crowning[0], bearing.crowning[-1]))
+        yield Row("Crowning of the journal, drop at the sides", ends, None, "µm")
+    if bearing.displacement:
+        values = [value for row in bearing.displacement for value in row]
+        yield Row("Displacement of the gap", f"{1e6 * min(values):.4g} to {1e6 * max(values):.4g}", None, "µm")
+    if bearing.side_pressures != (0.0, 0.0):
+        sides = ", ".join(f"{1e-3 * pressure:.4g}" for pressure in bearing.side_pressures)
+        yield Row("Pressures at the sides z = -B/2, B/2 (gauge)", sides, None, "kPa")
 
 
 def _film_method(case: FilmCase) -> Iterator[Row]:
     yield Row("Film", "Reynolds equation in two dimensions, laminar, one viscosity")
     yield Row("Where the film breaks up", CAVITATION[case.cavitation])
-    yield Row("Where the film begins", FILM_START[case.bearing.film_start])
+    yield Row("Where the film begins", said_of_start(case.bearing))
     yield Row("Grid", case.accuracy.value)
     if case.cavitation_pressure:
         yield Row("Cavitation pressure (gauge)", f"{1e-3 * case.cavitation_pressure:.4g}", None, "kPa")
@@ -169,6 +188,8 @@ def _operation(case: AnyDesign) -> Iterator[Row]:
         yield _named("eccentricity_ratio", case.duty.eccentricity_ratio, "Prescribed eccentricity e/c")
         if case.duty.attitude_angle is not None:
             yield _named("attitude_angle", case.duty.attitude_angle, "Prescribed attitude angle")
+    elif isinstance(case.duty, GivenPosition):
+        yield Row("Prescribed position x, y", f"{1e6 * case.duty.x:.4g}, {1e6 * case.duty.y:.4g}", None, "µm")
     else:
         yield _named("load", case.duty.load)
     yield _named("angular_speed", case.journal_speed)
@@ -176,9 +197,16 @@ def _operation(case: AnyDesign) -> Iterator[Row]:
         yield Row("Rotational speed of the bearing", f"{case.bearing_speed * 30.0 / math.pi:.4g}", None, "rpm")
     if isinstance(case, FilmCase):
         yield Row("Sense of rotation (x right, y up)", case.rotation.value.replace("_", "-"))
-        yield Row("Direction of the load from +x", f"{math.degrees(case.load_angle):.4g}", None, "°")
+        if not isinstance(case.duty, GivenPosition):
+            yield Row("Direction of the load from +x", f"{math.degrees(case.load_angle):.4g}", None, "°")
         if case.rotor_mass is not None:
             yield _named("rotor_mass", case.rotor_mass)
+        if case.shaft_stiffness is not None:
+            yield _named("shaft_stiffness", case.shaft_stiffness)
+        if case.changing_load is not None:
+            yield Row("Changing load, added", said_of_changing_load(case.changing_load))
+        if case.moving_mass:
+            yield Row("Mass that moves with the journal", f"{case.moving_mass:.4g}", None, "kg")
     if case.effective_temperature is not None:
         yield _named("effective_temperature", case.effective_temperature, "Prescribed effective temperature")
 

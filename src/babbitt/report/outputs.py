@@ -24,11 +24,12 @@ class Target:
     json: str | None
     report: Path | None
     plots: Path | None
+    fields: Path | None = None
 
     def files(self) -> tuple[Path, ...]:
         """The files that will be written, without the plots."""
         json = Path(self.json) if self.json is not None and self.json != STANDARD_OUTPUT else None
-        return tuple(path for path in (json, self.report) if path is not None)
+        return tuple(path for path in (json, self.report, self.fields) if path is not None)
 
     def write(self, machine: MachineResult) -> None:
         """Write what was asked for.
@@ -53,6 +54,11 @@ class Target:
             from babbitt.report.figures import write_plots
 
             write_plots(machine, self.plots)
+        if self.fields is not None:
+            from babbitt.report.fields import write_machine_fields
+
+            for name in write_machine_fields(machine, self.fields):
+                print(f"{name}: no operating point, so no fields are saved", file=sys.stderr)
 
 
 @dataclass(frozen=True)
@@ -63,7 +69,9 @@ class Outputs:
     silent: bool
 
 
-def outputs(files: Sequence[Path], json: str | None, report: Path | None, plots: Path | None) -> Outputs:
+def outputs(
+    files: Sequence[Path], json: str | None, report: Path | None, plots: Path | None, fields: Path | None = None
+) -> Outputs:
     """Plan the outputs of a run, and make sure that each can be written.
 
     With several case files, each option names a folder that exists and receives one file per case, named after it.
@@ -71,13 +79,18 @@ def outputs(files: Sequence[Path], json: str | None, report: Path | None, plots:
     Raises
     ------
     InputError
-        E007 for a path that cannot be written, an unknown suffix, one file for several outputs, or an output that
-        would replace a case file.
+        E007 for a path that cannot be written, an unknown suffix, one file for several outputs, an output that
+        would replace a case file, or fields for which an extra is not installed.
     """
-    targets = [Target(json, report, plots)] if len(files) == 1 else _one_each(files, json, report, plots)
+    alone = len(files) == 1
+    targets = [Target(json, report, plots, fields)] if alone else _one_each(files, json, report, plots, fields)
     _refuse_collisions(files, targets)
     for target in targets:
         _require_suffix(target.report)
+        if target.fields is not None:
+            from babbitt.report.fields import require_netcdf
+
+            require_netcdf(target.fields)
         for path in target.files():
             require_writable(path)
         if target.plots is not None:
@@ -87,13 +100,15 @@ def outputs(files: Sequence[Path], json: str | None, report: Path | None, plots:
     return Outputs(tuple(targets), json == STANDARD_OUTPUT)
 
 
-def _one_each(files: Sequence[Path], json: str | None, report: Path | None, plots: Path | None) -> list[Target]:
+def _one_each(
+    files: Sequence[Path], json: str | None, report: Path | None, plots: Path | None, fields: Path | None
+) -> list[Target]:
     """One file per case in the folders that the options name."""
     if json == STANDARD_OUTPUT:
         raise InputError(
             "E007", "standard output takes the JSON of one case; give --json a folder for several files"
         )
-    for option, path in (("--json", json), ("--report", report), ("--plots", plots)):
+    for option, path in (("--json", json), ("--report", report), ("--plots", plots), ("--fields", fields)):
         if path is not None and not Path(path).is_dir():
             raise InputError("E007", f"{option} {path}: with several case files name a folder that exists")
     return [
@@ -101,6 +116,7 @@ def _one_each(files: Sequence[Path], json: str | None, report: Path | None, plot
             str(Path(json) / f"{file.stem}.json") if json else None,
             report / f"{file.stem}.pdf" if report else None,
             plots / file.stem if plots else None,
+            fields / f"{file.stem}.nc" if fields else None,
         )
         for file in files
     ]

@@ -52,6 +52,8 @@ CAVITATION_LABELS = {
     ),
 }
 
+HALF_SOMMERFELD = ("film, half-Sommerfeld", "counts suctions of the full film as nothing; knows no flow")
+
 ISO_LABEL = "ISO 7902"
 
 
@@ -93,9 +95,10 @@ def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
 def _film_variants(film: FilmCase) -> tuple[Variant, ...]:
     found = []
     for cavitation in dict.fromkeys((film.cavitation, *CAVITATION_LABELS)):
-        if film.bearing.film_start is FilmStart.WIDEST_GAP and cavitation is not Cavitation.REYNOLDS:
+        unfed = film.bearing.film_start is not FilmStart.GROOVE and not film.bearing.hollows
+        if unfed and cavitation is Cavitation.MASS_CONSERVING:
             continue
-        label, remark = CAVITATION_LABELS[cavitation]
+        label, remark = CAVITATION_LABELS.get(cavitation, HALF_SOMMERFELD)
         found.append(Variant(label, remark, solve_design(replace(film, cavitation=cavitation))))
     return tuple(found)
 

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.cases.build import AnyDesign, DesignT
 from babbitt.results import Outcome
-from babbitt.standards.iso7902 import DesignCase, check
+from babbitt.solving import solve_design
 
 Array = NDArray[np.float64]
 
@@ -46,12 +47,12 @@ class Sweep:
         return self.values.get(name, np.full(self.points.shape, np.nan))
 
 
-def sweep(case: DesignCase, path: str, points: Iterable[float]) -> Sweep:
+def sweep(case: AnyDesign, path: str, points: Iterable[float]) -> Sweep:
     """Run the design check for each value of one number of a case.
 
     Parameters
     ----------
-    case : DesignCase
+    case : DesignCase or FilmCase
     path : str
         Dotted name of a scalar of the case: ``"journal_speed"``, ``"duty.load"``, ``"bearing.span"``,
         ``"oil_supply.temperature"``.
@@ -69,7 +70,7 @@ def sweep(case: DesignCase, path: str, points: Iterable[float]) -> Sweep:
         If the case has no such number.
     """
     taken = [float(point) for point in points]
-    results = [check(varied(case, path, point)) for point in taken]
+    results = [solve_design(varied(case, path, point)) for point in taken]
     names = dict.fromkeys(name for result in results for name in result.values)
     values = {
         name: np.array(
@@ -80,12 +81,12 @@ def sweep(case: DesignCase, path: str, points: Iterable[float]) -> Sweep:
     return Sweep(path, np.array(taken), tuple(result.outcome for result in results), values)
 
 
-def varied(case: DesignCase, path: str, value: float) -> DesignCase:
+def varied(case: DesignT, path: str, value: float) -> DesignT:
     """The same case with another value of one number.
 
     A number that is a whole one in the case, such as the span in degrees, stays whole.
     """
-    changed: DesignCase = _replaced(case, path.split("."), value, path)
+    changed: DesignT = _replaced(case, path.split("."), value, path)
     return changed
 
 

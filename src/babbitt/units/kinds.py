@@ -122,6 +122,12 @@ _ALL = (
         {"m/s": 1.0, "mm/s": 1e-3, "m/min": 1.0 / 60.0, "km/h": 1.0 / 3.6, "ft/s": 12.0 * INCH},
     ),
     Kind(
+        "N/m",
+        "a stiffness",
+        "200 MN/m",
+        {"N/m": 1.0, "kN/m": 1e3, "MN/m": 1e6, "GN/m": 1e9, "N/mm": 1e3, "N/um": 1e6},
+    ),
+    Kind(
         "Pa s",
         "a dynamic viscosity",
         "16 mPa s",

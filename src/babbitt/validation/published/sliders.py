@@ -68,10 +68,11 @@ def solve_slider(slider: Slider, intervals: int) -> SliderFilm:
         Cavitation.MASS_CONSERVING,
     )
     found = film_at_position(bearing, (0.0, 0.0), resolution=Resolution(8, intervals, 48, 1e-9))
-    x, liquid = found.angles[0] * slider.length, 1.0 - found.void[0, :, 0]
+    on_land = found.angles[0] < 1.0 + 1e-9
+    x, liquid = found.angles[0, on_land] * slider.length, 1.0 - found.void[0, on_land, 0]
     gap = slider.gap(x)
     dry = np.flatnonzero(liquid < 1.0)
     middle = dry[dry.size // 2]
     return SliderFilm(
-        x, found.pressure[0, :, 0], liquid, gap, float(0.5 * slider.speed * gap[middle] * liquid[middle])
+        x, found.pressure[0, on_land, 0], liquid, gap, float(0.5 * slider.speed * gap[middle] * liquid[middle])
     )

@@ -1,0 +1,200 @@
+"""Every place where a journal can rest under its load: a film can have more than one.
+
+Over the room that the bore leaves the journal, the force of film and load together is a field in the plane. Its
+zeros are the equilibria. Around each cell of a mesh the direction of the field turns by a whole number of turns,
+the sum of the indices of the zeros inside; a cell with a turn is a start for a root finder with the exact
+stiffness. The index of a zero is the sign of det K, and where contact pushes inward all around, the indices sum to
+one (Poincaré-Hopf): an equilibrium more comes with a saddle more, and a sum that is not one tells that something
+was missed.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.bearings.field import clearance_outline
+from babbitt.film.model import DRAFT, JournalFilm, Resolution
+from babbitt.film.solution import FilmSolution
+from babbitt.film.solve import film_at_position
+from babbitt.film.stability import critical_mass
+
+__all__ = ["RestingPlace", "RestingPlaces", "equilibrium_near", "find_equilibria"]
+
+Array = NDArray[np.float64]
+
+DIRECTIONS = 16
+"""Rays of the mesh."""
+
+DEPTHS = (0.2, 0.4, 0.6, 0.8, 0.93, 0.985, 0.998)
+"""Rings of the mesh: shares of the way from the centre to contact."""
+
+CONTACT = 1e3
+"""Force that pushes a journal back which touches, over the stiffness times the clearance at the start of a
+search."""
+
+SAME_PLACE = 1e-3
+"""Distance over the clearance below which two equilibria are one."""
+
+
+@dataclass(frozen=True, eq=False)
+class RestingPlace:
+    """An equilibrium of the journal.
+
+    Attributes
+    ----------
+    film : FilmSolution
+        There.
+    """
+
+    film: FilmSolution
+
+    @property
+    def position(self) -> tuple[float, float]:
+        """Of the journal centre, m."""
+        x, y = self.film.position
+        return float(x), float(y)
+
+    @property
+    def index(self) -> int:
+        """Sign of det K: 1 for a place the journal can hold or circle, -1 for a saddle that it always leaves."""
+        return 1 if np.linalg.det(self.film.stiffness) > 0.0 else -1
+
+    @property
+    def holds(self) -> bool:
+        """Whether a journal without mass comes back: every motion of C x' = -K x dies away."""
+        decay = np.linalg.solve(self.film.damping, self.film.stiffness)
+        return bool(np.linalg.det(decay) > 0.0 and np.trace(decay) > 0.0)
+
+    @property
+    def critical_mass(self) -> float:
+        """Mass above which a rigid rotor whirls here, kg; zero where not even a massless one stays."""
+        return critical_mass(self.film.stiffness, self.film.damping) if self.holds else 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class RestingPlaces:
+    """All equilibria found, and whether their indices sum to one, as they must if none was missed."""
+
+    places: tuple[RestingPlace, ...]
+
+    @property
+    def complete(self) -> bool:
+        """Whether the indices sum to one."""
+        return sum(place.index for place in self.places) == 1
+
+
+def find_equilibria(
+    film: JournalFilm,
+    load: tuple[float, float],
+    resolution: Resolution = DRAFT,
+    known: tuple[FilmSolution, ...] = (),
+) -> RestingPlaces:
+    """Look for every equilibrium of a journal under a load.
+
+    Parameters
+    ----------
+    film : JournalFilm
+        With stiffness: not half-Sommerfeld.
+    load : tuple of float
+        Force on the journal, N.
+    resolution : Resolution
+        Of the equilibria; the field is seen in `DRAFT`.
+    known : tuple of FilmSolution
+        Equilibria found already; they come first.
+
+    Returns
+    -------
+    RestingPlaces
+        Empty where nothing carries the load. Equilibria nearer to contact than the last of `DEPTHS` are found only
+        if known.
+    """
+    places = [RestingPlace(one) for one in known]
+    wanted = np.asarray(load)
+    for directions in (DIRECTIONS, 2 * DIRECTIONS):
+        for start in _starts(film, wanted, directions):
+            found = equilibrium_near(film, load, (float(start[0]), float(start[1])), resolution)
+            if found is not None and not any(_near(film, found, place.film) for place in places):
+                places.append(RestingPlace(found))
+        if sum(place.index for place in places) == 1:
+            break
+    return RestingPlaces(tuple(places))
+
+
+def _near(film: JournalFilm, one: FilmSolution, other: FilmSolution) -> bool:
+    return math.hypot(*(one.position - other.position)) < SAME_PLACE * film.clearance
+
+
+def _starts(film: JournalFilm, load: Array, directions: int) -> Iterator[Array]:
+    """Middles of the cells around which the force turns."""
+    angles = np.arange(directions) * (2.0 * math.pi / directions)
+    outline = clearance_outline(film, np.asarray(angles, dtype=np.float64))
+    rays = outline[:, None] * np.stack((np.cos(angles), np.sin(angles)), axis=1)
+    nodes = np.concatenate((np.zeros((1, directions, 2)), np.multiply.outer(DEPTHS, rays)))
+    field = np.full(nodes.shape, np.nan)
+    field[0] = _force(film, nodes[0, 0]) + load
+    for place in np.ndindex(len(DEPTHS), directions):
+        ring, ray = place[0] + 1, place[1]
+        field[ring, ray] = _force(film, nodes[ring, ray]) + load
+    towards = np.arctan2(field[..., 1], field[..., 0])
+    after = np.roll(towards, -1, axis=1)
+    around = (towards[:-1], towards[1:], after[1:], after[:-1])
+    turns = sum(
+        (np.remainder(b - a + math.pi, 2.0 * math.pi) - math.pi
+         for a, b in zip(around, (*around[1:], around[0]), strict=True)),
+        np.zeros_like(towards[:-1]),
+    )  # fmt: skip
+    middles = 0.25 * (nodes[:-1] + nodes[1:] + np.roll(nodes, -1, axis=1)[1:] + np.roll(nodes, -1, axis=1)[:-1])
+    for ring, ray in zip(*np.nonzero(np.abs(np.nan_to_num(turns)) > math.pi), strict=True):
+        yield middles[ring, ray]
+
+
+def _force(film: JournalFilm, at: Array) -> Array:
+    found = film_at_position(film, (float(at[0]), float(at[1])), resolution=DRAFT)
+    return found.force if found.outcome.solved else np.full(2, np.nan)
+
+
+def equilibrium_near(
+    film: JournalFilm, load: tuple[float, float], start: tuple[float, float], resolution: Resolution
+) -> FilmSolution | None:
+    """The equilibrium that a root finder reaches from a start in m under a load in N, None where it reaches none.
+
+    Powell's hybrid method is quick, but updates the stiffness by secants and gets lost where it rises steeply;
+    least squares with the exact stiffness at every step are tried then.
+    """
+    from scipy.optimize import least_squares, root
+
+    c = film.clearance
+    begun, wanted = film_at_position(film, start, resolution=resolution), np.asarray(load)
+    if not begun.outcome.solved:
+        return None
+    unit = max(float(np.linalg.norm(begun.stiffness)) * c, 1e-300)
+
+    def film_there(place: Array) -> FilmSolution:
+        return film_at_position(film, (float(place[0]) * c, float(place[1]) * c), resolution=resolution)
+
+    def residual(place: Array) -> Array:
+        found = film_there(place)
+        return (found.force + wanted) / unit if found.outcome.solved else -CONTACT * place / math.hypot(*place)
+
+    def slope(place: Array) -> Array:
+        found = film_there(place)
+        if not found.outcome.solved:
+            return np.asarray(-CONTACT * np.eye(2) / math.hypot(*place))
+        return np.asarray(-found.stiffness * c / unit)
+
+    def settled(place: Array) -> FilmSolution | None:
+        found = film_there(place)
+        if not found.outcome.solved:
+            return None
+        step = np.linalg.lstsq(found.stiffness, found.force + wanted, rcond=None)[0]
+        return found if float(np.linalg.norm(step)) < 0.1 * SAME_PLACE * c else None
+
+    quick = root(residual, np.asarray(start) / c, jac=slope, method="hybr", options={"xtol": 1e-9, "maxfev": 60})
+    return settled(quick.x) or settled(
+        least_squares(residual, np.asarray(start) / c, slope, xtol=1e-9, ftol=1e-14, gtol=1e-14, max_nfev=60).x
+    )

@@ -1,0 +1,134 @@
+"""The numbers of a bearing whose film is known: what was given, what the film does, coefficients."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from babbitt.bearings.bore import LobedBore
+from babbitt.bearings.extent import full_film_share, turbulent_share
+from babbitt.bearings.layout import supply_numbers, without_pressure
+from babbitt.bearings.model import FilmCase
+from babbitt.bearings.warm_film import FilmState
+from babbitt.design.screening import recommended_relative_clearance
+from babbitt.design.values import (
+    cooling_values,
+    duty_values,
+    heat_values,
+    limit_values,
+    oil_values,
+    supply_values,
+)
+from babbitt.film.starved import FedFilm
+
+if TYPE_CHECKING:
+    from babbitt.film.tilt import TiltCoefficients
+
+__all__ = ["fills_of", "film_values", "rows_of", "tilt_values"]
+
+NO_MOMENT = 1e-10
+"""Share of load times width below which a moment of the film is round-off."""
+
+AXES = ("xx", "xy", "yx", "yy")
+
+
+def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
+    """Named results of a bearing in its film, SI."""
+    bearing, film = case.bearing, state.solution
+    duty = duty_values(case, state)
+    coefficient = state.friction_power / (state.load * duty["surface_speed"])
+    values = {
+        "diameter": bearing.diameter,
+        "width": bearing.width,
+        "width_ratio": bearing.width_ratio,
+        "relative_clearance": bearing.relative_clearance,
+        "operating_relative_clearance": state.relative_clearance,
+        **_lobe_values(case, state),
+        **duty,
+        **oil_values(case, state),
+        "sommerfeld_number": film.sommerfeld_number,
+        "american_sommerfeld_number": 1.0 / (2.0 * math.pi * film.sommerfeld_number),
+        "eccentricity_ratio": film.eccentricity_ratio,
+        "attitude_angle": film.attitude_angle,
+        "load_angle": math.atan2(-film.force[1], -film.force[0]),
+        "minimum_film_thickness": film.minimum_film_thickness,
+        "maximum_pressure": film.maximum_pressure,
+        "friction_number": coefficient / state.relative_clearance,
+        "friction_coefficient": coefficient,
+        "friction_torque": case.friction_factor * film.friction_torque,
+        "friction_power": state.friction_power,
+        **_flow_values(case, state),
+        **heat_values(case, state),
+        "recommended_relative_clearance": recommended_relative_clearance(duty["surface_speed"]),
+        **supply_values(case, state),
+        **_extent_values(state),
+    }
+    if state.feed is not None:
+        values["element_pressure"] = state.feed.element_pressure
+        values["tube_loss"] = state.feed.tube_loss
+        values["hole_loss"] = state.feed.hole_loss
+    values |= cooling_values(case, state) | limit_values(case)
+    for name, matrix in (("stiffness", film.stiffness), ("damping", film.damping)):
+        values |= {f"{name}_{axes}": float(one) for axes, one in zip(AXES, matrix.ravel(), strict=True)}
+    values["mass_balance_error"] = film.mass_balance_error
+    return values
+
+
+def tilt_values(tilt: TiltCoefficients, scale: float) -> dict[str, float]:
+    """Moments and the corner of tilt; a moment that is round-off beside load times width counts as none."""
+    moments = {f"film_moment_{axis}": float(one) for axis, one in zip("xy", tilt.moment, strict=True)}
+    values = {name: one if abs(one) > NO_MOMENT * scale else 0.0 for name, one in moments.items()}
+    for name, matrix in (("tilt_stiffness", tilt.stiffness), ("tilt_damping", tilt.damping)):
+        own = matrix[2:, 2:].ravel()
+        values |= {f"{name}_{axes}": float(one) for axes, one in zip(AXES, own, strict=True)}
+    return values
+
+
+def rows_of(matrix: object) -> tuple[tuple[float, ...], ...]:
+    """A matrix as plain numbers, row by row."""
+    return tuple(tuple(float(one) for one in row) for row in np.asarray(matrix))
+
+
+def fills_of(case: FilmCase, fed: FedFilm) -> tuple[float, ...]:
+    """Fill of every groove, pocket and hole in the order of the case."""
+    return tuple(fed.fill[number] for number in supply_numbers(case, fed.solution.film))
+
+
+def _lobe_values(case: FilmCase, state: FilmState) -> dict[str, float]:
+    bore = case.bearing.bore
+    if not isinstance(bore, LobedBore):
+        return {}
+    clearance = 0.5 * state.relative_clearance * case.bearing.diameter
+    return {"preload": bore.preload, "lobe_clearance": clearance / (1.0 - bore.preload)}
+
+
+def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
+    """Flow by film pressure and by supply pressure: the latter is what the supply adds at the same position."""
+    flow, film = state.total_flow, state.solution.film
+    if math.isnan(flow):
+        return {}
+    calm = without_pressure(film)
+    if calm == film:
+        return {"side_flow": flow, "supply_flow": 0.0, "total_flow": flow}
+    from babbitt.film.solve import film_at_position
+
+    x, y = state.solution.position
+    alone = film_at_position(calm, (x, y), resolution=case.accuracy.resolution).leaving_flow
+    return {"side_flow": alone, "supply_flow": flow - alone, "total_flow": flow}
+
+
+def _extent_values(state: FilmState) -> dict[str, float]:
+    """Where the film is full and where it is turbulent, and what the supplies of given flow do."""
+    values, film = {}, state.solution.film
+    if film.turbulence is not None:
+        values["turbulent_share"] = turbulent_share(state.solution)
+    if state.fed is not None:
+        values |= {
+            "full_film_share": full_film_share(state.solution),
+            "least_fill": min(state.fed.fill),
+            "given_flow": sum(state.fed.drawn) + state.fed.surplus,
+            "surplus_flow": state.fed.surplus,
+        }
+    return values

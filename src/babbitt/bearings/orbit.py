@@ -1,0 +1,287 @@
+"""The orbit of a journal under a load that changes: where it goes, how thin the film becomes, what it costs.
+
+Equation of motion ``m r'' = F(r, r') + W(t)``. Without mass the film force balances the load at every instant,
+``F(r, r') + W(t) = 0``, and Newton's method with the exact damping solves it for the velocity; with mass it is an
+equation of second order. Either is integrated by LSODA with the Jacobian of the film, ``-C^-1 K`` or
+``[[0, 1], [-K/m, -C/m]]``, for near contact the film is stiff.
+
+The film has no memory here: its void is that of the Reynolds condition at every instant, and the history of the
+oil in the ruptured zone is left out. Lengths in clearances, times in radians that the journal has turned.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.bearings.changing_load import ChangingLoad
+from babbitt.bearings.moving_journal import HeavyJournal, MasslessJournal, MovingJournal, NoMotionError
+from babbitt.film.model import DRAFT, Cavitation, JournalFilm, Resolution
+from babbitt.film.solution import FilmSolution
+from babbitt.film.solve import film_at_position, solve_journal
+from babbitt.notices import InputError
+from babbitt.results import Outcome
+
+__all__ = ["Orbit", "find_orbit"]
+
+Array = NDArray[np.float64]
+
+POINTS = 144
+"""Instants of a cycle at which the film is read."""
+
+MOST_CYCLES = 40
+"""Cycles after which the march ends."""
+
+CLOSED = 1e-3
+"""Distance between begin and end of a cycle that counts as closed, over the thinnest film and the size of the
+orbit: a journal that sinks slowly moves little, but loses a share of its film in each cycle."""
+
+FAR = 0.05
+"""Distance over the clearance between begin and end of a cycle, above which the journal wanders rather than
+sinks."""
+
+ACCURACY = 3e-5
+"""Of a step of the march, relative; a tenth of it, over the clearance, absolute."""
+
+THINNEST = 1e-3
+"""Film thickness over clearance at which the film counts as squeezed out."""
+
+GRID_DOUBT = 0.3
+"""Share of the load that a grid twice as fine does not confirm, from which the film is taken for squeezed out:
+where wedge and squeeze cancel, as for a load at half the speed, what is left to carry is the error of the grid."""
+
+STILL_THINNING = 2e-3
+"""Relative loss of film from one cycle to the next, at the end of the march, that tells squeezing from
+wandering."""
+
+
+@dataclass(frozen=True, eq=False)
+class Orbit:
+    """One cycle of the journal, or the last one reached.
+
+    Attributes
+    ----------
+    outcome : Outcome
+        `CONVERGED`: the orbit closes. Otherwise the numbers are those of the last cycle.
+    turned : ndarray, shape (n,)
+        Angle that the journal has turned since the cycle began, rad, in its own sense; the end is left out.
+    position, velocity : ndarray, shape (n, 2)
+        Of the journal centre, m and m/s.
+    load : ndarray, shape (n, 2)
+        N.
+    film_thickness, maximum_pressure, friction_torque : ndarray, shape (n,)
+        Smallest film thickness in m, gauge pressure in Pa, torque on the journal in N m.
+    clearance, speed : float
+        Radial, m; of the journal, rad/s.
+    load_error : float
+        Share of the load that a grid twice as fine does not confirm, at the thinnest film.
+    cycles : int
+        Marched until the orbit closed.
+    wall_time : float
+        s.
+    """
+
+    outcome: Outcome
+    turned: Array
+    position: Array
+    velocity: Array
+    load: Array
+    film_thickness: Array
+    maximum_pressure: Array
+    friction_torque: Array
+    clearance: float
+    speed: float
+    load_error: float
+    cycles: int
+    wall_time: float
+
+    @property
+    def largest_eccentricity_ratio(self) -> float:
+        """Of the cycle."""
+        return float(np.hypot(*self.position.T).max() / self.clearance)
+
+    @property
+    def thinnest(self) -> int:
+        """Which instant has the thinnest film."""
+        return int(np.argmin(self.film_thickness))
+
+    @property
+    def thinnest_direction(self) -> float:
+        """Direction of the journal centre when the film is thinnest, rad."""
+        x, y = self.position[self.thinnest]
+        return math.atan2(y, x)
+
+    @property
+    def friction_power(self) -> float:
+        """Mean of friction torque times speed, W."""
+        return float(self.friction_torque.mean() * abs(self.speed))
+
+    @property
+    def load_power(self) -> float:
+        """Mean power with which the moving load drives the film, W."""
+        return float((self.load * self.velocity).sum(axis=1).mean())
+
+
+def find_orbit(
+    film: JournalFilm,
+    changing: ChangingLoad,
+    steady: tuple[float, float] = (0.0, 0.0),
+    speed: float | None = None,
+    mass: float = 0.0,
+    resolution: Resolution = DRAFT,
+) -> Orbit:
+    """March a journal under a changing load until its orbit closes.
+
+    Parameters
+    ----------
+    film : JournalFilm
+        A mass-conserving film is taken with the Reynolds condition.
+    changing : ChangingLoad
+    steady : tuple of float
+        Added to it, N.
+    speed : float, optional
+        Of the journal, with which the load keeps step, rad/s; that of the film if the bearing stands still.
+    mass : float
+        Of the rotor that moves with the journal, kg.
+    resolution : Resolution
+
+    Returns
+    -------
+    Orbit
+        Always; ``outcome`` says whether it closes, the film is squeezed out, or it does neither in `MOST_CYCLES`.
+
+    Raises
+    ------
+    InputError
+        E101 for a half-Sommerfeld film, which has no damping, or a journal at rest.
+    """
+    begun = time.perf_counter()
+    if film.cavitation is Cavitation.HALF_SOMMERFELD:
+        raise InputError(
+            "E101", "a half-Sommerfeld film has no damping and makes no orbit; choose Cavitation.REYNOLDS"
+        )
+    speed = film.angular_speed if speed is None else speed
+    if speed == 0.0:
+        raise InputError("E101", "the journal stands still; an orbit keeps step with a journal that turns")
+    thin = replace(film, cavitation=Cavitation.REYNOLDS)
+    kind = HeavyJournal if mass > 0.0 else MasslessJournal
+    journal = kind(thin, np.asarray(steady), changing, speed, resolution)
+    if isinstance(journal, HeavyJournal):
+        journal.mass = mass
+    return _marched(journal, begun)
+
+
+def _marched(journal: MasslessJournal | HeavyJournal, begun: float) -> Orbit:
+    from scipy.integrate import solve_ivp
+
+    cycle = journal.changing.cycle
+    instants = np.linspace(0.0, cycle, POINTS + 1)
+    state = journal.start(_begin(journal))
+    states, thinnest = state[:, None].repeat(POINTS, axis=1), []
+    outcome, cycles = Outcome.NOT_PERIODIC, 0
+    try:
+        while cycles < MOST_CYCLES:
+            cycles += 1
+            run = solve_ivp(
+                journal.slope, (0.0, cycle), state, method="LSODA", t_eval=instants, jac=journal.jacobian,
+                rtol=ACCURACY, atol=0.1 * ACCURACY,
+            )  # fmt: skip
+            if not run.success:
+                outcome = Outcome.NOT_CONVERGED
+                break
+            states, after = run.y[:, :-1], run.y[:, -1]
+            moved, state = float(np.hypot(*(after - state)[:2])), after
+            thinnest.append(_thinnest(journal, states))
+            if thinnest[-1] < THINNEST:
+                outcome = Outcome.SQUEEZED_OUT
+                break
+            size = float(np.ptp(states[:2], axis=1).max())
+            if cycles > 1 and moved < max(CLOSED * min(thinnest[-1], size), ACCURACY):
+                outcome = Outcome.CONVERGED
+                break
+        else:
+            thins = thinnest[-1] < (1.0 - STILL_THINNING) * thinnest[-2]
+            outcome = Outcome.SQUEEZED_OUT if thins and moved < FAR else outcome
+        return _read(journal, instants[:-1], states, outcome, moved > FAR, cycles, begun)
+    except NoMotionError:
+        nothing = np.full(1, np.nan)
+        two = np.full((1, 2), np.nan)
+        return Orbit(
+            Outcome.NOT_CONVERGED, nothing, two, two, two, nothing, nothing, nothing, journal.c, journal.speed,
+            math.nan, cycles, time.perf_counter() - begun,
+        )  # fmt: skip
+
+
+def _begin(journal: MovingJournal) -> Array:
+    """Where the mean load would rest the journal, else a little below the centre."""
+    cycle = journal.changing.cycle
+    loads = np.array([journal.load(cycle * place / POINTS) for place in range(POINTS)])
+    mean = loads.mean(axis=0)
+    if math.hypot(*mean) > 1e-3 * np.hypot(*loads.T).max() and journal.film.angular_speed:
+        rest = solve_journal(journal.film, (float(mean[0]), float(mean[1])), journal.resolution)
+        if rest.outcome.solved:
+            return np.asarray(rest.position / journal.c)
+    return np.asarray(0.1 * loads[0] / max(math.hypot(*loads[0]), 1e-300))
+
+
+def _thinnest(journal: MovingJournal, states: Array) -> float:
+    """Smallest film thickness of a cycle over the clearance."""
+    from babbitt.film.ring import bore_gap
+
+    angles = np.linspace(0.0, 2.0 * math.pi, 361)
+    gap = (
+        bore_gap(journal.film, angles)[None, :]
+        - np.outer(states[0], np.cos(angles))
+        - np.outer(states[1], np.sin(angles))
+    )
+    slope = math.hypot(*journal.film.misalignment) * 0.5 * journal.film.width / journal.c
+    return float(gap.min() - slope)
+
+
+def _read(
+    journal: MasslessJournal | HeavyJournal,
+    instants: Array,
+    states: Array,
+    outcome: Outcome,
+    wanders: bool,
+    cycles: int,
+    begun: float,
+) -> Orbit:
+    """Film at every instant of a cycle."""
+    found = [journal.film_of(turned, state) for turned, state in zip(instants, states.T, strict=True)]
+    velocity = np.array([one for one, _ in found]) * (journal.c * journal.rate)
+    films = [film for _, film in found]
+    thickness = np.array([film.minimum_film_thickness for film in films])
+    error = _load_error(journal, int(np.argmin(thickness)), films, velocity)
+    if not wanders and error > GRID_DOUBT:
+        outcome = Outcome.SQUEEZED_OUT
+    return Orbit(
+        outcome=outcome,
+        turned=instants,
+        position=states[:2].T * journal.c,
+        velocity=velocity,
+        load=np.array([journal.load(turned) for turned in instants]),
+        film_thickness=thickness,
+        maximum_pressure=np.array([film.maximum_pressure for film in films]),
+        friction_torque=np.array([film.friction_torque for film in films]),
+        clearance=journal.c,
+        speed=journal.speed,
+        load_error=error,
+        cycles=cycles,
+        wall_time=time.perf_counter() - begun,
+    )
+
+
+def _load_error(journal: MovingJournal, instant: int, films: list[FilmSolution], velocity: Array) -> float:
+    """Change of the film force at one instant on a grid twice as fine, over the force."""
+    film, grid = films[instant], journal.resolution
+    x, y = film.position
+    finer = film_at_position(
+        journal.film, (float(x), float(y)), (float(velocity[instant, 0]), float(velocity[instant, 1])),
+        replace(grid, intervals=2 * grid.intervals),
+    )  # fmt: skip
+    return math.hypot(*(finer.force - film.force)) / film.load if finer.outcome.solved else math.inf

@@ -1,0 +1,115 @@
+"""What a changing load adds to the answer of a bearing: the orbit, its numbers, verdicts and doubts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from babbitt.bearings.layout import load_vector
+from babbitt.bearings.model import FilmCase
+from babbitt.bearings.warm_film import FilmState, is_dear
+from babbitt.design.conditions import GivenLoad
+from babbitt.design.doubts import RIGID_FILM_UP_TO
+from babbitt.film.model import DRAFT, Cavitation
+from babbitt.notices import EXPLANATIONS, Notice
+from babbitt.results import Check, Matrix
+
+if TYPE_CHECKING:
+    from babbitt.bearings.orbit import Orbit
+
+__all__ = [
+    "orbit_assumptions",
+    "orbit_checks",
+    "orbit_doubts",
+    "orbit_failure",
+    "orbit_of",
+    "orbit_rows",
+    "orbit_values",
+]
+
+GRID_TOLD_FROM = 0.05
+"""Share of the load that a finer grid does not confirm, from which the orbit is doubted."""
+
+
+def orbit_of(case: FilmCase, state: FilmState) -> Orbit | None:
+    """Orbit of the journal in the film of the operating point; None under a steady load.
+
+    It is seen on the grid of the case, or on a draft grid where each of its instants would take long.
+    """
+    if case.changing_load is None or not isinstance(case.duty, GivenLoad):
+        return None
+    from babbitt.bearings.orbit import find_orbit
+
+    film = state.solution.film
+    return find_orbit(
+        film,
+        case.changing_load,
+        load_vector(case, case.duty.load),
+        case.journal_speed,
+        case.moving_mass,
+        DRAFT if is_dear(state) else case.accuracy.resolution,
+    )
+
+
+def orbit_values(case: FilmCase, orbit: Orbit) -> dict[str, float]:
+    """Named results of an orbit, SI."""
+    return {
+        "orbit_largest_eccentricity_ratio": orbit.largest_eccentricity_ratio,
+        "orbit_minimum_film_thickness": float(orbit.film_thickness[orbit.thinnest]),
+        "orbit_minimum_film_direction": orbit.thinnest_direction,
+        "orbit_minimum_film_turned": float(orbit.turned[orbit.thinnest]),
+        "orbit_maximum_pressure": float(orbit.maximum_pressure.max()),
+        "orbit_friction_power": case.friction_factor * orbit.friction_power,
+        "orbit_load_power": orbit.load_power,
+        "orbit_load_error": orbit.load_error,
+        "orbit_cycles": float(orbit.cycles),
+    }
+
+
+def orbit_rows(orbit: Orbit) -> Matrix:
+    """One row per instant: angle turned, x, y, load in x and y, smallest film thickness, largest pressure; SI."""
+    columns = (
+        orbit.turned, *orbit.position.T, *orbit.load.T, orbit.film_thickness, orbit.maximum_pressure,
+    )  # fmt: skip
+    return tuple(tuple(float(one) for one in row) for row in zip(*columns, strict=True))
+
+
+def orbit_checks(checks: tuple[Check, ...], values: dict[str, float]) -> Iterator[Check]:
+    """The limits of the film thickness, asked of the thinnest film of the orbit."""
+    name = "orbit_minimum_film_thickness"
+    for check in checks:
+        if check.quantity == "minimum_film_thickness":
+            yield replace(check, quantity=name, value=values[name])
+
+
+def orbit_doubts(case: FilmCase, orbit: Orbit) -> Iterator[Notice]:
+    """Where the orbit leaves the ground on which it stands."""
+    if orbit.load_error > GRID_TOLD_FROM:
+        yield Notice(
+            "W133", f"a grid twice as fine changes the force by {orbit.load_error:.0%} where the film is thinnest"
+        )
+    depth = 1.0 - float(orbit.film_thickness.min()) / orbit.clearance
+    if depth > RIGID_FILM_UP_TO:
+        yield Notice(
+            "W116", f"1 - h_min/c = {depth:.3f} on the orbit > {RIGID_FILM_UP_TO:g}, end of the rigid film"
+        )
+
+
+def orbit_assumptions(case: FilmCase) -> Iterator[str]:
+    """What the orbit takes for granted."""
+    yield "The orbit has the oil, temperature and clearance of the operating point under the steady load alone."
+    if case.cavitation is Cavitation.MASS_CONSERVING:
+        yield "The film of the orbit ruptures by the Reynolds condition at every instant, without memory."
+    if not case.moving_mass:
+        yield "The journal of the orbit has no mass: the film balances the load at every instant."
+
+
+def orbit_failure(orbit: Orbit) -> str:
+    """How far an orbit came that does not close, and what to try."""
+    remedy = EXPLANATIONS[orbit.outcome.code].remedy
+    far = f"after {orbit.cycles} cycles"
+    if math.isfinite(float(orbit.film_thickness.min())):
+        far += f" the thinnest film was {1e6 * float(orbit.film_thickness.min()):.3g} µm"
+    return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"

@@ -1,0 +1,124 @@
+"""The case of a file with another value in one of its fields."""
+
+from __future__ import annotations
+
+import copy
+from pathlib import Path
+from typing import Any
+
+from babbitt.cases.loading import build_case, load_case, read_file
+from babbitt.cases.machine import Case
+from babbitt.cases.operating_point import LOADS, SPEEDS
+from babbitt.notices import InputError
+
+__all__ = ["CaseVariation", "case_variation"]
+
+ALTERNATIVES = (LOADS, SPEEDS, ("width", "width_ratio"))
+"""Fields of which a value in one takes the place of the others."""
+
+
+class CaseVariation:
+    """A case file one field of which takes other values.
+
+    Parameters
+    ----------
+    file : Path
+    given : dict
+        What stands in it.
+    path : str
+        Field to vary, its names and numbers between dots: ``load``, ``clearance.mean``,
+        ``operating_points.0.load``.
+    start : tuple of str
+        Where in the file the path begins.
+    """
+
+    def __init__(self, file: Path, given: dict[str, Any], path: str, start: tuple[str, ...] = ()) -> None:
+        self.file, self.given, self.path = file, given, path
+        self._steps = (*start, *path.split("."))
+
+    @property
+    def present(self) -> Any:
+        """What stands in the field now; None where nothing does."""
+        try:
+            value = self._container(self.given)
+            return value[_key(value, self._steps[-1])]
+        except (LookupError, TypeError, InputError):
+            return None
+
+    def case(self, value: str) -> Case:
+        """The case with a value in the field.
+
+        Raises
+        ------
+        CaseError
+            With every problem, as for a case file that says so.
+        InputError
+            E005 when the path leads through something that is no mapping or list.
+        """
+        varied = copy.deepcopy(self.given)
+        place, name = self._container(varied), self._steps[-1]
+        for others in ALTERNATIVES:
+            if name in others and isinstance(place, dict):
+                for other in others:
+                    place.pop(other, None)
+        try:
+            place[_key(place, name)] = value
+        except LookupError:
+            raise InputError("E005", f"{self.file}: there is no '{self.path}'") from None
+        return build_case(varied, f"{self.file} with {self.path}: {value}", self.file.parent)
+
+    def _container(self, given: Any) -> Any:
+        place = given
+        for count, step in enumerate(self._steps[:-1], 1):
+            here = ".".join(self._steps[:count])
+            try:
+                if isinstance(place, dict) and step not in place:
+                    place[step] = {}
+                place = place[_key(place, step)]
+            except (LookupError, ValueError):
+                raise InputError("E005", f"{self.file}: there is no '{here}' to look into") from None
+            if not isinstance(place, dict | list):
+                hint = f"write it as a mapping in the file, or vary '{here}' itself"
+                raise InputError("E005", f"{self.file}: '{here}' is '{place}', not a mapping; {hint}")
+        return place
+
+
+def case_variation(file: Path, path: str, bearing: str | None = None) -> CaseVariation:
+    """Read a case file of which one field is to vary.
+
+    Parameters
+    ----------
+    file : Path
+    path : str
+        From the top of the file, or from a bearing.
+    bearing : str, optional
+        Name of a bearing of a machine: the path begins there, and the other bearings are left out.
+
+    Raises
+    ------
+    CaseError
+        When the file as it stands is not usable.
+    InputError
+        E005 for a bearing that the file does not have, or an empty path.
+    """
+    load_case(file)  # tells of every problem with its line
+    given = read_file(file)
+    if not all(path.split(".")):
+        raise InputError("E005", f"'{path}' names no field; write it as load, or clearance.mean")
+    if bearing is None:
+        return CaseVariation(file, given, path)
+    names = [one["name"] for one in given.get("bearings", ())] or [given.get("name")]
+    if bearing not in names:
+        raise InputError("E005", f"{file}: no bearing '{bearing}'; there are: {', '.join(map(str, names))}")
+    if "bearings" not in given:
+        return CaseVariation(file, given, path)
+    alone = given | {"bearings": [given["bearings"][names.index(bearing)]]}
+    return CaseVariation(file, alone, path, ("bearings", "0"))
+
+
+def _key(place: Any, step: str) -> str | int:
+    if not isinstance(place, list):
+        return step
+    if not step.isdecimal() or int(step) >= len(place):
+        raise LookupError(step)
+    return int(step)

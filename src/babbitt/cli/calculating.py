@@ -1,0 +1,170 @@
+"""Commands that calculate: solve, check, compare, sweep, export."""
+
+from __future__ import annotations
+
+import math
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from babbitt.cli.app import LIMIT_VIOLATED, NO_SOLUTION, Files, app
+
+__all__ = ["check", "compare", "export", "solve", "sweep"]
+
+
+@app.command()
+def solve(
+    files: Files,
+    json: Annotated[
+        str | None, typer.Option(metavar="OUT", help="Write the results as JSON; - is standard output.")
+    ] = None,
+    report: Annotated[
+        Path | None, typer.Option(metavar="OUT", help="Write the report: OUT.pdf or OUT.html.")
+    ] = None,
+    plots: Annotated[Path | None, typer.Option(metavar="DIR", help="Write the plots into a folder.")] = None,
+    fields: Annotated[
+        Path | None, typer.Option(metavar="OUT", help="Write the fields of the films as NetCDF: OUT.nc.")
+    ] = None,
+    strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 when a design limit is violated.")] = False,
+) -> None:
+    """Solve the bearings of case files and print a table."""
+    from babbitt.cases import design_cases, load_cases
+    from babbitt.report import outputs, print_machine
+    from babbitt.solving import solve as solve_case
+
+    cases = load_cases(files)  # every problem of every file first; nothing is written before
+    plan = outputs(files, json, report, plots, fields)
+    if fields is not None:
+        from babbitt.report.fields import require_films
+
+        for path, case in zip(files, cases, strict=True):
+            require_films(str(path), design_cases(case))
+    machines = [solve_case(case) for case in cases]
+    if not plan.silent:
+        for machine in machines:
+            print_machine(machine)
+    for machine, target in zip(machines, plan.targets, strict=True):
+        target.write(machine)
+    if not all(machine.solved for machine in machines):
+        raise typer.Exit(NO_SOLUTION)
+    if strict and not all(machine.within_limits for machine in machines):
+        raise typer.Exit(LIMIT_VIOLATED)
+
+
+@app.command()
+def check(files: Files) -> None:
+    """Validate case files without solving them: every problem at once."""
+    from babbitt.cases import CaseError, Problem, design_cases, load_case
+
+    problems: list[Problem] = []
+    for path in files:
+        try:
+            case = load_case(path)
+        except CaseError as error:
+            problems += error.problems
+            continue
+        designs = design_cases(case)
+        count = len(designs)
+        print(f"{path}: usable, kind {case.kind}" + (f", {count} calculation{'s' * (count > 1)}" if count else ""))
+        for said in dict.fromkeys(
+            f"{doubt.code} {doubt.message}" for design in designs for doubt in design.doubts
+        ):
+            print(f"  {said}")
+    if problems:
+        raise CaseError(problems)
+
+
+@app.command()
+def compare(file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file.")]) -> None:
+    """Solve the same bearings by every method that applies, side by side."""
+    from babbitt.cases import load_case
+    from babbitt.report.comparison_table import print_comparison
+    from babbitt.studies.comparison import compare_methods
+
+    if not print_comparison(compare_methods(load_case(file))):
+        raise typer.Exit(NO_SOLUTION)
+
+
+@app.command(context_settings={"ignore_unknown_options": True})  # VALUES may begin with a minus sign
+def sweep(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file.")],
+    path: Annotated[
+        str,
+        typer.Argument(
+            metavar="PATH", help="Field that changes: load, clearance.mean, operating_points.0.speed, ..."
+        ),
+    ],
+    values: Annotated[
+        str, typer.Argument(metavar="VALUES", help="'1 kN, 2 kN', or first:last:number, as '1 kN:10 kN:10'.")
+    ],
+    bearing: Annotated[
+        str | None, typer.Option(metavar="NAME", help="One bearing of a machine; PATH begins at it.")
+    ] = None,
+    csv: Annotated[Path | None, typer.Option(metavar="OUT", help="Write all results as CSV, in SI units.")] = None,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="OUT", help="Draw the key results: OUT.png, OUT.svg or OUT.pdf.")
+    ] = None,
+) -> None:
+    """Solve a case for several values of one field and print the key results."""
+    from babbitt.cases.variation import case_variation
+    from babbitt.report.progress import shown
+    from babbitt.report.sweep_output import require_outputs, write_outputs
+    from babbitt.report.sweep_table import print_sweep
+    from babbitt.studies.case_sweep import sweep_case
+    from babbitt.studies.sweep_values import values_of
+
+    given = values_of(values)
+    require_outputs(file, csv, plot)
+    found = sweep_case(case_variation(file, path, bearing), given, shown(f"{file}: {path}"))
+    print_sweep(found)
+    write_outputs(found, csv, plot)
+    if not found.solved:
+        raise typer.Exit(NO_SOLUTION)
+
+
+@app.command()
+def export(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file with method: film.")],
+    format_name: Annotated[
+        str, typer.Option("--format", metavar="FORMAT", help="ross2, ross3, xltrc2, ansys, csv or json.")
+    ],
+    speeds: Annotated[
+        str,
+        typer.Option(
+            metavar="SPEEDS", help="'500 rpm, 1000 rpm', or first:last:number, as '500 rpm:5000 rpm:10'."
+        ),
+    ],
+    output: Annotated[Path, typer.Option("-o", "--output", metavar="OUT", help="Where to write the table.")],
+    bearing: Annotated[
+        str | None, typer.Option(metavar="NAME", help="Which bearing, where the file has several.")
+    ] = None,
+    other_end: Annotated[
+        bool,
+        typer.Option(
+            "--other-end",
+            help="See the bearing from the other end of the shaft, where clockwise is counter-clockwise.",
+        ),
+    ] = False,
+) -> None:
+    """Write stiffness and damping over speed for a rotor program; the heat balance is closed at each speed."""
+    from babbitt.cases import design_cases, load_case
+    from babbitt.interop import export as write_table
+    from babbitt.interop import mirrored
+    from babbitt.interop.frame import declaration
+    from babbitt.studies.coefficients import run_over_speed
+    from babbitt.studies.speed_range import speeds_of
+    from babbitt.studies.table_target import chosen_film, require_target
+
+    film = chosen_film(design_cases(load_case(file)), file, bearing)
+    require_target(format_name, film, file, output, other_end)
+    run = run_over_speed(film, speeds_of(speeds))
+    if run.unsolved:
+        for speed, outcome in run.unsolved:
+            print(f"{film.name}: {outcome.value} at {speed * 30.0 / math.pi:.0f} rpm", file=sys.stderr)
+        print("nothing was written; leave these speeds out", file=sys.stderr)
+        raise typer.Exit(NO_SOLUTION)
+    table = mirrored(run.table()) if other_end else run.table()
+    write_table(table, output, format_name)
+    print(f"wrote {output}: {table.speeds.size} speeds; {declaration(table.frame)}", file=sys.stderr)

@@ -1,0 +1,111 @@
+"""Commands that tell what is on board and what it means: new, schema, validate, list, explain, cite."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from babbitt.cli.app import LIMIT_VIOLATED, app
+from babbitt.notices import EXPLANATIONS, InputError
+
+__all__ = ["cite", "explain", "list_", "new", "schema", "validate"]
+
+
+@app.command()
+def new(
+    kind: Annotated[str, typer.Argument(metavar="KIND", help="What to describe: see `babbitt list kinds`.")],
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Where to write it.")
+    ] = None,
+) -> None:
+    """Write a commented case file that runs as it stands."""
+    from babbitt.cases import template
+
+    text = template(kind)
+    if output is None:
+        print(text, end="")
+        return
+    if output.exists():
+        raise InputError("E007", f"{output} exists already; nothing was overwritten. Choose another name.")
+    _write(output, text)
+    print(f"wrote {output}; solve it with: babbitt solve {output}", file=sys.stderr)
+
+
+@app.command()
+def schema() -> None:
+    """Print the JSON Schema of case files, with which editors complete and check them."""
+    import json
+
+    from babbitt.cases import case_schema
+
+    print(json.dumps(case_schema(), indent=2, ensure_ascii=False))
+
+
+@app.command()
+def validate(
+    names: Annotated[
+        list[str] | None, typer.Argument(metavar="[NAME...]", help="Cases; all when omitted.")
+    ] = None,
+) -> None:
+    """Run the published cases that ship with the package, side by side with the print.
+
+    Exit status 1 if a judged value differs by more than its tolerance.
+    """
+    from babbitt.report.validation_table import print_validation
+    from babbitt.validation import cases, validation_case
+
+    chosen = [validation_case(name) for name in names] if names else list(cases())
+    agreed = [print_validation(case) for case in chosen]
+    if not all(agreed):
+        raise typer.Exit(LIMIT_VIOLATED)
+
+
+@app.command(name="list")
+def list_(
+    what: Annotated[str, typer.Argument(metavar="WHAT", help="lubricants, materials, kinds or cases.")],
+) -> None:
+    """Show what is on board, with sources."""
+    from babbitt.report import listings
+
+    show: dict[str, Callable[[], None]] = {
+        "lubricants": listings.print_lubricants,
+        "materials": listings.print_materials,
+        "kinds": listings.print_kinds,
+        "cases": listings.print_cases,
+    }
+    if what not in show:
+        raise InputError("E005", f"nothing is listed under {what!r}; there are: {', '.join(show)}")
+    show[what]()
+
+
+@app.command()
+def explain(code: Annotated[str, typer.Argument(metavar="CODE", help="Such as W101 or C104.")]) -> None:
+    """Explain a code of an error, warning or check, and what to do about it."""
+    from difflib import get_close_matches
+
+    found = EXPLANATIONS.get(code.upper())
+    if found is None:
+        near = get_close_matches(code.upper(), EXPLANATIONS, n=1)
+        hint = f"did you mean {near[0]}? " if near else ""
+        raise InputError("E005", f"no code {code!r}; {hint}All: {', '.join(EXPLANATIONS)}")
+    print(f"{code.upper()}  {found.title}\n\n{found.meaning}\n\nWhat to do: {found.remedy}")
+
+
+@app.command()
+def cite(file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file.")]) -> None:
+    """Say what to cite for the methods that a case uses."""
+    from babbitt.cases import load_case
+    from babbitt.report.citations import citations_of
+
+    print("\n\n".join(citations_of(load_case(file))))
+
+
+def _write(path: Path, text: str) -> None:
+    try:
+        path.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise InputError("E007", f"cannot write {path}: {error.strerror}") from None

@@ -1,0 +1,130 @@
+"""Where a rotor whirls: over load and speed, and without dimension over the load number."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.bearings.model import FilmCase
+from babbitt.bearings.rotor import RIGID
+from babbitt.bearings.warm_film import FilmState
+from babbitt.bearings.whirl import mass_of_rotor
+from babbitt.quantities import QUANTITIES
+from babbitt.report.drawing import GREY, INK, Array, Sheet, axis_label, mark
+from babbitt.report.painters import plain_ticks
+from babbitt.studies.film_points import FilmPoints
+from babbitt.studies.stability_map import StabilityMap, mass_number
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+WHIRLS, RESERVES = "0.88", (2.0, 5.0, 10.0)
+"""Grey of the unstable region; multiples of the mass of the rotor that are drawn."""
+
+WORD, ROOM = 2.5, 0.05
+"""Width of a word over its height; room around its middle that it takes, as a share of the height of the panel."""
+
+DECADES = 1.5
+"""The mass is shown over so many decades to either side of that of the rotor, or as far as the curve goes."""
+
+
+def stability(case: FilmCase, state: FilmState, found: StabilityMap, by_load: FilmPoints) -> Figure:
+    """The map of the rotor of the case, and the chart for rotors of any mass; operating point in both."""
+    figure, ((left, right),) = Sheet(166.0, 62.0, 1, 2, across=15.0).panels()
+    _map(left, state, found)
+    _chart(right, case, state, by_load)
+    return figure
+
+
+def _map(panel: Axes, state: FilmState, found: StabilityMap) -> None:
+    rpm, kilo = QUANTITIES["threshold_speed"].display.scale, QUANTITIES["load"].display.scale
+    x, y = kilo * found.loads, rpm * found.speeds
+    panel.set(xscale="log", yscale="log", xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
+    rate = np.ma.masked_invalid((found.growth / found.speeds).T)
+    if np.ma.count(rate):
+        reach = 1.0 + float(np.abs(rate).max())
+        panel.contourf(x, y, rate, levels=[0.0, reach], colors=[WHIRLS])
+    if not found.points.solved.all():
+        missing = np.where(found.points.solved.reshape(found.growth.shape), 0.0, 1.0).T
+        panel.contourf(x, y, missing, levels=[0.5, 1.5], colors=["none"], hatches=["////"])
+    if rate.min() < 0.0 < rate.max():
+        panel.contour(x, y, rate, levels=[0.0], colors=[INK], linewidths=[1.1])
+    reserve = np.ma.masked_invalid(np.log10(np.clip(found.reserve, 1e-3, 1e3)).T)
+    levels = [math.log10(times) for times in RESERVES if reserve.min() < math.log10(times) < reserve.max()]
+    if levels:
+        lines = panel.contour(x, y, reserve, levels=levels, colors=["0.6"], linewidths=[0.5])
+        panel.clabel(lines, fmt=lambda level: f"{10.0**level:.0f} m", fontsize=6, inline_spacing=2)
+    here = kilo * state.load, rpm * abs(state.solution.film.angular_speed)
+    _words(panel, x, y, found, here)
+    mark(panel, *here)
+    panel.set(xlabel=axis_label(QUANTITIES["load"]), ylabel="$N$ in rpm")
+    plain_ticks(panel.xaxis)
+    plain_ticks(panel.yaxis)
+
+
+def _words(panel: Axes, x: Array, y: Array, found: StabilityMap, here: tuple[float, float]) -> None:
+    """Name the regions in their middle beside the operating point, as far as they have room for a word."""
+    column, row = np.abs(np.log(x / here[0])).argmin(), np.abs(np.log(y / here[1])).argmin()
+    film = found.points.solved.reshape(found.growth.shape)
+    for text, region in (("stable", found.stable), ("whirls", film & ~found.stable), ("no film", ~film)):
+        open_region = region.copy()
+        open_region[column, row] = False
+        place = _middle(open_region)
+        if place is not None:
+            panel.annotate(
+                text, (x[place[0]], y[place[1]]), fontsize=7, ha="center", va="center", color="0.2",
+                bbox={"facecolor": WHIRLS if text == "whirls" else "white", "edgecolor": "none", "pad": 0.8},
+            )  # fmt: skip
+
+
+def _middle(region: NDArray[np.bool_]) -> tuple[int, int] | None:
+    """The place of a region that is farthest from its edges; none where the region has no room for a word."""
+    from scipy.ndimage import distance_transform_edt
+
+    columns, rows = region.shape  # of a panel about as wide as high
+    depth = distance_transform_edt(np.pad(region, 1), sampling=(1.0 / (WORD * columns), 1.0 / rows))[1:-1, 1:-1]
+    column, row = np.unravel_index(int(depth.argmax()), depth.shape)
+    return (int(column), int(row)) if depth[column, row] > ROOM else None
+
+
+def _beside(panel: Axes, place: tuple[float, float], text: str) -> None:
+    settings: dict[str, Any] = {"textcoords": "offset points", "fontsize": 7, "color": "0.3", "ha": "right"}
+    panel.annotate(text, place, xytext=(-3, 3), annotation_clip=True, **settings)
+
+
+def _chart(panel: Axes, case: FilmCase, state: FilmState, by_load: FilmPoints) -> None:
+    film, mass = state.solution.film, mass_of_rotor(case, state.load)
+    speed = abs(film.angular_speed)
+    here = mass * film.clearance * speed**2 / state.load
+    shaft = case.shaft_stiffness if case.shaft_stiffness is not None else RIGID
+    numbers, critical = by_load.sommerfeld_number, mass_number(by_load.critical_mass(shaft), by_load)
+    order = np.argsort(numbers)
+    numbers, critical = numbers[order], critical[order]
+    known = np.isfinite(critical) & (critical > 0.0)
+    low, high = here / 10.0**DECADES, here * 10.0**DECADES
+    if known.any():
+        low, high = min(low, 0.5 * critical[known].min()), max(high, 3.0 * float(np.median(critical[known])))
+    panel.set(xscale="log", yscale="log", xlim=(numbers[0], numbers[-1]), ylim=(low, high))
+    edge = np.clip(critical, low, high)
+    panel.fill_between(numbers, edge, high, where=(critical < math.inf).tolist(), color=WHIRLS, linewidth=0.0)
+    panel.plot(numbers[known], critical[known], color=INK)
+    if shaft != RIGID:
+        rigid = mass_number(by_load.critical_mass(), by_load)[order]
+        seen = np.isfinite(rigid) & (rigid > 0.0)
+        panel.plot(numbers[seen], rigid[seen], color=GREY, linestyle=(0, (5, 2)), linewidth=0.8)
+        if seen.any():
+            end = numbers[seen][-1], rigid[seen][-1]
+            _beside(panel, end, "rigid")
+    at = numbers[0] * (numbers[-1] / numbers[0]) ** 0.15
+    border = float(np.exp(np.interp(math.log(at), np.log(numbers), np.log(edge))))
+    for text, level in (("whirls", math.sqrt(border * high)), ("stable", math.sqrt(border * low))):
+        if low * 1.3 < level < high / 1.3:
+            panel.annotate(text, (at, level), fontsize=7, ha="center", va="center", color="0.2")
+    mark(panel, state.solution.sommerfeld_number, here)
+    panel.set(xlabel=axis_label(QUANTITIES["sommerfeld_number"]), ylabel="$m\\,c\\,ω^2/F$")
+    plain_ticks(panel.xaxis)
+    plain_ticks(panel.yaxis)

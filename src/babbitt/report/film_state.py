@@ -1,0 +1,25 @@
+"""The film behind a result."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from babbitt.bearings.model import FilmCase
+from babbitt.bearings.warm_film import FilmState, operating_film
+from babbitt.results import Result
+
+SLOW = 4500
+"""Grid points of a film beyond which sweeps take seconds."""
+
+
+def state_of(case: FilmCase, result: Result) -> FilmState:
+    """The film of a solved result, from its effective temperature."""
+    found = operating_film(replace(case, effective_temperature=result.values["effective_temperature"])).film
+    if found is None:
+        raise ValueError(f"{result.name} has no film")
+    return found
+
+
+def is_slow(state: FilmState) -> bool:
+    """Whether sweeps of this film take seconds."""
+    return bool(state.solution.pressure.size > SLOW)

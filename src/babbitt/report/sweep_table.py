@@ -1,0 +1,88 @@
+"""The answers of a sweep as a table on the screen and as CSV."""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+
+from rich.console import Console
+from rich.text import Text
+
+from babbitt.interop.unit_names import static_column
+from babbitt.quantities import QUANTITIES
+from babbitt.report import verdict as judge
+from babbitt.report.bearing_table import STYLES, engineers_table
+from babbitt.report.table import console, fitting
+from babbitt.report.text import plain_text
+from babbitt.report.verdict import Verdict
+from babbitt.studies.case_sweep import CaseSweep
+
+NOT_TOLD = ("wall_time", "iterations")
+"""Results that tell of the run and differ from run to run."""
+
+
+def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
+    """Print one line a value and bearing: the key results in the engineer's units, and the verdict."""
+    to = to or console()
+    rows = list(sweep.rows())
+    results = [result for _, result in rows]
+    named = len(sweep.names) > 1
+    shown = _shown(sweep)
+    own = max(len(sweep.path), *(len(text) for text in shown)) + 2
+    columns, hidden = fitting(results, to.width - own)
+    table = engineers_table(title=Text(plain_text(sweep.machines[0].name), style="bold"), title_justify="left")
+    table.add_column(Text(f"{sweep.path}\n{sweep.values.unit}"), justify="right", no_wrap=True)
+    if named:
+        table.add_column(Text("Bearing"), overflow="fold")
+    for column in columns:
+        table.add_column(Text(f"{column.heading}\n{column.unit}"), justify="right", no_wrap=True)
+    table.add_column(Text("verdict"), no_wrap=True)
+    cells = list(zip(*(column.cells(results) for column in columns), strict=True)) or [()] * len(results)
+    for (place, result), line in zip(rows, cells, strict=True):
+        word = judge.verdict(result)
+        name = (Text(plain_text(result.name)),) if named else ()
+        table.add_row(
+            Text(plain_text(shown[place])), *name, *map(Text, line), Text(word.value, style=STYLES[word])
+        )
+    to.print(table)
+    if hidden:
+        to.print(
+            Text(f"Left out for want of width: {', '.join(column.heading for column in hidden)}", style="dim")
+        )
+    for place, result in rows:
+        if judge.verdict(result) is Verdict.UNSOLVED:
+            to.print(Text(f"{sweep.path} {sweep.values.texts[place]}, {result.name}: {result.outcome.value}"))
+
+
+def sweep_csv(sweep: CaseSweep) -> str:
+    """The answers as CSV: one row a value and bearing, results in SI with the unit in every column name.
+
+    The first column is the field; its unit, where the values have one, stands in its name. A row without an
+    operating point has no results. UTF-8, comma, decimal point.
+    """
+    rows = list(sweep.rows())
+    quantities = dict.fromkeys(
+        name
+        for _, result in rows
+        if result.outcome.solved
+        for name in result.values
+        if name in QUANTITIES and name not in NOT_TOLD
+    )
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    unit = f" [{sweep.values.unit}]" if sweep.values.unit and sweep.values.numbers is not None else ""
+    writer.writerow([f"{sweep.path}{unit}", "bearing", "status", *(static_column(name) for name in quantities)])
+    shown = _shown(sweep)
+    for place, result in rows:
+        solved = result.outcome.solved
+        numbers = [result.values.get(name, math.nan) if solved else math.nan for name in quantities]
+        told = [repr(float(number)) if math.isfinite(number) else "" for number in numbers]
+        writer.writerow([shown[place], result.name, result.outcome.name.lower(), *told])
+    return stream.getvalue()
+
+
+def _shown(sweep: CaseSweep) -> tuple[str, ...]:
+    """Values without their unit, which stands in the heading; words as they are."""
+    numbers = sweep.values.numbers
+    return sweep.values.texts if numbers is None else tuple(f"{number:.6g}" for number in numbers)

@@ -1,0 +1,141 @@
+"""Where a rotor runs stable: the criterion of Routh and Hurwitz over load and speed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.bearings.model import FilmCase
+from babbitt.bearings.rotor import RIGID, growth_rates
+from babbitt.bearings.whirl import mass_of_rotor
+from babbitt.studies.film_points import FilmPoints, Watch, film_points, unwatched
+from babbitt.studies.locus import spread
+
+if TYPE_CHECKING:
+    from babbitt.bearings.warm_film import FilmState
+
+__all__ = ["StabilityMap", "mass_number", "stability_map"]
+
+Array = NDArray[np.float64]
+
+LOADS, SPEEDS = 25, 33
+"""Points of a map; odd, so that the operating point is one of them."""
+
+DEAR_LOADS, DEAR_SPEEDS = 11, 17
+"""The same for films that differ across the width."""
+
+LOAD_SPAN, SPEED_SPAN = (0.2, 5.0), (0.2, 10.0)
+"""Ends over the operating point, where none are given."""
+
+
+@dataclass(frozen=True, eq=False)
+class StabilityMap:
+    """Stability of one rotor over load and speed.
+
+    Attributes
+    ----------
+    loads, speeds : ndarray, shapes (n,) and (m,)
+        N and rad/s, ascending.
+    masses : ndarray, shape (n,)
+        Of the rotor on the bearing, kg: that of the case, or under each load the one whose weight it is.
+    shaft_stiffness : float
+        N/m, infinite for a rigid rotor.
+    growth : ndarray, shape (n, m)
+        Rate of the least damped motion, 1/s: negative where the rotor runs stable, no number where there is no
+        film.
+    critical_mass : ndarray, shape (n, m)
+        kg, on this shaft; infinite where no rotor whirls.
+    points : FilmPoints
+        The films, n m of them, the speeds of the first load first.
+    """
+
+    loads: Array
+    speeds: Array
+    masses: Array
+    shaft_stiffness: float
+    growth: Array
+    critical_mass: Array
+    points: FilmPoints
+
+    @property
+    def stable(self) -> NDArray[np.bool_]:
+        """Where every motion dies away, shape (n, m); false where there is no film."""
+        return np.asarray(self.growth < 0.0)
+
+    @property
+    def reserve(self) -> Array:
+        """Critical mass over that of the rotor, shape (n, m)."""
+        return np.asarray(self.critical_mass / self.masses[:, None])
+
+    def thresholds(self) -> Array:
+        """Lowest speed in the map above which the rotor whirls under each load, rad/s, shape (n,).
+
+        Between the points the growth over the speed is taken as linear in the logarithm of the speed. No number
+        where it does not begin to whirl within the map.
+        """
+        found = np.full(self.loads.shape, np.nan)
+        ratio, steps = self.growth / self.speeds, np.log(self.speeds)
+        for row, rate in enumerate(ratio):
+            for left in range(rate.size - 1):
+                if rate[left] < 0.0 <= rate[left + 1]:
+                    share = rate[left] / (rate[left] - rate[left + 1])
+                    found[row] = np.exp(steps[left] + share * (steps[left + 1] - steps[left]))
+                    break
+        return found
+
+
+def stability_map(
+    case: FilmCase,
+    state: FilmState,
+    loads: Iterable[float] | None = None,
+    speeds: Iterable[float] | None = None,
+    watch: Watch = unwatched,
+) -> StabilityMap:
+    """Find where a rotor in this film runs stable.
+
+    Parameters
+    ----------
+    case : FilmCase
+        Says the mass of the rotor (`rotor_mass`; without it the load is its weight) and the stiffness of the
+        shaft.
+    state : FilmState
+        Its film at the operating point, whose clearance, viscosity and supply pressures are kept.
+    loads, speeds : iterable of float, optional
+        N and rad/s. From a fifth to five times the load and to ten times the speed of the operating point where
+        none are given.
+    watch : Watch
+        Follows films that are solved one by one.
+
+    Returns
+    -------
+    StabilityMap
+
+    Notes
+    -----
+    The equation of motion, linear about the equilibrium, has a characteristic polynomial of fourth order (sixth on
+    an elastic shaft). Its roots are found as eigenvalues; that all lie on the left is what the determinants of
+    Routh and Hurwitz say. Source: Lund J.W., Thomsen K.K. (1978), A calculation method and data for the dynamic
+    coefficients of oil-lubricated journal bearings, ASME.
+    """
+    film, dear = state.solution.film, state.solution.film.is_surface
+    x = _ascending(loads, state.load, LOAD_SPAN, DEAR_LOADS if dear else LOADS)
+    y = _ascending(speeds, abs(film.angular_speed), SPEED_SPAN, DEAR_SPEEDS if dear else SPEEDS)
+    points = film_points(case, state, np.repeat(x, y.size), np.tile(y, x.size), watch)
+    shape, shaft = (x.size, y.size), case.shaft_stiffness if case.shaft_stiffness is not None else RIGID
+    masses = np.array([mass_of_rotor(case, float(load)) for load in x])
+    growth = growth_rates(np.repeat(masses, y.size), points.stiffness, points.damping, shaft)
+    critical = points.critical_mass(shaft).reshape(shape)
+    return StabilityMap(x, y, masses, shaft, growth.reshape(shape), critical, points)
+
+
+def mass_number(mass: float | Array, points: FilmPoints) -> Array:
+    """Mass without dimension, m c ω²/F, of rotors in the films of some points, shape (n,)."""
+    return np.asarray(mass * points.film.clearance * points.speeds**2 / points.loads)
+
+
+def _ascending(given: Iterable[float] | None, here: float, span: tuple[float, float], count: int) -> Array:
+    return spread(here, span, count) if given is None else np.array(sorted(set(given)), dtype=float)

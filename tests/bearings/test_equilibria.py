@@ -1,0 +1,133 @@
+"""Several equilibria: mirror images where symmetry makes them, one and only one where it must be."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from film_bearings import answer
+
+from babbitt.bearings.bore import Arc, LobedBore
+from babbitt.bearings.equilibria import find_equilibria
+from babbitt.film.model import (
+    DRAFT,
+    ENGINEERING,
+    Cavitation,
+    FilmStart,
+    JournalFilm,
+    Land,
+    Pocket,
+    grooved_bore,
+)
+from babbitt.film.solve import film_at_position, solve_journal
+
+VERTICAL = (-math.pi / 2.0, math.pi / 2.0)
+SLOW = JournalFilm(0.2, 0.12, 150e-6, 0.02, 10.0, grooved_bore(VERTICAL, 0.35, 5e5), Cavitation.REYNOLDS)
+"""Two opposite grooves under a pressure that outweighs the wedge."""
+
+FAST = replace(SLOW, angular_speed=314.0, lands=grooved_bore((0.0, math.pi), 0.35, 1e5))
+
+
+def lobes(preload, offset=0.5):
+    return tuple(
+        LobedBore(preload, offset).shaped(Arc(start + 0.175, start + math.pi - 0.175, 150e-6, (1e5, 1e5), 1.0))
+        for start in (0.0, math.pi)
+    )
+
+
+@pytest.mark.parametrize("cavitation", [Cavitation.REYNOLDS, Cavitation.MASS_CONSERVING])
+def test_a_bearing_that_is_its_own_image_after_half_a_turn_has_image_equilibria(cavitation):
+    # without load nothing tells one place from its image; the centre is a saddle
+    found = find_equilibria(replace(SLOW, cavitation=cavitation), (0.0, 0.0), ENGINEERING)
+    assert found.complete
+    assert sorted(place.index for place in found.places) == [-1, 1, 1]
+    (centre,) = [place for place in found.places if place.index < 0]
+    assert math.hypot(*centre.position) < 1e-4 * SLOW.clearance
+    assert not centre.holds
+    one, other = [place for place in found.places if place.index > 0]
+    np.testing.assert_allclose(one.position, -np.array(other.position), atol=1e-3 * SLOW.clearance)
+    assert one.film.eccentricity_ratio > 0.2
+
+
+def test_every_place_is_an_equilibrium():
+    load, slower = (0.0, -100.0), replace(SLOW, angular_speed=3.0)
+    found = find_equilibria(slower, load, ENGINEERING)
+    assert found.complete
+    assert len(found.places) == 3
+    for place in found.places:
+        film = film_at_position(slower, place.position)
+        gap = np.linalg.solve(film.stiffness, film.force + np.array(load))
+        assert math.hypot(*gap) < 1e-3 * SLOW.clearance
+
+
+def test_the_wedge_outweighs_the_supply_in_a_fast_bearing():
+    assert len(find_equilibria(replace(SLOW, angular_speed=314.0), (0.0, 0.0)).places) == 1
+
+
+@pytest.mark.parametrize(
+    "film",
+    [
+        FAST,
+        replace(FAST, cavitation=Cavitation.MASS_CONSERVING),
+        replace(FAST, lands=lobes(0.5)),
+        replace(FAST, lands=lobes(0.8)),
+        replace(FAST, lands=lobes(0.5, 1.0)),
+        replace(FAST, lands=(Land(0.0, 2.0 * math.pi),), film_start=FilmStart.WIDEST_GAP),
+    ],
+    ids=["grooved", "conserving", "lemon", "slender lemon", "offset halves", "widest gap"],
+)
+@pytest.mark.parametrize("load", [(0.0, -200.0), (0.0, -3e4), (2e4, 0.0)])
+def test_ordinary_bearings_have_one_equilibrium(film, load):
+    rest = solve_journal(film, load, DRAFT)
+    found = find_equilibria(film, load, DRAFT)
+    assert found.complete
+    (place,) = found.places
+    np.testing.assert_allclose(place.position, rest.position, atol=2e-3 * film.clearance)
+    again = find_equilibria(film, load, DRAFT, (rest,))
+    assert [one.film for one in again.places] == [rest]
+
+
+def test_pockets_under_pressure_are_like_grooves():
+    pockets = tuple(Pocket(angle, 0.6, 0.08, pressure=5e5) for angle in VERTICAL)
+    ring = replace(
+        SLOW, lands=(Land(0.0, 2.0 * math.pi),), film_start=FilmStart.PERIODIC, pockets=pockets, angular_speed=10.0
+    )
+    found = find_equilibria(ring, (0.0, 0.0))
+    assert found.complete
+    assert len(found.places) == 3
+
+
+SLOW_CASE = {
+    "grooves": [{"angle": "90 deg", "extent": "20 deg"}, {"angle": "-90 deg", "extent": "20 deg"}],
+    "supply": {"temperature": "45 degC", "pressure": "0.5 MPa"},
+    "load": "150 N",
+    "speed": "60 rpm",
+    "effective_temperature": "50 degC",
+}
+
+
+def test_a_saddle_is_not_shown_and_the_other_places_are_named():
+    result = answer(**SLOW_CASE)
+    (told,) = [notice for notice in result.warnings if notice.code == "W131"]
+    assert result.equilibria == 3
+    assert told.message.startswith("2 besides the one shown")
+    assert told.message.count("e/c =") == 2
+    assert not any(notice.code == "W132" for notice in result.warnings)
+    assert np.linalg.det(result.arrays["stiffness"]) > 0.0
+    assert "it never stays" in told.message
+    first = answer(**SLOW_CASE, equilibria="first")
+    assert "equilibria" not in first.values
+    assert np.linalg.det(first.arrays["stiffness"]) < 0.0
+    assert [notice.code for notice in first.warnings if notice.code.startswith("W13")] == ["W132"]
+    assert first.eccentricity_ratio == pytest.approx(float(told.message.split("e/c = ")[1][:5]), abs=5e-4)
+    assert answer(bore={"kind": "lobes", "preload": 0.5}).equilibria == 1
+    assert "equilibria" not in answer().values  # a fast bearing with little supply pressure
+    assert answer(equilibria="all").equilibria == 1
+
+
+def test_the_heat_balance_closes_where_the_journal_stays():
+    given = SLOW_CASE | {"effective_temperature": None, "speed": "30 rpm"}
+    result = answer(**given)
+    assert result.equilibria == 3
+    assert np.linalg.det(result.arrays["stiffness"]) > 0.0
+    assert abs(result.energy_balance_error) < 1e-6

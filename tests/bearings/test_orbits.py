@@ -1,0 +1,161 @@
+"""Orbits under changing loads: closed forms, balances, symmetries, and the linear film as their limit."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from film_bearings import answer, solved
+
+from babbitt.bearings.changing_load import RotatingLoad, TabulatedLoad
+from babbitt.bearings.orbit import find_orbit
+from babbitt.film.model import DRAFT, ENGINEERING, Cavitation, FilmStart, JournalFilm, Land, grooved_bore
+from babbitt.film.solve import film_at_position, solve_journal
+from babbitt.notices import InputError
+from babbitt.results import Outcome
+
+SPEED = 314.0
+RING = JournalFilm(
+    0.2, 0.12, 150e-6, 0.02, SPEED, (Land(0.0, 2.0 * math.pi),), Cavitation.REYNOLDS, FilmStart.WIDEST_GAP
+)
+GROOVED = replace(RING, lands=grooved_bore((0.0, math.pi), 0.35, 1e5), film_start=FilmStart.GROOVE)
+STEADY = (0.0, -2e4)
+MIXED = RotatingLoad(1e4, phase=0.3)
+
+
+@pytest.fixture(scope="module")
+def mixed():
+    return find_orbit(GROOVED, MIXED, STEADY)
+
+
+@pytest.mark.parametrize("ratio", [1.0, -1.0, 0.25, 0.75])
+def test_a_rotating_load_is_a_steady_one_at_the_effective_speed(ratio):
+    # seen from the load both surfaces turn by Omega less: omega_eff = omega - 2 Omega
+    orbit = find_orbit(RING, RotatingLoad(2e4, ratio), resolution=ENGINEERING)
+    steady = solve_journal(replace(RING, angular_speed=SPEED * (1.0 - 2.0 * ratio)), (2e4, 0.0))
+    assert orbit.outcome is Outcome.CONVERGED
+    eccentricity = np.hypot(*orbit.position.T) / RING.clearance
+    np.testing.assert_allclose(eccentricity, steady.eccentricity_ratio, rtol=1.5e-3)
+    ahead = np.arctan2(*orbit.position.T[::-1]) - np.arctan2(*orbit.load.T[::-1])
+    expected = math.atan2(steady.position[1], steady.position[0])
+    np.testing.assert_allclose(np.angle(np.exp(1j * (ahead - expected))), 0.0, atol=math.radians(0.2))
+    assert orbit.maximum_pressure.max() == pytest.approx(steady.maximum_pressure, rel=5e-3)
+
+
+def test_a_closed_ring_agrees_with_the_effective_speed():
+    ring = replace(RING, film_start=FilmStart.PERIODIC)
+    orbit = find_orbit(ring, RotatingLoad(2e4))
+    steady = solve_journal(replace(ring, angular_speed=-SPEED), (2e4, 0.0), DRAFT)
+    assert orbit.largest_eccentricity_ratio == pytest.approx(steady.eccentricity_ratio, rel=5e-3)
+
+
+def test_the_bearing_counts_in_the_effective_speed_and_the_journal_gives_the_time():
+    # journal at rest-frame speed w, bearing at 0.5 w, load with the journal: 1.5 w - 2 w
+    both = replace(RING, angular_speed=1.5 * SPEED)
+    orbit = find_orbit(both, RotatingLoad(2e4), speed=SPEED, resolution=ENGINEERING)
+    steady = solve_journal(replace(RING, angular_speed=-0.5 * SPEED), (2e4, 0.0))
+    assert orbit.largest_eccentricity_ratio == pytest.approx(steady.eccentricity_ratio, rel=2e-3)
+
+
+def test_a_load_at_half_the_speed_squeezes_the_film_out():
+    assert find_orbit(RING, RotatingLoad(2e4, 0.5)).outcome is Outcome.SQUEEZED_OUT
+
+
+def test_a_small_rotating_load_moves_the_journal_as_stiffness_and_damping_say():
+    small = 400.0
+    for mass in (0.0, 2000.0):
+        orbit = find_orbit(GROOVED, RotatingLoad(small), STEADY, mass=mass, resolution=ENGINEERING)
+        assert orbit.outcome is Outcome.CONVERGED
+        rest = solve_journal(GROOVED, STEADY)
+        dynamic = rest.stiffness + 1j * SPEED * rest.damping - mass * SPEED**2 * np.eye(2)
+        amplitude = np.linalg.solve(dynamic, np.array([small, -1j * small]))  # Re exp(i w t) is (cos, sin)
+        turning = np.exp(-1j * orbit.turned)
+        found = 2.0 * (orbit.position * turning[:, None]).mean(axis=0)
+        np.testing.assert_allclose(found, amplitude, rtol=0.05, atol=0.02 * np.abs(amplitude).max())
+
+
+def test_the_film_carries_the_load_at_every_instant(mixed):
+    thin = replace(GROOVED, cavitation=Cavitation.REYNOLDS)
+    for instant in range(0, mixed.turned.size, 24):
+        film = film_at_position(thin, tuple(mixed.position[instant]), tuple(mixed.velocity[instant]), DRAFT)
+        np.testing.assert_allclose(film.force, -mixed.load[instant], atol=1e-5 * math.hypot(*STEADY))
+
+
+def test_the_velocity_is_the_change_of_the_place(mixed):
+    count = mixed.turned.size
+    orders = np.fft.fftfreq(count, 1.0 / count)
+    slope = np.fft.ifft(1j * orders[:, None] * np.fft.fft(mixed.position, axis=0), axis=0).real * SPEED
+    np.testing.assert_allclose(slope, mixed.velocity, atol=0.02 * np.abs(mixed.velocity).max())
+
+
+def test_the_steady_part_of_the_load_does_no_work(mixed):
+    steady_work = (mixed.velocity @ np.array(STEADY)).mean()
+    assert abs(steady_work) < 0.02 * abs(mixed.velocity @ np.array(STEADY)).max()
+    assert mixed.load_power == pytest.approx((mixed.load * mixed.velocity).sum(axis=1).mean())
+
+
+def test_the_mirror_image_turns_the_other_way(mixed):
+    clockwise = replace(GROOVED, angular_speed=-SPEED)  # symmetric about the vertical
+    other = find_orbit(clockwise, RotatingLoad(1e4, phase=math.pi - 0.3), STEADY)
+    np.testing.assert_allclose(other.position * [-1.0, 1.0], mixed.position, atol=1e-3 * GROOVED.clearance)
+    assert other.friction_power == pytest.approx(mixed.friction_power, rel=1e-3)
+
+
+def test_a_table_of_the_same_load_gives_the_same_orbit(mixed):
+    angles = np.arange(720) * (2.0 * math.pi / 720)
+    fx, fy = np.array([MIXED.at(angle) for angle in angles]).T
+    table = find_orbit(GROOVED, TabulatedLoad(tuple(angles), tuple(fx), tuple(fy)), STEADY)
+    np.testing.assert_allclose(table.position, mixed.position, atol=2e-3 * GROOVED.clearance)
+
+
+def test_a_mass_above_the_critical_one_leaves_its_orbit():
+    light = (0.0, -2e3)
+    from babbitt.film.stability import critical_mass
+
+    rest = solve_journal(GROOVED, light, DRAFT)
+    critical = critical_mass(rest.stiffness, rest.damping)
+    below, above = (find_orbit(GROOVED, RotatingLoad(50.0), light, mass=share * critical) for share in (0.6, 2.0))
+    assert below.outcome is Outcome.CONVERGED
+    assert above.outcome is Outcome.NOT_PERIODIC
+
+
+def test_tables_are_periodic_and_linear():
+    load = TabulatedLoad((0.0, 1.0, 3.0), (0.0, 10.0, 30.0), (0.0, 0.0, 6.0), cycle=4.0)
+    assert load.at(0.5) == pytest.approx((5.0, 0.0))
+    assert load.at(3.5) == pytest.approx((15.0, 3.0))
+    assert load.at(-4.5) == load.at(4.5) == pytest.approx((5.0, 0.0))
+
+
+def test_a_film_without_damping_and_a_journal_at_rest_are_refused():
+    half = replace(RING, cavitation=Cavitation.HALF_SOMMERFELD, film_start=FilmStart.PERIODIC)
+    with pytest.raises(InputError, match="no damping"):
+        find_orbit(half, MIXED)
+    with pytest.raises(InputError, match="stands still"):
+        find_orbit(replace(RING, angular_speed=0.0), MIXED)
+
+
+ROTATING = {"kind": "rotating", "magnitude": "10 kN"}
+
+
+def test_the_answer_of_a_bearing_tells_of_its_orbit():
+    given = {"limits": {"minimum_film_thickness": "40 um"}, "dynamic_load": ROTATING}
+    result, calm = answer(**given), answer(limits=given["limits"])
+    assert result.minimum_film_thickness == calm.minimum_film_thickness
+    rows = np.array(result.arrays["orbit"])
+    assert result.orbit_minimum_film_thickness == rows[:, 5].min() < calm.minimum_film_thickness
+    assert result.orbit_maximum_pressure == rows[:, 6].max() > calm.maximum_pressure
+    np.testing.assert_allclose(rows[:, 3:5].mean(axis=0), [0.0, -30e3], atol=1.0)
+    (check,) = [check for check in result.checks if check.quantity == "orbit_minimum_film_thickness"]
+    assert check.code == "C101"
+    assert check.ok is (result.orbit_minimum_film_thickness >= 40e-6)
+    assert any("without memory" in said for said in result.assumptions)
+
+
+def test_an_orbit_that_does_not_close_is_no_solution():
+    # hardly any steady load, and a load that rotates at half the speed
+    (result,) = solved(
+        span="360 deg", grooves=None, film_start="widest_gap", cavitation="reynolds", load="100 N",
+        effective_temperature="60 degC", dynamic_load=ROTATING | {"speed_ratio": 0.5},
+    ).results  # fmt: skip
+    assert result.outcome in (Outcome.SQUEEZED_OUT, Outcome.NOT_PERIODIC)
+    assert "cycles" in result.message
