@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 import numpy as np
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from babbitt.film.solution import FilmSolution
     from babbitt.film.thermal_solution import ThermalFilm
 
-__all__ = ["CLOSENESS", "ElasticFilm", "bore_grid", "elastic_film", "elastic_thermal_film"]
+__all__ = ["CLOSENESS", "ElasticFilm", "bore_grid", "displacement_under", "elastic_film", "elastic_thermal_film"]
 
 Array = NDArray[np.float64]
 SolutionT = TypeVar("SolutionT")
@@ -37,10 +38,10 @@ MOST_FILMS = 60
 DAMPING = 0.6
 """Share of a displacement's change that is taken at first."""
 LEAST_DAMPING = 0.05
-MEMORY = 5
+MEMORY = 8
 """Steps that are joined."""
-LONGEST_STEP = 1.0
-"""Change of the displacement at most, in least gaps: beyond it the film is another."""
+ROOM = 0.3
+"""Change of the displacement at most, in clearances, or one least gap: beyond it the film is another."""
 GROWS = 1.5
 """Growth of the mismatch by which a step counts as too bold."""
 
@@ -77,6 +78,12 @@ def bore_grid(film: JournalFilm) -> BoreGrid:
     return BoreGrid(0.5 * film.diameter, film.width)
 
 
+def displacement_under(compliances: Sequence[Compliance], found: FilmSolution) -> Array:
+    """Gain of the gap by the pressure of a film, m, shape (rows, columns) of ``bore_grid``."""
+    bore = bore_grid(found.film)
+    return total_displacement(compliances, bore, pressure_on(found, bore.theta, bore.z))
+
+
 def elastic_film(
     film: JournalFilm,
     compliances: Sequence[Compliance],
@@ -90,7 +97,7 @@ def elastic_film(
     ----------
     film : JournalFilm
         Its own ``displacement`` is that without pressure.
-    compliances : sequence of Compliance
+    compliances : sequence of babbitt.film.elastic.Compliance
         What the bore is made of; they add up.
     solve : callable
         Solves a film, at its load or position.
@@ -106,10 +113,8 @@ def elastic_film(
     """
     bore = bore_grid(film)
 
-    def displaced(found: FilmSolution) -> Array:
-        return total_displacement(compliances, bore, pressure_on(found, bore.theta, bore.z))
-
-    return _Settling(film, bore, displaced, solve, lambda found: found).run(closeness, start)
+    displaced = partial(displacement_under, compliances)
+    return _Settling(film, bore_grid(film), displaced, solve, lambda found: found).run(closeness, start)
 
 
 def elastic_thermal_film(
@@ -128,7 +133,7 @@ def elastic_thermal_film(
     bore = bore_grid(film)
 
     def displaced(found: ThermalFilm) -> Array:
-        total = total_displacement(compliances, bore, pressure_on(found.film, bore.theta, bore.z))
+        total = displacement_under(compliances, found.film)
         if growth is not None:
             lines = found.film.angles.ravel()
             hot, passing = (
@@ -168,7 +173,8 @@ class _Settling(Generic[SolutionT]):
                 damping, steps = max(0.5 * damping, LEAST_DAMPING), []
             steps = [*steps[-MEMORY:], (here, off)]
             move = joined_step(steps, damping)
-            move *= min(1.0, LONGEST_STEP * gap / float(np.abs(move).max()))
+            longest = max(gap, ROOM * self.film.clearance)
+            move *= min(1.0, longest / float(np.abs(move).max()))
             before = found
             while True:
                 if films >= MOST_FILMS:

@@ -46,6 +46,14 @@ class ComplianceMatrix:
         if not all(math.isfinite(value) for row in self.compliance for value in row):
             raise InputError("E101", "a compliance matrix has values that are not finite.")
 
+    @property
+    def premise(self) -> str:
+        """See `babbitt.film.elastic.Compliance`."""
+        return (
+            f"The bore gives way by a given matrix for {len(self.angles)} angles, even along the shaft, under the "
+            "mean pressure over the width."
+        )
+
     def displacement(self, bore: BoreGrid, pressure: Array) -> Array:
         """See `babbitt.film.elastic.Compliance`."""
         given = np.array(self.compliance) @ (_sectors(self.angles, bore.rows) @ (pressure @ bore.shares))

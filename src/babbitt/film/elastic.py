@@ -66,6 +66,11 @@ class BoreGrid:
 class Compliance(Protocol):
     """Whatever tells how far a bore gives way."""
 
+    @property
+    def premise(self) -> str:
+        """What it is and takes for granted, a sentence for the report."""
+        ...
+
     def displacement(self, bore: BoreGrid, pressure: Array) -> Array:
         """Gain of the gap in m under a gauge pressure in Pa, both of shape (rows, columns)."""
         ...
@@ -101,6 +106,11 @@ class ColumnLiner:
             raise InputError("E101", f"the thickness of a liner is {thickness} m; it must be positive.")
         nu = poisson_ratio
         return cls(thickness * (1.0 + nu) * (1.0 - 2.0 * nu) / (elastic_modulus * (1.0 - nu)))
+
+    @property
+    def premise(self) -> str:
+        """See `Compliance`."""
+        return f"Liner of {1e12 * self.compliance:.3g} um/MPa: every spot of it gives way by itself."
 
     def displacement(self, bore: BoreGrid, pressure: Array) -> Array:
         """See `Compliance`."""

@@ -61,6 +61,15 @@ class ElasticRing:
             raise InputError("E101", f"the ring reaches from {self.inner_radius} to {self.outer_radius} m; the outer "
                              "radius must be the greater one.")  # fmt: skip
 
+    @property
+    def premise(self) -> str:
+        """See `babbitt.film.elastic.Compliance`."""
+        held = "free outside" if self.support is RingSupport.FREE else "bonded to a rigid body outside"
+        return (
+            f"Elastic ring up to {2e3 * self.outer_radius:.4g} mm, {held}, in plane strain under the mean pressure "
+            "over the width; positions of the journal count from the shifted centre of its bore."
+        )
+
     def response(self, harmonic: int) -> float:
         """Displacement of the bore outwards per pressure there, both cos(n theta), m/Pa; zero for n = 1."""
         if harmonic == 1:

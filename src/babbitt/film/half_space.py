@@ -36,6 +36,11 @@ class HalfSpace:
     def __post_init__(self) -> None:
         check_elastic(self.elastic_modulus, self.poisson_ratio)
 
+    @property
+    def premise(self) -> str:
+        """See `babbitt.film.elastic.Compliance`."""
+        return "The housing gives way as an elastic half-space onto which its bore is unrolled."
+
     def displacement(self, bore: BoreGrid, pressure: Array) -> Array:
         """See `babbitt.film.elastic.Compliance`."""
         unit = (1.0 - self.poisson_ratio**2) / (math.pi * self.elastic_modulus)
