@@ -32,7 +32,9 @@ def at_load(film: JournalFilm) -> FilmSolution:
     return solve_journal(film, LOAD, GRID)
 
 
-def settled(*compliances: Compliance, film: JournalFilm = FILM, closeness: float = 1e-5) -> ElasticFilm[FilmSolution]:
+def settled(
+    *compliances: Compliance, film: JournalFilm = FILM, closeness: float = 1e-5
+) -> ElasticFilm[FilmSolution]:
     found = elastic_film(film, compliances, at_load, closeness)
     assert found.outcome is Outcome.CONVERGED
     return found
@@ -66,8 +68,9 @@ def test_stiff_bore_follows_the_rigid_film_in_proportion() -> None:
     largest = np.abs(first).max()
     assert settled(ElasticRing(0.05, 0.065, 2.1e14, 0.3)).displacement == pytest.approx(first, abs=0.01 * largest)
     softer = settled(ElasticRing(0.05, 0.065, 2.1e13, 0.3)).displacement
-    assert softer == pytest.approx(10.0 * first, abs=10.0 * 0.1 * largest)
-    assert softer != pytest.approx(10.0 * first, abs=10.0 * 0.01 * largest)
+    assert softer == pytest.approx(10.0 * first, abs=10.0 * 0.02 * largest)
+    steel = settled(ElasticRing(0.05, 0.065, 2.1e11, 0.3)).displacement
+    assert np.abs(steel).max() < 0.8 * 1000.0 * largest  # what opens the gap takes the pressure away
 
 
 def test_soft_liner_spreads_the_pressure_and_pinches_the_sides() -> None:
@@ -124,7 +127,9 @@ def test_start_near_the_answer_saves_films() -> None:
 
 def test_too_soft_a_ring_ends_with_a_status(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("babbitt.bearings.elastic_film.MOST_FILMS", 12)
-    found = elastic_film(FILM, [ElasticRing(0.05, 0.052, 2.1e11, 0.3)], lambda film: solve_journal(film, LOAD, GRID))
+    found = elastic_film(
+        FILM, [ElasticRing(0.05, 0.052, 2.1e11, 0.3)], lambda film: solve_journal(film, LOAD, GRID)
+    )
     assert found.outcome is Outcome.NOT_CONVERGED
     assert found.films == 12
     assert found.mismatch > 1e-3

@@ -53,7 +53,7 @@ def test_ring_under_even_pressure_is_that_of_lame() -> None:
 
 @pytest.mark.parametrize("harmonic", [2, 3, 5])
 def test_thin_ring_bends_as_a_curved_beam(harmonic: int) -> None:
-    """u = q R^4 / (D (n^2 - 1)^2), inextensional (Timoshenko, Strength of Materials II); the error falls with h/R."""
+    """u = q R^4 / (D (n^2 - 1)^2), inextensional (Timoshenko); the error falls with h/R."""
     errors = []
     for thin in (0.02, 0.01, 0.005):
         radius, thickness = A * (1 + thin / 2), A * thin
@@ -136,7 +136,9 @@ def test_half_space_adds_up_its_patches() -> None:
     unit, step = (1 - NU**2) / (math.pi * E), A * BORE.theta[1]
     cell = BORE.width / (BORE.columns - 1)
     row, column = 170, 6
-    here = patch_displacement(np.array(A * BORE.theta[10]), BORE.z[column] - BORE.z[4], step / 2, np.array(cell / 2))
+    here = patch_displacement(
+        np.array(A * BORE.theta[10]), BORE.z[column] - BORE.z[4], step / 2, np.array(cell / 2)
+    )
     side = patch_displacement(
         np.array(A * BORE.theta[60]), BORE.z[column] - BORE.z[0] - cell / 4, step / 2, np.array(cell / 4)
     )

@@ -1,7 +1,7 @@
 """The film in a bore that gives way: pressure and displacement settle beside each other.
 
-The displacement is a fixed point: the film is solved with it, and its pressure gives the displacement again. A soft
-bore answers by more than it was moved, so plain repetition swings; the steps are damped, and joined after Anderson
+The displacement is a fixed point: the film is solved with it, and its pressure gives the displacement again. A
+soft bore answers by more than it was moved, so plain repetition swings; the steps are damped, and joined after Anderson
 (J. ACM 12 (1965) 547; as in Walker and Ni, SIAM J. Numer. Anal. 49 (2011) 1715, type II) to meet in few films.
 """
 
@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import pairwise
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 import numpy as np
@@ -42,6 +43,8 @@ MEMORY = 8
 """Steps that are joined."""
 ROOM = 0.3
 """Change of the displacement at most, in clearances, or one least gap: beyond it the film is another."""
+RCOND = 1e-8
+"""Share of the largest below which directions of the joined steps count as the same."""
 GROWS = 1.5
 """Growth of the mismatch by which a step counts as too bold."""
 
@@ -111,8 +114,6 @@ def elastic_film(
     ElasticFilm
         Always, with a status. What `solve` raises passes through.
     """
-    bore = bore_grid(film)
-
     displaced = partial(displacement_under, compliances)
     return _Settling(film, bore_grid(film), displaced, solve, lambda found: found).run(closeness, start)
 
@@ -127,8 +128,8 @@ def elastic_thermal_film(
 ) -> ElasticFilm[ThermalFilm]:
     """Thermal film in a bore that gives way under its pressure and is distorted by its temperature.
 
-    Parameters are those of `elastic_film`; `growth` distorts the bore by the temperature around it. Its mean growth
-    belongs to the clearance and is not in the displacement.
+    Parameters are those of `elastic_film`; `growth` distorts the bore by the temperature around it. Its mean
+    growth belongs to the clearance and is not in the displacement.
     """
     bore = bore_grid(film)
 
@@ -206,8 +207,9 @@ def joined_step(steps: Sequence[tuple[Array, Array]], damping: float) -> Array:
     off = steps[-1][1]
     if len(steps) == 1:
         return damping * off
-    moved = np.array([(after[0] - before[0]).ravel() for before, after in zip(steps, steps[1:], strict=False)]).T
-    changed = np.array([(after[1] - before[1]).ravel() for before, after in zip(steps, steps[1:], strict=False)]).T
-    shares = np.linalg.lstsq(changed, off.ravel(), rcond=1e-8)[0]
+    moved, changed = (
+        np.array([(after[part] - before[part]).ravel() for before, after in pairwise(steps)]).T for part in (0, 1)
+    )
+    shares = np.linalg.lstsq(changed, off.ravel(), rcond=RCOND)[0]
     joined = damping * off.ravel() - (moved + damping * changed) @ shares
     return np.asarray(joined.reshape(off.shape))

@@ -65,8 +65,8 @@ def film_assumptions(case: FilmCase) -> Iterator[str]:
 def compliance_assumptions(bearing: FilmBearing) -> Iterator[str]:
     """What is taken for granted about a bore that gives way."""
     yield (
-        "Stiffness, damping, thresholds and transition hold for the displacement of the operating point (frozen); the "
-        "journal is rigid."
+        "Stiffness, damping, thresholds and transition hold for the displacement of the operating point (frozen); "
+        "the journal is rigid."
     )
     for one in bearing.compliance:
         yield one.premise

@@ -1,4 +1,4 @@
-"""What the bore gives way by under the pressure of the film: liner, ring, half-space, or a matrix from elsewhere."""
+"""What the bore gives way by under the pressure of the film: liner, ring, half-space, or a given matrix."""
 
 from __future__ import annotations
 
@@ -103,9 +103,9 @@ class MatrixGiven(Part):
     file: str | None = Field(
         None,
         max_length=1000,
-        description="CSV or NPZ in place of them, named from the folder of the case. CSV: a line for every pair of "
-        "angles and a heading with the units, angle [deg],loaded [deg],compliance [um/MPa]. NPZ: the arrays angles "
-        "(rad) and compliance (m/Pa).",
+        description="CSV or NPZ in place of them, named from the folder of the case. CSV: a line for every pair "
+        "of angles and a heading with the units, angle [deg],loaded [deg],compliance [um/MPa]. NPZ: the arrays "
+        "angles (rad) and compliance (m/Pa).",
     )
 
     @rule

@@ -27,8 +27,8 @@ class ComplianceMatrix:
     angles : tuple of float
         rad, rising, less than one turn in all.
     compliance : tuple of tuple of float
-        m/Pa: a row for every angle at which the bore gives way (outwards positive), a column for every angle around
-        which a unit of pressure acts, from half way to its neighbour before to half way to that behind, over the
+        m/Pa: a row for every angle at which the bore gives way (outwards positive), a column for every angle
+        around which a unit of pressure acts, from half way to its neighbour before to half way to that behind, over the
         whole width.
     """
 
@@ -40,9 +40,13 @@ class ComplianceMatrix:
         if count < 3 or any(after <= before for before, after in pairwise(self.angles)):
             raise InputError("E101", "the angles of a compliance matrix must rise; at least three of them.")
         if not self.angles[-1] - self.angles[0] < TURN:
-            raise InputError("E101", "the angles of a compliance matrix pass a whole turn; leave the last one out.")
+            raise InputError(
+                "E101", "the angles of a compliance matrix pass a whole turn; leave the last one out."
+            )
         if len(self.compliance) != count or any(len(row) != count for row in self.compliance):
-            raise InputError("E101", f"a compliance matrix for {count} angles needs {count} rows of {count} values.")
+            raise InputError(
+                "E101", f"a compliance matrix for {count} angles needs {count} rows of {count} values."
+            )
         if not all(math.isfinite(value) for row in self.compliance for value in row):
             raise InputError("E101", "a compliance matrix has values that are not finite.")
 

@@ -43,7 +43,7 @@ class BoreGrid:
     @property
     def theta(self) -> Array:
         """Angles of the rows, rad, shape (rows,)."""
-        return np.arange(self.rows) * (TURN / self.rows)
+        return np.asarray(np.arange(self.rows, dtype=np.float64) * (TURN / self.rows))
 
     @property
     def z(self) -> Array:
@@ -93,7 +93,9 @@ class ColumnLiner:
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.compliance) and self.compliance >= 0.0):
-            raise InputError("E101", f"the compliance of a liner is {self.compliance} m/Pa; it must be zero or more.")
+            raise InputError(
+                "E101", f"the compliance of a liner is {self.compliance} m/Pa; it must be zero or more."
+            )
 
     @classmethod
     def of_layer(cls, thickness: float, elastic_modulus: float, poisson_ratio: float) -> ColumnLiner:

@@ -58,16 +58,16 @@ class ElasticRing:
     def __post_init__(self) -> None:
         check_elastic(self.elastic_modulus, self.poisson_ratio)
         if not 0.0 < self.inner_radius < self.outer_radius < math.inf:
-            raise InputError("E101", f"the ring reaches from {self.inner_radius} to {self.outer_radius} m; the outer "
-                             "radius must be the greater one.")  # fmt: skip
+            raise InputError("E101", f"the ring reaches from {self.inner_radius} to {self.outer_radius} m; the "
+                             "outer radius must be the greater one.")  # fmt: skip
 
     @property
     def premise(self) -> str:
         """See `babbitt.film.elastic.Compliance`."""
         held = "free outside" if self.support is RingSupport.FREE else "bonded to a rigid body outside"
         return (
-            f"Elastic ring up to {2e3 * self.outer_radius:.4g} mm, {held}, in plane strain under the mean pressure "
-            "over the width; positions of the journal count from the shifted centre of its bore."
+            f"Elastic ring up to {2e3 * self.outer_radius:.4g} mm, {held}, in plane strain under the mean "
+            "pressure over the width; positions of the journal count from the shifted centre of its bore."
         )
 
     def response(self, harmonic: int) -> float:
@@ -75,7 +75,9 @@ class ElasticRing:
         if harmonic == 1:
             return 0.0
         a, b = self.inner_radius, self.outer_radius
-        powers = (1.0, -1.0) if harmonic == 0 else (harmonic + 1.0, harmonic - 1.0, 1.0 - harmonic, -1.0 - harmonic)
+        powers = (
+            (1.0, -1.0) if harmonic == 0 else (harmonic + 1.0, harmonic - 1.0, 1.0 - harmonic, -1.0 - harmonic)
+        )
         # every power is one where it is largest, so that no harmonic overflows
         terms = [(_term(self, harmonic, s), s, b if s > 0.0 else a) for s in powers]
         inside = [_at(term, s, a, base) for term, s, base in terms]

@@ -42,8 +42,8 @@ class RingGrowth:
 
     def __post_init__(self) -> None:
         if not 0.0 < self.inner_radius < self.outer_radius < math.inf:
-            raise InputError("E101", f"the ring reaches from {self.inner_radius} to {self.outer_radius} m; the outer "
-                             "radius must be the greater one.")  # fmt: skip
+            raise InputError("E101", f"the ring reaches from {self.inner_radius} to {self.outer_radius} m; the "
+                             "outer radius must be the greater one.")  # fmt: skip
         if not (math.isfinite(self.expansion) and self.conductivity > 0.0):
             raise InputError("E101", "expansion of a ring must be finite and its conductivity positive.")
 
