@@ -28,8 +28,8 @@ class ComplianceMatrix:
         rad, rising, less than one turn in all.
     compliance : tuple of tuple of float
         m/Pa: a row for every angle at which the bore gives way (outwards positive), a column for every angle
-        around which a unit of pressure acts, from half way to its neighbour before to half way to that behind, over the
-        whole width.
+        around which a unit of pressure acts, from half way to its neighbour before to half way to that behind,
+        over the whole width.
     """
 
     angles: tuple[float, ...]

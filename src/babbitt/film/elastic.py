@@ -38,7 +38,7 @@ class BoreGrid:
     radius: float
     width: float
     rows: int = 240
-    columns: int = 17
+    columns: int = 25
 
     @property
     def theta(self) -> Array:
