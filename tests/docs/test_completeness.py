@@ -29,7 +29,7 @@ from babbitt.solving import solve
 from babbitt.standards.iso7902.model import Curves, Friction
 from babbitt.units import KINDS as UNIT_KINDS
 
-NOT_FOR_USERS = {"babbitt.report.outputs"}
+NOT_FOR_USERS = {"babbitt.report.outputs", *(f"babbitt.cli.{name}" for name in cli.__all__)}
 """Names of public packages that only the command line needs."""
 
 

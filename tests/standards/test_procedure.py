@@ -178,7 +178,8 @@ def test_every_realistic_bearing_ends_with_a_status(
     )
     result = check(case)
     if result.outcome.solved:
-        assert abs(result.values["energy_balance_error"]) < 1e-8
+        warming = result.values["effective_temperature"] - inlet  # known to 1e-12 K
+        assert abs(result.values["energy_balance_error"]) < 1e-8 + 1e-12 / warming
         assert all(math.isfinite(value) for value in result.values.values())
         assert 0.0 < result.values["eccentricity_ratio"] <= 0.99
         assert result.values["outlet_temperature"] > inlet

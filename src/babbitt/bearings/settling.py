@@ -65,7 +65,6 @@ def place_of(found: FilmSolution) -> Place:
 
 
 def is_saddle(found: FilmSolution) -> bool:
-    """Whether a place of rest is one that the journal always leaves: det K < 0."""
-    import numpy as np
-
-    return found.outcome.solved and float(np.linalg.det(found.stiffness)) < 0.0
+    """Whether the journal always leaves a place of rest: det K < 0. A film without stiffness tells nothing."""
+    (xx, xy), (yx, yy) = found.stiffness
+    return found.outcome.solved and bool(xx * yy - xy * yx < 0.0)
