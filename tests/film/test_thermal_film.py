@@ -11,6 +11,7 @@ from babbitt.film.model import Cavitation, FilmStart, JournalFilm, Land, Pocket,
 from babbitt.film.solve import solve_journal
 from babbitt.film.thermal import solve_thermal_journal, thermal_film_at
 from babbitt.film.turbulence import NG_PAN, FilmTurbulence
+from babbitt.notices import InputError
 
 COLD = 323.15
 
@@ -183,3 +184,8 @@ def test_turbulence_heats_more_and_still_closes_the_balance():
     assert turbulent.film.outcome.solved
     assert turbulent.heat.balance_error < 1e-7
     assert turbulent.film.friction_torque > 1.1 * laminar.film.friction_torque
+
+
+def test_a_film_that_makes_oil_is_refused():
+    with pytest.raises(InputError, match="from nowhere"):
+        solve_thermal_journal(replace(BEARING, cavitation=Cavitation.REYNOLDS), FULL, WEIGHT)

@@ -92,6 +92,11 @@ def fill_cells(surface, columns, flows, conduction, stirred, insulated, fresh, v
             for k in range(layers):
                 diagonal[k] = AT_REST
                 low[k] = 0.0
+            # oil that a film without mass conservation has from nowhere enters, and what it loses leaves, at T_k
+            made = flows.shear[east, c] + flows.pressure[east, c] + outward + leak
+            made -= flows.shear[west, c] + flows.pressure[west, c] + inward
+            if surface.conserving:
+                made = 0.0
             for k in range(layers):
                 arrives = flows.shear[west, c] * flows.shear_profile[west, c, k]
                 arrives += flows.pressure[west, c] * flows.pressure_profile[west, c, k]
@@ -103,10 +108,11 @@ def fill_cells(surface, columns, flows, conduction, stirred, insulated, fresh, v
                 cells.west[i, c, k], cells.east[i, c, k] = max(arrives, 0.0), max(-leaves, 0.0)
                 cells.inner[i, c, k], cells.outer[i, c, k] = max(behind, 0.0), max(-ahead, 0.0)
                 diagonal[k] += max(-arrives, 0.0) + max(leaves, 0.0) + max(-behind, 0.0) + max(ahead, 0.0)
-                diagonal[k] += max(aside, 0.0)
+                born = made * flows.shear_profile[east, c, k]
+                diagonal[k] += max(aside, 0.0) - born
                 share = spread[k] / total if total > 0.0 else columns.layer[k]
                 cells.heat[i, c, k] = flows.heat[i, c] * share + max(-aside, 0.0) * fresh
-                across -= leaves - arrives + ahead + aside - behind
+                across -= leaves - arrives + ahead + aside - behind - born
                 if k < layers - 1:
                     between = conduct * (1.0 + stirred * (flows.stir[i, c] - 1.0))
                     between /= 0.5 * (columns.layer[k] + columns.layer[k + 1])

@@ -27,8 +27,9 @@ from babbitt.film._equilibrium import (
 from babbitt.film.general import Effort, Sample, SettledRing, line_density
 from babbitt.film.general import rest as carry
 from babbitt.film.heat import FilmHeat
-from babbitt.film.model import JournalFilm, Resolution
-from babbitt.film.ring import Density, build_ring
+from babbitt.film.model import Cavitation, JournalFilm, Resolution
+from babbitt.film.ring import build_ring
+from babbitt.film.ring_mesh import Density
 from babbitt.film.ring_solution import mirrored, ring_solution
 from babbitt.film.scales import Scales
 from babbitt.film.thermal_solution import ThermalFilm, thermal_film
@@ -95,11 +96,14 @@ def solve_thermal_journal(
     Raises
     ------
     InputError
-        E101 if the load is not finite or the journal stands still.
+        E101 if the load is not finite, the journal stands still, or the film does not conserve oil.
     """
     begun = time.perf_counter()
     if not all(math.isfinite(part) for part in load):
         raise InputError("E101", f"load is {load}; both components must be finite, in N.")
+    if film.cavitation is not Cavitation.MASS_CONSERVING:
+        raise InputError("E101", f"cavitation is {film.cavitation.name.lower()}; oil that comes from nowhere, "
+                         "where a film forms anew, has no temperature. Choose mass_conserving.")  # fmt: skip
     if film.angular_speed == 0.0:
         raise InputError("E101", "angular_speed is zero; a film at rest makes no heat and carries no steady load.")
     scales = Scales.of(film, abs(film.angular_speed))
@@ -119,8 +123,7 @@ def thermal_film_at(
     scales = Scales.of(film, abs(film.angular_speed))
     seen = mirrored(film) if film.angular_speed < 0.0 else film
     at = np.asarray(position) * scales.sense / scales.length
-    effort = Effort(math.inf)
-    warm = fresh_ring(seen, heat, scales, 2 * resolution.intervals, resolution, None, effort)
+    warm = fresh_ring(seen, heat, scales, 2 * resolution.intervals, resolution, None)
     gap = warm.sample.gap(at)
     if not gap > 0.0:
         return answer(film, seen, scales, WarmRest(warm, at, NO_FILM, 0, gap), begun)
@@ -146,45 +149,44 @@ def attempt(
     film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution, share: float
 ) -> WarmRest:
     """Coarse rings under a growing load, then the fine ring."""
-    effort = Effort(math.inf)
-    per_turn = 2 * resolution.intervals
-    density, total = None, 0
-    warm: WarmRing | None = None
-    cold = Sample.of(build_ring(film, scales.pressure, per_turn // 2, resolution.axial_unknowns, None), effort)
-    at, _, _, gap = carry(
-        cold, min(share, COLD_LOAD / max(math.hypot(*load), 1e-300)) * load, np.zeros(2), 0.05, 30, False
-    )
-    if not gap > 0.0:
-        at = np.zeros(2)
-    for _ in range(30):
-        warm = continued(fresh_ring(film, heat, scales, per_turn // 2, resolution, density, effort), warm)
+    per_turn, total = 2 * resolution.intervals, 0
+    warm = fresh_ring(film, heat, scales, per_turn // 2, resolution, None)
+    at = cold_start(warm.sample, share * load)
+    while True:
         found = rest(warm, share * load, at, 1e-3, 1.0)
         total += found.passes
-        at, density = found.position, line_density(film, found.position, found.gap)
         if found.status != CONVERGED:
             return replace(found, passes=total)
+        at, density = found.position, line_density(film, found.position, found.gap)
         if share == 1.0:
             break
         share = min(1.0, 3.0 * share)
-    warm = continued(fresh_ring(film, heat, scales, per_turn, resolution, density, effort), warm)
+        warm = continued(fresh_ring(film, heat, scales, per_turn // 2, resolution, density), warm)
+    warm = continued(fresh_ring(film, heat, scales, per_turn, resolution, density), warm)
     found = rest(warm, load, at, resolution.tolerance, SETTLED)
     return replace(found, passes=total + found.passes)
 
 
+def cold_start(sample: Sample, load: Array) -> Array:
+    """Where a film of fresh oil carries the load, or a part of it that leaves the film thick."""
+    part = min(1.0, COLD_LOAD / max(math.hypot(*load), 1e-300))
+    at, _, _, gap = carry(sample, part * load, np.zeros(2), 0.05, 30, False)
+    return at if gap > 0.0 else np.zeros(2)
+
+
 def fresh_ring(
     film: JournalFilm, heat: FilmHeat, scales: Scales, per_turn: int, resolution: Resolution,
-    density: Density | None, effort: Effort,
+    density: Density | None,
 ) -> WarmRing:  # fmt: skip
     """Ring at the supply temperature."""
     ring = build_ring(film, scales.pressure, per_turn, resolution.axial_unknowns, density)
-    return WarmRing.of(Sample.of(ring, effort), heat, film, scales.rate)
+    return WarmRing.of(Sample.of(ring, Effort(math.inf)), heat, film, scales.rate)
 
 
-def continued(warm: WarmRing, before: WarmRing | None) -> WarmRing:
+def continued(warm: WarmRing, before: WarmRing) -> WarmRing:
     """Take over wet set and temperatures of a ring with the same columns."""
-    if before is not None:
-        warm.sample.start_from(before.sample)
-        warm.start_from(before)
+    warm.sample.start_from(before.sample)
+    warm.start_from(before)
     return warm
 
 

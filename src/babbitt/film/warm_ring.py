@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from babbitt.film._heat_cells import Cells, fill_cells, new_cells, sweep_energy
 from babbitt.film._heat_flows import Columns, Flows, gather_flows, new_flows, spread_viscosity
 from babbitt.film._heat_walls import MOST_RISE, Walls, answer_walls, close_energy, wall_fluxes
+from babbitt.film._surface_forces import carry_streamers
 from babbitt.film.general import Sample
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm
@@ -24,7 +25,7 @@ FILM_CONDUCTANCE, UNIFORM_SHARE = 2.5, 1.5
 """Guess of what a film gives less to a place of the wall that is 1 K warmer: k/h times the first, and the second
 times what it gives less to a bush warmer all around. Only the number of passes depends on it."""
 RELAX, CALM, LEAST_RELAX = 0.65, 12, 0.05
-"""Share of a new viscosity field that a pass takes; passes after which a film that swings takes less; the least."""
+"""Share of a new viscosity field that a pass takes, passes after which a swinging film takes less, the least."""
 TURBULENT_PRANDTL = 0.9
 """Eddy viscosity over eddy diffusivity of heat; textbook value of turbulent boundary layers."""
 FLICKER = 30
@@ -142,6 +143,8 @@ class WarmRing:
     def gather(self, at: Array) -> None:
         """Flows and heat of the Reynolds solution."""
         sample = self.sample
+        if not sample.ring.surface.conserving:
+            carry_streamers(sample.ring.surface, sample.film, sample.work)
         drain_sides(sample.ring, sample.film, sample.work)
         self.dissipation, self.friction = gather_flows(
             sample.ring.surface, sample.film, sample.work, at, self.columns, self.flows
