@@ -357,8 +357,9 @@ EXPLANATIONS: dict[str, Explanation] = {
     "S004": Explanation(
         "Not converged",
         "The iteration used up its steps without meeting its tolerance; the last state is no operating point.",
-        "Move supplies out of the loaded zone and try another accuracy; if the bearing is an ordinary one, report "
-        "the case to the developers.",
+        "Move supplies out of the loaded zone and try another accuracy; a bore that gives way by far more than "
+        "the film is thick may be too soft for this load; if the bearing is an ordinary one, report the case to "
+        "the developers.",
     ),
     "S005": Explanation(
         "Lubricant data end",

@@ -333,8 +333,8 @@ def check_round(film: JournalFilm) -> None:
     if not film.is_plain:
         raise InputError(
             "E101",
-            "this start or end of the film is for plain bearings: laminar, one viscosity, no pockets, steps, tilt, "
-            "crowning, displacement, side pressures; choose another.",
+            "this start or end of the film is for plain bearings: laminar, one viscosity, no pockets, steps, "
+            "tilt, crowning, displacement, side pressures; choose another.",
         )
 
 
