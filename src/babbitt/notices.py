@@ -273,8 +273,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W141": Explanation(
         "Oil drawn in at the sides",
-        "Where the film is ruptured, or a side stands under pressure, the sides draw oil in. The film counts on it: "
-        "its sides lie in oil, which enters as warm as that of the supply. A side in air would draw air.",
+        "Where the film is ruptured, or a side stands under pressure, the sides draw oil in. The film counts on "
+        "it: its sides lie in oil, which enters as warm as that of the supply. A side in air would draw air.",
         "A `cavitation_pressure` of 0 bar for sides in air; otherwise a supply that keeps the sides flooded.",
     ),
     "W145": Explanation(
@@ -628,8 +628,9 @@ EXPLANATIONS: dict[str, Explanation] = {
     "S004": Explanation(
         "Not converged",
         "The iteration used up its steps without meeting its tolerance; the last state is no operating point.",
-        "Move supplies out of the loaded zone and try another accuracy; if the bearing is an ordinary one, report "
-        "the case to the developers.",
+        "Move supplies out of the loaded zone and try another accuracy; a bore that gives way by far more than "
+        "the film is thick may be too soft for this load; if the bearing is an ordinary one, report the case to "
+        "the developers.",
     ),
     "S005": Explanation(
         "Lubricant data end",

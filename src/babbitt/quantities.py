@@ -152,6 +152,7 @@ QUANTITIES: dict[str, Quantity] = {
         _q("sommerfeld_number", "So", "1", "", 4, "Sommerfeld number F ψ²/(B D η ω) of ISO 7902"),
         _q("american_sommerfeld_number", "S", "1", "", 4, "American Sommerfeld number η N L D (R/c)²/F"),
         _q("maximum_pressure", "p_max", "Pa", "MPa", 3, "Maximum film pressure"),
+        _q("maximum_displacement", "u_max", "m", "um", 3, "Largest displacement of the bore by the film pressure"),
         _q("friction_number", "f/ψ", "1", "", 4, "Friction coefficient over relative clearance"),
         _q("friction_coefficient", "f", "1", "", 3, "Friction coefficient"),
         _q("friction_torque", "M_f", "N m", "Nm", 4, "Friction torque on the journal"),

@@ -23,6 +23,7 @@ __all__ = [
     "field_of",
     "inside",
     "journal_gap",
+    "pressure_on",
     "step_patches",
     "supply_patches",
 ]
@@ -123,6 +124,11 @@ def field_of(solution: FilmSolution, start: float = 0.0) -> FilmField:
         over = np.ix_(inside(theta, patch.theta), between(z, patch.z))
         pressure[over], void[over], gap[over] = patch.pressure, 0.0, math.nan
     return FilmField(theta, z, pressure, 1.0 - void, gap)
+
+
+def pressure_on(solution: FilmSolution, theta: Array, z: Array) -> Array:
+    """Gauge pressure in Pa at angles (rad) and axial places (m), as `field_of` has it; shape (theta, z)."""
+    return _around(theta, solution.angles.ravel(), _across(solution, z))
 
 
 def journal_gap(solution: FilmSolution, theta: Array, z: Array) -> Array:

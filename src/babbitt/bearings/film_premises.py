@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from babbitt.bearings.layout import ALL_TURBULENT
-from babbitt.bearings.model import FilmCase
+from babbitt.bearings.model import FilmBearing, FilmCase
 from babbitt.bearings.orbit_answer import orbit_assumptions
 from babbitt.bearings.thermal_answer import thermal_assumptions, thermal_setting
 from babbitt.design.conditions import GivenEccentricity, GivenPosition
@@ -18,9 +18,12 @@ def film_assumptions(case: FilmCase) -> Iterator[str]:
     """What the film method assumes for a case, in sentences for the report."""
     flow = "laminar film" if case.turbulence is None else f"turbulence after {case.turbulence.name}"
     if case.heat is None:
-        yield f"One viscosity for the whole film, that at the effective temperature; rigid surfaces; {flow}."
+        surfaces = "a bore that gives way" if case.bearing.compliance else "rigid surfaces"
+        yield f"One viscosity for the whole film, that at the effective temperature; {surfaces}; {flow}."
     else:
         yield from thermal_assumptions(case, flow)
+    if case.bearing.compliance:
+        yield from compliance_assumptions(case.bearing)
     if case.turbulence is not None:
         yield (
             f"The film is laminar up to the local Reynolds number 41.3 sqrt(D/C) and fully turbulent from "
@@ -61,6 +64,16 @@ def film_assumptions(case: FilmCase) -> Iterator[str]:
             f"Effective temperature prescribed: {case.effective_temperature - 273.15:.1f} °C; heat balance "
             f"not closed."
         )
+
+
+def compliance_assumptions(bearing: FilmBearing) -> Iterator[str]:
+    """What is taken for granted about a bore that gives way."""
+    yield (
+        "Stiffness, damping, thresholds and transition hold for the displacement of the operating point (frozen); "
+        "the journal is rigid."
+    )
+    for one in bearing.compliance:
+        yield one.premise
 
 
 def film_settings(case: FilmCase) -> dict[str, str]:

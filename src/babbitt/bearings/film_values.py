@@ -60,6 +60,7 @@ def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "friction_coefficient": coefficient,
         "friction_torque": case.friction_factor * film.friction_torque,
         "friction_power": state.friction_power,
+        **_displacement_values(case, state),
         **_flow_values(case, state),
         **(_one_temperature(case, state) if thermal is None else thermal_values(case, state)),
         "recommended_relative_clearance": recommended_relative_clearance(duty["surface_speed"]),
@@ -124,6 +125,16 @@ def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     else:
         alone = flow_without_pressure(case, state, calm)
     return {"side_flow": alone, "supply_flow": flow - alone, "total_flow": flow}
+
+
+def _displacement_values(case: FilmCase, state: FilmState) -> dict[str, float]:
+    """Largest displacement of a bore that gives way, against the pressure or with it."""
+    if not case.bearing.compliance:
+        return {}
+    from babbitt.bearings.elastic_film import displacement_under
+
+    displaced = displacement_under(case.bearing.compliance, state.solution)
+    return {"maximum_displacement": float(np.abs(displaced).max())}
 
 
 def _extent_values(state: FilmState) -> dict[str, float]:

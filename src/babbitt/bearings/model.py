@@ -17,6 +17,7 @@ from babbitt.design.conditions import (
     Proportions,
     Surfaces,
 )
+from babbitt.film.elastic import Compliance
 from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Resolution, Step
 from babbitt.film.model import Field as FieldOfFilm
 from babbitt.film.piezoviscosity import Barus, PressureViscosity, Roelands
@@ -129,6 +130,7 @@ class FilmBearing(Proportions):
     `misalignment` holds the slopes dx/dz and dy/dz of the journal axis in rad. `clearance_tolerance` holds the
     least and the greatest relative clearance where a tolerance is known. `steps`, `crowning`, `displacement` and
     `side_pressures` are those of `babbitt.film.model.JournalFilm`; steps that belong to the bore stand there.
+    `compliance` is what the bore gives way by (`babbitt.film.elastic`); all of it adds up.
     """
 
     diameter: float
@@ -143,6 +145,7 @@ class FilmBearing(Proportions):
     steps: tuple[Step, ...] = ()
     crowning: tuple[float, ...] = ()
     displacement: FieldOfFilm = ()
+    compliance: tuple[Compliance, ...] = ()
     side_pressures: tuple[float, float] = (0.0, 0.0)
     surfaces: Surfaces | None = None
     metal: BearingMetal | None = None

@@ -144,7 +144,7 @@ def _warm_state(case: FilmCase, psi: float, temperature: float, search: _Attitud
     @cache  # the balance of the supply ends at a pressure that it has looked at
     def solved(pressure: float) -> ThermalFilm:
         film = film_of(case, psi, cold_viscosity, pressure, density)
-        return _accepted(_settled(case, film, heat, search), oil)
+        return _accepted(_in_its_bore(case, film, heat, search), oil)
 
     feed = arrival(supply, oil, lambda pressure: float(solved(pressure).film.side_flow.sum()))
     thermal = solved(feed.element_pressure)
@@ -164,6 +164,23 @@ def _warm_state(case: FilmCase, psi: float, temperature: float, search: _Attitud
         solution=solution,
         thermal=thermal,
     )
+
+
+def _in_its_bore(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: _AttitudeSearch) -> ThermalFilm:
+    """Film at its load or position, in a bore that gives way and is distorted by heat where the case has one."""
+    if not case.bearing.compliance:
+        return _settled(case, film, heat, search)
+    from babbitt.bearings.elastic_film import elastic_thermal_film
+    from babbitt.film.ring_growth import RingGrowth
+
+    growth = None
+    if heat.walls is not None:
+        bush = heat.walls.bush
+        growth = RingGrowth(bush.radii[0], bush.radii[-1], case.bearing.expansion_bearing, bush.conductivities[-1])
+    found = elastic_thermal_film(
+        film, case.bearing.compliance, lambda one: _settled(case, one, heat, search), growth
+    )
+    return replace(found.solution, film=replace(found.solution.film, outcome=found.outcome))
 
 
 def film_heat(case: FilmCase, heat_capacity: float, temperature: float) -> FilmHeat:

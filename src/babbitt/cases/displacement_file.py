@@ -57,7 +57,7 @@ def _with_table(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[s
 def displacement_of(file: FilePath, at: Path) -> dict[str, Any]:
     """Angles, places and values of a table, whose lines may stand in any order, in SI."""
     found: dict[tuple[float, float], float] = {}
-    for line, (angle, place, value) in _lines(file, at):
+    for line, (angle, place, value) in lines_of(file, at, KINDS, EXAMPLE):
         if (angle, place) in found:
             raise TableError(at, f"row {line} of {file.name} repeats an angle and place", "each of them once")
         found[angle, place] = value
@@ -73,24 +73,27 @@ def displacement_of(file: FilePath, at: Path) -> dict[str, Any]:
     return {"angles": angles, "places": places, "values": values}
 
 
-def _lines(file: FilePath, at: Path) -> list[tuple[int, tuple[float, float, float]]]:
+def lines_of(
+    file: FilePath, at: Path, kinds: tuple[str, str, str], example: str
+) -> list[tuple[int, tuple[float, float, float]]]:
+    """Lines of a table of three columns, numbered, each value in the SI unit of its kind."""
     try:
         if file.stat().st_size > LARGEST_TABLE:
-            raise TableError(at, f"{file.name} is larger than {LARGEST_TABLE // 1_000_000} MB", EXAMPLE)
+            raise TableError(at, f"{file.name} is larger than {LARGEST_TABLE // 1_000_000} MB", example)
         rows = [row for row in csv.reader(file.read_text(encoding="utf-8-sig").splitlines()) if any(row)]
     except (OSError, UnicodeDecodeError, csv.Error):
-        raise TableError(at, f"{file.name} cannot be read", EXAMPLE) from None
+        raise TableError(at, f"{file.name} cannot be read", example) from None
     heads = [HEADING.match(cell) for cell in rows[0]] if rows else []
     units = [head["unit"] for head in heads if head is not None]
-    if len(heads) != len(KINDS) or len(units) != len(KINDS):
-        raise TableError(at, f"{file.name} has no heading with units", EXAMPLE)
+    if len(heads) != len(kinds) or len(units) != len(kinds):
+        raise TableError(at, f"{file.name} has no heading with units", example)
     lines = []
     for number, row in enumerate(rows[1:], start=2):
         try:
-            angle, place, value = (
-                read(f"{float(cell)} {unit}", kind) for cell, unit, kind in zip(row, units, KINDS, strict=True)
+            first, second, value = (
+                read(f"{float(cell)} {unit}", kind) for cell, unit, kind in zip(row, units, kinds, strict=True)
             )
         except (ValueError, QuantityError):
-            raise TableError(at, f"row {number} of {file.name} is {shown(','.join(row))}", EXAMPLE) from None
-        lines.append((number, (angle, place, value)))
+            raise TableError(at, f"row {number} of {file.name} is {shown(','.join(row))}", example) from None
+        lines.append((number, (first, second, value)))
     return lines

@@ -19,6 +19,7 @@ from babbitt.cases import (
 )
 from babbitt.cases.choices import FrictionGiven, LimitsGiven
 from babbitt.cases.clearance import ClearanceGiven
+from babbitt.cases.compliance import ComplianceGiven
 from babbitt.cases.dynamic_load import DynamicLoadGiven
 from babbitt.cases.fields import Name, Prose, Span
 from babbitt.cases.film_features import (
@@ -119,6 +120,11 @@ class JournalBearing(Duty, SharedInputs):
     )
     displacement: DisplacementGiven | None = Field(
         None, description="What the gap gains by displacement of its surfaces, for the film method."
+    )
+    compliance: tuple[ComplianceGiven, ...] = Field(
+        (),
+        max_length=4,
+        description="What the bore gives way by under the pressure of the film; all of it adds up. Film method.",
     )
     side_pressures: tuple[SidePressure, SidePressure] | None = Field(
         None,
@@ -366,6 +372,7 @@ class JournalBearing(Duty, SharedInputs):
     _departures_are_of_the_size_of_the_clearance = film_shape_rules.departures_are_of_the_size_of_the_clearance
     _steps_fit = film_shape_rules.steps_fit
     _displacement_is_of_the_size_of_the_clearance = film_shape_rules.displacement_is_of_the_size_of_the_clearance
+    _compliance_fits = film_shape_rules.compliance_fits
     _lobes_lie_between_grooves = film_shape_rules.lobes_lie_between_grooves
     _position_is_near_the_bearing = film_rules.position_is_near_the_bearing
     _changing_load_is_added_to_a_load = film_rules.changing_load_is_added_to_a_load

@@ -331,8 +331,11 @@ def check_round(film: JournalFilm) -> None:
     if len(film.lands) > 1 or not whole or land.profile or land.centre != (0.0, 0.0):
         raise InputError("E101", "this start or end of the film needs one round land of 360 degrees.")
     if not film.is_plain:
-        raise InputError("E101", "this start or end of the film is for plain bearings: laminar, one viscosity, "
-                         "no pockets, steps, tilt, crowning, displacement, side pressures; choose another.")  # fmt: skip
+        raise InputError(
+            "E101",
+            "this start or end of the film is for plain bearings: laminar, one viscosity, no pockets, steps, "
+            "tilt, crowning, displacement, side pressures; choose another.",
+        )
 
 
 def check_plain_ring(film: JournalFilm) -> None:

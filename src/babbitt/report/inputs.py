@@ -218,6 +218,8 @@ def _film_geometry(case: FilmCase) -> Iterator[Row]:
     if bearing.displacement:
         values = [value for row in bearing.displacement for value in row]
         yield Row("Displacement of the gap", f"{1e6 * min(values):.4g} to {1e6 * max(values):.4g}", None, "µm")
+    for one in bearing.compliance:
+        yield Row("Elastic bore", one.premise)
     if bearing.side_pressures != (0.0, 0.0):
         sides = ", ".join(f"{1e-3 * pressure:.4g}" for pressure in bearing.side_pressures)
         yield Row("Pressures at the sides z = -B/2, B/2 (gauge)", sides, None, "kPa")

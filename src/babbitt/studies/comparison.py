@@ -150,8 +150,10 @@ def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
 
 def _film_variant(one: ThermalVariant) -> Variant:
     label, remark = one.label, one.remark
-    if label == GLOBAL and one.case.cavitation is not Cavitation.MASS_CONSERVING:
-        label, remark = CAVITATION_LABELS.get(one.case.cavitation, HALF_SOMMERFELD)
+    if one.case.cavitation is not Cavitation.MASS_CONSERVING:
+        rupture, said = CAVITATION_LABELS.get(one.case.cavitation, HALF_SOMMERFELD)
+        remark = said if label == GLOBAL else f"{remark}; {said}"
+        label += rupture.removeprefix("film")
     return Variant(label, remark, solve_design(one.case), one.case)
 
 

@@ -183,6 +183,12 @@ _ALL = (
         | {"m2/N": 1.0, "mm2/N": 1e-6},
     ),
     Kind(
+        "m/Pa",
+        "a displacement per pressure",
+        "0.5 um/MPa",
+        {"um/MPa": 1e-12, "m/Pa": 1.0, "mm/MPa": 1e-9, "um/bar": 1e-11, "m3/N": 1.0, "mm3/N": 1e-9},
+    ),
+    Kind(
         "kg/(m3 K)",
         "a change of density per kelvin",
         "-0.63 kg/(m3 K)",
