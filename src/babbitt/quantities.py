@@ -125,13 +125,14 @@ QUANTITIES: dict[str, Quantity] = {
         # operation
         _q("load", "F", "N", "kN", 4, "Bearing load"),
         _q("specific_load", "p̄", "Pa", "MPa", 3, "Load per projected area F/(B D)"),
-        _q("angular_speed", "ω_J", "rad/s", "rpm", 4, "Rotational speed of the journal"),
+        _q("angular_speed", "ω_J", "rad/s", "rpm", 4, "Rotational speed of the journal; in films clockwise is negative"),
         _q("hydrodynamic_speed", "ω_h", "rad/s", "rpm", 4, "Effective hydrodynamic speed ω_J + ω_B"),
         _q("surface_speed", "U", "m/s", "m/s", 3, "Surface speed of the journal"),
         _q("pressure_speed_product", "p̄U", "Pa m/s", "pv", 3, "Specific load times surface speed"),
         # film
         _q("eccentricity_ratio", "ε", "1", "", 3, "Relative eccentricity e/c"),
-        _q("attitude_angle", "β", "rad", "deg", 3, "Angle from the load line to the narrowest gap"),
+        _q("attitude_angle", "β", "rad", "deg", 3, "Angle from the load line to the line of centres"),
+        _q("narrowest_gap_angle", "φ_h", "rad", "deg", 3, "Direction of the narrowest gap, counter-clockwise from +x"),
         _q("load_angle", "φ_F", "rad", "deg", 3, "Direction of the load, counter-clockwise from +x"),
         _q("minimum_film_thickness", "h_min", "m", "um", 3, "Minimum film thickness"),
         _q("sommerfeld_number", "So", "1", "", 4, "Sommerfeld number F ψ²/(B D η ω) of ISO 7902"),
