@@ -294,7 +294,7 @@ QUANTITIES: dict[str, Quantity] = {
         _q("orbit_maximum_pressure", "p_max,o", "Pa", "MPa", 3, "Maximum film pressure on the orbit"),
         _q("orbit_friction_power", "P_f,o", "W", "kW", 4, "Mean friction power on the orbit, torque times speed"),
         _q("orbit_load_power", "P_F,o", "W", "kW", 3, "Mean power that the moving load does on the film"),
-        _q("orbit_load_error", "δ_F", "1", "", 2, "Share of the load that a finer grid does not confirm there"),
+        _q("orbit_load_error", "δ_F", "1", "", 2, "Error of the film force by the grid, over the load, where the orbit is thinnest"),
         _q("orbit_cycles", "n_o", "1", "count", 2, "Cycles until the orbit closed"),
         _q("mass_balance_error", "δ_m", "1", "", 2, "Oil lost in the film over the oil supplied"),
         _q("energy_balance_error", "δ_E", "1", "", 2, "Heat balance defect over friction power"),

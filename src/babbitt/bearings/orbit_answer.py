@@ -11,7 +11,7 @@ from babbitt.bearings.layout import load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState, is_dear
 from babbitt.design.conditions import GivenLoad
-from babbitt.design.doubts import RIGID_FILM_UP_TO
+from babbitt.design.doubts import RIGID_FILM_UP_TO, doubt_about_pressure
 from babbitt.film.model import DRAFT, Cavitation
 from babbitt.notices import EXPLANATIONS, Notice
 from babbitt.results import Check, Matrix
@@ -90,6 +90,7 @@ def orbit_doubts(case: FilmCase, orbit: Orbit) -> Iterator[Notice]:
         yield Notice(
             "W133", f"a grid twice as fine changes the force by {orbit.load_error:.0%} where the film is thinnest"
         )
+    yield from doubt_about_pressure(float(orbit.maximum_pressure.max()), "on the orbit")
     depth = 1.0 - float(orbit.film_thickness.min()) / orbit.clearance
     if depth > RIGID_FILM_UP_TO:
         yield Notice(
