@@ -128,7 +128,13 @@ def sweep(
 def export(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file with method: film.")],
     format_name: Annotated[
-        str, typer.Option("--format", metavar="FORMAT", help="ross2, ross3, xltrc2, ansys, csv or json.")
+        str,
+        typer.Option(
+            "--format",
+            metavar="FORMAT",
+            help="ross2 (.json or .toml), ross3 (.json or .toml), xltrc2 (.csv or .xlsx), ansys (.txt), csv (.csv) or "
+            "json (.json); the ending is that of OUT.",
+        ),
     ],
     speeds: Annotated[
         str,
@@ -158,8 +164,9 @@ def export(
     from babbitt.studies.table_target import chosen_film, require_target
 
     film = chosen_film(design_cases(load_case(file)), file, bearing)
-    require_target(format_name, film, file, output, other_end)
-    run = run_over_speed(film, speeds_of(speeds))
+    taken = speeds_of(speeds)
+    require_target(format_name, film, file, output, other_end, taken)
+    run = run_over_speed(film, taken)
     if run.unsolved:
         for speed, outcome in run.unsolved:
             print(f"{film.name}: {outcome.value} at {speed * 30.0 / math.pi:.0f} rpm", file=sys.stderr)

@@ -65,5 +65,7 @@ def print_comparison(comparisons: Sequence[Comparison]) -> bool:
                 to.print(
                     f"  {variant.label}: {variant.result.outcome.value}; {variant.result.message}", markup=False
                 )
+        if comparison.left_out:
+            to.print(f"  {comparison.left_out}", markup=False)
         to.print()
     return all(comparison.variants[0].result.outcome.solved for comparison in comparisons)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case
-from babbitt.cases.build import bearings_of, design_cases_of, film_cases, iso7902_cases
+from babbitt.cases.build import bearings_of, design_cases_of, film_cases, iso7902_cases, unknown_to_iso7902
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.one_dimension import METHODS
 from babbitt.film.model import Cavitation, FilmStart
@@ -32,10 +32,12 @@ class Variant:
 
 @dataclass(frozen=True)
 class Comparison:
-    """All ways to compute one bearing; the first is the one the case asks for."""
+    """All ways to compute one bearing; the first is the one the case asks for, `left_out` says which do not apply
+    and why."""
 
     name: str
     variants: tuple[Variant, ...]
+    left_out: str = ""
 
 
 FRICTION_LABELS = {
@@ -101,7 +103,8 @@ def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
         by_standard = _variants(standard[index]) if standard else ()
         by_film = _film_variants(film)
         ordered = (*by_film, *by_standard) if bearing.method == "film" else (*by_standard, *by_film)
-        yield Comparison(film.name, ordered)
+        reason = unknown_to_iso7902(bearing)
+        yield Comparison(film.name, ordered, f"{ISO_LABEL} is left out: {reason}" if reason else "")
 
 
 def _film_variants(film: FilmCase) -> tuple[Variant, ...]:
