@@ -22,6 +22,7 @@ from babbitt.bearings.orbit_answer import (
 from babbitt.bearings.resting import doubts_about_rest, resting_places
 from babbitt.bearings.transition import transition_speed
 from babbitt.bearings.warm_film import FilmState, operating_film, under_found_load
+from babbitt.bearings.watch import Watch, unwatched
 from babbitt.bearings.whirl import Whirl, whirl_of
 from babbitt.bearings.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
@@ -47,12 +48,14 @@ OIL_INVENTED_FROM = 0.05
 """Mass balance error above which a film without mass conservation is doubted."""
 
 
-def film_check(case: FilmCase) -> Result:
+def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
     """Solve the film of a bearing with its global heat balance.
 
     Parameters
     ----------
     case : FilmCase
+    watch : Watch
+        Follows the cycles of an orbit.
 
     Returns
     -------
@@ -100,7 +103,7 @@ def film_check(case: FilmCase) -> Result:
                 values["equilibria"] = float(len(places.places))
             if isinstance(case.duty, GivenLoad):
                 warnings = (*warnings, *doubts_about_rest(state.solution, places))
-            orbit = orbit_of(case, state)
+            orbit = orbit_of(case, state, watch)
             if orbit is not None:
                 outcome = orbit.outcome
                 message = "" if outcome.solved else orbit_failure(orbit)

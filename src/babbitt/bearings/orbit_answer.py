@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from babbitt.bearings.layout import load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState, is_dear
+from babbitt.bearings.watch import Watch, unwatched
 from babbitt.design.conditions import GivenLoad
 from babbitt.design.doubts import RIGID_FILM_UP_TO, doubt_about_pressure
 from babbitt.film.model import DRAFT, Cavitation
@@ -33,7 +34,7 @@ GRID_TOLD_FROM = 0.05
 """Share of the load that a finer grid does not confirm, from which the orbit is doubted."""
 
 
-def orbit_of(case: FilmCase, state: FilmState) -> Orbit | None:
+def orbit_of(case: FilmCase, state: FilmState, watch: Watch = unwatched) -> Orbit | None:
     """Orbit of the journal in the film of the operating point; None under a steady load.
 
     It is seen on the grid of the case, or on a draft grid where each of its instants would take long.
@@ -50,6 +51,7 @@ def orbit_of(case: FilmCase, state: FilmState) -> Orbit | None:
         case.journal_speed,
         case.moving_mass,
         DRAFT if is_dear(state) else case.accuracy.resolution,
+        watch,
     )
 
 

@@ -32,6 +32,7 @@ def solve(
     """Solve the bearings of case files and print a table."""
     from babbitt.cases import design_cases, load_cases
     from babbitt.report import outputs, print_machine
+    from babbitt.report.progress import shown
     from babbitt.solving import solve as solve_case
 
     cases = load_cases(files)  # every problem of every file first; nothing is written before
@@ -41,7 +42,7 @@ def solve(
 
         for path, case in zip(files, cases, strict=True):
             require_films(str(path), design_cases(case))
-    machines = [solve_case(case) for case in cases]
+    machines = [solve_case(case, shown(f"{case.name}: cycles of the orbit")) for case in cases]
     if not plan.silent:
         for machine in machines:
             print_machine(machine)
