@@ -180,7 +180,9 @@ def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, fl
         flow = values["supply_flow"] * 6e4
         said = f"supply flow of {flow:.2g} L/min from grooves as wide as the bearing"
         if flow < 0.0:
-            said = f"under the pressure of grooves as wide as the bearing {-flow:.2g} L/min less pass than without it"
+            said = (
+                f"under the pressure of grooves as wide as the bearing {-flow:.2g} L/min less pass than without it"
+            )
             said += ", as oil flows from a side into them" if (state.solution.end_flows < 0.0).any() else ""
         yield Notice("W121", f"{said}: a rough estimate")
     for groove in grooves:
@@ -192,4 +194,6 @@ def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, fl
                     values["load_angle"], groove.angle - 0.5 * groove.extent, groove.angle + 0.5 * groove.extent
                 )
             )  # fmt: skip
-            yield Notice("W143", f"the load acts at {load:.0f}°, the groove reaches from {first:.0f}° to {last:.0f}°")
+            yield Notice(
+                "W143", f"the load acts at {load:.0f}°, the groove reaches from {first:.0f}° to {last:.0f}°"
+            )

@@ -175,7 +175,10 @@ def rows_of_table(
                 raise TableError(at, f"line {line} of {file.name}: {shown(cell)} is not a finite number", example)
         try:
             found.append(
-                (line, tuple(read(f"{float(c)} {unit}", si) for c, unit, si in zip(row, units, kinds, strict=True)))
+                (
+                    line,
+                    tuple(read(f"{float(c)} {unit}", si) for c, unit, si in zip(row, units, kinds, strict=True)),
+                )
             )
         except (ValueError, QuantityError):
             raise TableError(at, f"line {line} of {file.name} is {shown(','.join(row))}", example) from None

@@ -193,7 +193,9 @@ class PressureDamBoreGiven(Part):
                 yield Complaint(("bore", "angle"), says, "a place on the land between two grooves")
             elif before + 0.5 * groove.extent < self.extent - EDGE:
                 says = f"the recess before the dam runs over grooves[{index}] onto another land, as the journal turns "
-                allowed = f"up to {written(before + 0.5 * groove.extent, 'deg')}, or another angle or sign of the speed"
+                allowed = (
+                    f"up to {written(before + 0.5 * groove.extent, 'deg')}, or another angle or sign of the speed"
+                )
                 yield Complaint(("bore", "extent"), says + turning, allowed)
 
     def too_wide(self, width: float) -> Iterator[Complaint]:

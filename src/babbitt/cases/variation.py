@@ -76,7 +76,9 @@ class CaseVariation:
                     place[step] = {}
                 place = place[_key(place, step)]
             except (LookupError, ValueError):
-                raise InputError("E005", f"{self.file}: there is no '{here}' to look into{_known(place)}") from None
+                raise InputError(
+                    "E005", f"{self.file}: there is no '{here}' to look into{_known(place)}"
+                ) from None
             if not isinstance(place, dict | list):
                 hint = f"write it as a mapping in the file, or vary '{here}' itself"
                 raise InputError("E005", f"{self.file}: '{here}' is '{place}', not a mapping; {hint}")
@@ -120,7 +122,9 @@ def _known(place: Any) -> str:
     """Which numbers a list knows, counted from 0."""
     if not isinstance(place, list):
         return ""
-    return f"; the list has {f'0 to {len(place) - 1}' if len(place) > 1 else '0 only'}" if place else "; it is empty"
+    return (
+        f"; the list has {f'0 to {len(place) - 1}' if len(place) > 1 else '0 only'}" if place else "; it is empty"
+    )
 
 
 def _key(place: Any, step: str) -> str | int:

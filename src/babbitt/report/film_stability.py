@@ -62,7 +62,9 @@ def _map(panel: Axes, state: FilmState, found: StabilityMap) -> None:
         lines = panel.contour(x, y, reserve, levels=levels, colors=["0.6"], linewidths=[0.5])
         places = [place for path in lines.get_paths() if (place := _inside(path.vertices, x, y)) is not None]
         if places:
-            panel.clabel(lines, fmt=lambda level: f"{10.0**level:.0f} m", fontsize=6, inline_spacing=2, manual=places)
+            panel.clabel(
+                lines, fmt=lambda level: f"{10.0**level:.0f} m", fontsize=6, inline_spacing=2, manual=places
+            )
     here = kilo * state.load, rpm * abs(state.solution.film.angular_speed)
     _words(panel, x, y, found, here)
     mark(panel, *here)
