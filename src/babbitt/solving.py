@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from babbitt import __version__
 from babbitt.bearings.model import FilmCase
+from babbitt.bearings.watch import Watch, unwatched
 from babbitt.cases import Case, JournalCase, Machine, OverhungCouplingCase, case_hash, design_cases
 from babbitt.cases.build import AnyDesign
 from babbitt.longfilm.model import LongFilmCase
@@ -63,13 +64,15 @@ class MachineResult:
         raise KeyError(f"no bearing {name!r}; there are: {', '.join(result.name for result in self.results)}")
 
 
-def solve(case: Case) -> MachineResult:
+def solve(case: Case, watch: Watch = unwatched) -> MachineResult:
     """Solve every bearing of a case.
 
     Parameters
     ----------
     case : Case
         From `babbitt.load_case` or `babbitt.parse_case`.
+    watch : callable
+        Hands on the numbers of the cycles of an orbit, which takes long, and may show how far it is.
 
     Returns
     -------
@@ -89,7 +92,7 @@ def solve(case: Case) -> MachineResult:
     if isinstance(case, OverhungCouplingCase):
         results: tuple[Result, ...] = (_shaft_result(case),)
     else:
-        results = tuple(solve_design(design) for design in designs)
+        results = tuple(solve_design(design, watch) for design in designs)
     return MachineResult(
         case.name,
         results,
@@ -101,12 +104,14 @@ def solve(case: Case) -> MachineResult:
     )
 
 
-def solve_design(design: AnyDesign) -> Result:
+def solve_design(design: AnyDesign, watch: Watch = unwatched) -> Result:
     """Solve one design case by its method.
 
     Parameters
     ----------
     design : DesignCase, FilmCase, LongFilmCase or SegmentCase
+    watch : callable
+        Follows the cycles of an orbit.
 
     Returns
     -------
@@ -115,7 +120,7 @@ def solve_design(design: AnyDesign) -> Result:
     if isinstance(design, FilmCase):
         from babbitt.bearings.check import film_check  # numba is imported when the first film is solved
 
-        return film_check(design)
+        return film_check(design, watch)
     if isinstance(design, LongFilmCase):
         from babbitt.longfilm.check import long_film_check  # numpy and scipy are imported with the first film
 

@@ -39,6 +39,7 @@ KEY_RESULTS = (
     "sommerfeld_number",
     "eccentricity_ratio",
     "attitude_angle",
+    "narrowest_gap_angle",
     "minimum_film_thickness",
     "maximum_pressure",
     "friction_coefficient",
