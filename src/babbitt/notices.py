@@ -231,18 +231,42 @@ EXPLANATIONS: dict[str, Explanation] = {
         "behind it: the film begins later, is thinner, and is less stiff than a flooded one.",
         "More oil, or supplies where the film draws less; a wider bearing passes less oil for its load.",
     ),
+    "W141": Explanation(
+        "Oil drawn in at the sides",
+        "Where the film is ruptured, or a side stands under pressure, the sides draw oil in. The film counts on "
+        "it: its sides lie in oil, which enters as warm as that of the supply. A side in air would draw air.",
+        "A `cavitation_pressure` of 0 bar for sides in air; otherwise a supply that keeps the sides flooded.",
+    ),
+    "W145": Explanation(
+        "Film outside the lubricant data",
+        "Somewhere in the film the temperature lies outside the range for which the lubricant's numbers are "
+        "meant; its viscosity there is extrapolated.",
+        "Give the lubricant by points that enclose the coldest and the hottest place of the film.",
+    ),
+    "W146": Explanation(
+        "Heat balance of the film left open",
+        "Dissipation, heat carried by the oil, and heat taken by bush and journal do not add up to round-off: the "
+        "energy equation was left before it had settled.",
+        "Try another `accuracy`; temperatures are right to about this share of their rise.",
+    ),
+    "W147": Explanation(
+        "Stiffness with frozen temperatures only",
+        "The stiffness was asked for with temperatures that follow the motion. The film beside the operating "
+        "point did not settle.",
+        "Use `temperature_coefficients: frozen`, or move supplies out of the loaded zone.",
+    ),
     "W142": Explanation(
         "Pressure beyond plain bearings",
-        "The film pressure exceeds 100 MPa. There soft bearing metals yield, surfaces deform by more than the film is "
-        "thick, and oils are several times as viscous as without pressure: a rigid film of constant viscosity, "
-        "though solved, says little. The number is an assumption: a white metal of Brinell hardness 30, the hardest "
-        "on board, yields at about a third of its hardness.",
+        "The film pressure exceeds 100 MPa. There soft bearing metals yield, surfaces deform by more than the "
+        "film is thick, and oils are several times as viscous as without pressure: a rigid film of constant "
+        "viscosity, though solved, says little. The number is an assumption: a white metal of Brinell hardness "
+        "30, the hardest on board, yields at about a third of its hardness.",
         "Check load, width and units; a larger bearing or less load.",
     ),
     "W143": Explanation(
         "The load points into a groove",
-        "The load is directed at a groove as wide as the bearing. The groove carries no more than its own pressure, "
-        "and the film beside it all the rest.",
+        "The load is directed at a groove as wide as the bearing. The groove carries no more than its own "
+        "pressure, and the film beside it all the rest.",
         "Turn the groove away from the load; check `load_angle`, which is counter-clockwise from the x axis.",
     ),
     "W120": Explanation(
@@ -347,8 +371,9 @@ EXPLANATIONS: dict[str, Explanation] = {
     "S004": Explanation(
         "Not converged",
         "The iteration used up its steps without meeting its tolerance; the last state is no operating point.",
-        "Move supplies out of the loaded zone and try another accuracy; if the bearing is an ordinary one, report "
-        "the case to the developers.",
+        "Move supplies out of the loaded zone and try another accuracy; a bore that gives way by far more than "
+        "the film is thick may be too soft for this load; if the bearing is an ordinary one, report the case to "
+        "the developers.",
     ),
     "S005": Explanation(
         "Lubricant data end",

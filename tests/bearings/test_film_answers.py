@@ -65,16 +65,18 @@ def test_comparison_puts_the_named_method_first():
     given = {"grooves": None, "span": "180 deg", "supply_element": {"kind": "groove_180", "width": "10 mm"}}
     (by_film,), (by_standard,) = (compare_methods(case(**given, method=method)) for method in ("film", "iso7902"))
     labels = [variant.label for variant in by_film.variants]
-    assert labels[:3] == ["film", "film, Reynolds", "ISO 7902"]
+    assert labels[0] == "film"
+    assert labels.index("ISO 7902") < labels.index("film, Reynolds")  # methods first, then what varies one choice
+    assert {"adiabatic film", "full thermal film"} < set(labels)
     assert by_standard.variants[0].label == "ISO 7902"
     assert sorted(labels) == sorted(variant.label for variant in by_standard.variants)
 
 
 def test_comparison_leaves_the_standard_out_where_it_does_not_know_the_bearing():
     lemon = compare_methods(case(bore={"kind": "lobes", "preload": 0.5}))[0]
-    assert [variant.label for variant in lemon.variants] == ["film", "film, Reynolds"]
+    assert "ISO 7902" not in {variant.label for variant in lemon.variants}
+    grooved = compare_methods(case())[0]
+    assert "ISO 7902" not in {variant.label for variant in grooved.variants}  # grooves alone tell no span
     assert "round bores only, not lobes" in lemon.left_out
-    (grooved,) = compare_methods(case())
-    assert len(grooved.variants) == 2  # grooves alone tell no span
     assert "give span" in grooved.left_out
     assert not compare_methods(case(grooves=None, span="180 deg", accuracy="draft"))[0].left_out

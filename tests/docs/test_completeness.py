@@ -172,7 +172,12 @@ def test_every_outcome_is_explained(outcome: Outcome) -> None:
 
 def kinds_of(field: str) -> list[str]:
     sections = (section for section in case_file.sections() if field in section.reached_by)
-    return [kind for section in sections for kind in case_file._constants(section.fields["kind"])]
+    return [
+        kind
+        for section in sections
+        if "kind" in section.fields
+        for kind in case_file._constants(section.fields["kind"])
+    ]
 
 
 @pytest.mark.parametrize("kind", kinds_of("supply_element"))

@@ -20,8 +20,15 @@ from babbitt.bearings.orbit_answer import (
     orbit_values,
 )
 from babbitt.bearings.resting import doubts_about_rest, resting_places
+from babbitt.bearings.thermal_answer import (
+    doubts_about_heat,
+    stiffness_values,
+    thermal_rows,
+    with_own_coefficients,
+)
+from babbitt.bearings.thermal_film import film_equilibrium
 from babbitt.bearings.transition import transition_speed
-from babbitt.bearings.warm_film import FilmState, operating_film, under_found_load
+from babbitt.bearings.warm_film import FilmState, under_found_load
 from babbitt.bearings.watch import Watch, unwatched
 from babbitt.bearings.whirl import Whirl, whirl_of
 from babbitt.bearings.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values
@@ -43,6 +50,9 @@ METHOD = "film"
 
 AT_A_LINE = 1e-6
 """Angle in rad within which a load points at a line of supply."""
+
+DRAWN_IN_FROM = 0.02
+"""Oil that the sides draw in, over what leaves, from which it is told."""
 
 OIL_INVENTED_FROM = 0.05
 """Mass balance error above which a film without mass conservation is doubted."""
@@ -68,7 +78,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
     leaves with ``T_ex``, and ``T_eff`` is the mean of both; without oil supply ``T_eff`` is that of the bearing.
     """
     start = perf_counter()
-    found = operating_film(case)
+    found = film_equilibrium(case)
     outcome, message = found.outcome, ""
     if not outcome.solved:
         message = failure(case, found)
@@ -79,7 +89,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
     arrays = {}
     if found.film is not None:
         state = found.film
-        values = film_values(case, state)
+        values, followed = film_values(case, state), True
         if case.cavitation is not Cavitation.HALF_SOMMERFELD:
             arrays = {"stiffness": rows_of(state.solution.stiffness), "damping": rows_of(state.solution.damping)}
         if state.fed is not None:
@@ -91,6 +101,10 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
                 tilt = tilt_coefficients(state.solution, case.accuracy.resolution)
                 arrays |= {"tilt_stiffness": rows_of(tilt.stiffness), "tilt_damping": rows_of(tilt.damping)}
                 values |= tilt_values(tilt, state.load * case.bearing.width)
+            if state.thermal is not None:
+                arrays |= thermal_rows(case, state.thermal)
+                state, followed = with_own_coefficients(case, state)
+                arrays["stiffness"] = rows_of(state.solution.stiffness)
             loaded = under_found_load(case, state)
             whirl = whirl_of(loaded, state) if case.cavitation is not Cavitation.HALF_SOMMERFELD else None
             values |= _running_values(loaded, state, whirl)
@@ -98,7 +112,10 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
             checks = (*_limit_checks(case, values), *whirl_checks(case, whirl), clearance_check(case, values))
             not_made = checks_not_made(case, values)
             warnings = tuple(_doubts(case, state, values, checks, whirl))
-            places = resting_places(case, state)
+            if state.thermal is not None:
+                values |= stiffness_values(state)
+                warnings = (*warnings, *doubts_about_heat(case, state, values, followed))
+            places = resting_places(case, state) if case.heat is None else None
             if places is not None:
                 values["equilibria"] = float(len(places.places))
             if isinstance(case.duty, GivenLoad):
@@ -164,6 +181,10 @@ def _doubts(
     if values["mass_balance_error"] > OIL_INVENTED_FROM:
         share = values["mass_balance_error"]
         yield Notice("W122", f"{share:.0%} of the oil that passes the film comes from nowhere")
+    film = state.solution
+    if film.side_inflow > DRAWN_IN_FROM * film.leaving_flow:
+        flow = film.side_inflow * 6e4
+        yield Notice("W141", f"the sides draw in {flow:.2g} L/min")
     yield from doubt_about_pressure(values["maximum_pressure"])
     yield from _doubts_about_grooves(case, state, values)
     if case.error_estimate and "position_error" not in values and "load_error" not in values:
@@ -183,7 +204,7 @@ def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, fl
             said = (
                 f"under the pressure of grooves as wide as the bearing {-flow:.2g} L/min less pass than without it"
             )
-            said += ", as oil flows from a side into them" if (state.solution.end_flows < 0.0).any() else ""
+            said += ", as oil flows from a side into them" if state.solution.side_inflow > 0.0 else ""
         yield Notice("W121", f"{said}: a rough estimate")
     for groove in grooves:
         aside = abs(math.remainder(values["load_angle"] - groove.angle, 2.0 * math.pi))

@@ -24,6 +24,7 @@ __all__ = [
     "inside",
     "journal_gap",
     "narrowest_gap_angle",
+    "pressure_on",
     "step_patches",
     "supply_patches",
 ]
@@ -129,14 +130,29 @@ def field_of(solution: FilmSolution, start: float = 0.0) -> FilmField:
     return FilmField(theta, z, pressure, 1.0 - void, gap)
 
 
+def pressure_on(solution: FilmSolution, theta: Array, z: Array) -> Array:
+    """Gauge pressure in Pa at angles (rad) and axial places (m), as `field_of` has it; shape (theta, z)."""
+    return _around(theta, solution.angles.ravel(), _across(solution, z))
+
+
 def journal_gap(solution: FilmSolution, theta: Array, z: Array) -> Array:
     """Gap between bore and journal, depth of grooves and pockets left out, m, shape (theta, z)."""
-    film = solution.film
     x, y = solution.position
-    bore = film.clearance * bore_gap(film, theta)[:, None] + axial_gain(film, theta, z)
-    for step in step_patches(film):
-        bore[np.ix_(inside(theta, step.theta), between(z, step.z))] += step.depth
+    bore = centred_gap(solution.film, theta, z)
     return np.asarray(bore - x * np.cos(theta)[:, None] - y * np.sin(theta)[:, None])
+
+
+def centred_gap(film: JournalFilm, theta: Array, z: Array) -> Array:
+    """Gap around the centred journal with tilt, steps, crowning and displacement, m, shape (theta, z)."""
+    gap = film.clearance * bore_gap(film, theta)[:, None] + axial_gain(film, theta, z)
+    for step in step_patches(film):
+        gap[np.ix_(inside(theta, step.theta), between(z, step.z))] += step.depth
+    return np.asarray(gap)
+
+
+def bore_outline(film: JournalFilm, theta: Array) -> Array:
+    """Least gap across the width around the centred journal, m, shape (theta,)."""
+    return np.asarray(centred_gap(film, theta, np.linspace(-0.5, 0.5, 9) * film.width).min(axis=1))
 
 
 def narrowest_gap_angle(solution: FilmSolution) -> float:
@@ -202,7 +218,7 @@ def clearance_outline(film: JournalFilm, directions: Array) -> Array:
         The radial clearance everywhere for a round bore without grooves.
     """
     angles = np.linspace(0.0, TURN, 1440, endpoint=False)
-    gap = film.clearance * bore_gap(film, angles)
+    gap = bore_outline(film, angles)
     towards = np.cos(angles[None, :] - directions[:, None])
     return np.asarray(np.where(towards > 1e-9, gap / np.maximum(towards, 1e-9), math.inf).min(axis=1))
 

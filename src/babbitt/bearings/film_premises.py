@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from babbitt.bearings.layout import ALL_TURBULENT
-from babbitt.bearings.model import FilmCase
+from babbitt.bearings.model import FilmBearing, FilmCase
 from babbitt.bearings.orbit_answer import orbit_assumptions
+from babbitt.bearings.thermal_answer import thermal_assumptions, thermal_setting
 from babbitt.design.conditions import GivenEccentricity, GivenPosition
 from babbitt.film.model import END_DAM, Cavitation
 
@@ -16,7 +17,13 @@ __all__ = ["film_assumptions", "film_settings"]
 def film_assumptions(case: FilmCase) -> Iterator[str]:
     """What the film method assumes for a case, in sentences for the report."""
     flow = "laminar film" if case.turbulence is None else f"turbulence after {case.turbulence.name}"
-    yield f"One viscosity for the whole film, that at the effective temperature; rigid surfaces; {flow}."
+    if case.heat is None:
+        surfaces = "a bore that gives way" if case.bearing.compliance else "rigid surfaces"
+        yield f"One viscosity for the whole film, that at the effective temperature; {surfaces}; {flow}."
+    else:
+        yield from thermal_assumptions(case, flow)
+    if case.bearing.compliance:
+        yield from compliance_assumptions(case.bearing)
     if case.turbulence is not None:
         yield (
             f"The film is laminar up to the local Reynolds number 41.3 sqrt(D/C) and fully turbulent from "
@@ -59,12 +66,23 @@ def film_assumptions(case: FilmCase) -> Iterator[str]:
         )
 
 
+def compliance_assumptions(bearing: FilmBearing) -> Iterator[str]:
+    """What is taken for granted about a bore that gives way."""
+    yield (
+        "Stiffness, damping, thresholds and transition hold for the displacement of the operating point (frozen); "
+        "the journal is rigid."
+    )
+    for one in bearing.compliance:
+        yield one.premise
+
+
 def film_settings(case: FilmCase) -> dict[str, str]:
     """The choices that the numbers depend on."""
     grooves = sum(hollow.width is None for hollow in case.bearing.hollows)
     orbit = {} if case.changing_load is None else {"orbit_cavitation": Cavitation.REYNOLDS.name.lower()}
     return orbit | {
         "lubricant": case.lubricant.name,
+        "thermal": thermal_setting(case),
         "cavitation": case.cavitation.name.lower(),
         "film_start": case.bearing.film_start.name.lower(),
         "accuracy": case.accuracy.value,

@@ -12,6 +12,7 @@ from babbitt.bearings.extent import full_film_share, turbulent_share
 from babbitt.bearings.field import narrowest_gap_angle
 from babbitt.bearings.layout import supply_numbers, without_pressure
 from babbitt.bearings.model import FilmCase
+from babbitt.bearings.thermal_answer import flow_without_pressure, thermal_values
 from babbitt.bearings.warm_film import FilmState
 from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import (
@@ -37,7 +38,7 @@ AXES = ("xx", "xy", "yx", "yy")
 
 def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     """Named results of a bearing in its film, SI."""
-    bearing, film = case.bearing, state.solution
+    bearing, film, thermal = case.bearing, state.solution, state.thermal
     duty = duty_values(case, state)
     coefficient = state.friction_power / (state.load * duty["surface_speed"])
     values = {
@@ -62,21 +63,25 @@ def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "friction_coefficient": coefficient,
         "friction_torque": case.friction_factor * film.friction_torque,
         "friction_power": state.friction_power,
+        **_displacement_values(case, state),
         **_flow_values(case, state),
-        **heat_values(case, state),
+        **(_one_temperature(case, state) if thermal is None else thermal_values(case, state)),
         "recommended_relative_clearance": recommended_relative_clearance(duty["surface_speed"]),
-        **supply_values(case, state),
         **_extent_values(state),
     }
     if state.feed is not None:
         values["element_pressure"] = state.feed.element_pressure
         values["tube_loss"] = state.feed.tube_loss
         values["hole_loss"] = state.feed.hole_loss
-    values |= cooling_values(case, state) | limit_values(case)
+    values |= limit_values(case)
     for name, matrix in (("stiffness", film.stiffness), ("damping", film.damping)):
         values |= {f"{name}_{axes}": float(one) for axes, one in zip(AXES, matrix.ravel(), strict=True)}
     values["mass_balance_error"] = film.mass_balance_error
     return values
+
+
+def _one_temperature(case: FilmCase, state: FilmState) -> dict[str, float]:
+    return heat_values(case, state) | supply_values(case, state) | cooling_values(case, state)
 
 
 def tilt_values(tilt: TiltCoefficients, scale: float) -> dict[str, float]:
@@ -118,8 +123,21 @@ def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     from babbitt.film.solve import film_at_position
 
     x, y = state.solution.position
-    alone = film_at_position(calm, (x, y), resolution=case.accuracy.resolution).leaving_flow
+    if state.thermal is None:
+        alone = film_at_position(calm, (x, y), resolution=case.accuracy.resolution).leaving_flow
+    else:
+        alone = flow_without_pressure(case, state, calm)
     return {"side_flow": alone, "supply_flow": flow - alone, "total_flow": flow}
+
+
+def _displacement_values(case: FilmCase, state: FilmState) -> dict[str, float]:
+    """Largest displacement of a bore that gives way, against the pressure or with it."""
+    if not case.bearing.compliance:
+        return {}
+    from babbitt.bearings.elastic_film import displacement_under
+
+    displaced = displacement_under(case.bearing.compliance, state.solution)
+    return {"maximum_displacement": float(np.abs(displaced).max())}
 
 
 def _extent_values(state: FilmState) -> dict[str, float]:

@@ -8,6 +8,7 @@ from enum import Enum
 
 from babbitt.bearings.bore import Bore, RoundBore
 from babbitt.bearings.changing_load import ChangingLoad
+from babbitt.bearings.heat_model import HeatModel
 from babbitt.design.conditions import (
     Duty,
     HousingCooling,
@@ -16,6 +17,7 @@ from babbitt.design.conditions import (
     Proportions,
     Surfaces,
 )
+from babbitt.film.elastic import Compliance
 from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Resolution, Step
 from babbitt.film.model import Field as FieldOfFilm
 from babbitt.film.piezoviscosity import Barus, PressureViscosity, Roelands
@@ -128,6 +130,7 @@ class FilmBearing(Proportions):
     `misalignment` holds the slopes dx/dz and dy/dz of the journal axis in rad. `clearance_tolerance` holds the
     least and the greatest relative clearance where a tolerance is known. `steps`, `crowning`, `displacement` and
     `side_pressures` are those of `babbitt.film.model.JournalFilm`; steps that belong to the bore stand there.
+    `compliance` is what the bore gives way by (`babbitt.film.elastic`); all of it adds up.
     """
 
     diameter: float
@@ -142,6 +145,7 @@ class FilmBearing(Proportions):
     steps: tuple[Step, ...] = ()
     crowning: tuple[float, ...] = ()
     displacement: FieldOfFilm = ()
+    compliance: tuple[Compliance, ...] = ()
     side_pressures: tuple[float, float] = (0.0, 0.0)
     surfaces: Surfaces | None = None
     metal: BearingMetal | None = None
@@ -160,6 +164,7 @@ class FilmCase:
     `tilt_coefficients` asks for stiffness and damping against tilt, too, `error_estimate` for the error of the
     grid. `changing_load` acts besides the load of the duty; `moving_mass` (kg) then moves with the journal.
     `doubts` arose while the case was made and ride along.
+    With a model of its `heat` the film has its own temperatures; without, one temperature.
     """
 
     name: str
@@ -190,6 +195,7 @@ class FilmCase:
     kind: str = "journal"
     turbulence: TurbulenceLaw | None = None
     pressure_viscosity: OilUnderPressure | None = None
+    heat: HeatModel | None = None
 
     @property
     def rotation(self) -> Rotation:

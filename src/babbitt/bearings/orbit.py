@@ -233,16 +233,12 @@ def _begin(journal: MovingJournal) -> Array:
 
 def _thinnest(journal: MovingJournal, states: Array) -> float:
     """Smallest film thickness of a cycle over the clearance."""
-    from babbitt.film.ring import bore_gap
+    from babbitt.bearings.field import bore_outline
 
     angles = np.linspace(0.0, 2.0 * math.pi, 361)
-    gap = (
-        bore_gap(journal.film, angles)[None, :]
-        - np.outer(states[0], np.cos(angles))
-        - np.outer(states[1], np.sin(angles))
-    )
-    slope = math.hypot(*journal.film.misalignment) * 0.5 * journal.film.width / journal.c
-    return float(gap.min() - slope)
+    bore = bore_outline(journal.film, angles) / journal.c
+    gap = bore[None, :] - np.outer(states[0], np.cos(angles)) - np.outer(states[1], np.sin(angles))
+    return float(gap.min())
 
 
 def _read(

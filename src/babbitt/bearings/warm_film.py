@@ -32,9 +32,13 @@ from babbitt.results import Outcome
 if TYPE_CHECKING:
     from babbitt.film.solution import FilmSolution
     from babbitt.film.starved import FedFilm, GivenFlow
+    from babbitt.film.thermal_solution import ThermalFilm
 
 LOAD_TOLERANCE = 1e-9
 """Of the film force over the load; small, so that the heat balance closes to 1e-8."""
+
+ELASTIC_CLOSENESS = 1e-5
+"""Share of the least gap to which film and displacement of the bore agree; small, for the heat balance sees it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +56,7 @@ class FilmState:
     feed: Arrival | None
     solution: FilmSolution
     fed: FedFilm | None = None
+    thermal: ThermalFilm | None = None
     left_saddle: bool = False
 
 
@@ -170,6 +175,16 @@ def starved_film(
 
 
 def _settled(case: FilmCase, near: tuple[float, float] | None, film: JournalFilm) -> FilmSolution:
+    """Film at its load or position, in a bore that gives way where the case has one."""
+    if not case.bearing.compliance:
+        return _in_given_bore(case, near, film)
+    from babbitt.bearings.elastic_film import elastic_film
+
+    found = elastic_film(film, case.bearing.compliance, partial(_in_given_bore, case, near), ELASTIC_CLOSENESS)
+    return replace(found.solution, outcome=found.outcome)
+
+
+def _in_given_bore(case: FilmCase, near: tuple[float, float] | None, film: JournalFilm) -> FilmSolution:
     if isinstance(case.duty, GivenEccentricity):
         return _at_eccentricity(case, case.duty, film)
     if isinstance(case.duty, GivenPosition):

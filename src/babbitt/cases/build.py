@@ -5,9 +5,11 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import Any, TypeVar
 
 from babbitt.bearings.model import FilmCase
+from babbitt.cases import one_dimension
 from babbitt.cases.film_cases import film_case
 from babbitt.cases.iso7902_cases import iso7902_case
 from babbitt.cases.joined_inputs import Inputs, Point, inputs
@@ -93,9 +95,17 @@ def unknown_to_iso7902(bearing: JournalBearing) -> str:
     return ""
 
 
-def film_cases(bearing: JournalBearing, case: Case) -> tuple[FilmCase, ...]:
-    """Film cases of one bearing of a case, whatever method it names."""
-    return tuple(_expanded(bearing, case, film_case))
+def film_cases(bearing: JournalBearing, case: Case, thermal: str | None = None) -> tuple[FilmCase, ...]:
+    """Film cases of one bearing of a case, whatever method it names.
+
+    Parameters
+    ----------
+    bearing : JournalBearing
+    case : Case
+    thermal : str, optional
+        ``global``, ``adiabatic`` or ``full`` in place of what the bearing says.
+    """
+    return tuple(_expanded(bearing, case, partial(film_case, thermal=thermal)))
 
 
 def case_hash(case: Case) -> str:
@@ -132,6 +142,19 @@ def _rounded(value: Any) -> Any:
             return [_rounded(one) for one in value]
         case _:
             return value
+
+
+def long_films_of(bearing: JournalBearing, case: Case) -> tuple[LongFilmCase, ...]:
+    """The bearing as an infinitely long film, whatever method it names.
+
+    Empty where that method does not know the bearing, or where no oil is supplied.
+    """
+    unfit = next(one_dimension.unknown(bearing, "the long film"), None) is not None
+    supply = None if isinstance(case, OverhungCouplingCase) else inputs(bearing, case).supply
+    if unfit or supply is None or supply.temperature is None:
+        return ()
+    seen = bearing.model_copy(update={"method": "long_film"})
+    return tuple(_expanded(seen, case, long_film_case))
 
 
 def _expanded(bearing: JournalBearing, case: Case, make: Maker[DesignT]) -> Iterator[DesignT]:

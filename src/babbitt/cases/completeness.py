@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from babbitt.cases import one_dimension
+from babbitt.cases.film_heat import OWN_TEMPERATURES
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.materials import Materials
 from babbitt.cases.part import Complaint
@@ -62,6 +63,8 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
             "supply",
             "supply (oil carries the heat away), cooling (the housing does), or effective_temperature",
         )
+    if supply is None and bearing.method == "film" and bearing.thermal in OWN_TEMPERATURES:
+        yield lacks("", "supply", f"supply: a film with thermal: {bearing.thermal} needs the oil that enters")
     if supply is not None:
         points = bearing.operating_points
         if supply.temperature is None and not _all_give(points, "supply_temperature"):
@@ -100,7 +103,10 @@ def _flow_goes_somewhere(bearing: JournalBearing, supply: Supply, path: Path) ->
             given, at = True, ("operating_points", index, "supply_flow")
     if not given:
         return
-    if bearing.method != "film":
+    if bearing.method == "film" and bearing.thermal in OWN_TEMPERATURES:
+        says = "a film with its own temperatures is fed by pressure"
+        yield Complaint(at, says, "supply.pressure, or thermal: global")
+    elif bearing.method != "film":
         yield Complaint(at, "ISO 7902 takes a supply pressure, not a flow", "method: film, or supply.pressure")
     elif bearing.cavitation != "mass_conserving" or bearing.film_start == "widest_gap":
         says = "a supply flow needs a film that conserves the oil and is fed somewhere"

@@ -9,6 +9,7 @@ from babbitt.bearings.model import Accuracy, FilmBearing, FilmCase, Hollow, Sear
 from babbitt.cases.as_given import words_of
 from babbitt.cases.assumptions import common_assumptions_of
 from babbitt.cases.doubts import doubts_about_numbers
+from babbitt.cases.film_heat_cases import heat_assumptions, heat_model
 from babbitt.cases.film_layout import film_layout
 from babbitt.cases.film_oil import LAWS_OF_TURBULENCE
 from babbitt.cases.joined_inputs import Inputs, Point, duty, housing_cooling, journal_speed, oil_supply
@@ -16,8 +17,16 @@ from babbitt.film.model import Cavitation
 from babbitt.materials import LoadCharacter, bearing_metal
 
 
-def film_case(inputs: Inputs, at: Point) -> FilmCase:
-    """Film case of one bearing at one operating point and clearance."""
+def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase:
+    """Film case of one bearing at one operating point and clearance.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    at : Point
+    thermal : str, optional
+        ``global``, ``adiabatic`` or ``full`` in place of what the case says.
+    """
     bearing, point = inputs.bearing, at.given
     speed = journal_speed(bearing, point)
     layout = film_layout(bearing, point, inputs.width, math.copysign(1.0, speed))
@@ -34,7 +43,7 @@ def film_case(inputs: Inputs, at: Point) -> FilmCase:
         cavitation=Cavitation[bearing.cavitation.upper()],
         cavitation_pressure=bearing.cavitation_pressure,
         accuracy=Accuracy(bearing.accuracy),
-        effective_temperature=bearing.effective_temperature,
+        effective_temperature=bearing.effective_temperature if thermal is None else None,
         friction_factor=bearing.friction.factor,
         rotor_mass=bearing.rotor_mass,
         shaft_stiffness=bearing.shaft_stiffness,
@@ -50,11 +59,13 @@ def film_case(inputs: Inputs, at: Point) -> FilmCase:
             *bearing.assumptions,
             *layout.assumptions,
             *common_assumptions_of(bearing, inputs.supply, inputs.cooling, inputs.materials),
+            *heat_assumptions(inputs, thermal),
         ),
         doubts=doubts_about_numbers(bearing, point),
         kind=bearing.kind,
         turbulence=LAWS_OF_TURBULENCE[bearing.turbulence],
         pressure_viscosity=bearing.pressure_viscosity.law() if bearing.pressure_viscosity is not None else None,
+        heat=heat_model(inputs, thermal),
     )
 
 
@@ -76,6 +87,7 @@ def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[Hollow, ...]) -> Fil
         steps=tuple(step.step() for step in bearing.steps),
         crowning=bearing.crowning.crowning(inputs.width) if bearing.crowning is not None else (),
         displacement=bearing.displacement.field(inputs.width) if bearing.displacement is not None else (),
+        compliance=tuple(part.compliance(bearing.diameter) for part in bearing.compliance),
         side_pressures=bearing.side_pressures or (0.0, 0.0),
         surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,
         metal=bearing_metal(materials.bearing_metal) if materials.bearing_metal is not None else None,

@@ -14,7 +14,7 @@ from babbitt.units import written
 if TYPE_CHECKING:
     from babbitt.cases.journal import JournalBearing
 
-SURFACE_FIELDS = ("steps", "crowning", "displacement", "side_pressures", "tilt_coefficients")
+SURFACE_FIELDS = ("steps", "crowning", "displacement", "compliance", "side_pressures", "tilt_coefficients")
 """What only a film can have that begins at a groove, pocket or hole, or that closes around the journal."""
 
 CLEARANCE_GROWTH = 2.0

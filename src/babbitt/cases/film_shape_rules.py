@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from babbitt.cases.compliance import complaints_about_compliance
 from babbitt.cases.film_features import (
     MOST_DEPARTURE,
     LobedBoreGiven,
@@ -80,6 +81,15 @@ def displacement_is_of_the_size_of_the_clearance(bearing: JournalBearing) -> Ite
         says = f"the surfaces are displaced by {written(bearing.displacement.largest, 'um')}"
         allowed = f"up to {MOST_DEPARTURE:g} times the radial clearance of {written(clearance, 'um')}"
         yield Complaint(("displacement",), says, allowed)
+
+
+@rule
+def compliance_fits(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about rings inside the bore, and about soft bores under a changing load."""
+    yield from complaints_about_compliance(bearing.compliance, bearing.diameter)
+    if bearing.compliance and bearing.dynamic_load is not None:
+        says = "the orbit under a changing load does not count a bore that gives way"
+        yield Complaint(("compliance",), says, "leave it out, or give a displacement")
 
 
 @rule

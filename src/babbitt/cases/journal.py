@@ -19,6 +19,7 @@ from babbitt.cases import (
 )
 from babbitt.cases.choices import FrictionGiven, LimitsGiven
 from babbitt.cases.clearance import ClearanceGiven
+from babbitt.cases.compliance import ComplianceGiven
 from babbitt.cases.dynamic_load import DynamicLoadGiven
 from babbitt.cases.fields import Name, Prose, Span
 from babbitt.cases.film_features import (
@@ -28,6 +29,13 @@ from babbitt.cases.film_features import (
     PocketGiven,
     SupplyHoleGiven,
     complaints_about_hollows,
+)
+from babbitt.cases.film_heat import (
+    AxialTemperatureGiven,
+    CoefficientsGiven,
+    ThermalGiven,
+    WallsGiven,
+    heat_goes_with_the_film,
 )
 from babbitt.cases.film_oil import PressureViscosityGiven, TurbulenceGiven
 from babbitt.cases.film_surface import (
@@ -113,6 +121,11 @@ class JournalBearing(Duty, SharedInputs):
     displacement: DisplacementGiven | None = Field(
         None, description="What the gap gains by displacement of its surfaces, for the film method."
     )
+    compliance: tuple[ComplianceGiven, ...] = Field(
+        (),
+        max_length=4,
+        description="What the bore gives way by under the pressure of the film; all of it adds up. Film method.",
+    )
     side_pressures: tuple[SidePressure, SidePressure] | None = Field(
         None,
         description="Gauge pressures at the sides z = -B/2 and B/2, for the film method. Ambient if not given.",
@@ -177,6 +190,27 @@ class JournalBearing(Duty, SharedInputs):
     )
     pressure_viscosity: PressureViscosityGiven | None = Field(
         None, description="Growth of the viscosity with pressure, for the film method."
+    )
+    thermal: ThermalGiven | None = Field(
+        None,
+        description="Temperature of the film method: prescribed (isothermal), one for the whole film from the "
+        "heat balance (global), or varying around the journal and across the gap, with walls that take no heat "
+        "(adiabatic) or with bush, housing and journal that conduct (full). global if not given, isothermal with "
+        "an effective_temperature.",
+    )
+    walls: WallsGiven | None = Field(
+        None,
+        description="Bush, housing and journal of a full thermal film. What is not given is assumed and told.",
+    )
+    axial_temperature: AxialTemperatureGiven = Field(
+        "mean",
+        description="Whether temperatures of an adiabatic or full film are means over the width, or resolved "
+        "along it. Between pockets and holes they are always resolved.",
+    )
+    temperature_coefficients: CoefficientsGiven = Field(
+        "frozen",
+        description="Whether the stiffness of an adiabatic or full film answers displacements at frozen "
+        "temperatures, or with temperatures that follow.",
     )
     film_start: Literal["groove", "widest_gap", "periodic"] | None = Field(
         None,
@@ -339,6 +373,7 @@ class JournalBearing(Duty, SharedInputs):
     _steps_fit = film_shape_rules.steps_fit
     _dam_stays_on_its_land = film_shape_rules.dam_stays_on_its_land
     _displacement_is_of_the_size_of_the_clearance = film_shape_rules.displacement_is_of_the_size_of_the_clearance
+    _compliance_fits = film_shape_rules.compliance_fits
     _lobes_lie_between_grooves = film_shape_rules.lobes_lie_between_grooves
     _position_is_near_the_bearing = film_rules.position_is_near_the_bearing
     _changing_load_is_added_to_a_load = film_rules.changing_load_is_added_to_a_load
@@ -348,6 +383,7 @@ class JournalBearing(Duty, SharedInputs):
     _widest_gap_is_of_a_plain_bore = film_rules.widest_gap_is_of_a_plain_bore
     _given_flows_are_counted = film_rules.given_flows_are_counted
     _grooves_stand_still = film_rules.grooves_stand_still
+    _heat_goes_with_the_film = heat_goes_with_the_film
 
     def film_starts(self) -> FilmStart:
         """Where the film begins: as given, else nowhere under the half-Sommerfeld condition, else at grooves."""

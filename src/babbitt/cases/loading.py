@@ -9,6 +9,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from babbitt.cases.bore_file import TableError, with_tables
+from babbitt.cases.compliance_file import with_compliances
 from babbitt.cases.displacement_file import with_displacements
 from babbitt.cases.document import DocumentError, Node, read_document
 from babbitt.cases.machine import Case, JournalCase, Machine
@@ -172,7 +173,8 @@ def _case(given: Any, name: str, root: Node | None, folder: FilePath) -> Case:
         hint = nearest(kind, KINDS) if isinstance(kind, str) else ""
         raise CaseError([_problem(name, root, given, ("kind",), says, ", ".join(KINDS), hint)])
     try:
-        return KINDS[kind].model_validate(with_displacements(with_tables(given, folder), folder))
+        read = with_compliances(with_displacements(with_tables(given, folder), folder), folder)
+        return KINDS[kind].model_validate(read)
     except TableError as error:
         raise CaseError([_problem(name, root, given, error.path, error.says, error.allowed)]) from None
     except ValidationError as error:

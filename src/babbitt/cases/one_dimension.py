@@ -31,7 +31,7 @@ def complaints_about(bearing: JournalBearing) -> Iterator[Complaint]:
             yield Complaint((block,), says, f"method: {method}")
     if bearing.method not in METHODS:
         return
-    yield from _unknown(bearing, METHODS[bearing.method])
+    yield from unknown(bearing, METHODS[bearing.method])
     if bearing.method == "long_film":
         yield from heat_exchange.complaints_about(bearing.heat_exchange, bearing.diameter)
         return
@@ -43,7 +43,8 @@ def complaints_about(bearing: JournalBearing) -> Iterator[Complaint]:
         yield Complaint(("lubricant", "exponent"), says, f"up to {GREATEST_EXPONENT:g}")
 
 
-def _unknown(bearing: JournalBearing, method: str) -> Iterator[Complaint]:
+def unknown(bearing: JournalBearing, method: str) -> Iterator[Complaint]:
+    """Complain about what a method of one dimension does not know."""
     yield from film_alone_knows(bearing, method)
     for name in ("grooves", "pockets", "holes"):
         if is_given(bearing, name):

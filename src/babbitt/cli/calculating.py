@@ -78,13 +78,24 @@ def check(files: Files) -> None:
 
 
 @app.command()
-def compare(file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file.")]) -> None:
+def compare(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file.")],
+    plots: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Write one figure per bearing into a folder.")
+    ] = None,
+) -> None:
     """Solve the same bearings by every method that applies, side by side."""
     from babbitt.cases import load_case
     from babbitt.report.comparison_table import print_comparison
     from babbitt.studies.comparison import compare_methods
 
-    if not print_comparison(compare_methods(load_case(file))):
+    found = compare_methods(load_case(file))
+    solved = print_comparison(found)
+    if plots is not None:
+        from babbitt.report.comparison_figure import write_comparison_plots
+
+        write_comparison_plots(found, plots)
+    if not solved:
         raise typer.Exit(NO_SOLUTION)
 
 
@@ -133,8 +144,8 @@ def export(
         typer.Option(
             "--format",
             metavar="FORMAT",
-            help="ross2 (.json or .toml), ross3 (.json or .toml), xltrc2 (.csv or .xlsx), ansys (.txt), csv (.csv) or "
-            "json (.json); the ending is that of OUT.",
+            help="ross2 (.json or .toml), ross3 (.json or .toml), xltrc2 (.csv or .xlsx), ansys (.txt), "
+            "csv (.csv) or json (.json); the ending is that of OUT.",
         ),
     ],
     speeds: Annotated[

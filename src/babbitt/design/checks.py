@@ -91,6 +91,11 @@ def limited_temperature(values: Mapping[str, float]) -> str:
     return max(known, key=lambda name: values[name], default="effective_temperature")
 
 
+def hottest_place(values: Mapping[str, float]) -> str:
+    """Name of the temperature for which limits of the metal hold: the hottest of the bush, where it is known."""
+    return "maximum_bush_temperature" if "maximum_bush_temperature" in values else limited_temperature(values)
+
+
 def film_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:
     """Film thickness against experience and against the surfaces."""
     film = values["minimum_film_thickness"]
@@ -118,6 +123,7 @@ def load_and_temperature_checks(case: Designed, values: Mapping[str, float]) -> 
         yield Check("C103", "specific_load", pressure, limit, AT_MOST, f"{load_limit.source}; {which}")
     name = limited_temperature(values)
     if case.limits.temperature is not None:
+        name = hottest_place(values)
         yield Check("C104", name, values[name], case.limits.temperature, AT_MOST, USER)
     else:
         by_experience = temperature_limit(case)
@@ -130,7 +136,7 @@ def metal_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]
     if metal is None:
         return
     limits = metal.limits(case.bearing.load_character)
-    hottest = limited_temperature(values)
+    hottest = hottest_place(values)
 
     def check(code: str, name: str, limit: SourcedValue | None, *, advisory: bool = False) -> Iterator[Check]:
         if limit is not None:

@@ -2,8 +2,8 @@
 
 Called once for a settled position. The node on the side edge is a column of its own (index m): its pressure is the
 side pressure, its row gives the oil that leaves. Where less oil arrives than the gap could carry, the edge runs
-partly filled; no oil is drawn in from outside, so that inflow = outflow + side flow + squeezed volume in
-every land.
+partly filled and draws nothing in; a side above the cavitation pressure does, and side flow is then what leaves
+less what is drawn in. In every land inflow = outflow + side flow + squeezed volume.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 from babbitt.film._compiling import compiled, inner
 from babbitt.film._grids import film_coefficients
 
-INFLOW, OUTFLOW, SIDE_FLOW, IMBALANCE, JOURNAL_TORQUE, BEARING_TORQUE, TOTALS = range(7)
+INFLOW, OUTFLOW, SIDE_FLOW, SIDE_INFLOW, IMBALANCE, JOURNAL_TORQUE, BEARING_TORQUE, TOTALS = range(8)
 
 
 @compiled
@@ -92,6 +92,7 @@ def edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals):
             void[k, i, m] = 1.0 - liquid
             flux = liquid * film.couette[i]
             totals[k, SIDE_FLOW] += arriving - liquid * room
+            totals[k, SIDE_INFLOW] += max(liquid * room - arriving, 0.0)
         add_friction(bearing, grid, k, i, film, x, y, weight, flux, i == 0, 0.0, 0.0, void[k, i, m], totals)
     totals[k, OUTFLOW] += weight * flux
 

@@ -38,7 +38,9 @@ class Surface(NamedTuple):
     gap_b: Array
     viscosity: Array  # over the reference viscosity, (n, points)
     drag: Array  # g, (n, points)
-    turbulence: Array  # Reynolds number at unit gap, onset, end; factors and exponents along, across; or empty
+    turbulence: (
+        Array  # Reynolds number at unit gap, onset, end; factors and exponents along, across, of shear; or empty
+    )
     radius: Array  # r of the points, (points,)
     share: Array  # w_q r, (points,)
     along: Array  # w_q / r, (points,)

@@ -23,7 +23,9 @@ def evaluate_surface(surface, film, work, at, rate, smooth, force, stiffness, da
             for j in range(work.pressure.shape[1]):
                 if again == 0:
                     work.pressure[i, j] = work.solution[0, i, j]
-                    work.stiffening[i, j] = true_pressure(surface, work.pressure[i, j])[1]
+                    work.stiffening[i, j] = 1.0
+                    if work.holds[i, j]:
+                        work.stiffening[i, j] = true_pressure(surface, work.pressure[i, j])[1]
                 else:
                     work.solution[0, i, j] = work.pressure[i, j]
     work.ending[:] = 0.0
@@ -92,11 +94,13 @@ def end_adjoints_at_rupture(surface, film, work):
             after, before = (i + 1) % lines, (i - 1) % lines
             pressure = work.solution[0, i, j]
             if not work.holds[after, j]:
-                surplus = (film.couette[after % n, j] - film.couette[i, j]) / film.conductance[i, j]
+                surplus = film.couette[after % n, j] - film.couette[i, j] + film.squeeze[after, j]
+                surplus /= film.conductance[i, j]
                 work.ending[i, j] += film.conductance[i, j] * shortening(pressure, surplus)
             if not work.holds[before, j] and not surface.conserving:
                 first = film.couette[(before - 1) % n, j]
-                surplus = (film.couette[before, j] - first) / film.conductance[before, j]
+                surplus = film.couette[before, j] - first + film.squeeze[before, j]
+                surplus /= film.conductance[before, j]
                 work.ending[i, j] += film.conductance[before, j] * shortening(pressure, surplus)
 
 
@@ -159,3 +163,26 @@ def carry_streamers(surface, film, work):
                 flux = film.couette[i, j] * work.fill[i, j]
                 flux += film.conductance[i, j] * (work.pressure[i, j] - work.pressure[after, j])
                 flux = max(flux, 0.0)
+
+
+@compiled
+def drain_edge(surface, film, work, edge, fed):
+    """Let a side at cavitation pressure run partly filled where less oil arrives than its gap could carry.
+
+    Nodes of a side are held, which would draw in oil from outside (as ``_integrals.edge_column``). ``fed`` marks
+    the lines of grooves; a closed ring starts over with what its first round ended with. Twice changes nothing
+    more.
+    """
+    lines, n = surface.held.shape[0], surface.step.size
+    full = film.couette[:, edge] * work.fill[:n, edge]
+    flux = full.copy()
+    for turn in range(2 if surface.cyclic else 1):
+        for i in range(1 if turn == 0 else 0, n):
+            if not fed[i]:
+                arriving = full[i] - work.row[i, edge] + flux[i - 1] - full[i - 1]
+                flux[i] = min(full[i], max(arriving, 0.0))
+    for i in range(n):
+        if not fed[i] and film.couette[i, edge] > 0.0:
+            work.fill[i, edge] = flux[i] / film.couette[i, edge]
+        work.row[i, edge] += flux[i] - full[i]
+        work.row[(i + 1) % lines, edge] -= flux[i] - full[i]

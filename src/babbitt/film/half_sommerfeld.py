@@ -23,6 +23,7 @@ __all__ = ["half_sommerfeld_at", "half_sommerfeld_equilibrium"]
 Array = NDArray[np.float64]
 SUCTION = -1e12  # Pa, never reached: the film stays full
 DEEPEST = 0.999  # eccentricity ratio
+MISSED = 2e-3  # of the load: what the seam of the grid may turn the force
 
 
 def half_sommerfeld_at(
@@ -37,10 +38,16 @@ def half_sommerfeld_at(
         return replace(found, film=film)
     pressure = np.maximum(found.pressure, 0.0)
     unknown, two = np.full((2, 2), np.nan), np.full(2, np.nan)
+    force = pressure_force(film, found, pressure)
+    # the torques of journal and bearing lie e x F / 2 to either side of that by shear
+    x, y = position
+    shear = 0.5 * (found.friction_torque + found.bearing_torque)
+    turn = 0.5 * math.copysign(1.0, film.angular_speed) * (x * force[1] - y * force[0])
     return replace(
-        found, film=film, pressure=pressure, force=pressure_force(film, found, pressure), stiffness=unknown,
-        damping=unknown.copy(), side_flow=np.full_like(found.side_flow, np.nan), end_flows=two,
-        inflow=two[:1], outflow=two[:1], supply_flow=two[:0], mass_balance_error=math.nan,
+        found, film=film, pressure=pressure, force=force, stiffness=unknown, damping=unknown.copy(),
+        side_flow=np.full_like(found.side_flow, np.nan), end_flows=two, side_inflow=math.nan, inflow=two[:1],
+        outflow=two[:1], supply_flow=two[:0], mass_balance_error=math.nan, friction_torque=shear + turn,
+        bearing_torque=shear - turn,
     )  # fmt: skip
 
 
@@ -81,4 +88,6 @@ def half_sommerfeld_equilibrium(
     force = on_axis(eps).force
     turn = math.atan2(-load[1], -load[0]) - math.atan2(force[1], force[0])
     place = (eps * film.clearance * math.cos(turn), eps * film.clearance * math.sin(turn))
-    return half_sommerfeld_at(film, place, (0.0, 0.0), resolution)
+    found = half_sommerfeld_at(film, place, (0.0, 0.0), resolution)
+    missed = math.hypot(found.force[0] + load[0], found.force[1] + load[1])
+    return found if missed < MISSED * size else replace(found, outcome=Outcome.NOT_CONVERGED)

@@ -236,6 +236,16 @@ class JournalFilm:
     def is_surface(self) -> bool:
         """Whether the film is solved node by node (``ring``); all others separate into modes of the width."""
         return bool(
+            not self.is_plain
+            or self.film_start is FilmStart.PERIODIC
+            or any(land.start_pressure > 0.0 or land.end_pressure > 0.0 for land in self.lands)
+            or self.is_starved
+        )
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether nothing but its lands shapes the gap, with one viscosity and both sides at ambient pressure."""
+        return not (
             self.pockets
             or self.misalignment != (0.0, 0.0)
             or self.axial_viscosity
@@ -246,9 +256,6 @@ class JournalFilm:
             or self.side_pressures != (0.0, 0.0)
             or self.turbulence
             or self.pressure_viscosity
-            or self.film_start is FilmStart.PERIODIC
-            or any(land.start_pressure > 0.0 or land.end_pressure > 0.0 for land in self.lands)
-            or self.is_starved
         )
 
     @property
@@ -293,7 +300,6 @@ class JournalFilm:
         if self.cavitation is Cavitation.HALF_SOMMERFELD:
             check_plain_ring(self)
         check_fills(self)
-        check_oil(self)
 
 
 def check_lands(lands: tuple[Land, ...], cavitation_pressure: float) -> None:
@@ -324,6 +330,12 @@ def check_round(film: JournalFilm) -> None:
     whole = abs(land.end_angle - land.start_angle - 2.0 * math.pi) < 1e-9
     if len(film.lands) > 1 or not whole or land.profile or land.centre != (0.0, 0.0):
         raise InputError("E101", "this start or end of the film needs one round land of 360 degrees.")
+    if not film.is_plain:
+        raise InputError(
+            "E101",
+            "this start or end of the film is for plain bearings: laminar, one viscosity, no pockets, steps, "
+            "tilt, crowning, displacement, side pressures; choose another.",
+        )
 
 
 def check_plain_ring(film: JournalFilm) -> None:
@@ -369,15 +381,6 @@ def check_fills(film: JournalFilm) -> None:
                              "that is starved is at the cavitation pressure.")  # fmt: skip
     if film.is_starved and film.cavitation is not Cavitation.MASS_CONSERVING:
         raise InputError("E101", "a starved supply needs Cavitation.MASS_CONSERVING, which counts the oil.")
-
-
-def check_oil(film: JournalFilm) -> None:
-    """Refuse turbulence and piezoviscosity where the film is solved without them."""
-    if film.turbulence is None and film.pressure_viscosity is None:
-        return
-    if film.film_start is FilmStart.WIDEST_GAP or film.cavitation is Cavitation.HALF_SOMMERFELD:
-        raise InputError("E101", "a film that starts at the widest gap, or under the half-Sommerfeld condition, "
-                         "is laminar and of constant viscosity; choose another start or condition.")  # fmt: skip
 
 
 def check_steps(film: JournalFilm) -> None:

@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film._equilibrium import CONVERGED, NO_FILM
-from babbitt.film._surface_film import Surface
-from babbitt.film._surface_forces import carry_streamers
+from babbitt.film._surface_film import Surface, SurfaceFilm, SurfaceWork
+from babbitt.film._surface_forces import carry_streamers, drain_edge
 from babbitt.film.general import SettledRing
 from babbitt.film.model import Field, FilmStart, JournalFilm, Land
 from babbitt.film.piezoviscosity import pressure_of
+from babbitt.film.ring import Ring
 from babbitt.film.scales import Scales
 from babbitt.film.solution import FilmSolution
 from babbitt.results import Outcome
@@ -58,12 +59,10 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
     work = sample.work
     if not ring.surface.conserving and ring.surface.speed > 0.0:
         carry_streamers(ring.surface, sample.film, work)
-    for edge in ring.mesh.side_nodes:
-        if ring.surface.held_pressure[0, edge] <= 0.0 and ring.surface.speed > 0.0:
-            drain_edge(settled, edge)
+    drain_sides(ring, sample.film, work)
     flows = flows_of(settled)
-    free = np.abs(work.row[(ring.supply == -1) & work.counts])
-    passing = max(np.maximum(flows.supplies, 0.0).sum(), float(sample.film.couette.sum(axis=1).max()))
+    free = np.abs(work.row[ring.supply == -1])
+    passing = max(np.maximum(flows.supplies, 0.0).sum(), float(np.abs(flows.entering).sum()))
     torque_journal, torque_bearing = friction(settled)
     frame = np.diag(scales.sense)
     unit = scales.force / scales.length
@@ -90,6 +89,7 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
         outflow=flows.leaving * scales.flow,
         side_flow=np.array([flows.sides.sum() * scales.flow]),
         end_flows=flows.sides * scales.flow,
+        side_inflow=flows.drawn * scales.flow,
         friction_torque=torque_journal * scales.torque,
         bearing_torque=torque_bearing * scales.torque,
         mass_balance_error=float(free.sum() / max(passing, 1e-300)),
@@ -99,36 +99,13 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
     )
 
 
-def drain_edge(settled: SettledRing, edge: int) -> None:
-    """Let a side at cavitation pressure run partly filled where less oil arrives than its gap could carry.
-
-    The nodes of the side are held, which would draw in oil from outside (as ``_integrals.edge_column``).
-    """
-    ring, work = settled.sample.ring, settled.sample.work
-    full = flux_along(settled)[:, edge]
-    n, lines = full.size, work.row.shape[0]
-    row = work.row[:, edge].tolist()
-    flux, fill = full.tolist(), work.fill[:, edge].tolist()
-    in_groove = {line for first, last in ring.groove_lines for line in (first, last)}
-    for turn in range(2 if ring.surface.cyclic else 1):
-        for i in range(turn == 0, n):  # a closed ring starts over with what its first round ended with
-            if i in in_groove:
-                continue
-            arriving = full[i] - row[i] + flux[i - 1] - full[i - 1]
-            flux[i] = min(float(full[i]), max(arriving, 0.0))
-            fill[i] = flux[i] / full[i] if full[i] > 0.0 else 1.0
-    change = np.array(flux) - full
-    work.fill[:n, edge] = fill[:n]
-    work.row[:n, edge] += change
-    work.row[(np.arange(n) + 1) % lines, edge] -= change
-
-
 @dataclass(frozen=True)
 class RingFlows:
-    """Flows of a ring, dimensionless: from every supply, to both sides, into and out of every land."""
+    """Flows of a ring, dimensionless: from supplies, to both sides and drawn in there, into and out of lands."""
 
     supplies: Array
     sides: Array
+    drawn: float
     entering: Array
     leaving: Array
 
@@ -145,7 +122,7 @@ def flows_of(settled: SettledRing) -> RingFlows:
     supplies = np.array([work.row[ring.supply == number].sum() for number in range(count)])
     if len(edges) == 1:  # a hole beyond the mid-plane is seen in its image on this side
         supplies = 0.5 * (supplies + supplies[twins(settled.film, len(ring.groove_lines))])
-    sides = -work.row[:, edges].sum(axis=0)
+    outward = -work.row[:, edges]
     entering = np.full(len(settled.film.lands), along[0].sum())  # a closed ring: across the seam
     leaving, order = entering.copy(), settled.film.land_order
     for number, (first, last) in enumerate(ring.groove_lines):
@@ -154,8 +131,29 @@ def flows_of(settled: SettledRing) -> RingFlows:
         entering[order[(number + 1) % len(order)]] = into.sum()
         from_ends = (into - out_of)[edges]
         supplies[number] += from_ends.sum()
-        sides += from_ends
-    return RingFlows(supplies, sides if len(edges) == 2 else np.full(2, 0.5 * sides[0]), entering, leaving)
+        beside = groove_lines(first, last, outward.shape[0])
+        past_groove = outward[beside].sum(axis=0) + from_ends  # what passes along its ends is no side flow
+        outward[beside] = 0.0
+        outward[last] = past_groove
+    sides = outward.sum(axis=0)
+    drawn = float(np.maximum(-outward, 0.0).sum())
+    return RingFlows(supplies, sides if len(edges) == 2 else np.full(2, 0.5 * sides[0]), drawn, entering, leaving)
+
+
+def groove_lines(first: int, last: int, lines: int) -> NDArray[np.int64]:
+    """Every line of a groove, that which closes the turn included."""
+    return np.arange(first, (last if last >= first else last + lines) + 1) % lines
+
+
+def drain_sides(ring: Ring, film: SurfaceFilm, work: SurfaceWork) -> None:
+    """Let sides at cavitation pressure run partly filled where less oil arrives than their gap could carry."""
+    if not ring.surface.speed > 0.0:
+        return
+    fed = np.zeros(work.row.shape[0], dtype=bool)
+    fed[[line for ends in ring.groove_lines for line in ends]] = True
+    for edge in ring.mesh.side_nodes:
+        if ring.surface.held_pressure[0, edge] <= 0.0:
+            drain_edge(ring.surface, film, work, edge, fed)
 
 
 def twins(film: JournalFilm, grooves: int) -> list[int]:

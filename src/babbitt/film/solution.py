@@ -48,7 +48,9 @@ class FilmSolution:
     side_flow : ndarray, shape (lands,) or (1,)
         What leaves by both sides, m3/s: from every land, or from a surface as a whole (``film.is_surface``).
     end_flows : ndarray, shape (2,)
-        What leaves by the sides z = -B/2 and z = B/2, m3/s.
+        What leaves by the sides z = -B/2 and z = B/2 less what they draw in, m3/s.
+    side_inflow : float
+        What the sides draw in, m3/s: nothing where their pressure is that of the cavity.
     friction_torque, bearing_torque : float
         On the journal and on the bearing, N m, against and with the rotation.
     mass_balance_error : float
@@ -77,6 +79,7 @@ class FilmSolution:
     outflow: Array
     side_flow: Array
     end_flows: Array
+    side_inflow: float
     friction_torque: float
     bearing_torque: float
     mass_balance_error: float
@@ -112,13 +115,12 @@ class FilmSolution:
 
     @property
     def leaving_flow(self) -> float:
-        """What leaves by the sides, m3/s.
+        """What leaves by the sides, and through supplies that take more than they give, m3/s.
 
-        Oil that a side under pressure presses in counts where it leaves, be it through the supplies.
+        Oil that the sides draw in at other places is not taken off: it enters cold and leaves warm.
         """
-        leaving = float(np.maximum(self.end_flows, 0.0).sum())
-        pressed_in = bool((self.end_flows < 0.0).any())
-        return leaving + max(-float(self.supply_flow.sum()), 0.0) if pressed_in else leaving
+        by_sides = float(self.end_flows.sum()) + self.side_inflow
+        return by_sides + (max(-float(self.supply_flow.sum()), 0.0) if self.side_inflow > 0.0 else 0.0)
 
     @property
     def maximum_pressure(self) -> float:

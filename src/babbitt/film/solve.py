@@ -23,6 +23,7 @@ from babbitt.film._integrals import (
     JOURNAL_TORQUE,
     OUTFLOW,
     SIDE_FLOW,
+    SIDE_INFLOW,
     TOTALS,
     integrate,
 )
@@ -278,6 +279,7 @@ def assemble(
         outflow=totals[:, OUTFLOW] * scales.flow,
         side_flow=totals[:, SIDE_FLOW] * scales.flow,
         end_flows=np.full(2, 0.5 * totals[:, SIDE_FLOW].sum() * scales.flow),
+        side_inflow=float(totals[:, SIDE_INFLOW].sum() * scales.flow),
         friction_torque=float(totals[:, JOURNAL_TORQUE].sum() * scales.torque),
         bearing_torque=float(totals[:, BEARING_TORQUE].sum() * scales.torque),
         mass_balance_error=float(np.abs(totals[:, IMBALANCE]).sum() / max(abs(inflow), 1e-300)),

@@ -37,6 +37,8 @@ def whirl_frequency(stiffness: Matrix, damping: Matrix) -> float:
 def critical_mass(stiffness: Matrix, damping: Matrix) -> float:
     """Mass above which the journal whirls, kg per bearing; infinite if it never does.
 
+    Zero where it leaves its place at any mass: where the static stiffness is that of a saddle or pushes it off.
+
     Parameters
     ----------
     stiffness, damping : ndarray, shape (2, 2)
@@ -46,10 +48,13 @@ def critical_mass(stiffness: Matrix, damping: Matrix) -> float:
     -------
     float
     """
+    stays = np.linalg.det(stiffness) > 0.0 and threshold_stiffness(stiffness, damping) > 0.0
+    if not stays:
+        return 0.0
     frequency = whirl_frequency(stiffness, damping)
     if frequency == 0.0:
         return math.inf
-    return max(0.0, threshold_stiffness(stiffness, damping)) / frequency**2
+    return threshold_stiffness(stiffness, damping) / frequency**2
 
 
 def hurwitz_margins(mass: float, stiffness: Matrix, damping: Matrix) -> tuple[float, ...]:

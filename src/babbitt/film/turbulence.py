@@ -87,7 +87,7 @@ class FilmTurbulence:
 
     def kernel_row(self, unit_reynolds: float) -> Array:
         """What the kernels need; ``unit_reynolds`` is that of one clearance at the reference viscosity."""
-        return np.array([unit_reynolds, self.onset, self.end, *self.law.along, *self.law.across])
+        return np.array([unit_reynolds, self.onset, self.end, *self.law.along, *self.law.across, *self.law.shear])
 
     def shear_factor(self, reynolds: Array) -> Array:
         """Turbulent over laminar Couette shear at local Reynolds numbers."""

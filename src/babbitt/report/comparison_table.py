@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
 from babbitt.quantities import QUANTITIES
 from babbitt.report.table import console
 from babbitt.report.text import plain_text
-from babbitt.studies.comparison import Comparison
+from babbitt.results import Result
+from babbitt.studies.comparison import Comparison, Variant
+from babbitt.studies.temperature_cost import cost_of_one_temperature
 
 COMPARED = (
     "sommerfeld_number",
@@ -19,13 +22,15 @@ COMPARED = (
     "minimum_film_thickness",
     "effective_temperature",
     "outlet_temperature",
+    "maximum_temperature",
+    "maximum_bush_temperature",
+    "journal_temperature",
     "bearing_temperature",
     "friction_power",
+    "heat_film_to_bush",
     "side_flow",
     "supply_flow",
     "total_flow",
-    "maximum_temperature",
-    "journal_temperature",
     "film_flow",
     "flow_inconsistency",
     "maximum_pressure",
@@ -38,34 +43,58 @@ COMPARED = (
 
 
 def print_comparison(comparisons: Sequence[Comparison]) -> bool:
-    """Print every bearing with its variants side by side; say whether the case as given has a solution."""
+    """Print every bearing with its methods side by side; say whether the case as given has a solution.
+
+    What differs from a method in one choice only stands in a table of its own below.
+    """
     to = console()
     for comparison in comparisons:
         title = Text(plain_text(comparison.name), style="bold")  # a name is never read as markup
-        table = Table(title=title, title_justify="left")
-        table.add_column("quantity")
-        table.add_column("unit")
-        for variant in comparison.variants:
-            table.add_column(variant.label, justify="right")
-        for name in COMPARED:
-            if not any(name in variant.result.values for variant in comparison.variants):
-                continue
-            quantity = QUANTITIES[name]
-            shown = [
-                quantity.format(variant.result.values[name])
-                if variant.result.outcome.solved and name in variant.result.values
-                else "–"
-                for variant in comparison.variants
-            ]
-            table.add_row(f"{quantity.meaning}, {quantity.symbol}", quantity.display.label, *shown)
-        to.print(table)
-        for variant in comparison.variants:
-            to.print(f"  {variant.label} {variant.remark}", markup=False)
-            if not variant.result.outcome.solved:
-                to.print(
-                    f"  {variant.label}: {variant.result.outcome.value}; {variant.result.message}", markup=False
-                )
+        methods = [variant for variant in comparison.variants if variant.is_method]
+        others = [variant for variant in comparison.variants if not variant.is_method]
+        to.print(_table(title, methods))
+        _print_remarks(to, methods)
+        for line in cost_of_one_temperature(comparison):
+            to.print(f"  {line}", markup=False)
         if comparison.left_out:
             to.print(f"  {comparison.left_out}", markup=False)
         to.print()
+        if others:
+            to.print(_table(Text("Other choices within a method", style="bold"), others))
+            _print_remarks(to, others)
+            to.print()
     return all(comparison.variants[0].result.outcome.solved for comparison in comparisons)
+
+
+def _table(title: Text, variants: Sequence[Variant]) -> Table:
+    table = Table(title=title, title_justify="left")
+    table.add_column("quantity")
+    table.add_column("unit")
+    for variant in variants:
+        table.add_column(variant.label, justify="right")
+    for name in COMPARED:
+        if not any(name in variant.result.values for variant in variants):
+            continue
+        quantity = QUANTITIES[name]
+        shown = [
+            quantity.format(variant.result.values[name])
+            if name in variant.result.values and _counts(name, variant.result)
+            else "–"
+            for variant in variants
+        ]
+        table.add_row(f"{quantity.meaning}, {quantity.symbol}", quantity.display.label, *shown)
+    return table
+
+
+def _counts(name: str, result: Result) -> bool:
+    """Whether a value is an answer, and not only a consequence of the temperature that was prescribed."""
+    prescribed = name == "outlet_temperature" and result.settings.get("thermal") == "isothermal"
+    return result.outcome.solved and not prescribed
+
+
+def _print_remarks(to: Console, variants: Sequence[Variant]) -> None:
+    for variant in variants:
+        to.print(f"  {variant.label}: {variant.remark}", markup=False)
+        result = variant.result
+        if not result.outcome.solved:
+            to.print(f"  {variant.label}: {result.outcome.value}; {result.message}", markup=False)

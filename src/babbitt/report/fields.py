@@ -10,8 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from babbitt import __version__
-from babbitt.bearings.field import field_of, supply_patches
+from babbitt.bearings.field import FilmField, field_of, supply_patches
 from babbitt.bearings.model import FilmCase
+from babbitt.bearings.temperature_field import temperature_over, temperature_through
 from babbitt.bearings.warm_film import under_found_load
 from babbitt.notices import InputError
 from babbitt.quantities import QUANTITIES
@@ -21,6 +22,7 @@ from babbitt.results import Result
 if TYPE_CHECKING:
     import xarray
 
+    from babbitt.film.thermal_solution import ThermalFilm
     from babbitt.solving import MachineResult
 
 __all__ = ["fields", "require_films", "require_netcdf", "write_fields", "write_machine_fields"]
@@ -43,7 +45,9 @@ def fields(case: FilmCase, result: Result) -> xarray.Dataset:
         Dimensions ``theta`` (rad, counter-clockwise from +x, one turn that begins opposite the load) and ``z`` (m,
         from the mid-plane). Every variable has ``units`` and ``long_name``. The values of the result stand as
         variables without dimension under their names. ``film_thickness`` is not a number over grooves and pockets,
-        where ``supply`` is 1.
+        where ``supply`` is 1. A film with its own temperatures has ``temperature`` (K, mean across the gap) over
+        the bore, ``temperature_through`` over ``theta`` and the place across the gap ``eta`` (0 on the bush, 1 on
+        the journal) in the middle of the width, and ``bush_temperature`` over ``theta``.
 
     Raises
     ------
@@ -74,6 +78,13 @@ def fields(case: FilmCase, result: Result) -> xarray.Dataset:
         "film_thickness": (grid, field.film_thickness, _named("m", "film thickness")),
         "supply": (grid, supply, _named("1", "1 over grooves, pockets and holes, 0 elsewhere")),
     }
+    coords = {
+        "theta": ("theta", field.theta, _named("rad", "angle around the bore, counter-clockwise from +x")),
+        "z": ("z", field.z, _named("m", "place along the shaft, from the mid-plane")),
+    }
+    if state.thermal is not None:
+        coords |= temperature_coordinates(state.thermal)
+        variables |= temperature_variables(state.thermal, field)
     x, y = (float(part) for part in solution.position)
     variables["journal_x"] = ((), x, _named("m", "journal centre from the bearing centre, x"))
     variables["journal_y"] = ((), y, _named("m", "journal centre from the bearing centre, y"))
@@ -83,18 +94,40 @@ def fields(case: FilmCase, result: Result) -> xarray.Dataset:
             variables[name] = ((), float(value), _named(QUANTITIES[name].unit, QUANTITIES[name].meaning))
     return xarray.Dataset(
         variables,
-        coords={
-            "theta": ("theta", field.theta, _named("rad", "angle around the bore, counter-clockwise from +x")),
-            "z": ("z", field.z, _named("m", "place along the shaft, from the mid-plane")),
-        },
+        coords=coords,
         attrs={
             "title": result.name,
             "source": f"Babbitt {__version__}",
             "rotation": case.rotation.value,
+            "thermal": result.settings["thermal"],
             "cavitation": case.cavitation.name.lower(),
             "axes": "x right, y up, seen against z; pressures are gauge",
         },
     )
+
+
+def temperature_coordinates(thermal: ThermalFilm) -> dict[str, Any]:
+    """Places across the gap."""
+    eta = (0.0, *(float(one) for one in thermal.layers), 1.0)
+    return {"eta": ("eta", list(eta), _named("1", "place across the gap, 0 on the bush and 1 on the journal"))}
+
+
+def temperature_variables(thermal: ThermalFilm, field: FilmField) -> dict[str, Any]:
+    """Temperatures of a film over the bore, across the gap and on the bore."""
+    through = temperature_through(thermal, field.theta)
+    return {
+        "temperature": (
+            ("theta", "z"),
+            temperature_over(thermal, field),
+            _named("K", "film temperature, mean across the gap"),
+        ),
+        "temperature_through": (
+            ("theta", "eta"),
+            through,
+            _named("K", "film temperature across the gap in the middle of the width"),
+        ),
+        "bush_temperature": ("theta", through[:, 0], _named("K", "temperature of the bore")),
+    }
 
 
 def write_fields(case: FilmCase, result: Result, path: str | Path) -> None:

@@ -48,8 +48,16 @@ def report_figures(case: FilmCase, result: Result, image_format: str = "svg") ->
     case = under_found_load(case, state)
     with style():
         if is_slow(state):
-            return _drawn((*_at_rest(case, state, LEFT_OUT), *_moving(state, result)), image_format)
-        painted = (*_at_rest(case, state), *_moving(state, result), *_swept(case, state))
+            return _drawn(
+                (*_at_rest(case, state, LEFT_OUT), *_temperatures(case, state), *_moving(state, result)),
+                image_format,
+            )
+        painted = (
+            *_at_rest(case, state),
+            *_temperatures(case, state),
+            *_moving(state, result),
+            *_swept(case, state),
+        )
         return _drawn(painted, image_format)
 
 
@@ -74,7 +82,7 @@ def all_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tu
     state = state_of(case, result)
     case = under_found_load(case, state)
     with style():
-        at_rest = (*_at_rest(case, state), *_surface(case, state))
+        at_rest = (*_at_rest(case, state), *_temperatures(case, state), *_surface(case, state))
         return _drawn((*at_rest, *_moving(state, result), *_swept(case, state)), image_format)
 
 
@@ -101,6 +109,44 @@ def _at_rest(case: FilmCase, state: FilmState, remark: str = "") -> Iterator[Pai
         "Pressure in the mid-plane on the bore, against the rotation axis; the clearance is enlarged.",
         film_polar.polar(case, state.solution, field),
         False,
+    )
+
+
+def _temperatures(case: FilmCase, state: FilmState) -> Iterator[Painted]:
+    if state.thermal is None:
+        return
+    from babbitt.bearings.field import field_of
+    from babbitt.report import film_temperature
+
+    thermal, walls = state.thermal, case.heat.walls if case.heat is not None else None
+    field = field_of(thermal.film, case.load_angle - math.pi)
+    yield (
+        "temperature-map",
+        "Temperature over the unrolled bore, mean across the gap (above), and across the gap in the middle of the "
+        "width (below; upwards: the journal). Cross: the hottest place. White: grooves, pockets and holes, with "
+        "their mixing temperature; hatched: the film is ruptured.",
+        film_temperature.unrolled(case, thermal, field),
+        True,
+    )
+    yield (
+        "temperature-through",
+        "Temperature through film and bush, seen against the rotation axis; the film is drawn thick, bush and "
+        "housing to scale. Cross: the hottest place; the arrow is the load.",
+        film_temperature.through(case, thermal, walls.bush if walls is not None else None),
+        False,
+    )
+    yield (
+        "heat-split",
+        "Where the heat goes that is born in the film.",
+        film_temperature.split(thermal),
+        False,
+    )
+    yield (
+        "centre-line",
+        "Pressure and temperatures along the middle of the width. Grey: grooves, pockets and holes; broken: the "
+        "load direction.",
+        film_temperature.along(case, thermal, field),
+        True,
     )
 
 

@@ -6,7 +6,9 @@ import math
 
 from babbitt.bearings.bore import Bore, LobedBore, MeasuredBore, PressureDamBore, TaperedBore, WornBore
 from babbitt.bearings.changing_load import ChangingLoad, RotatingLoad, TabulatedLoad
+from babbitt.bearings.heat_model import AxialTemperature, HeatModel
 from babbitt.bearings.model import FilmBearing, Hollow
+from babbitt.film.heat import ConductingWalls
 from babbitt.film.model import Cavitation, FilmStart, Step
 
 CAVITATION = {
@@ -20,6 +22,42 @@ FILM_START = {
     FilmStart.PERIODIC: "at the grooves, pockets and holes",
     FilmStart.WIDEST_GAP: "at the widest gap, at ambient pressure",
 }
+
+
+THINNEST_RING = 2e-5
+"""m; a thinner ring stands for a contact."""
+
+
+def said_of_heat(heat: HeatModel | None, temperature: float | None) -> str:
+    """Say how the temperature of the film is found."""
+    if heat is None:
+        return "one for the whole film, from the heat balance" if temperature is None else "one, prescribed"
+    means = heat.axial_temperature is AxialTemperature.MEAN
+    along = "means over the width" if means else "resolved along the width"
+    walls = "walls that take no heat" if heat.walls is None else "bush and journal that conduct"
+    return f"around the journal and across the gap, {along}; {walls}"
+
+
+def said_of_bush(walls: ConductingWalls) -> str:
+    """Say what the bush and its surroundings are, from the bore outwards."""
+    bush = walls.bush
+    rings = "; ".join(
+        f"{2e3 * outer:.5g} mm, {conductivity:.4g} W/(m K)"
+        for inner, outer, conductivity in zip(bush.radii[:-1], bush.radii[1:], bush.conductivities, strict=True)
+        if outer - inner > THINNEST_RING
+    )
+    outside = f"{bush.heat_transfer_coefficient:.4g} W/(m² K) to {bush.ambient_temperature - 273.15:.4g} °C"
+    return f"rings up to {rings}; outside {outside}"
+
+
+def said_of_journal(walls: ConductingWalls) -> str:
+    """Say how the journal finds its temperature."""
+    journal = walls.journal
+    if journal.temperature is not None:
+        return f"held at {journal.temperature - 273.15:.4g} °C"
+    if journal.shaft_conductance == 0.0:
+        return "in balance with the film alone"
+    return f"{journal.shaft_conductance:.4g} W/K along the shaft to {journal.ambient_temperature - 273.15:.4g} °C"
 
 
 def said_of_start(bearing: FilmBearing) -> str:

@@ -50,14 +50,14 @@ def unrolled(case: FilmCase, solution: FilmSolution, field: FilmField) -> Figure
         _ruptured(panel, field)
         _outlines(panel, solution.film, field)
         _supplies(panel, solution.film, field)
-        _load_line(panel, case)
+        load_line(panel, case)
         panel.set_ylabel("$z$ in mm")
     _depths(bottom, solution.film, field)
     degrees(top, field)
     bottom.set_xlabel("θ in °, counter-clockwise from $+x$")
-    _says(top, "pressure in MPa")
-    _says(bottom, "film thickness in µm")
-    _rotation(top, case)
+    says(top, "pressure in MPa")
+    says(bottom, "film thickness in µm")
+    rotation(top, case)
     return figure
 
 
@@ -96,6 +96,30 @@ def degrees(panel: Axes, field: FilmField) -> None:
     panel.xaxis.set_major_formatter(FuncFormatter(lambda angle, _: f"{round(angle) % 360}"))
 
 
+def levels_of(shown: Array) -> tuple[list[str], Array]:
+    """Shades from pale to dark and the round levels between them."""
+    lowest, highest = float(np.nanmin(shown)), float(np.nanmax(shown))
+    levels = np.array(_steps(lowest, highest, 14))
+    if levels.size < 2:
+        levels = np.array([lowest - 0.5, highest + 0.5])
+    return [str(round(1.0 - 0.55 * place / levels.size, 3)) for place in range(levels.size + 1)], levels
+
+
+def shaded(panel: Axes, x: Array, y: Array, shown: Array) -> QuadContourSet:
+    """A quantity over two coordinates in shades of grey, with lines at round levels."""
+    shades, levels = levels_of(shown)
+    panel.contourf(x, y, shown.T, levels=levels, colors=shades, extend="both")
+    return panel.contour(x, y, shown.T, levels=levels, colors="0.25", linewidths=0.45)
+
+
+def dress(panel: Axes, case: FilmCase, solution: FilmSolution, field: FilmField) -> None:
+    """Rupture, steps, supplies and the load on an unrolled bore."""
+    _ruptured(panel, field)
+    _outlines(panel, solution.film, field)
+    _supplies(panel, solution.film, field)
+    load_line(panel, case)
+
+
 def _pressure(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
     shown, highest = 1e-6 * field.pressure, 1e-6 * float(field.pressure.max())
     if not highest > 0.0:
@@ -105,12 +129,12 @@ def _pressure(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
     shades = [str(round(1.0 - 0.42 * place / levels.size, 3)) for place in range(levels.size)]
     panel.contourf(theta, z, shown.T, levels=[*levels, 1.01 * max(highest, levels[-1])], colors=shades)
     lines = panel.contour(theta, z, shown.T, levels=levels, colors="0.25", linewidths=0.45)
-    _level_names(panel, lines, solution.film, field)
+    level_names(panel, lines, solution.film, field)
     row, column = np.unravel_index(int(field.pressure.argmax()), field.pressure.shape)
-    _point(panel, theta[row], z[column], f"{highest:.3g}")
+    point(panel, theta[row], z[column], f"{highest:.3g}")
 
 
-def _level_names(panel: Axes, lines: QuadContourSet, film: JournalFilm, field: FilmField) -> None:
+def level_names(panel: Axes, lines: QuadContourSet, film: JournalFilm, field: FilmField) -> None:
     """Name every second level where there is room: within the picture, beside grooves and pockets, once."""
     half, low, high = 1e3 * field.z[-1], math.degrees(field.theta[0]), math.degrees(field.theta[-1])
     for level, segments in list(zip(lines.levels, lines.allsegs, strict=True))[1::2]:
@@ -142,9 +166,9 @@ def _thickness(panel: Axes, solution: FilmSolution, field: FilmField) -> None:
             theta, z, shown.T, levels=[0.0, *levels, max(1.01 * highest, 1.01 * levels[-1])], colors=shades
         )
         lines = panel.contour(theta, z, shown.T, levels=levels, colors="0.25", linewidths=0.45)
-        _level_names(panel, lines, solution.film, field)
+        level_names(panel, lines, solution.film, field)
     row, column = _thinnest(field)
-    _point(
+    point(
         panel, theta[row], z[column], QUANTITIES["minimum_film_thickness"].format(solution.minimum_film_thickness)
     )
 
@@ -174,7 +198,8 @@ def _steps(lowest: float, highest: float, about: int) -> list[float]:
     return [round(step * place, 12) for place in range(first, int(highest / step * (1.0 - 1e-9)) + 1)]
 
 
-def _point(panel: Axes, x: float, y: float, text: str) -> None:
+def point(panel: Axes, x: float, y: float, text: str) -> None:
+    """A cross with a number beside it."""
     panel.plot([x], [y], "+", color=INK, markersize=6, markeredgewidth=0.9, zorder=6, clip_on=False)
     low, high = panel.get_xlim()
     aside = -4 if x > low + 0.9 * (high - low) else 4
@@ -254,7 +279,8 @@ def _rectangles(
             yield corner, math.degrees(extent), 1e3 * (patch.z[1] - patch.z[0])
 
 
-def _load_line(panel: Axes, case: FilmCase) -> None:
+def load_line(panel: Axes, case: FilmCase) -> None:
+    """The direction of the load."""
     panel.axvline(math.degrees(case.load_angle), color=GREY, linewidth=0.8, linestyle=(0, (6, 2, 1, 2)), zorder=3)
     panel.annotate(
         "load", (math.degrees(case.load_angle), 1.0), xycoords=panel.get_xaxis_transform(), xytext=(0, 1),
@@ -262,12 +288,14 @@ def _load_line(panel: Axes, case: FilmCase) -> None:
     )  # fmt: skip
 
 
-def _says(panel: Axes, text: str) -> None:
+def says(panel: Axes, text: str) -> None:
+    """What a panel shows, above it."""
     panel.annotate(text, (0.0, 1.0), xycoords="axes fraction", xytext=(0, 1.5), textcoords="offset points",
                    fontsize=7.5, va="bottom", annotation_clip=False)  # fmt: skip
 
 
-def _rotation(panel: Axes, case: FilmCase) -> None:
+def rotation(panel: Axes, case: FilmCase) -> None:
+    """The sense of rotation, above a panel."""
     text = "rotation →" if case.rotation.sense > 0.0 else "← rotation"
     panel.annotate(text, (1.0, 1.0), xycoords="axes fraction", xytext=(0, 1.5), textcoords="offset points",
                    fontsize=7.5, ha="right", va="bottom", annotation_clip=False)  # fmt: skip

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from babbitt.bearings.model import FilmCase
-from babbitt.bearings.warm_film import FilmState, operating_film
+from babbitt.bearings.thermal_film import film_equilibrium
+from babbitt.bearings.warm_film import FilmState
 from babbitt.results import Result
 
 SLOW = 4500
@@ -13,8 +14,10 @@ SLOW = 4500
 
 
 def state_of(case: FilmCase, result: Result) -> FilmState:
-    """The film of a solved result, from its effective temperature."""
-    found = operating_film(replace(case, effective_temperature=result.values["effective_temperature"])).film
+    """The film of a solved result, from its effective temperature, or with its own temperatures found again."""
+    if case.heat is None:
+        case = replace(case, effective_temperature=result.values["effective_temperature"])
+    found = film_equilibrium(case).film
     if found is None:
         raise ValueError(f"{result.name} has no film")
     return found

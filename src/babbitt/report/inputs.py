@@ -16,8 +16,11 @@ from babbitt.report.expression import Node, number_node, text
 from babbitt.report.film_inputs import (
     CAVITATION,
     said_of_bore,
+    said_of_bush,
     said_of_changing_load,
+    said_of_heat,
     said_of_hollow,
+    said_of_journal,
     said_of_start,
     said_of_step,
 )
@@ -174,6 +177,8 @@ def _film_geometry(case: FilmCase) -> Iterator[Row]:
     if bearing.displacement:
         values = [value for row in bearing.displacement for value in row]
         yield Row("Displacement of the gap", f"{1e6 * min(values):.4g} to {1e6 * max(values):.4g}", None, "µm")
+    for one in bearing.compliance:
+        yield Row("Elastic bore", one.premise)
     if bearing.side_pressures != (0.0, 0.0):
         sides = ", ".join(f"{1e-3 * pressure:.4g}" for pressure in bearing.side_pressures)
         yield Row("Pressures at the sides z = -B/2, B/2 (gauge)", sides, None, "kPa")
@@ -193,7 +198,14 @@ def _one_dimension_method(case: LongFilmCase | SegmentCase) -> Iterator[Row]:
 
 
 def _film_method(case: FilmCase) -> Iterator[Row]:
-    yield Row("Film", "Reynolds equation in two dimensions, laminar, one viscosity")
+    if case.heat is None:
+        yield Row("Film", "Reynolds equation in two dimensions, laminar, one viscosity")
+    else:
+        yield Row("Film", "generalised Reynolds equation in two dimensions and energy equation, laminar")
+    yield Row("Temperature", said_of_heat(case.heat, case.effective_temperature))
+    if case.heat is not None and case.heat.walls is not None:
+        yield Row("Bush and housing", said_of_bush(case.heat.walls))
+        yield Row("Journal", said_of_journal(case.heat.walls))
     yield Row("Where the film breaks up", CAVITATION[case.cavitation])
     yield Row("Where the film begins", said_of_start(case.bearing))
     yield Row("Grid", case.accuracy.value)

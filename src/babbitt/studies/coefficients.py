@@ -9,7 +9,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from babbitt.bearings.model import FilmCase, Rotation
-from babbitt.bearings.warm_film import FilmState, operating_film
+from babbitt.bearings.thermal_film import film_equilibrium
+from babbitt.bearings.warm_film import FilmState
 from babbitt.design.heat_balance import Equilibrium
 from babbitt.interop import CoefficientTable, coefficient_table
 from babbitt.notices import InputError
@@ -85,7 +86,7 @@ def run_over_speed(case: FilmCase, speeds: Iterable[float]) -> SpeedRun:
             "E004", f"{case.name}: the bearing turns, too; no table over the journal speed holds for it"
         )
     sense = case.rotation.sense
-    found = tuple(operating_film(replace(case, journal_speed=sense * speed)) for speed in taken)
+    found = tuple(film_equilibrium(replace(case, journal_speed=sense * speed)) for speed in taken)
     return SpeedRun(case, taken, found)
 
 

@@ -7,10 +7,18 @@ from dataclasses import dataclass, replace
 
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case
-from babbitt.cases.build import bearings_of, design_cases_of, film_cases, iso7902_cases, unknown_to_iso7902
+from babbitt.cases.build import (
+    AnyDesign,
+    bearings_of,
+    design_cases_of,
+    iso7902_cases,
+    long_films_of,
+    unknown_to_iso7902,
+)
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.one_dimension import METHODS
 from babbitt.film.model import Cavitation, FilmStart
+from babbitt.longfilm.check import long_film_check
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.notices import InputError
 from babbitt.results import Result
@@ -19,15 +27,28 @@ from babbitt.solving import solve_design
 from babbitt.standards.iso7902 import DesignCase, check
 from babbitt.standards.iso7902.model import Curves, Friction
 from babbitt.studies.one_dimension import long_film_variants, segment_variants
+from babbitt.studies.thermal_variants import GLOBAL, ThermalVariant, thermal_variants
 
 
 @dataclass(frozen=True)
 class Variant:
-    """One way to compute a bearing, and what it assumes or neglects."""
+    """One way to compute a bearing, and what it assumes or neglects.
+
+    Attributes
+    ----------
+    label, remark : str
+    result : Result
+    design : DesignCase or FilmCase or None
+        What the result was computed from.
+    is_method : bool
+        False: differs from a method in one choice only, and is shown apart.
+    """
 
     label: str
     remark: str
     result: Result
+    design: AnyDesign | None = None
+    is_method: bool = True
 
 
 @dataclass(frozen=True)
@@ -50,7 +71,7 @@ FRICTION_LABELS = {
 CAVITATION_LABELS = {
     Cavitation.MASS_CONSERVING: (
         "film",
-        "sees the feeding; conserves the oil; assumes one temperature for the whole film",
+        "as film, but lets it begin again only where oil reaches it",
     ),
     Cavitation.REYNOLDS: (
         "film, Reynolds",
@@ -61,6 +82,12 @@ CAVITATION_LABELS = {
 HALF_SOMMERFELD = ("film, half-Sommerfeld", "counts suctions of the full film as nothing; knows no flow")
 
 ISO_LABEL = "ISO 7902"
+
+LONG_FILM = (
+    "long film",
+    "finds the temperature along the film and of the journal; neglects that oil leaves at the sides, and so "
+    "carries far too much",
+)
 
 
 def compare_methods(case: Case) -> tuple[Comparison, ...]:
@@ -98,35 +125,53 @@ def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
                 labelled = segment_variants(design)
             yield Comparison(design.name, tuple(Variant(*one) for one in labelled))
         return
-    standard, films = iso7902_cases(bearing, case), film_cases(bearing, case)
-    for index, film in enumerate(films):
+    standard, long_films = iso7902_cases(bearing, case), long_films_of(bearing, case)
+    for index, films in enumerate(thermal_variants(bearing, case)):
         by_standard = _variants(standard[index]) if standard else ()
-        by_film = _film_variants(film)
+        if long_films:
+            by_standard = (*by_standard, Variant(*LONG_FILM, long_film_check(long_films[index])))
+        by_film = tuple(_film_variant(one) for one in films)
         ordered = (*by_film, *by_standard) if bearing.method == "film" else (*by_standard, *by_film)
+        plain = next((one.case for one in films if one.label == GLOBAL), films[0].case)
+        among = (*ordered, *_cavitation_variants(plain))
+        methods = (one for one in among if one.is_method)
         reason = unknown_to_iso7902(bearing)
-        yield Comparison(film.name, ordered, f"{ISO_LABEL} is left out: {reason}" if reason else "")
+        left_out = f"{ISO_LABEL} is left out: {reason}" if reason else ""
+        ranked = (*methods, *(one for one in among if not one.is_method))
+        yield Comparison(films[0].case.name, ranked, left_out)
 
 
-def _film_variants(film: FilmCase) -> tuple[Variant, ...]:
+def _film_variant(one: ThermalVariant) -> Variant:
+    label, remark = one.label, one.remark
+    if one.case.cavitation is not Cavitation.MASS_CONSERVING:
+        rupture, said = CAVITATION_LABELS.get(one.case.cavitation, HALF_SOMMERFELD)
+        remark = said if label == GLOBAL else f"{remark}; {said}"
+        label += rupture.removeprefix("film")
+    return Variant(label, remark, solve_design(one.case), one.case)
+
+
+def _cavitation_variants(film: FilmCase) -> tuple[Variant, ...]:
+    """The same film with the conditions of rupture that the case does not ask for."""
     found = []
-    for cavitation in dict.fromkeys((film.cavitation, *CAVITATION_LABELS)):
+    for cavitation, (label, remark) in CAVITATION_LABELS.items():
         unfed = film.bearing.film_start is not FilmStart.GROOVE and not film.bearing.hollows
-        if unfed and cavitation is Cavitation.MASS_CONSERVING:
+        if cavitation is film.cavitation or (unfed and cavitation is Cavitation.MASS_CONSERVING):
             continue
-        label, remark = CAVITATION_LABELS.get(cavitation, HALF_SOMMERFELD)
-        found.append(Variant(label, remark, solve_design(replace(film, cavitation=cavitation))))
+        other = replace(film, cavitation=cavitation)
+        found.append(Variant(label, remark, solve_design(other), other, is_method=False))
     return tuple(found)
 
 
 def _variants(design: DesignCase) -> tuple[Variant, ...]:
     common = "assumes one temperature for the whole film; rupture as on a centred arc; rigid parallel surfaces"
-    found = [Variant(ISO_LABEL, common, check(design))]
+    found = [Variant(ISO_LABEL, common, check(design), design)]
     if design.bearing.span < 360:  # all friction models agree on a full bearing
         for model, (label, remark) in FRICTION_LABELS.items():
             plain = replace(design, friction=model, friction_factor=1.0)
             if plain != design:
-                found.append(Variant(label, remark, check(plain)))
+                found.append(Variant(label, remark, check(plain), plain, is_method=False))
     elif design.curves is Curves.COMPUTED:
         closed = replace(design, curves=Curves.CLOSED_FORM)
-        found.append(Variant("closed forms", "deviates by up to 7 % in So (DIN 31652 fits)", check(closed)))
+        deviates = "deviates by up to 7 % in So (DIN 31652 fits)"
+        found.append(Variant("closed forms", deviates, check(closed), closed, is_method=False))
     return tuple(found)

@@ -153,8 +153,8 @@ _ALL = (
         "20 W/(m2 K)",
         {"W/(m2 K)": 1.0, "W/m2/K": 1.0, "W/m2K": 1.0, "W/(m2K)": 1.0},
     ),
-    Kind("W/(m K)", "a thermal conductivity", "0.13 W/(m K)", {"W/(m K)": 1.0, "W/m/K": 1.0, "W/(mK)": 1.0}),
     Kind("W/K", "a thermal conductance", "0.2 W/K", {"W/K": 1.0, "mW/K": 1e-3, "kW/K": 1e3}),
+    Kind("W/(m K)", "a thermal conductivity", "0.13 W/(m K)", {"W/(m K)": 1.0, "W/m/K": 1.0, "W/(mK)": 1.0}),
     Kind("m/Pa", "a compliance", "2 um/MPa", {"um/MPa": 1e-12, "mm/MPa": 1e-9, "m/Pa": 1.0}),
     Kind(
         "J/(kg K)",
@@ -180,6 +180,12 @@ _ALL = (
         "a coefficient of viscosity and pressure",
         "20 1/GPa",
         {"1/Pa": 1.0, "Pa-1": 1.0, "1/GPa": 1e-9, "GPa-1": 1e-9, "1/MPa": 1e-6, "m2/N": 1.0, "mm2/N": 1e-6},
+    ),
+    Kind(
+        "m/Pa",
+        "a displacement per pressure",
+        "0.5 um/MPa",
+        {"um/MPa": 1e-12, "m/Pa": 1.0, "mm/MPa": 1e-9, "um/bar": 1e-11, "m3/N": 1.0, "mm3/N": 1e-9},
     ),
     Kind(
         "kg/(m3 K)",

@@ -1,0 +1,148 @@
+"""What a film with its own temperatures adds to the answer of a bearing: values, rows, doubts, assumptions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from babbitt.bearings.heat_model import AxialTemperature, HeatModel, TemperatureCoefficients
+from babbitt.bearings.layout import supply_numbers
+from babbitt.bearings.model import FilmCase
+from babbitt.bearings.thermal_film import film_heat, following_stiffness, thermal_resolution
+from babbitt.bearings.warm_film import FilmState
+from babbitt.notices import Notice
+from babbitt.results import Matrix
+
+if TYPE_CHECKING:
+    from babbitt.film.model import JournalFilm
+    from babbitt.film.thermal_solution import ThermalFilm
+
+__all__ = [
+    "doubts_about_heat",
+    "flow_without_pressure",
+    "stiffness_values",
+    "thermal_assumptions",
+    "thermal_rows",
+    "thermal_setting",
+    "thermal_values",
+    "with_own_coefficients",
+]
+
+OPEN_BALANCE = 1e-6
+"""Share of the friction power from which a heat balance that does not close is told."""
+
+
+def thermal_setting(case: FilmCase) -> str:
+    """Thermal model in the words of the case language."""
+    if case.heat is not None:
+        return case.heat.name
+    return "isothermal" if case.effective_temperature is not None else "global"
+
+
+def thermal_values(case: FilmCase, state: FilmState) -> dict[str, float]:
+    """Named results of the temperatures, SI."""
+    thermal, supply = state.thermal, case.oil_supply
+    assert thermal is not None
+    assert supply is not None
+    angle, place = thermal.hot_spot
+    values = {
+        "effective_temperature": state.temperature,
+        "supply_temperature": supply.temperature,
+        "supply_pressure": supply.pressure,
+        "outlet_temperature": thermal.side_temperature,
+        "maximum_temperature": thermal.maximum_temperature,
+        "hot_spot_angle": math.pi - (math.pi - angle) % (2.0 * math.pi),
+        "groove_temperature": float(thermal.groove_temperatures.max()),
+        "mean_bush_temperature": thermal.mean_bush_temperature,
+        "maximum_bush_temperature": float(thermal.bush_temperature.max()),
+        "journal_temperature": thermal.journal_temperature,
+        "film_dissipation": thermal.heat.dissipation,
+        "heat_to_oil": thermal.heat.oil,
+        "energy_balance_error": thermal.heat.balance_error,
+    }
+    if case.heat is not None and case.heat.walls is not None:
+        values |= {"heat_film_to_bush": thermal.heat.bush, "heat_film_to_journal": thermal.heat.journal}
+    if thermal.axial_positions.size > 1:
+        values["hot_spot_position"] = place
+    return values
+
+
+def thermal_rows(case: FilmCase, thermal: ThermalFilm) -> dict[str, Matrix]:
+    """Mixing temperature of every groove, pocket and hole in the order of the case."""
+    numbers = supply_numbers(case, thermal.film.film)
+    return {"groove_temperatures": (tuple(float(thermal.groove_temperatures[number]) for number in numbers),)}
+
+
+def with_own_coefficients(case: FilmCase, state: FilmState) -> tuple[FilmState, bool]:
+    """State with the stiffness that the case asks for, and whether it was found."""
+    if case.heat is None or case.heat.coefficients is TemperatureCoefficients.FROZEN:
+        return state, True
+    stiffness = following_stiffness(case, state)
+    if stiffness is None:
+        return state, False
+    return replace(state, solution=replace(state.solution, stiffness=stiffness)), True
+
+
+def stiffness_values(state: FilmState) -> dict[str, float]:
+    """The stiffness as single numbers."""
+    own = state.solution.stiffness.ravel()
+    return {f"stiffness_{axes}": float(one) for axes, one in zip(("xx", "xy", "yx", "yy"), own, strict=True)}
+
+
+def flow_without_pressure(case: FilmCase, state: FilmState, calm: JournalFilm) -> float:
+    """Flow of the same journal position without supply pressure, m3/s."""
+    from babbitt.film.thermal import thermal_film_at
+
+    x, y = state.solution.position
+    heat = film_heat(case, state.volumetric_heat_capacity, state.temperature)
+    return thermal_film_at(calm, heat, (float(x), float(y)), thermal_resolution(case)).film.leaving_flow
+
+
+def doubts_about_heat(
+    case: FilmCase, state: FilmState, values: dict[str, float], followed: bool
+) -> Iterator[Notice]:
+    """Lubricant data, laminar flow, balance and coefficients of a film with its own temperatures."""
+    assert state.thermal is not None
+    coldest, hottest = case.lubricant.temperature_range
+    low, high = float(state.thermal.temperature.min()), values["maximum_temperature"]
+    if low < coldest - 0.05 or high > hottest + 0.05:
+        yield Notice(
+            "W145",
+            f"the film is {low - 273.15:.1f} to {high - 273.15:.1f} °C, {case.lubricant.name} is described from "
+            f"{coldest - 273.15:.0f} to {hottest - 273.15:.0f} °C",
+        )
+    if values["energy_balance_error"] > OPEN_BALANCE:
+        yield Notice("W146", f"{values['energy_balance_error']:.2g} of the friction power is not accounted for")
+    if not followed:
+        yield Notice("W147", "a displaced film did not settle; stiffness is that of frozen temperatures")
+
+
+def thermal_assumptions(case: FilmCase, flow: str) -> Iterator[str]:
+    """What the model of a film with its own temperatures assumes."""
+    heat = case.heat
+    assert heat is not None
+    along = "" if heat.axial_temperature is AxialTemperature.MEAN else "over the width, "
+    yield (
+        f"Temperature and viscosity of the film vary around the journal, {along}and across the gap; rigid "
+        f"surfaces; {flow}."
+    )
+    if heat.axial_temperature is AxialTemperature.MEAN and all(one.width is None for one in case.bearing.hollows):
+        yield "One profile of temperature across the gap for the whole width."
+    yield "Heat capacity, conductivity and density of the oil are those at the effective temperature."
+    yield "Grooves, pockets and holes mix fresh oil with what the film brings, completely."
+    yield "Bush and journal expand freely, each by the mean temperature of its surface."
+    yield from _wall_assumptions(heat)
+    if heat.coefficients is TemperatureCoefficients.FROZEN:
+        yield "Stiffness and damping at temperatures that do not follow the motion (frozen)."
+    else:
+        yield "Stiffness with temperatures that follow every displacement (following); damping at frozen ones."
+    yield "Thresholds of whirl and of mixed friction at other speeds keep the effective viscosity."
+
+
+def _wall_assumptions(heat: HeatModel) -> Iterator[str]:
+    if heat.walls is None:
+        yield "No heat leaves the film through bush and journal: the oil carries all of it."
+        return
+    yield "The bush conducts around and outwards, not along the shaft; the journal has one temperature."

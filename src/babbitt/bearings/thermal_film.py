@@ -1,0 +1,330 @@
+"""The film with its own temperatures: clearance by thermal growth, supply, position, heat.
+
+Clearance and heat capacity follow from temperatures that only the film tells; `thermal_operating_film` lets them
+settle around the thermal film.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cache
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from babbitt.bearings.heat_model import AxialTemperature
+from babbitt.bearings.layout import film_of, load_vector
+from babbitt.bearings.model import FilmCase
+from babbitt.bearings.warm_film import FilmState, operating_film
+from babbitt.design.conditions import GivenEccentricity, GivenPosition
+from babbitt.design.feeding import arrival
+from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
+from babbitt.design.oil import properties_at
+from babbitt.design.roots import bracketed_root
+from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, JournalFilm, Resolution
+from babbitt.fits import operating_relative_clearance
+from babbitt.lubricants import Lubricant
+from babbitt.notices import InputError
+from babbitt.results import Outcome
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from babbitt.film.heat import FilmHeat
+    from babbitt.film.thermal_solution import ThermalFilm
+
+    Array = NDArray[np.float64]
+
+__all__ = ["film_heat", "following_stiffness", "film_equilibrium", "thermal_operating_film", "thermal_resolution"]
+
+MOST_ROUNDS = 25
+SAME_CLEARANCE = 1e-5
+"""Share of the clearance by which thermal growth may still change it when the film counts as settled."""
+SAME_TEMPERATURE = 0.05
+"""Change of the effective temperature in K at which the heat capacity counts as settled."""
+PUSH = 0.02
+"""Share of the least gap by which the journal is moved to see the stiffness while temperatures follow."""
+COLDEST = 243.15
+"""Temperature in K below which the oil is taken as at it: the search passes there, no answer lies there."""
+
+
+def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
+    """Film in thermal equilibrium with its walls, its supply and the growth of its clearance.
+
+    Parameters
+    ----------
+    case : FilmCase
+        With a heat model and an oil supply.
+
+    Returns
+    -------
+    Equilibrium
+        Always with a status; the film is the last one that settled.
+    """
+    if case.oil_supply is None:
+        raise InputError("E101", "a film with its own temperatures needs a supply: the temperature of fresh oil.")
+    cold = case.oil_supply.temperature
+    bearing = case.bearing
+    state: FilmState | None = None
+    at, last = cold, None
+    psi = operating_relative_clearance(
+        bearing.relative_clearance, bearing.expansion_bearing, bearing.expansion_journal, cold
+    )
+    attitude = _AttitudeSearch()
+    try:
+        for rounds in range(1, MOST_ROUNDS + 1):
+            if psi <= 0.0:
+                raise NoFilmError(Outcome.NO_CLEARANCE)
+            state = _warm_state(case, psi, at, attitude)
+            grown = _grown_clearance(case, state)
+            if abs(grown - psi) <= SAME_CLEARANCE * psi and abs(state.temperature - at) <= SAME_TEMPERATURE:
+                return Equilibrium(Outcome.CONVERGED, state, rounds, state.temperature)
+            here, at = (psi, grown - psi), state.temperature
+            psi = _secant(last, here)
+            last = here
+    except NoFilmError as failure:
+        return Equilibrium(
+            failure.outcome, state, 0, state.temperature if state else cold, failure.capacity, failure.least_flow
+        )
+    return Equilibrium(Outcome.NOT_CONVERGED, state, MOST_ROUNDS, at)
+
+
+def film_equilibrium(case: FilmCase) -> Equilibrium[FilmState]:
+    """Film of a case in equilibrium, by its thermal model."""
+    return operating_film(case) if case.heat is None else thermal_operating_film(case)
+
+
+def _secant(last: tuple[float, float] | None, here: tuple[float, float]) -> float:
+    """Clearance at which its growth would be nought, from two; the grown one where the secant leads astray."""
+    psi, growth = here
+    if last is None or last[1] == growth:
+        return psi + growth
+    step = -growth * (psi - last[0]) / (growth - last[1])
+    return psi + step if 0.0 < step / growth < 4.0 and psi + step > 0.0 else psi + growth
+
+
+def _grown_clearance(case: FilmCase, state: FilmState) -> float:
+    thermal = state.thermal
+    if thermal is None:
+        raise ValueError("a film without temperatures of its own")
+    bearing = case.bearing
+    return operating_relative_clearance(
+        bearing.relative_clearance,
+        bearing.expansion_bearing,
+        bearing.expansion_journal,
+        thermal.mean_bush_temperature,
+        thermal.journal_temperature,
+    )
+
+
+@dataclass
+class _AttitudeSearch:
+    """Attitude of the last film, from which the next one is sought."""
+
+    attitude: float | None = None
+
+
+def _warm_state(case: FilmCase, psi: float, temperature: float, search: _AttitudeSearch) -> FilmState:
+    """Thermal film at a clearance; heat capacity and density at a temperature in K.
+
+    Raises
+    ------
+    NoFilmError
+        When there is no film, or none below 300 °C.
+    """
+    oil, supply = case.lubricant, case.oil_supply
+    assert supply is not None
+    density, _, heat_capacity = properties_at(oil, temperature)
+    _, cold_viscosity, _ = properties_at(oil, supply.temperature)
+    heat = film_heat(case, heat_capacity, temperature)
+
+    @cache  # the balance of the supply ends at a pressure that it has looked at
+    def solved(pressure: float) -> ThermalFilm:
+        film = film_of(case, psi, cold_viscosity, pressure, density)
+        return _accepted(_in_its_bore(case, film, heat, search), oil)
+
+    feed = arrival(supply, oil, lambda pressure: float(solved(pressure).film.side_flow.sum()))
+    thermal = solved(feed.element_pressure)
+    viscosity = thermal.effective_viscosity
+    solution = replace(thermal.film, film=replace(thermal.film.film, viscosity=viscosity))
+    settled = _temperature_of(oil, thermal)
+    return FilmState(
+        temperature=settled,
+        relative_clearance=psi,
+        density=oil.density(settled),
+        viscosity=viscosity,
+        volumetric_heat_capacity=heat_capacity,
+        load=solution.load,
+        friction_power=solution.friction_torque * abs(case.journal_speed),
+        total_flow=solution.leaving_flow,
+        feed=feed,
+        solution=solution,
+        thermal=thermal,
+    )
+
+
+def _in_its_bore(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: _AttitudeSearch) -> ThermalFilm:
+    """Film at its load or position, in a bore that gives way and is distorted by heat where the case has one."""
+    if not case.bearing.compliance:
+        return _settled(case, film, heat, search)
+    from babbitt.bearings.elastic_film import elastic_thermal_film
+    from babbitt.film.ring_growth import RingGrowth
+
+    growth = None
+    if heat.walls is not None:
+        bush = heat.walls.bush
+        growth = RingGrowth(bush.radii[0], bush.radii[-1], case.bearing.expansion_bearing, bush.conductivities[-1])
+    found = elastic_thermal_film(
+        film, case.bearing.compliance, lambda one: _settled(case, one, heat, search), growth
+    )
+    return replace(found.solution, film=replace(found.solution.film, outcome=found.outcome))
+
+
+def film_heat(case: FilmCase, heat_capacity: float, temperature: float) -> FilmHeat:
+    """Heat model of the film engine; properties of the oil but viscosity at a temperature in K."""
+    from babbitt.film.heat import FilmHeat, HeatGrid
+
+    assert case.heat is not None
+    assert case.oil_supply is not None
+    return FilmHeat(
+        viscosity=bounded_viscosity(case.lubricant),
+        volumetric_heat_capacity=heat_capacity,
+        conductivity=case.lubricant.conductivity(temperature),
+        supply_temperature=case.oil_supply.temperature,
+        walls=case.heat.walls,
+        grid=HeatGrid(resolved=case.heat.axial_temperature is AxialTemperature.RESOLVED),
+    )
+
+
+def bounded_viscosity(oil: Lubricant) -> Callable[[Array], Array]:
+    """Dynamic viscosity over temperature, held at its ends below -30 °C and above the last usable temperature."""
+    import numpy as np
+
+    highest = highest_usable(oil)
+
+    def viscosity(temperature: Array) -> Array:
+        return np.asarray(oil.dynamic_viscosity(np.clip(temperature, COLDEST, highest)))
+
+    return viscosity
+
+
+def highest_usable(oil: Lubricant) -> float:
+    """Highest temperature in K, up to 300 °C, at which the laws of an oil have usable values."""
+    high = CEILING
+    while high > COLDEST:
+        try:
+            properties_at(oil, high)
+        except NoFilmError:
+            high -= 1.0
+        else:
+            return high
+    raise NoFilmError(Outcome.NO_LUBRICANT_DATA)
+
+
+def thermal_resolution(case: FilmCase) -> Resolution:
+    """Grid of a thermal film by the accuracy of the case."""
+    from babbitt.film.thermal import THERMAL_ENGINEERING, THERMAL_REFERENCE
+
+    draft = replace(THERMAL_ENGINEERING, intervals=32, coarse_intervals=16)
+    grids = {DRAFT: draft, ENGINEERING: THERMAL_ENGINEERING, REFERENCE: THERMAL_REFERENCE}
+    return grids[case.accuracy.resolution]
+
+
+def _settled(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: _AttitudeSearch) -> ThermalFilm:
+    from babbitt.film.thermal import solve_thermal_journal, thermal_film_at
+
+    grid = thermal_resolution(case)
+    if isinstance(case.duty, GivenPosition):
+        return _inside(thermal_film_at(film, heat, (case.duty.x, case.duty.y), grid))
+    if isinstance(case.duty, GivenEccentricity):
+        return _at_eccentricity(case, case.duty, film, heat, search)
+    return solve_thermal_journal(film, heat, load_vector(case, case.duty.load), grid)
+
+
+def _at_eccentricity(
+    case: FilmCase, duty: GivenEccentricity, film: JournalFilm, heat: FilmHeat, search: _AttitudeSearch
+) -> ThermalFilm:
+    """At the given attitude, or at the one for which the film force opposes the direction of the load."""
+    from babbitt.film.thermal import thermal_film_at
+
+    eccentricity = duty.eccentricity_ratio * film.clearance
+
+    @cache
+    def at(attitude: float) -> ThermalFilm:
+        angle = case.load_angle + case.rotation.sense * attitude
+        position = (eccentricity * math.cos(angle), eccentricity * math.sin(angle))
+        return _inside(thermal_film_at(film, heat, position, thermal_resolution(case)))
+
+    if duty.attitude_angle is not None:
+        return at(duty.attitude_angle)
+
+    def aside(attitude: float) -> float:
+        fx, fy = at(attitude).film.force
+        away = math.atan2(-fy, -fx) - case.load_angle
+        return math.pi - (math.pi - away) % (2.0 * math.pi)
+
+    wide = [math.radians(degrees) for degrees in range(0, 181, 15)]
+    near = [] if search.attitude is None else [search.attitude - 0.02, search.attitude + 0.02]
+    for steps in (near, wide):
+        for low, high in pairwise(steps):
+            if aside(low) * aside(high) <= 0.0 and abs(aside(low) - aside(high)) < math.pi:
+                search.attitude = bracketed_root(aside, low, high, absolute=1e-7)
+                return at(search.attitude)
+    raise NoFilmError(Outcome.NOT_CONVERGED)
+
+
+def _inside(thermal: ThermalFilm) -> ThermalFilm:
+    if thermal.film.outcome is Outcome.OVERLOADED:
+        raise NoFilmError(Outcome.OUTSIDE_CLEARANCE)
+    return thermal
+
+
+def _accepted(thermal: ThermalFilm, oil: Lubricant) -> ThermalFilm:
+    """The film if it rests below the temperatures at which oil ends."""
+    hottest = thermal.maximum_temperature
+    if not math.isfinite(hottest + thermal.effective_viscosity):
+        raise NoFilmError(Outcome.NOT_CONVERGED)
+    if hottest >= (usable := highest_usable(oil)):
+        raise NoFilmError(Outcome.THERMAL_RUNAWAY if usable >= CEILING else Outcome.NO_LUBRICANT_DATA)
+    if not thermal.film.outcome.solved:
+        raise NoFilmError(thermal.film.outcome)
+    return thermal
+
+
+def _temperature_of(oil: Lubricant, thermal: ThermalFilm) -> float:
+    """Temperature at which the oil has the effective viscosity; the mean of the film if it has it everywhere."""
+    low, high = float(thermal.temperature.min()), thermal.maximum_temperature
+
+    def surplus(temperature: float) -> float:
+        return oil.dynamic_viscosity(temperature) - thermal.effective_viscosity
+
+    if surplus(low) > 0.0 > surplus(high):
+        return bracketed_root(surplus, low, high, absolute=1e-9)
+    return float(thermal.temperature.mean())
+
+
+def following_stiffness(case: FilmCase, state: FilmState) -> Array | None:
+    """Stiffness in N/m, shape (2, 2), while all temperatures follow the journal: central differences of the force.
+
+    None where a displaced film does not settle.
+    """
+    import numpy as np
+
+    from babbitt.film.thermal import thermal_film_at
+
+    assert state.thermal is not None
+    film, grid = state.thermal.film, thermal_resolution(case)
+    heat = film_heat(case, state.volumetric_heat_capacity, state.temperature)
+    push, columns = PUSH * film.minimum_film_thickness, []
+    for direction in ((1.0, 0.0), (0.0, 1.0)):
+        forces = []
+        for sign in (1.0, -1.0):
+            x, y = film.position + sign * push * np.asarray(direction)
+            found = thermal_film_at(film.film, heat, (float(x), float(y)), grid).film
+            if not found.outcome.solved:
+                return None
+            forces.append(found.force)
+        columns.append(-(forces[0] - forces[1]) / (2.0 * push))
+    return np.array(columns).T

@@ -1,0 +1,109 @@
+"""Kernels: bush and journal beside the film, in balance with the heat that they take."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy import float64
+from numpy.typing import NDArray
+
+from babbitt.film._compiling import compiled
+from babbitt.film._heat_cells import sweep_energy
+
+Array = NDArray[float64]
+
+
+class Walls(NamedTuple):
+    """What lies behind the film. Heat goes to it where it is not insulated; temperatures are changed in place.
+
+    The bush is described by harmonics around the bore, cosines and then sines: ``analysis`` (modes, lines) takes a
+    flux apart, ``synthesis`` (lines, modes) builds a temperature, ``admittance`` is flux over temperature.
+    """
+
+    insulated: bool
+    conduction: float  # k / (rho c omega c^2)
+    flow_heat: float  # rho c omega R c B, W/K
+    area: float  # R B, m2
+    bush: Array  # K, (lines,)
+    bush_flux: Array  # into the bush, W/m2, (lines,)
+    ambient: float  # around the bush, K
+    journal: Array  # temperature (K), heat taken (W), loss along the shaft (W/K), its ambient (K), (4,)
+    journal_given: bool
+    width: Array  # angle of every line, (lines,)
+    analysis: Array
+    synthesis: Array
+    admittance: Array  # W/(m2 K), (modes,)
+    harmonics: Array  # of the bore temperature over the ambient one, K, (modes,)
+    inverse: Array  # of the derivatives of what the walls pass on less what they take, (modes + 1, modes + 1)
+    conductance: Array  # k/h of the film for which the inverse was made, W/(m2 K), (lines,)
+    fresh: float  # temperature of supplies and of what enters over the sides, K
+    carry_over: float  # share of the oil brought to a supply that goes on with the film
+
+
+@compiled
+def wall_fluxes(columns, flows, walls, temperature, flux):
+    """Fill the heat flux into the bush at every line (W/m2); returns the heat that the journal takes, W."""
+    last, journal = columns.layer.size - 1, 0.0
+    for i in range(temperature.shape[0]):
+        bush = 0.0
+        for c in range(columns.size.size):
+            if columns.supply[i, c] < 0:
+                film = walls.conduction * walls.flow_heat * walls.width[i]
+                film *= flows.fill[i, c] * columns.size[c] / flows.gap[i, c]
+                bush += film * 2.0 / columns.layer[0] * (temperature[i, c, 0] - walls.bush[i])
+                journal += film * 2.0 / columns.layer[last] * (temperature[i, c, last] - walls.journal[0])
+        flux[i] = bush / (walls.area * walls.width[i])
+    return journal
+
+
+@compiled
+def answer_walls(columns, flows, walls, temperature, part):
+    """New temperatures of bush and journal from the heat that they take; their largest change, K.
+
+    Newton on what the walls take less what they pass on, harmonic by harmonic and for the journal; ``inverse``
+    is of the derivatives, the film's own answer to a warmer wall among them. ``part`` of the step is taken.
+    """
+    modes = walls.analysis.shape[0]
+    walls.journal[1] = wall_fluxes(columns, flows, walls, temperature, walls.bush_flux)
+    left = np.zeros(modes + 1)
+    left[modes] = walls.journal[1] - walls.journal[2] * (walls.journal[0] - walls.journal[3])
+    for m in range(modes):
+        left[m] = -walls.admittance[m] * walls.harmonics[m]
+        for i in range(temperature.shape[0]):
+            left[m] += walls.analysis[m, i] * walls.bush_flux[i]
+    step = np.zeros(modes + 1)
+    for m in range(modes + 1):
+        for n in range(modes + 1):
+            step[m] += walls.inverse[m, n] * left[n]
+    change = 0.0 if walls.journal_given else abs(step[modes])
+    rise = np.zeros(temperature.shape[0])
+    for i in range(rise.size):
+        for m in range(modes):
+            rise[i] += walls.synthesis[i, m] * step[m]
+        change = max(change, abs(rise[i]))
+    share = part * min(1.0, MOST_RISE / max(change, 1e-300))
+    for i in range(rise.size):
+        walls.bush[i] += share * rise[i]
+    for m in range(modes):
+        walls.harmonics[m] += share * step[m]
+    if not walls.journal_given:
+        walls.journal[0] += share * step[modes]
+    return share * change
+
+
+MOST_RISE = 20.0  # K: change of a temperature in one pass; what a film that leaks nothing would reach has no bound
+
+
+@compiled
+def close_energy(surface, columns, flows, cells, walls, temperature, groove, most, tolerance):
+    """Energy equation and walls beside a film at rest, until nothing changes any more; the last change."""
+    change = 0.0
+    for _ in range(most):
+        enough = max(tolerance, 0.02 * change)  # walls that answer to a film on its way are thrown off theirs
+        change = sweep_energy(surface, columns, flows, cells, 1.0, walls, temperature, groove, 16, enough)
+        if not walls.insulated:
+            change = max(change, answer_walls(columns, flows, walls, temperature, 1.0))
+        if change < tolerance:
+            break
+    return change

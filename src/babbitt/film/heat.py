@@ -1,0 +1,159 @@
+"""What the heat of a film needs to know: oil, walls, and how finely its temperature is resolved."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.notices import InputError
+
+__all__ = ["BushRing", "ConductingWalls", "FilmHeat", "HeatGrid", "JournalHeat"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class JournalHeat:
+    """One temperature for the journal: prescribed, or from the balance of the film with the shaft.
+
+    Attributes
+    ----------
+    temperature : float or None
+        K; None: found.
+    shaft_conductance : float
+        From the journal along the shaft to its surroundings, W/K.
+    ambient_temperature : float
+        Of these surroundings, K.
+    """
+
+    temperature: float | None = None
+    shaft_conductance: float = 0.0
+    ambient_temperature: float = 293.15
+
+
+@dataclass(frozen=True)
+class BushRing:
+    """Bush and housing as concentric rings that conduct heat in r and theta.
+
+    Attributes
+    ----------
+    radii : tuple of float
+        From the bore outwards, m: one more than there are rings (liner, backing, housing).
+    conductivities : tuple of float
+        Of the rings, W/(m K).
+    heat_transfer_coefficient : float
+        On the outside, W/(m2 K); zero: insulated.
+    ambient_temperature : float
+        K.
+    """
+
+    radii: tuple[float, ...]
+    conductivities: tuple[float, ...]
+    heat_transfer_coefficient: float
+    ambient_temperature: float
+
+    def __post_init__(self) -> None:
+        if len(self.radii) != len(self.conductivities) + 1 or not self.conductivities:
+            raise InputError("E101", "a bush needs one radius more than conductivities, from the bore outwards.")
+        if not all(a < b for a, b in zip(self.radii, self.radii[1:], strict=False)):
+            raise InputError("E101", f"radii of the bush are {self.radii} m; they must rise outwards.")
+        if min(self.conductivities) <= 0.0 or self.heat_transfer_coefficient < 0.0:
+            raise InputError("E101", "conductivities of the bush must be positive, the heat transfer coefficient "
+                             "outside zero or more.")  # fmt: skip
+
+    def impedances(self, harmonics: int) -> Array:
+        """Bore temperature over heat flux into the bore for cos(m theta), m = 0 .. harmonics, K m2/W.
+
+        From the outside in: with the ratio z = T / q at the outer radius b of a ring of conductivity k, at its
+        inner radius a
+
+            m = 0:  z_a = a (z_b / b + ln(b/a) / k)
+            m > 0:  z_a = (a/(k m)) (t + v) / (1 + t v),  t = tanh(m ln(b/a)),  v = z_b k m / b
+
+        (q taken outwards, T = A r^m + B r^-m). Infinite for m = 0 with an insulated outside.
+        """
+        order = np.arange(harmonics + 1, dtype=float)
+        with np.errstate(divide="ignore"):
+            outside = np.full(order.size, np.divide(1.0, self.heat_transfer_coefficient))
+        rings = list(zip(self.radii[:-1], self.radii[1:], self.conductivities, strict=True))
+        for inner, outer, conductivity in reversed(rings):
+            stretch, m = math.log(outer / inner), order[1:]
+            mean = inner * (outside[0] / outer + stretch / conductivity)
+            t, v = np.tanh(m * stretch), outside[1:] * conductivity * m / outer
+            with np.errstate(invalid="ignore"):
+                share = np.where(np.isinf(v), 1.0 / t, (t + v) / (1.0 + t * v))
+            outside = np.concatenate(([mean], inner / (conductivity * m) * share))
+        return outside
+
+
+@dataclass(frozen=True)
+class ConductingWalls:
+    """Bush and journal that take heat from the film."""
+
+    bush: BushRing
+    journal: JournalHeat = JournalHeat()
+
+
+@dataclass(frozen=True)
+class HeatGrid:
+    """Layers across the gap, and whether every node of the width has its own temperature.
+
+    Attributes
+    ----------
+    layers : int
+        Across the gap.
+    resolved : bool
+        False: one profile per line, mean over the width. Pockets and holes are always resolved.
+    """
+
+    layers: int = 8
+    resolved: bool = False
+
+    def thicknesses(self) -> Array:
+        """Layers, thinner towards the walls (the squares of a half cosine), shape (layers,)."""
+        edges = 0.5 * (1.0 - np.cos(np.pi * np.linspace(0.0, 1.0, self.layers + 1)))
+        blended = 0.5 * (edges + np.linspace(0.0, 1.0, self.layers + 1))
+        return np.diff(blended)
+
+
+@dataclass(frozen=True)
+class FilmHeat:
+    """Heat model of a film.
+
+    Attributes
+    ----------
+    viscosity : callable
+        Pa s at temperatures in K, shape kept.
+    volumetric_heat_capacity : float
+        rho c of the oil, J/(m3 K).
+    conductivity : float
+        Of the oil, W/(m K).
+    supply_temperature : float
+        Of fresh oil, K.
+    walls : ConductingWalls or None
+        None: no heat leaves through bush and journal.
+    grid : HeatGrid
+    carry_over : float
+        Share, 0 to 1, of the hot oil that the film brings to a groove or pocket and that goes on with the next
+        film; the rest is replaced by fresh oil. 1: all of it, as far as the next film takes oil.
+    """
+
+    viscosity: Callable[[Array], Array]
+    volumetric_heat_capacity: float
+    conductivity: float
+    supply_temperature: float
+    walls: ConductingWalls | None = None
+    grid: HeatGrid = HeatGrid()
+    carry_over: float = 1.0
+
+    def __post_init__(self) -> None:
+        for name in ("volumetric_heat_capacity", "conductivity", "supply_temperature"):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and value > 0.0):
+                raise InputError("E101", f"{name} is {value}; it must be a positive number (SI units, K).")
+        if not 0.0 <= self.carry_over <= 1.0:
+            raise InputError("E101", f"carry_over is {self.carry_over}; it is a share, from 0 to 1.")

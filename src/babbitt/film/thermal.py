@@ -1,0 +1,250 @@
+"""The door of the thermal film: where the journal rests when the oil heats itself.
+
+Every step is one pass of Reynolds equation, energy equation and walls (``warm_ring``), and one Newton step of the
+journal on the stiffness at frozen temperatures; on a coarse ring first, then on the fine one. At the end the film
+rests and the energy equation alone is solved until heat closes to round-off.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.film._equilibrium import (
+    CONTACT,
+    CONVERGED,
+    CYCLING,
+    MODERATE_LOAD,
+    NO_FILM,
+    THINNEST,
+    TOO_MANY_STEPS,
+    damped_step,
+)
+from babbitt.film.general import Effort, Sample, SettledRing, line_density
+from babbitt.film.general import rest as carry
+from babbitt.film.heat import FilmHeat
+from babbitt.film.model import Cavitation, JournalFilm, Resolution
+from babbitt.film.ring import build_ring
+from babbitt.film.ring_mesh import Density
+from babbitt.film.ring_solution import mirrored, ring_solution, supply_order
+from babbitt.film.scales import Scales
+from babbitt.film.thermal_solution import ThermalFilm, thermal_film
+from babbitt.film.warm_ring import WarmRing
+from babbitt.notices import InputError
+
+__all__ = ["THERMAL_ENGINEERING", "THERMAL_REFERENCE", "solve_thermal_journal", "thermal_film_at"]
+
+Array = NDArray[np.float64]
+
+THERMAL_ENGINEERING = Resolution(4, 48, 24, 1e-5)
+THERMAL_REFERENCE = Resolution(6, 192, 96, 1e-7)
+
+SWEEPS = 3
+"""Of the energy equation in a pass."""
+SETTLED = 1e-2
+"""Change of temperature in a pass, K, at which film and temperature rest beside each other."""
+COLD_LOAD = 2.0
+"""Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks
+nothing and would have no bound to its temperature."""
+CLOSING, CLOSED, OPEN = 400, 3e-8, 1e-4
+"""Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from
+which the film counts as not converged."""
+POLISH, POLISHED = 8, 1e-10
+"""Last steps of the journal at frozen temperatures, at most, and the residual force over load that ends them."""
+MOST_PASSES = 120
+STUBBORN = 4
+"""Passes at rest after which nodes that change sides for ever are let be."""
+PATIENT_FROM, ROUNDS = 8, 8
+"""Pass from which on the wet set is let settle at every position, and in how many rounds."""
+
+
+@dataclass(frozen=True, eq=False)
+class WarmRest:
+    """Where a search ended."""
+
+    warm: WarmRing
+    position: Array
+    status: int
+    passes: int
+    gap: float
+    load: Array | None = None
+
+
+def solve_thermal_journal(
+    film: JournalFilm, heat: FilmHeat, load: tuple[float, float], resolution: Resolution = THERMAL_ENGINEERING
+) -> ThermalFilm:
+    """Find where a film with its own temperatures carries a load.
+
+    Parameters
+    ----------
+    film : JournalFilm
+        ``viscosity`` is the unit of the calculation only; take that of the fresh oil.
+    heat : FilmHeat
+    load : tuple of float
+        Force on the journal, N.
+    resolution : Resolution
+
+    Returns
+    -------
+    ThermalFilm
+        Always; its film says whether it is an equilibrium.
+
+    Raises
+    ------
+    InputError
+        E101 if the load is not finite, the journal stands still, or the film does not conserve oil.
+    """
+    begun = time.perf_counter()
+    if not all(math.isfinite(part) for part in load):
+        raise InputError("E101", f"load is {load}; both components must be finite, in N.")
+    if film.cavitation is not Cavitation.MASS_CONSERVING:
+        raise InputError("E101", f"cavitation is {film.cavitation.name.lower()}; oil that comes from nowhere, "
+                         "where a film forms anew, has no temperature. Choose mass_conserving.")  # fmt: skip
+    if film.angular_speed == 0.0:
+        raise InputError("E101", "angular_speed is zero; a film at rest makes no heat and carries no steady load.")
+    scales = Scales.of(film, abs(film.angular_speed))
+    seen = mirrored(film) if film.angular_speed < 0.0 else film
+    found = search(seen, heat, scales, np.asarray(load) * scales.sense / scales.force, resolution)
+    return answer(film, seen, scales, found, begun)
+
+
+def thermal_film_at(
+    film: JournalFilm,
+    heat: FilmHeat,
+    position: tuple[float, float],
+    resolution: Resolution = THERMAL_ENGINEERING,
+) -> ThermalFilm:
+    """Film with its own temperatures at a prescribed position (m) of the journal; see `solve_thermal_journal`."""
+    begun = time.perf_counter()
+    scales = Scales.of(film, abs(film.angular_speed))
+    seen = mirrored(film) if film.angular_speed < 0.0 else film
+    at = np.asarray(position) * scales.sense / scales.length
+    warm = fresh_ring(seen, heat, scales, 2 * resolution.intervals, resolution, None)
+    gap = warm.sample.gap(at)
+    if not gap > 0.0:
+        return answer(film, seen, scales, WarmRest(warm, at, NO_FILM, 0, gap), begun)
+    status, passes = TOO_MANY_STEPS, 0
+    while passes < MOST_PASSES and status != CONVERGED:
+        passes += 1
+        changed, change = warm.advance(at, SWEEPS)
+        if changed == 0 and change < SETTLED:
+            status = CONVERGED
+    return answer(film, seen, scales, WarmRest(warm, at, status, passes, gap), begun)
+
+
+def search(film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution) -> WarmRest:
+    """A direct attempt, and if that loses the film, one that lets the load grow."""
+    found = attempt(film, heat, scales, load, resolution, 1.0)
+    if found.status != CONVERGED:
+        size = math.hypot(*load)
+        found = attempt(film, heat, scales, load, resolution, min(1.0, 0.1 * MODERATE_LOAD / max(size, 1e-300)))
+    return replace(found, status=NO_FILM) if found.gap < THINNEST else found
+
+
+def attempt(
+    film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution, share: float
+) -> WarmRest:
+    """Coarse rings under a growing load, then the fine ring."""
+    per_turn, total = 2 * resolution.intervals, 0
+    warm = fresh_ring(film, heat, scales, per_turn // 2, resolution, None)
+    at = cold_start(warm.sample, share * load)
+    while True:
+        found = rest(warm, share * load, at, 1e-3, 1.0)
+        total += found.passes
+        if found.status != CONVERGED:
+            return replace(found, passes=total)
+        at, density = found.position, line_density(film, found.position, found.gap)
+        if share == 1.0:
+            break
+        share = min(1.0, 3.0 * share)
+        warm = continued(fresh_ring(film, heat, scales, per_turn // 2, resolution, density), warm)
+    warm = continued(fresh_ring(film, heat, scales, per_turn, resolution, density), warm)
+    found = rest(warm, load, at, resolution.tolerance, SETTLED)
+    return replace(found, passes=total + found.passes)
+
+
+def cold_start(sample: Sample, load: Array) -> Array:
+    """Where a film of fresh oil carries the load, or a part of it that leaves the film thick."""
+    part = min(1.0, COLD_LOAD / max(math.hypot(*load), 1e-300))
+    at, _, _, gap = carry(sample, part * load, np.zeros(2), 0.05, 30, False)
+    return at if gap > 0.0 else np.zeros(2)
+
+
+def fresh_ring(
+    film: JournalFilm, heat: FilmHeat, scales: Scales, per_turn: int, resolution: Resolution,
+    density: Density | None,
+) -> WarmRing:  # fmt: skip
+    """Ring at the supply temperature."""
+    ring = build_ring(film, scales.pressure, per_turn, resolution.axial_unknowns, density)
+    return WarmRing.of(Sample.of(ring, Effort(math.inf)), heat, film, scales.rate)
+
+
+def continued(warm: WarmRing, before: WarmRing) -> WarmRing:
+    """Take over wet set and temperatures of a ring with the same columns."""
+    warm.sample.start_from(before.sample)
+    warm.start_from(before)
+    return warm
+
+
+def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: float) -> WarmRest:
+    """Let film, temperature and journal come to rest on one ring."""
+    size_of_load = math.hypot(*load)
+    floor = tolerance * size_of_load + 1e-13
+    step_time, last, calm = 0.0, 0.0, 0
+    gap = warm.sample.gap(at)
+    if not gap > 0.0:
+        return WarmRest(warm, at, NO_FILM, 0, gap)
+    for passes in range(1, MOST_PASSES + 1):
+        changed, change = warm.advance(at, SWEEPS, 1 if passes < PATIENT_FROM else ROUNDS)
+        sample = warm.sample
+        residual = sample.force + load
+        size = math.hypot(*residual)
+        if not (math.isfinite(size) and math.isfinite(change)):
+            return WarmRest(warm, at, NO_FILM, passes, gap)
+        if change < settled and (size <= floor or (passes > CYCLING and size <= 1e-4 * size_of_load)):
+            calm += 1
+            if changed == 0 or calm > STUBBORN:
+                return WarmRest(warm, at, CONVERGED, passes, gap, load)
+        flat = np.concatenate((sample.force, sample.stiffness.ravel(), sample.damping.ravel()))
+        dx, dy, step_time = damped_step(flat, residual[0], residual[1], size, last, size_of_load, gap, step_time)
+        move, last, halvings = np.array([dx, dy]), size, 0
+        new_gap = sample.gap(at + move)
+        while not new_gap > 0.4 * gap and halvings < 60:
+            move, halvings = 0.5 * move, halvings + 1
+            new_gap = sample.gap(at + move)
+        if not new_gap > CONTACT:
+            return WarmRest(warm, at, NO_FILM, passes, gap)
+        at, gap = at + move, new_gap
+    return WarmRest(warm, at, TOO_MANY_STEPS, MOST_PASSES, gap)
+
+
+def polished(found: WarmRest) -> WarmRest:
+    """Let the film carry the load exactly, its temperatures as they are: a few steps of Newton."""
+    if found.load is None:
+        return found
+    sample, at = found.warm.sample, found.position
+    for _ in range(POLISH):
+        sample.evaluate(at)
+        residual = sample.force + found.load
+        if math.hypot(*residual) <= POLISHED * math.hypot(*found.load) + 1e-14:
+            break
+        at = at + np.linalg.solve(sample.stiffness, residual)
+    gap = sample.gap(at)
+    return replace(found, position=at, gap=gap) if gap > CONTACT else found
+
+
+def answer(film: JournalFilm, seen: JournalFilm, scales: Scales, found: WarmRest, begun: float) -> ThermalFilm:
+    """Close the heat balance, solve for the coefficients, and gather everything in SI and in the fixed frame."""
+    warm = found.warm
+    if found.status == CONVERGED:
+        found = polished(found)
+        warm.sample.evaluate(found.position, smooth=True)
+        warm.gather(found.position)
+        if not warm.close(CLOSING, CLOSED) < OPEN:
+            found = replace(found, status=TOO_MANY_STEPS)
+    settled = SettledRing(seen, warm.sample, found.position, found.status, found.passes, found.gap)
+    return thermal_film(ring_solution(film, scales, settled, begun), scales, warm, supply_order(film, seen))

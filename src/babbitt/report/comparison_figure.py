@@ -1,0 +1,156 @@
+"""The figure of `babbitt compare`: what every method tells of one bearing, and temperatures around the bore."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from babbitt.bearings.field import field_of
+from babbitt.bearings.model import FilmCase
+from babbitt.bearings.temperature_field import centre_line
+from babbitt.notices import InputError
+from babbitt.quantities import QUANTITIES
+from babbitt.report import film_maps
+from babbitt.report.drawing import FORMATS, GREY, INK, Sheet, axis_label, mathematics, rendered, style
+from babbitt.report.film_state import state_of
+from babbitt.report.writing import write_whole
+from babbitt.studies.comparison import Comparison, Variant
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["comparison_figure", "write_comparison_plots"]
+
+SHOWN = ("minimum_film_thickness", "friction_power", "total_flow")
+TEMPERATURES = ("effective_temperature", "outlet_temperature", "maximum_bush_temperature", "maximum_temperature")
+MARKS = {"effective_temperature": "|", "outlet_temperature": ">", "maximum_bush_temperature": "s",
+         "maximum_temperature": "o"}  # fmt: skip
+LINES = ("-", "--", ":", "-.")
+ZERO_CELSIUS = 273.15
+
+
+def comparison_figure(comparison: Comparison) -> Figure:
+    """Film, power, flow and temperatures by every method, and temperatures around the journal."""
+    solved = [one for one in comparison.variants if one.is_method and one.result.outcome.solved]
+    figure, axes = Sheet(166.0, 112.0, 2, 4, left=29.0, across=5.0, between=17.0).panels()
+    for panel, name in zip(axes[0][:3], SHOWN, strict=True):
+        _bars(panel, solved, name)
+    _temperatures(axes[0][3], solved)
+    for panel in axes[0][1:]:
+        panel.set_yticklabels([])
+    figure.subplots_adjust(top=1.0 - 7.0 / 112.0)
+    for panel in axes[1][1:]:
+        panel.remove()
+    below = axes[1][0]
+    place, right = below.get_position(), axes[0][3].get_position()
+    below.set_position((12.0 / 166.0, place.y0, right.x1 - 12.0 / 166.0, place.height))
+    _around(below, solved)
+    return figure
+
+
+def _bars(panel: Axes, variants: Sequence[Variant], name: str) -> None:
+    quantity = QUANTITIES[name]
+    places = np.arange(len(variants))[::-1]
+    values = [one.result.values.get(name, math.nan) for one in variants]
+    shown = [quantity.shown(value) for value in values]
+    panel.barh(places, shown, color="0.75", edgecolor=INK, linewidth=0.5, height=0.6)
+    for place, value, length in zip(places, values, shown, strict=True):
+        if not math.isnan(value):
+            panel.annotate(quantity.format(value), (length, place), xytext=(2, 0), textcoords="offset points",
+                           fontsize=7, va="center", annotation_clip=False)  # fmt: skip
+    panel.set_yticks(places, [one.label for one in variants])
+    panel.set_xlim(0.0, 1.28 * np.nanmax(shown))
+    panel.set_xlabel(axis_label(quantity))
+
+
+def _temperatures(panel: Axes, variants: Sequence[Variant]) -> None:
+    places = np.arange(len(variants))[::-1]
+    for name in TEMPERATURES:
+        at = [
+            one.result.values[name] - ZERO_CELSIUS
+            if name in one.result.values and not (name == "outlet_temperature" and _is_isothermal(one))
+            else math.nan
+            for one in variants
+        ]
+        panel.plot(at, places, MARKS[name], color=INK, markersize=4.5, fillstyle="none", markeredgewidth=0.9,
+                   label=mathematics(QUANTITIES[name].symbol))  # fmt: skip
+    panel.set_yticks(places, [])
+    panel.set_ylim(places[-1] - 0.5, places[0] + 0.5)
+    panel.grid(axis="y", linewidth=0.3, color="0.85")
+    panel.set_xlabel("temperatures in °C")
+    panel.legend(frameon=False, fontsize=7, ncols=4, loc="lower right", bbox_to_anchor=(1.05, 0.98), borderpad=0.0,
+                 handletextpad=0.0, columnspacing=0.4)  # fmt: skip
+
+
+def _is_isothermal(variant: Variant) -> bool:
+    return variant.result.settings.get("thermal") == "isothermal"
+
+
+def _around(panel: Axes, variants: Sequence[Variant]) -> None:
+    """Temperature along the middle of the width: of the bore, or the single one of a method."""
+    field, level, curve = None, 0, 0
+    for one in variants:
+        if isinstance(one.design, FilmCase) and one.design.heat is not None:
+            thermal = state_of(one.design, one.result).thermal
+            assert thermal is not None
+            field = field_of(thermal.film, one.design.load_angle - math.pi)
+            line = centre_line(thermal, field)
+            places = np.degrees(line.theta)
+            panel.plot(places, line.highest - ZERO_CELSIUS, LINES[curve % len(LINES)], color=INK,
+                       label=f"{one.label}, hottest across the gap")  # fmt: skip
+            curve += 1
+        else:
+            panel.axhline(
+                one.result.values["effective_temperature"] - ZERO_CELSIUS, color=GREY, linewidth=0.9,
+                linestyle=LINES[level % len(LINES)], label=f"{one.label}, $T_\\mathrm{{eff}}$",
+            )  # fmt: skip
+            level += 1
+    if field is not None:
+        film_maps.degrees(panel, field)
+    panel.set_xlabel("θ in °, counter-clockwise from $+x$")
+    panel.set_ylabel("$T$ in °C")
+    panel.legend(frameon=False, fontsize=7, ncols=3, loc="lower left", bbox_to_anchor=(0.0, 1.0), borderpad=0.0)
+
+
+def write_comparison_plots(
+    comparisons: Sequence[Comparison], folder: Path, image_format: str = "svg"
+) -> tuple[Path, ...]:
+    """Write one figure per bearing into a folder.
+
+    Parameters
+    ----------
+    comparisons : sequence of Comparison
+    folder : Path
+        Made if it does not exist.
+    image_format : {"svg", "pdf", "png"}
+
+    Returns
+    -------
+    tuple of Path
+        The files written, ``01-methods.svg`` and so on.
+
+    Raises
+    ------
+    InputError
+        E007 if the folder cannot be written to, the format is unknown, or matplotlib is not installed.
+    """
+    if image_format not in FORMATS:
+        raise InputError("E007", f"no figures as {image_format!r}; there are {', '.join(FORMATS)}")
+    with style():
+        made = {
+            folder / f"{place:02d}-methods.{image_format}": rendered(comparison_figure(comparison), image_format)
+            for place, comparison in enumerate(comparisons, start=1)
+            if any(one.is_method and one.result.outcome.solved for one in comparison.variants)
+        }
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError("E007", f"cannot make the folder {folder}: {error.strerror}") from None
+    for path, image in made.items():
+        write_whole(path, image)
+    return tuple(made)

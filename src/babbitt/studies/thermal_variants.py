@@ -1,0 +1,102 @@
+"""The thermal models of the film method that `babbitt compare` puts side by side, and what each neglects."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from babbitt.bearings.model import FilmCase
+from babbitt.cases import Case
+from babbitt.cases.build import film_cases
+from babbitt.cases.film_heat import may_have_own_temperatures
+from babbitt.cases.journal import JournalBearing
+
+__all__ = ["ThermalVariant", "thermal_variants"]
+
+GLOBAL = "film"
+
+INLET = "inlet"
+PRESCRIBED = "prescribed"
+ZERO_CELSIUS = 273.15
+
+REMARKS = {
+    INLET: (
+        "sees the feeding; takes the temperature of the fresh oil for the whole film: neglects that the film "
+        "heats itself"
+    ),
+    PRESCRIBED: "sees the feeding; takes the given temperature for the whole film, whatever heat it makes",
+    GLOBAL: "sees the feeding; conserves the oil; assumes one temperature for the whole film",
+    "adiabatic film": (
+        "finds the temperature at every place of the film, and what the grooves mix; neglects the heat that bush "
+        "and journal take"
+    ),
+    "full thermal film": (
+        "as adiabatic film, with bush, housing and journal that conduct heat and grow; neglects deformation by "
+        "pressure, and heat along the bush"
+    ),
+}
+"""What each model of the temperature sees and neglects."""
+
+OWN = {"adiabatic": "adiabatic film", "full": "full thermal film"}
+
+
+@dataclass(frozen=True)
+class ThermalVariant:
+    """A film with one model of its temperature."""
+
+    label: str
+    remark: str
+    case: FilmCase
+
+
+def thermal_variants(bearing: JournalBearing, case: Case) -> Iterator[tuple[ThermalVariant, ...]]:
+    """Films of a bearing at each of its points, one for every thermal model that applies.
+
+    Parameters
+    ----------
+    bearing : JournalBearing
+    case : Case
+        The file that the bearing belongs to.
+
+    Yields
+    ------
+    tuple of ThermalVariant
+        From the simplest to the fullest; that of the bearing itself stands first where it names the film method.
+    """
+    own_films, with_balance = film_cases(bearing, case), film_cases(bearing, case, "global")
+    free = may_have_own_temperatures(bearing)
+    heated = {
+        name: film_cases(bearing, case, name)
+        for name in OWN
+        if free and all(film.oil_supply is not None and film.oil_supply.flow is None for film in own_films)
+    }
+    for index, own in enumerate(own_films):
+        found = {}
+        if own.effective_temperature is not None:
+            found[PRESCRIBED] = own
+        if own.oil_supply is not None:
+            cold = replace(with_balance[index], effective_temperature=own.oil_supply.temperature)
+            found[INLET] = cold
+        if own.oil_supply is not None or own.cooling is not None:
+            found[GLOBAL] = with_balance[index]
+        found |= {OWN[name]: films[index] for name, films in heated.items()}
+        yield tuple(
+            ThermalVariant(_label(name, film), REMARKS[name], film) for name, film in _ordered(bearing, own, found)
+        )
+
+
+def _label(name: str, film: FilmCase) -> str:
+    """What stands at the head of a column: a prescribed temperature by its value."""
+    if film.effective_temperature is None:
+        return name
+    return f"film at {film.effective_temperature - ZERO_CELSIUS:.4g} °C"
+
+
+def _ordered(bearing: JournalBearing, own: FilmCase, found: dict[str, FilmCase]) -> Iterator[tuple[str, FilmCase]]:
+    """The model of the bearing first where it names the film method."""
+    first = ""
+    if bearing.method == "film":
+        first = PRESCRIBED if own.effective_temperature is not None else GLOBAL
+        first = first if own.heat is None else OWN[own.heat.name]
+        yield first, own
+    yield from ((label, film) for label, film in found.items() if label != first)

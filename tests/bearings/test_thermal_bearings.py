@@ -1,0 +1,192 @@
+"""Bearings whose film has its own temperatures, from the case to the answer."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from babbitt.bearings.check import film_check
+from babbitt.bearings.field import field_of
+from babbitt.bearings.heat_model import HeatModel, TemperatureCoefficients
+from babbitt.bearings.temperature_field import bush_temperature, centre_line, temperature_over
+from babbitt.bearings.thermal_film import thermal_operating_film
+from babbitt.cases import design_cases, parse_case
+from babbitt.fits import operating_relative_clearance
+from babbitt.results import Outcome
+from babbitt.studies.comparison import compare_methods
+from babbitt.studies.temperature_cost import cost_of_one_temperature
+
+TEXT = """
+kind: journal
+name: Two grooves
+method: film
+thermal: full
+diameter: 120 mm
+width: 60 mm
+clearance: {kind: relative, mean: 1.5e-3}
+grooves: [{angle: 0 deg, extent: 20 deg}, {angle: 180 deg, extent: 20 deg}]
+lubricant: ISO VG 46
+supply: {temperature: 45 degC, pressure: 0.1 MPa}
+materials: {bearing: EN-GJL-250, journal: C45}
+walls:
+  bush: {outer_diameter: 150 mm, conductivity: 46 W/(m K)}
+  housing: {outer_diameter: 220 mm, heat_transfer_coefficient: 30 W/(m2 K), ambient_temperature: 20 degC}
+  journal: {shaft_conductance: 5 W/K, ambient_temperature: 30 degC}
+load: 12 kN
+speed: 3000 rpm
+"""
+
+
+def design(text=TEXT):
+    (found,) = design_cases(parse_case(text))
+    return found
+
+
+@pytest.fixture(scope="module")
+def full():
+    case = design()
+    return case, film_check(case), thermal_operating_film(case).film
+
+
+def test_heat_and_oil_are_accounted_for(full):
+    _, result, _ = full
+    assert result.outcome.solved
+    assert result.energy_balance_error < 1e-8
+    assert result.mass_balance_error < 1e-10
+    taken = result.heat_to_oil + result.heat_film_to_bush + result.heat_film_to_journal
+    assert taken == pytest.approx(result.film_dissipation, rel=1e-8)
+    assert result.heat_film_to_journal == pytest.approx(5.0 * (result.journal_temperature - 303.15), rel=1e-5)
+
+
+def test_the_hottest_place_is_told(full):
+    _, result, state = full
+    assert result.supply_temperature < result.outlet_temperature < result.maximum_temperature
+    assert result.maximum_bush_temperature <= result.maximum_temperature + 0.5
+    towards_exit = result.hot_spot_angle + math.pi / 2.0  # from the load in the sense of rotation
+    assert 0.0 < towards_exit < math.pi / 2.0
+    mixed = result.arrays["groove_temperatures"][0]
+    assert len(mixed) == 2
+    assert min(mixed) > result.supply_temperature
+    assert max(mixed) == pytest.approx(result.groove_temperature)
+    limits = {check.code: check for check in result.checks}
+    assert limits["C104"].quantity == "outlet_temperature"
+    assert state.thermal.maximum_temperature == pytest.approx(result.maximum_temperature)
+
+
+def test_clearance_grows_with_bush_and_journal_each_by_its_own_temperature(full):
+    case, result, state = full
+    bearing = case.bearing
+    grown = operating_relative_clearance(
+        bearing.relative_clearance, bearing.expansion_bearing, bearing.expansion_journal,
+        result.mean_bush_temperature, result.journal_temperature,
+    )  # fmt: skip
+    assert result.operating_relative_clearance == pytest.approx(grown, rel=2e-5)
+    assert state.solution.film.clearance == pytest.approx(0.5 * grown * bearing.diameter, rel=2e-5)
+
+
+def test_effective_temperature_is_that_of_the_effective_viscosity(full):
+    case, result, _ = full
+    viscosity = case.lubricant.dynamic_viscosity(result.effective_temperature)
+    assert viscosity == pytest.approx(result.effective_viscosity, rel=1e-6)
+
+
+def test_limits_of_the_metal_hold_for_the_hottest_place_of_the_bush():
+    result = film_check(design(TEXT.replace("{bearing: EN", "{bearing_metal: B83, bearing: EN")))
+    checked = {check.code: check.quantity for check in result.checks}
+    assert checked["C108"] == "maximum_bush_temperature"
+
+
+def test_reversed_rotation_mirrors_the_bearing(full):
+    _, result, _ = full
+    mirrored = film_check(design(TEXT.replace("3000 rpm", "-3000 rpm")))
+    assert mirrored.maximum_temperature == pytest.approx(result.maximum_temperature, abs=1e-3)
+    here, there = result.arrays["groove_temperatures"][0], mirrored.arrays["groove_temperatures"][0]
+    assert there == pytest.approx(here[::-1], abs=1e-3)
+
+
+def test_a_given_eccentricity_finds_its_load_again(full):
+    _, result, _ = full
+    at = TEXT.replace("load: 12 kN", f"eccentricity_ratio: {result.eccentricity_ratio}")
+    found = film_check(design(at))
+    assert found.load == pytest.approx(12e3, rel=2e-3)
+    assert found.attitude_angle == pytest.approx(result.attitude_angle, abs=5e-3)
+
+
+def test_temperatures_that_follow_soften_or_stiffen_but_keep_the_sign(full):
+    case, result, _ = full
+    following = replace(case, heat=replace(case.heat, coefficients=TemperatureCoefficients.FOLLOWING))
+    found = film_check(following)
+    assert "W147" not in {one.code for one in found.warnings}
+    frozen, moving = np.array(result.stiffness), np.array(found.stiffness)
+    assert not np.allclose(moving, frozen, rtol=1e-3)
+    assert np.abs(moving - frozen).max() < 0.5 * np.abs(frozen).max()
+    assert found.stiffness_yy == pytest.approx(moving[1, 1])
+    assert any("(following)" in said for said in found.assumptions)
+    assert any("(frozen)" in said for said in result.assumptions)
+
+
+def test_what_is_not_given_is_assumed_and_told():
+    walls = TEXT[TEXT.index("walls:") : TEXT.index("load:")]
+    result = film_check(design(TEXT.replace(walls, "")))
+    said = " ".join(result.assumptions)
+    told = ("Outside diameter of the bush 150 mm", "still air", "Perfect thermal contact", "along the shaft")
+    for words in told:
+        assert words in said
+    assert "Outside diameter" not in " ".join(film_check(design()).assumptions)
+
+
+def test_a_film_hotter_than_oil_can_be_is_a_runaway():
+    thin = TEXT.replace("speed: 3000 rpm", "speed: 60 rpm").replace("12 kN", "80 kN").replace("full", "adiabatic")
+    thin = thin.replace(thin[thin.index("walls:") : thin.index("load:")], "")
+    found = film_check(design(thin))
+    assert found.outcome in (Outcome.THERMAL_RUNAWAY, Outcome.OVERLOADED, Outcome.NOT_CONVERGED)
+    assert "Try:" in found.message
+
+
+def test_the_temperature_of_the_bush_meets_the_film_and_falls_outwards(full):
+    case, _, state = full
+    bush = case.heat.walls.bush
+    theta = np.linspace(0.0, 2.0 * math.pi, 721)[:-1]
+    radii = np.array([bush.radii[0], *bush.radii[1:]])
+    found = bush_temperature(bush, state.thermal, theta, radii)
+    assert found[:, 0].mean() == pytest.approx(state.thermal.mean_bush_temperature, abs=0.05)
+    assert np.ptp(found[:, -1]) < np.ptp(found[:, 0])
+    # what leaves the outside by convection is what the film gives to the bush
+    outside = 2.0 * math.pi * bush.radii[-1] * case.bearing.width * bush.heat_transfer_coefficient
+    lost = outside * (found[:, -1].mean() - bush.ambient_temperature)
+    assert lost == pytest.approx(state.thermal.heat.bush, rel=1e-3)
+
+
+def test_fields_carry_the_temperature(full):
+    case, result, state = full
+    field = field_of(state.thermal.film, case.load_angle - math.pi)
+    over = temperature_over(state.thermal, field)
+    assert over.shape == field.pressure.shape
+    assert over.max() < result.maximum_temperature
+    line = centre_line(state.thermal, field)
+    assert line.highest.max() == pytest.approx(result.maximum_temperature, abs=1e-6)
+    xarray = pytest.importorskip("xarray")
+    from babbitt.report.fields import fields
+
+    data = fields(case, result)
+    assert isinstance(data, xarray.Dataset)
+    assert data["temperature"].dims == ("theta", "z")
+    assert float(data["temperature_through"].max()) == pytest.approx(result.maximum_temperature, abs=1e-6)
+
+
+def test_comparison_tells_what_one_temperature_costs():
+    (found,) = compare_methods(parse_case(TEXT))
+    results = {one.label: one.result for one in found.variants}
+    assert found.variants[0].label == "full thermal film"
+    assert results["film at 45 °C"].minimum_film_thickness > results["film"].minimum_film_thickness
+    (said,) = cost_of_one_temperature(found)
+    assert said.startswith("Against film the full thermal film is")
+    thin, plain = (results[one].minimum_film_thickness for one in ("full thermal film", "film"))
+    assert f"{abs(thin / plain - 1.0):.0%} thinner" in said
+
+
+def test_adiabatic_walls_take_nothing():
+    adiabatic = film_check(replace(design(), heat=HeatModel()))
+    assert "heat_film_to_bush" not in adiabatic.values
+    assert adiabatic.heat_to_oil == pytest.approx(adiabatic.film_dissipation, rel=1e-8)

@@ -1,0 +1,191 @@
+"""Temperature in the film: closed forms, balances, symmetries and limits."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from babbitt.film.heat import BushRing, ConductingWalls, FilmHeat, HeatGrid, JournalHeat
+from babbitt.film.model import Cavitation, FilmStart, JournalFilm, Land, Pocket, Resolution, grooved_bore
+from babbitt.film.solve import solve_journal
+from babbitt.film.thermal import solve_thermal_journal, thermal_film_at
+from babbitt.film.turbulence import NG_PAN, FilmTurbulence
+from babbitt.notices import InputError
+
+COLD = 323.15
+
+
+def iso_vg_32(temperature):
+    """A Vogel law through 0.0275 Pa s at 40 degC and 0.0046 Pa s at 100 degC."""
+    return 4.0e-5 * np.exp(1000.0 / (np.asarray(temperature) - 160.02))
+
+
+BEARING = JournalFilm(0.4, 0.263, 195e-6, float(iso_vg_32(COLD)), 94.2478, grooved_bore((0.0, math.pi), 0.07))
+WEIGHT = (0.0, -112.8e3)
+WALLS = ConductingWalls(BushRing((0.2, 0.23, 0.3), (50.0, 45.0), 50.0, 293.15), JournalHeat())
+ADIABATIC = FilmHeat(iso_vg_32, 1.72e6, 0.13, COLD)
+FULL = replace(ADIABATIC, walls=WALLS)
+RESOLVED = HeatGrid(resolved=True)
+POCKETS = replace(
+    BEARING, lands=(Land(0.0, 2.0 * math.pi),), film_start=FilmStart.PERIODIC,
+    pockets=(Pocket(0.0, 0.35, 0.2, pressure=5e4), Pocket(math.pi, 0.35, 0.2, pressure=5e4)),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("film", "heat"),
+    [
+        (BEARING, ADIABATIC),
+        (BEARING, FULL),
+        (BEARING, replace(FULL, grid=RESOLVED)),
+        (POCKETS, ADIABATIC),
+        (POCKETS, FULL),
+        (replace(BEARING, misalignment=(2e-4, 1e-4)), FULL),
+        (replace(BEARING, lands=grooved_bore((0.0, math.pi), 0.2, 2e5)), FULL),
+    ],
+    ids=["adiabatic", "full", "resolved", "pockets", "pockets-full", "tilted", "pressure"],
+)
+def test_mass_and_energy_are_conserved(film, heat):
+    found = solve_thermal_journal(film, heat, WEIGHT)
+    assert found.film.outcome.solved
+    assert found.film.mass_balance_error < 1e-10
+    assert found.heat.balance_error < 1e-7
+    assert found.film.force == pytest.approx((0.0, 112.8e3), abs=112.8e3 * 1e-8)
+
+
+def test_friction_power_is_what_is_dissipated_where_nothing_is_pumped():
+    found = solve_thermal_journal(BEARING, FULL, WEIGHT)
+    power = found.film.friction_torque * BEARING.angular_speed
+    assert found.heat.dissipation == pytest.approx(power, rel=1e-12)
+
+
+def test_dissipation_is_friction_power_and_pumping_power():
+    pressure = 2e5
+    film = replace(BEARING, lands=grooved_bore((0.0, math.pi), 0.2, pressure))
+    found = thermal_film_at(film, ADIABATIC, (3e-5, -9e-5))
+    friction = found.film.friction_torque * film.angular_speed
+    # the edges of the grooves fall to ambient pressure over their dams: a little less than p Q
+    assert friction < found.heat.dissipation < friction + pressure * found.film.supply_flow.sum()
+
+
+def test_a_concentric_film_between_walls_is_the_couette_flow_with_dissipation():
+    """T = T_b + (T_j - T_b) eta + mu U^2/(2 k) eta (1 - eta) with one viscosity and the walls held."""
+    ring = JournalFilm(0.1, 0.05, 50e-6, 0.02, 300.0, (Land(0.0, 2.0 * math.pi),),
+                       cavitation=Cavitation.REYNOLDS, film_start=FilmStart.PERIODIC)  # fmt: skip
+    held = ConductingWalls(BushRing((0.05, 0.0500001), (1e9,), 1e9, 330.0), JournalHeat(temperature=340.0))
+    errors = []
+    for layers in (8, 16):
+        heat = FilmHeat(lambda t: 0.02 + 0.0 * t, 1.7e6, 0.13, 300.0, held, HeatGrid(layers))
+        found = thermal_film_at(ring, heat, (0.0, 0.0))
+        eta = found.layers
+        closed = 330.0 + 10.0 * eta + 0.02 * 15.0**2 / (2.0 * 0.13) * eta * (1.0 - eta)
+        errors.append(np.abs(found.temperature - closed).max())
+    assert errors[0] < 0.15
+    assert errors[1] < 0.3 * errors[0]  # second order across the gap
+    assert found.heat.dissipation == pytest.approx(0.02 * 15.0**2 / 50e-6 * math.pi * 0.1 * 0.05, rel=1e-9)
+
+
+def test_an_adiabatic_film_of_one_viscosity_warms_its_oil_by_friction_over_flow():
+    heat = replace(ADIABATIC, viscosity=lambda t: BEARING.viscosity + 0.0 * t)
+    found = solve_thermal_journal(BEARING, heat, WEIGHT)
+    plain = solve_journal(replace(BEARING, axial_viscosity=(1.0, 1.0)), WEIGHT, Resolution(4, 48, 24, 1e-8))
+    assert found.film.eccentricity_ratio == pytest.approx(plain.eccentricity_ratio, rel=2e-3)
+    rise = found.film.friction_torque * BEARING.angular_speed / (1.72e6 * found.film.side_flow.sum())
+    assert found.side_temperature - COLD == pytest.approx(rise, rel=0.02)
+
+
+def test_reversal_mirrors_the_temperatures():
+    here = solve_thermal_journal(BEARING, FULL, (20e3, -100e3))
+    there = solve_thermal_journal(replace(BEARING, angular_speed=-BEARING.angular_speed), FULL, (20e3, 100e3))
+    assert there.film.position == pytest.approx(here.film.position * (1.0, -1.0), rel=1e-9)
+    assert there.maximum_temperature == pytest.approx(here.maximum_temperature, abs=1e-7)
+    assert there.hot_spot[0] % (2 * math.pi) == pytest.approx(-here.hot_spot[0] % (2 * math.pi))
+
+
+def test_turning_everything_turns_the_answer():
+    by = 0.7
+    turned = replace(BEARING, lands=grooved_bore((by, math.pi + by), 0.07))
+    load = 112.8e3
+    here = solve_thermal_journal(BEARING, FULL, WEIGHT)
+    there = solve_thermal_journal(turned, FULL, (load * math.sin(by), -load * math.cos(by)))
+    assert there.maximum_temperature == pytest.approx(here.maximum_temperature, abs=1e-4)
+    assert there.film.minimum_film_thickness == pytest.approx(here.film.minimum_film_thickness, rel=1e-6)
+
+
+def test_walls_that_conduct_and_lose_heat_cool_the_film():
+    adiabatic, full = (solve_thermal_journal(BEARING, heat, WEIGHT) for heat in (ADIABATIC, FULL))
+    assert full.maximum_temperature < adiabatic.maximum_temperature
+    assert full.heat.bush > 0.0
+    assert abs(full.heat.journal) < 1e-6 * full.heat.dissipation  # nothing takes heat from the shaft
+
+
+def test_a_bush_that_conducts_without_bound_has_one_temperature():
+    copper = ConductingWalls(BushRing((0.2, 0.3), (1e7,), 50.0, 293.15), JournalHeat())
+    found = solve_thermal_journal(BEARING, replace(ADIABATIC, walls=copper), WEIGHT)
+    assert np.ptp(found.bush_temperature) < 0.01
+    outside = 2.0 * math.pi * 0.3 * 0.263 * 50.0 * (found.bush_temperature.mean() - 293.15)
+    assert found.heat.bush == pytest.approx(outside, rel=1e-3)
+
+
+def test_an_insulated_bush_takes_no_heat_but_evens_it_out():
+    walls = ConductingWalls(BushRing((0.2, 0.3), (50.0,), 0.0, 293.15), JournalHeat())
+    found = solve_thermal_journal(BEARING, replace(ADIABATIC, walls=walls), WEIGHT)
+    assert abs(found.heat.bush) < 1e-6 * found.heat.dissipation
+    assert np.abs(found.bush_flux).max() > 100.0
+
+
+def test_heat_lost_along_the_shaft_is_what_the_journal_takes():
+    shaft = JournalHeat(shaft_conductance=30.0, ambient_temperature=303.15)
+    found = solve_thermal_journal(BEARING, replace(FULL, walls=replace(WALLS, journal=shaft)), WEIGHT)
+    assert found.heat.journal == pytest.approx(30.0 * (found.journal_temperature - 303.15), rel=1e-6)
+
+
+@pytest.mark.parametrize("heat", [ADIABATIC, FULL], ids=["adiabatic", "full"])
+def test_the_default_grid_is_close_to_a_fine_one(heat):
+    """1 % of the film thickness and 1 K are wanted; along the film the temperature moves less than 0.2 K."""
+    usual = solve_thermal_journal(BEARING, heat, WEIGHT)
+    along = solve_thermal_journal(BEARING, heat, WEIGHT, Resolution(4, 192, 96, 1e-7))
+    fine = solve_thermal_journal(BEARING, replace(heat, grid=HeatGrid(20)), WEIGHT, Resolution(8, 192, 96, 1e-7))
+    assert usual.film.minimum_film_thickness == pytest.approx(fine.film.minimum_film_thickness, rel=0.005)
+    assert usual.maximum_temperature == pytest.approx(fine.maximum_temperature, abs=0.5)
+    assert usual.maximum_temperature == pytest.approx(along.maximum_temperature, abs=0.2)
+
+
+def test_temperature_converges_with_the_first_power_of_the_step():
+    at, heat = (4e-5, -1.1e-4), replace(FULL, grid=HeatGrid(10))
+    values = [
+        thermal_film_at(BEARING, heat, at, Resolution(4, n, n // 2, 1e-8)).side_temperature for n in (32, 64, 128)
+    ]
+    assert 1.5 < (values[1] - values[0]) / (values[2] - values[1]) < 4.5
+
+
+def test_a_line_of_supply_of_no_width_at_the_widest_gap_changes_little():
+    """One groove at the top, 0 and 2 degrees wide: the film between has the same temperatures."""
+    results = []
+    for extent in (0.0, math.radians(2.0)):
+        film = replace(BEARING, lands=grooved_bore((math.pi / 2.0,), extent))
+        results.append(solve_thermal_journal(film, ADIABATIC, WEIGHT))
+    assert results[1].maximum_temperature == pytest.approx(results[0].maximum_temperature, abs=0.5)
+
+
+def test_fresh_oil_in_place_of_hot_oil_cools_the_film_and_the_balance_still_closes():
+    full, washed = (
+        solve_thermal_journal(BEARING, replace(FULL, carry_over=share), WEIGHT) for share in (1.0, 0.5)
+    )
+    assert washed.maximum_temperature < full.maximum_temperature - 1.0
+    assert washed.heat.balance_error < 1e-7
+
+
+def test_turbulence_heats_more_and_still_closes_the_balance():
+    fast = replace(BEARING, angular_speed=400.0, viscosity=float(iso_vg_32(COLD)))
+    stirred = replace(fast, turbulence=FilmTurbulence(NG_PAN, 860.0, 200.0, 400.0))
+    laminar, turbulent = (solve_thermal_journal(film, FULL, WEIGHT) for film in (fast, stirred))
+    assert turbulent.film.outcome.solved
+    assert turbulent.heat.balance_error < 1e-7
+    assert turbulent.film.friction_torque > 1.1 * laminar.film.friction_torque
+
+
+def test_a_film_that_makes_oil_is_refused():
+    with pytest.raises(InputError, match="from nowhere"):
+        solve_thermal_journal(replace(BEARING, cavitation=Cavitation.REYNOLDS), FULL, WEIGHT)
