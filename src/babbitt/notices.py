@@ -237,20 +237,6 @@ EXPLANATIONS: dict[str, Explanation] = {
         "it: its sides lie in oil, which enters as warm as that of the supply. A side in air would draw air.",
         "A `cavitation_pressure` of 0 bar for sides in air; otherwise a supply that keeps the sides flooded.",
     ),
-    "W142": Explanation(
-        "Pressure beyond plain bearings",
-        "The film pressure exceeds 100 MPa. There soft bearing metals yield, surfaces deform by more than the film is "
-        "thick, and oils are several times as viscous as without pressure: a rigid film of constant viscosity, "
-        "though solved, says little. The number is an assumption: a white metal of Brinell hardness 30, the hardest "
-        "on board, yields at about a third of its hardness.",
-        "Check load, width and units; a larger bearing or less load.",
-    ),
-    "W143": Explanation(
-        "The load points into a groove",
-        "The load is directed at a groove as wide as the bearing. The groove carries no more than its own pressure, "
-        "and the film beside it all the rest.",
-        "Turn the groove away from the load; check `load_angle`, which is counter-clockwise from the x axis.",
-    ),
     "W145": Explanation(
         "Film outside the lubricant data",
         "Somewhere in the film the temperature lies outside the range for which the lubricant's numbers are "
@@ -268,6 +254,20 @@ EXPLANATIONS: dict[str, Explanation] = {
         "The stiffness was asked for with temperatures that follow the motion. The film beside the operating "
         "point did not settle.",
         "Use `temperature_coefficients: frozen`, or move supplies out of the loaded zone.",
+    ),
+    "W142": Explanation(
+        "Pressure beyond plain bearings",
+        "The film pressure exceeds 100 MPa. There soft bearing metals yield, surfaces deform by more than the "
+        "film is thick, and oils are several times as viscous as without pressure: a rigid film of constant "
+        "viscosity, though solved, says little. The number is an assumption: a white metal of Brinell hardness "
+        "30, the hardest on board, yields at about a third of its hardness.",
+        "Check load, width and units; a larger bearing or less load.",
+    ),
+    "W143": Explanation(
+        "The load points into a groove",
+        "The load is directed at a groove as wide as the bearing. The groove carries no more than its own "
+        "pressure, and the film beside it all the rest.",
+        "Turn the groove away from the load; check `load_angle`, which is counter-clockwise from the x axis.",
     ),
     "W120": Explanation(
         "The journal whirls",

@@ -48,11 +48,11 @@ from babbitt.results import Bound, Check, Result
 
 METHOD = "film"
 
-DRAWN_IN_FROM = 0.02
-"""Oil that the sides draw in, over what leaves, from which it is told."""
-
 AT_A_LINE = 1e-6
 """Angle in rad within which a load points at a line of supply."""
+
+DRAWN_IN_FROM = 0.02
+"""Oil that the sides draw in, over what leaves, from which it is told."""
 
 OIL_INVENTED_FROM = 0.05
 """Mass balance error above which a film without mass conservation is doubted."""
@@ -204,7 +204,7 @@ def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, fl
             said = (
                 f"under the pressure of grooves as wide as the bearing {-flow:.2g} L/min less pass than without it"
             )
-            said += ", as oil flows from a side into them" if (state.solution.end_flows < 0.0).any() else ""
+            said += ", as oil flows from a side into them" if state.solution.side_inflow > 0.0 else ""
         yield Notice("W121", f"{said}: a rough estimate")
     for groove in grooves:
         aside = abs(math.remainder(values["load_angle"] - groove.angle, 2.0 * math.pi))

@@ -71,7 +71,7 @@ def _of_lines(file: FilePath, at: Path) -> dict[str, Any]:
     found: dict[tuple[float, float], float] = {}
     for line, (angle, loaded, value) in rows_of_table(file, at, KINDS, EXAMPLE):
         if (angle, loaded) in found:
-            raise TableError(at, f"row {line} of {file.name} repeats a pair of angles", "each of them once")
+            raise TableError(at, f"line {line} of {file.name} repeats a pair of angles", "each of them once")
         found[angle, loaded] = value
     angles = sorted({angle for angle, _ in found})
     if angles != sorted({loaded for _, loaded in found}) or len(found) != len(angles) ** 2:

@@ -192,11 +192,10 @@ class PressureDamBoreGiven(Part):
                 says = f"the dam lies in grooves[{index}]"
                 yield Complaint(("bore", "angle"), says, "a place on the land between two grooves")
             elif before + 0.5 * groove.extent < self.extent - EDGE:
-                says = f"the recess before the dam runs over grooves[{index}] onto another land, as the journal turns "
-                allowed = (
-                    f"up to {written(before + 0.5 * groove.extent, 'deg')}, or another angle or sign of the speed"
-                )
-                yield Complaint(("bore", "extent"), says + turning, allowed)
+                says = f"the recess before the dam runs over grooves[{index}] onto another land"
+                reach = written(before + 0.5 * groove.extent, "deg")
+                allowed = f"up to {reach}, or another angle or sign of the speed"
+                yield Complaint(("bore", "extent"), f"{says}, as the journal turns {turning}", allowed)
 
     def too_wide(self, width: float) -> Iterator[Complaint]:
         """Complain about a recess or track wider than the bearing."""

@@ -144,8 +144,8 @@ def export(
         typer.Option(
             "--format",
             metavar="FORMAT",
-            help="ross2 (.json or .toml), ross3 (.json or .toml), xltrc2 (.csv or .xlsx), ansys (.txt), csv (.csv) or "
-            "json (.json); the ending is that of OUT.",
+            help="ross2 (.json or .toml), ross3 (.json or .toml), xltrc2 (.csv or .xlsx), ansys (.txt), "
+            "csv (.csv) or json (.json); the ending is that of OUT.",
         ),
     ],
     speeds: Annotated[

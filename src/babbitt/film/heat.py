@@ -12,7 +12,15 @@ from numpy.typing import NDArray
 from babbitt.film.model import Resolution
 from babbitt.notices import InputError
 
-__all__ = ["THERMAL_ENGINEERING", "THERMAL_REFERENCE", "BushRing", "ConductingWalls", "FilmHeat", "HeatGrid", "JournalHeat"]
+__all__ = [
+    "THERMAL_ENGINEERING",
+    "THERMAL_REFERENCE",
+    "BushRing",
+    "ConductingWalls",
+    "FilmHeat",
+    "HeatGrid",
+    "JournalHeat",
+]
 
 Array = NDArray[np.float64]
 

@@ -54,10 +54,10 @@ def print_comparison(comparisons: Sequence[Comparison]) -> bool:
         others = [variant for variant in comparison.variants if not variant.is_method]
         to.print(_table(title, methods))
         _print_remarks(to, methods)
-        if comparison.left_out:
-            to.print(f"  {comparison.left_out}", markup=False)
         for line in cost_of_one_temperature(comparison):
             to.print(f"  {line}", markup=False)
+        if comparison.left_out:
+            to.print(f"  {comparison.left_out}", markup=False)
         to.print()
         if others:
             to.print(_table(Text("Other choices within a method", style="bold"), others))

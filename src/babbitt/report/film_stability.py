@@ -74,7 +74,7 @@ def _map(panel: Axes, state: FilmState, found: StabilityMap) -> None:
 
 
 def _inside(curve: Any, x: Array, y: Array) -> tuple[float, float] | None:
-    """The place on a curve for its name: right of the middle, away from the edges; none where it only grazes them."""
+    """The place on a curve for its name, right of the middle and off the edges; none where it grazes them only."""
     vertices = np.asarray(curve, dtype=np.float64)
     across = np.log(vertices[:, 0] / x[0]) / math.log(x[-1] / x[0])
     up = np.log(vertices[:, 1] / y[0]) / math.log(y[-1] / y[0])

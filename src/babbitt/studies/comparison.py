@@ -136,11 +136,9 @@ def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
         among = (*ordered, *_cavitation_variants(plain))
         methods = (one for one in among if one.is_method)
         reason = unknown_to_iso7902(bearing)
-        yield Comparison(
-            films[0].case.name,
-            (*methods, *(one for one in among if not one.is_method)),
-            f"{ISO_LABEL} is left out: {reason}" if reason else "",
-        )
+        left_out = f"{ISO_LABEL} is left out: {reason}" if reason else ""
+        ranked = (*methods, *(one for one in among if not one.is_method))
+        yield Comparison(films[0].case.name, ranked, left_out)
 
 
 def _film_variant(one: ThermalVariant) -> Variant:

@@ -35,14 +35,14 @@ def chosen_film(designs: Sequence[AnyDesign], file: Path, name: str | None) -> F
 def require_target(
     format_name: str, film: FilmCase, file: Path, output: Path, other_end: bool, speeds: Sequence[float]
 ) -> None:
-    """Refuse a format that does not exist, cannot hold the rotation sense or needs more speeds, and a file that is not
-    of the format.
+    """Refuse a format that does not exist, cannot hold the rotation sense or needs more speeds, and a file that
+    is not of the format.
 
     Raises
     ------
     InputError
-        E005 for an unknown format, E004 for a rotation sense that it has no place for, E003 for too few speeds, E007
-        for the file.
+        E005 for an unknown format, E004 for a rotation sense that it has no place for, E003 for too few speeds,
+        E007 for the file.
     """
     if format_name not in FORMATS:
         raise InputError("E005", f"no format '{format_name}'; there are: {', '.join(FORMATS)}")
@@ -60,9 +60,9 @@ def require_target(
     if len(speeds) < wanted.fewest_speeds:
         raise InputError(
             "E003",
-            f"--speeds: {format_name} interpolates between at least {wanted.fewest_speeds} speeds, and {len(speeds)} "
-            f"{'is' if len(speeds) == 1 else 'are'} given; write more over the range of the rotor (10 to 20 are "
-            "better), such as --speeds '500 rpm:5000 rpm:10', or choose csv or json",
+            f"--speeds: {format_name} interpolates between at least {wanted.fewest_speeds} speeds, and "
+            f"{len(speeds)} {'is' if len(speeds) == 1 else 'are'} given; write more over the range of the rotor "
+            "(10 to 20 are better), such as --speeds '500 rpm:5000 rpm:10', or choose csv or json",
         )
     if output.resolve() == file.resolve():
         raise InputError("E007", f"cannot write {output}: it is a case file; nothing was written")
