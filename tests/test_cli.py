@@ -282,6 +282,7 @@ def test_export_without_equilibrium_ends_with_three_and_writes_nothing(run, tmp_
     [
         ({"--format": "ross"}, "ross2, ross3"),
         ({"--format": "ross3", "-o": "table.csv"}, ".json or .toml"),
+        ({"--format": "ross3", "-o": "table.json"}, "at least 5 speeds, and 1 is given; write more"),
         ({"--speeds": "fast"}, "--speeds 'fast'"),
         ({"--bearing": "Pmup"}, "there are: Pump"),
         ({"-o": "nowhere/table.csv"}, "folder does not exist"),
@@ -304,6 +305,16 @@ def test_mistakes_of_export(run, tmp_path, changed, words):
     assert (status, out) == (2, "")
     assert words in err
     assert not (tmp_path / "table.csv").exists()
+
+
+def test_the_help_of_export_names_the_endings_of_every_format(run):
+    from babbitt.interop import FORMATS
+
+    status, out, _ = run("export", "--help")
+    words = " ".join(out.replace("│", " ").split())
+    assert status == 0
+    for one in FORMATS.values():
+        assert f"{one.name} ({' or '.join(one.suffixes)})" in words
 
 
 def test_links_and_devices_stay_what_they_are(run, tmp_path):

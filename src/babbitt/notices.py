@@ -227,9 +227,9 @@ EXPLANATIONS: dict[str, Explanation] = {
         "Give `surfaces` or `limits: {minimum_film_thickness: ...}`.",
     ),
     "W116": Explanation(
-        "Eccentricity at the end of the tables",
-        "Above an eccentricity of 0.95 elastic deformation, roughness and heat decide the film; a rigid "
-        "isoviscous film is too simple.",
+        "Film thinner than rigid films go",
+        "Above an eccentricity of 0.95, or where the film is thinner than 0.05 of the clearance, elastic "
+        "deformation, roughness and heat decide the film; a rigid isoviscous film is too simple.",
         "Treat the film thickness as an order of magnitude; lower the load or raise the viscosity.",
     ),
     "W117": Explanation(
@@ -294,6 +294,20 @@ EXPLANATIONS: dict[str, Explanation] = {
         "The stiffness was asked for with temperatures that follow the motion. The film beside the operating "
         "point did not settle.",
         "Use `temperature_coefficients: frozen`, or move supplies out of the loaded zone.",
+    ),
+    "W142": Explanation(
+        "Pressure beyond plain bearings",
+        "The film pressure exceeds 100 MPa. There soft bearing metals yield, surfaces deform by more than the "
+        "film is thick, and oils are several times as viscous as without pressure: a rigid film of constant "
+        "viscosity, though solved, says little. The number is an assumption: a white metal of Brinell hardness "
+        "30, the hardest on board, yields at about a third of its hardness.",
+        "Check load, width and units; a larger bearing or less load.",
+    ),
+    "W143": Explanation(
+        "The load points into a groove",
+        "The load is directed at a groove as wide as the bearing. The groove carries no more than its own "
+        "pressure, and the film beside it all the rest.",
+        "Turn the groove away from the load; check `load_angle`, which is counter-clockwise from the x axis.",
     ),
     "W120": Explanation(
         "The journal whirls",
@@ -750,6 +764,12 @@ EXPLANATIONS: dict[str, Explanation] = {
         "The mass above which a rigid rotor whirls, and with `shaft_stiffness` that of a rotor on an elastic "
         "shaft, is compared with the mass of the rotor (`rotor_mass`), or, as advice only, with the load over g.",
         "A larger clearance, a thinner oil, a narrower bearing, or a bore with preload.",
+    ),
+    "C116": Explanation(
+        "Pressure of plain bearings",
+        "Where no bearing metal is given to compare the load with, the largest film pressure is compared with "
+        "100 MPa, about the yield strength of a white metal of Brinell hardness 30, the hardest on board.",
+        "Give the metal (`materials: {bearing_metal: ...}`), which has limits of its own; a larger bearing.",
     ),
     "C114": Explanation(
         "Recommended clearance",

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from babbitt import __version__
 from babbitt.bearings.model import FilmCase
+from babbitt.bearings.watch import Watch, unwatched
 from babbitt.cases import Case, OverhungCouplingCase, case_hash, design_cases
 from babbitt.cases.build import AnyDesign, EveryDesign
 from babbitt.cases.case_file import CaseFile
@@ -69,13 +70,15 @@ class MachineResult:
         raise KeyError(f"no bearing {name!r}; there are: {', '.join(result.name for result in self.results)}")
 
 
-def solve(case: Case) -> MachineResult:
+def solve(case: Case, watch: Watch = unwatched) -> MachineResult:
     """Solve every bearing of a case.
 
     Parameters
     ----------
     case : Case
         From `babbitt.load_case` or `babbitt.parse_case`.
+    watch : callable
+        Hands on the numbers of the cycles of an orbit, which takes long, and may show how far it is.
 
     Returns
     -------
@@ -95,7 +98,7 @@ def solve(case: Case) -> MachineResult:
     if isinstance(case, OverhungCouplingCase):
         results: tuple[Result, ...] = (_shaft_result(case),)
     else:
-        pairs = [(design, result) for design in designs for result in solve_every(design)]
+        pairs = [(design, result) for design in designs for result in solve_every(design, watch)]
         designs, results = tuple(design for design, _ in pairs), tuple(result for _, result in pairs)
     return MachineResult(
         case.name,
@@ -108,12 +111,14 @@ def solve(case: Case) -> MachineResult:
     )
 
 
-def solve_every(design: EveryDesign) -> tuple[Result, ...]:
+def solve_every(design: EveryDesign, watch: Watch = unwatched) -> tuple[Result, ...]:
     """Solve one design case and give every answer: a heel may have several steady states.
 
     Parameters
     ----------
     design : EveryDesign
+    watch : callable
+        Follows the cycles of an orbit.
 
     Returns
     -------
@@ -123,15 +128,17 @@ def solve_every(design: EveryDesign) -> tuple[Result, ...]:
         from babbitt.footstep.check import heel_results  # scipy is imported when the first heel is solved
 
         return heel_results(design)
-    return (solve_design(design),)
+    return (solve_design(design, watch),)
 
 
-def solve_design(design: AnyDesign) -> Result:
+def solve_design(design: AnyDesign, watch: Watch = unwatched) -> Result:
     """Solve one design case that has one answer.
 
     Parameters
     ----------
     design : AnyDesign
+    watch : callable
+        Follows the cycles of an orbit.
 
     Returns
     -------
@@ -140,7 +147,7 @@ def solve_design(design: AnyDesign) -> Result:
     if isinstance(design, FilmCase):
         from babbitt.bearings.check import film_check  # numba is imported when the first film is solved
 
-        return film_check(design)
+        return film_check(design, watch)
     if isinstance(design, LongFilmCase):
         from babbitt.longfilm.check import long_film_check  # numpy and scipy are imported with the first film
 

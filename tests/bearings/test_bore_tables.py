@@ -71,9 +71,9 @@ FULL = [(a, departure(a)) for a in range(0, 361, 10)]
         (FULL[:20], None, "leaves a gap"),
         ([*FULL[:9], (40, 1.0), *FULL[9:]], None, "do not rise"),
         (FULL, "angle,departure", "no heading with units"),
-        (FULL, "angle [kg],departure [um]", "row 2"),
-        ([*FULL[:9], (95, "nan"), *FULL[10:]], None, "row 11"),
-        ([*FULL[:9], (95, "two"), *FULL[10:]], None, "row 11"),
+        (FULL, "angle [kg],departure [um]", "line 2"),
+        ([*FULL[:9], (95, "nan"), *FULL[10:]], None, "line 11 of bore.csv: 'nan' is not a finite number"),
+        ([*FULL[:9], (95, "two"), *FULL[10:]], None, "line 11 of bore.csv: 'two' is not"),
     ],
 )
 def test_bad_tables_are_named(tmp_path, rows, heading, words):
@@ -89,5 +89,5 @@ def test_bad_tables_are_named(tmp_path, rows, heading, words):
 def test_a_missing_table_is_named(tmp_path):
     path = written(tmp_path, FULL)
     (tmp_path / "bore.csv").unlink()
-    with pytest.raises(CaseError, match=r"bore\.csv cannot be read"):
+    with pytest.raises(CaseError, match=r"there is no such file: .*bore\.csv"):
         load_case(path)

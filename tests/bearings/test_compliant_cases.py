@@ -74,7 +74,7 @@ def test_matrices_are_read_from_csv_and_npz(tmp_path):
     [
         (matrix_lines()[:-1], "143 values for 12 angles"),
         ([*matrix_lines(), "0,0,1"], "repeats a pair"),
-        (["0,0,soft"], "row 2"),
+        (["0,0,soft"], "line 2"),
     ],
 )
 def test_unusable_matrices_are_told(tmp_path, lines, says):

@@ -77,3 +77,6 @@ def test_comparison_leaves_the_standard_out_where_it_does_not_know_the_bearing()
     assert "ISO 7902" not in {variant.label for variant in lemon.variants}
     grooved = compare_methods(case())[0]
     assert "ISO 7902" not in {variant.label for variant in grooved.variants}  # grooves alone tell no span
+    assert "round bores only, not lobes" in lemon.left_out
+    assert "give span" in grooved.left_out
+    assert not compare_methods(case(grooves=None, span="180 deg", accuracy="draft"))[0].left_out

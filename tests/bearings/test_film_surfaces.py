@@ -19,12 +19,28 @@ def layout(**given):
     return film_of(film(**given), 1.5e-3, 0.02, 1e5)
 
 
-@pytest.mark.parametrize(("speed", "middle"), [("3000 rpm", 75.0), ("-3000 rpm", 195.0)])
-def test_the_recess_lies_before_its_dam_in_the_sense_of_rotation(speed, middle):
-    recess, track = layout(bore=DAM | {"relief": TRACK}, speed=speed).steps
+@pytest.mark.parametrize(
+    ("speed", "dam", "middle"), [("3000 rpm", "135 deg", 75.0), ("-3000 rpm", "45 deg", 105.0)]
+)
+def test_the_recess_lies_before_its_dam_in_the_sense_of_rotation(speed, dam, middle):
+    recess, track = layout(bore=DAM | {"relief": TRACK, "angle": dam}, speed=speed).steps
     assert math.degrees(recess.centre_angle) == pytest.approx(middle)
     assert (recess.axial_length, recess.depth) == pytest.approx((0.09, 4.5e-4))
     assert track == Step(pytest.approx(-math.pi / 2), pytest.approx(math.radians(160)), 0.03, 5e-4)
+
+
+@pytest.mark.parametrize(
+    ("given", "speed", "says"),
+    [
+        ({}, "-3000 rpm", r"runs over grooves\[1\] onto another land, as the journal turns clockwise"),
+        ({"extent": "150 deg"}, "3000 rpm", r"runs over grooves\[0\].* up to 145 deg"),
+        ({"angle": "175 deg"}, "3000 rpm", r"the dam lies in grooves\[1\]"),
+    ],
+)
+def test_a_recess_stays_on_its_land(given, speed, says):
+    film(bore=DAM | {"extent": "145 deg"})  # as far as to the groove
+    with pytest.raises(CaseError, match=says):
+        film(bore=DAM | given, speed=speed)
 
 
 def test_a_pressure_dam_pushes_the_journal_deeper_and_against_whirl():
@@ -90,7 +106,7 @@ def test_a_displacement_is_read_inline_and_from_a_table_of_any_order(tmp_path):
     ("text", "says"),
     [
         ("angle,z,displacement\n", "no heading"),
-        ("angle [deg],z [mm],displacement [um]\n0,0,one\n", "row 2"),
+        ("angle [deg],z [mm],displacement [um]\n0,0,one\n", "line 2"),
         ("angle [deg],z [mm],displacement [um]\n0,0,1\n0,0,2\n", "repeats"),
         ("angle [deg],z [mm],displacement [um]\n0,0,1\n45,0,1\n45,10,1\n", "2 places"),
         ("angle [deg],z [mm],displacement [um]\n" + "".join(f"{a},0,{a}\n" for a in range(0, 361, 45)), "close"),

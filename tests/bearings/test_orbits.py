@@ -44,7 +44,9 @@ def test_a_rotating_load_is_a_steady_one_at_the_effective_speed(ratio):
 
 def test_a_closed_ring_agrees_with_the_effective_speed():
     ring = replace(RING, film_start=FilmStart.PERIODIC)
-    orbit = find_orbit(ring, RotatingLoad(2e4))
+    seen = []
+    orbit = find_orbit(ring, RotatingLoad(2e4), watch=lambda cycles: (seen.append(one) or one for one in cycles))
+    assert seen == list(range(1, orbit.cycles + 1))  # told cycle by cycle
     steady = solve_journal(replace(ring, angular_speed=-SPEED), (2e4, 0.0), DRAFT)
     assert orbit.largest_eccentricity_ratio == pytest.approx(steady.eccentricity_ratio, rel=5e-3)
 

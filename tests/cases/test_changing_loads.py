@@ -53,7 +53,7 @@ def test_a_file_says_the_same_as_the_lists(tmp_path):
 
 @pytest.mark.parametrize(
     ("table", "words"),
-    [("angle,fx,fy\n0,0,0\n", "no heading"), (TABLE.replace("180,1", "180,one"), "row 3")],
+    [("angle,fx,fy\n0,0,0\n", "no heading"), (TABLE.replace("180,1", "180,one"), "line 3")],
 )
 def test_a_table_that_cannot_be_read_is_told(tmp_path, table, words):
     (tmp_path / "load.csv").write_text(table, encoding="utf-8")

@@ -79,5 +79,5 @@ def test_tables_that_cannot_be_used(tmp_path, tables, words):
 def test_a_file_that_is_not_there(tmp_path):
     path = written(tmp_path)
     (tmp_path / "own.toml").unlink()
-    with pytest.raises(CaseError, match="cannot be read"):
+    with pytest.raises(CaseError, match="there is no such file"):
         load_case(path)

@@ -93,7 +93,7 @@ def test_operating_points_are_reached_by_their_number(tmp_path):
     ("path", "words"),
     [
         ("lubricant.viscosity", "not a mapping"),
-        ("grooves.7.extent", "no 'grooves.7'"),
+        ("grooves.7.extent", "no 'grooves.7' to look into; the list has 0 to 1"),
         ("grooves.first.extent", "no 'grooves.first'"),
         ("load..x", "names no field"),
         ("", "names no field"),
@@ -106,7 +106,7 @@ def test_a_path_that_leads_nowhere_is_told(film, path, words):
 
 
 def test_a_list_without_that_place_is_told(film):
-    with pytest.raises(InputError, match=r"no 'grooves\.7'"):
+    with pytest.raises(InputError, match=r"no 'grooves\.7'; the list has 0 to 1"):
         sweep_case(case_variation(film, "grooves.7"), values_of("1, 2"))
 
 

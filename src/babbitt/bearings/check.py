@@ -29,17 +29,27 @@ from babbitt.bearings.thermal_answer import (
 from babbitt.bearings.thermal_film import film_equilibrium
 from babbitt.bearings.transition import transition_speed
 from babbitt.bearings.warm_film import FilmState, under_found_load
+from babbitt.bearings.watch import Watch, unwatched
 from babbitt.bearings.whirl import Whirl, whirl_of
 from babbitt.bearings.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import GivenLoad, contact_film
-from babbitt.design.doubts import doubt_about_supply, doubts_about_film, doubts_about_running
+from babbitt.design.doubts import (
+    PLAIN_BEARING_UP_TO,
+    doubt_about_pressure,
+    doubt_about_supply,
+    doubts_about_film,
+    doubts_about_running,
+)
 from babbitt.design.failure import failure
 from babbitt.film.model import Cavitation
 from babbitt.notices import Notice
-from babbitt.results import Check, Result
+from babbitt.results import Bound, Check, Result
 
 METHOD = "film"
+
+AT_A_LINE = 1e-6
+"""Angle in rad within which a load points at a line of supply."""
 
 DRAWN_IN_FROM = 0.02
 """Oil that the sides draw in, over what leaves, from which it is told."""
@@ -48,12 +58,14 @@ OIL_INVENTED_FROM = 0.05
 """Mass balance error above which a film without mass conservation is doubted."""
 
 
-def film_check(case: FilmCase) -> Result:
+def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
     """Solve the film of a bearing with its global heat balance.
 
     Parameters
     ----------
     case : FilmCase
+    watch : Watch
+        Follows the cycles of an orbit.
 
     Returns
     -------
@@ -108,7 +120,7 @@ def film_check(case: FilmCase) -> Result:
                 values["equilibria"] = float(len(places.places))
             if isinstance(case.duty, GivenLoad):
                 warnings = (*warnings, *doubts_about_rest(state.solution, places))
-            orbit = orbit_of(case, state)
+            orbit = orbit_of(case, state, watch)
             if orbit is not None:
                 outcome = orbit.outcome
                 message = "" if outcome.solved else orbit_failure(orbit)
@@ -146,6 +158,10 @@ def _running_values(case: FilmCase, state: FilmState, whirl: Whirl | None) -> di
 def _limit_checks(case: FilmCase, values: dict[str, float]) -> Iterator[Check]:
     """Those of every method; a film that was solved as turbulent need not be laminar."""
     yield from (one for one in limit_checks(case, values) if one.code != "C110" or case.turbulence is None)
+    if case.bearing.metal is None:
+        source = "yield strength of the hardest white metals, about (assumption); no bearing metal is given"
+        pressure = values["maximum_pressure"]
+        yield Check("C116", "maximum_pressure", pressure, PLAIN_BEARING_UP_TO, Bound.AT_MOST, source)
 
 
 def _doubts(
@@ -169,14 +185,36 @@ def _doubts(
     if film.side_inflow > DRAWN_IN_FROM * film.leaving_flow:
         flow = film.side_inflow * 6e4
         yield Notice("W141", f"the sides draw in {flow:.2g} L/min")
-    grooved = any(hollow.width is None for hollow in case.bearing.hollows)
-    if grooved and without_pressure(state.solution.film) != state.solution.film:
-        flow = values["supply_flow"] * 6e4
-        yield Notice(
-            "W121", f"supply flow of {flow:.2g} L/min from grooves as wide as the bearing: a rough estimate"
-        )
+    yield from doubt_about_pressure(values["maximum_pressure"])
+    yield from _doubts_about_grooves(case, state, values)
     if case.error_estimate and "position_error" not in values and "load_error" not in values:
         yield Notice("W125", "the film on the finer grid was not found")
     if whirl is not None:
         yield from doubts_about_whirl(whirl)
     yield from doubts_about_running(case, values, checks)
+
+
+def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, float]) -> Iterator[Notice]:
+    """Flow of grooves as wide as the bearing, and a load that points into one."""
+    grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
+    if grooves and without_pressure(state.solution.film) != state.solution.film:
+        flow = values["supply_flow"] * 6e4
+        said = f"supply flow of {flow:.2g} L/min from grooves as wide as the bearing"
+        if flow < 0.0:
+            said = (
+                f"under the pressure of grooves as wide as the bearing {-flow:.2g} L/min less pass than without it"
+            )
+            said += ", as oil flows from a side into them" if state.solution.side_inflow > 0.0 else ""
+        yield Notice("W121", f"{said}: a rough estimate")
+    for groove in grooves:
+        aside = abs(math.remainder(values["load_angle"] - groove.angle, 2.0 * math.pi))
+        if aside <= 0.5 * groove.extent + AT_A_LINE:
+            load, first, last = (
+                math.degrees(angle)
+                for angle in (
+                    values["load_angle"], groove.angle - 0.5 * groove.extent, groove.angle + 0.5 * groove.extent
+                )
+            )  # fmt: skip
+            yield Notice(
+                "W143", f"the load acts at {load:.0f}°, the groove reaches from {first:.0f}° to {last:.0f}°"
+            )

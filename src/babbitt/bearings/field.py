@@ -23,6 +23,7 @@ __all__ = [
     "field_of",
     "inside",
     "journal_gap",
+    "narrowest_gap_angle",
     "pressure_on",
     "step_patches",
     "supply_patches",
@@ -33,6 +34,9 @@ TURN = 2.0 * math.pi
 
 AXIAL_POINTS = 41
 """Across the width; odd, so that the mid-plane is one of them."""
+
+ALL_AROUND = 1440
+"""Directions in which the narrowest gap is looked for; a parabola refines it."""
 
 EDGE = 1e-7
 """Angle in rad by which a point must lie inside a groove to count as in it."""
@@ -149,6 +153,21 @@ def centred_gap(film: JournalFilm, theta: Array, z: Array) -> Array:
 def bore_outline(film: JournalFilm, theta: Array) -> Array:
     """Least gap across the width around the centred journal, m, shape (theta,)."""
     return np.asarray(centred_gap(film, theta, np.linspace(-0.5, 0.5, 9) * film.width).min(axis=1))
+
+
+def narrowest_gap_angle(solution: FilmSolution) -> float:
+    """Direction of the narrowest gap outside grooves, pockets and holes, rad within (-pi, pi]."""
+    theta = np.linspace(-math.pi, math.pi, ALL_AROUND, endpoint=False)
+    z = np.linspace(-0.5, 0.5, AXIAL_POINTS) * solution.film.width
+    gap = journal_gap(solution, theta, z)
+    for patch in supply_patches(solution.film):
+        gap[np.ix_(inside(theta, patch.theta), between(z, patch.z))] = math.inf
+    least = gap.min(axis=1)
+    place = int(least.argmin())
+    before, here, behind = least[[place - 1, place, (place + 1) % ALL_AROUND]]
+    bend = before - 2.0 * here + behind
+    aside = 0.5 * (before - behind) / bend if math.isfinite(bend) and bend > 0.0 else 0.0
+    return math.pi - (math.pi - float(theta[place] + aside * TURN / ALL_AROUND)) % TURN
 
 
 def step_patches(film: JournalFilm) -> tuple[StepPatch, ...]:

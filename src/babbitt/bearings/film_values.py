@@ -9,6 +9,7 @@ import numpy as np
 
 from babbitt.bearings.bore import LobedBore
 from babbitt.bearings.extent import full_film_share, turbulent_share
+from babbitt.bearings.field import narrowest_gap_angle
 from babbitt.bearings.layout import supply_numbers, without_pressure
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.thermal_answer import flow_without_pressure, thermal_values
@@ -48,6 +49,7 @@ def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "operating_relative_clearance": state.relative_clearance,
         **_lobe_values(case, state),
         **duty,
+        "angular_speed": case.journal_speed,
         **oil_values(case, state),
         "sommerfeld_number": film.sommerfeld_number,
         "american_sommerfeld_number": 1.0 / (2.0 * math.pi * film.sommerfeld_number),
@@ -55,6 +57,7 @@ def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "attitude_angle": film.attitude_angle,
         "load_angle": math.atan2(-film.force[1], -film.force[0]),
         "minimum_film_thickness": film.minimum_film_thickness,
+        "narrowest_gap_angle": narrowest_gap_angle(film),
         "maximum_pressure": film.maximum_pressure,
         "friction_number": coefficient / state.relative_clearance,
         "friction_coefficient": coefficient,

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from babbitt.bearings.changing_load import ChangingLoad
 from babbitt.bearings.moving_journal import HeavyJournal, MasslessJournal, MovingJournal, NoMotionError
+from babbitt.bearings.watch import Watch, unwatched
 from babbitt.film.model import DRAFT, Cavitation, JournalFilm, Resolution
 from babbitt.film.solution import FilmSolution
 from babbitt.film.solve import film_at_position, solve_journal
@@ -133,6 +134,7 @@ def find_orbit(
     speed: float | None = None,
     mass: float = 0.0,
     resolution: Resolution = DRAFT,
+    watch: Watch = unwatched,
 ) -> Orbit:
     """March a journal under a changing load until its orbit closes.
 
@@ -148,6 +150,8 @@ def find_orbit(
     mass : float
         Of the rotor that moves with the journal, kg.
     resolution : Resolution
+    watch : Watch
+        Follows the cycles, of which most orbits need few.
 
     Returns
     -------
@@ -172,10 +176,10 @@ def find_orbit(
     journal = kind(thin, np.asarray(steady), changing, speed, resolution)
     if isinstance(journal, HeavyJournal):
         journal.mass = mass
-    return _marched(journal, begun)
+    return _marched(journal, begun, watch)
 
 
-def _marched(journal: MasslessJournal | HeavyJournal, begun: float) -> Orbit:
+def _marched(journal: MasslessJournal | HeavyJournal, begun: float, watch: Watch) -> Orbit:
     from scipy.integrate import solve_ivp
 
     cycle = journal.changing.cycle
@@ -184,8 +188,7 @@ def _marched(journal: MasslessJournal | HeavyJournal, begun: float) -> Orbit:
     states, thinnest = state[:, None].repeat(POINTS, axis=1), []
     outcome, cycles = Outcome.NOT_PERIODIC, 0
     try:
-        while cycles < MOST_CYCLES:
-            cycles += 1
+        for cycles in watch(range(1, MOST_CYCLES + 1)):
             run = solve_ivp(
                 journal.slope, (0.0, cycle), state, method="LSODA", t_eval=instants, jac=journal.jacobian,
                 rtol=ACCURACY, atol=0.1 * ACCURACY,

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 from babbitt.bearings.layout import load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState, is_dear
+from babbitt.bearings.watch import Watch, unwatched
 from babbitt.design.conditions import GivenLoad
-from babbitt.design.doubts import RIGID_FILM_UP_TO
+from babbitt.design.doubts import RIGID_FILM_UP_TO, doubt_about_pressure
 from babbitt.film.model import DRAFT, Cavitation
 from babbitt.notices import EXPLANATIONS, Notice
 from babbitt.results import Check, Matrix
@@ -33,7 +34,7 @@ GRID_TOLD_FROM = 0.05
 """Share of the load that a finer grid does not confirm, from which the orbit is doubted."""
 
 
-def orbit_of(case: FilmCase, state: FilmState) -> Orbit | None:
+def orbit_of(case: FilmCase, state: FilmState, watch: Watch = unwatched) -> Orbit | None:
     """Orbit of the journal in the film of the operating point; None under a steady load.
 
     It is seen on the grid of the case, or on a draft grid where each of its instants would take long.
@@ -50,6 +51,7 @@ def orbit_of(case: FilmCase, state: FilmState) -> Orbit | None:
         case.journal_speed,
         case.moving_mass,
         DRAFT if is_dear(state) else case.accuracy.resolution,
+        watch,
     )
 
 
@@ -90,6 +92,7 @@ def orbit_doubts(case: FilmCase, orbit: Orbit) -> Iterator[Notice]:
         yield Notice(
             "W133", f"a grid twice as fine changes the force by {orbit.load_error:.0%} where the film is thinnest"
         )
+    yield from doubt_about_pressure(float(orbit.maximum_pressure.max()), "on the orbit")
     depth = 1.0 - float(orbit.film_thickness.min()) / orbit.clearance
     if depth > RIGID_FILM_UP_TO:
         yield Notice(

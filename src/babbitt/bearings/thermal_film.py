@@ -13,7 +13,6 @@ from functools import cache
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from babbitt.bearings.compiling import announced
 from babbitt.bearings.heat_model import AxialTemperature
 from babbitt.bearings.layout import film_of, load_vector
 from babbitt.bearings.model import FilmCase
@@ -226,7 +225,7 @@ def highest_usable(oil: Lubricant) -> float:
 
 def thermal_resolution(case: FilmCase) -> Resolution:
     """Grid of a thermal film by the accuracy of the case."""
-    from babbitt.film.thermal import THERMAL_ENGINEERING, THERMAL_REFERENCE
+    from babbitt.film.heat import THERMAL_ENGINEERING, THERMAL_REFERENCE
 
     draft = replace(THERMAL_ENGINEERING, intervals=32, coarse_intervals=16)
     grids = {DRAFT: draft, ENGINEERING: THERMAL_ENGINEERING, REFERENCE: THERMAL_REFERENCE}
@@ -234,15 +233,14 @@ def thermal_resolution(case: FilmCase) -> Resolution:
 
 
 def _settled(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: _AttitudeSearch) -> ThermalFilm:
-    with announced():
-        from babbitt.film.thermal import solve_thermal_journal, thermal_film_at
+    from babbitt.film.thermal import solve_thermal_journal, thermal_film_at
 
-        grid = thermal_resolution(case)
-        if isinstance(case.duty, GivenPosition):
-            return _inside(thermal_film_at(film, heat, (case.duty.x, case.duty.y), grid))
-        if isinstance(case.duty, GivenEccentricity):
-            return _at_eccentricity(case, case.duty, film, heat, search)
-        return solve_thermal_journal(film, heat, load_vector(case, case.duty.load), grid)
+    grid = thermal_resolution(case)
+    if isinstance(case.duty, GivenPosition):
+        return _inside(thermal_film_at(film, heat, (case.duty.x, case.duty.y), grid))
+    if isinstance(case.duty, GivenEccentricity):
+        return _at_eccentricity(case, case.duty, film, heat, search)
+    return solve_thermal_journal(film, heat, load_vector(case, case.duty.load), grid)
 
 
 def _at_eccentricity(

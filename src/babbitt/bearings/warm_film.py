@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
-from babbitt.bearings.compiling import announced
 from babbitt.bearings.layout import film_of, given_flows, load_vector
 from babbitt.bearings.model import FilmCase, Search
 from babbitt.bearings.settling import held_place, is_saddle, settled_film
@@ -186,12 +185,11 @@ def _settled(case: FilmCase, near: tuple[float, float] | None, film: JournalFilm
 
 
 def _in_given_bore(case: FilmCase, near: tuple[float, float] | None, film: JournalFilm) -> FilmSolution:
-    with announced():
-        if isinstance(case.duty, GivenEccentricity):
-            return _at_eccentricity(case, case.duty, film)
-        if isinstance(case.duty, GivenPosition):
-            return film_at(case, film, (case.duty.x, case.duty.y))
-        return settled_film(film, load_vector(case, case.duty.load), resolution_of(case), near)
+    if isinstance(case.duty, GivenEccentricity):
+        return _at_eccentricity(case, case.duty, film)
+    if isinstance(case.duty, GivenPosition):
+        return film_at(case, film, (case.duty.x, case.duty.y))
+    return settled_film(film, load_vector(case, case.duty.load), resolution_of(case), near)
 
 
 def film_at_angle(case: FilmCase, film: JournalFilm, eccentricity_ratio: float, attitude: float) -> FilmSolution:

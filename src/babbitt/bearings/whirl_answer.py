@@ -7,7 +7,6 @@ from collections.abc import Iterator
 
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.whirl import Whirl
-from babbitt.design.checks import USER
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check
 
@@ -35,7 +34,7 @@ def whirl_checks(case: FilmCase, whirl: Whirl | None) -> Iterator[Check]:
     if whirl is None:
         return
     own = case.rotor_mass is not None
-    source = USER if own else "load over g, as if the load were the weight of the rotor"
+    source = "rotor_mass of the case" if own else "load over g, as if the load were the weight of the rotor"
     for name, critical in _critical_masses(whirl).items():
         if math.isfinite(critical):
             yield Check("C115", name, critical, whirl.rotor_mass, Bound.AT_LEAST, source, not own)

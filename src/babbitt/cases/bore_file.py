@@ -92,6 +92,8 @@ def _with_limits(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[
             raise TableError(at, f"{file.name} is larger than {LARGEST_LIMITS // 1000} kB", LIMITS_FORM)
         text = file.read_text(encoding="utf-8-sig")
         parse_experience_limits(text, file.name)
+    except FileNotFoundError:
+        raise TableError(at, f"there is no such file: {file}", LIMITS_FORM) from None
     except (OSError, UnicodeDecodeError, ValueError):
         raise TableError(at, f"{shown(file.name)} cannot be read", LIMITS_FORM) from None
     except InputError as error:
@@ -119,7 +121,7 @@ def _with_load(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[st
     at = (*path, "dynamic_load", "file")
     if not isinstance(load["file"], str):
         raise TableError(at, f"{shown(load['file'])} is not the name of a file", LOAD_EXAMPLE)
-    rows = _columns(folder / load["file"], at, ("rad", "N", "N"), LOAD_EXAMPLE)
+    rows = [row for _, row in rows_of_table(folder / load["file"], at, ("rad", "N", "N"), LOAD_EXAMPLE)]
     if len(rows) > MOST_LOADS:
         raise TableError(at, f"{load['file']} has {len(rows)} points", f"at most {MOST_LOADS}")
     rest = {name: value for name, value in load.items() if name != "file"}
@@ -129,31 +131,65 @@ def _with_load(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[st
 
 def departures_of(file: FilePath, at: Path) -> list[float]:
     """Departures in m at equal steps from angle 0, interpolated linearly between the points of a table."""
-    points = [(angle, departure) for angle, departure in _columns(file, at, ("rad", "m"), EXAMPLE)]
+    points = [(row[0], row[1]) for _, row in rows_of_table(file, at, ("rad", "m"), EXAMPLE)]
     return _once_around(points, file.name, at)
 
 
-def _columns(file: FilePath, at: Path, kinds: tuple[str, ...], example: str) -> list[tuple[float, ...]]:
-    """Rows of a table whose heading has the units, each column in its SI unit."""
+def rows_of_table(
+    file: FilePath, at: Path, kinds: tuple[str, ...], example: str
+) -> list[tuple[int, tuple[float, ...]]]:
+    """Rows of a CSV table whose heading has the units: the line, and each column in its SI unit.
+
+    Parameters
+    ----------
+    file : Path
+    at : tuple
+        Where in the case the table is named.
+    kinds : tuple of str
+        SI unit of each column.
+    example : str
+        How a table is written.
+
+    Raises
+    ------
+    TableError
+        For a file that is missing or not readable, without heading, or with a row that is not of numbers.
+    """
     try:
         if file.stat().st_size > LARGEST_TABLE:
             raise TableError(at, f"{file.name} is larger than {LARGEST_TABLE // 1_000_000} MB", example)
-        rows = [row for row in csv.reader(file.read_text(encoding="utf-8-sig").splitlines()) if any(row)]
+        reader = csv.reader(file.read_text(encoding="utf-8-sig").splitlines())
+        rows = [(reader.line_num, row) for row in reader if any(row)]
+    except FileNotFoundError:
+        raise TableError(at, f"there is no such file: {file}", example) from None
     except (OSError, UnicodeDecodeError, csv.Error):
         raise TableError(at, f"{file.name} cannot be read", example) from None
-    heading = [HEADING.match(cell) for cell in rows[0]] if rows else []
+    heading = [HEADING.match(cell) for cell in rows[0][1]] if rows else []
     units = [match["unit"] for match in heading if match is not None]
     if not len(units) == len(heading) == len(kinds):
         raise TableError(at, f"{file.name} has no heading with units", example)
     found = []
-    for line, row in enumerate(rows[1:], start=2):
+    for line, row in rows[1:]:
+        for cell in row:
+            if not _is_finite(cell):
+                raise TableError(at, f"line {line} of {file.name}: {shown(cell)} is not a finite number", example)
         try:
             found.append(
-                tuple(read(f"{float(cell)} {unit}", si) for cell, unit, si in zip(row, units, kinds, strict=True))
+                (
+                    line,
+                    tuple(read(f"{float(c)} {unit}", si) for c, unit, si in zip(row, units, kinds, strict=True)),
+                )
             )
         except (ValueError, QuantityError):
-            raise TableError(at, f"row {line} of {file.name} is {shown(','.join(row))}", example) from None
+            raise TableError(at, f"line {line} of {file.name} is {shown(','.join(row))}", example) from None
     return found
+
+
+def _is_finite(cell: str) -> bool:
+    try:
+        return math.isfinite(float(cell))
+    except ValueError:
+        return False
 
 
 def _once_around(points: list[tuple[float, float]], name: str, at: Path) -> list[float]:

@@ -98,12 +98,22 @@ def iso7902_cases(bearing: JournalBearing, case: Case) -> tuple[DesignCase, ...]
 
     The standard knows round bores with an aligned journal and a tabulated span, and finds the position itself.
     """
-    known = bearing.bore is None or bearing.bore.kind == "round"
-    spans = all(bearing.span_at(point) is not None for point in bearing.operating_points or (None,))
-    stands = any(duty.position is not None for duty in (bearing, *bearing.operating_points))
-    if stands or not (known and spans and bearing.misalignment is None):
+    if unknown_to_iso7902(bearing):
         return ()
     return tuple(_expanded(bearing, case, iso7902_case))
+
+
+def unknown_to_iso7902(bearing: JournalBearing) -> str:
+    """Why the standard does not know a bearing, in words; empty where it does."""
+    if bearing.bore is not None and bearing.bore.kind != "round":
+        return f"it knows round bores only, not {bearing.bore.kind}"
+    if bearing.misalignment is not None:
+        return "it knows no misaligned journal"
+    if any(duty.position is not None for duty in (bearing, *bearing.operating_points)):
+        return "it finds the position of the journal itself"
+    if any(bearing.span_at(point) is None for point in bearing.operating_points or (None,)):
+        return "it needs the angular span of the loaded arc; give span, such as 'span: 180 deg'"
+    return ""
 
 
 def film_cases(bearing: JournalBearing, case: Case, thermal: str | None = None) -> tuple[FilmCase, ...]:

@@ -6,8 +6,7 @@ import zipfile
 from pathlib import Path as FilePath
 from typing import Any
 
-from babbitt.cases.bore_file import LARGEST_TABLE, TableError
-from babbitt.cases.displacement_file import lines_of
+from babbitt.cases.bore_file import LARGEST_TABLE, TableError, rows_of_table
 from babbitt.cases.plain_words import Path, shown
 
 EXAMPLE = (
@@ -70,9 +69,9 @@ def matrix_of(file: FilePath, at: Path) -> dict[str, Any]:
 
 def _of_lines(file: FilePath, at: Path) -> dict[str, Any]:
     found: dict[tuple[float, float], float] = {}
-    for line, (angle, loaded, value) in lines_of(file, at, KINDS, EXAMPLE):
+    for line, (angle, loaded, value) in rows_of_table(file, at, KINDS, EXAMPLE):
         if (angle, loaded) in found:
-            raise TableError(at, f"row {line} of {file.name} repeats a pair of angles", "each of them once")
+            raise TableError(at, f"line {line} of {file.name} repeats a pair of angles", "each of them once")
         found[angle, loaded] = value
     angles = sorted({angle for angle, _ in found})
     if angles != sorted({loaded for _, loaded in found}) or len(found) != len(angles) ** 2:

@@ -104,7 +104,12 @@ class LoadTableGiven(Part):
             ends = math.hypot(self.fx[-1] - self.fx[0], self.fy[-1] - self.fy[0])
             largest = max(math.hypot(x, y) for x, y in zip(self.fx, self.fy, strict=True))
             if ends > 1e-3 * largest:
-                says = f"the table does not close: its ends are {written(ends, 'kN')} apart"
+                apart = ", ".join(
+                    f"{name} is {written(column[0], 'kN')} at its begin and {written(column[-1], 'kN')} at its end"
+                    for name, column in (("fx", self.fx), ("fy", self.fy))
+                    if abs(column[-1] - column[0]) > 1e-3 * largest
+                )
+                says = f"the table does not close after its cycle: {apart or 'its ends are apart'}"
                 yield Complaint(("angle",), says, "equal loads at begin and end of the cycle")
 
 

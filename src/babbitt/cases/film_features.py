@@ -25,6 +25,8 @@ PRESSURE = "Gauge pressure, if not that of the supply."
 FLOW = "Oil flow in place of a pressure: flooded where the film draws less, starved where it asks for more."
 POSITION = "Axial position of its centre from the mid-plane."
 TURN = 2.0 * math.pi
+EDGE = 1e-6
+"""Angle in rad that decides nothing."""
 
 
 class FedPart(Part):
@@ -178,6 +180,23 @@ class PressureDamBoreGiven(Part):
         relief = None if track is None else Step(track.angle, track.extent, track.width, track.depth)
         return PressureDamBore(self.angle, self.extent, self.width, self.depth, relief)
 
+    def across_grooves(self, grooves: tuple[GrooveGiven, ...], sense: float) -> Iterator[Complaint]:
+        """Complain about a dam in a groove, or a recess that runs over one onto the next land.
+
+        `sense` is 1 where the journal turns counter-clockwise, -1 otherwise; a recess may begin in a groove.
+        """
+        turning = "counter-clockwise" if sense > 0.0 else "clockwise"
+        for index, groove in enumerate(grooves):
+            before = (sense * (self.angle - groove.angle)) % TURN
+            if min(before, TURN - before) < 0.5 * groove.extent - EDGE:
+                says = f"the dam lies in grooves[{index}]"
+                yield Complaint(("bore", "angle"), says, "a place on the land between two grooves")
+            elif before + 0.5 * groove.extent < self.extent - EDGE:
+                says = f"the recess before the dam runs over grooves[{index}] onto another land"
+                reach = written(before + 0.5 * groove.extent, "deg")
+                allowed = f"up to {reach}, or another angle or sign of the speed"
+                yield Complaint(("bore", "extent"), f"{says}, as the journal turns {turning}", allowed)
+
     def too_wide(self, width: float) -> Iterator[Complaint]:
         """Complain about a recess or track wider than the bearing."""
         for path, part in ((("bore",), self), (("bore", "relief"), self.relief)):
@@ -279,8 +298,10 @@ def complaints_about_hollows(
                     (*path, size), says, f"less than {written(width, 'mm')}", "a groove spans the width"
                 )
             elif beyond > width / 2.0 * (1.0 + 1e-9):
-                says = f"it reaches {written(beyond, 'mm')} from the mid-plane, beyond the bearing"
-                yield Complaint((*path, "axial_position"), says, f"up to {written((width - length) / 2.0, 'mm')}")
+                room = written((width - length) / 2.0, "mm")
+                says = f"at {written(hollow.axial_position, 'mm')} it reaches {written(beyond, 'mm')} from the "
+                says += f"mid-plane, beyond the bearing of {written(width, 'mm')}"
+                yield Complaint((*path, "axial_position"), says, f"-{room} to {room}")
     grooves = [(path, hollow) for path, hollow in hollows if isinstance(hollow, GrooveGiven)]
     for index, (path, hollow) in enumerate(hollows):
         for other_path, other in hollows[:index]:

@@ -38,7 +38,12 @@ def position_is_near_the_bearing(bearing: JournalBearing) -> Iterator[Complaint]
         away = math.hypot(duty.position.x, duty.position.y)
         if away >= CLEARANCE_GROWTH * play:
             says = f"position outside the clearance: {written(away, 'um')} from the bearing centre"
-            yield Complaint((*path, "position"), says, f"less than the radial clearance, {written(play, 'um')}")
+            yield Complaint(
+                (*path, "position"),
+                says,
+                f"less than the radial clearance in operation, which is {written(play, 'um')} at 20 degC "
+                f"and taken to grow to at most {written(CLEARANCE_GROWTH * play, 'um')}",
+            )
 
 
 @rule

@@ -62,6 +62,16 @@ def steps_fit(bearing: JournalBearing) -> Iterator[Complaint]:
 
 
 @rule
+def dam_stays_on_its_land(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about a recess that runs over a groove at any of the operating points."""
+    if not isinstance(bearing.bore, PressureDamBoreGiven):
+        return
+    speeds = [duty.speed if duty.speed is not None else duty.surface_speed for _, duty in bearing.duties()]
+    for sense in sorted({math.copysign(1.0, speed) for speed in speeds if speed is not None}):
+        yield from bearing.bore.across_grooves(tuple(bearing.grooves), sense)
+
+
+@rule
 def displacement_is_of_the_size_of_the_clearance(bearing: JournalBearing) -> Iterator[Complaint]:
     """Complain about surfaces displaced by many clearances."""
     if bearing.displacement is None:

@@ -371,6 +371,7 @@ class JournalBearing(Duty, SharedInputs):
     _tilt_leaves_a_film = film_shape_rules.tilt_leaves_a_film
     _departures_are_of_the_size_of_the_clearance = film_shape_rules.departures_are_of_the_size_of_the_clearance
     _steps_fit = film_shape_rules.steps_fit
+    _dam_stays_on_its_land = film_shape_rules.dam_stays_on_its_land
     _displacement_is_of_the_size_of_the_clearance = film_shape_rules.displacement_is_of_the_size_of_the_clearance
     _compliance_fits = film_shape_rules.compliance_fits
     _lobes_lie_between_grooves = film_shape_rules.lobes_lie_between_grooves

@@ -23,7 +23,7 @@ from pydantic import (
 )
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
-from babbitt.cases.plain_words import ERROR_TYPE, Path, is_echo, refusal
+from babbitt.cases.plain_words import ERROR_TYPE, Path, is_echo, is_missing, misspelt, refusal
 from babbitt.notices import InputError
 from babbitt.units import bare_number
 
@@ -95,9 +95,10 @@ class Part(BaseModel):
             part = handler(given)
         except ValidationError as error:
             found = [details for details in error.errors(include_url=False) if not is_echo(details)]
-            lines = [refusal(cls, given, details) for details in found]
+            meant = misspelt(cls, given, found)
+            lines = [refusal(cls, given, one) for one in found if not is_missing(one, meant)]
             if isinstance(given, Mapping):
-                lines += _lines(_usable(cls, given), given)
+                lines += _lines(_usable(cls, given, meant), given)
             raise ValidationError.from_exception_data(cls.__name__, lines) from None
         if isinstance(given, Mapping):
             part._bare = _without_unit(given)
@@ -160,10 +161,13 @@ def _lines(part: Part, given: Any) -> list[InitErrorDetails]:
     return lines
 
 
-def _usable(cls: type[Part], given: Mapping[str, Any]) -> Part:
-    """Give the piece with its usable fields only; to touch one of the others raises AttributeError."""
+def _usable(cls: type[Part], given: Mapping[str, Any], misspelt: frozenset[str] = frozenset()) -> Part:
+    """Give the piece with its usable fields only; to touch one of the others raises AttributeError.
+
+    Fields whose names were misspelt count as written and not usable.
+    """
     values: dict[str, Any] = {}
-    unusable = set()
+    unusable = set(misspelt)
     for name, field in cls.model_fields.items():
         if name not in given:
             unusable |= {name} if field.is_required() else set()
@@ -174,7 +178,7 @@ def _usable(cls: type[Part], given: Mapping[str, Any]) -> Part:
             pieces = _usable_pieces(field.annotation, given[name])
             values |= {name: pieces} if pieces else {}
             unusable |= set() if pieces else {name}
-    part = cls.model_construct(_fields_set={*cls.model_fields} & given.keys(), **values)
+    part = cls.model_construct(_fields_set=({*cls.model_fields} & given.keys()) | misspelt, **values)
     part._bare = _without_unit(given)
     for name in unusable:
         vars(part).pop(name, None)

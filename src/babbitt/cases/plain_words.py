@@ -82,6 +82,20 @@ def is_echo(details: ErrorDetails) -> bool:
     )
 
 
+def misspelt(cls: type[Part], given: Any, found: Iterable[ErrorDetails]) -> frozenset[str]:
+    """Give the fields of a part that its unknown keys seem to mean, and that are not given by their own name."""
+    meant: set[str] = set()
+    for details in found:
+        if details["type"] == "extra_forbidden" and len(details["loc"]) == 1:
+            meant |= set(_near(str(details["loc"][0]), cls.model_fields))
+    return frozenset(meant.difference(given if isinstance(given, Mapping) else ()))
+
+
+def is_missing(details: ErrorDetails, names: frozenset[str]) -> bool:
+    """Whether a finding says that one of some fields is missing."""
+    return details["type"] == "missing" and len(details["loc"]) == 1 and details["loc"][0] in names
+
+
 def shown(given: object) -> str:
     """Show what was given, short and harmless.
 
@@ -106,8 +120,12 @@ def shown(given: object) -> str:
 
 def nearest(name: str, known: Iterable[str]) -> str:
     """Give a hint at the known name nearest to what was written, empty if none is near."""
-    close = difflib.get_close_matches(name.lower().replace("-", "_").replace(" ", "_"), known, n=1, cutoff=0.6)
+    close = _near(name, known)
     return f"did you mean '{close[0]}'?" if close else ""
+
+
+def _near(name: str, known: Iterable[str]) -> list[str]:
+    return difflib.get_close_matches(name.lower().replace("-", "_").replace(" ", "_"), known, n=1, cutoff=0.6)
 
 
 def _listed(names: Iterable[str]) -> str:

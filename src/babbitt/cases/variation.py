@@ -64,7 +64,7 @@ class CaseVariation:
         try:
             place[_key(place, name)] = value
         except LookupError:
-            raise InputError("E005", f"{self.file}: there is no '{self.path}'") from None
+            raise InputError("E005", f"{self.file}: there is no '{self.path}'{_known(place)}") from None
         return build_case(varied, f"{self.file} with {self.path}: {value}", self.file.parent)
 
     def _container(self, given: Any) -> Any:
@@ -76,7 +76,9 @@ class CaseVariation:
                     place[step] = {}
                 place = place[_key(place, step)]
             except (LookupError, ValueError):
-                raise InputError("E005", f"{self.file}: there is no '{here}' to look into") from None
+                raise InputError(
+                    "E005", f"{self.file}: there is no '{here}' to look into{_known(place)}"
+                ) from None
             if not isinstance(place, dict | list):
                 hint = f"write it as a mapping in the file, or vary '{here}' itself"
                 raise InputError("E005", f"{self.file}: '{here}' is '{place}', not a mapping; {hint}")
@@ -114,6 +116,15 @@ def case_variation(file: Path, path: str, bearing: str | None = None) -> CaseVar
         return CaseVariation(file, given, path)
     alone = given | {"bearings": [given["bearings"][names.index(bearing)]]}
     return CaseVariation(file, alone, path, ("bearings", "0"))
+
+
+def _known(place: Any) -> str:
+    """Which numbers a list knows, counted from 0."""
+    if not isinstance(place, list):
+        return ""
+    return (
+        f"; the list has {f'0 to {len(place) - 1}' if len(place) > 1 else '0 only'}" if place else "; it is empty"
+    )
 
 
 def _key(place: Any, step: str) -> str | int:

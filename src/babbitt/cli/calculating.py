@@ -32,6 +32,7 @@ def solve(
     """Solve the bearings of case files and print a table."""
     from babbitt.cases import design_cases, load_cases
     from babbitt.report import outputs, print_machine
+    from babbitt.report.progress import shown
     from babbitt.solving import solve as solve_case
 
     cases = load_cases(files)  # every problem of every file first; nothing is written before
@@ -41,7 +42,7 @@ def solve(
 
         for path, case in zip(files, cases, strict=True):
             require_films(str(path), design_cases(case))
-    machines = [solve_case(case) for case in cases]
+    machines = [solve_case(case, shown(f"{case.name}: cycles of the orbit")) for case in cases]
     if not plan.silent:
         for machine in machines:
             print_machine(machine)
@@ -139,7 +140,13 @@ def sweep(
 def export(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file with method: film.")],
     format_name: Annotated[
-        str, typer.Option("--format", metavar="FORMAT", help="ross2, ross3, xltrc2, ansys, csv or json.")
+        str,
+        typer.Option(
+            "--format",
+            metavar="FORMAT",
+            help="ross2 (.json or .toml), ross3 (.json or .toml), xltrc2 (.csv or .xlsx), ansys (.txt), "
+            "csv (.csv) or json (.json); the ending is that of OUT.",
+        ),
     ],
     speeds: Annotated[
         str,
@@ -169,8 +176,9 @@ def export(
     from babbitt.studies.table_target import chosen_film, require_target
 
     film = chosen_film(design_cases(load_case(file)), file, bearing)
-    require_target(format_name, film, file, output, other_end)
-    run = run_over_speed(film, speeds_of(speeds))
+    taken = speeds_of(speeds)
+    require_target(format_name, film, file, output, other_end, taken)
+    run = run_over_speed(film, taken)
     if run.unsolved:
         for speed, outcome in run.unsolved:
             print(f"{film.name}: {outcome.value} at {speed * 30.0 / math.pi:.0f} rpm", file=sys.stderr)

@@ -12,6 +12,19 @@ from babbitt.results import Check
 RIGID_FILM_UP_TO = 0.95
 """Eccentricity ratio above which the rigid isoviscous film is too simple."""
 
+PLAIN_BEARING_UP_TO = 100e6
+"""Film pressure in Pa above which a rigid film of constant viscosity says little of a plain bearing.
+
+Assumption: a white metal of Brinell hardness 30, the hardest on board, yields at about a third of its hardness
+(D. Tabor, The Hardness of Metals, 1951: a hardness is some three times the yield strength)."""
+
+
+def doubt_about_pressure(pressure: float, where: str = "in the film") -> Iterator[Notice]:
+    """Whether a film pressure in Pa is one that plain bearings know."""
+    if pressure > PLAIN_BEARING_UP_TO:
+        limit = f"{PLAIN_BEARING_UP_TO * 1e-6:.0f} MPa, about what soft bearing metals withstand (assumption)"
+        yield Notice("W142", f"{pressure * 1e-6:.3g} MPa {where} > {limit}")
+
 
 def doubts_about_film(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
     """Laminar film, range of the lubricant data, rigid surfaces."""

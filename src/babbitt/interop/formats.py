@@ -9,7 +9,7 @@ from pathlib import Path
 from babbitt.interop.ansys import write_ansys
 from babbitt.interop.coefficients import CoefficientTable
 from babbitt.interop.json_file import write_json
-from babbitt.interop.ross import RossVersion, write_ross
+from babbitt.interop.ross import RECOMMENDED_SPEEDS, RossVersion, write_ross
 from babbitt.interop.tidy_csv import write_csv
 from babbitt.interop.xltrc2 import write_xltrc2
 from babbitt.notices import InputError
@@ -25,6 +25,8 @@ class ExportFormat:
     write: Callable[[CoefficientTable, Path], None]
     either_rotation: bool = False
     """Whether the format has a place for the rotation sense; the others hold counter-clockwise tables only."""
+    fewest_speeds: int = 1
+    """Speeds that a table must have at least."""
 
 
 def _ross(version: RossVersion) -> Callable[[CoefficientTable, Path], None]:
@@ -34,8 +36,20 @@ def _ross(version: RossVersion) -> Callable[[CoefficientTable, Path], None]:
 FORMATS: dict[str, ExportFormat] = {
     one.name: one
     for one in (
-        ExportFormat("ross2", (".json", ".toml"), "bearing element of ROSS, version 2", _ross(RossVersion.TWO)),
-        ExportFormat("ross3", (".json", ".toml"), "bearing element of ROSS, version 3", _ross(RossVersion.THREE)),
+        ExportFormat(
+            "ross2",
+            (".json", ".toml"),
+            "bearing element of ROSS, version 2",
+            _ross(RossVersion.TWO),
+            fewest_speeds=RECOMMENDED_SPEEDS,
+        ),
+        ExportFormat(
+            "ross3",
+            (".json", ".toml"),
+            "bearing element of ROSS, version 3",
+            _ross(RossVersion.THREE),
+            fewest_speeds=RECOMMENDED_SPEEDS,
+        ),
         ExportFormat("xltrc2", (".csv", ".xlsx"), "table with a row of units, as XLTRC2 has it", write_xltrc2),
         ExportFormat("ansys", (".txt",), "bearing characteristics of Ansys Mechanical APDL", write_ansys),
         ExportFormat("csv", (".csv",), "tidy table in SI, unit in each column name", write_csv, True),

@@ -54,6 +54,7 @@ KEY_RESULTS = (
     "sommerfeld_number",
     "eccentricity_ratio",
     "attitude_angle",
+    "narrowest_gap_angle",
     "minimum_film_thickness",
     "maximum_pressure",
     "friction_coefficient",
@@ -240,7 +241,8 @@ def _key_results(chapter: Chapter) -> list[Data]:
     journal = not isinstance(chapter.shown_case, HydrostaticCase | JackingCase | ThrustDesign | LineDesign)
     film = "minimum_film_thickness" in result.values and journal
     every = dict.fromkeys(name for r in chapter.results if r.outcome.solved for name in r.values)
-    names = (*KEY_RESULTS, *OWN_RESULTS) if film else tuple(name for name in every if name not in NOT_FOR_PAPER)
+    ours = dict.fromkeys((*KEY_RESULTS, *OWN_RESULTS))
+    names = tuple(ours if film else (name for name in every if name not in NOT_FOR_PAPER))
     if film and not is_fed(result):
         names = tuple(name for name in names if name not in ("supply_flow", "total_flow"))
     if len(chapter.members) > 1:

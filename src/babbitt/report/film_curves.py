@@ -22,6 +22,12 @@ if TYPE_CHECKING:
 LABEL = (0.27, 0.11)
 """Room that the name of a load takes, as shares of half the width and height of the picture."""
 
+OFFSET = 0.07
+"""Distance of a name from its place, as a share of half the width of the picture."""
+
+ROOM_FOR_A_NAME = 0.13
+"""Room to the right of the curves for each name that stands in a line there, as a share of their length."""
+
 AXES = ("xx", "xy", "yx", "yy")
 LINES: dict[str, dict[str, object]] = {
     "xx": {"color": INK, "linestyle": "-"},
@@ -48,7 +54,7 @@ def locus(case: FilmCase, state: FilmState, by_load: FilmPoints, by_speed: FilmP
     panel.plot(others[:, 0], others[:, 1], color=PALE, linewidth=4.0, zorder=1.5, solid_capstyle="butt")
     here = state.solution.position / film.clearance
     reach = 1.04 * float(np.abs(np.concatenate((room * np.cos(directions), room * np.sin(directions)))).max())
-    _tick_loads(panel, by_load.loads / state.load, centres, reach)
+    _tick_loads(panel, by_load.loads / state.load, centres, reach, room)
     mark(panel, here[0], here[1])
     tail = -0.3 * math.cos(case.load_angle), -0.3 * math.sin(case.load_angle)
     arrow(panel, (0.2 * tail[0], 0.2 * tail[1]), tail, colour=GREY)
@@ -60,8 +66,8 @@ def locus(case: FilmCase, state: FilmState, by_load: FilmPoints, by_speed: FilmP
     return figure
 
 
-def _tick_loads(panel: Axes, shares: Array, centres: Array, reach: float) -> None:
-    """Name some loads along the locus, as multiples of that of the operating point."""
+def _tick_loads(panel: Axes, shares: Array, centres: Array, reach: float, room: Array) -> None:
+    """Name some loads along the locus, as multiples of that of the operating point, inside the bore."""
     last: Array | None = None
     for wanted in (1.0, 8.0, 4.0, 2.0, 0.5, 0.25, 0.1, 0.02):
         if not shares.min() * 0.999 <= wanted <= shares.max() * 1.001:
@@ -73,11 +79,24 @@ def _tick_loads(panel: Axes, shares: Array, centres: Array, reach: float) -> Non
         if wanted != 1.0:
             panel.plot(*at, "o", markersize=2.6, markerfacecolor="white", markeredgecolor=INK, markeredgewidth=0.7)
         aside = _aside(shares, centres, wanted)
+        if _beyond(room, at + OFFSET * reach * aside, aside, reach) > max(
+            _beyond(room, at - OFFSET * reach * aside, -aside, reach), 0.0
+        ):
+            aside = -aside
         text = "$F$" if wanted == 1.0 else f"{wanted:g} $F$"
         panel.annotate(
             text, tuple(at), xytext=tuple(5.5 * aside), textcoords="offset points", fontsize=7, va="center",
             ha="left" if aside[0] > 0.0 else "right", bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.3},
         )  # fmt: skip
+
+
+def _beyond(room: Array, at: Array, aside: Array, reach: float) -> float:
+    """How far a name beside a place lies beyond the bore, over the clearance; negative inside."""
+    width, height = np.multiply(LABEL, reach)
+    corners = at + np.array([(math.copysign(width, aside[0]), up * 0.5 * height) for up in (-1.0, 1.0)])
+    directions = np.linspace(0.0, 2.0 * math.pi, room.size)
+    free = np.interp(np.arctan2(corners[:, 1], corners[:, 0]) % (2.0 * math.pi), directions, room)
+    return float((np.hypot(*corners.T) - free).max())
 
 
 def _aside(shares: Array, centres: Array, share: float) -> Array:
@@ -126,10 +145,11 @@ def _family(panel: Axes, x: Array, values: Array, symbol: str) -> None:
         ends.append((float(curve[-1]), axis))
     low, high = _focus(values)
     panel.set_ylim(low, high)
-    panel.set_xlim(x[0], x[-1] * (x[-1] / x[0]) ** 0.13)
-    plain_ticks(panel.xaxis)
     apart = 0.08 * (high - low)
     groups = _grouped([(min(max(value, low), high), axis) for value, axis in sorted(ends)], 0.25 * apart)
+    names = max(len(axes) for _, axes in groups)
+    panel.set_xlim(x[0], x[-1] * (x[-1] / x[0]) ** (ROOM_FOR_A_NAME * names))
+    plain_ticks(panel.xaxis)
     for level, (_, axes) in zip(_spaced([value for value, _ in groups], apart), groups, strict=True):
         panel.annotate(
             ", ".join(mathematics(f"{symbol}_{axis}") for axis in axes), (x[-1], level), xytext=(2, 0),
@@ -176,7 +196,8 @@ def _focus(values: Array) -> tuple[float, float]:
     low, high = float(values.min()), float(values.max())
     largest = np.sort(np.abs(values).max(axis=(1, 2)))
     cut = 4.0 * float(np.median(largest))
-    low, high = max(low, -cut), min(high, cut)
+    if largest[-1] > 2.0 * cut:  # a curve that hardly leaves the range is better seen whole
+        low, high = max(low, -cut), min(high, cut)
     room = 0.06 * (high - low)
     return min(low, 0.0) - room, high + room
 

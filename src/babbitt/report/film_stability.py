@@ -28,6 +28,9 @@ WHIRLS, RESERVES = "0.88", (2.0, 5.0, 10.0)
 WORD, ROOM = 2.5, 0.05
 """Width of a word over its height; room around its middle that it takes, as a share of the height of the panel."""
 
+EDGE, NAMED_AT = 0.055, 0.75
+"""Shares of the panel: what a name keeps from the edges, and where across it a curve is named if it can be."""
+
 DECADES = 1.5
 """The mass is shown over so many decades to either side of that of the rotor, or as far as the curve goes."""
 
@@ -57,13 +60,29 @@ def _map(panel: Axes, state: FilmState, found: StabilityMap) -> None:
     levels = [math.log10(times) for times in RESERVES if reserve.min() < math.log10(times) < reserve.max()]
     if levels:
         lines = panel.contour(x, y, reserve, levels=levels, colors=["0.6"], linewidths=[0.5])
-        panel.clabel(lines, fmt=lambda level: f"{10.0**level:.0f} m", fontsize=6, inline_spacing=2)
+        places = [place for path in lines.get_paths() if (place := _inside(path.vertices, x, y)) is not None]
+        if places:
+            panel.clabel(
+                lines, fmt=lambda level: f"{10.0**level:.0f} m", fontsize=6, inline_spacing=2, manual=places
+            )
     here = kilo * state.load, rpm * abs(state.solution.film.angular_speed)
     _words(panel, x, y, found, here)
     mark(panel, *here)
     panel.set(xlabel=axis_label(QUANTITIES["load"]), ylabel="$N$ in rpm")
     plain_ticks(panel.xaxis)
     plain_ticks(panel.yaxis)
+
+
+def _inside(curve: Any, x: Array, y: Array) -> tuple[float, float] | None:
+    """The place on a curve for its name, right of the middle and off the edges; none where it grazes them only."""
+    vertices = np.asarray(curve, dtype=np.float64)
+    across = np.log(vertices[:, 0] / x[0]) / math.log(x[-1] / x[0])
+    up = np.log(vertices[:, 1] / y[0]) / math.log(y[-1] / y[0])
+    free = (np.abs(across - 0.5) < 0.5 - EDGE) & (np.abs(up - 0.5) < 0.5 - EDGE)
+    if not free.any():
+        return None
+    place = int(np.where(free, np.abs(across - NAMED_AT), math.inf).argmin())
+    return float(vertices[place, 0]), float(vertices[place, 1])
 
 
 def _words(panel: Axes, x: Array, y: Array, found: StabilityMap, here: tuple[float, float]) -> None:

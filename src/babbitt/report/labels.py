@@ -18,6 +18,7 @@ SHORT = {
     "pressure_speed_product": "Specific load × speed",
     "eccentricity_ratio": "Relative eccentricity",
     "attitude_angle": "Attitude angle",
+    "narrowest_gap_angle": "Direction of the narrowest gap",
     "sommerfeld_number": "Sommerfeld number",
     "friction_number": "Friction number",
     "friction_torque": "Friction torque",

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import sys
-import time
 from collections.abc import Iterable, Iterator, Sequence
+from threading import Timer
 
-from babbitt.studies.film_points import Watch
+from babbitt.bearings.watch import Watch
 
 PATIENCE = 1.0
 """Seconds of work after which a bar appears."""
@@ -24,11 +24,17 @@ def shown(what: str) -> Watch:
 
 def _followed(points: Sequence[int], what: str) -> Iterator[int]:
     from rich.console import Console
+    from rich.markup import escape
     from rich.progress import Progress
 
-    begun = time.perf_counter()
     with Progress(console=Console(stderr=True), transient=True) as progress:
-        task = progress.add_task(what, total=len(points), visible=False)
-        for point in points:
-            yield point
-            progress.update(task, advance=1, visible=time.perf_counter() - begun > PATIENCE)
+        task = progress.add_task(escape(what), total=len(points), visible=False)
+        patience = Timer(PATIENCE, progress.update, (task,), {"visible": True})
+        patience.daemon = True
+        patience.start()
+        try:
+            for point in points:
+                yield point
+                progress.update(task, advance=1)
+        finally:
+            patience.cancel()

@@ -7,7 +7,14 @@ from dataclasses import dataclass, replace
 
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case
-from babbitt.cases.build import AnyDesign, bearings_of, design_cases_of, iso7902_cases, long_films_of
+from babbitt.cases.build import (
+    AnyDesign,
+    bearings_of,
+    design_cases_of,
+    iso7902_cases,
+    long_films_of,
+    unknown_to_iso7902,
+)
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import HydrostaticBearing
 from babbitt.cases.one_dimension import METHODS
@@ -49,10 +56,12 @@ class Variant:
 
 @dataclass(frozen=True)
 class Comparison:
-    """All ways to compute one bearing; the first is the one the case asks for."""
+    """All ways to compute one bearing; the first is the one the case asks for, `left_out` says which do not apply
+    and why."""
 
     name: str
     variants: tuple[Variant, ...]
+    left_out: str = ""
 
 
 FRICTION_LABELS = {
@@ -145,7 +154,10 @@ def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
         plain = next((one.case for one in films if one.label == GLOBAL), films[0].case)
         among = (*ordered, *_cavitation_variants(plain))
         methods = (one for one in among if one.is_method)
-        yield Comparison(films[0].case.name, (*methods, *(one for one in among if not one.is_method)))
+        reason = unknown_to_iso7902(bearing)
+        left_out = f"{ISO_LABEL} is left out: {reason}" if reason else ""
+        ranked = (*methods, *(one for one in among if not one.is_method))
+        yield Comparison(films[0].case.name, ranked, left_out)
 
 
 def _film_variant(one: ThermalVariant) -> Variant:

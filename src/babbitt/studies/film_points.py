@@ -4,7 +4,6 @@ show."""
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -13,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from babbitt.bearings.model import Accuracy, FilmCase
 from babbitt.bearings.rotor import RIGID, critical_mass_of_rotor
+from babbitt.bearings.watch import Watch, unwatched
 from babbitt.film.model import FilmStart, JournalFilm, Resolution
 
 if TYPE_CHECKING:
@@ -23,14 +23,6 @@ if TYPE_CHECKING:
 __all__ = ["FilmPoints", "Watch", "film_points", "unwatched"]
 
 Array = NDArray[np.float64]
-
-Watch = Callable[[Sequence[int]], Iterable[int]]
-"""Hands on the numbers of the points one by one and may show how far the work is."""
-
-
-def unwatched(points: Sequence[int]) -> Iterable[int]:
-    """Show nothing."""
-    return points
 
 
 @dataclass(frozen=True, eq=False)

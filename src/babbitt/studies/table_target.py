@@ -32,13 +32,17 @@ def chosen_film(designs: Sequence[EveryDesign], file: Path, name: str | None) ->
     return films[name] if name is not None else next(iter(films.values()))
 
 
-def require_target(format_name: str, film: FilmCase, file: Path, output: Path, other_end: bool) -> None:
-    """Refuse a format that does not exist or cannot hold the rotation sense, and a file that is not of the format.
+def require_target(
+    format_name: str, film: FilmCase, file: Path, output: Path, other_end: bool, speeds: Sequence[float]
+) -> None:
+    """Refuse a format that does not exist, cannot hold the rotation sense or needs more speeds, and a file that
+    is not of the format.
 
     Raises
     ------
     InputError
-        E005 for an unknown format, E004 for a rotation sense that it has no place for, E007 for the file.
+        E005 for an unknown format, E004 for a rotation sense that it has no place for, E003 for too few speeds,
+        E007 for the file.
     """
     if format_name not in FORMATS:
         raise InputError("E005", f"no format '{format_name}'; there are: {', '.join(FORMATS)}")
@@ -53,6 +57,13 @@ def require_target(format_name: str, film: FilmCase, file: Path, output: Path, o
         )
     if output.suffix.lower() not in wanted.suffixes:
         raise InputError("E007", f"cannot write {output}: {format_name} is {' or '.join(wanted.suffixes)}")
+    if len(speeds) < wanted.fewest_speeds:
+        raise InputError(
+            "E003",
+            f"--speeds: {format_name} interpolates between at least {wanted.fewest_speeds} speeds, and "
+            f"{len(speeds)} {'is' if len(speeds) == 1 else 'are'} given; write more over the range of the rotor "
+            "(10 to 20 are better), such as --speeds '500 rpm:5000 rpm:10', or choose csv or json",
+        )
     if output.resolve() == file.resolve():
         raise InputError("E007", f"cannot write {output}: it is a case file; nothing was written")
     if not output.parent.is_dir() or output.is_dir():

@@ -1,0 +1,39 @@
+"""Doubts about films that are solved and should not be believed."""
+
+import pytest
+from film_bearings import GROOVES, answer
+
+QUICK = {"accuracy": "draft", "effective_temperature": "60 degC"}
+
+
+def said(result):
+    return {notice.code: notice.message for notice in result.warnings}
+
+
+def test_a_pressure_that_no_bearing_metal_bears_is_doubted_and_fails():
+    calm, absurd = answer(**QUICK), answer(**QUICK, load="8 MN")
+    assert calm.maximum_pressure < 100e6 < absurd.maximum_pressure
+    assert "W142" not in said(calm)
+    assert "> 100 MPa" in said(absurd)["W142"]
+    verdicts = [{check.code: check.ok for check in result.checks}["C116"] for result in (calm, absurd)]
+    assert verdicts == [True, False]
+    metal = {"bearing_metal": "SnSb8Cu4", "bearing": "C10", "journal": "C45"}
+    judged = answer(**QUICK, load="8 MN", materials=metal)
+    assert "C116" not in {check.code for check in judged.checks}  # the metal has limits of its own
+    assert "W142" in said(judged)
+
+
+@pytest.mark.parametrize(("angle", "told"), [(-90.0, False), (8.0, True), (12.0, False), (-172.0, True)])
+def test_a_load_into_a_groove_is_told(angle, told):
+    result = answer(**QUICK, load="5 kN", load_angle=f"{angle} deg")
+    assert ("W143" in said(result)) is told
+
+
+def test_a_supply_flow_from_the_side_is_not_called_a_flow_from_the_grooves():
+    pressed = answer(
+        **QUICK, grooves=GROOVES, supply={"temperature": "45 degC", "pressure": "0.1 MPa"},
+        side_pressures=["0.5 MPa", "0 MPa"],
+    )  # fmt: skip
+    assert pressed.supply_flow < 0.0
+    assert "less pass than without it, as oil flows from a side into them" in said(pressed)["W121"]
+    assert "supply flow of" in said(answer(**QUICK))["W121"]
