@@ -8,10 +8,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.bearings.watch import Watch, unwatched
 from babbitt.footstep.clearances import at_clearance
 from babbitt.footstep.model import Footstep
 from babbitt.footstep.states import Method, NoSteadyStateError, StateName, SteadyState, steady_states
-from babbitt.studies.film_points import Watch, unwatched
 
 __all__ = ["HeelSweep", "sweep_heel"]
 
