@@ -13,9 +13,9 @@ import numpy as np
 from case import CLEARANCE, DIAMETER, LAND, LOAD, SPEED, WIDTH, answer, row, timed
 
 import babbitt
-from babbitt.film.heat import BushRing, ConductingWalls, FilmHeat, HeatGrid, JournalHeat
+from babbitt.film.heat import THERMAL_REFERENCE, BushRing, ConductingWalls, FilmHeat, HeatGrid, JournalHeat
 from babbitt.film.model import JournalFilm, grooved_bore
-from babbitt.film.thermal import THERMAL_REFERENCE, solve_thermal_journal
+from babbitt.film.thermal import solve_thermal_journal
 
 COLD = 323.15
 WALLS = ConductingWalls(BushRing((0.2, 0.3), (50.0,), 50.0, 293.15), JournalHeat())

@@ -51,7 +51,7 @@ def test_chapter_names_method_inputs_and_results(long_film):
     (chapter,) = content(long_film)["bearings"]
     assert chapter["method"] == "Long film with heat exchange"
     shown = {row["label"] for row in chapter["results"]}
-    assert {"Maximum film temperature", "Journal temperature", "Oil flow around the film"} <= shown
+    assert {"Hottest place of the film", "Journal temperature", "Oil flow around the film"} <= shown
     rows = {row["label"]: row["value"] for group in chapter["inputs"] for row in group["rows"]}
     assert rows["Bush"] == "outside diameter 100 mm, 45 W/(m K)"
     assert rows["Along the shaft"] == "0.2 W/K"

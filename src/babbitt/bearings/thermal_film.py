@@ -225,7 +225,7 @@ def highest_usable(oil: Lubricant) -> float:
 
 def thermal_resolution(case: FilmCase) -> Resolution:
     """Grid of a thermal film by the accuracy of the case."""
-    from babbitt.film.thermal import THERMAL_ENGINEERING, THERMAL_REFERENCE
+    from babbitt.film.heat import THERMAL_ENGINEERING, THERMAL_REFERENCE
 
     draft = replace(THERMAL_ENGINEERING, intervals=32, coarse_intervals=16)
     grids = {DRAFT: draft, ENGINEERING: THERMAL_ENGINEERING, REFERENCE: THERMAL_REFERENCE}

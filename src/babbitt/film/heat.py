@@ -9,11 +9,24 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.film.model import Resolution
 from babbitt.notices import InputError
 
-__all__ = ["BushRing", "ConductingWalls", "FilmHeat", "HeatGrid", "JournalHeat"]
+__all__ = [
+    "THERMAL_ENGINEERING",
+    "THERMAL_REFERENCE",
+    "BushRing",
+    "ConductingWalls",
+    "FilmHeat",
+    "HeatGrid",
+    "JournalHeat",
+]
 
 Array = NDArray[np.float64]
+
+THERMAL_ENGINEERING = Resolution(4, 48, 24, 1e-5)
+THERMAL_REFERENCE = Resolution(6, 192, 96, 1e-7)
+"""Grids of films with their own temperatures: 1 % of the film thickness and 1 K, and ten times less."""
 
 
 @dataclass(frozen=True)

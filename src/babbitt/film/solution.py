@@ -13,6 +13,9 @@ from babbitt.results import Outcome
 
 __all__ = ["FilmSolution"]
 
+NOTHING = 1e-9
+"""Share of a flow that is round-off."""
+
 Array = NDArray[np.float64]
 
 
@@ -120,7 +123,8 @@ class FilmSolution:
         Oil that the sides draw in at other places is not taken off: it enters cold and leaves warm.
         """
         by_sides = float(self.end_flows.sum()) + self.side_inflow
-        return by_sides + (max(-float(self.supply_flow.sum()), 0.0) if self.side_inflow > 0.0 else 0.0)
+        draws = self.side_inflow > NOTHING * by_sides
+        return by_sides + (max(-float(self.supply_flow.sum()), 0.0) if draws else 0.0)
 
     @property
     def maximum_pressure(self) -> float:

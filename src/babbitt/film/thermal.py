@@ -26,7 +26,7 @@ from babbitt.film._equilibrium import (
 )
 from babbitt.film.general import Effort, Sample, SettledRing, line_density
 from babbitt.film.general import rest as carry
-from babbitt.film.heat import FilmHeat
+from babbitt.film.heat import THERMAL_ENGINEERING, FilmHeat
 from babbitt.film.model import Cavitation, JournalFilm, Resolution
 from babbitt.film.ring import build_ring
 from babbitt.film.ring_mesh import Density
@@ -36,12 +36,9 @@ from babbitt.film.thermal_solution import ThermalFilm, thermal_film
 from babbitt.film.warm_ring import WarmRing
 from babbitt.notices import InputError
 
-__all__ = ["THERMAL_ENGINEERING", "THERMAL_REFERENCE", "solve_thermal_journal", "thermal_film_at"]
+__all__ = ["solve_thermal_journal", "thermal_film_at"]
 
 Array = NDArray[np.float64]
-
-THERMAL_ENGINEERING = Resolution(4, 48, 24, 1e-5)
-THERMAL_REFERENCE = Resolution(6, 192, 96, 1e-7)
 
 SWEEPS = 3
 """Of the energy equation in a pass."""

@@ -187,7 +187,7 @@ def _key_results(chapter: Chapter) -> list[Data]:
     result = chapter.shown.result
     film = "minimum_film_thickness" in result.values
     names = (
-        (*KEY_RESULTS, *OWN_RESULTS)
+        tuple(dict.fromkeys((*KEY_RESULTS, *OWN_RESULTS)))
         if film
         else tuple(name for name in result.values if name not in NOT_FOR_PAPER)
     )

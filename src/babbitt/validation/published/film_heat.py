@@ -10,10 +10,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.film.heat import BushRing, ConductingWalls, FilmHeat, HeatGrid, JournalHeat
+from babbitt.film.heat import THERMAL_ENGINEERING, BushRing, ConductingWalls, FilmHeat, HeatGrid, JournalHeat
 from babbitt.film.model import Cavitation, FilmStart, JournalFilm, Land, Resolution, grooved_bore
-from babbitt.film.thermal import THERMAL_ENGINEERING, solve_thermal_journal, thermal_film_at
-from babbitt.film.thermal_solution import ThermalFilm
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.published.film_bearings import Array
@@ -21,6 +19,8 @@ from babbitt.validation.tolerance import Within
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+    from babbitt.film.thermal_solution import ThermalFilm
 
 _VISCOSITY, _CONDUCTIVITY, _CAPACITY = 0.02, 0.13, 1.7e6
 _DIAMETER, _WIDTH, _GAP, _SPEED = 0.1, 0.05, 50e-6, 300.0
@@ -48,6 +48,8 @@ def couette(eta: Array) -> Array:
 @lru_cache
 def concentric(layers: int) -> ThermalFilm:
     """Concentric journal, one viscosity, both walls held at their temperatures."""
+    from babbitt.film.thermal import thermal_film_at
+
     ring = JournalFilm(
         _DIAMETER, _WIDTH, _GAP, _VISCOSITY, _SPEED, (Land(0.0, 2.0 * math.pi),), Cavitation.REYNOLDS,
         FilmStart.PERIODIC,
@@ -62,6 +64,8 @@ def concentric(layers: int) -> ThermalFilm:
 @lru_cache
 def bearing(intervals: int, layers: int | None = None) -> ThermalFilm:
     """Two lands of 176 degrees with conducting bush, D = 0.4 m, 900 rpm, 112.8 kN, ISO VG 32 at 50 °C."""
+    from babbitt.film.thermal import solve_thermal_journal
+
     lands = grooved_bore((0.0, math.pi), math.radians(4.0))
     film = JournalFilm(0.4, 0.263, 195e-6, float(_iso_vg_32(np.array(_COLD))), 30.0 * math.pi, lands)
     walls = ConductingWalls(BushRing((0.2, 0.3), (50.0,), 50.0, 293.15))
