@@ -35,5 +35,5 @@ def test_a_supply_flow_from_the_side_is_not_called_a_flow_from_the_grooves():
         side_pressures=["0.5 MPa", "0 MPa"],
     )  # fmt: skip
     assert pressed.supply_flow < 0.0
-    assert "less pass than without it, as oil flows from a side into them" in said(pressed)["W121"]
+    assert "less leave by the sides, as oil flows from a side into them" in said(pressed)["W121"]
     assert "supply flow of" in said(answer(**QUICK))["W121"]

@@ -268,6 +268,16 @@ def test_the_stability_map_marks_the_point_and_names_its_regions():
     assert critical / mass == pytest.approx(result.critical_mass / result.rotor_mass, rel=1e-3)
 
 
+def test_names_of_curves_stay_inside_their_panel():
+    left, _ = mapped("two")
+    named = [text for text in left.texts if text.get_text().endswith(" m")]
+    assert named
+    for text in named:
+        across, up = left.transAxes.inverted().transform(left.transData.transform(text.get_position()))
+        assert 0.04 < across < 0.96
+        assert 0.04 < up < 0.96
+
+
 def test_an_elastic_shaft_shows_the_rigid_rotor_beside_it():
     _, right = mapped("two", shaft_stiffness=1e8)
     elastic, rigid, _ = right.lines

@@ -202,7 +202,7 @@ def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, fl
         said = f"supply flow of {flow:.2g} L/min from grooves as wide as the bearing"
         if flow < 0.0:
             said = (
-                f"under the pressure of grooves as wide as the bearing {-flow:.2g} L/min less pass than without it"
+                f"under the pressure of grooves as wide as the bearing {-flow:.2g} L/min less leave by the sides"
             )
             said += ", as oil flows from a side into them" if state.solution.side_inflow > 0.0 else ""
         yield Notice("W121", f"{said}: a rough estimate")

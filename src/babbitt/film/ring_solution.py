@@ -62,8 +62,9 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
     drain_sides(ring, sample.film, work)
     flows = flows_of(settled)
     free = np.abs(work.row[ring.supply == -1])
-    fullest = float(np.abs(flux_along(settled)).sum(axis=1).max())
-    passing = max(np.maximum(flows.supplies, 0.0).sum(), float(np.abs(flows.entering).sum()), fullest)
+    passing = max(np.maximum(flows.supplies, 0.0).sum(), float(np.abs(flows.entering).sum()))
+    if ring.surface.cyclic:  # little may pass the seam
+        passing = max(passing, float(np.abs(flux_along(settled)).sum(axis=1).max()))
     torque_journal, torque_bearing = friction(settled)
     frame = np.diag(scales.sense)
     unit = scales.force / scales.length

@@ -42,7 +42,9 @@ Array = NDArray[np.float64]
 
 SWEEPS = 3
 """Of the energy equation in a pass."""
-SETTLED = 1e-2
+COARSE, COARSELY_SETTLED = 1e-2, 2.0
+"""Residual force over load, and change of temperature in a pass (K), at which a coarse ring has done its part."""
+SETTLED = 2e-2
 """Change of temperature in a pass, K, at which film and temperature rest beside each other."""
 COLD_LOAD = 2.0
 """Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks
@@ -150,7 +152,7 @@ def attempt(
     warm = fresh_ring(film, heat, scales, per_turn // 2, resolution, None)
     at = cold_start(warm.sample, share * load)
     while True:
-        found = rest(warm, share * load, at, 1e-3, 1.0)
+        found = rest(warm, share * load, at, COARSE, COARSELY_SETTLED)
         total += found.passes
         if found.status != CONVERGED:
             return replace(found, passes=total)
