@@ -157,7 +157,6 @@ bearings:
         (9, "bearings[0 'One'].diameter"),
         (11, "bearings[0 'One'].width_ratio"),
         (12, "bearings[0 'One'].clearance.journal"),
-        (16, "bearings[1 'Two'].diameter"),
         (16, "bearings[1 'Two']"),
         (18, "bearings[1 'Two'].diamter"),
         (21, "bearings[1 'Two'].span"),
