@@ -121,3 +121,26 @@ def test_a_diverging_pad_breaks_its_film_and_keeps_its_oil():
 def test_touching_faces_are_refused():
     with pytest.raises(InputError, match="touch"):
         sector_film(PAD, PlaneMotion(10e-6, 0.0, -2e-4))
+
+
+def test_oil_pressed_in_over_the_leading_edge_does_not_depend_on_the_grid():
+    pad = SectorPad(0.1, 0.2, math.radians(45.0), 0.03, 100.0, leading_pressure=2e6)
+    flows = [
+        sector_film(pad, TILTED, intervals=n, degree=d).leading_flow for n, d in ((64, 8), (128, 12), (256, 16))
+    ]
+    assert abs(flows[2] - flows[1]) < 0.6 * abs(flows[1] - flows[0])
+    assert flows[1] == pytest.approx(flows[2], rel=0.01)
+
+
+def test_a_diverging_pad_draws_in_nothing_at_its_sides_and_tells_what_it_invents():
+    diverging = PlaneMotion(60e-6, 0.0, 4e-4)
+    kept, invented = (
+        sector_film(SectorPad(0.1, 0.2, math.radians(45.0), 0.03, 100.0, cavitation=rule), diverging)
+        for rule in (Cavitation.MASS_CONSERVING, Cavitation.REYNOLDS)
+    )
+    for film in (kept, invented):
+        assert min(film.inner_flow, film.outer_flow) >= -1e-15
+    out = kept.inner_flow + kept.outer_flow + kept.trailing_flow
+    assert out == pytest.approx(kept.leading_flow, rel=1e-10)
+    assert invented.trailing_flow == pytest.approx(invented.leading_flow, rel=1e-6)
+    assert invented.friction_torque == pytest.approx(kept.friction_torque, rel=0.02)

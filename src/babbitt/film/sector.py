@@ -24,9 +24,9 @@ from babbitt.film._surface_film import (
     new_surface_work,
     smallest_surface_gap,
 )
-from babbitt.film._surface_forces import evaluate_surface
+from babbitt.film._surface_forces import carry_streamers, drain_edge, evaluate_surface
 from babbitt.film.axial import AxialMesh, element_axial_mesh
-from babbitt.film.model import Cavitation
+from babbitt.film.model import END_DAM, Cavitation
 from babbitt.film.ring import gauss_angles
 from babbitt.film.turbulence import FilmTurbulence
 from babbitt.notices import InputError
@@ -55,7 +55,8 @@ class SectorPad:
         Departure of the pad from a plane, m, positive away from the runner: rows at equally spaced angles from
         edge to edge, columns from the inner to the outer radius (crowning, taper, step). Empty: plane.
     leading_pressure : float
-        Gauge, Pa, at the leading edge; the other edges are at ambient pressure.
+        Gauge, Pa, at the leading edge; the other edges are at ambient pressure, to which it falls over the last
+        2.5 % of the pad at either side (``ring.END_DAM``).
     cavitation : Cavitation
         Mass-conserving or Reynolds.
     turbulence : FilmTurbulence or None
@@ -120,7 +121,7 @@ class SectorFilm:
     friction_torque : float
         On the runner, N m.
     mass_balance_error : float
-        Over the leading flow.
+        Over the leading flow. Under the Reynolds condition a film that forms anew makes oil.
     """
 
     pad: SectorPad
@@ -185,7 +186,7 @@ def sector_film(
     """
     height = reference_height(pad, gap)
     theta = np.linspace(0.0, pad.extent, intervals + 1)
-    mesh = element_axial_mesh((pad.inner_radius / pad.outer_radius, 1.0), (degree,))
+    mesh = sector_mesh(pad, degree)
     unit = pad.viscosity * pad.angular_speed * (pad.outer_radius / height) ** 2
     surface = sector_surface(pad, theta, mesh, height, unit)
     lengths = np.array([height, height / pad.outer_radius, height / pad.outer_radius])
@@ -202,11 +203,17 @@ def sector_film(
         if evaluate_surface(surface, film, work, at, moving, False, forces, stiffness, damping) == 0:
             break
     evaluate_surface(surface, film, work, at, moving, True, forces, stiffness, damping)
+    if not surface.conserving:
+        carry_streamers(surface, film, work)
+    fed = np.zeros(theta.size, dtype=bool)
+    fed[[0, -1]] = True
+    for edge in mesh.side_nodes:
+        drain_edge(surface, film, work, edge, fed)
     # the motions of the kernels close the gap, and their forces push the pad's runner off: both signs turn
     area, flow = pad.outer_radius**2, pad.angular_speed * pad.outer_radius**2 * height
     levers = np.array([1.0, pad.outer_radius, pad.outer_radius])
     row = work.row * flow
-    free = np.abs(row[work.counts]).sum()
+    free = np.abs(row[~surface.held]).sum()
     leading = float(row[0].sum())
     return SectorFilm(
         pad=pad,
@@ -229,6 +236,15 @@ def sector_film(
     )  # fmt: skip
 
 
+def sector_mesh(pad: SectorPad, degree: int) -> AxialMesh:
+    """Elements across the pad; short ones at its sides where oil under pressure enters at the leading edge."""
+    inner = pad.inner_radius / pad.outer_radius
+    if pad.leading_pressure <= 0.0:
+        return element_axial_mesh((inner, 1.0), (degree,))
+    dam = END_DAM * (1.0 - inner)
+    return element_axial_mesh((inner, inner + dam, 1.0 - dam, 1.0), (2, degree, 2))
+
+
 def reference_height(pad: SectorPad, gap: PlaneMotion) -> float:
     """Gap in the middle of the pad, m, in which gaps are measured: that at the axis may be none at all."""
     middle, angle = 0.5 * (pad.inner_radius + pad.outer_radius), 0.5 * pad.extent
@@ -244,7 +260,9 @@ def sector_surface(pad: SectorPad, theta: Array, mesh: AxialMesh, height: float,
     held = np.zeros((theta.size, mesh.nodes.size), dtype=bool)
     held[0], held[-1], held[:, 0], held[:, -1] = True, True, True, True
     pressure = np.zeros(held.shape)
-    pressure[0, 1:-1] = pad.leading_pressure / unit
+    inner = pad.inner_radius / pad.outer_radius
+    aside = np.minimum(mesh.nodes - inner, 1.0 - mesh.nodes) / (1.0 - inner)
+    pressure[0] = np.clip(aside / END_DAM, 0.0, 1.0) * pad.leading_pressure / unit
     ones = np.ones((theta.size - 1, radius.size))
     law = np.zeros(0) if pad.turbulence is None else pad.turbulence.kernel_row(unit_reynolds(pad, height))
     return Surface(
