@@ -76,7 +76,7 @@ def patch_displacement(x: Array, y: Array, half_length: float, half_width: Array
 
 
 def _log_term(arm: Array, high: Array, low: Array) -> Array:
-    """arm ln((high + |arm, high|) / (low + |arm, low|)): zero where the arm is."""
+    """``arm ln((high + |arm, high|) / (low + |arm, low|))``: zero where the arm is."""
     # ln(t + sqrt(t^2 + a^2)) - ln|a| = asinh(t / |a|), which loses nothing for negative t
     size = np.abs(arm)
     safe = np.where(size > 0.0, size, 1.0)

@@ -16,13 +16,13 @@ __all__ = ["DampedMode", "damped_modes"]
 FINEST = 1e9
 """Eigenvalues beyond this (rad/s) belong to unknowns without mass."""
 SWINGS = 0.3
-"""Frequency over |eigenvalue| of a mode that swings; pads that creep back to their tilt do not."""
+"""Frequency over ``|eigenvalue|`` of a mode that swings; pads that creep back to their tilt do not."""
 ELEMENTS = 24
 
 
 @dataclass(frozen=True)
 class DampedMode:
-    """A mode that decays: frequency of its swing (rad/s) and damping ratio -Re(lambda)/|lambda|."""
+    """A mode that decays: frequency of its swing (rad/s) and damping ratio ``-Re(lambda)/|lambda|``."""
 
     frequency: float
     damping_ratio: float

@@ -103,7 +103,7 @@ class Forced:
         return np.asarray(sum(chosen, np.zeros(z)))
 
     def peaks(self, turned: float = 0.0) -> Array:
-        """Largest |N_i| over a revolution, N, shape (z,); the bound where harmonics do not repeat together."""
+        """Largest ``|N_i|`` over a revolution, N, shape (z,); the bound where harmonics do not repeat together."""
         if not self.commensurate:
             return self.bounds()
         return np.asarray(np.abs(self.force_history(turned)).max(axis=1))

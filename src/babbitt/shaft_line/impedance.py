@@ -30,7 +30,7 @@ Array = NDArray[np.float64]
 ComplexArray = NDArray[np.complex128]
 
 POLE = 1e-12
-"""|sin kl| below which the joints of a rod do not fix its motion."""
+"""``|sin kl|`` below which the joints of a rod do not fix its motion."""
 RESIDUAL = 1e-10
 
 

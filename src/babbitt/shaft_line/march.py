@@ -45,7 +45,7 @@ class March:
 
     @property
     def peaks(self) -> Array:
-        """Largest |N_i|, N."""
+        """Largest ``|N_i|``, N."""
         return np.asarray(np.abs(self.forces).max(axis=0))
 
 
