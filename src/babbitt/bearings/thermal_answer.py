@@ -30,6 +30,9 @@ __all__ = [
     "with_own_coefficients",
 ]
 
+BACK_FROM = 0.05
+"""Oil that goes back into supplies, over what leaves by the sides, from which it is told."""
+
 OPEN_BALANCE = 1e-6
 """Share of the friction power from which a heat balance that does not close is told."""
 
@@ -113,6 +116,11 @@ def doubts_about_heat(
             f"the film is {low - 273.15:.1f} to {high - 273.15:.1f} °C, {case.lubricant.name} is described from "
             f"{coldest - 273.15:.0f} to {hottest - 273.15:.0f} °C",
         )
+    film = state.thermal.film
+    back = -float(film.supply_flow[film.supply_flow < 0.0].sum())
+    if back > BACK_FROM * film.leaving_flow:
+        warmest = max(float(one) for one in state.thermal.groove_temperatures[film.supply_flow < 0.0]) - 273.15
+        yield Notice("W148", f"{back * 6e4:.2g} L/min of oil at up to {warmest:.0f} °C")
     if values["energy_balance_error"] > OPEN_BALANCE:
         yield Notice("W146", f"{values['energy_balance_error']:.2g} of the friction power is not accounted for")
     if not followed:

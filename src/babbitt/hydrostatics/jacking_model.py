@@ -11,6 +11,10 @@ from babbitt.notices import InputError, Notice
 __all__ = ["JackingCase"]
 
 
+LEAST_SHARE = 1e-3
+"""Projected area of all pockets over length times radius of one, below which they lift nothing."""
+
+
 @dataclass(frozen=True)
 class JackingCase:
     """A plain bearing with jacking pockets.
@@ -66,6 +70,9 @@ class JackingCase:
                                  f"{self.bearing.clearance} m.")  # fmt: skip
         if not any(math.sin(angle) < 0.0 for angle in self.bearing.recess_angles):
             raise InputError("E101", "no pocket lies in the lower half; the load acts downwards (-90 deg).")
+        if not self.projected_area > LEAST_SHARE * self.bearing.recess_length * self.bearing.radius:
+            raise InputError("E101", "pockets: those above push the shaft down as much as those below lift it; "
+                             "place all of them in the lower half by their angles.")  # fmt: skip
 
     @property
     def projected_area(self) -> float:
