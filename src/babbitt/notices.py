@@ -289,18 +289,18 @@ EXPLANATIONS: dict[str, Explanation] = {
         "energy equation was left before it had settled.",
         "Try another `accuracy`; temperatures are right to about this share of their rise.",
     ),
+    "W147": Explanation(
+        "Stiffness with frozen temperatures only",
+        "The stiffness was asked for with temperatures that follow the motion. The film beside the operating "
+        "point did not settle.",
+        "Use `temperature_coefficients: frozen`, or move supplies out of the loaded zone.",
+    ),
     "W148": Explanation(
         "Warm oil flows back into a supply",
         "A groove or pocket lies where the film has more pressure than the supply: the film presses warm oil back "
         "into it, and the heat of that oil leaves through the supply. `outlet_temperature` is of the oil at the "
         "sides only.",
         "Move the groove or pocket out of the loaded zone, or count on warmer supply oil.",
-    ),
-    "W147": Explanation(
-        "Stiffness with frozen temperatures only",
-        "The stiffness was asked for with temperatures that follow the motion. The film beside the operating "
-        "point did not settle.",
-        "Use `temperature_coefficients: frozen`, or move supplies out of the loaded zone.",
     ),
     "W142": Explanation(
         "Pressure beyond plain bearings",
