@@ -55,10 +55,14 @@ def march(
     speed: float,
     thrusts: Sequence[ThrustHarmonic],
     runouts: Sequence[RunoutHarmonic],
-    steps: int = 1440,
+    steps: int = 2880,
     revolutions: int = 20,
+    elements: int = 24,
 ) -> March:
     """Newmark's average acceleration from rest.
+
+    Its error goes with the square of the step: at 1440 steps and 12 rods gaps at four times the speed of the shaft
+    differ by 1.3e-5 from the frequency domain, at the steps and rods taken here by 3.4e-6 (`tests/shaft_line`).
 
     Parameters
     ----------
@@ -71,8 +75,10 @@ def march(
         Per revolution.
     revolutions : int
         Of which the last is kept.
+    elements : int
+        Rods over the whole line.
     """
-    model = element_line(line, pads)
+    model = element_line(line, pads, elements)
     dt = 2.0 * math.pi / (speed * steps)
     inverse = np.linalg.inv(model.stiffness + 2.0 / dt * model.damping + 4.0 / dt**2 * model.mass)
     angles = np.asarray(speed * dt * np.arange(1, steps + 1), dtype=np.float64)
