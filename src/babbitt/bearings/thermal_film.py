@@ -7,7 +7,6 @@ settle around the thermal film.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import pairwise
@@ -19,8 +18,8 @@ from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState, operating_film
 from babbitt.design.conditions import GivenEccentricity, GivenPosition
 from babbitt.design.feeding import arrival
-from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
-from babbitt.design.oil import properties_at
+from babbitt.design.heat_balance import Equilibrium, NoFilmError
+from babbitt.design.oil import bounded_viscosity, highest_usable, properties_at
 from babbitt.design.roots import bracketed_root
 from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, JournalFilm, Resolution
 from babbitt.fits import operating_relative_clearance
@@ -46,8 +45,6 @@ SAME_TEMPERATURE = 0.05
 """Change of the effective temperature in K at which the heat capacity counts as settled."""
 PUSH = 0.02
 """Share of the least gap by which the journal is moved to see the stiffness while temperatures follow."""
-COLDEST = 243.15
-"""Temperature in K below which the oil is taken as at it: the search passes there, no answer lies there."""
 
 
 def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
@@ -196,31 +193,6 @@ def film_heat(case: FilmCase, heat_capacity: float, temperature: float) -> FilmH
         walls=case.heat.walls,
         grid=HeatGrid(resolved=case.heat.axial_temperature is AxialTemperature.RESOLVED),
     )
-
-
-def bounded_viscosity(oil: Lubricant) -> Callable[[Array], Array]:
-    """Dynamic viscosity over temperature, held at its ends below -30 °C and above the last usable temperature."""
-    import numpy as np
-
-    highest = highest_usable(oil)
-
-    def viscosity(temperature: Array) -> Array:
-        return np.asarray(oil.dynamic_viscosity(np.clip(temperature, COLDEST, highest)))
-
-    return viscosity
-
-
-def highest_usable(oil: Lubricant) -> float:
-    """Highest temperature in K, up to 300 °C, at which the laws of an oil have usable values."""
-    high = CEILING
-    while high > COLDEST:
-        try:
-            properties_at(oil, high)
-        except NoFilmError:
-            high -= 1.0
-        else:
-            return high
-    raise NoFilmError(Outcome.NO_LUBRICANT_DATA)
 
 
 def thermal_resolution(case: FilmCase) -> Resolution:

@@ -2,10 +2,24 @@
 
 from __future__ import annotations
 
-from babbitt.design.heat_balance import NoFilmError
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from babbitt.design.heat_balance import CEILING, NoFilmError
 from babbitt.lubricants import Lubricant
 from babbitt.notices import InputError
 from babbitt.results import Outcome
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+__all__ = ["bounded_viscosity", "highest_usable", "properties_at"]
+
+COLDEST = 243.15
+"""Temperature in K below which the oil is taken as at it: a search passes there, no answer lies there."""
 
 
 def properties_at(oil: Lubricant, temperature: float) -> tuple[float, float, float]:
@@ -24,3 +38,28 @@ def properties_at(oil: Lubricant, temperature: float) -> tuple[float, float, flo
     if min(found) <= 0.0:
         raise NoFilmError(Outcome.NO_LUBRICANT_DATA)
     return found
+
+
+def bounded_viscosity(oil: Lubricant) -> Callable[[Array], Array]:
+    """Dynamic viscosity over temperature, held at its ends below -30 °C and above the last usable temperature."""
+    import numpy as np
+
+    highest = highest_usable(oil)
+
+    def viscosity(temperature: Array) -> Array:
+        return np.asarray(oil.dynamic_viscosity(np.clip(temperature, COLDEST, highest)))
+
+    return viscosity
+
+
+def highest_usable(oil: Lubricant) -> float:
+    """Highest temperature in K, up to 300 °C, at which the laws of an oil have usable values."""
+    high = CEILING
+    while high > COLDEST:
+        try:
+            properties_at(oil, high)
+        except NoFilmError:
+            high -= 1.0
+        else:
+            return high
+    raise NoFilmError(Outcome.NO_LUBRICANT_DATA)

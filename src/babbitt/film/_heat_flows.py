@@ -143,7 +143,7 @@ def gather_flows(surface, film, work, at, columns, flows):
             )
             if plugged:
                 continue
-            half, speed = 0.5 * surface.step[i], surface.speed
+            half, speed = 0.5 * surface.step[i], surface.speed * surface.radius[q]
             a, b = 1.0 / ha, 1.0 / hb
             j1 = half * (a + b)
             churned = half * (a * stirring(surface, i, q, ha) + b * stirring(surface, i, q, hb))
@@ -201,7 +201,7 @@ def stirring(surface, i, q, gap):
     law = surface.turbulence
     if law.size == 0:
         return 1.0
-    number = law[0] * gap / surface.viscosity[i, q]
+    number = law[0] * surface.radius[q] * gap / surface.viscosity[i, q]
     t = min(max((number - law[1]) / (law[2] - law[1]), 0.0), 1.0)
     return 1.0 + t * t * (3.0 - 2.0 * t) * law[7] * number ** law[8]
 

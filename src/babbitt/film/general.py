@@ -35,7 +35,8 @@ from babbitt.film.ring_mesh import Density
 __all__ = ["SettledRing", "rest_ring", "ring_at"]
 
 Array = NDArray[np.float64]
-ZERO = np.zeros(2)
+ZERO = np.zeros(4)
+"""Rest in as many motions as any surface has."""
 
 
 @dataclass

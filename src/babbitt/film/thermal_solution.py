@@ -13,7 +13,7 @@ from babbitt.film.scales import Scales
 from babbitt.film.solution import FilmSolution
 from babbitt.film.warm_ring import WarmRing
 
-__all__ = ["ThermalFilm", "thermal_film"]
+__all__ = ["HeatSplit", "ThermalFilm", "sides_and_supplies", "thermal_film"]
 
 Array = NDArray[np.float64]
 
@@ -114,20 +114,9 @@ class ThermalFilm:
 
 def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequence[int]) -> ThermalFilm:
     """Temperatures and heat of a ring beside its film; ``order`` of its supplies in the bearing as given."""
-    flows, columns, unit = warm.flows, warm.columns, warm.walls.flow_heat
+    columns, unit = warm.columns, warm.walls.flow_heat
     cold = warm.heat.supply_temperature
-    profile = flows.pressure_profile[np.arange(flows.leak.shape[0]) % flows.pressure_profile.shape[0]]
-    own = (profile * warm.temperature).sum(axis=2)
-    leaving, entering = np.maximum(flows.leak, 0.0), np.minimum(flows.leak, 0.0)
-    over_sides = float((leaving * (own - cold)).sum() + (entering * 0.0).sum()) * unit
-    back = 0.0
-    for s in range(warm.groove.size):
-        brought, enthalpy, taken = groove_balance(
-            warm.sample.ring.surface, columns, flows, 1.0, warm.temperature, s
-        )
-        carried = warm.heat.carry_over
-        back += (1.0 - carried) * (enthalpy - brought * cold) * unit
-        back += max(carried * brought - taken, 0.0) * (warm.groove[s] - cold) * unit
+    leaving, own, carried_off = sides_and_supplies(warm)
     bush, journal = warm.bush_heat(), float(warm.walls.journal[1])
     dissipation = warm.dissipation * warm.rise * unit
     out = float(leaving.sum())
@@ -151,6 +140,28 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
         bush_temperature=wall,
         bush_flux=warm.walls.bush_flux.copy(),
         journal_temperature=shaft,
-        heat=HeatSplit(dissipation, over_sides + back, bush, journal),
+        heat=HeatSplit(dissipation, carried_off, bush, journal),
         effective_viscosity=warm.reference_viscosity * warm.friction / max(warm.unit_friction(), 1e-300),
     )
+
+
+def sides_and_supplies(warm: WarmRing) -> tuple[Array, Array, float]:
+    """What leaves over the sides, (lines, columns), how warm it is, K, and the heat that the oil carries off, W.
+
+    Over the sides and back into supplies.
+    """
+    flows, columns, unit = warm.flows, warm.columns, warm.walls.flow_heat
+    cold = warm.heat.supply_temperature
+    profile = flows.pressure_profile[np.arange(flows.leak.shape[0]) % flows.pressure_profile.shape[0]]
+    own = (profile * warm.temperature).sum(axis=2)
+    leaving = np.maximum(flows.leak, 0.0)
+    over_sides = float((leaving * (own - cold)).sum()) * unit
+    back = 0.0
+    for s in range(warm.groove.size):
+        brought, enthalpy, taken = groove_balance(
+            warm.sample.ring.surface, columns, flows, 1.0, warm.temperature, s
+        )
+        carried = warm.heat.carry_over
+        back += (1.0 - carried) * (enthalpy - brought * cold) * unit
+        back += max(carried * brought - taken, 0.0) * (warm.groove[s] - cold) * unit
+    return leaving, own, over_sides + back

@@ -13,6 +13,8 @@ from babbitt.thrust.carrying import Carrying, carrying
 from babbitt.thrust.heat import HeatBalance, Temperatures, balanced
 from babbitt.thrust.sharing import Share, share_of
 from babbitt.thrust.state import PadState
+from babbitt.thrust.warm import PadOil
+from babbitt.thrust.warm_films import WarmFilms, own_temperatures, warm_carrying
 
 __all__ = ["GivenFilm", "GivenThrust", "Oil", "ThrustDesign", "ThrustState", "operating_state", "warm_films"]
 
@@ -45,17 +47,30 @@ class Oil:
         K, for the heat balance.
     carry_over : float
         Share of hot oil that enters the next pad.
+    own_temperatures : bool
+        Whether films have their own temperatures instead of that of the balance.
+    resolved : bool
+        Whether these vary across the pads, too.
     """
 
     lubricant: Lubricant
     effective_temperature: float | None = None
     supply_temperature: float | None = None
     carry_over: float = 0.0
+    own_temperatures: bool = False
+    resolved: bool = False
+
+    @property
+    def warm(self) -> PadOil | None:
+        """The oil of films with their own temperatures; None for films of one viscosity."""
+        if self.supply_temperature is None or not self.own_temperatures:
+            return None
+        return PadOil(self.lubricant, self.supply_temperature, self.carry_over, self.resolved)
 
     @property
     def balance(self) -> HeatBalance | None:
-        """The heat balance; None where the viscosity is fixed."""
-        if self.supply_temperature is None:
+        """The heat balance; None where the viscosity is fixed or varies in the film."""
+        if self.supply_temperature is None or self.own_temperatures:
             return None
         return HeatBalance(self.lubricant, self.supply_temperature, self.carry_over)
 
@@ -128,13 +143,22 @@ def operating_state(design: ThrustDesign) -> ThrustState:
     ThermalRunawayError
     """
     films, temperatures = warm_films(design, design.bearing, design.speed, design.duty)
-    return ThrustState(films, _share(films, design.bearing, design.duty), temperatures)
+    share = _share(films, design.bearing, design.duty)
+    if isinstance(films, WarmFilms):
+        temperatures = own_temperatures(films.oil, share.states)
+    return ThrustState(films, share, temperatures)
 
 
 def warm_films(
     design: ThrustDesign, bearing: ThrustBearing, speed: float, duty: GivenThrust | GivenFilm
 ) -> tuple[Carrying, Temperatures | None]:
     """Films of one pad in the oil of the design at a speed and a duty."""
+    if (warm := design.oil.warm) is not None:
+        begin = carrying(bearing.pad, warm.fresh_viscosity, speed)
+        if isinstance(duty, GivenFilm):
+            return warm_carrying(bearing.pad, warm, speed, duty.film), None
+        mean = duty.thrust / bearing.number
+        return warm_carrying(bearing.pad, warm, speed, begin.height_for(mean), mean), None
     films = carrying(bearing.pad, design.oil.fixed_viscosity, speed)
     balance = design.oil.balance
     if balance is None:

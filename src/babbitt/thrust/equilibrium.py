@@ -15,7 +15,7 @@ from babbitt.thrust.state import PadState
 if TYPE_CHECKING:
     from babbitt.film.sector import SectorFilm, SectorPad
 
-__all__ = ["UnbalancedPadError", "pad_state"]
+__all__ = ["UnbalancedPadError", "first_slopes", "pad_state", "sector_of", "state_of_film", "unbalanced", "within_reach"]
 
 Array = NDArray[np.float64]
 
@@ -65,9 +65,42 @@ def pad_state(
     """
     if not (np.isfinite(height) and height > 0.0):
         raise InputError("E201", f"film at the pivot is {height:g} m; it must be positive.")
+    sector = sector_of(pad, viscosity, angular_speed)
+    mesh = (intervals or pad.intervals, degree)
+    free = list(pad.free_tilts)
+    motion = np.array([height, *(guess or first_slopes(pad, height))])
+    to_film = pad.from_pivot()
+    film = _film(sector, to_film @ motion, mesh)
+    for _ in range(MOST_STEPS):
+        forces = to_film.T @ film.forces
+        if np.abs(forces[free]).max(initial=0.0) <= MOMENT_TOLERANCE * abs(forces[0]) * (
+            pad.outer_radius - pad.inner_radius
+        ):
+            return state_of_film(pad, film, motion, viscosity, angular_speed)
+        stiffness = to_film.T @ film.stiffness @ to_film
+        step = np.zeros(3)
+        step[free] = np.linalg.solve(stiffness[np.ix_(free, free)], forces[free])
+        step = within_reach(pad, motion, step)
+        motion = motion + step
+        film = _film(sector, to_film @ motion, mesh)
+    raise unbalanced(pad)
+
+
+def unbalanced(pad: ThrustPad) -> UnbalancedPadError:
+    """What to say of a pad that no tilt balances."""
+    return UnbalancedPadError(
+        "E202",
+        f"pivot at {pad.pivot_fraction:g} of the extent and radius {pad.pivot_radius:g} m: no tilt balances "
+        f"the pad. "
+        "A flat pad needs a pivot behind its middle, 0.5 of the extent, and near the mean radius.",
+    )
+
+
+def sector_of(pad: ThrustPad, viscosity: float, angular_speed: float) -> SectorPad:
+    """The pad as the film engine sees it."""
     from babbitt.film.sector import SectorPad  # numba is imported when the first film is solved
 
-    sector = SectorPad(
+    return SectorPad(
         pad.inner_radius,
         pad.outer_radius,
         pad.extent,
@@ -76,32 +109,10 @@ def pad_state(
         pad.form(),
         turbulence=pad.turbulence,
     )
-    mesh = (intervals or pad.intervals, degree)
-    free = list(pad.free_tilts)
-    motion = np.array([height, *(guess or _first_slopes(pad, height))])
-    to_film = pad.from_pivot()
-    film = _film(sector, to_film @ motion, mesh)
-    for _ in range(MOST_STEPS):
-        forces = to_film.T @ film.forces
-        if np.abs(forces[free]).max(initial=0.0) <= MOMENT_TOLERANCE * abs(forces[0]) * (
-            pad.outer_radius - pad.inner_radius
-        ):
-            return _state(pad, film, motion, viscosity, angular_speed)
-        stiffness = to_film.T @ film.stiffness @ to_film
-        step = np.zeros(3)
-        step[free] = np.linalg.solve(stiffness[np.ix_(free, free)], forces[free])
-        step = _within_reach(pad, motion, step)
-        motion = motion + step
-        film = _film(sector, to_film @ motion, mesh)
-    raise UnbalancedPadError(
-        "E202",
-        f"pivot at {pad.pivot_fraction:g} of the extent and radius {pad.pivot_radius:g} m: no tilt balances "
-        f"the pad. "
-        "A flat pad needs a pivot behind its middle, 0.5 of the extent, and near the mean radius.",
-    )
 
 
-def _first_slopes(pad: ThrustPad, height: float) -> tuple[float, float]:
+def first_slopes(pad: ThrustPad, height: float) -> tuple[float, float]:
+    """A first guess of the slopes."""
     behind = pad.pivot_radius * (1.0 - pad.pivot_fraction) * pad.extent
     return (0.0, -FIRST_RISE * height / behind) if 2 in pad.free_tilts else (0.0, 0.0)
 
@@ -112,7 +123,7 @@ def _film(sector: SectorPad, motion: Array, mesh: tuple[int, int]) -> SectorFilm
     return sector_film(sector, PlaneMotion(*(float(part) for part in motion)), intervals=mesh[0], degree=mesh[1])
 
 
-def _within_reach(pad: ThrustPad, motion: Array, step: Array) -> Array:
+def within_reach(pad: ThrustPad, motion: Array, step: Array) -> Array:
     """The step, halved until the thinnest corner keeps its share of the height."""
     corners = pad.corners()
     for _ in range(MOST_STEPS):
@@ -122,7 +133,7 @@ def _within_reach(pad: ThrustPad, motion: Array, step: Array) -> Array:
     return step
 
 
-def _state(pad: ThrustPad, film: SectorFilm, motion: Array, viscosity: float, angular_speed: float) -> PadState:
+def state_of_film(pad: ThrustPad, film: SectorFilm, motion: Array, viscosity: float, angular_speed: float) -> PadState:
     to_film = pad.from_pivot()
     basis, face = pad.watched()
     thinnest = float((basis @ motion + face).min())

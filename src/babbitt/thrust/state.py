@@ -12,6 +12,7 @@ from babbitt.thrust.pad import ThrustPad
 
 if TYPE_CHECKING:
     from babbitt.film.sector import SectorFilm
+    from babbitt.film.warm_sector import SectorHeat
 
 __all__ = ["PadState", "TiltInertia", "condensed", "tilt_answer"]
 
@@ -56,6 +57,8 @@ class PadState:
         Into the pad over its leading edge, out over the others, m3/s.
     friction_torque : float
         On the runner, N m.
+    heat : SectorHeat or None
+        Temperatures of a film that has its own; its coefficients hold for frozen ones.
     """
 
     pad: ThrustPad
@@ -76,6 +79,7 @@ class PadState:
     inner_flow: float
     outer_flow: float
     friction_torque: float
+    heat: SectorHeat | None = None
 
     @property
     def friction_power(self) -> float:

@@ -1,0 +1,193 @@
+"""Pads whose films have their own temperatures: tilt, height and heat at rest beside each other.
+
+Every pass is one of Reynolds and energy equation and one Newton step of the pad on its stiffness at frozen
+temperatures (`babbitt.film.warm_sector`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.design.heat_balance import NoFilmError
+from babbitt.design.oil import bounded_viscosity, highest_usable
+from babbitt.lubricants import Lubricant
+from babbitt.notices import InputError
+from babbitt.thrust.equilibrium import (
+    MOMENT_TOLERANCE,
+    first_slopes,
+    sector_of,
+    state_of_film,
+    unbalanced,
+    within_reach,
+)
+from babbitt.thrust.heat import ThermalRunawayError
+from babbitt.thrust.pad import ThrustPad
+from babbitt.thrust.state import PadState
+
+if TYPE_CHECKING:
+    from babbitt.film.heat import FilmHeat
+    from babbitt.film.warm_sector import WarmSector
+
+__all__ = ["PadOil", "WarmStart", "warm_pad"]
+
+Array = NDArray[np.float64]
+
+MOST_PASSES = 150
+SETTLED = 1e-4
+"""Change of temperature in a pass, K, at which film, pad and temperature rest beside each other."""
+BALANCED = 1e-6
+"""Of forces and moments over the load, with it."""
+MOVED = 0.4
+"""Largest change of the logarithm of the height in a step."""
+POLISH = 12
+DEGREE = 8
+
+
+@dataclass(frozen=True)
+class PadOil:
+    """Oil of a film with its own temperatures.
+
+    Attributes
+    ----------
+    lubricant : Lubricant
+    supply_temperature : float
+        Of fresh oil, K.
+    carry_over : float
+        Share of the hot oil of a pad that enters the next one.
+    resolved : bool
+        Whether temperatures vary across the pad; else they are means over its width.
+    """
+
+    lubricant: Lubricant
+    supply_temperature: float
+    carry_over: float
+    resolved: bool = False
+
+    @property
+    def fresh_viscosity(self) -> float:
+        """Pa s at the supply."""
+        return float(self.lubricant.dynamic_viscosity(self.supply_temperature))
+
+    def heat(self) -> FilmHeat:
+        """Heat model of the film engine; heat capacity and conductivity at the supply."""
+        from babbitt.film.heat import FilmHeat, HeatGrid
+
+        at = self.supply_temperature
+        return FilmHeat(
+            bounded_viscosity(self.lubricant),
+            float(self.lubricant.volumetric_heat_capacity(at)),
+            float(self.lubricant.conductivity(at)),
+            at,
+            None,
+            HeatGrid(resolved=self.resolved),
+            self.carry_over,
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class WarmStart:
+    """A pad that rests, from which another one is begun."""
+
+    oil: PadOil
+    state: PadState
+    sector: WarmSector
+
+
+def warm_pad(
+    pad: ThrustPad,
+    oil: PadOil,
+    angular_speed: float,
+    height: float,
+    load: float | None = None,
+    start: WarmStart | None = None,
+    intervals: int | None = None,
+    degree: int = DEGREE,
+) -> WarmStart:
+    """Film of a pad with its own temperatures, at a height of its pivot or under a load.
+
+    Parameters
+    ----------
+    pad : ThrustPad
+    oil : PadOil
+    angular_speed : float
+        rad/s, positive.
+    height : float
+        Film at the pivot, m; with a load where its search begins.
+    load : float, optional
+        N.
+    start : WarmStart, optional
+        A pad nearby, with the same mesh.
+    intervals, degree : int
+        As `babbitt.thrust.equilibrium.pad_state`.
+
+    Raises
+    ------
+    InputError
+        E201 if the height is not positive; E202 if no tilt balances the pad or no film carries the load.
+    ThermalRunawayError
+        If the film has no temperature below the highest for which the oil has data, at most 300 °C.
+    """
+    if not (np.isfinite(height) and height > 0.0):
+        raise InputError("E201", f"film at the pivot is {height:g} m; it must be positive.")
+    from babbitt.film.warm_sector import WarmSector
+
+    fresh = sector_of(pad, oil.fresh_viscosity, angular_speed)
+    sector = WarmSector.of(fresh, oil.heat(), height, intervals or pad.intervals, degree)
+    slopes = first_slopes(pad, height)
+    if start is not None:
+        sector.start_from(start.sector)
+        share = height / start.state.height
+        slopes = (start.state.slope_x * share, start.state.slope_y * share)
+    motion = _at_rest(pad, sector, np.array([height, *slopes]), load)
+    film, heat, change = sector.finish(pad.from_pivot() @ motion)
+    try:
+        hottest = highest_usable(oil.lubricant)
+    except NoFilmError:
+        raise ThermalRunawayError from None
+    if not heat.maximum < hottest or not change < SETTLED:
+        raise ThermalRunawayError
+    state = state_of_film(pad, film, motion, heat.effective_viscosity, angular_speed)
+    return WarmStart(oil, replace(state, heat=heat), sector)
+
+
+def _at_rest(pad: ThrustPad, sector: WarmSector, motion: Array, load: float | None) -> Array:
+    """Passes until film, temperatures and pad rest; then the pad alone, exactly, at frozen temperatures."""
+    free = list(pad.free_tilts) if load is None else [0, *pad.free_tilts]
+    to_film, width = pad.from_pivot(), pad.outer_radius - pad.inner_radius
+    scale = np.array([1.0, width, width])
+    sought = np.zeros(3) if load is None else np.array([load, 0.0, 0.0])
+    polishing = 0
+    for _ in range(MOST_PASSES):
+        change = 0.0
+        if polishing:
+            sector.carry(to_film @ motion)
+        else:
+            change = sector.advance(to_film @ motion)
+        forces = to_film.T @ sector.forces
+        left = forces - sought
+        miss = float((np.abs(left[free]) / scale[free]).max(initial=0.0)) / max(abs(forces[0]), abs(sought[0]), 1e-300)
+        if not np.isfinite(miss) or np.isnan(change):
+            break
+        if polishing or (change < SETTLED and miss < BALANCED):
+            polishing += 1
+            if miss < MOMENT_TOLERANCE or not free:
+                return motion
+            if polishing > POLISH:
+                break
+        stiffness = to_film.T @ sector.stiffness @ to_film
+        step = np.zeros(3)
+        step[free] = np.linalg.solve(stiffness[np.ix_(free, free)], left[free])
+        motion = _moved(pad, motion, step)
+    raise unbalanced(pad)
+
+
+def _moved(pad: ThrustPad, motion: Array, step: Array) -> Array:
+    """The pad after a step that neither leaves its height behind nor lets a corner come too close."""
+    growth = float(np.clip(step[0] / motion[0], -0.9, None))
+    if abs(np.log1p(growth)) > MOVED:
+        step = step * (np.expm1(np.copysign(MOVED, growth)) / growth)
+    return np.asarray(motion + within_reach(pad, motion, step))

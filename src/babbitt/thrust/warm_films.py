@@ -1,0 +1,152 @@
+"""What a pad with its own temperatures carries over the thickness of its film."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from babbitt.notices import InputError
+from babbitt.thrust.carrying import TabulatedFilms
+from babbitt.thrust.heat import Temperatures, ThermalRunawayError
+from babbitt.thrust.pad import ThrustPad
+from babbitt.thrust.state import PadState
+from babbitt.thrust.warm import PadOil, WarmStart, warm_pad
+
+__all__ = ["WarmFilms", "own_temperatures", "warm_carrying"]
+
+THIN, THICK, COUNT = 0.25, 8.0, 15
+"""Films at which pads are tabulated, over the film of the mean load, and how many."""
+
+
+@dataclass(frozen=True, eq=False)
+class WarmFilms(TabulatedFilms):
+    """Films with their own temperatures: not similar, and at one speed in one oil.
+
+    Attributes
+    ----------
+    oil : PadOil
+    starts : tuple of WarmStart
+        The pads of the table, thin films first.
+    """
+
+    oil: PadOil
+    starts: tuple[WarmStart, ...]
+
+    def height_for(self, load: float) -> float:
+        """Height at a load, exact."""
+        near = min(self.starts, key=lambda start: abs(np.log(start.state.load / load)))
+        found = warm_pad(self.pad, self.oil, self.angular_speed, near.state.height, load, near)
+        return found.state.height
+
+    def state(self, height: float) -> PadState:
+        """The film at a height, solved."""
+        near = min(self.starts, key=lambda start: abs(np.log(start.state.height / height)))
+        return warm_pad(self.pad, self.oil, self.angular_speed, height, None, near).state
+
+    def at(self, viscosity: float, angular_speed: float) -> WarmFilms:
+        """The same films at another speed; viscosity is their own."""
+        mean = float(np.sqrt(self.heights[0] * self.heights[-1]))
+        return warm_carrying(self.pad, self.oil, angular_speed, mean)
+
+
+def warm_carrying(
+    pad: ThrustPad, oil: PadOil, angular_speed: float, height: float, load: float | None = None
+) -> WarmFilms:
+    """Films of a pad around one of them.
+
+    Parameters
+    ----------
+    pad : ThrustPad
+    oil : PadOil
+    angular_speed : float
+        rad/s.
+    height : float
+        Film of a pad that carries the mean load, m; with ``load`` where its search begins.
+    load : float, optional
+        Mean load of a pad, N.
+
+    Raises
+    ------
+    InputError
+        E202 if no tilt balances the pad.
+    ThermalRunawayError
+    """
+    middle = warm_pad(pad, oil, angular_speed, height, load)
+    around = middle.state.height * np.geomspace(THIN, THICK, COUNT)
+    thick = _outward(middle, around[around > middle.state.height])
+    thin = _outward(middle, around[around < middle.state.height][::-1])
+    starts = (*thin[::-1], middle, *thick)
+    states = [start.state for start in starts]
+    return WarmFilms(
+        pad,
+        np.array([state.height for state in states]),
+        np.array([state.load for state in states]),
+        tuple((state.slope_x, state.slope_y) for state in states),
+        middle.state.viscosity,
+        angular_speed,
+        oil,
+        starts,
+    )
+
+
+def _outward(start: WarmStart, heights: Iterable[float]) -> list[WarmStart]:
+    """Films each begun from the one before, as far as there are any that carry more when thinner."""
+    found: list[WarmStart] = []
+    near = start
+    for height in heights:
+        oil, pad = near.oil, near.state.pad
+        try:
+            new = warm_pad(pad, oil, near.state.angular_speed, float(height), None, near)
+        except (InputError, ThermalRunawayError):
+            break
+        if not (new.state.load - near.state.load) * (near.state.height - height) > 0.0:
+            break
+        found.append(new)
+        near = new
+    return found
+
+
+def own_temperatures(oil: PadOil, states: tuple[PadState, ...]) -> Temperatures:
+    """Temperatures of pads with their own ones, K: means weighted with the flow, and the fresh oil in m3/s.
+
+    Each pad takes in what a pad like itself sends off, so that fresh oil for all is what they take in less what is
+    carried over.
+    """
+    heats = [state.heat for state in states]
+    assert all(heat is not None for heat in heats)
+    capacity = oil.heat().volumetric_heat_capacity
+    entering = np.array([state.leading_flow for state in states])
+    leaving = np.array([state.trailing_flow for state in states])
+    fresh = float((entering - oil.carry_over * leaving).sum())
+    carried_off = sum(heat.heat.oil for heat in heats if heat is not None)
+    power = sum(heat.heat.dissipation for heat in heats if heat is not None)
+    inlet, trailing = (
+        float(np.average([getattr(heat, name) for heat in heats], weights=flow))
+        for name, flow in (("inlet", entering), ("trailing", leaving))
+    )
+    powers = np.array([state.friction_power for state in states])
+    viscosity = float(powers.sum() / (powers / np.array([state.viscosity for state in states])).sum())
+    drain = oil.supply_temperature + carried_off / (capacity * fresh)
+    return Temperatures(
+        oil.supply_temperature,
+        inlet,
+        trailing,
+        _temperature_at(oil, viscosity, inlet, max(heat.maximum for heat in heats if heat is not None)),
+        drain,
+        fresh,
+        carried_off / power - 1.0,
+    )
+
+
+def _temperature_at(oil: PadOil, viscosity: float, low: float, high: float) -> float:
+    """Temperature at which the oil has a viscosity, between two, K."""
+    from babbitt.design.roots import bracketed_root
+
+    def excess(temperature: float) -> float:
+        return float(np.log(oil.lubricant.dynamic_viscosity(temperature) / viscosity))
+
+    if not excess(low) > 0.0 > excess(high):
+        return low if abs(excess(low)) < abs(excess(high)) else high
+    return bracketed_root(excess, low, high, absolute=1e-6)
