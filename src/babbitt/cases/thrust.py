@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Annotated, Literal
 
 from pydantic import Field
@@ -11,7 +12,7 @@ from pydantic import Field
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose
 from babbitt.cases.part import Complaint, Part, exactly_one, rule
-from babbitt.cases.thrust_oil import ThrustOil
+from babbitt.cases.thrust_oil import OilByBalance, ThrustOil
 from babbitt.cases.thrust_pads import Stiffness, ThrustPads, Tilt, TiltingPivot
 from babbitt.film.turbulence import CONSTANTINESCU, NG_PAN, FilmTurbulence, TurbulenceLaw
 from babbitt.thrust.bearing import HousingTilt, ThrustBearing
@@ -38,6 +39,16 @@ class ThrustBearingInputs(Part):
         "run backward."
     )
     oil: ThrustOil = Field(description="How viscous the films are.")
+    thermal: Literal["isothermal", "global", "adiabatic"] | None = Field(
+        None,
+        description="Temperature of the films: one that is given (isothermal, with oil of kind viscosity or "
+        "temperature), one from the heat balance of all pads (global), or one that varies along the pads and across "
+        "the gap with no heat to pads and collar (adiabatic), the two with oil of kind heat_balance. None: global "
+        "where the oil is of that kind, else isothermal.",
+    )
+    radial_temperature: Literal["mean", "resolved"] = Field(
+        "mean", description="Whether the temperature of an adiabatic film varies across the pads, too."
+    )
     ring_stiffness: Stiffness | None = Field(
         None, description="Stiffness of the backing ring under each pad, c. None: rigid."
     )
@@ -66,12 +77,29 @@ class ThrustBearingInputs(Part):
                     "give a crown, or turn the other way",
                 )
 
+    @rule
+    def _thermal_goes_with_the_oil(self) -> Iterator[Complaint]:
+        balance = isinstance(self.oil, OilByBalance)
+        if self.thermal in ("global", "adiabatic") and not balance:
+            says = f"thermal: {self.thermal} finds the temperature from friction and fresh oil"
+            yield Complaint(("oil", "kind"), says, "heat_balance, with lubricant and supply_temperature")
+        if self.thermal == "isothermal" and balance:
+            says = "an isothermal film needs its viscosity or temperature, oil of kind heat_balance finds it"
+            yield Complaint(("oil", "kind"), says, "viscosity or temperature, or thermal: global")
+        if self.thermal == "adiabatic" and self.turbulence != "none":
+            yield Complaint(("turbulence",), "a film with its own temperatures is laminar", "none, or thermal: global")
+        if self.thermal != "adiabatic" and self.radial_temperature == "resolved":
+            says = "the films have one temperature"
+            yield Complaint(("radial_temperature",), says, "mean, or thermal: adiabatic")
+
     def design(self, name: str, duty: GivenThrust | GivenFilm, runout: float) -> ThrustDesign:
         """Give the bearing of the calculation."""
         pads, pivot = self.pads, self.pads.pivot
         tilting = pivot if isinstance(pivot, TiltingPivot) else None
         law = LAWS.get(self.turbulence)
         oil = self.oil.oil()
+        if self.thermal == "adiabatic":
+            oil = replace(oil, own_temperatures=True, resolved=self.radial_temperature == "resolved")
         turbulence = None
         if law is not None:
             at = oil.effective_temperature or oil.supply_temperature or 323.15

@@ -167,11 +167,12 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
 
     @rule
     def _similar_films_for_the_nonlinear_motion(self) -> Iterator[Complaint]:
-        if self.nonlinear and (self.pads.face is not None or self.pads.crown or self.turbulence != "none"):
+        own = self.pads.face is not None or self.pads.crown or self.turbulence != "none"
+        if self.nonlinear and (own or self.thermal == "adiabatic"):
             yield Complaint(
                 ("nonlinear",),
-                "the nonlinear motion is for plane laminar pads, whose films are similar",
-                "false, or pads without face, crown and turbulence",
+                "the nonlinear motion is for plane laminar pads of one viscosity, whose films are similar",
+                "false, or pads without face, crown, turbulence and thermal: adiabatic",
             )
 
     def line_design(self) -> LineDesign:

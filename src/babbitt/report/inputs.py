@@ -151,6 +151,11 @@ def _thrust_oil(case: ThrustDesign | LineDesign) -> Iterator[Row]:
     if oil.supply_temperature is not None:
         yield _named("supply_temperature", oil.supply_temperature)
         yield Row("Hot oil carried over", f"{100.0 * oil.carry_over:.4g}", None, "%")
+        across = ", across the pads" if oil.resolved else ""
+        yield Row(
+            "Temperature of the films",
+            f"varies along the pads{across} and across the gap (adiabatic)" if oil.own_temperatures else "one (global)",
+        )
     if oil.effective_temperature is not None:
         yield _named("effective_temperature", oil.effective_temperature, "Prescribed effective temperature")
 

@@ -10,6 +10,7 @@ from babbitt.results import Result
 from babbitt.shaft_line.check import LineAnswer, line_answer
 from babbitt.shaft_line.design import LineDesign
 from babbitt.thrust.design import ThrustDesign, operating_state
+from babbitt.thrust.sharing import Share
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -57,6 +58,19 @@ def _of_bearing(design: ThrustDesign) -> Iterator[Painted]:
         thrust_painters.pad_pressure(state.share),
         False,
     )
+    yield from _temperature(state.share)
+
+
+def _temperature(share: Share) -> Iterator[Painted]:
+    from babbitt.report import thrust_painters
+
+    if any(pad.heat is not None for pad in share.states):
+        yield (
+            "pad-temperature",
+            "Temperature of the film in °C along the hottest pad and across the gap; the cross marks the highest.",
+            thrust_painters.pad_temperature(share),
+            False,
+        )
 
 
 def _of_line(design: LineDesign) -> Iterator[Painted]:
@@ -78,6 +92,7 @@ def _of_line(design: LineDesign) -> Iterator[Painted]:
         thrust_painters.pad_pressure(state.share),
         False,
     )
+    yield from _temperature(state.share)
     if state.forced.commensurate:
         yield (
             "film-history",

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from babbitt.report import film_maps
 from babbitt.report.drawing import GREY, INK, Array, Sheet
 from babbitt.thrust.peak import between_nodes
 from babbitt.thrust.sharing import Share
@@ -119,4 +120,26 @@ def pad_pressure(share: Share) -> Figure:
     )
     panel.margins(0.16, 0.14)
     panel.set_ylim(float(y.min()) - 16.0 * (float(y.max()) - float(y.min())) / 100.0, None)
+    return figure
+
+
+def pad_temperature(share: Share) -> Figure:
+    """Temperature across the gap along the hottest pad, on its hottest radius."""
+    state = max(share.states, key=lambda one: 0.0 if one.heat is None else one.heat.maximum)
+    heat, film = state.heat, state.film
+    assert heat is not None
+    figure, ((panel,),) = Sheet(81.0, 52.0, left=11.0).panels()
+    _, column, _ = np.unravel_index(int(heat.temperature.argmax()), heat.temperature.shape)
+    celsius = heat.temperature[:, column] - 273.15
+    across = np.concatenate(([0.0], heat.layers, [1.0]))
+    shown = np.concatenate((celsius[:, :1], celsius, celsius[:, -1:]), axis=1)
+    degrees = np.degrees(film.theta)
+    lines = film_maps.shaded(panel, degrees, across, shown)
+    panel.clabel(lines, np.asarray(lines.levels)[::2], fontsize=6, fmt="%g", inline_spacing=2)
+    line, layer = np.unravel_index(int(shown.argmax()), shown.shape)
+    film_maps.point(panel, float(degrees[line]), float(across[layer]), f"{heat.maximum - 273.15:.1f}")
+    panel.set_xlabel("angle from the leading edge in °")
+    panel.set_ylabel("pad  ←  $y/h$  →  collar")
+    panel.set_ylim(0.0, 1.0)
+    panel.set_yticks([0.0, 0.5, 1.0])
     return figure

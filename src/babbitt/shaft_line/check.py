@@ -19,7 +19,7 @@ from babbitt.shaft_line.natural import Mode, modes, undamped_frequencies
 from babbitt.shaft_line.stages import Attribution, attribution
 from babbitt.shaft_line.sweeps import CampbellPoint, RingPoint, barred_ranges, ring_sweep, speed_sweep, usual_rings
 from babbitt.shaft_line.transient import Transient, transient
-from babbitt.thrust.check import pad_arrays, share_doubts, share_values
+from babbitt.thrust.check import oil_assumptions, pad_arrays, share_doubts, share_values
 from babbitt.thrust.design import ThrustState, operating_state
 from babbitt.thrust.heat import ThermalRunawayError
 
@@ -299,7 +299,7 @@ def _arrays(design: LineDesign, answer: LineAnswer) -> dict[str, Matrix]:
 
 def _assumptions(design: LineDesign) -> Iterator[str]:
     yield "Linear films about the static share, tilts of the pads free and with their inertia; axial motion only."
-    yield "One viscosity for all films, that at the effective temperature; rigid pads; frictionless pivots."
+    yield from oil_assumptions(design.thrust.oil)
     if design.line.seating is None:
         yield "The seating is rigid: a flexible one lowers the first frequency, typically by a fifth at 2 GN/m."
     if design.speeds:

@@ -10,13 +10,12 @@ import numpy as np
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Matrix, Outcome, Result
 from babbitt.thrust.bearing import runout_at
-from babbitt.thrust.carrying import Carrying
-from babbitt.thrust.design import ThrustDesign, ThrustState, operating_state
+from babbitt.thrust.design import Oil, ThrustDesign, ThrustState, operating_state
 from babbitt.thrust.heat import Temperatures, ThermalRunawayError
 from babbitt.thrust.sharing import Share, share_of
 from babbitt.thrust.state import condensed
 
-__all__ = ["pad_arrays", "share_doubts", "share_values", "thrust_check"]
+__all__ = ["oil_assumptions", "pad_arrays", "share_doubts", "share_values", "thrust_check"]
 
 METHOD = "film"
 LEAST_SHARE = 0.01
@@ -84,7 +83,7 @@ def share_values(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
     """Values of the static share."""
     share, bearing = state.share, design.bearing
     worst = share.states[int(share.loads.argmax())]
-    viscosity = state.films.viscosity
+    viscosity = effective_viscosity(design, state)
     values = {
         "load": share.thrust,
         "pad_number": float(bearing.number),
@@ -101,7 +100,8 @@ def share_values(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
         "friction_torque": sum(pad.friction_torque for pad in share.states),
         "friction_power": sum(pad.friction_power for pad in share.states),
         "side_flow": sum(pad.side_flow for pad in share.states),
-        **_temperatures(design, state.temperatures, state.films),
+        **_temperatures(design, state.temperatures),
+        **_hottest(share),
         "effective_viscosity": viscosity,
         "film_reynolds_number": reynolds_number(design, share, viscosity, state.temperatures),
         "axial_stiffness": float(sum(condensed(pad, 0.0).real for pad in share.states)),
@@ -112,7 +112,19 @@ def share_values(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
     return {name: value for name, value in values.items() if np.isfinite(value)}
 
 
-def _temperatures(design: ThrustDesign, found: Temperatures | None, films: Carrying) -> dict[str, float]:
+def effective_viscosity(design: ThrustDesign, state: ThrustState) -> float:
+    """Of the films, Pa s: theirs, or that at the effective temperature where each has its own."""
+    if design.oil.warm is None or state.temperatures is None:
+        return state.films.viscosity
+    return float(design.lubricant.dynamic_viscosity(state.temperatures.effective))
+
+
+def _hottest(share: Share) -> dict[str, float]:
+    found = [pad.heat.maximum for pad in share.states if pad.heat is not None]
+    return {"maximum_temperature": max(found)} if found else {}
+
+
+def _temperatures(design: ThrustDesign, found: Temperatures | None) -> dict[str, float]:
     if found is None:
         prescribed = design.oil.effective_temperature
         return {} if prescribed is None else {"effective_temperature": prescribed}
@@ -123,7 +135,7 @@ def _temperatures(design: ThrustDesign, found: Temperatures | None, films: Carry
         "trailing_temperature": found.trailing,
         "effective_temperature": found.effective,
         "outlet_temperature": found.drain,
-        "energy_balance_error": found.error,
+        "energy_balance_error": abs(found.error),
     }
 
 
@@ -158,6 +170,11 @@ def pad_arrays(share: Share, speed: float) -> dict[str, Matrix]:
         "pad_stiffness": [condensed(pad, 0.0).real for pad in share.states],
         "pad_damping": [condensed(pad, speed, inertia).imag / speed for pad in share.states],
     }
+    heats = [pad.heat for pad in share.states if pad.heat is not None]
+    if heats:
+        rows["pad_mixed_temperature"] = [heat.inlet for heat in heats]
+        rows["pad_trailing_temperature"] = [heat.trailing for heat in heats]
+        rows["pad_maximum_temperature"] = [heat.maximum for heat in heats]
     worst = share.states[int(share.loads.argmax())]
     arrays: dict[str, Matrix] = {name: (tuple(float(one) for one in row),) for name, row in rows.items()}
     for name, matrix in (("full_stiffness", worst.stiffness), ("full_damping", worst.damping)):
@@ -179,21 +196,38 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
     least = float(share.loads.min() / share.mean_load)
     if least < LEAST_SHARE:
         yield Notice("W201", f"pad {1 + int(share.loads.argmin())} carries {least:.2%} of the mean load")
-    reynolds = reynolds_number(design, share, state.films.viscosity, state.temperatures)
+    reynolds = reynolds_number(design, share, effective_viscosity(design, state), state.temperatures)
     if design.turbulence is None and reynolds > LAMINAR_UP_TO:
         yield Notice("W204", f"Re = {reynolds:.0f} > {LAMINAR_UP_TO:.0f}")
+    hottest = max((pad.heat.maximum for pad in share.states if pad.heat is not None), default=None)
+    if hottest is not None and not design.lubricant.covers(hottest):
+        low, high = (kelvin - 273.15 for kelvin in design.lubricant.temperature_range)
+        yield Notice("W145", f"film up to {hottest - 273.15:.1f} °C, data from {low:.4g} to {high:.4g} °C")
+
+
+def oil_assumptions(oil: Oil) -> Iterator[str]:
+    """What is assumed of the temperature of the films."""
+    if oil.warm is None:
+        yield (
+            "One viscosity for all films, that at the effective temperature; rigid pads; frictionless pivots; oil at "
+            "ambient pressure around each pad."
+        )
+    else:
+        across = "varies across the pads, too" if oil.resolved else "is a mean over the width of the pads"
+        yield (
+            f"Films with their own temperatures along the pads and across the gap, which {across}; no heat goes to "
+            "pads and collar; rigid pads; frictionless pivots; oil at ambient pressure around each pad."
+        )
+        yield "A pad takes in what a pad under its own load sends off; stiffness and damping at frozen temperatures."
+    if oil.supply_temperature is not None:
+        yield (
+            f"{oil.carry_over:.0%} of the oil that leaves a pad over its trailing edge enters the next; "
+            "all heat goes with the oil."
+        )
 
 
 def _assumptions(design: ThrustDesign) -> tuple[str, ...]:
-    said = [
-        "One viscosity for all films, that at the effective temperature; rigid pads; frictionless pivots; oil at "
-        "ambient pressure around each pad."
-    ]
-    if design.oil.balance is not None:
-        said.append(
-            f"{design.oil.carry_over:.0%} of the oil that leaves a pad over its trailing edge enters the next; "
-            "all heat goes with the oil."
-        )
+    said = list(oil_assumptions(design.oil))
     if design.turbulence is not None:
         said.append(f"Turbulence by {design.turbulence.name}: {design.turbulence.source}.")
     return tuple(said)

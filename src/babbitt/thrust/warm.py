@@ -60,12 +60,15 @@ class PadOil:
         Share of the hot oil of a pad that enters the next one.
     resolved : bool
         Whether temperatures vary across the pad; else they are means over its width.
+    property_temperature : float or None
+        At which heat capacity and conductivity are taken, K; None: at the supply.
     """
 
     lubricant: Lubricant
     supply_temperature: float
     carry_over: float
     resolved: bool = False
+    property_temperature: float | None = None
 
     @property
     def fresh_viscosity(self) -> float:
@@ -73,15 +76,15 @@ class PadOil:
         return float(self.lubricant.dynamic_viscosity(self.supply_temperature))
 
     def heat(self) -> FilmHeat:
-        """Heat model of the film engine; heat capacity and conductivity at the supply."""
+        """Heat model of the film engine."""
         from babbitt.film.heat import FilmHeat, HeatGrid
 
-        at = self.supply_temperature
+        at = self.supply_temperature if self.property_temperature is None else self.property_temperature
         return FilmHeat(
             bounded_viscosity(self.lubricant),
             float(self.lubricant.volumetric_heat_capacity(at)),
             float(self.lubricant.conductivity(at)),
-            at,
+            self.supply_temperature,
             None,
             HeatGrid(resolved=self.resolved),
             self.carry_over,

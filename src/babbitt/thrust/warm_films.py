@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -54,7 +54,7 @@ class WarmFilms(TabulatedFilms):
 def warm_carrying(
     pad: ThrustPad, oil: PadOil, angular_speed: float, height: float, load: float | None = None
 ) -> WarmFilms:
-    """Films of a pad around one of them.
+    """Films of a pad around one of them; heat capacity and conductivity at its mean temperature.
 
     Parameters
     ----------
@@ -73,7 +73,11 @@ def warm_carrying(
         E202 if no tilt balances the pad.
     ThermalRunawayError
     """
-    middle = warm_pad(pad, oil, angular_speed, height, load)
+    first = warm_pad(pad, oil, angular_speed, height, load)
+    heat = first.state.heat
+    assert heat is not None
+    oil = replace(oil, property_temperature=0.5 * (heat.inlet + heat.trailing))
+    middle = warm_pad(pad, oil, angular_speed, first.state.height, load, first)
     around = middle.state.height * np.geomspace(THIN, THICK, COUNT)
     thick = _outward(middle, around[around > middle.state.height])
     thin = _outward(middle, around[around < middle.state.height][::-1])

@@ -1,0 +1,168 @@
+"""Pads whose films have their own temperatures: balances, limits, and beside the global heat balance."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from trawler_pads import PAD, SPEED
+
+from babbitt.lubricants import ConstantViscosity, OilProperties, lubricant, lubricant_from_law
+from babbitt.notices import InputError
+from babbitt.thrust.bearing import HousingTilt, ThrustBearing
+from babbitt.thrust.carrying import carrying
+from babbitt.thrust.check import thrust_check
+from babbitt.thrust.design import GivenFilm, GivenThrust, Oil, ThrustDesign, operating_state
+from babbitt.thrust.equilibrium import pad_state
+from babbitt.thrust.face import SteppedFace, TaperedFace
+from babbitt.thrust.heat import ThermalRunawayError
+from babbitt.thrust.pad import Pivot
+from babbitt.thrust.warm import PadOil, warm_pad
+
+VG_100 = lubricant("ISO VG 100")
+OIL = PadOil(VG_100, 318.15, 0.75)
+LOAD = 62.5e3
+TAPER = replace(PAD, pivot=Pivot.FIXED, face=TaperedFace(40e-6, 0.7))
+STEP = replace(PAD, pivot=Pivot.FIXED, face=SteppedFace(40e-6, 0.6))
+
+
+@pytest.mark.parametrize(
+    ("pad", "resolved"),
+    [
+        (PAD, False),
+        (PAD, True),
+        (replace(PAD, pivot=Pivot.LINE), False),
+        (replace(PAD, crown=10e-6), False),
+        (TAPER, True),
+        (STEP, False),
+    ],
+    ids=["point", "resolved", "line", "crown", "taper", "step"],
+)
+def test_energy_oil_moments_and_load_are_balanced(pad, resolved):
+    state = warm_pad(pad, replace(OIL, resolved=resolved), SPEED, 50e-6, LOAD).state
+    assert state.heat.heat.balance_error < 1e-8
+    assert state.film.mass_balance_error < 1e-9
+    assert state.load == pytest.approx(LOAD, rel=1e-8)
+    moments = (pad.from_pivot().T @ state.film.forces)[list(pad.free_tilts)]
+    assert np.abs(moments).max(initial=0.0) < 1e-9 * LOAD * 0.185
+    assert state.heat.heat.dissipation == pytest.approx(state.friction_power, rel=1e-9)
+    assert OIL.supply_temperature < state.heat.inlet < state.heat.trailing < state.heat.maximum
+
+
+def test_oil_that_hardly_warms_leaves_the_isothermal_pad():
+    """A heat capacity without bound: the film of the fresh oil, its tilt and its coefficients."""
+    steady = replace(VG_100, fixed_volumetric_heat_capacity=1e14)
+    warm = warm_pad(PAD, PadOil(steady, 318.15, 0.75), SPEED, 50e-6).state
+    plain = pad_state(PAD, 50e-6, VG_100.dynamic_viscosity(318.15), SPEED)
+    assert warm.heat.maximum - 318.15 < 1e-3
+    assert warm.load == pytest.approx(plain.load, rel=1e-3)
+    assert warm.slope_y == pytest.approx(plain.slope_y, rel=1e-3)
+    assert warm.stiffness == pytest.approx(plain.stiffness, rel=3e-3)
+    assert warm.damping == pytest.approx(plain.damping, rel=3e-3)
+
+
+def design(oil, duty=None, tilt=0.0):
+    return ThrustDesign("Block", ThrustBearing(PAD, 8, 2e10, tilt=HousingTilt(tilt)), duty or GivenThrust(500e3), SPEED, oil)
+
+
+@pytest.mark.parametrize("carry_over", [0.0, 0.75])
+def test_of_one_viscosity_the_drain_is_that_of_the_global_balance(carry_over):
+    known = OilProperties(density=880.0)
+    steady = lubricant_from_law("steady", ConstantViscosity(0.045), known, source="test")
+    steady = replace(steady, fixed_volumetric_heat_capacity=1.7e6)
+    own, one = (
+        operating_state(design(Oil(steady, None, 318.15, carry_over, own_temperatures=own))) for own in (True, False)
+    )
+    assert own.share.heights == pytest.approx(one.share.heights, rel=1e-3)
+    for name in ("drain", "fresh_flow"):
+        mine, theirs = (getattr(state.temperatures, name) - (318.15 if name == "drain" else 0.0) for state in (own, one))
+        assert mine == pytest.approx(theirs, rel=2e-3)
+    # the global balance lets the sides go at the mean of inlet and trailing edge; the film knows where they leave
+    assert own.temperatures.trailing - 318.15 == pytest.approx(one.temperatures.trailing - 318.15, rel=0.12)
+
+
+def test_beside_the_global_balance_films_are_thicker_and_energy_is_kept():
+    """Cold oil at the leading edge carries more than one mean viscosity knows: drain and film within a quarter."""
+    own, one = (operating_state(design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=own))) for own in (True, False))
+    assert abs(own.temperatures.error) < 1e-8
+    assert own.share.heights[0] == pytest.approx(one.share.heights[0], rel=0.25)
+    assert own.share.heights[0] > one.share.heights[0]
+    assert own.temperatures.drain - 318.15 == pytest.approx(one.temperatures.drain - 318.15, rel=0.27)
+
+
+def test_more_hot_oil_carried_over_thins_the_film():
+    states = [warm_pad(PAD, replace(OIL, carry_over=c), SPEED, 50e-6, LOAD).state for c in (0.0, 0.5, 0.9)]
+    assert states[0].heat.inlet < states[1].heat.inlet < states[2].heat.inlet
+    assert states[0].height > states[1].height > states[2].height
+
+
+def test_the_mean_over_the_width_is_near_the_resolved_film():
+    mean, resolved = (warm_pad(PAD, replace(OIL, resolved=r), SPEED, 50e-6, LOAD).state for r in (False, True))
+    assert mean.height == pytest.approx(resolved.height, rel=0.03)
+    assert resolved.heat.maximum > mean.heat.maximum  # the outer radius runs faster
+    assert mean.heat.trailing - 318.15 == pytest.approx(resolved.heat.trailing - 318.15, rel=0.08)
+
+
+def test_grid_of_the_pad():
+    heights = [warm_pad(PAD, OIL, SPEED, 50e-6, LOAD, intervals=n).state.height for n in (32, 64, 128)]
+    assert abs(heights[2] - heights[1]) < 0.7 * abs(heights[1] - heights[0])
+    assert heights[1] == pytest.approx(heights[2], rel=5e-3)
+
+
+def test_stiffness_at_frozen_temperatures_is_the_derivative_of_the_force():
+    """The sector's stiffness against forces of displaced pads whose temperatures are held."""
+    found = warm_pad(PAD, OIL, SPEED, 50e-6, LOAD)
+    state, sector = found.state, found.sector
+    to_film = PAD.from_pivot()
+    motion = np.array([state.height, state.slope_x, state.slope_y])
+    for axis, step in enumerate((1e-9, 1e-8, 1e-8)):
+        sides = []
+        for side in (1.0, -1.0):
+            sector.carry(to_film @ (motion + side * step * np.eye(3)[axis]))
+            sides.append(to_film.T @ sector.forces)
+        slope = (sides[1] - sides[0]) / (2.0 * step)
+        assert state.stiffness[:, axis] == pytest.approx(slope, rel=2e-3, abs=2e-3 * np.abs(slope).max())
+
+
+@pytest.mark.parametrize("tilt", [0.0, 30e-6])
+def test_pads_of_their_own_temperatures_share_the_thrust(tilt):
+    state = operating_state(design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=True), tilt=tilt))
+    assert state.share.loads.sum() == pytest.approx(500e3, rel=1e-4)
+    assert abs(state.temperatures.error) < 1e-8
+    hottest = int(np.argmax([pad.heat.maximum for pad in state.share.states]))
+    assert tilt == 0.0 or hottest == int(state.share.loads.argmax())
+
+
+def test_heat_evens_out_what_a_tilt_does():
+    loads = [
+        operating_state(design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=own), tilt=30e-6)).share.largest_over_mean
+        for own in (True, False)
+    ]
+    assert 1.0 < loads[0] < loads[1]
+
+
+def test_a_given_film_and_its_thrust_are_one_answer():
+    oil = Oil(VG_100, None, 318.15, 0.75, own_temperatures=True)
+    level = replace(design(oil, GivenFilm(45e-6)), bearing=ThrustBearing(PAD, 8))
+    thrust = operating_state(level).share.thrust
+    again = operating_state(replace(level, duty=GivenThrust(thrust)))
+    assert again.share.heights == pytest.approx(45e-6, rel=1e-4)
+
+
+def test_the_check_tells_temperatures_of_every_pad():
+    result = thrust_check(design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=True), tilt=30e-6))
+    assert result.outcome.solved
+    assert result.values["maximum_temperature"] == max(result.arrays["pad_maximum_temperature"][0])
+    assert result.values["energy_balance_error"] < 1e-8
+    assert any("own temperatures" in said for said in result.assumptions)
+
+
+def test_a_film_hotter_than_the_oil_bears_is_a_runaway():
+    with pytest.raises((ThermalRunawayError, InputError)):
+        warm_pad(PAD, replace(OIL, carry_over=1.0), 300.0 * SPEED, 2e-6)
+
+
+def test_a_table_begins_where_it_is_asked():
+    films = carrying(PAD, OIL.fresh_viscosity, SPEED)
+    assert films.height_for(LOAD) > warm_pad(PAD, OIL, SPEED, 50e-6, LOAD).state.height
+    with pytest.raises(InputError, match="positive"):
+        warm_pad(PAD, OIL, SPEED, 0.0)
