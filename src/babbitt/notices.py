@@ -629,6 +629,12 @@ EXPLANATIONS: dict[str, Explanation] = {
         "tilts leave the films that were tabulated. What follows such a moment is not computed reliably.",
         "Reduce runout, tilt or ripple; the tools for admissible amplitudes say how far.",
     ),
+    "W206": Explanation(
+        "Speed outside the Campbell map",
+        "The speed of the case lies outside the speeds for which a map was asked: what the map says of barred ranges "
+        "does not hold there.",
+        "Widen speeds, lowest to highest, to hold the speed of the case.",
+    ),
     # -- no solution --------------------------------------------------------------------------------------------
     "S001": Explanation(
         "No film can carry the load",

@@ -524,6 +524,7 @@ QUANTITIES: dict[str, Quantity] = {
         _q("pad_film_thickness", "h_i", "m", "um", 3, "Static film at the pivot of each pad"),
         _q("pad_minimum_film_thickness", "h_min,i", "m", "um", 3, "Thinnest static film of each pad"),
         _q("pad_maximum_pressure", "p_max,i", "Pa", "MPa", 3, "Largest pressure of each pad"),
+        _q("passing_flow", "Q_z", "m3/s", "L/min", 3, "Oil through the films of all pads"),
         _q("pad_mixed_temperature", "T_in,i", "K", "degC", 4, "Oil temperature at the leading edge of each pad"),
         _q("pad_trailing_temperature", "T_tr,i", "K", "degC", 4, "Oil temperature at the trailing edge of each pad"),
         _q("pad_maximum_temperature", "T_max,i", "K", "degC", 4, "Highest temperature in the film of each pad"),

@@ -28,7 +28,7 @@ def bearing():
 
 def test_the_report_answers_and_tabulates(line):
     (chapter,) = content(line)["bearings"]
-    assert len(chapter["answers"]) == 6
+    assert len(chapter["answers"]) == 7
     assert [table["title"] for table in chapter["tables"]] == [
         "Pads at rest",
         "Pads in motion",

@@ -28,7 +28,7 @@ def scale(rows, row, column, factor):
         ("trawler_stages", "trawler_line", lambda d: d["published"].update({"1c": 32.0})),
         ("trawler_stages", "trawler_line", lambda d: scale(d["rings"], 3, 4, 1.04)),
         ("thrust_pad_forms", "trawler_line", lambda d: d["pad"].update(maximum_pressure_MPa=4.55)),
-        ("thrust_hydro_generator", "thrust_hydro_generator", lambda d: d.update(stiffness_N_per_m=3.5e11)),
+        ("thrust_hydro_generator", "thrust_hydro_generator", lambda d: d.update(maximum_temperature_degC=73.5)),
         ("friswell_2010", "friswell_2010", lambda d: scale(d["stiffness"], 1, 0, 1.0002)),
     ],
 )

@@ -18,7 +18,7 @@ from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState, operating_film
 from babbitt.design.conditions import GivenEccentricity, GivenPosition
 from babbitt.design.feeding import arrival
-from babbitt.design.heat_balance import Equilibrium, NoFilmError
+from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
 from babbitt.design.oil import bounded_viscosity, highest_usable, properties_at
 from babbitt.design.roots import bracketed_root
 from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, JournalFilm, Resolution

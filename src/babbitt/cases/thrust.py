@@ -78,6 +78,19 @@ class ThrustBearingInputs(Part):
                 )
 
     @rule
+    def _fixed_pads_run_one_way(self) -> Iterator[Complaint]:
+        pads = self.pads
+        faced = pads.face is not None and pads.crown == 0.0 and not isinstance(pads.pivot, TiltingPivot)
+        if pads.face is not None and faced and self.speed < 0.0:
+            yield Complaint(
+                ("speed",),
+                f"backward, the {pads.face.kind} of fixed pads lies behind the land, where the film diverges and "
+                "carries nothing",
+                "a positive speed",
+                "turn the other way, or give the pads a crown",
+            )
+
+    @rule
     def _thermal_goes_with_the_oil(self) -> Iterator[Complaint]:
         balance = isinstance(self.oil, OilByBalance)
         if self.thermal in ("global", "adiabatic") and not balance:
@@ -87,7 +100,7 @@ class ThrustBearingInputs(Part):
             says = "an isothermal film needs its viscosity or temperature, oil of kind heat_balance finds it"
             yield Complaint(("oil", "kind"), says, "viscosity or temperature, or thermal: global")
         if self.thermal == "adiabatic" and self.turbulence != "none":
-            yield Complaint(("turbulence",), "a film with its own temperatures is laminar", "none, or thermal: global")
+            yield Complaint(("turbulence",), "a film with its own temperatures is laminar", "thermal: global, or no turbulence")
         if self.thermal != "adiabatic" and self.radial_temperature == "resolved":
             says = "the films have one temperature"
             yield Complaint(("radial_temperature",), says, "mean, or thermal: adiabatic")

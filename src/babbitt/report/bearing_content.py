@@ -254,7 +254,7 @@ def _key_results(chapter: Chapter) -> list[Data]:
             quantity = QUANTITIES[name]
             rows.append(
                 {
-                    "label": label(name),
+                    "label": label(name, result.kind),
                     "symbol": symbol_node(quantity.symbol),
                     "values": [quantity.format(value) if math.isfinite(value) else ABSENT for value in values],
                     "unit": quantity.display.label,

@@ -13,6 +13,7 @@ from rich.table import Table
 from rich.text import Text
 
 from babbitt.quantities import QUANTITIES
+from babbitt.report.labels import label
 from babbitt.report import verdict as judge
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import Verdict
@@ -43,7 +44,8 @@ def bearing_table(result: Result) -> RenderableType:
     for name, value in result.values.items():
         quantity = QUANTITIES.get(name)
         if quantity is not None and math.isfinite(value) and name != "wall_time":
-            table.add_row(quantity.meaning, quantity.symbol, quantity.format(value), quantity.display.label)
+            said = label(name, result.kind) if result.kind in ("thrust", "thrust_line") else quantity.meaning
+            table.add_row(said, quantity.symbol, quantity.format(value), quantity.display.label)
     return Group(
         heading,
         table,

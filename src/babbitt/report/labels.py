@@ -100,12 +100,33 @@ SHORT = {
 }
 
 
-def label(name: str) -> str:
+OF_THRUST = {
+    "load": "Thrust",
+    "specific_load": "Thrust over the area of all pads",
+    "angular_speed": "Rotational speed of the collar",
+    "surface_speed": "Surface speed of the collar at the mean radius",
+    "friction_torque": "Friction torque on the collar",
+    "side_flow": "Oil over inner and outer edges of the pads",
+    "total_flow": "Fresh oil, what is not carried over",
+    "outlet_temperature": "Mean temperature of the oil that leaves",
+    "supply_temperature": "Temperature of the fresh oil",
+    "temperature_rise": "Rise of the oil through a film",
+    "film_reynolds_number": "Reynolds number of the thickest pivot film",
+    "effective_viscosity": "Dynamic viscosity of the films",
+}
+"""What quantities mean in a thrust bearing or its shaft line, which have a collar and no journal."""
+
+
+def label(name: str, kind: str = "") -> str:
     """Short name of a quantity; its meaning where the vocabulary's own is short enough.
 
     >>> label("specific_load"), label("minimum_film_thickness")
     ('Specific load', 'Minimum film thickness')
+    >>> label("angular_speed", "thrust")
+    'Rotational speed of the collar'
     """
+    if kind in ("thrust", "thrust_line") and name in OF_THRUST:
+        return OF_THRUST[name]
     if name in SHORT:
         return SHORT[name]
     return VOCABULARY[name].meaning if name in VOCABULARY else name

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from babbitt.results import Bound, Check, Result
 
@@ -17,6 +17,10 @@ CAUSES = {
 }
 
 
+NEAR = 0.2
+"""Relative distance from a natural frequency below which a line is near resonance, as check C204 has it."""
+
+
 def answers(result: Result) -> tuple[str, ...]:
     """Sentences about a solved thrust bearing or shaft line; none for other kinds.
 
@@ -28,7 +32,20 @@ def answers(result: Result) -> tuple[str, ...]:
         return ()
     if result.kind == "thrust_line":
         return tuple(_of_line(result))
+    if result.kind == "thrust":
+        return (_share(result), _oil(result))
     return ()
+
+
+def _share(result: Result) -> str:
+    loads, films = (result.arrays[name][0] for name in ("pad_load", "pad_minimum_film_thickness"))
+    most, thinnest = 1 + loads.index(max(loads)), 1 + films.index(min(films))
+    if max(loads) < 1.000001 * min(loads):
+        return f"All pads carry {max(loads) / 1e3:.1f} kN on a film of {_micro(min(films))} at its thinnest place."
+    return (
+        f"Pad {most} carries most, {max(loads) / 1e3:.1f} kN, {result.values['pad_load_ratio']:.2f} times the mean; "
+        f"the thinnest film is {_micro(min(films))}, at pad {thinnest}."
+    )
 
 
 def _of_line(result: Result) -> Iterator[str]:
@@ -42,17 +59,22 @@ def _of_line(result: Result) -> Iterator[str]:
     yield _frequencies(result)
     if "nonlinear_load_peak" in result.values:
         yield _nonlinear(result)
+    yield _oil(result)
 
 
 def _survival(result: Result, checks: dict[str, Check]) -> str:
     film, margin = checks["C202"], checks["C203"]
     word = "The film survives" if film.ok and margin.ok else "The film does not survive"
-    left = f"the pad that is unloaded most keeps {_percent(margin.value)} of the mean load"
+    kept = [own - moved for own, moved in zip(*(result.arrays[n][0] for n in ("pad_load", "dynamic_bound")), strict=True)]
+    films = result.arrays["pad_dynamic_film"][0]
+    unloaded, thinnest = 1 + kept.index(min(kept)), 1 + films.index(min(films))
+    left = f"pad {unloaded}, which is unloaded most, keeps {_percent(margin.value)} of the mean load"
     if margin.value <= 0.0:
-        left = f"a pad leaves the collar (margin {_percent(margin.value)} of the mean load)"
+        left = f"pad {unloaded} leaves the collar (margin {_percent(margin.value)} of the mean load)"
     sign = "≥" if film.ok else "<"
     return (
-        f"{word}: thinnest film {_micro(film.value)} {sign} {_micro(film.limit)}, and {left}, whatever the phases."
+        f"{word}: thinnest film {_micro(film.value)} {sign} {_micro(film.limit)} at pad {thinnest}, and {left}, "
+        "whatever the phases."
     )
 
 
@@ -76,10 +98,16 @@ def _causes(result: Result) -> str:
     first = max(CAUSES, key=lambda name: v[name])
     return (
         f"What dominates: {CAUSES[first]}. Runout alone gives {_percent(v['runout_share'])}, thrust ripple alone "
-        f"{_percent(v['ripple_share'])}; of their sum the tilt of the housing accounts for "
-        f"{_percent(v['tilt_share'])} and the elasticity of the shaft for {_percent(v['elasticity_share'])}. "
-        "More propeller damping cannot raise what the ripple does to a pad."
+        f"{_percent(v['ripple_share'])} of the mean static pad load, both {_percent(v['loss_mean_bound'])}. Without "
+        f"tilt and pad heights both would give {_percent(v['loss_mean_bound'] - v['tilt_share'])}, with a rigid shaft "
+        f"{_percent(v['loss_mean_bound'] - v['elasticity_share'])}. {_damping(v)}"
     )
+
+
+def _damping(v: Mapping[str, float]) -> str:
+    if v.get("frequency_separation", 1.0) < NEAR:
+        return "So near a resonance, more damping at the propeller lowers what the ripple does to the pads."
+    return "More propeller damping cannot raise what the ripple does to a pad."
 
 
 def _ring(result: Result) -> str:
@@ -137,6 +165,28 @@ def _nonlinear(result: Result) -> str:
         f"{_micro(v['nonlinear_minimum_film'])}, mean films up to {_micro(v['mean_film_shift'])} thicker than "
         f"at rest."
     )
+
+
+def _oil(result: Result) -> str:
+    v = result.values
+    if "outlet_temperature" in v:
+        rise = v["outlet_temperature"] - v["supply_temperature"]
+        hottest = ""
+        if "maximum_temperature" in v:
+            hottest = f", at most {_celsius(v['maximum_temperature'])} in a film"
+        return (
+            f"Oil: {v['friction_power'] / 1e3:.2f} kW of friction warm {6e4 * v['total_flow']:.1f} L/min of fresh oil "
+            f"by {rise:.1f} K to {_celsius(v['outlet_temperature'])}{hottest}."
+        )
+    # of a given viscosity: what the friction would do to the oil that leaves the pads
+    return (
+        f"Oil: {v['friction_power'] / 1e3:.2f} kW of friction warm the {6e4 * v['passing_flow']:.1f} L/min that pass "
+        f"the pads by {v['temperature_rise']:.1f} K; the viscosity was given and does not follow."
+    )
+
+
+def _celsius(kelvin: float) -> str:
+    return f"{kelvin - 273.15:.1f} °C"
 
 
 def _percent(share: float) -> str:

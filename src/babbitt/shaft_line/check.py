@@ -136,7 +136,7 @@ def line_check(design: LineDesign) -> Result:
         Outcome.CONVERGED,
         values,
         tuple(_checks(design, answer, values)),
-        (*thrust.doubts, *share_doubts(thrust, answer.static), *_doubts(answer)),
+        (*thrust.doubts, *share_doubts(thrust, answer.static), *_doubts(answer), *_beside_the_map(design)),
         _not_checked(design),
         (*design.lubricant.assumptions, *thrust.assumptions, *_assumptions(design)),
         settings={
@@ -249,13 +249,21 @@ def _doubts(answer: LineAnswer) -> Iterator[Notice]:
                 )
     moved = answer.nonlinear
     if moved is not None:
+        unloaded, closest = 1 + int(moved.loads.min(axis=0).argmin()), 1 + int(moved.thinnest.argmin())
         for happens, said in (
-            (moved.lifts_off, f"the load of a pad falls to {moved.loads.min() / 1e3:.1f} kN"),
-            (moved.touches, f"a corner comes as close as {moved.thinnest.min() * 1e6:.2f} µm"),
+            (moved.lifts_off, f"the load of pad {unloaded} falls to {moved.loads.min() / 1e3:.1f} kN"),
+            (moved.touches, f"a corner of pad {closest} comes as close as {moved.thinnest.min() * 1e6:.2f} µm"),
             (moved.outside, "tilts leave the tabulated films"),
         ):
             if happens:
                 yield Notice("W205", said)
+
+
+def _beside_the_map(design: LineDesign) -> Iterator[Notice]:
+    speeds, speed = design.speeds, design.thrust.speed
+    if speeds and not min(speeds) <= speed <= max(speeds):
+        low, at, high = (one * 30.0 / math.pi for one in (min(speeds), speed, max(speeds)))
+        yield Notice("W206", f"speed {at:.0f} rpm, map from {low:.0f} to {high:.0f} rpm")
 
 
 def _not_checked(design: LineDesign) -> tuple[Notice, ...]:

@@ -100,7 +100,7 @@ def share_values(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
         "friction_torque": sum(pad.friction_torque for pad in share.states),
         "friction_power": sum(pad.friction_power for pad in share.states),
         "side_flow": sum(pad.side_flow for pad in share.states),
-        **_temperatures(design, state.temperatures),
+        **_temperatures(design, state.temperatures, share),
         **_hottest(share),
         "effective_viscosity": viscosity,
         "film_reynolds_number": reynolds_number(design, share, viscosity, state.temperatures),
@@ -124,10 +124,15 @@ def _hottest(share: Share) -> dict[str, float]:
     return {"maximum_temperature": max(found)} if found else {}
 
 
-def _temperatures(design: ThrustDesign, found: Temperatures | None) -> dict[str, float]:
+def _temperatures(design: ThrustDesign, found: Temperatures | None, share: Share) -> dict[str, float]:
     if found is None:
         prescribed = design.oil.effective_temperature
-        return {} if prescribed is None else {"effective_temperature": prescribed}
+        through = sum(pad.trailing_flow + 0.5 * pad.side_flow for pad in share.states)
+        capacity = float(design.lubricant.volumetric_heat_capacity(prescribed if prescribed is not None else 323.15))
+        power = sum(pad.friction_power for pad in share.states)
+        own = {} if prescribed is None else {"effective_temperature": prescribed}
+        passing = sum(pad.trailing_flow + pad.side_flow for pad in share.states)
+        return {**own, "passing_flow": passing, "temperature_rise": power / (capacity * through)}
     return {
         "total_flow": found.fresh_flow,
         "supply_temperature": found.supply,
@@ -190,7 +195,7 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
     if nearest >= even:
         yield Notice(
             "W201",
-            f"tilt and heights bring a pad {nearest * 1e6:.1f} µm nearer to the collar, more than the "
+            f"tilt and heights bring pad {1 + int(bearing.departures().argmin())} {nearest * 1e6:.1f} µm nearer to the collar, more than the "
             f"film of {even * 1e6:.1f} µm that an even share has",
         )
     least = float(share.loads.min() / share.mean_load)

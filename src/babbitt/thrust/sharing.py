@@ -107,6 +107,8 @@ def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, departures:
         raise InputError("E201", f"thrust is {thrust:g} N; it must be positive.")
     away = bearing.departures() if departures is None else departures
     c = bearing.ring_stiffness
+    if float(np.ptp(away)) == 0.0:
+        return _evenly(films, bearing, thrust, float(away[0]))
     mean = films.height_for(thrust / bearing.number)
 
     def excess(approach: float) -> float:
@@ -126,6 +128,16 @@ def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, departures:
     heights = heights_at(films, c, approach + away)
     states = _states(films, heights)
     return Share(bearing, thrust, approach, heights, np.array([state.load for state in states]), states)
+
+
+def _evenly(films: Carrying, bearing: ThrustBearing, thrust: float, away: float) -> Share:
+    """Pads that all stand alike carry alike."""
+    height = films.height_for(thrust / bearing.number)
+    state = films.state(height)
+    yielding = 0.0 if math.isinf(bearing.ring_stiffness) else state.load / bearing.ring_stiffness
+    even = np.ones(bearing.number)
+    approach = height - yielding - away
+    return Share(bearing, thrust, approach, height * even, state.load * even, (state,) * bearing.number)
 
 
 def _states(films: Carrying, heights: Array) -> tuple[PadState, ...]:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from babbitt.notices import InputError
 from babbitt.thrust.carrying import TabulatedFilms
@@ -16,39 +18,99 @@ from babbitt.thrust.warm import PadOil, WarmStart, warm_pad
 
 __all__ = ["WarmFilms", "own_temperatures", "warm_carrying"]
 
+Array = NDArray[np.float64]
+
 THIN, THICK, COUNT = 0.25, 8.0, 15
 """Films at which pads are tabulated, over the film of the mean load, and how many."""
+SAME = 1e-12
+"""Of a height or load that is that of the middle pad."""
 
 
 @dataclass(frozen=True, eq=False)
-class WarmFilms(TabulatedFilms):
+class WarmFilms:
     """Films with their own temperatures: not similar, and at one speed in one oil.
 
     Attributes
     ----------
-    oil : PadOil
-    starts : tuple of WarmStart
-        The pads of the table, thin films first.
+    middle : WarmStart
+        The pad under the mean load. Others are tabulated about it when they are asked for.
     """
 
-    oil: PadOil
-    starts: tuple[WarmStart, ...]
+    middle: WarmStart
+
+    @property
+    def pad(self) -> ThrustPad:
+        """The pad."""
+        return self.middle.state.pad
+
+    @property
+    def oil(self) -> PadOil:
+        """Its oil."""
+        return self.middle.oil
+
+    @property
+    def viscosity(self) -> float:
+        """Effective one of the middle pad, Pa s."""
+        return self.middle.state.viscosity
+
+    @property
+    def angular_speed(self) -> float:
+        """Of the runner, rad/s."""
+        return self.middle.state.angular_speed
+
+    @cached_property
+    def starts(self) -> tuple[WarmStart, ...]:
+        """Solved pads, thin films first."""
+        height = self.middle.state.height
+        around = height * np.geomspace(THIN, THICK, COUNT)
+        thick = _outward(self.middle, around[around > height])
+        thin = _outward(self.middle, around[around < height][::-1])
+        return (*thin[::-1], self.middle, *thick)
+
+    @cached_property
+    def table(self) -> TabulatedFilms:
+        """Loads over the film."""
+        states = [start.state for start in self.starts]
+        if len(states) < 4:
+            raise ThermalRunawayError
+        return TabulatedFilms(
+            self.pad,
+            np.array([state.height for state in states]),
+            np.array([state.load for state in states]),
+            tuple((state.slope_x, state.slope_y) for state in states),
+            self.viscosity,
+            self.angular_speed,
+        )
+
+    def load(self, height: Array) -> Array:
+        """W by the table."""
+        return self.table.load(height)
+
+    def slope(self, height: Array) -> Array:
+        """dW/dh."""
+        return self.table.slope(height)
 
     def height_for(self, load: float) -> float:
-        """Height at a load, exact."""
+        """Height at a load: exact, or by the table continued where no such film exists."""
+        if abs(load / self.middle.state.load - 1.0) < SAME:
+            return self.middle.state.height
         near = min(self.starts, key=lambda start: abs(np.log(start.state.load / load)))
-        found = warm_pad(self.pad, self.oil, self.angular_speed, near.state.height, load, near)
-        return found.state.height
+        begin = near.state.height * (near.state.load / load) ** 0.6
+        try:
+            return warm_pad(self.pad, self.oil, self.angular_speed, begin, load, near).state.height
+        except (InputError, ThermalRunawayError):
+            return begin
 
     def state(self, height: float) -> PadState:
         """The film at a height, solved."""
+        if abs(height / self.middle.state.height - 1.0) < SAME:
+            return self.middle.state
         near = min(self.starts, key=lambda start: abs(np.log(start.state.height / height)))
         return warm_pad(self.pad, self.oil, self.angular_speed, height, None, near).state
 
     def at(self, viscosity: float, angular_speed: float) -> WarmFilms:
         """The same films at another speed; viscosity is their own."""
-        mean = float(np.sqrt(self.heights[0] * self.heights[-1]))
-        return warm_carrying(self.pad, self.oil, angular_speed, mean)
+        return warm_carrying(self.pad, self.oil, angular_speed, self.middle.state.height)
 
 
 def warm_carrying(
@@ -77,22 +139,7 @@ def warm_carrying(
     heat = first.state.heat
     assert heat is not None
     oil = replace(oil, property_temperature=0.5 * (heat.inlet + heat.trailing))
-    middle = warm_pad(pad, oil, angular_speed, first.state.height, load, first)
-    around = middle.state.height * np.geomspace(THIN, THICK, COUNT)
-    thick = _outward(middle, around[around > middle.state.height])
-    thin = _outward(middle, around[around < middle.state.height][::-1])
-    starts = (*thin[::-1], middle, *thick)
-    states = [start.state for start in starts]
-    return WarmFilms(
-        pad,
-        np.array([state.height for state in states]),
-        np.array([state.load for state in states]),
-        tuple((state.slope_x, state.slope_y) for state in states),
-        middle.state.viscosity,
-        angular_speed,
-        oil,
-        starts,
-    )
+    return WarmFilms(warm_pad(pad, oil, angular_speed, first.state.height, load, first))
 
 
 def _outward(start: WarmStart, heights: Iterable[float]) -> list[WarmStart]:
@@ -132,7 +179,7 @@ def own_temperatures(oil: PadOil, states: tuple[PadState, ...]) -> Temperatures:
     )
     powers = np.array([state.friction_power for state in states])
     viscosity = float(powers.sum() / (powers / np.array([state.viscosity for state in states])).sum())
-    drain = oil.supply_temperature + carried_off / (capacity * fresh)
+    drain = oil.supply_temperature + float(carried_off) / (capacity * fresh)
     return Temperatures(
         oil.supply_temperature,
         inlet,
@@ -140,7 +187,7 @@ def own_temperatures(oil: PadOil, states: tuple[PadState, ...]) -> Temperatures:
         _temperature_at(oil, viscosity, inlet, max(heat.maximum for heat in heats if heat is not None)),
         drain,
         fresh,
-        carried_off / power - 1.0,
+        float(carried_off / power) - 1.0,
     )
 
 

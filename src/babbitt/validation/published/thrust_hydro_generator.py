@@ -1,4 +1,4 @@
-"""Tilting-pad thrust bearing of a hydro-generator: one viscosity against a temperature field."""
+"""Tilting-pad thrust bearing of a hydro-generator: a temperature field here and there, and one viscosity."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from babbitt.validation.tolerance import Within
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-FIELD = "there a temperature field of film and pad with fresh oil at every leading edge, here one viscosity"
+ONE = "by one viscosity from the global heat balance: what the temperature field changes"
 
 
-def solved(carry_over: float) -> ThrustState:
-    """The bearing by our heat balance."""
+def solved(carry_over: float, own: bool = False) -> ThrustState:  # noqa: FBT001, FBT002
+    """The bearing by the global heat balance, or with temperatures of its own in the film."""
     data = reference_data("thrust_hydro_generator")
     pad = ThrustPad(
         data["inner_radius_m"],
@@ -34,7 +34,7 @@ def solved(carry_over: float) -> ThrustState:
         data["pivot_radius_m"],
         data["pivot_angle_deg"] / data["extent_deg"],
     )
-    oil = Oil(lubricant(data["oil"]), supply_temperature=data["supply_degC"] + 273.15, carry_over=carry_over)
+    oil = Oil(lubricant(data["oil"]), supply_temperature=data["supply_degC"] + 273.15, carry_over=carry_over, own_temperatures=own)
     design = ThrustDesign(
         "Hydro-generator",
         ThrustBearing(pad, data["pads"]),
@@ -53,73 +53,54 @@ def run() -> tuple[Comparison, ...]:
 
 def _rows() -> Iterator[Comparison]:
     data = reference_data("thrust_hydro_generator")
-    state = solved(0.0)
-    pad = state.share.states[0]
-    temperatures = state.temperatures
-    assert temperatures is not None
-    z, film = data["pads"], data["pivot_film_um"]
-    # the film of the source at its own thickness, the viscosity being whatever carries the load there
-    there = pad.similar(1e-6 * film, pad.viscosity * (1e-6 * film / pad.height) ** 2, pad.angular_speed)
-    source = "ross/tests/test_thrust_pad.py"
-    yield Comparison(
-        "p_max", "", data["maximum_pressure_MPa"], 1e-6 * pad.maximum_pressure, Within(0.05), "MPa", source
-    )
-    yield Comparison(
-        "K, tilts held",
-        "at the film of the source",
-        data["stiffness_N_per_m"],
-        z * float(there.stiffness[0, 0]),
-        Within(0.05),
-        "N/m",
-        source,
-    )
-    yield Comparison(
-        "T_max",
-        "",
-        data["maximum_temperature_degC"],
-        temperatures.trailing - 273.15,
-        Within(absolute=6.0),
-        "°C",
-        source,
-    )
-    for name, expected, ours, unit, why in (
-        ("h_p", film, 1e6 * pad.height, "µm", FIELD),
-        ("h_max", data["maximum_film_um"], 1e6 * float(pad.watched_films().max()), "µm", FIELD),
-        ("h_min", data["minimum_film_um"], 1e6 * pad.minimum_film_thickness, "µm", FIELD),
-        (
-            "C, tilts held",
-            data["damping_Ns_per_m"],
-            z * float(there.damping[0, 0]),
-            "N s/m",
-            "at the film of the source; why it has two thirds of ours is not known to us",
-        ),
+    z, source = data["pads"], "ross/tests/test_thrust_pad.py"
+    pad = solved(0.0, own=True).share.states[0]
+    assert pad.heat is not None
+    for name, expected, ours, allowed, unit in (
+        ("h_p", data["pivot_film_um"], 1e6 * pad.height, Within(0.08), "µm"),
+        ("h_max", data["maximum_film_um"], 1e6 * float(pad.watched_films().max()), Within(0.05), "µm"),
+        ("h_min", data["minimum_film_um"], 1e6 * pad.minimum_film_thickness, Within(0.1), "µm"),
+        ("p_max", data["maximum_pressure_MPa"], 1e-6 * pad.maximum_pressure, Within(0.07), "MPa"),
+        ("T_max", data["maximum_temperature_degC"], pad.heat.maximum - 273.15, Within(absolute=2.0), "°C"),
+        ("K, tilts held", data["stiffness_N_per_m"], z * float(pad.stiffness[0, 0]), Within(0.1), "N/m"),
+        ("C, tilts held", data["damping_Ns_per_m"], z * float(pad.damping[0, 0]), Within(0.15), "N s/m"),
     ):
-        yield Comparison(name, "", expected, ours, None, unit, source, information=why)
+        yield Comparison(name, "", expected, ours, allowed, unit, source)
+    state = solved(0.0)
+    plain = state.share.states[0]
+    assert state.temperatures is not None
+    for name, expected, ours, unit in (
+        ("h_p", data["pivot_film_um"], 1e6 * plain.height, "µm"),
+        ("h_min", data["minimum_film_um"], 1e6 * plain.minimum_film_thickness, "µm"),
+        ("p_max", data["maximum_pressure_MPa"], 1e-6 * plain.maximum_pressure, "MPa"),
+        ("T, trailing", data["maximum_temperature_degC"], state.temperatures.trailing - 273.15, "°C"),
+        ("C, tilts held", data["damping_Ns_per_m"], z * float(plain.damping[0, 0]), "N s/m"),
+    ):
+        yield Comparison(name, "one viscosity", expected, ours, None, unit, source, information=ONE)
 
 
 def draw(figure: Figure) -> None:
-    """Film and temperature over the hot oil carried over."""
+    """Film and temperature over the hot oil carried over, by both models."""
     figure.set_size_inches(7.2, 3.4)
     left, right = figure.subplots(1, 2)
     data = reference_data("thrust_hydro_generator")
-    shares = np.linspace(0.0, 0.85, 9)
-    states = [solved(float(share)) for share in shares]
-    left.plot(shares, [1e6 * state.share.heights[0] for state in states], color=INK, label="film at the pivot")
-    left.plot(
-        shares,
-        [1e6 * state.share.states[0].minimum_film_thickness for state in states],
-        color=INK,
-        linestyle="--",
-        label="thinnest film",
-    )
+    shares = np.linspace(0.0, 0.8, 6)
+    for own, style in ((True, "-"), (False, "--")):
+        states = [solved(float(share), own) for share in shares]
+        name = "temperatures in the film" if own else "one viscosity"
+        pads = [state.share.states[0] for state in states]
+        left.plot(shares, [1e6 * pad.height for pad in pads], color=INK, linestyle=style, label=name)
+        left.plot(shares, [1e6 * pad.minimum_film_thickness for pad in pads], color=INK, linestyle=style)
+        trailing = [state.temperatures.trailing - 273.15 for state in states if state.temperatures is not None]
+        hottest = [pad.heat.maximum - 273.15 for pad in pads if pad.heat is not None]
+        right.plot(shares, trailing, color=INK, linestyle=style, label=f"trailing edge, {name}")
+        if own:
+            right.plot(shares, hottest, color=INK, linestyle=":", label="hottest place in the film")
     for name in ("pivot_film_um", "minimum_film_um"):
         left.axhline(data[name], color=GREY, linewidth=0.8)
     left.set_ylim(0.0, None)
-    left.set_ylabel("film in µm")
+    left.set_ylabel("film at the pivot and thinnest film in µm")
     left.legend(loc="lower left")
-    found = [state.temperatures for state in states if state.temperatures is not None]
-    right.plot(shares, [each.trailing - 273.15 for each in found], color=INK, label="trailing edge")
-    right.plot(shares, [each.effective - 273.15 for each in found], color=INK, linestyle="--", label="effective")
     right.axhline(data["maximum_temperature_degC"], color=GREY, linewidth=0.8)
     right.set_ylabel("temperature in °C")
     right.legend(loc="upper left")
@@ -132,33 +113,30 @@ CASE = ValidationCase(
     title="Thrust bearing: 12 pads of a hydro-generator, another program",
     story=Story(
         what=(
-            "A tilting-pad thrust bearing of 13.3 MN at 90 rpm that a public program solves with the "
-            "temperature field of "
-            "film and pads. Ours has one viscosity, by a global heat balance: a comparison of codes and of models."
+            "A tilting-pad thrust bearing of 13.3 MN at 90 rpm that a public program solves with the temperature "
+            "field of film and pads. Ours is solved with temperatures along the pad and across the gap, no heat to pad "
+            "and collar; beside it the answer of one viscosity by a global heat balance: a comparison of codes and of "
+            "models."
         ),
         source=(
             "ROSS (petrobras/ross), `ross/tests/test_thrust_pad.py`; set-up attributed there to Barbosa (2016), "
             "Heinrichson (2007), Nicoletti (1999). Regression values on a mesh of 10 x 10, not an experiment."
         ),
         assumptions=(
-            "No hot oil carried over, as there every pad gets fresh oil. ISO VG 68 is the oil of our "
-            "catalogue, viscosity "
-            "index 95; the source has its own law of viscosity."
+            "No hot oil carried over, as there every pad gets fresh oil. ISO VG 68 is the oil of our catalogue, "
+            "viscosity index 95; the source has its own law of viscosity."
         ),
         tolerances=(
-            "Highest pressure and stiffness at the film of the source 5 %, which the coarse mesh and the "
-            "viscosity field "
-            "leave open; highest temperature 6 K. Films and damping are shown, not judged."
+            "Film at the pivot 8 %, thinnest film 10 %, highest pressure 7 %, highest temperature 2 K, stiffness 10 % "
+            "and damping 15 %, each at its own film: the coarse mesh, the other oil and the heat that the source lets "
+            "into the pad leave that much open. What one viscosity answers is shown, not judged."
         ),
         differences=(
-            "The stiffness of the source agrees with ours when the tilts are held; free to tilt it would be 2 "
-            "W/h per pad, a "
-            "third less. Its film is thicker: at 131 µm the load asks for the viscosity of 42 °C over the "
-            "whole pad, while its own "
-            "hottest oil has 70 °C; our heat balance finds 57 °C and 92 µm. Viscosity that falls along the "
-            "pad also tilts it "
-            "more (h_min/h_p 0.63 against 0.74). The damping of the source is two thirds of ours at the same "
-            "film; why is not known to us."
+            "Films are 6 % thinner than those of the source, and stiffness and damping follow from that: at equal film "
+            "K would be 10 % and C 7 % below. The coefficients agree with the tilts held; free to tilt the stiffness "
+            "would be a third less. One viscosity misses what the field does: cold oil at the leading edge carries "
+            "load and keeps the film a quarter thicker, and viscosity that falls along the pad tilts it more (h_min/h_p "
+            "0.61 against 0.74); the damping by one viscosity is nearly twice as large."
         ),
     ),
     run=run,
