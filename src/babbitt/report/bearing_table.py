@@ -13,8 +13,8 @@ from rich.table import Table
 from rich.text import Text
 
 from babbitt.quantities import QUANTITIES
-from babbitt.report.labels import label
 from babbitt.report import verdict as judge
+from babbitt.report.labels import label
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import Verdict
 from babbitt.results import Check, Result

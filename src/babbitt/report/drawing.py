@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -196,17 +197,18 @@ def arrow(
     axes.annotate("", tip, xytext=tail, zorder=6, arrowprops={**drawn, "shrinkA": 0, "shrinkB": 0})
 
 
-def limit_line(axes: Axes, y: float, label: str, *, at: float = 0.99) -> None:
-    """A horizontal limit with its name on it, `at` a fraction of the width."""
+def limit_line(axes: Axes, y: float, label: str, *, at: float = 0.99, beside: float = -math.inf) -> None:
+    """A horizontal limit with its name on it, `at` a fraction of the width, away from a curve at ``beside``."""
+    under = beside >= y
     axes.axhline(y, color=GREY, linewidth=0.7, linestyle=(0, (5, 2)), zorder=1)
     axes.annotate(
         label,
         (at, y),
         xycoords=axes.get_yaxis_transform(),
-        xytext=(0, 1.5),
+        xytext=(0, -1.5 if under else 1.5),
         textcoords="offset points",
         ha="right" if at > 0.5 else "left",
-        va="bottom",
+        va="top" if under else "bottom",
         fontsize=7,
         color="0.3",
     )

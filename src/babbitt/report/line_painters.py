@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 DASHES = ("-", "--", "-.", ":", (0, (6, 1, 1, 1, 1, 1)))
 RPM = 30.0 / math.pi
+NAMED = (14.0, 346.0)
+"""Angles in degrees between which names stand clear of the frame."""
 
 
 def histories(answer: LineAnswer, film_limit: float) -> Figure:
@@ -37,7 +39,7 @@ def histories(answer: LineAnswer, film_limit: float) -> Figure:
         place = int(values[chosen].argmax() if panel is above else values[chosen].argmin())
         panel.annotate(
             f"pad {chosen + 1}",
-            (angles[place], values[chosen, place]),
+            (float(np.clip(angles[place], *NAMED)), values[chosen, place]),
             xytext=(0, 4 if panel is above else -4),
             textcoords="offset points",
             ha="center",
@@ -46,7 +48,7 @@ def histories(answer: LineAnswer, film_limit: float) -> Figure:
         )
         panel.set_ylabel(name)
         panel.set_ylim(min(0.0, 1.1 * float(values.min())), 1.12 * float(values.max()))
-    limit_line(below, 1e6 * film_limit, "limit")
+    limit_line(below, 1e6 * film_limit, "limit", beside=float(films[:, -1].min()))
     limit_line(above, state.share.mean_load / 1e3, "mean static load")
     below.set_xlabel("angle of the shaft in °")
     below.set_xlim(0.0, 360.0)
@@ -154,7 +156,7 @@ def campbell(answer: LineAnswer, limit: float, speed: float) -> Figure:
     below.plot(rpm, losses, color=INK, linewidth=1.0)
     if rpm[0] <= speed * RPM <= rpm[-1]:
         mark(below, speed * RPM, 100.0 * answer.state.losses.mean_bound)
-    limit_line(below, 100.0 * limit, "limit")
+    limit_line(below, 100.0 * limit, "limit", beside=losses[-1])
     below.set_ylim(0.0, 1.15 * max(max(losses), 100.0 * limit))
     below.set_ylabel("dynamic load in %")
     below.set_xlabel("speed in rpm")

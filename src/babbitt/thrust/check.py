@@ -127,12 +127,11 @@ def _hottest(share: Share) -> dict[str, float]:
 def _temperatures(design: ThrustDesign, found: Temperatures | None, share: Share) -> dict[str, float]:
     if found is None:
         prescribed = design.oil.effective_temperature
-        through = sum(pad.trailing_flow + 0.5 * pad.side_flow for pad in share.states)
         capacity = float(design.lubricant.volumetric_heat_capacity(prescribed if prescribed is not None else 323.15))
         power = sum(pad.friction_power for pad in share.states)
         own = {} if prescribed is None else {"effective_temperature": prescribed}
         passing = sum(pad.trailing_flow + pad.side_flow for pad in share.states)
-        return {**own, "passing_flow": passing, "temperature_rise": power / (capacity * through)}
+        return {**own, "passing_flow": passing, "temperature_rise": power / (capacity * passing)}
     return {
         "total_flow": found.fresh_flow,
         "supply_temperature": found.supply,

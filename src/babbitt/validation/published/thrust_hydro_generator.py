@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 ONE = "by one viscosity from the global heat balance: what the temperature field changes"
 
 
-def solved(carry_over: float, own: bool = False) -> ThrustState:  # noqa: FBT001, FBT002
+def solved(carry_over: float, own: bool = False) -> ThrustState:
     """The bearing by the global heat balance, or with temperatures of its own in the film."""
     data = reference_data("thrust_hydro_generator")
     pad = ThrustPad(
