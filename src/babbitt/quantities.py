@@ -48,6 +48,7 @@ SI = {
     "N": DisplayUnit("N", decimals=2),
     "MPa3": DisplayUnit("MPa", 1e-6, decimals=4),
     "mm3/s": DisplayUnit("mm³/s", 1e9, decimals=2),
+    "kNm": DisplayUnit("kN m", 1e-3, decimals=2),
     "N/um": DisplayUnit("N/µm", 1e-6, decimals=2),
     "um2": DisplayUnit("µm", 1e6, decimals=2),
     "MN/m": DisplayUnit("MN/m", 1e-6),
@@ -507,6 +508,8 @@ QUANTITIES: dict[str, Quantity] = {
         _q("largest_pad_load", "W_max", "N", "kN", 4, "Load of the pad that carries most"),
         _q("smallest_pad_load", "W_least", "N", "kN", 4, "Load of the pad that carries least"),
         _q("pad_load_ratio", "W_max*", "1", "", 3, "Largest over mean pad load"),
+        _q("collar_moment", "M_c", "N m", "kNm", 4, "Static moment of uneven pad loads on the collar"),
+        _q("collar_moment_amplitude", "M_dyn", "N m", "kNm", 4, "Dynamic moment on the collar, any phases"),
         _q(
             "quasi_static_load_ratio",
             "W_turn*",

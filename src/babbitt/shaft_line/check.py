@@ -162,6 +162,7 @@ def _values(design: LineDesign, answer: LineAnswer) -> dict[str, float]:
         "dynamic_minimum_film": float(state.film.thinnest_bound.min()),
         "dynamic_minimum_film_peak": float(state.film.thinnest.min()),
         "relative_film_amplitude": float(state.film.relative.max()),
+        "collar_moment_amplitude": state.moment_amplitude,
         "runout_share": answer.causes.runout,
         "ripple_share": answer.causes.ripple,
         "tilt_share": answer.causes.tilt,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,10 +31,16 @@ UNBOUNDED = 0.02
 
 @dataclass(frozen=True, eq=False)
 class Part:
-    """The answer to one harmonic."""
+    """The answer to one harmonic; ``runout`` is what the face does under each pivot, m, complex, shape (z,)."""
 
     harmonic: ThrustHarmonic | RunoutHarmonic
     response: Response
+    runout: ComplexArray
+
+    @property
+    def leans(self) -> bool:
+        """Whether the face leans under the pads."""
+        return self.is_runout and self.harmonic.order == 1.0
 
     @property
     def is_runout(self) -> bool:
@@ -154,12 +160,16 @@ def forced(
         frequency = thrust.order * speed
         _require_bounded(line, pads, frequency)
         amplitude = thrust.amplitude * np.exp(1j * thrust.phase)
-        parts.append(Part(thrust, respond(line, pads, frequency, amplitude, still)))
+        parts.append(Part(thrust, respond(line, pads, frequency, amplitude, still), still))
     for runout in runouts:
         frequency = runout.order * speed
         _require_bounded(line, pads, frequency)
         under = runout.amplitude * np.exp(1j * (runout.phase - runout.order * pads.phases))
-        parts.append(Part(runout, respond(line, pads, frequency, 0j, under)))
+        felt = under
+        if runout.order == 1.0:  # one high spot is a face that leans; of waves only the height at the pivot counts
+            felt = under * (1.0 + pads.wobble(frequency))
+        found = respond(line, pads, frequency, 0j, felt)
+        parts.append(Part(runout, replace(found, gaps=found.gaps + felt - under), under))
     return Forced(tuple(parts))
 
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from babbitt.shaft_line.forced import Forced, Part
 from babbitt.thrust.sharing import Share
-from babbitt.thrust.state import tilt_answer
+from babbitt.thrust.state import tilt_answer, wobble_answer
 
 __all__ = ["FilmCheck", "Losses", "film_check", "losses_of"]
 
@@ -119,9 +119,11 @@ def _moving(share: Share, part: Part, basis: Array) -> NDArray[np.complex128]:
     """Complex amplitudes of the film at the points of every pad, m, shape (z, points)."""
     frequency = part.response.frequency
     rows = []
-    for state, gap in zip(share.states, part.response.gaps, strict=True):
-        tilts = tilt_answer(state, frequency, share.bearing.inertia)
-        rows.append(gap * (basis @ np.array([1.0, *tilts])))
+    for state, gap, under in zip(share.states, part.response.gaps, part.runout, strict=True):
+        tilts = gap * tilt_answer(state, frequency, share.bearing.inertia)
+        if part.leans:
+            tilts = tilts + under * wobble_answer(state, frequency, share.bearing.inertia)
+        rows.append(basis @ np.array([gap, *tilts]))
     return np.array(rows)
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from babbitt.shaft_line.excitation import RunoutHarmonic, ThrustHarmonic
 from babbitt.shaft_line.forced import Forced, forced
 from babbitt.shaft_line.line import ShaftLine
@@ -113,6 +115,17 @@ class LineState:
     def loss_of(self, runout: bool) -> float:
         """L1 of runout alone, or of thrust ripple alone."""
         return float(self.forced.bounds_of(runout).max() / self.share.mean_load)
+
+    @property
+    def moment_amplitude(self) -> float:
+        """Bound of the dynamic moment on the collar square to the shaft, N m: sum over the harmonics."""
+        bearing, total = self.duty.bearing, 0.0
+        for part in self.forced.parts:
+            forces = part.response.forces
+            first, second = (complex((forces * wave(bearing.angles)).sum()) for wave in (np.cos, np.sin))
+            # the longest semi-axis of the ellipse that the moment runs through
+            total += math.sqrt(0.5 * (abs(first) ** 2 + abs(second) ** 2 + abs(first**2 + second**2)))
+        return bearing.pad.pivot_radius * total
 
     @property
     def worst_turn_loss(self) -> float:

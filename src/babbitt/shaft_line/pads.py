@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from babbitt.notices import InputError
 from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.sharing import Share
-from babbitt.thrust.state import condensed
+from babbitt.thrust.state import condensed, wobble_answer
 
 __all__ = ["DynamicPads", "FilmPads", "GivenPads"]
 
@@ -42,6 +42,9 @@ class DynamicPads(Protocol):
 
     def film(self, frequency: float) -> ComplexArray:
         """k + j nu d of each pad, N/m."""
+
+    def wobble(self, frequency: float) -> ComplexArray:
+        """What the tilt of a face with one high spot adds to the runout that each pad feels, over it."""
 
 
 @dataclass(frozen=True)
@@ -97,6 +100,10 @@ class GivenPads:
         """k + j nu d."""
         return np.array(self.stiffness) + 1j * frequency * np.array(self.damping)
 
+    def wobble(self, frequency: float) -> ComplexArray:
+        """Nothing: such pads feel the runout at their pivots only."""
+        return np.zeros(len(self.stiffness), dtype=complex)
+
 
 @dataclass(frozen=True, eq=False)
 class FilmPads:
@@ -137,3 +144,15 @@ class FilmPads:
     def film(self, frequency: float) -> ComplexArray:
         """Condensed with the tilts free (R3)."""
         return np.array([condensed(state, frequency, self.bearing.inertia) for state in self.share.states])
+
+    def wobble(self, frequency: float) -> ComplexArray:
+        """-(K + j nu C)_1t g / (k + j nu d), see `wobble_answer`."""
+        inertia = self.bearing.inertia
+        return np.array(
+            [
+                -(state.stiffness + 1j * frequency * state.damping)[0, 1:]
+                @ wobble_answer(state, frequency, inertia)
+                / condensed(state, frequency, inertia)
+                for state in self.share.states
+            ]
+        )

@@ -97,6 +97,7 @@ def share_values(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
         "largest_pad_load": float(share.loads.max()),
         "smallest_pad_load": float(share.loads.min()),
         "pad_load_ratio": share.largest_over_mean,
+        "collar_moment": share.collar_moment,
         "friction_torque": sum(pad.friction_torque for pad in share.states),
         "friction_power": sum(pad.friction_power for pad in share.states),
         "side_flow": sum(pad.side_flow for pad in share.states),

@@ -55,6 +55,12 @@ class Share:
         return self.thrust / self.bearing.number
 
     @property
+    def collar_moment(self) -> float:
+        """Moment of uneven pad loads on the collar, square to the shaft, N m: |sum W_i r_p exp(j gamma_i)|."""
+        turned = self.loads * np.exp(1j * self.bearing.angles)
+        return float(self.bearing.pad.pivot_radius * abs(turned.sum()))
+
+    @property
     def largest_over_mean(self) -> float:
         """Largest pad load over the mean."""
         return float(self.loads.max() / self.mean_load)

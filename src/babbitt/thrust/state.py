@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from babbitt.film.sector import SectorFilm
     from babbitt.film.warm_sector import SectorHeat
 
-__all__ = ["PadState", "TiltInertia", "condensed", "tilt_answer"]
+__all__ = ["PadState", "TiltInertia", "condensed", "tilt_answer", "wobble_answer"]
 
 Array = NDArray[np.float64]
 ComplexArray = NDArray[np.complex128]
@@ -150,6 +150,29 @@ def tilt_answer(state: PadState, frequency: float, inertia: TiltInertia) -> Comp
         moving = state.stiffness + 1j * frequency * state.damping
         moving = moving - frequency**2 * np.diag([0.0, inertia.radial, inertia.along])
         answer[np.array(free) - 1] = -np.linalg.solve(moving[np.ix_(free, free)], moving[free, 0])
+    return answer
+
+
+def wobble_answer(state: PadState, frequency: float, inertia: TiltInertia) -> ComplexArray:
+    """Slopes of the gap over the runout under the pivot, where the face of the collar is a plane that wobbles.
+
+    Under a pad the face stands out by xi (1 + X/r_p - j Y/r_p), the wave of a plane tilted against the shaft. A free
+    tilt follows it but for its inertia; what the pivot holds does not:
+    g = w + t, w = -(1, -j)/r_p, t = -(K_tt + j nu C_tt - nu^2 J)^-1 (K + j nu C)_t w.
+
+    Returns
+    -------
+    ndarray, shape (2,)
+        1/m.
+    """
+    driven = -np.array([1.0, -1.0j]) / state.pad.pivot_radius
+    free = list(state.pad.free_tilts)
+    if not free:
+        return driven
+    film = state.stiffness + 1j * frequency * state.damping
+    moving = film - frequency**2 * np.diag([0.0, inertia.radial, inertia.along])
+    answer = driven.copy()
+    answer[np.array(free) - 1] -= np.linalg.solve(moving[np.ix_(free, free)], film[free, 1:] @ driven)
     return answer
 
 

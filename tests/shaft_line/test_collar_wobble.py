@@ -1,0 +1,72 @@
+"""A collar whose face leans: what pads feel that cannot follow, and the moment on the collar."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from trawler_line import duty
+from trawler_pads import INERTIA, PAD, SPEED, VISCOSITY
+
+from babbitt.film.sector import PlaneMotion, sector_film
+from babbitt.shaft_line.model import state_of
+from babbitt.thrust.carrying import carrying
+from babbitt.thrust.equilibrium import sector_of
+from babbitt.thrust.face import TaperedFace
+from babbitt.thrust.pad import Pivot
+from babbitt.thrust.state import TiltInertia
+
+FILMS = carrying(PAD, VISCOSITY, SPEED)
+LINE_PAD = replace(PAD, pivot=Pivot.LINE)
+TAPER = replace(PAD, pivot=Pivot.FIXED, face=TaperedFace(60e-6, 0.7))
+
+
+def on(pad, inertia=INERTIA):
+    films = carrying(pad, VISCOSITY, SPEED)
+    return state_of(replace(duty(), bearing=replace(duty().bearing, pad=pad, inertia=inertia)), films)
+
+
+def test_a_face_that_leans_presses_a_fixed_pad_as_its_film_displaced():
+    """Forces of the film under the plane of the wobbling face at its high spot, and a quarter of a turn later."""
+    state = on(TAPER)
+    pad = state.share.states[0]
+    to_film, amplitude = TAPER.from_pivot(), 1e-8
+    motion = np.array([pad.height, pad.slope_x, pad.slope_y])
+    sector = sector_of(TAPER, VISCOSITY, SPEED)
+    slope = {}
+    for phase, shape in (("high", (1.0, 1.0 / 0.29, 0.0)), ("later", (0.0, 0.0, 1.0 / 0.29))):
+        loads = [
+            sector_film(
+                sector, PlaneMotion(*(to_film @ (motion - side * amplitude * np.array(shape)))), intervals=64
+            ).load
+            for side in (1.0, -1.0)
+        ]
+        slope[phase] = (loads[0] - loads[1]) / (2.0 * amplitude)
+    felt = (state.pads.film(1e-3) * (1.0 + state.pads.wobble(1e-3)))[0]
+    assert felt.real == pytest.approx(slope["high"], rel=1e-4)
+    assert felt.imag == pytest.approx(-slope["later"], rel=1e-3)
+
+
+def test_a_free_pad_follows_a_face_that_leans_and_a_heavy_one_does_not():
+    assert np.abs(on(PAD).pads.wobble(SPEED)).max() < 1e-5
+    heavy, held = on(PAD, TiltInertia(1e16, 1e16)), on(replace(PAD, pivot=Pivot.LINE), TiltInertia(0.0, 1e16))
+    for state in (heavy, held):
+        stiffness = state.share.states[0].stiffness
+        felt = (state.pads.film(1e-2 * SPEED) * (1.0 + state.pads.wobble(1e-2 * SPEED)))[0].real
+        free_of_damping = stiffness[0] @ (1.0, 1.0 / 0.29, 0.0)
+        assert felt == pytest.approx(free_of_damping, rel=0.02)
+
+
+def test_a_line_pivot_feels_the_lean_along_the_radius():
+    state = on(LINE_PAD)
+    assert 0.01 < np.abs(state.pads.wobble(SPEED)).max() < 0.1
+    assert state.film.thinnest_bound.min() < on(PAD).film.thinnest_bound.min()
+
+
+def test_tilt_turns_the_collar_and_an_even_bearing_does_not():
+    base = state_of(duty(), FILMS)
+    level = state_of(base.duty.with_tilt(0.0), FILMS)
+    assert level.share.collar_moment < 1e-6 * level.share.thrust
+    assert level.moment_amplitude == pytest.approx(0.29 * 4.0 * abs(level.forced.parts[1].response.forces[0]))
+    moment = np.hypot(*(0.29 * (base.share.loads * wave(base.duty.bearing.angles)).sum() for wave in (np.cos, np.sin)))
+    assert base.share.collar_moment == pytest.approx(moment)
+    assert base.share.collar_moment > 1e4
