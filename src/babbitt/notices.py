@@ -635,6 +635,12 @@ EXPLANATIONS: dict[str, Explanation] = {
         "does not hold there.",
         "Widen speeds, lowest to highest, to hold the speed of the case.",
     ),
+    "W207": Explanation(
+        "No film of pads carries this load",
+        "The film that would carry the load is thinner than 1 µm: surfaces of a good finish touch there, and the "
+        "numbers describe no bearing.",
+        "Less thrust, more or larger pads, a more viscous or cooler oil, more speed, or a straighter housing.",
+    ),
     # -- no solution --------------------------------------------------------------------------------------------
     "S001": Explanation(
         "No film can carry the load",

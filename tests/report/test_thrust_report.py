@@ -31,6 +31,7 @@ def test_the_report_answers_and_tabulates(line):
     assert len(chapter["answers"]) == 7
     assert [table["title"] for table in chapter["tables"]] == [
         "Pads at rest",
+        "Oil of the pads",
         "Pads in motion",
         "Damped modes",
         "Backing rings",
@@ -44,7 +45,8 @@ def test_the_report_answers_and_tabulates(line):
 
 
 def test_tables_have_a_row_a_pad_with_the_loads_of_the_result(bearing):
-    (at_rest,) = tables(bearing.results[0])
+    at_rest, oil = tables(bearing.results[0])
+    assert len(oil["rows"]) == 8
     assert len(at_rest["rows"]) == 8
     assert all(len(row) == len(at_rest["columns"]) for row in at_rest["rows"])
     total = sum(float(row[1]) for row in at_rest["rows"])
@@ -79,3 +81,21 @@ def test_the_report_is_typeset(line, bearing):
     assert report(line, "pdf").startswith(b"%PDF")
     page = report(bearing, "html").decode()
     assert "Pads at rest" in page
+
+
+def test_a_bearing_with_its_own_temperatures_draws_and_tabulates_them(tmp_path):
+    solved = solve(parse_case(template("thrust") + "\nthermal: adiabatic\n"))
+    assert [table["title"] for table in tables(solved.results[0])][-1] == "Temperatures of the pads"
+    names = sorted(file.name for file in write_plots(solved, tmp_path, "png"))
+    assert names == ["01-pad-pressure.png", "01-pad-temperature.png", "01-pads-polar.png"]
+    (chapter,) = content(solved)["bearings"]
+    assert any("adiabatic" in str(row) for group in chapter["inputs"] for row in group["rows"])
+    assert "°C in a film" in chapter["answers"][-1]
+
+
+def test_no_journal_is_spoken_of():
+    solved = solve(parse_case(template("thrust")))
+    (chapter,) = content(solved)["bearings"]
+    labels = [row["label"] for row in chapter["results"]]
+    assert "Rotational speed of the collar" in labels
+    assert not [said for said in labels if "journal" in said]

@@ -106,3 +106,33 @@ def test_no_harmonic_at_all_is_not_checked():
     start, end = BASE.index("ripple:"), BASE.index("film_limit:")
     found = solve(parse_case(BASE[:start] + BASE[end:])).results[0]
     assert [notice.code for notice in found.not_checked] == ["C201"]
+
+
+def test_a_speed_beside_the_map_is_told():
+    found = result(
+        (
+            "# speeds: {lowest: 60 rpm, highest: 140 rpm, number: 21}",
+            "speeds: {lowest: 60 rpm, highest: 110 rpm, number: 3}",
+        )
+    )
+    assert "W206" in [notice.code for notice in found.warnings]
+
+
+def test_near_a_resonance_propeller_damping_is_said_to_help(base):
+    near = result(
+        ("# seating: {stiffness: 2 GN/m, housing_mass: 12 t}", "seating: {stiffness: 0.3 GN/m}"),
+        ("speed: 125 rpm", "speed: 160 rpm"),
+    )
+    assert "more damping at the propeller lowers" in answers(near)[2]
+    assert "cannot raise" in answers(base)[2]
+
+
+def test_own_temperatures_reach_the_line():
+    found = result(
+        ("oil: {kind: viscosity, viscosity: 45 mPa s}", "oil: {kind: heat_balance, lubricant: ISO VG 100, "
+         "supply_temperature: 45 degC}\nthermal: adiabatic"),
+    )  # fmt: skip
+    assert found.outcome.solved
+    assert found.energy_balance_error < 1e-8
+    assert "°C in a film" in answers(found)[-1]
+    assert len(found.arrays["pad_maximum_temperature"][0]) == 8

@@ -160,3 +160,42 @@ def test_the_template_has_its_heat_balance():
     again = temperatures_of(balance, state.share.states, state.temperatures.effective)
     assert again.effective == pytest.approx(state.temperatures.effective, abs=1e-5)
     assert math.isclose(again.fresh_flow, state.temperatures.fresh_flow, rel_tol=1e-9)
+
+
+def test_a_load_that_no_film_carries_is_told():
+    found = result(thrust="500 MN")
+    codes = {notice.code: notice.message for notice in found.warnings}
+    assert {"W142", "W207"} <= set(codes)
+    assert "pad 1 would run on" in codes["W207"]
+    assert not found.within_limits
+
+
+@pytest.mark.parametrize("radial", ["mean", "resolved"])
+def test_an_adiabatic_case_tells_temperatures_and_sums_its_flows(radial):
+    found = result(oil=f"{BALANCE}}}", thermal="adiabatic", radial_temperature=radial)
+    assert found.outcome.solved
+    assert found.energy_balance_error < 1e-8
+    assert found.supply_temperature < found.pad_inlet_temperature < found.trailing_temperature
+    assert found.trailing_temperature < found.maximum_temperature
+    flows = {name: sum(found.arrays[f"pad_{name}_flow"][0]) for name in ("leading", "trailing", "inner", "outer")}
+    assert flows["leading"] == pytest.approx(flows["trailing"] + flows["inner"] + flows["outer"], rel=1e-9)
+    assert found.side_flow == pytest.approx(flows["inner"] + flows["outer"])
+    fresh = flows["leading"] - 0.75 * flows["trailing"]
+    assert found.total_flow == pytest.approx(fresh, rel=1e-9)
+
+
+def test_the_three_thermal_models_are_named_in_the_case():
+    one, other = result(oil=f"{BALANCE}}}"), result(oil=f"{BALANCE}}}", thermal="global")
+    assert one.minimum_film_thickness == other.minimum_film_thickness
+    assert result(thermal="isothermal").minimum_film_thickness == result().minimum_film_thickness
+
+
+def test_taper_pads_have_temperatures_of_their_own():
+    pads = (
+        "{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, pivot: {kind: fixed}, "
+        "face: {kind: taper, depth: 40 um, fraction: 0.7}}"
+    )
+    own = result(oil=f"{BALANCE}}}", thermal="adiabatic", pads=pads)
+    one = result(oil=f"{BALANCE}}}", thermal="global", pads=pads)
+    assert own.energy_balance_error < 1e-8
+    assert own.pivot_film_thickness == pytest.approx(one.pivot_film_thickness, rel=0.3)

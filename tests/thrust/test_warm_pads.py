@@ -8,6 +8,7 @@ from trawler_pads import PAD, SPEED
 
 from babbitt.lubricants import ConstantViscosity, OilProperties, lubricant, lubricant_from_law
 from babbitt.notices import InputError
+from babbitt.results import Outcome
 from babbitt.thrust.bearing import HousingTilt, ThrustBearing
 from babbitt.thrust.carrying import carrying
 from babbitt.thrust.check import thrust_check
@@ -157,8 +158,12 @@ def test_the_check_tells_temperatures_of_every_pad():
 
 
 def test_a_film_hotter_than_the_oil_bears_is_a_runaway():
-    with pytest.raises((ThermalRunawayError, InputError)):
-        warm_pad(PAD, replace(OIL, carry_over=1.0), 300.0 * SPEED, 2e-6)
+    with pytest.raises(ThermalRunawayError):
+        warm_pad(PAD, OIL, SPEED, 20e-6, 2e6)
+    result = thrust_check(design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=True), GivenThrust(500e6)))
+    assert result.outcome is Outcome.THERMAL_RUNAWAY
+    assert not result.values
+    assert "friction outruns the oil" in result.message
 
 
 def test_a_table_begins_where_it_is_asked():

@@ -22,6 +22,7 @@ PAD_COLUMNS = (
     "pad_slope_radial",
     "pad_slope_along",
 )
+FLOW_COLUMNS = ("pad_leading_flow", "pad_trailing_flow", "pad_inner_flow", "pad_outer_flow", "pad_friction_power")
 WARM_COLUMNS = ("pad_load", "pad_mixed_temperature", "pad_trailing_temperature", "pad_maximum_temperature")
 DYNAMIC_COLUMNS = ("pad_load", "runout_force", "ripple_force", "dynamic_peak", "dynamic_bound", "pad_dynamic_film")
 RINGS_SHOWN = 10
@@ -40,6 +41,12 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
         "Pads at rest",
         PAD_COLUMNS,
         "Stiffness at rest and damping at the frequency of the shaft, tilts free.",
+    )
+    yield _by_pad(
+        result,
+        "Oil of the pads",
+        FLOW_COLUMNS,
+        "In over the leading edge; out over the trailing, inner and outer edge; friction power.",
     )
     if "pad_maximum_temperature" in result.arrays:
         yield _by_pad(result, "Temperatures of the pads", WARM_COLUMNS, "After mixing; mean over the flow; highest.")

@@ -21,7 +21,7 @@ from babbitt.shaft_line.sweeps import CampbellPoint, RingPoint, barred_ranges, r
 from babbitt.shaft_line.transient import Transient, transient
 from babbitt.thrust.check import oil_assumptions, pad_arrays, share_doubts, share_values
 from babbitt.thrust.design import ThrustState, operating_state
-from babbitt.thrust.heat import ThermalRunawayError
+from babbitt.thrust.heat import NoPadFilmError
 
 __all__ = ["LineAnswer", "line_answer", "line_check"]
 
@@ -84,7 +84,7 @@ def line_answer(design: LineDesign) -> LineAnswer:
     ------
     InputError
         E202, E203, E204: see `state_of`.
-    ThermalRunawayError
+    NoPadFilmError
     """
     static = operating_state(design.thrust)
     duty, films = design.duty, static.films
@@ -123,9 +123,8 @@ def line_check(design: LineDesign) -> Result:
     start = perf_counter()
     try:
         answer = line_answer(design)
-    except ThermalRunawayError:
-        said = "friction outruns the oil up to 300 °C; cool the supply, thin the oil or carry less hot oil over"
-        return Result(design.name, design.kind, METHOD, Outcome.THERMAL_RUNAWAY, {}, message=said)
+    except NoPadFilmError as failure:
+        return Result(design.name, design.kind, METHOD, failure.outcome, {}, message=failure.said)
     values = _values(design, answer)
     values["wall_time"] = perf_counter() - start
     thrust = design.thrust

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from babbitt.shaft_line.elements import shaft_elements
 from babbitt.shaft_line.model import LineState
 from babbitt.thrust.film_table import FilmTable, film_table
-from babbitt.thrust.state import tilt_answer
+from babbitt.thrust.state import CONTACT, tilt_answer
 
 __all__ = ["Transient", "transient"]
 
@@ -20,8 +20,6 @@ Array = NDArray[np.float64]
 RODS = 3
 SAMPLES = 360
 """Kept per revolution."""
-CONTACT = 1e-6
-"""Film at a corner that counts as contact, m: surfaces of a good finish touch there."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -7,13 +7,14 @@ from time import perf_counter
 
 import numpy as np
 
+from babbitt.design.doubts import doubt_about_pressure
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Matrix, Outcome, Result
 from babbitt.thrust.bearing import runout_at
 from babbitt.thrust.design import Oil, ThrustDesign, ThrustState, operating_state
-from babbitt.thrust.heat import Temperatures, ThermalRunawayError
+from babbitt.thrust.heat import NoPadFilmError, Temperatures
 from babbitt.thrust.sharing import Share, share_of
-from babbitt.thrust.state import condensed
+from babbitt.thrust.state import CONTACT, condensed
 
 __all__ = ["oil_assumptions", "pad_arrays", "share_doubts", "share_values", "thrust_check"]
 
@@ -41,15 +42,14 @@ def thrust_check(design: ThrustDesign) -> Result:
     start = perf_counter()
     try:
         state = operating_state(design)
-    except ThermalRunawayError:
-        said = "friction outruns the oil up to 300 °C; cool the supply, thin the oil or carry less hot oil over"
+    except NoPadFilmError as failure:
         return Result(
             design.name,
             design.kind,
             METHOD,
-            Outcome.THERMAL_RUNAWAY,
+            failure.outcome,
             {},
-            message=said,
+            message=failure.said,
             assumptions=_assumptions(design),
         )
     values = share_values(design, state)
@@ -170,6 +170,11 @@ def pad_arrays(share: Share, speed: float) -> dict[str, Matrix]:
         "pad_film_thickness": share.heights,
         "pad_minimum_film_thickness": [pad.minimum_film_thickness for pad in share.states],
         "pad_maximum_pressure": [pad.maximum_pressure for pad in share.states],
+        "pad_leading_flow": [pad.leading_flow for pad in share.states],
+        "pad_trailing_flow": [pad.trailing_flow for pad in share.states],
+        "pad_inner_flow": [pad.inner_flow for pad in share.states],
+        "pad_outer_flow": [pad.outer_flow for pad in share.states],
+        "pad_friction_power": [pad.friction_power for pad in share.states],
         "pad_slope_radial": [pad.slope_x for pad in share.states],
         "pad_slope_along": [pad.slope_y for pad in share.states],
         "pad_stiffness": [condensed(pad, 0.0).real for pad in share.states],
@@ -201,6 +206,14 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
     least = float(share.loads.min() / share.mean_load)
     if least < LEAST_SHARE:
         yield Notice("W201", f"pad {1 + int(share.loads.argmin())} carries {least:.2%} of the mean load")
+    yield from doubt_about_pressure(max(pad.maximum_pressure for pad in share.states), "in the film of a pad")
+    films = [pad.minimum_film_thickness for pad in share.states]
+    if min(films) <= CONTACT:
+        yield Notice(
+            "W207",
+            f"pad {1 + films.index(min(films))} would run on {min(films) * 1e6:.2f} µm under "
+            f"{share.states[films.index(min(films))].load / 1e3:.0f} kN; surfaces touch below {CONTACT * 1e6:g} µm",
+        )
     reynolds = reynolds_number(design, share, effective_viscosity(design, state), state.temperatures)
     if design.turbulence is None and reynolds > LAMINAR_UP_TO:
         yield Notice("W204", f"Re = {reynolds:.0f} > {LAMINAR_UP_TO:.0f}")

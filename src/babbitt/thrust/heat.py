@@ -18,10 +18,19 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from babbitt.lubricants import Lubricant
+from babbitt.results import Outcome
 from babbitt.thrust.carrying import Carrying
 from babbitt.thrust.state import PadState
 
-__all__ = ["HeatBalance", "Temperatures", "ThermalRunawayError", "USUAL_CARRY_OVER", "balanced"]
+__all__ = [
+    "HeatBalance",
+    "NoPadFilmError",
+    "Temperatures",
+    "ThermalRunawayError",
+    "USUAL_CARRY_OVER",
+    "UnsettledPadError",
+    "balanced",
+]
 
 USUAL_CARRY_OVER = 0.75
 """Assumption: share of the hot oil of a pad that enters the next one; 0.7 to 0.9 are found at usual speeds."""
@@ -33,8 +42,33 @@ TOLERANCE = 1e-7
 """Of the effective temperature, K."""
 
 
-class ThermalRunawayError(Exception):
+class NoPadFilmError(Exception):
+    """There is no film to answer with.
+
+    Attributes
+    ----------
+    outcome : Outcome
+    said : str
+        Why, and what to try.
+    """
+
+    outcome = Outcome.NOT_CONVERGED
+    said = ""
+
+
+class ThermalRunawayError(NoPadFilmError):
     """No balance up to the highest temperature."""
+
+    outcome = Outcome.THERMAL_RUNAWAY
+    said = "friction outruns the oil up to 300 °C; cool the supply, thin the oil, carry less hot oil over or less load"
+
+
+class UnsettledPadError(NoPadFilmError):
+    """Film, temperatures and tilt of a pad went on to change each other."""
+
+    said = (
+        "film, temperatures and tilt of a pad did not come to rest beside each other; thermal: global has an answer"
+    )
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,9 @@ __all__ = ["PadState", "TiltInertia", "condensed", "tilt_answer", "wobble_answer
 Array = NDArray[np.float64]
 ComplexArray = NDArray[np.complex128]
 
+CONTACT = 1e-6
+"""Film at a corner that counts as contact, m: surfaces of a good finish touch there."""
+
 
 @dataclass(frozen=True)
 class TiltInertia:

@@ -21,10 +21,9 @@ from babbitt.thrust.equilibrium import (
     first_slopes,
     sector_of,
     state_of_film,
-    unbalanced,
     within_reach,
 )
-from babbitt.thrust.heat import ThermalRunawayError
+from babbitt.thrust.heat import ThermalRunawayError, UnsettledPadError
 from babbitt.thrust.pad import ThrustPad
 from babbitt.thrust.state import PadState
 
@@ -36,7 +35,7 @@ __all__ = ["PadOil", "WarmStart", "warm_pad"]
 
 Array = NDArray[np.float64]
 
-MOST_PASSES = 150
+MOST_PASSES = 300
 SETTLED = 1e-4
 """Change of temperature in a pass, K, at which film, pad and temperature rest beside each other."""
 BALANCED = 1e-6
@@ -130,9 +129,11 @@ def warm_pad(
     Raises
     ------
     InputError
-        E201 if the height is not positive; E202 if no tilt balances the pad or no film carries the load.
+        E201 if the height is not positive.
     ThermalRunawayError
         If the film has no temperature below the highest for which the oil has data, at most 300 °C.
+    UnsettledPadError
+        If no tilt balances the pad, or its film does not settle.
     """
     if not (np.isfinite(height) and height > 0.0):
         raise InputError("E201", f"film at the pivot is {height:g} m; it must be positive.")
@@ -145,14 +146,20 @@ def warm_pad(
         sector.start_from(start.sector)
         share = height / start.state.height
         slopes = (start.state.slope_x * share, start.state.slope_y * share)
-    motion = _at_rest(pad, sector, np.array([height, *slopes]), load)
-    film, heat, change = sector.finish(pad.from_pivot() @ motion)
     try:
         hottest = highest_usable(oil.lubricant)
+        motion = _at_rest(pad, sector, np.array([height, *slopes]), load)
     except NoFilmError:
         raise ThermalRunawayError from None
-    if not heat.maximum < hottest or not change < SETTLED:
+    except UnsettledPadError:
+        if not sector.warm.temperature.max() < hottest:
+            raise ThermalRunawayError from None
+        raise
+    film, heat, change = sector.finish(pad.from_pivot() @ motion)
+    if not heat.maximum < hottest:
         raise ThermalRunawayError
+    if not change < SETTLED:
+        raise UnsettledPadError
     state = state_of_film(pad, film, motion, heat.effective_viscosity, angular_speed)
     return WarmStart(oil, replace(state, heat=heat), sector)
 
@@ -183,9 +190,12 @@ def _at_rest(pad: ThrustPad, sector: WarmSector, motion: Array, load: float | No
                 break
         stiffness = to_film.T @ sector.stiffness @ to_film
         step = np.zeros(3)
-        step[free] = np.linalg.solve(stiffness[np.ix_(free, free)], left[free])
+        try:
+            step[free] = np.linalg.solve(stiffness[np.ix_(free, free)], left[free])
+        except np.linalg.LinAlgError:
+            break
         motion = _moved(pad, motion, step)
-    raise unbalanced(pad)
+    raise UnsettledPadError
 
 
 def _moved(pad: ThrustPad, motion: Array, step: Array) -> Array:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from babbitt.notices import InputError
 from babbitt.thrust.carrying import TabulatedFilms
-from babbitt.thrust.heat import Temperatures, ThermalRunawayError
+from babbitt.thrust.heat import NoPadFilmError, Temperatures, ThermalRunawayError
 from babbitt.thrust.pad import ThrustPad
 from babbitt.thrust.state import PadState
 from babbitt.thrust.warm import PadOil, WarmStart, warm_pad
@@ -98,7 +98,7 @@ class WarmFilms:
         begin = near.state.height * (near.state.load / load) ** 0.6
         try:
             return warm_pad(self.pad, self.oil, self.angular_speed, begin, load, near).state.height
-        except (InputError, ThermalRunawayError):
+        except (InputError, NoPadFilmError):
             return begin
 
     def state(self, height: float) -> PadState:
@@ -150,7 +150,7 @@ def _outward(start: WarmStart, heights: Iterable[float]) -> list[WarmStart]:
         oil, pad = near.oil, near.state.pad
         try:
             new = warm_pad(pad, oil, near.state.angular_speed, float(height), None, near)
-        except (InputError, ThermalRunawayError):
+        except (InputError, NoPadFilmError):
             break
         if not (new.state.load - near.state.load) * (near.state.height - height) > 0.0:
             break
