@@ -631,7 +631,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "W206": Explanation(
         "Speed outside the Campbell map",
-        "The speed of the case lies outside the speeds for which a map was asked: what the map says of barred ranges "
+        "The speed of the case lies outside the speeds for which a map was asked: what the map says of barred "
+        "ranges "
         "does not hold there.",
         "Widen speeds, lowest to highest, to hold the speed of the case.",
     ),

@@ -534,7 +534,9 @@ QUANTITIES: dict[str, Quantity] = {
         _q("pad_outer_flow", "Q_o,i", "m3/s", "L/min", 3, "Oil out over the outer edge of each pad"),
         _q("pad_friction_power", "P_f,i", "W", "kW", 4, "Friction power under each pad"),
         _q("pad_mixed_temperature", "T_in,i", "K", "degC", 4, "Oil temperature at the leading edge of each pad"),
-        _q("pad_trailing_temperature", "T_tr,i", "K", "degC", 4, "Oil temperature at the trailing edges, each pad"),
+        _q(
+            "pad_trailing_temperature", "T_tr,i", "K", "degC", 4, "Oil temperature at the trailing edges, each pad"
+        ),
         _q("pad_maximum_temperature", "T_max,i", "K", "degC", 4, "Highest temperature in the film of each pad"),
         _q("pad_stiffness", "k_i", "N/m", "GN/m", 4, "Stiffness of each film at rest, tilts free"),
         _q("pad_damping", "d_i", "N s/m", "MNs/m", 4, "Damping of each film at the frequency of the shaft"),

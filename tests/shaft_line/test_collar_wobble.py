@@ -67,6 +67,8 @@ def test_tilt_turns_the_collar_and_an_even_bearing_does_not():
     level = state_of(base.duty.with_tilt(0.0), FILMS)
     assert level.share.collar_moment < 1e-6 * level.share.thrust
     assert level.moment_amplitude == pytest.approx(0.29 * 4.0 * abs(level.forced.parts[1].response.forces[0]))
-    moment = np.hypot(*(0.29 * (base.share.loads * wave(base.duty.bearing.angles)).sum() for wave in (np.cos, np.sin)))
+    moment = np.hypot(
+        *(0.29 * (base.share.loads * wave(base.duty.bearing.angles)).sum() for wave in (np.cos, np.sin))
+    )
     assert base.share.collar_moment == pytest.approx(moment)
     assert base.share.collar_moment > 1e4

@@ -44,7 +44,9 @@ def test_the_march_converges_with_the_square_of_its_step():
     """Rods fine enough that only the step is left: 1440 steps of B5 leave 1.2e-5 on the gaps, 2880 a quarter."""
     state = state_of(duty(), FILMS)
     coarse, fine = (
-        max(misses(march(state.duty.line, state.pads, SPEED, (RIPPLE,), (RUNOUT,), steps=n, elements=96), state)[1])
+        max(
+            misses(march(state.duty.line, state.pads, SPEED, (RIPPLE,), (RUNOUT,), steps=n, elements=96), state)[1]
+        )
         for n in (1440, 2880)
     )
     assert coarse / fine == pytest.approx(4.0, rel=0.05)

@@ -62,7 +62,9 @@ def test_oil_that_hardly_warms_leaves_the_isothermal_pad():
 
 
 def design(oil, duty=None, tilt=0.0):
-    return ThrustDesign("Block", ThrustBearing(PAD, 8, 2e10, tilt=HousingTilt(tilt)), duty or GivenThrust(500e3), SPEED, oil)
+    return ThrustDesign(
+        "Block", ThrustBearing(PAD, 8, 2e10, tilt=HousingTilt(tilt)), duty or GivenThrust(500e3), SPEED, oil
+    )
 
 
 @pytest.mark.parametrize("carry_over", [0.0, 0.75])
@@ -71,11 +73,14 @@ def test_of_one_viscosity_the_drain_is_that_of_the_global_balance(carry_over):
     steady = lubricant_from_law("steady", ConstantViscosity(0.045), known, source="test")
     steady = replace(steady, fixed_volumetric_heat_capacity=1.7e6)
     own, one = (
-        operating_state(design(Oil(steady, None, 318.15, carry_over, own_temperatures=own))) for own in (True, False)
+        operating_state(design(Oil(steady, None, 318.15, carry_over, own_temperatures=own)))
+        for own in (True, False)
     )
     assert own.share.heights == pytest.approx(one.share.heights, rel=1e-3)
     for name in ("drain", "fresh_flow"):
-        mine, theirs = (getattr(state.temperatures, name) - (318.15 if name == "drain" else 0.0) for state in (own, one))
+        mine, theirs = (
+            getattr(state.temperatures, name) - (318.15 if name == "drain" else 0.0) for state in (own, one)
+        )
         assert mine == pytest.approx(theirs, rel=2e-3)
     # the global balance lets the sides go at the mean of inlet and trailing edge; the film knows where they leave
     assert own.temperatures.trailing - 318.15 == pytest.approx(one.temperatures.trailing - 318.15, rel=0.12)
@@ -83,7 +88,9 @@ def test_of_one_viscosity_the_drain_is_that_of_the_global_balance(carry_over):
 
 def test_beside_the_global_balance_films_are_thicker_and_energy_is_kept():
     """Cold oil at the leading edge carries more than one mean viscosity knows: drain and film within a quarter."""
-    own, one = (operating_state(design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=own))) for own in (True, False))
+    own, one = (
+        operating_state(design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=own))) for own in (True, False)
+    )
     assert abs(own.temperatures.error) < 1e-8
     assert own.share.heights[0] == pytest.approx(one.share.heights[0], rel=0.25)
     assert own.share.heights[0] > one.share.heights[0]
@@ -135,7 +142,9 @@ def test_pads_of_their_own_temperatures_share_the_thrust(tilt):
 
 def test_heat_evens_out_what_a_tilt_does():
     loads = [
-        operating_state(design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=own), tilt=30e-6)).share.largest_over_mean
+        operating_state(
+            design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=own), tilt=30e-6)
+        ).share.largest_over_mean
         for own in (True, False)
     ]
     assert 1.0 < loads[0] < loads[1]

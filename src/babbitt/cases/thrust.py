@@ -42,7 +42,8 @@ class ThrustBearingInputs(Part):
     thermal: Literal["isothermal", "global", "adiabatic"] | None = Field(
         None,
         description="Temperature of the films: one that is given (isothermal, with oil of kind viscosity or "
-        "temperature), one from the heat balance of all pads (global), or one that varies along the pads and across "
+        "temperature), one from the heat balance of all pads (global), or one that varies along the pads and "
+        "across "
         "the gap with no heat to pads and collar (adiabatic), the two with oil of kind heat_balance. None: global "
         "where the oil is of that kind, else isothermal.",
     )
@@ -100,7 +101,9 @@ class ThrustBearingInputs(Part):
             says = "an isothermal film needs its viscosity or temperature, oil of kind heat_balance finds it"
             yield Complaint(("oil", "kind"), says, "viscosity or temperature, or thermal: global")
         if self.thermal == "adiabatic" and self.turbulence != "none":
-            yield Complaint(("turbulence",), "a film with its own temperatures is laminar", "thermal: global, or no turbulence")
+            yield Complaint(
+                ("turbulence",), "a film with its own temperatures is laminar", "thermal: global, or no turbulence"
+            )
         if self.thermal != "adiabatic" and self.radial_temperature == "resolved":
             says = "the films have one temperature"
             yield Complaint(("radial_temperature",), says, "mean, or thermal: adiabatic")

@@ -1,4 +1,4 @@
-"""Nodes, metric and gap of a thrust pad for the kernels of a surface (``_surface_film``), and shear on its runner."""
+"""Nodes, metric and gap of a thrust pad for the kernels (``_surface_film``), and shear on its runner."""
 
 from __future__ import annotations
 

@@ -209,9 +209,13 @@ def sector_film(
     fed[[0, -1]] = True
     for edge in mesh.side_nodes:
         drain_edge(surface, film, work, edge, fed)
-    torque = runner_torque(pad, surface, work, at) * pad.viscosity * pad.angular_speed * pad.outer_radius**4 / height
+    torque = (
+        runner_torque(pad, surface, work, at) * pad.viscosity * pad.angular_speed * pad.outer_radius**4 / height
+    )
     answers = (forces, stiffness, damping)
-    return sector_answer(pad, surface, work, answers, (theta, mesh, height, unit), lowest, torque, rounds < MOST_ROUNDS)
+    return sector_answer(
+        pad, surface, work, answers, (theta, mesh, height, unit), lowest, torque, rounds < MOST_ROUNDS
+    )
 
 
 def sector_answer(

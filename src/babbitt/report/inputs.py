@@ -154,7 +154,9 @@ def _thrust_oil(case: ThrustDesign | LineDesign) -> Iterator[Row]:
         across = ", across the pads" if oil.resolved else ""
         yield Row(
             "Temperature of the films",
-            f"varies along the pads{across} and across the gap (adiabatic)" if oil.own_temperatures else "one (global)",
+            f"varies along the pads{across} and across the gap (adiabatic)"
+            if oil.own_temperatures
+            else "one (global)",
         )
     if oil.effective_temperature is not None:
         yield _named("effective_temperature", oil.effective_temperature, "Prescribed effective temperature")

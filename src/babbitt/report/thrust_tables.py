@@ -49,7 +49,9 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
         "In over the leading edge; out over the trailing, inner and outer edge; friction power.",
     )
     if "pad_maximum_temperature" in result.arrays:
-        yield _by_pad(result, "Temperatures of the pads", WARM_COLUMNS, "After mixing; mean over the flow; highest.")
+        yield _by_pad(
+            result, "Temperatures of the pads", WARM_COLUMNS, "After mixing; mean over the flow; highest."
+        )
     if result.kind != "thrust_line":
         return
     yield _by_pad(

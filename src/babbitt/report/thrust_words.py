@@ -43,7 +43,8 @@ def _share(result: Result) -> str:
     if max(loads) < 1.000001 * min(loads):
         return f"All pads carry {max(loads) / 1e3:.1f} kN on a film of {_micro(min(films))} at its thinnest place."
     return (
-        f"Pad {most} carries most, {max(loads) / 1e3:.1f} kN, {result.values['pad_load_ratio']:.2f} times the mean; "
+        f"Pad {most} carries most, {max(loads) / 1e3:.1f} kN, {result.values['pad_load_ratio']:.2f} times the "
+        "mean; "
         f"the thinnest film is {_micro(min(films))}, at pad {thinnest}."
     )
 
@@ -65,7 +66,10 @@ def _of_line(result: Result) -> Iterator[str]:
 def _survival(result: Result, checks: dict[str, Check]) -> str:
     film, margin = checks["C202"], checks["C203"]
     word = "The film survives" if film.ok and margin.ok else "The film does not survive"
-    kept = [own - moved for own, moved in zip(*(result.arrays[n][0] for n in ("pad_load", "dynamic_bound")), strict=True)]
+    kept = [
+        own - moved
+        for own, moved in zip(*(result.arrays[n][0] for n in ("pad_load", "dynamic_bound")), strict=True)
+    ]
     films = result.arrays["pad_dynamic_film"][0]
     unloaded, thinnest = 1 + kept.index(min(kept)), 1 + films.index(min(films))
     left = f"pad {unloaded}, which is unloaded most, keeps {_percent(margin.value)} of the mean load"
@@ -98,8 +102,10 @@ def _causes(result: Result) -> str:
     first = max(CAUSES, key=lambda name: v[name])
     return (
         f"What dominates: {CAUSES[first]}. Runout alone gives {_percent(v['runout_share'])}, thrust ripple alone "
-        f"{_percent(v['ripple_share'])} of the mean static pad load, both {_percent(v['loss_mean_bound'])}. Without "
-        f"tilt and pad heights both would give {_percent(v['loss_mean_bound'] - v['tilt_share'])}, with a rigid shaft "
+        f"{_percent(v['ripple_share'])} of the mean static pad load, both {_percent(v['loss_mean_bound'])}. "
+        "Without "
+        f"tilt and pad heights both would give {_percent(v['loss_mean_bound'] - v['tilt_share'])}, with a "
+        "rigid shaft "
         f"{_percent(v['loss_mean_bound'] - v['elasticity_share'])}. {_damping(v)}"
     )
 
@@ -175,12 +181,14 @@ def _oil(result: Result) -> str:
         if "maximum_temperature" in v:
             hottest = f", at most {_celsius(v['maximum_temperature'])} in a film"
         return (
-            f"Oil: {v['friction_power'] / 1e3:.2f} kW of friction warm {6e4 * v['total_flow']:.1f} L/min of fresh oil "
+            f"Oil: {v['friction_power'] / 1e3:.2f} kW of friction warm {6e4 * v['total_flow']:.1f} L/min of "
+            "fresh oil "
             f"by {rise:.1f} K to {_celsius(v['outlet_temperature'])}{hottest}."
         )
     # of a given viscosity: what the friction would do to the oil that leaves the pads
     return (
-        f"Oil: {v['friction_power'] / 1e3:.2f} kW of friction warm the {6e4 * v['passing_flow']:.1f} L/min that pass "
+        f"Oil: {v['friction_power'] / 1e3:.2f} kW of friction warm the {6e4 * v['passing_flow']:.1f} L/min "
+        "that pass "
         f"the pads by {v['temperature_rise']:.1f} K; the viscosity was given and does not follow."
     )
 

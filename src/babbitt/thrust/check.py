@@ -128,7 +128,9 @@ def _hottest(share: Share) -> dict[str, float]:
 def _temperatures(design: ThrustDesign, found: Temperatures | None, share: Share) -> dict[str, float]:
     if found is None:
         prescribed = design.oil.effective_temperature
-        capacity = float(design.lubricant.volumetric_heat_capacity(prescribed if prescribed is not None else 323.15))
+        capacity = float(
+            design.lubricant.volumetric_heat_capacity(prescribed if prescribed is not None else 323.15)
+        )
         power = sum(pad.friction_power for pad in share.states)
         own = {} if prescribed is None else {"effective_temperature": prescribed}
         passing = sum(pad.trailing_flow + pad.side_flow for pad in share.states)
@@ -200,7 +202,8 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
     if nearest >= even:
         yield Notice(
             "W201",
-            f"tilt and heights bring pad {1 + int(bearing.departures().argmin())} {nearest * 1e6:.1f} µm nearer to the collar, more than the "
+            f"tilt and heights bring pad {1 + int(bearing.departures().argmin())} {nearest * 1e6:.1f} µm "
+            "nearer to the collar, more than the "
             f"film of {even * 1e6:.1f} µm that an even share has",
         )
     least = float(share.loads.min() / share.mean_load)
@@ -212,7 +215,8 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
         yield Notice(
             "W207",
             f"pad {1 + films.index(min(films))} would run on {min(films) * 1e6:.2f} µm under "
-            f"{share.states[films.index(min(films))].load / 1e3:.0f} kN; surfaces touch below {CONTACT * 1e6:g} µm",
+            f"{share.states[films.index(min(films))].load / 1e3:.0f} kN; surfaces touch below "
+            f"{CONTACT * 1e6:g} µm",
         )
     reynolds = reynolds_number(design, share, effective_viscosity(design, state), state.temperatures)
     if design.turbulence is None and reynolds > LAMINAR_UP_TO:
@@ -227,16 +231,18 @@ def oil_assumptions(oil: Oil) -> Iterator[str]:
     """What is assumed of the temperature of the films."""
     if oil.warm is None:
         yield (
-            "One viscosity for all films, that at the effective temperature; rigid pads; frictionless pivots; oil at "
+            "One viscosity for all films, that at the effective temperature; rigid pads; frictionless pivots; "
+            "oil at "
             "ambient pressure around each pad."
         )
     else:
         across = "varies across the pads, too" if oil.resolved else "is a mean over the width of the pads"
         yield (
-            f"Films with their own temperatures along the pads and across the gap, which {across}; no heat goes to "
+            f"Films with their own temperatures along the pads and across the gap, which {across}; no heat "
+            "goes to "
             "pads and collar; rigid pads; frictionless pivots; oil at ambient pressure around each pad."
         )
-        yield "A pad takes in what a pad under its own load sends off; stiffness and damping at frozen temperatures."
+        yield "A pad takes in what a pad under its load sends off; stiffness and damping at frozen temperatures."
     if oil.supply_temperature is not None:
         yield (
             f"{oil.carry_over:.0%} of the oil that leaves a pad over its trailing edge enters the next; "

@@ -15,7 +15,15 @@ from babbitt.thrust.state import PadState
 if TYPE_CHECKING:
     from babbitt.film.sector import SectorFilm, SectorPad
 
-__all__ = ["UnbalancedPadError", "first_slopes", "pad_state", "sector_of", "state_of_film", "unbalanced", "within_reach"]
+__all__ = [
+    "UnbalancedPadError",
+    "first_slopes",
+    "pad_state",
+    "sector_of",
+    "state_of_film",
+    "unbalanced",
+    "within_reach",
+]
 
 Array = NDArray[np.float64]
 
@@ -133,7 +141,10 @@ def within_reach(pad: ThrustPad, motion: Array, step: Array) -> Array:
     return step
 
 
-def state_of_film(pad: ThrustPad, film: SectorFilm, motion: Array, viscosity: float, angular_speed: float) -> PadState:
+def state_of_film(
+    pad: ThrustPad, film: SectorFilm, motion: Array, viscosity: float, angular_speed: float
+) -> PadState:
+    """The state of a film in the frame of the pivot."""
     to_film = pad.from_pivot()
     basis, face = pad.watched()
     thinnest = float((basis @ motion + face).min())

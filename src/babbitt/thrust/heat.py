@@ -60,15 +60,13 @@ class ThermalRunawayError(NoPadFilmError):
     """No balance up to the highest temperature."""
 
     outcome = Outcome.THERMAL_RUNAWAY
-    said = "friction outruns the oil up to 300 °C; cool the supply, thin the oil, carry less hot oil over or less load"
+    said = "friction outruns the oil up to 300 °C; cool the supply, thin the oil, carry less over"
 
 
 class UnsettledPadError(NoPadFilmError):
     """Film, temperatures and tilt of a pad went on to change each other."""
 
-    said = (
-        "film, temperatures and tilt of a pad did not come to rest beside each other; thermal: global has an answer"
-    )
+    said = "film, temperatures and tilt of a pad did not come to rest; thermal: global has an answer"
 
 
 @dataclass(frozen=True)

@@ -159,8 +159,8 @@ def tilt_answer(state: PadState, frequency: float, inertia: TiltInertia) -> Comp
 def wobble_answer(state: PadState, frequency: float, inertia: TiltInertia) -> ComplexArray:
     """Slopes of the gap over the runout under the pivot, where the face of the collar is a plane that wobbles.
 
-    Under a pad the face stands out by xi (1 + X/r_p - j Y/r_p), the wave of a plane tilted against the shaft. A free
-    tilt follows it but for its inertia; what the pivot holds does not:
+    Under a pad the face stands out by xi (1 + X/r_p - j Y/r_p), the wave of a plane that leans. A free tilt
+    follows it but for its inertia; what the pivot holds does not:
     g = w + t, w = -(1, -j)/r_p, t = -(K_tt + j nu C_tt - nu^2 J)^-1 (K + j nu C)_t w.
 
     Returns
@@ -168,7 +168,7 @@ def wobble_answer(state: PadState, frequency: float, inertia: TiltInertia) -> Co
     ndarray, shape (2,)
         1/m.
     """
-    driven = -np.array([1.0, -1.0j]) / state.pad.pivot_radius
+    driven: ComplexArray = np.array([-1.0, 1.0j], dtype=np.complex128) / state.pad.pivot_radius
     free = list(state.pad.free_tilts)
     if not free:
         return driven

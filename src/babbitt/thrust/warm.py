@@ -179,7 +179,9 @@ def _at_rest(pad: ThrustPad, sector: WarmSector, motion: Array, load: float | No
             change = sector.advance(to_film @ motion)
         forces = to_film.T @ sector.forces
         left = forces - sought
-        miss = float((np.abs(left[free]) / scale[free]).max(initial=0.0)) / max(abs(forces[0]), abs(sought[0]), 1e-300)
+        miss = float((np.abs(left[free]) / scale[free]).max(initial=0.0)) / max(
+            abs(forces[0]), abs(sought[0]), 1e-300
+        )
         if not np.isfinite(miss) or np.isnan(change):
             break
         if polishing or (change < SETTLED and miss < BALANCED):

@@ -95,7 +95,7 @@ class WarmFilms:
         if abs(load / self.middle.state.load - 1.0) < SAME:
             return self.middle.state.height
         near = min(self.starts, key=lambda start: abs(np.log(start.state.load / load)))
-        begin = near.state.height * (near.state.load / load) ** 0.6
+        begin = float(near.state.height * (near.state.load / load) ** 0.6)
         try:
             return warm_pad(self.pad, self.oil, self.angular_speed, begin, load, near).state.height
         except (InputError, NoPadFilmError):

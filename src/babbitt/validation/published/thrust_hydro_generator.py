@@ -34,7 +34,12 @@ def solved(carry_over: float, own: bool = False) -> ThrustState:
         data["pivot_radius_m"],
         data["pivot_angle_deg"] / data["extent_deg"],
     )
-    oil = Oil(lubricant(data["oil"]), supply_temperature=data["supply_degC"] + 273.15, carry_over=carry_over, own_temperatures=own)
+    oil = Oil(
+        lubricant(data["oil"]),
+        supply_temperature=data["supply_degC"] + 273.15,
+        carry_over=carry_over,
+        own_temperatures=own,
+    )
     design = ThrustDesign(
         "Hydro-generator",
         ThrustBearing(pad, data["pads"]),
@@ -114,8 +119,10 @@ CASE = ValidationCase(
     story=Story(
         what=(
             "A tilting-pad thrust bearing of 13.3 MN at 90 rpm that a public program solves with the temperature "
-            "field of film and pads. Ours is solved with temperatures along the pad and across the gap, no heat to pad "
-            "and collar; beside it the answer of one viscosity by a global heat balance: a comparison of codes and of "
+            "field of film and pads. Ours is solved with temperatures along the pad and across the gap, no "
+            "heat to pad "
+            "and collar; beside it the answer of one viscosity by a global heat balance: a comparison of codes "
+            "and of "
             "models."
         ),
         source=(
@@ -127,15 +134,21 @@ CASE = ValidationCase(
             "viscosity index 95; the source has its own law of viscosity."
         ),
         tolerances=(
-            "Film at the pivot 8 %, thinnest film 10 %, highest pressure 7 %, highest temperature 2 K, stiffness 10 % "
-            "and damping 15 %, each at its own film: the coarse mesh, the other oil and the heat that the source lets "
+            "Film at the pivot 8 %, thinnest film 10 %, highest pressure 7 %, highest temperature 2 K, "
+            "stiffness 10 % "
+            "and damping 15 %, each at its own film: the coarse mesh, the other oil and the heat that the "
+            "source lets "
             "into the pad leave that much open. What one viscosity answers is shown, not judged."
         ),
         differences=(
-            "Films are 6 % thinner than those of the source, and stiffness and damping follow from that: at equal film "
-            "K would be 10 % and C 7 % below. The coefficients agree with the tilts held; free to tilt the stiffness "
-            "would be a third less. One viscosity misses what the field does: cold oil at the leading edge carries "
-            "load and keeps the film a quarter thicker, and viscosity that falls along the pad tilts it more (h_min/h_p "
+            "Films are 6 % thinner than those of the source, and stiffness and damping follow from that: at "
+            "equal film "
+            "K would be 10 % and C 7 % below. The coefficients agree with the tilts held; free to tilt the "
+            "stiffness "
+            "would be a third less. One viscosity misses what the field does: cold oil at the leading edge "
+            "carries "
+            "load and keeps the film a quarter thicker, and viscosity that falls along the pad tilts it more "
+            "(h_min/h_p "
             "0.61 against 0.74); the damping by one viscosity is nearly twice as large."
         ),
     ),
