@@ -9,10 +9,10 @@ times as fast as the thermal `ThrustPad` of ROSS where that is installed.
     python benchmarks/thrust_speed.py
     BABBITT_ROSS_PYTHON=/path/to/python python benchmarks/thrust_speed.py     where ROSS lives elsewhere
 
-ROSS solves a temperature field on 10 x 10 cells, Babbitt one viscosity by its heat balance on 64 intervals and
-polynomials of degree 8: what is compared is the time to films, flows, temperatures, stiffness and damping. Times
-are those
-of the fastest warm calls, which other work on the machine disturbs least. Exit status 1 when a mark is missed.
+ROSS solves a temperature field on 10 x 10 cells, Babbitt one on 64 intervals along the pad, 7 columns across it and
+8 layers across the gap, the pressure with polynomials of degree 8: what is compared is the time to films, flows,
+temperatures, stiffness and damping. Times are those of the fastest warm calls, which other work on the machine
+disturbs least. Exit status 1 when a mark is missed.
 """
 
 from __future__ import annotations
@@ -95,7 +95,8 @@ def main() -> int:
     error = abs(pad_state(PAD, 50e-6, VISCOSITY, SPEED).load / limit - 1.0)
     films = carrying(PAD, VISCOSITY, SPEED)
     rings = usual_rings(duty(), state_of(duty(), films))
-    hydro = fastest(lambda: solved(0.0), 9)
+    hydro = fastest(lambda: solved(0.0, own=True, resolved=True), 9)
+    one_viscosity = fastest(lambda: solved(0.0), 9)
     rows = [
         ("one pad, tilt and all coefficients", fastest(pad, 51), 5e-3),
         ("base case of the trawler line", fastest(base_case, 9), 0.2),
@@ -106,7 +107,8 @@ def main() -> int:
     for name, seconds, mark in rows:
         missed = missed or seconds > mark
         print(f"{name:36s} {1e3 * seconds:9.2f} ms   mark {1e3 * mark:6.0f} ms")
-    print(f"{'12 pads of a hydro-generator':36s} {1e3 * hydro:9.2f} ms")
+    print(f"{'12 pads, one viscosity':36s} {1e3 * one_viscosity:9.2f} ms")
+    print(f"{'12 pads, temperature field':36s} {1e3 * hydro:9.2f} ms")
     theirs = seconds_of_ross()
     if theirs is None:
         print("ROSS is not installed; name its interpreter in BABBITT_ROSS_PYTHON")

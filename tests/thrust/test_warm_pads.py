@@ -12,7 +12,7 @@ from babbitt.results import Outcome
 from babbitt.thrust.bearing import HousingTilt, ThrustBearing
 from babbitt.thrust.carrying import carrying
 from babbitt.thrust.check import thrust_check
-from babbitt.thrust.design import GivenFilm, GivenThrust, Oil, ThrustDesign, operating_state
+from babbitt.thrust.design import GivenFilm, GivenThrust, Oil, ThrustDesign, bearing_state, operating_state
 from babbitt.thrust.equilibrium import pad_state
 from babbitt.thrust.face import SteppedFace, TaperedFace
 from babbitt.thrust.heat import ThermalRunawayError
@@ -180,3 +180,36 @@ def test_a_table_begins_where_it_is_asked():
     assert films.height_for(LOAD) > warm_pad(PAD, OIL, SPEED, 50e-6, LOAD).state.height
     with pytest.raises(InputError, match="positive"):
         warm_pad(PAD, OIL, SPEED, 0.0)
+
+
+TILTED = design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=True), tilt=30e-6)
+
+
+def test_each_pad_takes_in_the_oil_of_the_pad_before():
+    """Q_in T_in = lambda Q_t T_t + fresh oil, around the bearing; energy of all pads closes, the thrust is carried."""
+    found = bearing_state(TILTED)
+    states = found.share.states
+    for before, pad in zip((states[-1], *states), states, strict=False):
+        carried = 0.75 * before.trailing_flow
+        mixed = 318.15 + carried * (before.heat.sent - 318.15) / pad.leading_flow
+        assert pad.heat.supply == pytest.approx(mixed, abs=1e-6)
+    assert abs(found.temperatures.error) < 1e-8
+    assert found.share.loads.sum() == pytest.approx(500e3, rel=1e-5)
+    stand = found.share.heights - found.share.loads / 2e10 - TILTED.bearing.departures()
+    assert stand == pytest.approx(found.share.approach, abs=1e-5 * found.share.heights.min())
+
+
+def test_the_pads_after_the_hottest_one_take_in_hotter_oil_than_its_mirror():
+    """Pad 1 is pressed closest: pad 2 gets its oil, pad 8 does not; turning the other way exchanges the two."""
+    forward = bearing_state(TILTED).share.states
+    assert forward[1].heat.inlet > forward[7].heat.inlet
+    backward = replace(TILTED, bearing=replace(TILTED.bearing, sense=-1.0))
+    mirrored = bearing_state(backward).share.states
+    for here, there in zip(mirrored, (forward[0], *forward[:0:-1]), strict=True):
+        assert here.heat.inlet == pytest.approx(there.heat.inlet, abs=1e-3)
+        assert here.load == pytest.approx(there.load, rel=1e-4)
+
+
+def test_equal_pads_have_no_other_neighbours_than_their_like():
+    even = replace(TILTED, bearing=replace(TILTED.bearing, tilt=HousingTilt()))
+    assert bearing_state(even).share.heights == pytest.approx(operating_state(even).share.heights)

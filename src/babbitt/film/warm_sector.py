@@ -52,6 +52,8 @@ class SectorHeat:
         K, of the film: at the trailing edge what arrives there.
     supply, inlet, trailing, side : float
         Of fresh oil, of the mixture that the pad takes in, and the means of what leaves it, K.
+    sent : float
+        Of what goes into the groove, with the heat of the film at its very edges, K.
     heat : HeatSplit
     effective_viscosity : float
         Uniform viscosity with the same friction by shear in the same gap, Pa s.
@@ -64,6 +66,7 @@ class SectorHeat:
     inlet: float
     trailing: float
     side: float
+    sent: float
     heat: HeatSplit
     effective_viscosity: float
 
@@ -216,10 +219,19 @@ class WarmSector:
         film = sector_answer(pad, ring.surface, sample.work, answers, scales, lowest, torque, bool(change < 1e-4))
         return film, self._heat_of(motion), change
 
+    def refed(self, motion: Array, supply: float) -> SectorHeat:
+        """Temperatures of the film as it flows, fed with oil of another temperature, K; a small change."""
+        warm = self.warm
+        warm.heat = replace(warm.heat, supply_temperature=supply)
+        warm.walls = warm.walls._replace(fresh=supply)
+        warm.close(CLOSING, CLOSED)
+        return self._heat_of(motion)
+
     def _heat_of(self, motion: Array) -> SectorHeat:
         warm, pad = self.warm, self.pad
         surface, columns = warm.sample.ring.surface, warm.columns
         leaving, own, carried_off = sides_and_supplies(warm)
+        sent = groove_balance(surface, columns, warm.flows, 1.0, warm.temperature, GROOVE)[1]
         brought, enthalpy, _ = groove_balance(surface, columns, warm.flows, 0.0, warm.temperature, GROOVE)
         out = float(leaving.sum())
         cold = warm.heat.supply_temperature
@@ -235,6 +247,7 @@ class WarmSector:
             inlet=float(warm.groove[GROOVE]),
             trailing=enthalpy / brought if brought > 0.0 else cold,
             side=float((leaving * own).sum()) / out if out > 0.0 else cold,
+            sent=sent / brought if brought > 0.0 else cold,
             heat=HeatSplit(warm.dissipation * warm.rise * warm.walls.flow_heat, carried_off, 0.0, 0.0),
             effective_viscosity=pad.viscosity * warm.friction / self._unit_friction(motion),
         )

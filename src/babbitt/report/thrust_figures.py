@@ -9,7 +9,7 @@ from babbitt.report.drawing import Drawing, rendered, style
 from babbitt.results import Result
 from babbitt.shaft_line.check import LineAnswer, line_answer
 from babbitt.shaft_line.design import LineDesign
-from babbitt.thrust.design import ThrustDesign, operating_state
+from babbitt.thrust.design import ThrustDesign, bearing_state
 from babbitt.thrust.sharing import Share
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ def thrust_figures(
 def _of_bearing(design: ThrustDesign) -> Iterator[Painted]:
     from babbitt.report import thrust_painters
 
-    state = operating_state(design)
+    state = bearing_state(design)
     yield (
         "pads-polar",
         "Static load of each pad, outward from the ring; the collar turns as the arrow says. Thin ring: "

@@ -308,6 +308,8 @@ def _arrays(design: LineDesign, answer: LineAnswer) -> dict[str, Matrix]:
 def _assumptions(design: LineDesign) -> Iterator[str]:
     yield "Linear films about the static share, tilts of the pads free and with their inertia; axial motion only."
     yield from oil_assumptions(design.thrust.oil)
+    if design.thrust.oil.warm is not None:
+        yield "Each pad takes in what a pad under its own load sends off, mixed with fresh oil."
     if design.line.seating is None:
         yield "The seating is rigid: a flexible one lowers the first frequency, typically by a fifth at 2 GN/m."
     if design.speeds:

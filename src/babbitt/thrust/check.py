@@ -11,7 +11,7 @@ from babbitt.design.doubts import doubt_about_pressure
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Matrix, Outcome, Result
 from babbitt.thrust.bearing import runout_at
-from babbitt.thrust.design import Oil, ThrustDesign, ThrustState, operating_state
+from babbitt.thrust.design import Oil, ThrustDesign, ThrustState, bearing_state
 from babbitt.thrust.heat import NoPadFilmError, Temperatures
 from babbitt.thrust.sharing import Share, share_of
 from babbitt.thrust.state import CONTACT, condensed
@@ -41,7 +41,7 @@ def thrust_check(design: ThrustDesign) -> Result:
     """
     start = perf_counter()
     try:
-        state = operating_state(design)
+        state = bearing_state(design)
     except NoPadFilmError as failure:
         return Result(
             design.name,
@@ -242,7 +242,7 @@ def oil_assumptions(oil: Oil) -> Iterator[str]:
             "goes to "
             "pads and collar; rigid pads; frictionless pivots; oil at ambient pressure around each pad."
         )
-        yield "A pad takes in what a pad under its load sends off; stiffness and damping at frozen temperatures."
+        yield "Stiffness and damping at frozen temperatures."
     if oil.supply_temperature is not None:
         yield (
             f"{oil.carry_over:.0%} of the oil that leaves a pad over its trailing edge enters the next; "
@@ -252,6 +252,8 @@ def oil_assumptions(oil: Oil) -> Iterator[str]:
 
 def _assumptions(design: ThrustDesign) -> tuple[str, ...]:
     said = list(oil_assumptions(design.oil))
+    if design.oil.warm is not None:
+        said.append("Each pad takes in what the pad before it sends off, mixed with fresh oil.")
     if design.turbulence is not None:
         said.append(f"Turbulence by {design.turbulence.name}: {design.turbulence.source}.")
     return tuple(said)

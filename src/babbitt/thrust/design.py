@@ -5,18 +5,30 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+import numpy as np
+
 from babbitt.film.turbulence import TurbulenceLaw
 from babbitt.lubricants import Lubricant
 from babbitt.notices import Notice
 from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.carrying import Carrying, carrying
 from babbitt.thrust.heat import HeatBalance, Temperatures, balanced
+from babbitt.thrust.neighbours import share_with_neighbours
 from babbitt.thrust.sharing import Share, share_of
 from babbitt.thrust.state import PadState
 from babbitt.thrust.warm import PadOil
 from babbitt.thrust.warm_films import WarmFilms, own_temperatures, warm_carrying
 
-__all__ = ["GivenFilm", "GivenThrust", "Oil", "ThrustDesign", "ThrustState", "operating_state", "warm_films"]
+__all__ = [
+    "GivenFilm",
+    "GivenThrust",
+    "Oil",
+    "ThrustDesign",
+    "ThrustState",
+    "bearing_state",
+    "operating_state",
+    "warm_films",
+]
 
 
 @dataclass(frozen=True)
@@ -149,6 +161,23 @@ def operating_state(design: ThrustDesign) -> ThrustState:
     return ThrustState(films, share, temperatures)
 
 
+def bearing_state(design: ThrustDesign) -> ThrustState:
+    """As `operating_state`; pads with their own temperatures that differ take in the oil of their neighbour.
+
+    Raises
+    ------
+    InputError
+        E202 where the pads do not balance.
+    NoPadFilmError
+    """
+    state = operating_state(design)
+    bearing = state.share.bearing
+    if not isinstance(state.films, WarmFilms) or float(np.ptp(bearing.departures())) == 0.0:
+        return state
+    share = share_with_neighbours(state.films, state.share)
+    return ThrustState(state.films, share, own_temperatures(state.films.oil, share.states, bearing.sense))
+
+
 def warm_films(
     design: ThrustDesign, bearing: ThrustBearing, speed: float, duty: GivenThrust | GivenFilm
 ) -> tuple[Carrying, Temperatures | None]:
@@ -174,8 +203,6 @@ def _share(films: Carrying, bearing: ThrustBearing, duty: GivenThrust | GivenFil
     if isinstance(duty, GivenThrust):
         return share_of(films, bearing, duty.thrust)
     from dataclasses import replace
-
-    import numpy as np
 
     level = replace(bearing, ring_stiffness=math.inf)
     heights = duty.film + level.departures()

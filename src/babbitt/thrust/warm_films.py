@@ -159,35 +159,43 @@ def _outward(start: WarmStart, heights: Iterable[float]) -> list[WarmStart]:
     return found
 
 
-def own_temperatures(oil: PadOil, states: tuple[PadState, ...]) -> Temperatures:
+def own_temperatures(oil: PadOil, states: tuple[PadState, ...], sense: float = 0.0) -> Temperatures:
     """Temperatures of pads with their own ones, K: means weighted with the flow, and the fresh oil in m3/s.
 
-    Each pad takes in what a pad like itself sends off, so that fresh oil for all is what they take in less what is
-    carried over.
+    Parameters
+    ----------
+    oil : PadOil
+        Of the bearing.
+    states : tuple of PadState
+    sense : float
+        1 or -1 where each pad takes in what the pad before, or behind, sends off; 0: what its like sends off.
     """
-    heats = [state.heat for state in states]
-    assert all(heat is not None for heat in heats)
-    capacity = oil.heat().volumetric_heat_capacity
+    heats = [state.heat for state in states if state.heat is not None]
+    assert len(heats) == len(states)
     entering = np.array([state.leading_flow for state in states])
     leaving = np.array([state.trailing_flow for state in states])
-    fresh = float((entering - oil.carry_over * leaving).sum())
-    carried_off = sum(heat.heat.oil for heat in heats if heat is not None)
-    power = sum(heat.heat.dissipation for heat in heats if heat is not None)
+    aside = np.array([state.side_flow for state in states])
+    kept = np.minimum(oil.carry_over * leaving, np.roll(entering, -int(sense)))
+    fresh = float(entering.sum() - kept.sum())
+    side, sent = (np.array([getattr(heat, name) for heat in heats]) for name in ("side", "sent"))
+    cold = oil.supply_temperature
+    capacity = oil.heat().volumetric_heat_capacity
+    drained = float((aside * (side - cold) + (leaving - kept) * (sent - cold)).sum())
+    power = sum(heat.heat.dissipation for heat in heats)
     inlet, trailing = (
         float(np.average([getattr(heat, name) for heat in heats], weights=flow))
         for name, flow in (("inlet", entering), ("trailing", leaving))
     )
     powers = np.array([state.friction_power for state in states])
     viscosity = float(powers.sum() / (powers / np.array([state.viscosity for state in states])).sum())
-    drain = oil.supply_temperature + float(carried_off) / (capacity * fresh)
     return Temperatures(
-        oil.supply_temperature,
+        cold,
         inlet,
         trailing,
-        _temperature_at(oil, viscosity, inlet, max(heat.maximum for heat in heats if heat is not None)),
-        drain,
+        _temperature_at(oil, viscosity, inlet, max(heat.maximum for heat in heats)),
+        cold + drained / fresh,
         fresh,
-        float(carried_off / power) - 1.0,
+        capacity * drained / power - 1.0,
     )
 
 

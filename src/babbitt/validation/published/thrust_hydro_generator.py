@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 ONE = "by one viscosity from the global heat balance: what the temperature field changes"
 
 
-def solved(carry_over: float, own: bool = False) -> ThrustState:
+def solved(carry_over: float, *, own: bool = False, resolved: bool = False) -> ThrustState:
     """The bearing by the global heat balance, or with temperatures of its own in the film."""
     data = reference_data("thrust_hydro_generator")
     pad = ThrustPad(
@@ -39,6 +39,7 @@ def solved(carry_over: float, own: bool = False) -> ThrustState:
         supply_temperature=data["supply_degC"] + 273.15,
         carry_over=carry_over,
         own_temperatures=own,
+        resolved=resolved,
     )
     design = ThrustDesign(
         "Hydro-generator",
@@ -91,7 +92,7 @@ def draw(figure: Figure) -> None:
     data = reference_data("thrust_hydro_generator")
     shares = np.linspace(0.0, 0.8, 6)
     for own, style in ((True, "-"), (False, "--")):
-        states = [solved(float(share), own) for share in shares]
+        states = [solved(float(share), own=own) for share in shares]
         name = "temperatures in the film" if own else "one viscosity"
         pads = [state.share.states[0] for state in states]
         left.plot(shares, [1e6 * pad.height for pad in pads], color=INK, linestyle=style, label=name)

@@ -1,0 +1,128 @@
+"""Pads that take in the hot oil of their neighbour: a bearing whose pads differ.
+
+`babbitt.thrust.warm_films` feeds every pad with the oil of a pad like itself. Under a tilt of the housing, or with pads
+of different heights, the oil comes from the pad before:
+
+    Q_in,i T_in,i = lambda Q_t,i-1 T_t,i-1 + (Q_in,i - lambda Q_t,i-1) T_s.
+
+Heights and temperatures of all pads are found together: every pad is solved at its inlet temperature, and the thrust is
+shared on stiffnesses near the heights until nothing changes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.thrust.bearing import ThrustBearing
+from babbitt.thrust.heat import UnsettledPadError
+from babbitt.thrust.sharing import Share
+from babbitt.thrust.state import PadState, condensed
+from babbitt.thrust.warm import PadOil, WarmStart, warm_pad
+from babbitt.thrust.warm_films import WarmFilms
+
+__all__ = ["share_with_neighbours"]
+
+Array = NDArray[np.float64]
+
+MOST_ROUNDS = 60
+SETTLED = 1e-7
+"""Change of the heights, over them, and of the inlet temperatures, over 1000 K."""
+CLOSED = 1e-8
+"""Change of the inlet temperatures, K, at which the heat of the bearing is closed."""
+STEP = 0.8
+"""Share of a new inlet temperature that a round takes."""
+FOLLOWING = 0.8
+"""Stiffness when temperatures follow over that at frozen temperatures; only the number of rounds depends on it."""
+REACH = 0.3
+"""Largest change of a height in a round, over it."""
+
+
+def share_with_neighbours(films: WarmFilms, share: Share) -> Share:
+    """The share of pads that take in the oil of the pad before.
+
+    Parameters
+    ----------
+    films : WarmFilms
+    share : Share
+        Of pads that take in that of their like, from which the search begins.
+
+    Raises
+    ------
+    UnsettledPadError
+        If the pads go on to change each other.
+    """
+    bearing, oil = share.bearing, films.oil
+    pads = [_first(films, state) for state in share.states]
+    inlets = _inlets(oil, [pad.state for pad in pads], bearing.sense)
+    heights = share.heights.copy()
+    for _ in range(MOST_ROUNDS):
+        pads = [
+            warm_pad(films.pad, _fed_at(oil, inlet), films.angular_speed, float(height), None, pad)
+            for inlet, height, pad in zip(inlets, heights, pads, strict=True)
+        ]
+        states = tuple(pad.state for pad in pads)
+        loads = np.array([state.load for state in states])
+        stiffness = FOLLOWING * np.array([condensed(one, 0.0).real for one in states])
+        approach, new = _common(bearing, share.thrust, heights, loads, stiffness)
+        wanted = _inlets(oil, list(states), bearing.sense)
+        moved = max(float(np.abs(new / heights - 1.0).max()), 1e-3 * float(np.abs(wanted - inlets).max()))
+        if moved < SETTLED:
+            return Share(bearing, share.thrust, approach, heights, loads, _closed(oil, pads, bearing.sense))
+        heights, inlets = new, inlets + STEP * (wanted - inlets)
+    raise UnsettledPadError
+
+
+def _closed(oil: PadOil, pads: list[WarmStart], sense: float) -> tuple[PadState, ...]:
+    """The pads with their films as they flow, and the heat that goes from one to the next closed."""
+    states = [pad.state for pad in pads]
+    last = np.zeros(len(pads))
+    for _ in range(MOST_ROUNDS):
+        inlets = _inlets(oil, states, sense)
+        if np.abs(inlets - last).max() < CLOSED:
+            break
+        last = inlets
+        for place, (inlet, pad) in enumerate(zip(inlets, pads, strict=True)):
+            state = pad.state
+            motion = state.pad.from_pivot() @ np.array([state.height, state.slope_x, state.slope_y])
+            states[place] = replace(state, heat=pad.sector.refed(motion, float(inlet)))
+    return tuple(states)
+
+
+def _first(films: WarmFilms, state: PadState) -> WarmStart:
+    """The solved pad that is nearest."""
+    return min(films.starts, key=lambda start: abs(np.log(start.state.height / state.height)))
+
+
+def _fed_at(oil: PadOil, inlet: float) -> PadOil:
+    """Oil of a pad whose leading edge takes in a mixture of one temperature."""
+    at = oil.property_temperature if oil.property_temperature is not None else oil.supply_temperature
+    return replace(oil, supply_temperature=float(inlet), carry_over=0.0, property_temperature=at)
+
+
+def _inlets(oil: PadOil, states: list[PadState], sense: float) -> Array:
+    """Temperatures of the mixtures that the pads take in, K."""
+    carried = oil.carry_over * np.array([state.trailing_flow for state in states])
+    sent = np.array([state.heat.sent if state.heat is not None else oil.supply_temperature for state in states])
+    step = 1 if sense > 0.0 else -1
+    entering = np.array([state.leading_flow for state in states])
+    kept = np.minimum(np.roll(carried, step), entering)
+    cold = oil.supply_temperature
+    return np.asarray(cold + kept * (np.roll(sent, step) - cold) / entering)
+
+
+def _common(
+    bearing: ThrustBearing, thrust: float, heights: Array, loads: Array, stiffness: Array
+) -> tuple[float, Array]:
+    """Position of the collar and heights at which pads of given stiffness share the thrust.
+
+    From h_i + dh_i - (W_i - k_i dh_i)/c = s + e_i and sum (W_i - k_i dh_i) = F_0.
+    """
+    giving = 1.0 + stiffness / bearing.ring_stiffness
+    at_rest = heights - loads / bearing.ring_stiffness - bearing.departures()
+    together = stiffness / giving
+    approach = float((loads.sum() - thrust + together @ at_rest) / together.sum())
+    change = (approach - at_rest) / giving
+    return approach, heights + np.clip(change, -REACH * heights, REACH * heights)
