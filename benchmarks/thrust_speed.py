@@ -9,7 +9,7 @@ times as fast as the thermal `ThrustPad` of ROSS where that is installed.
     python benchmarks/thrust_speed.py
     BABBITT_ROSS_PYTHON=/path/to/python python benchmarks/thrust_speed.py     where ROSS lives elsewhere
 
-ROSS solves a temperature field on 10 x 10 cells, Babbitt one on 64 intervals along the pad, 7 columns across it and
+ROSS solves a temperature field on 10 x 10 cells, Babbitt one on 64 intervals along the pad, 7 columns across and
 8 layers across the gap, the pressure with polynomials of degree 8: what is compared is the time to films, flows,
 temperatures, stiffness and damping. Times are those of the fastest warm calls, which other work on the machine
 disturbs least. Exit status 1 when a mark is missed.

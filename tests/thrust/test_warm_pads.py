@@ -186,7 +186,7 @@ TILTED = design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=True), tilt=30e
 
 
 def test_each_pad_takes_in_the_oil_of_the_pad_before():
-    """Q_in T_in = lambda Q_t T_t + fresh oil, around the bearing; energy of all pads closes, the thrust is carried."""
+    """Q_in T_in = lambda Q_t T_t + fresh oil, around the bearing; all energy closes, the thrust is carried."""
     found = bearing_state(TILTED)
     states = found.share.states
     for before, pad in zip((states[-1], *states), states, strict=False):

@@ -1,12 +1,12 @@
 """Pads that take in the hot oil of their neighbour: a bearing whose pads differ.
 
-`babbitt.thrust.warm_films` feeds every pad with the oil of a pad like itself. Under a tilt of the housing, or with pads
-of different heights, the oil comes from the pad before:
+`babbitt.thrust.warm_films` feeds every pad with the oil of a pad like itself. Under a tilt of the housing, or with
+pads of different heights, the oil comes from the pad before:
 
     Q_in,i T_in,i = lambda Q_t,i-1 T_t,i-1 + (Q_in,i - lambda Q_t,i-1) T_s.
 
-Heights and temperatures of all pads are found together: every pad is solved at its inlet temperature, and the thrust is
-shared on stiffnesses near the heights until nothing changes.
+Heights and temperatures of all pads are found together: every pad is solved at its inlet temperature, and the
+thrust is shared on stiffnesses near the heights until nothing changes.
 """
 
 from __future__ import annotations
