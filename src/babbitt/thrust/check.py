@@ -236,9 +236,9 @@ def oil_assumptions(oil: Oil) -> Iterator[str]:
             "ambient pressure around each pad."
         )
     else:
-        across = "varies across the pads, too" if oil.resolved else "is a mean over the width of the pads"
+        across = "and across the pads" if oil.resolved else "means over the width of the pads"
         yield (
-            f"Films with their own temperatures along the pads and across the gap, which {across}; no heat "
+            f"Films with their own temperatures along the pads and across the gap, {across}; no heat "
             "goes to "
             "pads and collar; rigid pads; frictionless pivots; oil at ambient pressure around each pad."
         )

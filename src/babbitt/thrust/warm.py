@@ -18,10 +18,11 @@ from babbitt.lubricants import Lubricant
 from babbitt.notices import InputError
 from babbitt.thrust.equilibrium import (
     MOMENT_TOLERANCE,
+    UnbalancedPadError,
     first_slopes,
+    pad_state,
     sector_of,
     state_of_film,
-    within_reach,
 )
 from babbitt.thrust.heat import ThermalRunawayError, UnsettledPadError
 from babbitt.thrust.pad import ThrustPad
@@ -43,6 +44,15 @@ BALANCED = 1e-6
 MOVED = 0.4
 """Largest change of the logarithm of the height in a step."""
 POLISH = 12
+STUBBORN, NEARLY_SETTLED, NEARLY_BALANCED = 120, 5e-2, 2e-4
+"""Passes after which a film whose rupture goes to and fro between two lines is let be, at which change of
+temperature, K, and which miss of forces over the load."""
+KEPT, HALVINGS = 0.3, 40
+"""Least gap after a step over that before it, and how often a step is halved for it."""
+FARTHEST = 1e3
+"""Height over that of the start from which a pad has flown away."""
+CALM, LEAST_SHARE = 40, 0.05
+"""Passes after which steps that go to and fro are shortened, and their least share."""
 DEGREE = 8
 
 
@@ -141,11 +151,12 @@ def warm_pad(
 
     fresh = sector_of(pad, oil.fresh_viscosity, angular_speed)
     sector = WarmSector.of(fresh, oil.heat(), height, intervals or pad.intervals, degree)
-    slopes = first_slopes(pad, height)
     if start is not None:
         sector.start_from(start.sector)
         share = height / start.state.height
         slopes = (start.state.slope_x * share, start.state.slope_y * share)
+    else:
+        slopes = _cold_slopes(pad, oil, angular_speed, height)
     try:
         hottest = highest_usable(oil.lubricant)
         motion = _at_rest(pad, sector, np.array([height, *slopes]), load)
@@ -164,14 +175,23 @@ def warm_pad(
     return WarmStart(oil, replace(state, heat=heat), sector)
 
 
+def _cold_slopes(pad: ThrustPad, oil: PadOil, angular_speed: float, height: float) -> tuple[float, float]:
+    """Slopes of the pad in fresh oil, from which a search begins."""
+    try:
+        cold = pad_state(pad, height, oil.fresh_viscosity, angular_speed)
+    except UnbalancedPadError:
+        return first_slopes(pad, height)
+    return cold.slope_x, cold.slope_y
+
+
 def _at_rest(pad: ThrustPad, sector: WarmSector, motion: Array, load: float | None) -> Array:
     """Passes until film, temperatures and pad rest; then the pad alone, exactly, at frozen temperatures."""
     free = list(pad.free_tilts) if load is None else [0, *pad.free_tilts]
     to_film, width = pad.from_pivot(), pad.outer_radius - pad.inner_radius
     scale = np.array([1.0, width, width])
     sought = np.zeros(3) if load is None else np.array([load, 0.0, 0.0])
-    polishing = 0
-    for _ in range(MOST_PASSES):
+    polishing, share, last = 0, 1.0, np.zeros(3)
+    for passes in range(MOST_PASSES):
         change = 0.0
         if polishing:
             sector.carry(to_film @ motion)
@@ -184,6 +204,8 @@ def _at_rest(pad: ThrustPad, sector: WarmSector, motion: Array, load: float | No
         )
         if not np.isfinite(miss) or np.isnan(change):
             break
+        if passes > STUBBORN and change < NEARLY_SETTLED and miss < NEARLY_BALANCED:
+            return motion
         if polishing or (change < SETTLED and miss < BALANCED):
             polishing += 1
             if miss < MOMENT_TOLERANCE or not free:
@@ -196,13 +218,29 @@ def _at_rest(pad: ThrustPad, sector: WarmSector, motion: Array, load: float | No
             step[free] = np.linalg.solve(stiffness[np.ix_(free, free)], left[free])
         except np.linalg.LinAlgError:
             break
-        motion = _moved(pad, motion, step)
+        share = _calmer(share, step, last) if polishing == 0 and passes > CALM else 1.0
+        moved = _moved(pad, sector, motion, share * step)
+        if moved is None:
+            break
+        motion, last = moved, step
     raise UnsettledPadError
 
 
-def _moved(pad: ThrustPad, motion: Array, step: Array) -> Array:
-    """The pad after a step that neither leaves its height behind nor lets a corner come too close."""
+def _calmer(share: float, step: Array, last: Array) -> float:
+    """Share of a step that is taken: less where steps go to and fro."""
+    return max(0.6 * share, LEAST_SHARE) if float(step @ last) < 0.0 else min(1.3 * share, 1.0)
+
+
+def _moved(pad: ThrustPad, sector: WarmSector, motion: Array, step: Array) -> Array | None:
+    """The pad after a step that neither flies off nor takes most of the least gap; None: nowhere."""
     growth = float(np.clip(step[0] / motion[0], -0.9, None))
     if abs(np.log1p(growth)) > MOVED:
         step = step * (np.expm1(np.copysign(MOVED, growth)) / growth)
-    return np.asarray(motion + within_reach(pad, motion, step))
+    to_film = pad.from_pivot()
+    least = KEPT * sector.least_gap(to_film @ motion)
+    for _ in range(HALVINGS):
+        new = motion + step
+        if new[0] < FARTHEST * sector.height and sector.least_gap(to_film @ new) > least > 0.0:
+            return np.asarray(new)
+        step = 0.5 * step
+    return None
