@@ -7,6 +7,7 @@ import pytest
 from babbitt import parse_case
 from babbitt.cases import template
 from babbitt.notices import InputError
+from babbitt.results import Outcome
 from babbitt.solving import solve
 from babbitt.thrust.design import GivenThrust, Oil, operating_state
 from babbitt.thrust.heat import HeatBalance, temperatures_of
@@ -199,3 +200,17 @@ def test_taper_pads_have_temperatures_of_their_own():
     one = result(oil=f"{BALANCE}}}", thermal="global", pads=pads)
     assert own.energy_balance_error < 1e-8
     assert own.pivot_film_thickness == pytest.approx(one.pivot_film_thickness, rel=0.3)
+
+
+@pytest.mark.parametrize("tilt", [None, "{offset: 30 um}"])
+def test_a_step_carries_no_more_than_its_bound(tilt):
+    """In front of a step of depth d the pressure is at most that of a film of that depth: no film carries more."""
+    pads = (
+        "{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, pivot: {kind: fixed}, "
+        "face: {kind: step, depth: 100 um, fraction: 0.6}}"
+    )
+    assert result(pads=pads, tilt=tilt, thrust="300 kN").outcome.solved
+    found = result(pads=pads, tilt=tilt, thrust="1 MN")
+    assert found.outcome is Outcome.OVERLOADED
+    assert not found.values
+    assert "of 1000 kN" in found.message

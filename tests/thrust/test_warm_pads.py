@@ -15,7 +15,7 @@ from babbitt.thrust.check import thrust_check
 from babbitt.thrust.design import GivenFilm, GivenThrust, Oil, ThrustDesign, bearing_state, operating_state
 from babbitt.thrust.equilibrium import pad_state
 from babbitt.thrust.face import SteppedFace, TaperedFace
-from babbitt.thrust.heat import ThermalRunawayError
+from babbitt.thrust.failures import ThermalRunawayError
 from babbitt.thrust.pad import Pivot
 from babbitt.thrust.warm import PadOil, warm_pad
 

@@ -21,7 +21,7 @@ from babbitt.shaft_line.sweeps import CampbellPoint, RingPoint, barred_ranges, r
 from babbitt.shaft_line.transient import Transient, transient
 from babbitt.thrust.check import oil_assumptions, pad_arrays, share_doubts, share_values
 from babbitt.thrust.design import ThrustState, operating_state
-from babbitt.thrust.heat import NoPadFilmError
+from babbitt.thrust.failures import NoPadFilmError
 
 __all__ = ["LineAnswer", "line_answer", "line_check"]
 

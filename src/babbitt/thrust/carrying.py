@@ -135,6 +135,8 @@ class TabulatedFilms:
         height = float(np.exp(np.interp(-np.log(load), -np.log(self.loads), np.log(self.heights))))
         for _ in range(40):
             state = self.state(height)
+            if not state.load > 0.0:
+                return height
             change = np.log(state.load / load)
             if abs(change) < 1e-10:
                 return height

@@ -12,7 +12,8 @@ from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Matrix, Outcome, Result
 from babbitt.thrust.bearing import runout_at
 from babbitt.thrust.design import Oil, ThrustDesign, ThrustState, bearing_state
-from babbitt.thrust.heat import NoPadFilmError, Temperatures
+from babbitt.thrust.failures import NoPadFilmError
+from babbitt.thrust.heat import Temperatures
 from babbitt.thrust.sharing import Share, share_of
 from babbitt.thrust.state import CONTACT, condensed
 

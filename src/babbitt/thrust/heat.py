@@ -18,17 +18,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from babbitt.lubricants import Lubricant
-from babbitt.results import Outcome
 from babbitt.thrust.carrying import Carrying
+from babbitt.thrust.failures import ThermalRunawayError
 from babbitt.thrust.state import PadState
 
 __all__ = [
     "HeatBalance",
-    "NoPadFilmError",
     "Temperatures",
-    "ThermalRunawayError",
     "USUAL_CARRY_OVER",
-    "UnsettledPadError",
     "balanced",
 ]
 
@@ -40,33 +37,6 @@ HOTTEST = 573.15
 STEPS = 60
 TOLERANCE = 1e-7
 """Of the effective temperature, K."""
-
-
-class NoPadFilmError(Exception):
-    """There is no film to answer with.
-
-    Attributes
-    ----------
-    outcome : Outcome
-    said : str
-        Why, and what to try.
-    """
-
-    outcome = Outcome.NOT_CONVERGED
-    said = ""
-
-
-class ThermalRunawayError(NoPadFilmError):
-    """No balance up to the highest temperature."""
-
-    outcome = Outcome.THERMAL_RUNAWAY
-    said = "friction outruns the oil up to 300 °C; cool the supply, thin the oil, carry less over"
-
-
-class UnsettledPadError(NoPadFilmError):
-    """Film, temperatures and tilt of a pad went on to change each other."""
-
-    said = "film, temperatures and tilt of a pad did not come to rest; thermal: global has an answer"
 
 
 @dataclass(frozen=True)

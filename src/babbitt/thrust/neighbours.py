@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.thrust.bearing import ThrustBearing
-from babbitt.thrust.heat import UnsettledPadError
+from babbitt.thrust.failures import UnsettledPadError
 from babbitt.thrust.sharing import Share
 from babbitt.thrust.state import PadState, condensed
 from babbitt.thrust.warm import PadOil, WarmStart, warm_pad

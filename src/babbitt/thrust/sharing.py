@@ -12,6 +12,7 @@ from babbitt.design.roots import bracketed_root
 from babbitt.notices import InputError
 from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.carrying import Carrying
+from babbitt.thrust.failures import OverloadedPadsError
 from babbitt.thrust.state import PadState
 
 __all__ = ["Share", "share_of"]
@@ -21,6 +22,8 @@ Array = NDArray[np.float64]
 NEWTON_STEPS = 80
 SETTLED = 1e-12
 """Of a film; the step after it would change nothing, since Newton's method squares the error."""
+CARRIED = 2e-3
+"""Of the thrust: what tables of films may miss."""
 THINNEST = 1e-9
 """Least film of the search, m."""
 
@@ -108,6 +111,8 @@ def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, departures:
     ------
     InputError
         E201 if the thrust is not positive.
+    OverloadedPadsError
+        If the pads carry less, however thin their films.
     """
     if not (math.isfinite(thrust) and thrust > 0.0):
         raise InputError("E201", f"thrust is {thrust:g} N; it must be positive.")
@@ -115,6 +120,8 @@ def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, departures:
     c = bearing.ring_stiffness
     if float(np.ptp(away)) == 0.0:
         return _evenly(films, bearing, thrust, float(away[0]))
+    most = float(films.load(np.full(bearing.number, THINNEST)).sum())
+    _require_carried(thrust, most)
     mean = films.height_for(thrust / bearing.number)
 
     def excess(approach: float) -> float:
@@ -133,13 +140,22 @@ def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, departures:
     approach = bracketed_root(excess, low, high)
     heights = heights_at(films, c, approach + away)
     states = _states(films, heights)
-    return Share(bearing, thrust, approach, heights, np.array([state.load for state in states]), states)
+    loads = np.array([state.load for state in states])
+    _require_carried(thrust, float(loads.sum()))
+    return Share(bearing, thrust, approach, heights, loads, states)
+
+
+def _require_carried(thrust: float, carried: float) -> None:
+    """Pads of a face carry no more than a bound, where a table continued goes on."""
+    if not carried > (1.0 - CARRIED) * thrust:
+        raise OverloadedPadsError(thrust, carried)
 
 
 def _evenly(films: Carrying, bearing: ThrustBearing, thrust: float, away: float) -> Share:
     """Pads that all stand alike carry alike."""
     height = films.height_for(thrust / bearing.number)
     state = films.state(height)
+    _require_carried(thrust, bearing.number * state.load)
     yielding = 0.0 if math.isinf(bearing.ring_stiffness) else state.load / bearing.ring_stiffness
     even = np.ones(bearing.number)
     approach = height - yielding - away

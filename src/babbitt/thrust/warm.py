@@ -24,7 +24,7 @@ from babbitt.thrust.equilibrium import (
     sector_of,
     state_of_film,
 )
-from babbitt.thrust.heat import ThermalRunawayError, UnsettledPadError
+from babbitt.thrust.failures import ThermalRunawayError, UnsettledPadError
 from babbitt.thrust.pad import ThrustPad
 from babbitt.thrust.state import PadState
 

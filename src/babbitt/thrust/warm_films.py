@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from babbitt.notices import InputError
 from babbitt.thrust.carrying import TabulatedFilms
-from babbitt.thrust.heat import NoPadFilmError, Temperatures, ThermalRunawayError
+from babbitt.thrust.failures import NoPadFilmError, ThermalRunawayError
+from babbitt.thrust.heat import Temperatures
 from babbitt.thrust.pad import ThrustPad
 from babbitt.thrust.state import PadState
 from babbitt.thrust.warm import PadOil, WarmStart, warm_pad

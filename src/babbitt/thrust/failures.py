@@ -1,0 +1,47 @@
+"""Why a thrust bearing has no film to answer with."""
+
+from __future__ import annotations
+
+from babbitt.results import Outcome
+
+__all__ = ["NoPadFilmError", "OverloadedPadsError", "ThermalRunawayError", "UnsettledPadError"]
+
+
+class NoPadFilmError(Exception):
+    """There is no film to answer with.
+
+    Attributes
+    ----------
+    outcome : Outcome
+    said : str
+        Why, and what to try.
+    """
+
+    outcome = Outcome.NOT_CONVERGED
+    said = ""
+
+
+class ThermalRunawayError(NoPadFilmError):
+    """No balance up to the highest temperature."""
+
+    outcome = Outcome.THERMAL_RUNAWAY
+    said = "friction outruns the oil up to 300 °C; cool the supply, thin the oil, carry less over"
+
+
+class UnsettledPadError(NoPadFilmError):
+    """Film, temperatures and tilt of a pad went on to change each other."""
+
+    said = "film, temperatures and tilt of a pad did not come to rest; thermal: global has an answer"
+
+
+class OverloadedPadsError(NoPadFilmError):
+    """The pads carry less than the thrust, however thin their films."""
+
+    outcome = Outcome.OVERLOADED
+
+    def __init__(self, thrust: float, carried: float) -> None:
+        self.said = (
+            f"the pads carry at most {carried / 1e3:.4g} kN of {thrust / 1e3:.4g} kN: in front of a deep step the "
+            "pressure has a bound; a shallower face, more viscous oil, more speed, or larger pads"
+        )
+        super().__init__(self.said)
