@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -190,3 +191,49 @@ def test_adiabatic_walls_take_nothing():
     adiabatic = film_check(replace(design(), heat=HeatModel()))
     assert "heat_film_to_bush" not in adiabatic.values
     assert adiabatic.heat_to_oil == pytest.approx(adiabatic.film_dissipation, rel=1e-8)
+
+
+TURBINE = (Path(__file__).parents[2] / "examples" / "turbulent_turbine_heat.yaml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("walls", ["adiabatic", "full"])
+@pytest.mark.parametrize("law", ["ng_pan", "constantinescu"])
+def test_turbulence_makes_more_heat_and_a_thicker_film(walls, law):
+    text = TURBINE if walls == "full" else "\n".join(
+        line for line in TURBINE.replace("thermal: full", "thermal: adiabatic").splitlines()
+        if not line.lstrip().startswith(("walls:", "bush:", "housing:"))
+    )  # fmt: skip
+    laminar = film_check(design(text.replace("turbulence: ng_pan", "turbulence: laminar")))
+    turbulent = film_check(design(text.replace("turbulence: ng_pan", f"turbulence: {law}")))
+    assert "W101" in {one.code for one in laminar.warnings}
+    assert "W101" not in {one.code for one in turbulent.warnings}
+    assert turbulent.outcome.solved
+    assert turbulent.energy_balance_error < 1e-8
+    assert turbulent.mass_balance_error < 1e-8
+    assert turbulent.friction_power > 1.4 * laminar.friction_power
+    assert turbulent.outlet_temperature > laminar.outlet_temperature + 3.0
+    assert turbulent.minimum_film_thickness > 1.1 * laminar.minimum_film_thickness
+    assert 0.3 < turbulent.turbulent_share < 0.7
+    assert any(law.split("_")[0] in said.lower() for said in turbulent.assumptions)
+
+
+def test_a_slow_film_is_laminar_whatever_is_asked(full):
+    _, laminar, _ = full
+    asked = film_check(design(TEXT + "turbulence: ng_pan\n"))
+    assert asked.turbulent_share == 0.0
+    assert asked.minimum_film_thickness == pytest.approx(laminar.minimum_film_thickness, rel=1e-5)
+    assert asked.maximum_temperature == pytest.approx(laminar.maximum_temperature, abs=1e-2)
+
+
+def test_carry_over_lies_between_fresh_oil_and_all_the_hot_oil(full):
+    _, all_of_it, _ = full
+    shares = {share: film_check(design(f"{TEXT}carry_over: {share}\n")) for share in (0.0, 0.5, 1.0)}
+    assert shares[1.0].maximum_temperature == pytest.approx(all_of_it.maximum_temperature, abs=1e-9)
+    fresh = shares[0.0].arrays["groove_temperatures"][0]
+    assert fresh == pytest.approx([318.15, 318.15], abs=1e-9)  # every film starts with the oil of the supply
+    rising = [result.maximum_temperature for result in shares.values()]
+    assert rising[0] < rising[1] - 1.0 < rising[2] - 2.0
+    thinning = [result.minimum_film_thickness for result in shares.values()]
+    assert thinning == sorted(thinning, reverse=True)
+    assert all(result.energy_balance_error < 1e-8 for result in shares.values())
+    assert any("50% of it goes on" in said for said in shares[0.5].assumptions)

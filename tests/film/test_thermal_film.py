@@ -8,6 +8,7 @@ import pytest
 
 from babbitt.film.heat import BushRing, ConductingWalls, FilmHeat, HeatGrid, JournalHeat
 from babbitt.film.model import Cavitation, FilmStart, JournalFilm, Land, Pocket, Resolution, grooved_bore
+from babbitt.film.piezoviscosity import Barus
 from babbitt.film.solve import solve_journal
 from babbitt.film.thermal import solve_thermal_journal, thermal_film_at
 from babbitt.film.turbulence import NG_PAN, FilmTurbulence
@@ -182,8 +183,20 @@ def test_turbulence_heats_more_and_still_closes_the_balance():
     stirred = replace(fast, turbulence=FilmTurbulence(NG_PAN, 860.0, 200.0, 400.0))
     laminar, turbulent = (solve_thermal_journal(film, FULL, WEIGHT) for film in (fast, stirred))
     assert turbulent.film.outcome.solved
-    assert turbulent.heat.balance_error < 1e-7
+    assert turbulent.heat.balance_error < 1e-8
     assert turbulent.film.friction_torque > 1.1 * laminar.film.friction_torque
+
+
+def test_a_turbulent_film_below_its_onset_is_the_laminar_one():
+    far = replace(BEARING, turbulence=FilmTurbulence(NG_PAN, 860.0, 2e4, 4e4))
+    laminar, asked = (solve_thermal_journal(film, FULL, WEIGHT) for film in (BEARING, far))
+    assert asked.film.position == pytest.approx(laminar.film.position, rel=1e-6)
+    assert asked.maximum_temperature == pytest.approx(laminar.maximum_temperature, abs=1e-3)
+
+
+def test_viscosity_under_pressure_is_refused():
+    with pytest.raises(InputError, match="pressure_viscosity"):
+        solve_thermal_journal(replace(BEARING, pressure_viscosity=Barus(2e-8)), FULL, WEIGHT)
 
 
 def test_a_film_that_makes_oil_is_refused():

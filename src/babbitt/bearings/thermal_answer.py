@@ -139,7 +139,11 @@ def thermal_assumptions(case: FilmCase, flow: str) -> Iterator[str]:
     if heat.axial_temperature is AxialTemperature.MEAN and all(one.width is None for one in case.bearing.hollows):
         yield "One profile of temperature across the gap for the whole width."
     yield "Heat capacity, conductivity and density of the oil are those at the effective temperature."
-    yield "Grooves, pockets and holes mix fresh oil with what the film brings, completely."
+    yield "Grooves, pockets and holes mix fresh oil with what the film brings, completely" + (
+        "; all of it goes on, as far as the next film takes it."
+        if heat.carry_over == 1.0
+        else f"; {heat.carry_over:.0%} of it goes on, fresh oil replaces the rest (carry_over)."
+    )
     yield "Bush and journal expand freely, each by the mean temperature of its surface."
     yield from _wall_assumptions(heat)
     if heat.coefficients is TemperatureCoefficients.FROZEN:

@@ -195,6 +195,7 @@ def film_heat(case: FilmCase, heat_capacity: float, temperature: float) -> FilmH
         supply_temperature=case.oil_supply.temperature,
         walls=case.heat.walls,
         grid=HeatGrid(resolved=case.heat.axial_temperature is AxialTemperature.RESOLVED),
+        carry_over=case.heat.carry_over,
     )
 
 
