@@ -298,8 +298,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     "W148": Explanation(
         "Warm oil flows back into a supply",
         "A groove or pocket lies where the film has more pressure than the supply: the film presses warm oil back "
-        "into it, and the heat of that oil leaves through the supply. `outlet_temperature` is of the oil at the "
-        "sides only.",
+        "into it, and the heat of that oil (`heat_returned`) leaves through the supply. `outlet_temperature` is "
+        "that of the oil at the sides; `groove_returned_flows` and `groove_temperatures` tell of every supply.",
         "Move the groove or pocket out of the loaded zone, or count on warmer supply oil.",
     ),
     "W142": Explanation(

@@ -202,3 +202,37 @@ def test_viscosity_under_pressure_is_refused():
 def test_a_film_that_makes_oil_is_refused():
     with pytest.raises(InputError, match="from nowhere"):
         solve_thermal_journal(replace(BEARING, cavitation=Cavitation.REYNOLDS), FULL, WEIGHT)
+
+
+BACK = replace(BEARING, lands=grooved_bore((0.5 * math.pi, 4.2), 0.2, 1e5))  # the second groove carries load
+TWINS = replace(POCKETS, pockets=(Pocket(0.0, 0.35, 0.06, 0.06, pressure=5e4),
+                                  Pocket(0.0, 0.35, 0.06, -0.06, pressure=5e4),
+                                  Pocket(math.pi, 0.35, 0.2, pressure=5e4)))  # fmt: skip
+
+
+@pytest.mark.parametrize("share", [1.0, 0.5])
+@pytest.mark.parametrize("film", [
+    BEARING, POCKETS, TWINS, BACK, replace(BACK, angular_speed=-94.2478),
+    replace(BEARING, lands=grooved_bore((0.5 * math.pi,), 0.2, 2e5)),
+], ids=["dry", "pockets", "twins", "back", "reversed", "fed"])  # fmt: skip
+def test_oil_takes_what_leaves_by_the_sides_and_what_goes_back_into_supplies(film, share):
+    found = solve_thermal_journal(film, replace(ADIABATIC, carry_over=share), WEIGHT)
+    assert found.fresh_flow - found.returned_flow == pytest.approx(found.film.supply_flow, abs=1e-12)
+    assert (found.returned_flow >= 0.0).all()
+    by_sides = 1.72e6 * (found.film.end_flows.sum() + found.film.side_inflow) * (found.side_temperature - COLD)
+    assert by_sides + found.heat.returned == pytest.approx(found.heat.oil, rel=1e-10)
+    assert (found.heat.returned > 0.0) == (found.returned_flow.sum() > 0.0)
+    if film in (BACK, replace(BACK, angular_speed=-94.2478)):
+        assert found.returned_flow[found.film.supply_flow < 0.0].sum() > 1e-5
+
+
+def test_oil_that_goes_back_is_as_warm_as_its_groove():
+    found = solve_thermal_journal(BACK, ADIABATIC, WEIGHT)
+    (into,) = np.flatnonzero(found.film.supply_flow < 0.0)
+    heat = 1.72e6 * found.returned_flow[into] * (found.groove_temperatures[into] - COLD)
+    assert found.heat.returned == pytest.approx(heat, rel=1e-9)
+
+
+def test_both_of_two_holes_alike_are_told_warm():
+    found = solve_thermal_journal(TWINS, ADIABATIC, WEIGHT)
+    assert found.groove_temperatures[0] == found.groove_temperatures[1] > COLD + 5.0

@@ -33,6 +33,9 @@ __all__ = [
 BACK_FROM = 0.05
 """Oil that goes back into supplies, over what leaves by the sides, from which it is told."""
 
+NOTHING = 1e-6
+"""Oil that goes back into supplies, over what leaves by the sides, up to which it is left out."""
+
 OPEN_BALANCE = 1e-6
 """Share of the friction power from which a heat balance that does not close is told."""
 
@@ -65,6 +68,9 @@ def thermal_values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "heat_to_oil": thermal.heat.oil,
         "energy_balance_error": thermal.heat.balance_error,
     }
+    returned = float(thermal.returned_flow.sum())
+    if returned > NOTHING * thermal.film.leaving_flow:
+        values |= {"returned_flow": returned, "heat_returned": thermal.heat.returned}
     if case.heat is not None and case.heat.walls is not None:
         values |= {"heat_film_to_bush": thermal.heat.bush, "heat_film_to_journal": thermal.heat.journal}
     if thermal.axial_positions.size > 1:
@@ -73,9 +79,15 @@ def thermal_values(case: FilmCase, state: FilmState) -> dict[str, float]:
 
 
 def thermal_rows(case: FilmCase, thermal: ThermalFilm) -> dict[str, Matrix]:
-    """Mixing temperature of every groove, pocket and hole in the order of the case."""
-    numbers = supply_numbers(case, thermal.film.film)
-    return {"groove_temperatures": (tuple(float(thermal.groove_temperatures[number]) for number in numbers),)}
+    """Direction, flows and mixing temperature of every groove, pocket and hole in the order of the case."""
+    numbers = list(supply_numbers(case, thermal.film.film))
+    rows = {
+        "groove_angles": [hollow.angle for hollow in case.bearing.hollows],
+        "groove_fresh_flows": thermal.fresh_flow[numbers],
+        "groove_returned_flows": thermal.returned_flow[numbers],
+        "groove_temperatures": thermal.groove_temperatures[numbers],
+    }
+    return {name: (tuple(float(one) for one in row),) for name, row in rows.items()}
 
 
 def with_own_coefficients(case: FilmCase, state: FilmState) -> tuple[FilmState, bool]:
@@ -117,10 +129,14 @@ def doubts_about_heat(
             f"{coldest - 273.15:.0f} to {hottest - 273.15:.0f} °C",
         )
     film = state.thermal.film
-    back = -float(film.supply_flow[film.supply_flow < 0.0].sum())
+    into = film.supply_flow < 0.0
+    back = -float(film.supply_flow[into].sum())
     if back > BACK_FROM * film.leaving_flow:
-        warmest = max(float(one) for one in state.thermal.groove_temperatures[film.supply_flow < 0.0]) - 273.15
-        yield Notice("W148", f"{back * 6e4:.2g} L/min of oil at up to {warmest:.0f} °C")
+        warmest = float(state.thermal.groove_temperatures[into].max()) - 273.15
+        share = state.thermal.heat.returned / state.thermal.heat.oil
+        yield Notice(
+            "W148", f"{back * 6e4:.2g} L/min of oil at up to {warmest:.0f} °C, with {share:.0%} of the heat of the oil"
+        )
     if values["energy_balance_error"] > OPEN_BALANCE:
         yield Notice("W146", f"{values['energy_balance_error']:.2g} of the friction power is not accounted for")
     if not followed:

@@ -73,6 +73,8 @@ KEY_RESULTS = (
     "journal_temperature",
     "film_dissipation",
     "heat_to_oil",
+    "returned_flow",
+    "heat_returned",
     "heat_film_to_bush",
     "heat_film_to_journal",
     "energy_balance_error",
@@ -260,7 +262,24 @@ def _key_results(chapter: Chapter) -> list[Data]:
                     "unit": quantity.display.label,
                 }
             )
-    return rows + _recess_rows(result)
+    return rows + _supply_rows(result) + _recess_rows(result)
+
+
+def _supply_rows(result: Result) -> list[Data]:
+    """Fresh oil, oil that goes back and temperature of every supply of a film with its own temperatures."""
+    rows = []
+    names = {
+        "groove_fresh_flows": "fresh oil",
+        "groove_returned_flows": "oil that goes back",
+        "groove_temperatures": "mixing temperature",
+    }
+    for place, angle in enumerate(result.arrays.get("groove_angles", ((),))[0], start=1):
+        where = f"{QUANTITIES['groove_angles'].format(angle)} °"
+        for name, said in names.items():
+            value = result.arrays[name][0][place - 1]
+            if name != "groove_returned_flows" or value > 0.0:
+                rows.append(_single_row(name, f"Supply {place} at {where}, {said}", value, str(place)))
+    return rows
 
 
 def _recess_rows(result: Result) -> list[Data]:

@@ -47,10 +47,28 @@ def bearing_table(result: Result) -> RenderableType:
     return Group(
         heading,
         table,
+        *_supplies(result),
         *_recesses(result),
         *_frequencies(result),
         *([_checks(result.checks)] if result.checks else []),
     )
+
+
+def _supplies(result: Result) -> list[Table]:
+    """Flows and temperature of every groove, pocket and hole of a film with its own temperatures."""
+    names = ("groove_angles", "groove_fresh_flows", "groove_returned_flows", "groove_temperatures")
+    if not all(name in result.arrays and result.arrays[name][0] for name in names):
+        return []
+    table = engineers_table()
+    table.add_column("supply", justify="right")
+    for name, said in zip(names, ("at", "fresh oil", "goes back", "mixed at"), strict=True):
+        table.add_column(f"{said} {QUANTITIES[name].display.label}", justify="right", no_wrap=True)
+    columns = [result.arrays[name][0] for name in names]
+    for place, row in enumerate(zip(*columns, strict=True), start=1):
+        table.add_row(
+            str(place), *(QUANTITIES[name].format(value) for name, value in zip(names, row, strict=True))
+        )
+    return [table]
 
 
 def _recesses(result: Result) -> list[Table]:
