@@ -633,13 +633,16 @@ EXPLANATIONS: dict[str, Explanation] = {
     "S001": Explanation(
         "No film can carry the load",
         "At the coolest possible film, or on the way to the equilibrium temperature, the load asked for more than "
-        "the film carries at the largest eccentricity of the characteristics (0.99).",
+        "the film carries at the largest eccentricity of the characteristics (0.99). A film with its own "
+        "temperatures has closed at its thinnest place; the message tells the largest load with a film.",
         "A wider or larger bearing, a more viscous or cooler oil, a smaller clearance, more speed, or less load.",
     ),
     "S002": Explanation(
         "Thermal runaway",
-        "The friction heat exceeds what oil and housing carry away at every temperature up to 300 °C.",
-        "More oil, a cooler supply, a larger clearance, or a cooling surface.",
+        "The friction heat exceeds what oil and housing carry away at every temperature up to 300 °C. In a film "
+        "with its own temperatures: some place, mostly the thinnest, would be hotter than that; the message tells the "
+        "largest load with a cooler film.",
+        "More oil, a cooler supply, a larger clearance, less load, or a cooling surface.",
     ),
     "S003": Explanation(
         "The clearance closes",
@@ -648,9 +651,11 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "S004": Explanation(
         "Not converged",
-        "The iteration used up its steps without meeting its tolerance; the last state is no operating point.",
-        "Move supplies out of the loaded zone and try another accuracy; a bore that gives way by far more than "
-        "the film is thick may be too soft for this load; if the bearing is an ordinary one, report the case to "
+        "The iteration used up its steps without meeting its tolerance; the last state is no operating point. A "
+        "film with its own temperatures mostly ends so near the largest load that it carries; the message tells the "
+        "largest load with a film.",
+        "Less load; move supplies out of the loaded zone and try another accuracy; a bore that gives way by far more "
+        "than the film is thick may be too soft for this load; if the bearing is an ordinary one, report the case to "
         "the developers.",
     ),
     "S005": Explanation(

@@ -12,12 +12,16 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class DisplayUnit:
-    """How an SI value is shown: ``shown = si * scale + offset``, in tables with a fixed number of decimals."""
+    """How an SI value is shown: ``shown = si * scale + offset``, in tables with a fixed number of decimals.
+
+    What is not larger than `nothing`, in the unit shown, is the round-off of a balance and shown as 0.
+    """
 
     label: str
     scale: float = 1.0
     offset: float = 0.0
     decimals: int = 3
+    nothing: float = 0.0
 
 
 SI = {
@@ -33,8 +37,8 @@ SI = {
     "deg": DisplayUnit("°", 57.29577951308232, decimals=1),
     "kN": DisplayUnit("kN", 1e-3, decimals=2),
     "Nm": DisplayUnit("N m", decimals=2),
-    "kW": DisplayUnit("kW", 1e-3, decimals=2),
-    "L/min": DisplayUnit("L/min", 6e4, decimals=1),
+    "kW": DisplayUnit("kW", 1e-3, decimals=2, nothing=1e-7),
+    "L/min": DisplayUnit("L/min", 6e4, decimals=1, nothing=1e-9),
     "mPas": DisplayUnit("mPa s", 1e3, decimals=2),
     "mm2/s": DisplayUnit("mm²/s", 1e6, decimals=2),
     "m/s": DisplayUnit("m/s", decimals=2),
@@ -107,9 +111,11 @@ class Quantity:
         >>> film, power = QUANTITIES["minimum_film_thickness"], QUANTITIES["friction_power"]
         >>> film.format(52.34e-6), power.format(28503.0), power.format(141.8)
         ('52.3', '28.50', '0.142')
+        >>> power.format(-9.6e-7)
+        '0'
         """
         shown, decimals = self.shown(value), self.display.decimals
-        if shown == 0.0 and not self.display.offset:
+        if abs(shown) <= self.display.nothing and not self.display.offset:
             return "0"
         size = abs(shown)
         if not self.display.offset and round(size, LEAST_DIGITS) < 1.0:
@@ -209,6 +215,22 @@ QUANTITIES: dict[str, Quantity] = {
         _q("heat_returned", "P_b", "W", "kW", 4, "Heat that goes back into supplies, part of P_oil"),
         _q("mean_bush_temperature", "T_B,m", "K", "degC", 3, "Mean temperature of the bore"),
         _q("maximum_bush_temperature", "T_B,max", "K", "degC", 4, "Maximum temperature of the bush"),
+        _q(
+            "mean_wall_temperature",
+            "T_w,m",
+            "K",
+            "degC",
+            3,
+            "Mean temperature of the film at the wall of the bore",
+        ),
+        _q(
+            "maximum_wall_temperature",
+            "T_w,max",
+            "K",
+            "degC",
+            4,
+            "Highest film temperature at the wall of the bore",
+        ),
         _q("journal_temperature", "T_J", "K", "degC", 4, "Journal temperature"),
         _q("film_dissipation", "P_d", "W", "kW", 4, "Heat born in the film: friction power and pumping power"),
         _q("heat_film_to_bush", "P_fB", "W", "kW", 4, "Heat from film to bush"),

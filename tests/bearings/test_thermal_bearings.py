@@ -1,11 +1,13 @@
 """Bearings whose film has its own temperatures, from the case to the answer."""
 
+import io
 import math
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from rich.console import Console
 
 from babbitt.bearings.check import film_check
 from babbitt.bearings.field import field_of
@@ -14,6 +16,8 @@ from babbitt.bearings.temperature_field import bush_temperature, centre_line, te
 from babbitt.bearings.thermal_film import thermal_operating_film
 from babbitt.cases import design_cases, parse_case
 from babbitt.fits import operating_relative_clearance
+from babbitt.quantities import QUANTITIES
+from babbitt.report.bearing_table import bearing_table
 from babbitt.results import Outcome
 from babbitt.studies.comparison import compare_methods
 from babbitt.studies.temperature_cost import cost_of_one_temperature
@@ -141,8 +145,36 @@ def test_a_film_hotter_than_oil_can_be_is_a_runaway():
     thin = TEXT.replace("speed: 3000 rpm", "speed: 60 rpm").replace("12 kN", "80 kN").replace("full", "adiabatic")
     thin = thin.replace(thin[thin.index("walls:") : thin.index("load:")], "")
     found = film_check(design(thin))
-    assert found.outcome in (Outcome.THERMAL_RUNAWAY, Outcome.OVERLOADED, Outcome.NOT_CONVERGED)
-    assert "Try:" in found.message
+    assert found.outcome is Outcome.THERMAL_RUNAWAY
+    assert "under 80 kN would be hotter than 300 °C somewhere" in found.message
+    assert "The largest load with a film was about" in found.message
+    assert "Try: `thermal: full`" in found.message
+    # the values are those of that last film: nearly as hot as oil can be, under less than the load
+    assert found.load < 80e3
+    assert found.maximum_temperature < 573.15
+    again = film_check(design(thin.replace("80 kN", f"{found.load} N")))
+    assert again.outcome.solved
+    assert again.maximum_temperature == pytest.approx(found.maximum_temperature, abs=25.0)  # its clearance grows
+
+
+@pytest.mark.parametrize(("load", "speed", "outcome", "words"), [
+    ("5000 kN", "1000 rpm", Outcome.OVERLOADED, "its thinnest place closes"),
+    ("80 kN", "10 rpm", Outcome.NOT_CONVERGED, "did not come to rest together"),
+])  # fmt: skip
+def test_a_load_above_capacity_tells_the_largest_load_with_a_film(load, speed, outcome, words):
+    bare = TEXT.replace(TEXT[TEXT.index("walls:") : TEXT.index("load:")], "")
+    found = film_check(design(bare.replace("12 kN", load).replace("3000 rpm", speed)))
+    assert found.outcome is outcome
+    assert words in found.message
+    assert "less load" in found.message
+    assert 0.2 * float(load.split()[0]) < found.load / 1e3 < float(load.split()[0])
+    assert found.checks == ()
+
+
+def test_nothing_is_printed_of_the_round_off_of_a_balance():
+    for name in ("heat_film_to_journal", "heat_to_oil", "friction_power"):
+        assert QUANTITIES[name].format(-3e-7) == "0"
+        assert QUANTITIES[name].format(0.02) != "0"
 
 
 def test_the_temperature_of_the_bush_meets_the_film_and_falls_outwards(full):
@@ -189,7 +221,8 @@ def test_comparison_tells_what_one_temperature_costs():
 
 def test_adiabatic_walls_take_nothing():
     adiabatic = film_check(replace(design(), heat=HeatModel()))
-    assert "heat_film_to_bush" not in adiabatic.values
+    assert not [name for name in adiabatic.values if "bush" in name]
+    assert adiabatic.mean_wall_temperature < adiabatic.maximum_wall_temperature <= adiabatic.maximum_temperature
     assert adiabatic.heat_to_oil == pytest.approx(adiabatic.film_dissipation, rel=1e-8)
 
 
@@ -223,6 +256,24 @@ def test_a_slow_film_is_laminar_whatever_is_asked(full):
     assert asked.turbulent_share == 0.0
     assert asked.minimum_film_thickness == pytest.approx(laminar.minimum_film_thickness, rel=1e-5)
     assert asked.maximum_temperature == pytest.approx(laminar.maximum_temperature, abs=1e-2)
+
+
+def test_every_supply_is_told_in_the_table(full):
+    _, result, _ = full
+    fresh, back, mixed = (
+        result.arrays[f"groove_{one}"][0] for one in ("fresh_flows", "returned_flows", "temperatures")
+    )
+    assert sum(fresh) - sum(back) == pytest.approx(result.total_flow, rel=1e-9)
+    carried = result.volumetric_heat_capacity * result.total_flow
+    carried *= result.outlet_temperature - result.supply_temperature
+    assert carried + result.values.get("heat_returned", 0.0) == pytest.approx(result.heat_to_oil, rel=1e-8)
+    console = Console(width=140, file=io.StringIO())
+    console.print(bearing_table(result))
+    said = console.file.getvalue()
+    lines = [line.split() for line in said.splitlines() if len(line.split()) == 5 and line.split()[0] in "12"]
+    assert [line[1] for line in lines] == ["0", "180.0"]
+    assert [float(line[4]) for line in lines] == pytest.approx([one - 273.15 for one in mixed], abs=0.051)
+    assert [float(line[2]) for line in lines] == pytest.approx([6e4 * one for one in fresh], abs=0.051)
 
 
 def test_carry_over_lies_between_fresh_oil_and_all_the_hot_oil(full):

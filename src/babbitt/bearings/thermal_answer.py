@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -53,6 +53,8 @@ def thermal_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     assert thermal is not None
     assert supply is not None
     angle, place = thermal.hot_spot
+    conducting = case.heat is not None and case.heat.walls is not None
+    wall = "bush" if conducting else "wall"  # an adiabatic film has no bush, only a wall that it touches
     values = {
         "effective_temperature": state.temperature,
         "supply_temperature": supply.temperature,
@@ -61,8 +63,8 @@ def thermal_values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "maximum_temperature": thermal.maximum_temperature,
         "hot_spot_angle": math.pi - (math.pi - angle) % (2.0 * math.pi),
         "groove_temperature": float(thermal.groove_temperatures.max()),
-        "mean_bush_temperature": thermal.mean_bush_temperature,
-        "maximum_bush_temperature": float(thermal.bush_temperature.max()),
+        f"mean_{wall}_temperature": thermal.mean_bush_temperature,
+        f"maximum_{wall}_temperature": float(thermal.bush_temperature.max()),
         "journal_temperature": thermal.journal_temperature,
         "film_dissipation": thermal.heat.dissipation,
         "heat_to_oil": thermal.heat.oil,
@@ -71,7 +73,7 @@ def thermal_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     returned = float(thermal.returned_flow.sum())
     if returned > NOTHING * thermal.film.leaving_flow:
         values |= {"returned_flow": returned, "heat_returned": thermal.heat.returned}
-    if case.heat is not None and case.heat.walls is not None:
+    if conducting:
         values |= {"heat_film_to_bush": thermal.heat.bush, "heat_film_to_journal": thermal.heat.journal}
     if thermal.axial_positions.size > 1:
         values["hot_spot_position"] = place
@@ -81,7 +83,7 @@ def thermal_values(case: FilmCase, state: FilmState) -> dict[str, float]:
 def thermal_rows(case: FilmCase, thermal: ThermalFilm) -> dict[str, Matrix]:
     """Direction, flows and mixing temperature of every groove, pocket and hole in the order of the case."""
     numbers = list(supply_numbers(case, thermal.film.film))
-    rows = {
+    rows: dict[str, Iterable[float]] = {
         "groove_angles": [hollow.angle for hollow in case.bearing.hollows],
         "groove_fresh_flows": thermal.fresh_flow[numbers],
         "groove_returned_flows": thermal.returned_flow[numbers],
@@ -135,7 +137,8 @@ def doubts_about_heat(
         warmest = float(state.thermal.groove_temperatures[into].max()) - 273.15
         share = state.thermal.heat.returned / state.thermal.heat.oil
         yield Notice(
-            "W148", f"{back * 6e4:.2g} L/min of oil at up to {warmest:.0f} °C, with {share:.0%} of the heat of the oil"
+            "W148",
+            f"{back * 6e4:.2g} L/min of oil at up to {warmest:.0f} °C, with {share:.0%} of the heat of the oil",
         )
     if values["energy_balance_error"] > OPEN_BALANCE:
         yield Notice("W146", f"{values['energy_balance_error']:.2g} of the friction power is not accounted for")

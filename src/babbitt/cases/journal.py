@@ -210,9 +210,9 @@ class JournalBearing(Duty, SharedInputs):
     )
     carry_over: CarryOverGiven = Field(
         1.0,
-        description="Hot oil carry-over of an adiabatic or full film: share, 0 to 1, of the oil that the film brings "
-        "to a groove, pocket or hole and that goes on with the next film; fresh oil flushes out the rest. 1 where "
-        "the next film takes all of it that it can: the hottest.",
+        description="Hot oil carry-over of an adiabatic or full film: share, 0 to 1, of the oil that the film "
+        "brings to a groove, pocket or hole and that goes on with the next film; fresh oil flushes out the rest. "
+        "1 where the next film takes all of it that it can: the hottest.",
     )
     temperature_coefficients: CoefficientsGiven = Field(
         "frozen",

@@ -105,7 +105,9 @@ def solve_thermal_journal(
         raise InputError("E101", f"cavitation is {film.cavitation.name.lower()}; oil that comes from nowhere, "
                          "where a film forms anew, has no temperature. Choose mass_conserving.")  # fmt: skip
     if film.pressure_viscosity is not None:
-        raise InputError("E101", "pressure_viscosity is given; a film with its own temperatures does not count it.")
+        raise InputError(
+            "E101", "pressure_viscosity is given; a film with its own temperatures does not count it."
+        )
     if film.angular_speed == 0.0:
         raise InputError("E101", "angular_speed is zero; a film at rest makes no heat and carries no steady load.")
     scales = Scales.of(film, abs(film.angular_speed))

@@ -149,7 +149,9 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
         layers=0.5 * (edges[1:] + edges[:-1]),
         temperature=warm.temperature.copy(),
         supply_temperature=cold,
-        side_temperature=cold + (over_sides + back - returned) * scales.flow / (unit * sides) if sides > 0.0 else cold,
+        side_temperature=cold + (over_sides + back - returned) * scales.flow / (unit * sides)
+        if sides > 0.0
+        else cold,
         groove_temperatures=exchange.temperature[list(order)],
         fresh_flow=exchange.fresh[list(order)] * scales.flow,
         returned_flow=exchange.warm[list(order)] * exchange.back[list(order)] * scales.flow,

@@ -70,6 +70,8 @@ KEY_RESULTS = (
     "groove_temperature",
     "mean_bush_temperature",
     "maximum_bush_temperature",
+    "mean_wall_temperature",
+    "maximum_wall_temperature",
     "journal_temperature",
     "film_dissipation",
     "heat_to_oil",

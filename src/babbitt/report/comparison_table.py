@@ -24,6 +24,7 @@ COMPARED = (
     "outlet_temperature",
     "maximum_temperature",
     "maximum_bush_temperature",
+    "maximum_wall_temperature",
     "journal_temperature",
     "bearing_temperature",
     "friction_power",

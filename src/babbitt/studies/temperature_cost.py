@@ -48,10 +48,11 @@ def _said(label: str, plain: Result, fullest: str, full: Result) -> str:
         f"{'less' if less < 0.0 else 'more'} power"
     )
     known = "outlet_temperature" if "outlet_temperature" in plain.values else "effective_temperature"
+    place = "bush" if "maximum_bush_temperature" in full.values else "film"
     hottest = full.values.get("maximum_bush_temperature", full.maximum_temperature)
     apart = hottest - plain.values[known]
     said = "outlet" if known == "outlet_temperature" else "effective temperature"
     return (
-        f"{words}; its bush reaches {hottest - ZERO_CELSIUS:.0f} °C, {abs(apart):.0f} K "
+        f"{words}; its {place} reaches {hottest - ZERO_CELSIUS:.0f} °C, {abs(apart):.0f} K "
         f"{'above' if apart > 0.0 else 'below'} the {said} that {label} tells."
     )
