@@ -398,6 +398,13 @@ EXPLANATIONS: dict[str, Explanation] = {
         "no width at all. That is no benefit of the groove.",
         "Compare with the ungrooved film cut at the same angle.",
     ),
+    "W157": Explanation(
+        "Groove behind the loaded film",
+        "The groove lies where the film has already broken, or widens from the groove on: the film behind it "
+        "carries nothing and makes no heat, so that `outlet_temperature` is merely that of the oil in the groove. "
+        "The oil that the loaded film warms is told as `segment_1_outlet_temperature`; limits hold for that.",
+        "Leave the groove out, or place it before the narrowest gap.",
+    ),
     # -- doubts about footsteps ---------------------------------------------------------------------------------
     "W160": Explanation(
         "Steady state not stable",
@@ -640,8 +647,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     "S002": Explanation(
         "Thermal runaway",
         "The friction heat exceeds what oil and housing carry away at every temperature up to 300 °C. In a film "
-        "with its own temperatures: some place, mostly the thinnest, would be hotter than that; the message tells the "
-        "largest load with a cooler film.",
+        "with its own temperatures: some place, mostly the thinnest, would be hotter than that; the message tells "
+        "the largest load with a cooler film.",
         "More oil, a cooler supply, a larger clearance, less load, or a cooling surface.",
     ),
     "S003": Explanation(
@@ -652,11 +659,11 @@ EXPLANATIONS: dict[str, Explanation] = {
     "S004": Explanation(
         "Not converged",
         "The iteration used up its steps without meeting its tolerance; the last state is no operating point. A "
-        "film with its own temperatures mostly ends so near the largest load that it carries; the message tells the "
-        "largest load with a film.",
-        "Less load; move supplies out of the loaded zone and try another accuracy; a bore that gives way by far more "
-        "than the film is thick may be too soft for this load; if the bearing is an ordinary one, report the case to "
-        "the developers.",
+        "film with its own temperatures mostly ends so near the largest load that it carries; the message tells "
+        "the largest load with a film.",
+        "Less load; move supplies out of the loaded zone and try another accuracy; a bore that gives way by far "
+        "more than the film is thick may be too soft for this load; if the bearing is an ordinary one, report the "
+        "case to the developers.",
     ),
     "S005": Explanation(
         "Lubricant data end",

@@ -399,6 +399,7 @@ QUANTITIES: dict[str, Quantity] = {
         _q("mean_temperature_load_ratio", "F/F_m", "1", "", 3, "Load over that of one mean temperature"),
         _q("mean_temperature_outlet", "T_ex,m", "K", "degC", 4, "Outlet temperature by one mean temperature"),
         _q("film_angle", "θ", "rad", "deg", 4, "Angle from the widest gap in the direction of rotation"),
+        _q("film_direction", "φ", "rad", "deg", 4, "Direction of the same place, counter-clockwise from +x"),
         _q("film_thickness", "h", "m", "um", 4, "Film thickness over the angle"),
         _q("film_pressure", "p", "Pa", "MPa", 4, "Film pressure over the angle"),
         _q("film_temperature", "T", "K", "degC", 4, "Film temperature over the angle"),

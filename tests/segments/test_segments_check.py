@@ -217,3 +217,24 @@ def test_exponent_of_no_oil():
 def test_groove_in_the_file_may_be_none():
     result = babbitt.solve(parse_case(TEXT + "specific_load: 4 MPa\nsegments: {groove: {kind: none}}")).results[0]
     assert result.settings["groove"] == "none"
+
+
+def test_a_groove_behind_the_loaded_film_is_told_and_limits_hold_for_the_loaded_one():
+    late = replace(GROOVED, groove=replace(GOOD.groove, angle=math.radians(230.0)))
+    result = segments_check(late)
+    assert result.outlet_temperature == pytest.approx(result.supply_temperature)
+    assert "W157" in codes(result)
+    assert "W157" not in codes(segments_check(GROOVED))
+    (limit,) = (check for check in result.checks if check.code == "C104")
+    assert limit.quantity == "maximum_temperature"
+    assert limit.value == result.segment_1_outlet_temperature > result.supply_temperature + 20.0
+    # as hot as the ungrooved film, which ends before the groove begins
+    assert limit.value == pytest.approx(segments_check(PLAIN).outlet_temperature, abs=0.5)
+
+
+def test_reversed_rotation_mirrors_the_segments():
+    there, back = (segments_check(replace(GROOVED, journal_speed=speed)) for speed in (200.0, -200.0))
+    assert (there.angular_speed, back.angular_speed) == (200.0, -200.0)
+    assert math.cos(back.narrowest_gap_angle) == pytest.approx(-math.cos(there.narrowest_gap_angle))
+    assert math.sin(back.narrowest_gap_angle) == pytest.approx(math.sin(there.narrowest_gap_angle))
+    assert back.outlet_temperature == there.outlet_temperature

@@ -58,6 +58,13 @@ def _doubts_about_groove(case: SegmentCase, state: SegmentFilmState, plain: Besi
             f"{_celsius(ungrooved.outlet_temperature)} °C without; eccentricity {state.eccentricity_ratio:.3f} "
             f"instead of {ungrooved.eccentricity_ratio:.3f}",
         )
+    if state.segments[-1].friction_power == 0.0:
+        first = state.segments[0]
+        yield Notice(
+            "W157",
+            f"no load behind the groove; the loaded film ends at {math.degrees(first.segment.end):.0f}° with "
+            f"{_celsius(first.outlet_temperature)} °C",
+        )
     if state.short_of_oil:
         yield Notice("W154", "more oil could leave the blind groove than enters it; its pressure was taken as 0")
     elif case.groove is not None and case.groove.kind is GrooveKind.BLIND and plain.same_gap is not None:
