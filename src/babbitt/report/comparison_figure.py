@@ -71,6 +71,7 @@ def _bars(panel: Axes, variants: Sequence[Variant], name: str) -> None:
             panel.annotate(quantity.format(value), (length, place), xytext=(2, 0), textcoords="offset points",
                            fontsize=7, va="center", annotation_clip=False)  # fmt: skip
     panel.set_yticks(places, [one.label for one in variants])
+    panel.set_ylim(places[-1] - 0.5, places[0] + 0.5)  # a method that does not tell the quantity keeps its row
     panel.set_xlim(0.0, 1.28 * np.nanmax(shown))
     panel.set_xlabel(axis_label(quantity))
 
@@ -120,7 +121,7 @@ def _around(panel: Axes, variants: Sequence[Variant]) -> None:
     if field is not None:
         film_maps.degrees(panel, field)
     panel.set_xlabel("θ in °, counter-clockwise from $+x$")
-    panel.set_ylabel("$T$ in °C")
+    panel.set_ylabel("$T$ in °C, middle of the width")
     panel.legend(frameon=False, fontsize=7, ncols=3, loc="lower left", bbox_to_anchor=(0.0, 1.0), borderpad=0.0)
 
 
