@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 from rich.console import Console
 from rich.table import Table
@@ -116,18 +117,33 @@ def _table(title: Text, variants: Sequence[Variant]) -> Table:
     table.add_column("unit")
     for variant in variants:
         table.add_column(variant.label, justify="right")
+    for row in compared_rows(variants):
+        table.add_row(row.meaning, row.unit, *row.cells)
+    return table
+
+
+@dataclass(frozen=True)
+class Row:
+    """One quantity with its unit, as every method tells it."""
+
+    meaning: str
+    unit: str
+    cells: tuple[str, ...]
+
+
+def compared_rows(variants: Sequence[Variant]) -> Iterator[Row]:
+    """What is put side by side of some variants."""
     for name in _compared(variants):
         if not any(name in variant.result.values for variant in variants):
             continue
         quantity = QUANTITIES[name]
-        shown = [
+        cells = (
             quantity.format(variant.result.values[name])
             if name in variant.result.values and _counts(name, variant.result)
             else "–"
             for variant in variants
-        ]
-        table.add_row(f"{quantity.meaning}, {quantity.symbol}", quantity.display.label, *shown)
-    return table
+        )
+        yield Row(f"{quantity.meaning}, {quantity.symbol}", quantity.display.label, tuple(cells))
 
 
 def _counts(name: str, result: Result) -> bool:

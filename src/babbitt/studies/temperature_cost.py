@@ -38,11 +38,12 @@ def cost_of_one_temperature(comparison: Comparison) -> Iterator[str]:
 
 
 def _said(label: str, plain: Result, fullest: str, full: Result) -> str:
+    whom = "the film of one temperature" if label == "film" else label
     thin = full.minimum_film_thickness / plain.minimum_film_thickness - 1.0
     less = full.friction_power / plain.friction_power - 1.0
     film = QUANTITIES["minimum_film_thickness"]
     words = (
-        f"Against {label} the {fullest} is {abs(thin):.0%} {'thinner' if thin < 0.0 else 'thicker'} at its "
+        f"Against {whom} the {fullest} is {abs(thin):.0%} {'thinner' if thin < 0.0 else 'thicker'} at its "
         f"thinnest ({film.format(full.minimum_film_thickness)} instead of "
         f"{film.format(plain.minimum_film_thickness)} µm) and takes {abs(less):.0%} "
         f"{'less' if less < 0.0 else 'more'} power"
@@ -54,5 +55,5 @@ def _said(label: str, plain: Result, fullest: str, full: Result) -> str:
     said = "outlet" if known == "outlet_temperature" else "effective temperature"
     return (
         f"{words}; its {place} reaches {hottest - ZERO_CELSIUS:.0f} °C, {abs(apart):.0f} K "
-        f"{'above' if apart > 0.0 else 'below'} the {said} that {label} tells."
+        f"{'above' if apart > 0.0 else 'below'} the {said} that {whom} tells."
     )
