@@ -128,6 +128,12 @@ def test_temperatures_that_follow_soften_or_stiffen_but_keep_the_sign(full):
     assert np.abs(moving - frozen).max() < 0.5 * np.abs(frozen).max()
     assert found.stiffness_yy == pytest.approx(moving[1, 1])
     assert any("(following)" in said for said in found.assumptions)
+    assert (found.settings["stiffness_temperatures"], found.settings["damping_temperatures"]) == (
+        "following",
+        "frozen",
+    )
+    assert result.settings["stiffness_temperatures"] == "frozen"
+    assert np.array(found.damping) == pytest.approx(np.array(result.damping), rel=1e-12)
     assert any("(frozen)" in said for said in result.assumptions)
 
 

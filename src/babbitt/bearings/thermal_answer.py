@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from babbitt.film.thermal_solution import ThermalFilm
 
 __all__ = [
+    "coefficient_settings",
     "doubts_about_heat",
     "flow_without_pressure",
     "stiffness_values",
@@ -45,6 +46,15 @@ def thermal_setting(case: FilmCase) -> str:
     if case.heat is not None:
         return case.heat.name
     return "isothermal" if case.effective_temperature is not None else "global"
+
+
+def coefficient_settings(heat: HeatModel) -> dict[str, str]:
+    """Which temperatures stiffness and damping stand for: the damping is always that of frozen ones."""
+    return {
+        "stiffness_temperatures": heat.coefficients.value,
+        "damping_temperatures": TemperatureCoefficients.FROZEN.value,
+        "carry_over": f"{heat.carry_over:g}",
+    }
 
 
 def thermal_values(case: FilmCase, state: FilmState) -> dict[str, float]:

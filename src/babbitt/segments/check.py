@@ -238,6 +238,10 @@ def _failure(case: SegmentCase, outcome: Outcome, capacity: float | None, state:
             f"after {state.iterations} iterations temperatures still changed by {warm:.3g} K, the wall by "
             f"{bent * 1e6:.3g} µm"
         )
+    elif outcome is Outcome.NO_LUBRICANT_DATA:
+        supplied = case.oil_supply.temperature - 273.15
+        reached = f"leaves the temperatures that the laws of {case.lubricant.name} reach"
+        far = f"the film, supplied at {supplied:.0f} °C, {reached}"
     elif outcome is Outcome.NOT_CONVERGED:
         far = "the film has no point of rupture, or no oil flows through it"
     remedy = EXPLANATIONS[outcome.code].remedy

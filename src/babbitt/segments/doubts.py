@@ -36,7 +36,8 @@ def doubts(
         yield Notice("W151", f"c/R = {case.film.clearance / case.film.radius:.3g} > {THICK_FROM:g}")
     if plain is not None:
         yield from _doubts_about_groove(case, state, plain)
-    yield from _doubts_about_temperature(case, state)
+    outside = list(_doubts_about_temperature(case, state))
+    yield from outside
     if case.bearing.roughness is not None:
         combined = math.hypot(*case.bearing.roughness)
         if values["minimum_film_thickness"] < ROUGHNESS_FACTOR * combined:
@@ -45,7 +46,8 @@ def doubts(
                 f"h_min = {values['minimum_film_thickness'] * 1e6:.3g} µm < {ROUGHNESS_FACTOR:g} x "
                 f"{combined * 1e6:.3g} µm",
             )
-    yield from doubts_about_film(case, values)
+    told = {notice.code for notice in outside}
+    yield from (notice for notice in doubts_about_film(case, values) if notice.code not in told)
     yield from doubts_about_running(case, values, checks)
 
 
