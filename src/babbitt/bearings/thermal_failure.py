@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from babbitt.bearings.model import FilmCase
+from babbitt.bearings.model import Accuracy, FilmCase
 from babbitt.bearings.warm_film import FilmState
 from babbitt.design.conditions import GivenLoad
 from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
@@ -14,14 +14,16 @@ from babbitt.results import Outcome
 
 __all__ = ["last_film", "thermal_failure"]
 
-HALVINGS, BISECTIONS = 10, 4
+HALVINGS, BISECTIONS = 10, 3
 """Of the load until a film is found, and then between the last two."""
 
 ZERO_CELSIUS = 273.15
 
 
 def last_film(case: FilmCase, film_at: Callable[[FilmCase], FilmState]) -> FilmState | None:
-    """Film under the largest load, to a few percent, below one that has none; None where there is none at all.
+    """Film under the largest load, to some percent, below one that has none; None where there is none at all.
+
+    On a draft grid: it only tells how far the bearing is from carrying its load.
 
     Parameters
     ----------
@@ -36,7 +38,7 @@ def last_film(case: FilmCase, film_at: Callable[[FilmCase], FilmState]) -> FilmS
 
     def under(share: float) -> FilmState | None:
         try:
-            return film_at(replace(case, duty=GivenLoad(share * whole)))
+            return film_at(replace(case, duty=GivenLoad(share * whole), accuracy=Accuracy.DRAFT))
         except NoFilmError:
             return None
 
