@@ -130,11 +130,13 @@ def pump_flow(case: HydrostaticCase, found: Answer) -> float:
 
 def reynolds(case: HydrostaticCase, found: Answer) -> dict[str, float]:
     """Reynolds numbers of film and recess, where something moves."""
-    speed = case.surface_speed
-    if speed == 0.0:
+    if case.surface_speed == 0.0:
         return {}
-    scale = case.oil.density * speed / case.oil.viscosity
-    return {"film_reynolds_number": scale * mean_gap(found), "recess_reynolds_number": scale * case.recesses.depth}
+    scale = case.oil.density / case.oil.viscosity
+    return {
+        "film_reynolds_number": scale * case.surface_speed * mean_gap(found),
+        "recess_reynolds_number": scale * case.recess_speed * case.recesses.depth,
+    }
 
 
 def arrays(case: HydrostaticCase, found: Answer) -> dict[str, Matrix]:
