@@ -261,3 +261,21 @@ def test_jacking_doubts_and_refusals():
                            ({"load": 0.0}, "load")):  # fmt: skip
         with pytest.raises(InputError, match=words):
             jacking(**changes)
+
+
+@pytest.mark.parametrize(
+    ("made", "share"),
+    [
+        (pad_case(), 0.5),
+        (pad_case(Capillary(0.8e-3, 0.06, 0.03, 4), 20e3, "quick", ANNULAR, 3e6), 0.85),
+        (case(RING, Duty(25e3, angular_speed=100.0), "quick", "hydrostatic_thrust_ring", RING_FEEDING), 0.85),
+        (case(method="quick"), 1.0),
+        (case(RectangularPad(0.2, 0.1, 0.16, 0.06), Duty(20e3, sliding_speed=0.5), "quick", "hydrostatic_pad",
+              Feeding((Capillary(0.8e-3, 0.06, 0.03),), FixedPressure(3e6))), 1.0),
+    ],
+)  # fmt: skip
+def test_a_recess_moves_no_faster_than_its_outer_edge(made, share):
+    """Recess radii 25 of 50 mm and 85 of 100 mm; Reynolds number rho U depth/mu with the speed of that edge."""
+    assert made.recess_speed == pytest.approx(share * made.surface_speed, rel=1e-12)
+    found = hydrostatic_check(made).recess_reynolds_number
+    assert found == pytest.approx(870.0 * made.recess_speed * 1e-3 / made.oil.viscosity, rel=1e-12)
