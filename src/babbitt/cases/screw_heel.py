@@ -91,8 +91,8 @@ class ScrewHeelCase(CaseFile):
     def _supply_above_ambient(self) -> Iterator[Complaint]:
         if self.pressures == "absolute" and not self.supply_pressure > self.ambient_pressure:
             says = (
-                f"the supply, {written(self.supply_pressure, 'Pa')} absolute, is not above ambient, "
-                f"{written(self.ambient_pressure, 'Pa')}"
+                f"the supply, {written(self.supply_pressure, 'MPa')} absolute, is not above ambient, "
+                f"{written(self.ambient_pressure, 'MPa')}"
             )
             yield Complaint(("supply_pressure",), says, "more than ambient_pressure", "write pressures: gauge")
 
