@@ -279,3 +279,27 @@ def test_a_recess_moves_no_faster_than_its_outer_edge(made, share):
     assert made.recess_speed == pytest.approx(share * made.surface_speed, rel=1e-12)
     found = hydrostatic_check(made).recess_reynolds_number
     assert found == pytest.approx(870.0 * made.recess_speed * 1e-3 / made.oil.viscosity, rel=1e-12)
+
+
+def test_comparison_leaves_out_what_does_not_reach():
+    text = template("hydrostatic_pad")
+    for old, new in (
+        ("pad: {kind: circular, diameter: 100 mm, recess_diameter: 50 mm}",
+         "pad: {kind: rectangular, length: 200 mm, width: 100 mm, recess_length: 130 mm, recess_width: 30 mm}"),
+        ("speed: 500 rpm ", "sliding_speed: 0.5 m/s "),
+    ):  # fmt: skip
+        assert old in text
+        text = text.replace(old, new)
+    (comparison,) = compare_methods(parse_case(text))
+    assert [variant.label for variant in comparison.variants] == ["film"]
+    assert "quick is left out: the shorter side" in comparison.left_out
+
+
+def test_pressure_around_the_bore_carries_what_strips_leave_out():
+    """Why the quick jacking result asks for more pressure: the film's area holds far beyond the pocket's chord."""
+    film, quick = (jacking_check(jacking(method=method)) for method in METHODS)
+    bearing = jacking().bearing
+    chord = 2.0 * bearing.radius * math.sin(0.5 * bearing.recess_extent)
+    assert quick.effective_area == pytest.approx(chord * 0.5 * (bearing.width + bearing.recess_length), rel=1e-12)
+    assert film.effective_area > 2.0 * quick.effective_area
+    assert quick.pocket_pressure > 2.0 * film.pocket_pressure

@@ -281,6 +281,20 @@ class HydrostaticPadCase(HydrostaticFile):
         if not rectangular and is_given(self, "sliding_speed"):
             yield Complaint(("sliding_speed",), "a round pad does not slide", "speed", "write speed")
 
+    @rule
+    def _closed_forms_reach(self) -> Iterator[Complaint]:
+        pad = self.pad
+        if self.method != "quick" or not isinstance(pad, RectangularGiven):
+            return
+        along, aside = 0.5 * (pad.length - pad.recess_length), 0.5 * (pad.width - pad.recess_width)
+        shorter = min(pad.recess_length, pad.recess_width)
+        if math.isclose(along, aside, rel_tol=1e-6) and shorter < along:
+            says = (
+                f"the shorter side of the recess, {written(shorter, 'mm')}, is less than its land, "
+                f"{written(along, 'mm')}: the corners touch and the closed forms end"
+            )
+            yield Complaint(("method",), says, "method: film, or a larger recess")
+
     def shape(self) -> PadShape:
         """Give the shape of the calculation."""
         return self.pad.pad()
@@ -353,7 +367,9 @@ class HydrostaticThrustRingCase(HydrostaticFile):
                 f"a tilt of {1e3 * tilt:.4g} mm/m closes the gap of {written(self.gap, 'um')} on the outer edge at "
                 f"{where:.4g} deg"
             )
-            yield Complaint(("tilt",), says, f"less than {1e3 * self.gap / edge:.4g} mm/m in all", "or a wider gap")
+            yield Complaint(
+                ("tilt",), says, f"less than {1e3 * self.gap / edge:.4g} mm/m in all", "or a wider gap"
+            )
 
     @property
     def recess_count(self) -> int:

@@ -137,7 +137,8 @@ def _values(case: HeelCase, state: SteadyState) -> dict[str, float]:
         "rim_pressure": state.rim_pressure,
         "face_flow": state.face_flow,
         "heel_groove_flow": state.groove_flow if grooved else nan,
-        "heel_leakage": state.leakage,
+        "heel_leakage": state.leakage if both or not case.is_grooved else nan,
+        "heel_net_flow": state.leakage - state.groove_flow if grooved else state.leakage,
         "groove_outlet_temperature": state.groove_temperature,
         "face_outlet_temperature": state.face_temperature if both else nan,
         "face_film_temperature": nan if both else state.face_temperature,
@@ -240,8 +241,8 @@ def _doubts(case: HeelCase, state: SteadyState, values: dict[str, float]) -> Ite
     if rise > LUKEWARM:
         yield Notice(
             "W171",
-            f"{heat:.3g} W of the friction power, {state.friction_power:.3g} W, warm neither oil nor metal; carried "
-            f"off by the oil alone they would warm it by {rise:.0f} K",
+            f"{heat:.3g} W of friction and lost pressure warm neither oil nor metal; the oil alone would be warmed by "
+            f"{rise:.0f} K",
         )
     if case.is_grooved and "leak_factor" in values:
         yield Notice(

@@ -14,6 +14,7 @@ from rich.text import Text
 
 from babbitt.quantities import QUANTITIES
 from babbitt.report import verdict as judge
+from babbitt.report.meanings import meaning
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import Verdict
 from babbitt.results import Check, Result
@@ -43,7 +44,8 @@ def bearing_table(result: Result) -> RenderableType:
     for name, value in result.values.items():
         quantity = QUANTITIES.get(name)
         if quantity is not None and math.isfinite(value) and name != "wall_time":
-            table.add_row(quantity.meaning, quantity.symbol, quantity.format(value), quantity.display.label)
+            said = meaning(name, result.kind)
+            table.add_row(said, quantity.symbol, quantity.format(value), quantity.display.label)
     return Group(
         heading,
         table,

@@ -9,6 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 from babbitt.quantities import QUANTITIES
+from babbitt.report.meanings import meaning
 from babbitt.report.table import console
 from babbitt.report.text import plain_text
 from babbitt.results import Result
@@ -46,6 +47,7 @@ COMPARED_HEELS = (
     "rim_pressure",
     "face_flow",
     "heel_leakage",
+    "heel_net_flow",
     "maximum_temperature",
     "friction_power",
     "face_gap_stiffness",
@@ -125,7 +127,8 @@ def _table(title: Text, variants: Sequence[Variant]) -> Table:
             else "–"
             for variant in variants
         ]
-        table.add_row(f"{quantity.meaning}, {quantity.symbol}", quantity.display.label, *shown)
+        said = meaning(name, variants[0].result.kind)
+        table.add_row(f"{said}, {quantity.symbol}", quantity.display.label, *shown)
     return table
 
 
