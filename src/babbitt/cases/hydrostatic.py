@@ -364,8 +364,8 @@ class HydrostaticThrustRingCase(HydrostaticFile):
         if self.gap is not None and tilt * edge >= self.gap:
             where = math.degrees(math.atan2(-self.tilt[0], self.tilt[1]))
             says = (
-                f"a tilt of {1e3 * tilt:.4g} mm/m closes the gap of {written(self.gap, 'um')} on the outer edge at "
-                f"{where:.4g} deg"
+                f"a tilt of {1e3 * tilt:.4g} mm/m closes the gap of {written(self.gap, 'um')} on the outer "
+                f"edge at {where:.4g} deg"
             )
             yield Complaint(
                 ("tilt",), says, f"less than {1e3 * self.gap / edge:.4g} mm/m in all", "or a wider gap"

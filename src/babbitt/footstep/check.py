@@ -241,8 +241,8 @@ def _doubts(case: HeelCase, state: SteadyState, values: dict[str, float]) -> Ite
     if rise > LUKEWARM:
         yield Notice(
             "W171",
-            f"{heat:.3g} W of friction and lost pressure warm neither oil nor metal; the oil alone would be warmed by "
-            f"{rise:.0f} K",
+            f"{heat:.3g} W of friction and lost pressure warm neither oil nor metal; the oil alone would be "
+            f"warmed by {rise:.0f} K",
         )
     if case.is_grooved and "leak_factor" in values:
         yield Notice(

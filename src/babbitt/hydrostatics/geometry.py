@@ -172,8 +172,8 @@ class RecessedJournal:
         positive(diameter=self.diameter, width=self.width, clearance=self.clearance,
                  recess_length=self.recess_length)  # fmt: skip
         if not self.recess_length < self.width:
-            raise InputError("E101", f"recess_length is {1e3 * self.recess_length:.6g} mm; it must be less than the "
-                             f"width of the bearing, {1e3 * self.width:.6g} mm.")  # fmt: skip
+            raise InputError("E101", f"recess_length is {1e3 * self.recess_length:.6g} mm; it must be less than "
+                             f"the width of the bearing, {1e3 * self.width:.6g} mm.")  # fmt: skip
         if not 2.0 * self.clearance < self.diameter:
             raise InputError("E101", f"clearance is {1e3 * self.clearance:.6g} mm; it must be small against the "
                              f"diameter, {1e3 * self.diameter:.6g} mm.")  # fmt: skip

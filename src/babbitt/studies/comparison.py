@@ -139,9 +139,13 @@ JACKING_REMARKS = {
 def _hydrostatic(case: HydrostaticBearing) -> Comparison:
     design = case.design()
     remarks = JACKING_REMARKS if isinstance(design, JackingCase) else HYDROSTATIC_REMARKS
-    ordered = dict.fromkeys((design.method, *remarks))
-    found = [Variant(method, remarks[method], solve_design(replace(design, method=method))) for method in ordered]
-    return Comparison(design.name, tuple(found))
+    found, left_out = [Variant(design.method, remarks[design.method], solve_design(design))], ""
+    for other in remarks.keys() - {design.method}:
+        try:
+            found.append(Variant(other, remarks[other], solve_design(replace(design, method=other))))
+        except InputError as error:  # closed forms do not reach every shape
+            left_out = f"{other} is left out: {error.message}"
+    return Comparison(design.name, tuple(found), left_out)
 
 
 def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
