@@ -303,3 +303,11 @@ def test_pressure_around_the_bore_carries_what_strips_leave_out():
     assert quick.effective_area == pytest.approx(chord * 0.5 * (bearing.width + bearing.recess_length), rel=1e-12)
     assert film.effective_area > 2.0 * quick.effective_area
     assert quick.pocket_pressure > 2.0 * film.pocket_pressure
+
+
+def test_tilts_have_units_of_their_own():
+    from babbitt.report.bearing_table import matrix_unit
+
+    stiffness, damping = QUANTITIES["dynamic_stiffness"], QUANTITIES["dynamic_damping"]
+    assert (matrix_unit(stiffness, "_zz"), matrix_unit(stiffness, "_φx")) == ("MN/m", "MN m/rad")
+    assert (matrix_unit(damping, "_zz"), matrix_unit(damping, "_φy")) == ("kN s/m", "kN s m/rad")

@@ -56,7 +56,8 @@ class ScrewHeelCase(CaseFile):
     wall: WallPart | None = Field(None, description="Metal that takes heat from the films.")
     speed: Annotated[float, si("rad/s", "0.1 rpm", "1000000 rpm")] = Field(
         description="Speed of the screw, without a sign: it turns so that the groove drags oil from its outer end "
-        "to the rim. A groove of the other hand, or the other sense of rotation, drains the rim and is not computed."
+        "to the rim. A groove of the other hand, or the other sense of rotation, drains the rim and is not "
+        "computed."
     )
     supply_pressure: Annotated[float, si("Pa", "1 Pa", "500 MPa")] = Field(
         description="Pressure in the recess p2; absolute, or as `pressures` says."
