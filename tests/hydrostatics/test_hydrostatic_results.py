@@ -311,3 +311,25 @@ def test_tilts_have_units_of_their_own():
     stiffness, damping = QUANTITIES["dynamic_stiffness"], QUANTITIES["dynamic_damping"]
     assert (matrix_unit(stiffness, "_zz"), matrix_unit(stiffness, "_φx")) == ("MN/m", "MN m/rad")
     assert (matrix_unit(damping, "_zz"), matrix_unit(damping, "_φy")) == ("kN s/m", "kN s m/rad")
+
+
+def test_numbers_of_validity_are_told():
+    ring = hydrostatic_check(
+        case(RING, Duty(25e3, moments=(200.0, 0.0), angular_speed=100.0), "film", "hydrostatic_thrust_ring",
+             RING_FEEDING)
+    )  # fmt: skip
+    assert ring.edge_inertia == pytest.approx(
+        0.5 * 870.0 * (100.0 * 0.085) ** 2 / min(ring.arrays["recess_pressure"][0]), rel=1e-12
+    )
+    flow = max(ring.arrays["restrictor_flow"][0])
+    assert ring.restrictor_reynolds_number == pytest.approx(
+        4.0 * 870.0 * flow / (math.pi * 0.8e-3 * 0.02), rel=1e-12
+    )
+    tilts = np.array(ring.arrays["tilt_stiffness"])
+    assert tilts == pytest.approx(np.array(ring.arrays["runner_stiffness"])[1:, 1:], rel=1e-12)
+    assert np.linalg.eigvalsh(0.5 * (tilts + tilts.T)).min() == pytest.approx(ring.least_tilt_stiffness, rel=1e-12)
+    made = replace(pad_case(), oil=Oil(pad_case().oil.viscosity, 870.0, 2000.0))
+    result = hydrostatic_check(made)
+    best = result.least_power_viscosity / made.oil.viscosity
+    friction, pumping = result.friction_power * best, result.pumping_power / best
+    assert friction == pytest.approx(pumping, rel=1e-9)

@@ -25,7 +25,7 @@ from hypothesis import strategies as st
 from babbitt.film.recess import RecessFilm
 from babbitt.hydrostatics.closed_forms import lands_of
 from babbitt.hydrostatics.geometry import RectangularPad
-from babbitt.hydrostatics.impedance import Compressibility, impedance, static_coefficients
+from babbitt.hydrostatics.impedance import Compressibility, damping_loss, impedance, static_coefficients
 from babbitt.hydrostatics.lines import DRAFT, ENGINEERING, REFERENCE, Grid
 from babbitt.hydrostatics.lumped import centred_stiffness, journal_lumps, land_interaction, lumped_at
 from babbitt.hydrostatics.restrictors import Capillary, ConstantFlow
@@ -316,8 +316,14 @@ def test_lumped_lands_of_the_prototype(first, eps, load, flow):
 
 
 def test_interaction_softens_and_compressible_oil_undamps():
-    stiff = [centred_stiffness(journal(land=land), 5e6, 0.5) for land in (60.0, 30.0, 15.0)]
-    assert stiff[0] > stiff[1] > stiff[2]
+    bearings = [journal(land=land) for land in (60.0, 45.0, 30.0, 15.0, 8.0)]
+    assert (np.diff([land_interaction(bearing) for bearing in bearings]) > 0.0).all()
+    assert (np.diff([centred_stiffness(bearing, 5e6, 0.5) for bearing in bearings]) < 0.0).all()
+    state = state_at(journal_film(journal(), SPEED), feeding(), down(0.4), LOOSE)
+    volumes = (0.0, 1e-6, 3e-6, 1e-5, 1e-4)
+    losses = [damping_loss(state.response, state.network, Compressibility(volume, 1e9)) for volume in volumes]
+    assert losses[0] == 0.0
+    assert (np.diff(losses) > 0.0).all()
 
 
 def test_level_ring_forgets_the_speed():
