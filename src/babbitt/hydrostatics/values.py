@@ -131,7 +131,7 @@ def pump_flow(case: HydrostaticCase, found: Answer) -> float:
 
 
 def validity_numbers(case: HydrostaticCase, found: Answer) -> dict[str, float]:
-    """Reynolds numbers of capillaries and, where something moves, of film and recess; inertia at the recess edge."""
+    """Reynolds numbers of capillaries; where something moves, of film and recess, and the edge inertia."""
     named = {}
     pairs = zip(case.feeding.restrictors, found.network.flows, strict=True)
     laws = [(one.restrictor if isinstance(one, CheckValve) else one, float(flow)) for one, flow in pairs]
