@@ -116,7 +116,11 @@ class HydrostaticFile(CaseFile):
     method: Literal["film", "quick"] = Field(
         "film", description="The film in two dimensions with the recess network, or closed forms and lumped lands."
     )
-    accuracy: Literal["draft", "engineering", "reference"] = Field("engineering", description="Grid of the film.")
+    accuracy: Literal["draft", "engineering", "reference"] = Field(
+        "engineering",
+        description="Grid of the film. A full film of reference accuracy is solved on half the lines as well and "
+        "extrapolated.",
+    )
     restrictor: RestrictorGiven = Field(description="The restrictor before every recess.")
     supply: HydrostaticSupply = Field(description="Oil before the restrictors.")
     oil: HydrostaticOil = Field(description="The oil.")

@@ -21,10 +21,16 @@ from babbitt.hydrostatics.single_recess import gap_under, pad_at
 from babbitt.hydrostatics.state import Ending, RecessState, rest_under, state_at
 from babbitt.hydrostatics.surfaces import FilmOil, journal_surface, pad_surface, ring_surface
 
-__all__ = ["GRIDS", "Answer", "answer", "answer_at", "load_vector"]
+__all__ = ["GRIDS", "HALF_REFERENCE", "Answer", "answer", "answer_at", "load_vector"]
 
 Array = NDArray[np.float64]
-GRIDS = {"draft": DRAFT, "engineering": ENGINEERING, "reference": REFERENCE}
+HALF_REFERENCE = "half of reference"
+GRIDS = {
+    "draft": DRAFT,
+    "engineering": ENGINEERING,
+    "reference": REFERENCE,
+    HALF_REFERENCE: Grid(REFERENCE.per_turn // 2, REFERENCE.degree),
+}
 THINNEST = 0.01
 """Of the gap at rest: where a search gives up."""
 MOST_OPEN, LEAST_OPEN = 2e-3, 5e-7
