@@ -112,12 +112,11 @@ def columns_of(results: Sequence[Result]) -> tuple[Column, ...]:
     stands under its own heading.
     """
     kinds = {result.kind for result in results}
+    among: tuple[Column, ...] = COLUMNS
     if kinds == {"screw_heel"}:
         among = HEEL_COLUMNS
     elif kinds and all(kind == "jacking_pocket" or kind.startswith("hydrostatic_") for kind in kinds):
         among = PUMPED_COLUMNS
-    else:
-        among = COLUMNS
     return tuple(column for column in among if set(column.cells(results)) != {ABSENT})
 
 
