@@ -14,7 +14,7 @@ from babbitt.cases.fields import Name, Prose, WholeNumber
 from babbitt.cases.lubricant import LubricantGiven
 from babbitt.cases.own_lubricant import DynamicViscosity
 from babbitt.cases.part import Complaint, Part, exactly_one, is_given, refused, rule
-from babbitt.cases.recess_rules import in_order, lands_between
+from babbitt.cases.recess_rules import clearance_is_small, in_order, lands_between
 from babbitt.cases.restrictors import HydrostaticSupply, RestrictorGiven
 from babbitt.hydrostatics.geometry import (
     AnnularPad,
@@ -433,6 +433,7 @@ class HydrostaticJournalCase(HydrostaticFile):
 
     def misfits(self) -> Iterator[Complaint]:
         """Complain of recesses that leave the bearing or no land between them."""
+        yield from clearance_is_small(self.radial_clearance, self.diameter)
         yield from in_order(self, "recess_length", "width")
         yield from lands_between("recesses", self.recesses)
 

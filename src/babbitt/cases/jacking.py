@@ -13,7 +13,7 @@ from babbitt.cases.fields import Name, Prose
 from babbitt.cases.hydrostatic import Gap, Length, Load, RecessRow
 from babbitt.cases.own_lubricant import DynamicViscosity
 from babbitt.cases.part import Complaint, is_given, refused, rule
-from babbitt.cases.recess_rules import in_order, lands_between
+from babbitt.cases.recess_rules import clearance_is_small, in_order, lands_between
 from babbitt.cases.restrictors import FlowRate, SupplyPressure
 from babbitt.hydrostatics.geometry import RecessedJournal
 from babbitt.hydrostatics.jacking_model import JackingCase
@@ -58,6 +58,7 @@ class JackingPocketCase(CaseFile):
     def _misfits(self) -> Iterator[Complaint]:
         if not (is_given(self, "lift_gap") or is_given(self, "pump_flow")):
             yield Complaint((), "nothing says how far to lift", "lift_gap, or pump_flow", code="E003")
+        yield from clearance_is_small(self.radial_clearance, self.diameter)
         yield from in_order(self, "pocket_length", "width")
         for name in ("lift_gap", "roughness"):
             if getattr(self, name) is not None:

@@ -10,7 +10,7 @@ from typing import Protocol
 from babbitt.cases.part import Complaint, Part
 from babbitt.units import written
 
-__all__ = ["in_order", "lands_between"]
+__all__ = ["clearance_is_small", "in_order", "lands_between"]
 
 ROUND_OFF = 1e-9
 
@@ -40,6 +40,13 @@ def in_order(part: Part, *names: str, unit: str = "mm") -> Iterator[Complaint]:
             hint = f"the order is {', '.join(names)}" if len(names) > 2 else ""
             yield Complaint((smaller,), says, f"{smaller} less than {larger}", hint)
             return
+
+
+def clearance_is_small(clearance: float, diameter: float) -> Iterator[Complaint]:
+    """Complain of a clearance that the bore cannot have, m."""
+    if not 2.0 * clearance < diameter:
+        says = f"radial_clearance is {written(clearance, 'mm')} in a bore of {written(diameter, 'mm')}"
+        yield Complaint(("radial_clearance",), says, "about a thousandth of the bore")
 
 
 def lands_between(field: str, row: Row) -> Iterator[Complaint]:
