@@ -488,6 +488,15 @@ EXPLANATIONS: dict[str, Explanation] = {
         "computed for the smooth heel alone, and friction by superposition as for a concentric one.",
         "Read side forces from the smooth heel as an order of magnitude.",
     ),
+    "W171": Explanation(
+        "Friction heat outside the balance",
+        "The study's equations warm the oil by the loss of pressure in the face gap and, grooved, by what the "
+        "groove itself dissipates; the shear of heel and lands, most of the friction power, warms nothing. "
+        "Narrow-groove theory without `wall` keeps its films as cold as the oil that comes in. Both heels are "
+        "computed too cold.",
+        "Take `method: narrow_groove` with `wall`, where the heat of the films goes into metal and oil. "
+        "Otherwise read the friction power as an upper bound and the leakage as a lower one.",
+    ),
     # hydrostatic bearings
     "W301": Explanation(
         "Oil flows back through a restrictor",

@@ -16,7 +16,7 @@ from babbitt.notices import EXPLANATIONS
 from babbitt.quantities import QUANTITIES
 from babbitt.report import findings
 from babbitt.report import verdict as judge
-from babbitt.report.bearing_table import matrix_entries
+from babbitt.report.bearing_table import matrix_entries, matrix_unit
 from babbitt.report.calculation import Section, calculation
 from babbitt.report.chapters import Chapter, Member
 from babbitt.report.check_content import check_content, compared_checks, solved_checks, sources_of
@@ -308,7 +308,7 @@ def _single_row(name: str, said: str, value: float, index: str) -> Data:
         "label": said,
         "symbol": symbol_node(symbol),
         "values": [quantity.format(value)],
-        "unit": quantity.display.label,
+        "unit": matrix_unit(quantity, index),
     }
 
 

@@ -10,6 +10,7 @@ from rich.table import Table
 from rich.text import Text
 
 from babbitt.quantities import QUANTITIES
+from babbitt.report.meanings import meaning
 from babbitt.report.table import console
 from babbitt.report.text import plain_text
 from babbitt.results import Result
@@ -48,6 +49,7 @@ COMPARED_HEELS = (
     "rim_pressure",
     "face_flow",
     "heel_leakage",
+    "heel_net_flow",
     "maximum_temperature",
     "friction_power",
     "face_gap_stiffness",
@@ -143,7 +145,8 @@ def compared_rows(variants: Sequence[Variant]) -> Iterator[Row]:
             else "–"
             for variant in variants
         )
-        yield Row(f"{quantity.meaning}, {quantity.symbol}", quantity.display.label, tuple(cells))
+        said = meaning(name, variants[0].result.kind)
+        yield Row(f"{said}, {quantity.symbol}", quantity.display.label, tuple(cells))
 
 
 def _counts(name: str, result: Result) -> bool:

@@ -101,6 +101,9 @@ SHORT = {
     "breakaway_pressure": "Breakaway, upper bound",
     "lying_pressure": "Breakaway, lower bound",
     "recess_reynolds_number": "Reynolds number in the recess",
+    "restrictor_reynolds_number": "Reynolds number in the capillaries",
+    "edge_inertia": "Inertia at the recess edge",
+    "least_power_viscosity": "Viscosity of least power",
 }
 
 
