@@ -21,7 +21,7 @@ from babbitt.film.heat import FilmHeat
 from babbitt.film.model import Cavitation
 from babbitt.film.ring import Ring
 from babbitt.film.sector import SectorFilm, SectorPad, motion_lengths, sector_answer
-from babbitt.film.thermal_solution import HeatSplit, sides_and_supplies
+from babbitt.film.thermal_solution import HeatSplit, side_oil
 from babbitt.film.warm_ring import WarmRing, columns_of, line_widths
 from babbitt.notices import InputError
 
@@ -230,11 +230,14 @@ class WarmSector:
     def _heat_of(self, motion: Array) -> SectorHeat:
         warm, pad = self.warm, self.pad
         surface, columns = warm.sample.ring.surface, warm.columns
-        leaving, own, carried_off = sides_and_supplies(warm)
+        leaving, own = side_oil(warm)
         sent = groove_balance(surface, columns, warm.flows, 1.0, warm.temperature, GROOVE)[1]
-        brought, enthalpy, _ = groove_balance(surface, columns, warm.flows, 0.0, warm.temperature, GROOVE)
+        brought, enthalpy, taken = groove_balance(surface, columns, warm.flows, 0.0, warm.temperature, GROOVE)
         out = float(leaving.sum())
-        cold = warm.heat.supply_temperature
+        cold, carried = warm.heat.supply_temperature, warm.heat.carry_over
+        drained = (1.0 - carried) * (sent - brought * cold)
+        drained += max(carried * brought - taken, 0.0) * (float(warm.groove[GROOVE]) - cold)
+        carried_off = (float((leaving * (own - cold)).sum()) + drained) * warm.walls.flow_heat
         temperature = warm.temperature.copy()
         temperature[-1] = temperature[-2]
         nodes = np.delete(warm.sample.ring.mesh.nodes, list(warm.sample.ring.mesh.side_nodes)) * pad.outer_radius

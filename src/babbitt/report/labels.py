@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from babbitt.report.line import VOCABULARY
+from babbitt.report.meanings import OF_THRUST
 
 SHORT = {
     "diameter": "Bearing diameter",
@@ -39,6 +40,10 @@ SHORT = {
     "groove_temperature": "Warmest groove",
     "mean_bush_temperature": "Bore, mean temperature",
     "maximum_bush_temperature": "Bush, highest temperature",
+    "mean_wall_temperature": "Film at the bore, mean",
+    "maximum_wall_temperature": "Film at the bore, hottest",
+    "returned_flow": "Oil back into supplies",
+    "heat_returned": "Heat back into supplies",
     "film_dissipation": "Heat born in the film",
     "heat_film_to_bush": "Heat to the bush",
     "heat_film_to_journal": "Heat to the journal",
@@ -97,24 +102,10 @@ SHORT = {
     "breakaway_pressure": "Breakaway, upper bound",
     "lying_pressure": "Breakaway, lower bound",
     "recess_reynolds_number": "Reynolds number in the recess",
+    "restrictor_reynolds_number": "Reynolds number in the capillaries",
+    "edge_inertia": "Inertia at the recess edge",
+    "least_power_viscosity": "Viscosity of least power",
 }
-
-
-OF_THRUST = {
-    "load": "Thrust",
-    "specific_load": "Thrust over the area of all pads",
-    "angular_speed": "Rotational speed of the collar",
-    "surface_speed": "Surface speed of the collar at the mean radius",
-    "friction_torque": "Friction torque on the collar",
-    "side_flow": "Oil over inner and outer edges of the pads",
-    "total_flow": "Fresh oil, what is not carried over",
-    "outlet_temperature": "Mean temperature of the oil that leaves",
-    "supply_temperature": "Temperature of the fresh oil",
-    "temperature_rise": "Rise of the oil through a film",
-    "film_reynolds_number": "Reynolds number of the thickest pivot film",
-    "effective_viscosity": "Dynamic viscosity of the films",
-}
-"""What quantities mean in a thrust bearing or its shaft line, which have a collar and no journal."""
 
 
 def label(name: str, kind: str = "") -> str:
