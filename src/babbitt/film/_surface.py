@@ -57,6 +57,7 @@ def fill_lines(surface, film, work):
     block, right = work.inverse, work.swept
     block[:] = 0.0
     right[:] = 0.0
+    uniform = across_at_unit_gap(surface)
     for i in range(lines):
         before = (i - 1) % lines
         interval = (i - 1) % surface.step.size
@@ -64,7 +65,13 @@ def fill_lines(surface, film, work):
         for a in range(nodes):
             if work.counts[i, a]:
                 active = True
-        if active:
+        if active and even(film, i):
+            stretch = surface.kappa * film.cubed[i, 0]
+            for a in range(nodes):
+                if work.counts[i, a]:
+                    for b in range(nodes):
+                        block[i, a, b] = stretch * uniform[a, b] if work.holds[i, b] else 0.0
+        elif active:
             for q in range(surface.radius.size):
                 conduct = surface.kappa * surface.share[q] * film.cubed[i, q]
                 for a in range(nodes):
@@ -92,6 +99,27 @@ def fill_lines(surface, film, work):
                 loss = LOSS * film.couette[i, a] if surface.cyclic else 0.0
                 block[i, a, a] = -(film.couette[i, a] + film.squeeze[i, a] + loss)
                 right[0, i, a] -= loss
+
+
+@inner
+def across_at_unit_gap(surface):
+    """Flow across of every node for the pressure of every other where int h^3 is one all over the width."""
+    nodes = surface.held.shape[1]
+    operator = np.zeros((nodes, nodes))
+    for q in range(surface.radius.size):
+        for a in range(nodes):
+            for b in range(nodes):
+                operator[a, b] += surface.share[q] * surface.slope[q, a] * surface.slope[q, b]
+    return operator
+
+
+@inlined
+def even(film, i):
+    """Whether int h^3 of a line is the same all over the width."""
+    for q in range(1, film.cubed.shape[1]):
+        if film.cubed[i, q] != film.cubed[i, 0]:
+            return False
+    return True
 
 
 @spliced

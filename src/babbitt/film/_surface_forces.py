@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from babbitt.film._compiling import compiled, inner
+import numpy as np
+
+from babbitt.film._compiling import compiled, inlined, inner
 from babbitt.film._forces import TIE, shortening
 from babbitt.film._surface import solve_surface
 from babbitt.film._surface_film import surface_coefficients, true_pressure
@@ -24,7 +26,7 @@ def evaluate_surface(surface, film, work, at, rate, smooth, force, stiffness, da
                 if again == 0:
                     work.pressure[i, j] = work.solution[0, i, j]
                     work.stiffening[i, j] = 1.0
-                    if work.holds[i, j]:
+                    if work.holds[i, j] and surface.piezo.shape[1] > 0:
                         work.stiffening[i, j] = true_pressure(surface, work.pressure[i, j])[1]
                 else:
                     work.solution[0, i, j] = work.pressure[i, j]
@@ -47,14 +49,7 @@ def balance_rows(surface, film, work):
                 if surface.conserving:
                     work.fill[i, j] = 1.0 - value
             work.row[i, j] = film.squeeze[i, j] * work.fill[i, j]
-        for q in range(surface.radius.size):
-            gradient = 0.0
-            for b in range(nodes):
-                gradient += surface.slope[q, b] * work.pressure[i, b]
-            if gradient != 0.0:
-                gradient *= surface.kappa * surface.share[q] * film.cubed[i, q]
-                for b in range(nodes):
-                    work.row[i, b] += gradient * surface.slope[q, b]
+        flow_across(surface, film, work, i)
     for i in range(surface.step.size):
         after = (i + 1) % lines
         for j in range(nodes):
@@ -64,6 +59,20 @@ def balance_rows(surface, film, work):
                 flux = film.inlet[i, j] * work.fill[i, j]
             work.row[i, j] += flux
             work.row[after, j] -= flux
+
+
+@inlined
+def flow_across(surface, film, work, i):
+    """Add what a line sends across the width to the balance of its nodes."""
+    nodes = surface.held.shape[1]
+    for q in range(surface.radius.size):
+        gradient = 0.0
+        for b in range(nodes):
+            gradient += surface.slope[q, b] * work.pressure[i, b]
+        if gradient != 0.0:
+            gradient *= surface.kappa * surface.share[q] * film.cubed[i, q]
+            for b in range(nodes):
+                work.row[i, b] += gradient * surface.slope[q, b]
 
 
 @inner
@@ -108,39 +117,52 @@ def end_adjoints_at_rupture(surface, film, work):
 def reduce_surface(surface, film, work, force, stiffness, damping):
     """Forces from the reference pressure; stiffness and damping from the adjoints (``_forces.add_forces``)."""
     lines, nodes = surface.held.shape
-    n, motions = surface.step.size, surface.lever.shape[0]
-    adjoint = work.solution
-    for i in range(lines):  # the row of a held node is no balance: its adjoint does not count
+    n, points, motions = surface.step.size, surface.radius.size, surface.lever.shape[0]
+    adjoint, pressure, fill = work.solution, work.pressure, work.fill
+    excess, flux, slope = np.empty((lines, nodes)), np.empty((n, nodes)), np.empty((1 + motions, lines, points))
+    for i in range(lines):
         for j in range(nodes):
-            if not work.counts[i, j]:
+            excess[i, j] = pressure[i, j] - surface.reference
+            if surface.piezo.shape[1] > 0:
+                excess[i, j] = true_pressure(surface, pressure[i, j])[0] - surface.reference
+            if not work.counts[i, j]:  # the row of a held node is no balance: its adjoint does not count
                 for d in range(motions):
                     adjoint[1 + d, i, j] = 0.0
+        for q in range(points):
+            total = 0.0
+            for b in range(nodes):
+                total += surface.slope[q, b] * pressure[i, b]
+            slope[0, i, q] = surface.kappa * surface.share[q] * total
+            for d in range(motions):
+                total = 0.0
+                for b in range(nodes):
+                    total += surface.slope[q, b] * adjoint[1 + d, i, b]
+                slope[1 + d, i, q] = total
     for d in range(motions):
         total = 0.0
         for i in range(lines):
             for j in range(nodes):
-                pressure = true_pressure(surface, work.pressure[i, j])[0]
-                total -= film.load[d, i, j] * (pressure - surface.reference)
+                total -= film.load[d, i, j] * excess[i, j]
         force[d] = total
-        for e in range(motions):
+    for e in range(motions):
+        for i in range(n):
+            after = (i + 1) % lines
+            for j in range(nodes):
+                drop = pressure[i, j] - pressure[after, j]
+                flux[i, j] = fill[i, j] * film.couette_d[e, i, j] + drop * film.conductance_d[e, i, j]
+                if surface.conserving and surface.held[i, j] and not work.holds[after, j]:
+                    flux[i, j] = film.inlet_d[e, i, j] * fill[i, j]
+        for d in range(motions):
             stiff, damp = 0.0, 0.0
             for i in range(n):
                 after = (i + 1) % lines
                 for j in range(nodes):
-                    flux = work.fill[i, j] * film.couette_d[e, i, j]
-                    flux += (work.pressure[i, j] - work.pressure[after, j]) * film.conductance_d[e, i, j]
-                    if surface.conserving and surface.held[i, j] and not work.holds[after, j]:
-                        flux = film.inlet_d[e, i, j] * work.fill[i, j]
-                    stiff += (adjoint[1 + d, i, j] - adjoint[1 + d, after, j]) * flux
+                    stiff += (adjoint[1 + d, i, j] - adjoint[1 + d, after, j]) * flux[i, j]
             for i in range(lines):
                 for j in range(nodes):
-                    damp -= adjoint[1 + d, i, j] * work.fill[i, j] * film.load[e, i, j]
-                for q in range(surface.radius.size):
-                    gradient, slope = 0.0, 0.0
-                    for b in range(nodes):
-                        gradient += surface.slope[q, b] * work.pressure[i, b]
-                        slope += surface.slope[q, b] * adjoint[1 + d, i, b]
-                    stiff += surface.kappa * surface.share[q] * gradient * slope * film.cubed_d[e, i, q]
+                    damp -= adjoint[1 + d, i, j] * fill[i, j] * film.load[e, i, j]
+                for q in range(points):
+                    stiff += slope[0, i, q] * slope[1 + d, i, q] * film.cubed_d[e, i, q]
             stiffness[d, e], damping[d, e] = stiff, damp
 
 

@@ -198,7 +198,7 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
     if not gap > 0.0:
         return WarmRest(warm, at, NO_FILM, 0, gap)
     for passes in range(1, MOST_PASSES + 1):
-        changed, change = warm.advance(at, SWEEPS, 1 if passes < PATIENT_FROM else ROUNDS)
+        changed, change = warm.advance(at, SWEEPS, 1 if 1 < passes < PATIENT_FROM else ROUNDS)
         sample = warm.sample
         residual = sample.force + load
         size = math.hypot(*residual)
