@@ -27,9 +27,28 @@ from babbitt.film._grids import FAR, GAUSS, NEAR
 Array = NDArray[float64]
 
 
+Counted = tuple[int, ...] | NDArray[int64]
+UNROLLED = (5, 5, 2)
+
+
+def counted(nodes: int, points: int, motions: int) -> dict[str, Counted]:
+    """How many nodes, points and motions a surface has, as its length tells the compiler.
+
+    In a tuple the compiler knows the number and unrolls its loops: for half of a symmetric bearing on the usual
+    grid. All others share kernels that count as they go.
+    """
+    numbers = {"nodes": nodes, "points": points, "motions": motions}
+    if tuple(numbers.values()) == UNROLLED:
+        return {name: (0,) * number for name, number in numbers.items()}
+    return {name: np.zeros(number, dtype=int64) for name, number in numbers.items()}
+
+
 class Surface(NamedTuple):
     """Nodes of one unrolled film, what is held there, and the gap of the centred runner. a, b: Gauss points."""
 
+    nodes: Counted  # as many zeros as nodes across the width, see ``counted``
+    points: Counted
+    motions: Counted
     step: Array  # (n,)
     shape_a: Array  # shape_d at the Gauss points of every interval, (motions, n)
     shape_b: Array
@@ -95,7 +114,7 @@ class SurfaceWork(NamedTuple):
 def new_surface_film(surface):
     """Coefficients for a surface, not filled yet."""
     n, lines = surface.step.size, surface.held.shape[0]
-    nodes, points, d = surface.held.shape[1], surface.radius.size, surface.lever.shape[0]
+    nodes, points, d = len(surface.nodes), len(surface.points), len(surface.motions)
     return SurfaceFilm(
         np.empty((n, nodes)), np.empty((n, nodes)), np.empty((lines, points)), np.empty((d, n, nodes)),
         np.empty((d, n, nodes)), np.empty((d, lines, points)), np.empty((lines, nodes)),
@@ -106,8 +125,8 @@ def new_surface_film(surface):
 @compiled
 def new_surface_work(surface):
     """Workspace for a surface, all nodes wet."""
-    lines, nodes = surface.held.shape
-    d = 1 + surface.lever.shape[0]
+    lines, nodes = surface.held.shape[0], len(surface.nodes)
+    d = 1 + len(surface.motions)
     return SurfaceWork(
         np.ones((lines, nodes), np.bool_), np.zeros((d, lines, nodes)), np.zeros((d, lines, nodes)),
         np.zeros((lines, nodes, nodes)), np.ones((lines, nodes), np.bool_), np.ones((lines, nodes), np.bool_),
@@ -121,7 +140,7 @@ def new_surface_work(surface):
 def gap_at(surface, at, i, q):
     """Gap at the two Gauss points of interval i, at point q of the width."""
     ha, hb = surface.gap_a[i, q], surface.gap_b[i, q]
-    for d in range(surface.lever.shape[0]):
+    for d in range(len(surface.motions)):
         lift = at[d] * surface.lever[d, q]
         ha -= lift * surface.shape_a[d, i]
         hb -= lift * surface.shape_b[d, i]
@@ -132,7 +151,7 @@ def gap_at(surface, at, i, q):
 def smallest_surface_gap(surface, at):
     """Smallest gap at the Gauss points."""
     smallest = np.inf
-    for q in range(surface.radius.size):
+    for q in range(len(surface.points)):
         for i in range(surface.step.size):
             ha, hb = gap_at(surface, at, i, q)
             smallest = min(smallest, min(ha, hb))
@@ -187,8 +206,8 @@ def surface_coefficients(surface, at, rate, film):
 
     Points of a line where gap and oil are what they are at the point before, and no supply is, share them.
     """
-    n, lines, motions = surface.step.size, surface.held.shape[0], surface.lever.shape[0]
-    points = surface.radius.size
+    n, lines, motions = surface.step.size, surface.held.shape[0], len(surface.motions)
+    points = len(surface.points)
     for array in (film.conductance, film.couette, film.cubed, film.squeeze, film.inlet):
         array[:] = 0.0
     for array in (film.conductance_d, film.couette_d, film.cubed_d, film.load, film.inlet_d):

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._surface_film import Surface
+from babbitt.film._surface_film import Surface, counted
 from babbitt.film.axial import AxialMesh
 from babbitt.film.model import END_DAM, Cavitation, Field, FilmStart, JournalFilm, Land
 from babbitt.film.piezoviscosity import pressure_table, reduced_pressure
@@ -94,6 +94,7 @@ def build_ring(
     levers = np.ones((motions, mesh.points.size))
     levers[2:] = mesh.points
     surface = Surface(
+        **counted(mesh.nodes.size, mesh.points.size, motions),
         step=np.diff(theta), shape_a=shapes[0], shape_b=shapes[1], lever=levers, gap_a=gap_a, gap_b=gap_b,
         viscosity=viscosity, drag=np.ones_like(gap_a), turbulence=turbulence_row(film),
         radius=np.ones_like(mesh.share), share=mesh.share, along=mesh.share, node=mesh.node_of_point,
