@@ -195,11 +195,13 @@ def gaps(film: JournalFilm, theta: Array, mesh: AxialMesh) -> tuple[Array, Array
     """Gap of the centred journal at both Gauss points of every interval and axial point, in clearances."""
     z = mesh.points * (0.5 * film.width)
     deeper = step_depths(film, theta, mesh)
-    first, second = (
-        bore_gap(film, angle)[:, None] + (axial_gain(film, angle, z) + deeper) / film.clearance
-        for angle in gauss_angles(theta)
-    )
-    return first, second
+
+    def gap(angle: Array) -> Array:
+        more = deeper if film.is_straight else deeper + axial_gain(film, angle, z)
+        return np.asarray(bore_gap(film, angle)[:, None] + more / film.clearance)
+
+    first, second = gauss_angles(theta)
+    return gap(first), gap(second)
 
 
 def axial_gain(film: JournalFilm, angle: Array, z: Array) -> Array:

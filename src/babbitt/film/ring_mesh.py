@@ -50,6 +50,10 @@ class GrooveArc:
         """Where the groove ends, rad."""
         return self.first + self.extent
 
+    def spans(self, angle: float) -> bool:
+        """Whether an angle lies in the groove."""
+        return (angle - self.first) % TURN <= self.extent
+
 
 def groove_arcs(film: JournalFilm) -> list[GrooveArc]:
     """Grooves between the lands, each behind its land of ``film.land_order``."""
@@ -90,9 +94,10 @@ def ring_lines(film: JournalFilm, start: float, per_turn: int, density: Density 
     spans = []
     for left, right in pairwise(marks):
         fine = np.linspace(left, right, 8 + int(720 * (right - left) / TURN))
-        wanted = np.ones(fine.size) if density is None else density(fine)
-        if any(within(np.array([0.5 * (left + right)]), arc.first, arc.last)[0] for arc in grooves):
+        if any(arc.spans(0.5 * (left + right)) for arc in grooves):
             wanted = np.zeros(fine.size)
+        else:
+            wanted = np.ones(fine.size) if density is None else density(fine)
         spans.append((fine, wanted))
     per_mass = per_turn / sum(cumulative_trapezoid(wanted, fine)[-1] for fine, wanted in spans)
     pieces = [marks[:1]]
@@ -142,7 +147,9 @@ def rectangles(film: JournalFilm) -> list[tuple[float, float]]:
 
 def cumulative_trapezoid(values: Array, at: Array) -> Array:
     """Integral from the first place to every other, shape (n,)."""
-    return np.concatenate(([0.0], np.cumsum(0.5 * (values[1:] + values[:-1]) * np.diff(at))))
+    integral = np.zeros(at.size)
+    np.cumsum(0.5 * (values[1:] + values[:-1]) * (at[1:] - at[:-1]), out=integral[1:])
+    return integral
 
 
 def axial_mesh(film: JournalFilm, degree: int, *, halved: bool) -> AxialMesh:
