@@ -21,7 +21,7 @@ SOLVED, LIMIT_VIOLATED, UNUSABLE_INPUT, NO_SOLUTION = 0, 1, 2, 3
 """Exit statuses."""
 
 UNCOLLECTED = 100_000
-"""New objects after which Python looks for garbage: with its own 700 an eighth of a short run is spent on looking."""
+"""New objects after which Python looks for garbage; with its own 700 an eighth of a short run is spent on that."""
 
 app = typer.Typer(
     name="babbitt",

@@ -1,8 +1,8 @@
 """A root between two bounds, by inverse quadratic interpolation or bisection.
 
-Source: Chandrupatla, A new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function without
-using derivatives, Advances in Engineering Software 28 (1997) 145-149. It stands here because to import the one of
-scipy takes longer than most of the calculations that seek a root.
+Source: Chandrupatla, A new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function
+without using derivatives, Advances in Engineering Software 28 (1997) 145-149. It stands here because to import the
+one of scipy takes longer than most of the calculations that seek a root.
 """
 
 from __future__ import annotations

@@ -53,8 +53,8 @@ def gather_heat(surface, film, work, columns, flows, drains, at, rise):
 
 @compiled
 def warm_pass(
-    surface, film, work, columns, flows, cells, walls, drains, pace, fresh, viscosity, temperature, groove, rises, at,
-    force, stiffness, damping,
+    surface, film, work, columns, flows, cells, walls, drains, pace, fresh, viscosity, temperature, groove, rises,
+    at, force, stiffness, damping,
 ):  # fmt: skip
     """One pass at a journal position; ``fresh`` is the viscosity at the temperatures as they are.
 

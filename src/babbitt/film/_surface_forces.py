@@ -119,7 +119,8 @@ def reduce_surface(surface, film, work, force, stiffness, damping):
     lines, nodes = surface.held.shape[0], len(surface.nodes)
     n, points, motions = surface.step.size, len(surface.points), len(surface.motions)
     adjoint, pressure, fill = work.solution, work.pressure, work.fill
-    excess, flux, slope = np.empty((lines, nodes)), np.empty((n, nodes)), np.empty((1 + motions, lines, points))
+    excess, drop, rise = np.empty((lines, nodes)), np.empty((n, nodes)), np.empty((motions, n, nodes))
+    slope = np.empty((1 + motions, lines, points))
     for i in range(lines):
         for j in range(nodes):
             excess[i, j] = pressure[i, j] - surface.reference
@@ -129,41 +130,41 @@ def reduce_surface(surface, film, work, force, stiffness, damping):
                 for d in range(motions):
                     adjoint[1 + d, i, j] = 0.0
         for q in range(points):
-            total = 0.0
-            for b in range(nodes):
-                total += surface.slope[q, b] * pressure[i, b]
-            slope[0, i, q] = surface.kappa * surface.share[q] * total
-            for d in range(motions):
+            for d in range(1 + motions):
                 total = 0.0
                 for b in range(nodes):
-                    total += surface.slope[q, b] * adjoint[1 + d, i, b]
-                slope[1 + d, i, q] = total
+                    total += surface.slope[q, b] * (pressure[i, b] if d == 0 else adjoint[d, i, b])
+                slope[d, i, q] = total
+            slope[0, i, q] *= surface.kappa * surface.share[q]
+    for i in range(n):
+        after = i + 1 if i + 1 < lines else 0
+        for j in range(nodes):
+            drop[i, j] = pressure[i, j] - pressure[after, j]
+            for d in range(motions):
+                rise[d, i, j] = adjoint[1 + d, i, j] - adjoint[1 + d, after, j]
     for d in range(motions):
-        total = 0.0
-        for i in range(lines):
-            for j in range(nodes):
-                total -= film.load[d, i, j] * excess[i, j]
-        force[d] = total
+        force[d] = -dot(film.load[d].ravel(), excess.ravel())
     for e in range(motions):
-        for i in range(n):
-            after = (i + 1) % lines
-            for j in range(nodes):
-                drop = pressure[i, j] - pressure[after, j]
-                flux[i, j] = fill[i, j] * film.couette_d[e, i, j] + drop * film.conductance_d[e, i, j]
-                if surface.conserving and surface.held[i, j] and not work.holds[after, j]:
-                    flux[i, j] = film.inlet_d[e, i, j] * fill[i, j]
-        for d in range(motions):
-            stiff, damp = 0.0, 0.0
+        flux = fill[:n] * film.couette_d[e] + drop * film.conductance_d[e]
+        if surface.conserving:
             for i in range(n):
-                after = (i + 1) % lines
+                after = i + 1 if i + 1 < lines else 0
                 for j in range(nodes):
-                    stiff += (adjoint[1 + d, i, j] - adjoint[1 + d, after, j]) * flux[i, j]
-            for i in range(lines):
-                for j in range(nodes):
-                    damp -= adjoint[1 + d, i, j] * fill[i, j] * film.load[e, i, j]
-                for q in range(points):
-                    stiff += slope[0, i, q] * slope[1 + d, i, q] * film.cubed_d[e, i, q]
-            stiffness[d, e], damping[d, e] = stiff, damp
+                    if surface.held[i, j] and not work.holds[after, j]:
+                        flux[i, j] = film.inlet_d[e, i, j] * fill[i, j]
+        across, moved = slope[0] * film.cubed_d[e], fill * film.load[e]
+        for d in range(motions):
+            stiff = dot(rise[d].ravel(), flux.ravel()) + dot(slope[1 + d].ravel(), across.ravel())
+            stiffness[d, e], damping[d, e] = stiff, -dot(adjoint[1 + d].ravel(), moved.ravel())
+
+
+@inlined
+def dot(one, other):
+    """Scalar product."""
+    total = 0.0
+    for i in range(one.size):
+        total += one[i] * other[i]
+    return total
 
 
 @compiled

@@ -265,7 +265,9 @@ def bore_gap(film: JournalFilm, angle: Array) -> Array:
 def land_gap(film: JournalFilm, land: Land, angle: Array) -> Array:
     """Gap over one land, in clearances."""
     clearance = film.clearance if land.clearance is None else land.clearance
-    gap = clearance + land.centre[0] * np.cos(angle) + land.centre[1] * np.sin(angle)
+    gap = np.full(angle.size, clearance)
+    if land.centre != (0.0, 0.0):
+        gap += land.centre[0] * np.cos(angle) + land.centre[1] * np.sin(angle)
     if land.profile:
         extent = land.end_angle - land.start_angle
         place = ((angle - land.start_angle) % TURN) / extent

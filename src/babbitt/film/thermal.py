@@ -49,6 +49,8 @@ SETTLED = 2e-2
 COLD_LOAD = 2.0
 """Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks
 nothing and would have no bound to its temperature."""
+COLDLY_CARRIED = 0.2
+"""Residual force over load of this start: the first heat moves the journal by more."""
 CLOSING, CLOSED, OPEN = 400, 3e-8, 1e-4
 """Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from
 which the film counts as not converged."""
@@ -169,7 +171,7 @@ def attempt(
 def cold_start(sample: Sample, load: Array) -> Array:
     """Where a film of fresh oil carries the load, or a part of it that leaves the film thick."""
     part = min(1.0, COLD_LOAD / max(math.hypot(*load), 1e-300))
-    at, _, _, gap = carry(sample, part * load, np.zeros(2), 0.05, 30, False)
+    at, _, _, gap = carry(sample, part * load, np.zeros(2), COLDLY_CARRIED, 30, False)
     return at if gap > 0.0 else np.zeros(2)
 
 

@@ -117,9 +117,9 @@ class WarmRing:
         part = min(1.0, self.relaxation / RELAX)
         pace = Pace(rounds, self.passes > FLICKER, sweeps, self.relaxation, self.rise, self.stirred, part)
         changed, change, along, self.dissipation, self.friction, stale = warm_pass(
-            sample.ring.surface, sample.film, sample.work, self.columns, self.flows, self.cells, walls, self.drains,
-            pace, fresh, self.viscosity, self.temperature, self.groove, self.last_rise, at, sample.force,
-            sample.stiffness, sample.damping,
+            sample.ring.surface, sample.film, sample.work, self.columns, self.flows, self.cells, walls,
+            self.drains, pace, fresh, self.viscosity, self.temperature, self.groove, self.last_rise, at,
+            sample.force, sample.stiffness, sample.damping,
         )  # fmt: skip
         if stale:
             self.prepare_bush()
@@ -184,7 +184,7 @@ class WarmRing:
         temperature = np.zeros_like(self.temperature)
         surface = self.sample.ring.surface
         sweep_energy(surface, columns, self.flows, self.cells, 0.0, held, temperature, np.zeros_like(self.groove),
-                     ANSWER_SWEEPS, 1e-3)  # fmt: skip
+                     ANSWER_SWEEPS, 1e-2)  # fmt: skip
         flux = np.zeros(bush.size)
         return flux, float(wall_fluxes(columns, self.flows, held, temperature, flux))
 
@@ -239,7 +239,7 @@ def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
     inner = np.setdiff1d(np.arange(supply.shape[1]), sides)
     whole = (supply[:, inner] == supply[:, inner[:1]]).all(axis=1)
     resolved = heat.grid.resolved or not bool(whole.all())
-    node_share = np.bincount(ring.surface.node, ring.surface.share, minlength=supply.shape[1]).astype(float)
+    node_share = np.bincount(ring.surface.node, ring.surface.share, minlength=supply.shape[1])
     side = np.zeros(supply.shape[1], dtype=np.int64)
     side[sides] = 1
     layers = heat.grid.layers
