@@ -77,13 +77,47 @@ COLUMNS = (
 """All columns; a machine's table has those in which some bearing has a number."""
 
 
+HEEL_COLUMNS = (
+    _quantity("load", 0),
+    _quantity("rim_pressure", 1),
+    _quantity("face_flow", 3),
+    _quantity("maximum_temperature", 2),
+    _quantity("friction_power", 1),
+    _quantity("face_gap_stiffness", 4),
+    _quantity("load_ratio_to_smooth", 5),
+)
+"""Of the states of footsteps."""
+
+PUMPED_COLUMNS = (
+    _quantity("load", 3),
+    _quantity("specific_load", 7),
+    _quantity("gap", 1),
+    _quantity("eccentricity_ratio", 2),
+    Column("h_min / h_lim", "µm", (_reading("minimum_film_thickness"), _film_limit), 0, " / "),
+    _quantity("mean_pressure_ratio", 1),
+    _quantity("pocket_pressure", 1),
+    _quantity("total_flow", 2),
+    _quantity("pumping_power", 4),
+    _quantity("friction_power", 4),
+    _quantity("temperature_rise", 5),
+    _quantity("gap_stiffness", 6),
+)
+"""Of hydrostatic bearings and jacking pockets."""
+
+
 def columns_of(results: Sequence[Result]) -> tuple[Column, ...]:
     """The columns in which some bearing has a number.
 
     A bearing cooled by its housing has a bearing temperature, one fed with oil the temperatures of that oil: each
     stands under its own heading.
     """
-    return tuple(column for column in COLUMNS if set(column.cells(results)) != {ABSENT})
+    kinds = {result.kind for result in results}
+    among: tuple[Column, ...] = COLUMNS
+    if kinds == {"screw_heel"}:
+        among = HEEL_COLUMNS
+    elif kinds and all(kind == "jacking_pocket" or kind.startswith("hydrostatic_") for kind in kinds):
+        among = PUMPED_COLUMNS
+    return tuple(column for column in among if set(column.cells(results)) != {ABSENT})
 
 
 def is_fed(result: Result) -> bool:

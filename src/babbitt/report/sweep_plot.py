@@ -20,10 +20,17 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 SHOWN = (
-    ("minimum_film_thickness",),
-    ("friction_power",),
-    ("outlet_temperature", "bearing_temperature", "effective_temperature"),
-    ("total_flow", "maximum_pressure", "eccentricity_ratio"),
+    ("minimum_film_thickness", "load"),
+    ("friction_power", "pocket_pressure"),
+    (
+        "outlet_temperature",
+        "bearing_temperature",
+        "effective_temperature",
+        "maximum_temperature",
+        "temperature_rise",
+        "lift",
+    ),
+    ("total_flow", "rim_pressure", "maximum_pressure", "eccentricity_ratio"),
 )
 """One panel each: of the quantities in a row the first that some answer has."""
 
