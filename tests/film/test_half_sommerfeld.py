@@ -52,7 +52,7 @@ def test_reversal_mirrors_the_short_bearing():
     load = (0.0, -525.0 / SHRINK**3)
     forward = solve_journal(film, load, FINE)
     backward = solve_journal(replace(film, angular_speed=-film.angular_speed), load, FINE)
-    np.testing.assert_allclose(backward.position, forward.position * [-1.0, 1.0], rtol=1e-6)
+    np.testing.assert_allclose(backward.position, forward.position * [-1.0, 1.0], atol=1e-6 * film.clearance)
 
 
 def test_no_coefficients_and_no_flows():

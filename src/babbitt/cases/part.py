@@ -10,6 +10,7 @@ import typing
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
+from types import FunctionType
 from typing import Any, ClassVar, Self, TypeVar
 
 from pydantic import (
@@ -69,7 +70,7 @@ def rule(method: RuleT) -> RuleT:
 class Part(BaseModel):
     """A piece of a case file."""
 
-    model_config = ConfigDict(frozen=True, extra="forbid", coerce_numbers_to_str=True)
+    model_config = ConfigDict(frozen=True, extra="forbid", coerce_numbers_to_str=True, defer_build=True)
     rules: ClassVar[tuple[Rule, ...]] = ()
     alternatives: ClassVar[tuple[tuple[str, ...], ...]] = ()
     """Fields that stand in place of each other."""
@@ -86,7 +87,8 @@ class Part(BaseModel):
     def __pydantic_init_subclass__(cls, **kwargs: Any) -> None:
         """Collect the rules of the class and its bases."""
         members = {name: member for base in reversed(cls.__mro__) for name, member in vars(base).items()}
-        cls.rules = tuple(member for member in members.values() if getattr(member, "is_rule", False))
+        functions = (member for member in members.values() if isinstance(member, FunctionType))
+        cls.rules = tuple(function for function in functions if getattr(function, "is_rule", False))
 
     @model_validator(mode="wrap")
     @classmethod

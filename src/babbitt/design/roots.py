@@ -1,7 +1,13 @@
-"""A root between two bounds by Brent's method of scipy, which is imported when the first root is sought."""
+"""A root between two bounds, by inverse quadratic interpolation or bisection.
+
+Source: Chandrupatla, A new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function
+without using derivatives, Advances in Engineering Software 28 (1997) 145-149. It stands here because to import the
+one of scipy takes longer than most of the calculations that seek a root.
+"""
 
 from __future__ import annotations
 
+import math
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -54,16 +60,36 @@ def find_root(
     ValueError
         When the function has the same sign at both bounds.
     """
-    from scipy.optimize import brentq
-
-    root, report = brentq(
-        function,
-        low,
-        high,
-        xtol=max(absolute, sys.float_info.min),
-        rtol=max(relative, 4.0 * sys.float_info.epsilon),
-        maxiter=most_steps,
-        full_output=True,
-        disp=False,
-    )
-    return Root(float(root), bool(report.converged))
+    lower, upper = function(low), function(high)
+    if (lower > 0.0) == (upper > 0.0) and lower != 0.0 != upper:
+        raise ValueError(f"the function is {lower} at {low} and {upper} at {high}; it needs different signs there")
+    newest, opposite, oldest = high, low, low
+    at_newest, at_opposite, at_oldest = upper, lower, lower
+    relative = max(relative, 4.0 * sys.float_info.epsilon)
+    for _ in range(most_steps + 1):
+        best, at_best = (newest, at_newest) if abs(at_newest) < abs(at_opposite) else (opposite, at_opposite)
+        width = opposite - newest
+        near = 0.5 * (max(absolute, sys.float_info.min) + relative * abs(best))
+        if at_best == 0.0 or abs(width) <= 2.0 * near:
+            return Root(best, True)
+        share = 0.5
+        if at_oldest not in (at_newest, at_opposite):
+            xi = (newest - opposite) / (oldest - opposite)
+            phi = (at_newest - at_opposite) / (at_oldest - at_opposite)
+            if phi * phi < xi and (1.0 - phi) * (1.0 - phi) < 1.0 - xi:
+                share = at_newest / (at_opposite - at_newest) * at_oldest / (at_opposite - at_oldest)
+                share += (
+                    (oldest - newest) / width * at_newest / (at_oldest - at_newest)
+                    * at_opposite / (at_oldest - at_opposite)
+                )  # fmt: skip
+        share = min(max(share, near / abs(width)), 1.0 - near / abs(width))
+        place = newest + share * width
+        there = function(place)
+        if math.isnan(there):
+            return Root(place, False)
+        if (there > 0.0) == (at_newest > 0.0):
+            oldest, at_oldest = newest, at_newest
+        else:
+            oldest, at_oldest, opposite, at_opposite = opposite, at_opposite, newest, at_newest
+        newest, at_newest = place, there
+    return Root(best, False)

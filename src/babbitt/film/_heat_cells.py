@@ -29,7 +29,7 @@ class Cells(NamedTuple):
 
     factor: Array  # of the layer below, in the forward sweep
     pivot: Array  # inverse
-    high: Array  # coupling to the layer above
+    high: Array  # coupling to the layer above, times the pivot
     heat: Array  # dissipation, and fresh oil from the sides
     west: Array  # flow that comes from the line before
     east: Array  # flow that comes back from the line behind
@@ -69,8 +69,8 @@ def fill_cells(surface, columns, flows, conduction, stirred, insulated, fresh, v
     laminar.
     """
     lines, n = flows.gap.shape[0], surface.step.size
-    layers, last = columns.layer.size, flows.gap.shape[1] - 1
-    low, diagonal, spread = np.empty(layers), np.empty(layers), np.empty(layers)
+    layers, last = len(columns.layers), flows.gap.shape[1] - 1
+    low, diagonal, high, spread = np.empty(layers), np.empty(layers), np.zeros(layers), np.empty(layers)
     for i in range(lines):
         west, east = (i - 1) % n, i % n
         width = 0.5 * (surface.step[west] + surface.step[east])
@@ -122,7 +122,7 @@ def fill_cells(surface, columns, flows, conduction, stirred, insulated, fresh, v
                     else:
                         up, down = max(across, 0.0), max(-across, 0.0)
                     diagonal[k] += up
-                    cells.high[i, c, k] = -down
+                    high[k] = -down
                     low[k + 1] = -up
                     diagonal[k + 1] += down
             cells.bush[i, c], cells.journal[i, c] = 0.0, 0.0
@@ -131,11 +131,13 @@ def fill_cells(surface, columns, flows, conduction, stirred, insulated, fresh, v
                 cells.journal[i, c] = conduct / (0.5 * columns.layer[layers - 1])
                 diagonal[0] += cells.bush[i, c]
                 diagonal[layers - 1] += cells.journal[i, c]
-            cells.pivot[i, c, 0] = 1.0 / diagonal[0]
-            for k in range(1, layers):
-                factor = low[k] * cells.pivot[i, c, k - 1]
-                cells.factor[i, c, k] = factor
-                cells.pivot[i, c, k] = 1.0 / (diagonal[k] - factor * cells.high[i, c, k - 1])
+            pivot, factor = 0.0, 0.0
+            for k in range(layers):
+                if k > 0:
+                    factor = low[k] * pivot
+                    diagonal[k] -= factor * high[k - 1]
+                pivot = 1.0 / diagonal[k]
+                cells.factor[i, c, k], cells.pivot[i, c, k], cells.high[i, c, k] = factor, pivot, high[k] * pivot
 
 
 AT_REST = 1e-14  # a cell that nothing passes keeps its temperature
@@ -150,7 +152,7 @@ def sweep_energy(surface, columns, flows, cells, sources, walls, temperature, gr
     before it leaves warms slowly, and in one pattern: of two sweeps the changes d_1, d_2 tell its share
     lambda = d_1 d_2 / d_1^2, and lambda / (1 - lambda) d_2 is what is still to come (Aitken).
     """
-    lines, count, layers = temperature.shape
+    lines, count, layers = temperature.shape[0], temperature.shape[1], len(columns.layers)
     right = np.empty(layers)
     before, last = np.empty(temperature.shape), np.empty(temperature.shape)
     change = 0.0
@@ -167,7 +169,7 @@ def sweep_energy(surface, columns, flows, cells, sources, walls, temperature, gr
                     for k in range(layers):
                         temperature[i, c, k] = groove[s]
                 elif flows.gap[i, c] > 0.0:
-                    change = max(change, solve_cell(cells, sources, walls, temperature, i, c, right))
+                    change = max(change, solve_cell(columns, cells, sources, walls, temperature, i, c, right))
         if change < tolerance:
             break
         if turn % 3 == 0:
@@ -178,10 +180,10 @@ def sweep_energy(surface, columns, flows, cells, sources, walls, temperature, gr
 
 
 @inlined
-def solve_cell(cells, sources, walls, temperature, i, c, right):
+def solve_cell(columns, cells, sources, walls, temperature, i, c, right):
     """Temperatures of one cell, its neighbours as they are; returns their largest change."""
-    lines, count, layers = temperature.shape
-    before, after = (i - 1) % lines, (i + 1) % lines
+    lines, count, layers = temperature.shape[0], temperature.shape[1], len(columns.layers)
+    before, after = i - 1 if i > 0 else lines - 1, i + 1 if i < lines - 1 else 0
     for k in range(layers):
         right[k] = sources * cells.heat[i, c, k] + AT_REST * temperature[i, c, k]
         right[k] += cells.west[i, c, k] * temperature[before, c, k]
@@ -194,11 +196,13 @@ def solve_cell(cells, sources, walls, temperature, i, c, right):
             right[k] += cells.outer[i, c, k] * temperature[i, c + 1, k]
     right[0] += cells.bush[i, c] * walls.bush[i]
     right[layers - 1] += cells.journal[i, c] * walls.journal[0]
-    for k in range(1, layers):
-        right[k] -= cells.factor[i, c, k] * right[k - 1]
+    value = 0.0
+    for k in range(layers):
+        value = right[k] - cells.factor[i, c, k] * value
+        right[k] = value * cells.pivot[i, c, k]
     change, value = 0.0, 0.0
     for k in range(layers - 1, -1, -1):
-        value = (right[k] - cells.high[i, c, k] * value) * cells.pivot[i, c, k]
+        value = right[k] - cells.high[i, c, k] * value
         change = max(change, abs(value - temperature[i, c, k]))
         temperature[i, c, k] = value
     return change
@@ -207,7 +211,7 @@ def solve_cell(cells, sources, walls, temperature, i, c, right):
 @inner
 def extrapolate(temperature, before, last, columns, groove):
     """Add what is still to come of a change that every sweep repeats in part."""
-    lines, count, layers = temperature.shape
+    lines, count, layers = temperature.shape[0], temperature.shape[1], len(columns.layers)
     both, alone = 0.0, 0.0
     for i in range(lines):
         for c in range(count):
@@ -244,7 +248,7 @@ def mix(surface, columns, flows, sources, walls, temperature, groove, s):
 @compiled
 def groove_balance(surface, columns, flows, sources, temperature, s):
     """Flow that the film brings to a supply, its enthalpy with the heat born there, and the flow that it takes."""
-    lines, n, layers = temperature.shape[0], surface.step.size, columns.layer.size
+    lines, n, layers = temperature.shape[0], surface.step.size, len(columns.layers)
     count = columns.size.size
     brought, enthalpy, taken = 0.0, 0.0, 0.0
     for i in range(n):

@@ -20,6 +20,7 @@ from numpy import float64, int64
 from numpy.typing import NDArray
 
 from babbitt.film._compiling import compiled, inlined
+from babbitt.film._surface_film import Counted
 
 Array = NDArray[float64]
 
@@ -30,7 +31,8 @@ class Columns(NamedTuple):
     column: NDArray[int64]  # of every node, (nodes,)
     supply: NDArray[int64]  # supply that a cell belongs to, or -1, (lines, columns)
     side: NDArray[int64]  # 1 where a node lies on a side edge, (nodes,)
-    layer: Array  # thickness of the layers, (layers,), summing to 1
+    layers: Counted  # as many zeros as layers, see ``counted``; few numbers of them are known to the compiler
+    layer: Array  # their thickness, (layers,), summing to 1
     size: Array  # share of the width of every column, (columns,)
 
 
@@ -66,7 +68,7 @@ def new_flows(lines, n, columns, layers):
 @compiled
 def spread_viscosity(surface, columns, viscosity, flows):
     """Effective viscosity and drag of every interval from the viscosity (lines, columns, layers), in place."""
-    n, layers = surface.step.size, columns.layer.size
+    n, layers = surface.step.size, len(columns.layers)
     lines = viscosity.shape[0]
     effective, drag = np.empty(columns.size.size), np.empty(columns.size.size)
     for i in range(n):
@@ -101,7 +103,7 @@ def spread_viscosity(surface, columns, viscosity, flows):
             for k in range(layers):
                 flows.shear_profile[i, c, k] /= total_s
                 flows.pressure_profile[i, c, k] /= total_p
-        for q in range(surface.radius.size):
+        for q in range(len(surface.points)):
             c = columns.column[surface.node[q]]
             if surface.viscosity[i, q] < 1e9:  # grooves are plugged
                 surface.viscosity[i, q], surface.drag[i, q] = effective[c], drag[c]
@@ -116,20 +118,20 @@ def gather_flows(surface, film, work, at, columns, flows):
     friction power, from the stress on the journal: shear + 3 f g^2 (j_1 - j_2^2/j_3) - Q (p - p').
     Their difference is the work of the flow, which vanishes but for supplies under pressure.
     """
-    lines, nodes = surface.held.shape
-    n = surface.step.size
+    lines, nodes, n = surface.held.shape[0], len(surface.nodes), surface.step.size
+    turbulent = surface.turbulence.size > 0
     for array in (flows.shear, flows.pressure, flows.axial, flows.leak, flows.heat, flows.gap, flows.fill):
         array[:] = 0.0
     warmth = np.zeros((lines, nodes))
     friction = 0.0
     weight = np.zeros((lines, columns.size.size))
-    for q in range(surface.radius.size):
-        j = surface.node[q]
-        c, share = columns.column[j], surface.share[q]
-        for i in range(n):
-            after = (i + 1) % lines
+    for i in range(n):
+        after = i + 1 if i + 1 < lines else 0
+        for q in range(len(surface.points)):
+            j = surface.node[q]
+            c, share = columns.column[j], surface.share[q]
             ha, hb = surface.gap_a[i, q], surface.gap_b[i, q]
-            for d in range(surface.lever.shape[0]):
+            for d in range(len(surface.motions)):
                 lift = at[d] * surface.lever[d, q]
                 ha -= lift * surface.shape_a[d, i]
                 hb -= lift * surface.shape_b[d, i]
@@ -137,7 +139,10 @@ def gather_flows(surface, film, work, at, columns, flows):
             flows.gap[after, c] += share * hb
             weight[i, c] += share
             weight[after, c] += share
-            flows.stir[i, c] = stirring(surface, i, q, ha)
+            stir_a, stir_b = 1.0, 1.0
+            if turbulent:
+                stir_a, stir_b = stirring(surface, i, q, ha), stirring(surface, i, q, hb)
+            flows.stir[i, c] = stir_a
             plugged = surface.viscosity[i, q] > 1e9 or (
                 surface.held[i, j] and surface.held[after, j] and columns.side[j] == 0
             )
@@ -146,7 +151,7 @@ def gather_flows(surface, film, work, at, columns, flows):
             half, speed = 0.5 * surface.step[i], surface.speed * surface.radius[q]
             a, b = 1.0 / ha, 1.0 / hb
             j1 = half * (a + b)
-            churned = half * (a * stirring(surface, i, q, ha) + b * stirring(surface, i, q, hb))
+            churned = half * (a * stir_a + b * stir_b)
             sheared = share * speed * speed * flows.shear_viscosity[i, c] * churned * work.fill[i, j]
             if work.holds[i, j] and work.fill[i, j] == 1.0:
                 f, g = surface.viscosity[i, q], speed * surface.drag[i, q]
@@ -159,7 +164,7 @@ def gather_flows(surface, film, work, at, columns, flows):
         for c in range(columns.size.size):
             flows.gap[i, c] /= weight[i, c]
     for i in range(n):
-        after = (i + 1) % lines
+        after = i + 1 if i + 1 < lines else 0
         for j in range(nodes):
             c = columns.column[j]
             drop = work.pressure[i, j] - work.pressure[after, j]
@@ -171,9 +176,12 @@ def gather_flows(surface, film, work, at, columns, flows):
             friction -= flux * drop
             warmth[i, j] += 0.5 * push * drop
             warmth[after, j] += 0.5 * push * drop
+    leaving, part = np.empty(nodes), np.empty(nodes)
+    for j in range(nodes):
+        part[j] = column_share(surface, j)
     for i in range(lines):
-        leaving = np.zeros(nodes)
-        for q in range(surface.radius.size):
+        leaving[:] = 0.0
+        for q in range(len(surface.points)):
             gradient = 0.0
             for b in range(nodes):
                 gradient += surface.slope[q, b] * work.pressure[i, b]
@@ -191,7 +199,7 @@ def gather_flows(surface, film, work, at, columns, flows):
             flows.heat[i, c] += warmth[i, j]
             if columns.side[j] == 1 and columns.supply[i, c] < 0:
                 flows.leak[i, c] -= work.row[i, j]
-            flows.fill[i, c] += min(max(work.fill[i, j], 0.0), 1.0) * column_share(surface, j) / columns.size[c]
+            flows.fill[i, c] += min(max(work.fill[i, j], 0.0), 1.0) * part[j] / columns.size[c]
     return flows.heat.sum(), friction
 
 
@@ -199,8 +207,6 @@ def gather_flows(surface, film, work, at, columns, flows):
 def stirring(surface, i, q, gap):
     """Turbulent over laminar shear at a place of the film, as ``turbulence.FilmTurbulence.shear_factor``."""
     law = surface.turbulence
-    if law.size == 0:
-        return 1.0
     number = law[0] * surface.radius[q] * gap / surface.viscosity[i, q]
     t = min(max((number - law[1]) / (law[2] - law[1]), 0.0), 1.0)
     return 1.0 + t * t * (3.0 - 2.0 * t) * law[7] * number ** law[8]
@@ -210,7 +216,7 @@ def stirring(surface, i, q, gap):
 def column_share(surface, j):
     """Share of the width of a node."""
     total = 0.0
-    for q in range(surface.radius.size):
+    for q in range(len(surface.points)):
         if surface.node[q] == j:
             total += surface.share[q]
     return total

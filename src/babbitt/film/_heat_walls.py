@@ -57,6 +57,30 @@ def wall_fluxes(columns, flows, walls, temperature, flux):
     return journal
 
 
+ALIKE = 0.5
+"""Change of the film's conductance, over its largest, up to which derivatives of the walls are kept."""
+
+
+@compiled
+def film_conductance(columns, flows, walls, i):
+    """Conductance k/h of the film at a line, W/(m2 K)."""
+    total = 0.0
+    for c in range(columns.size.size):
+        if columns.supply[i, c] < 0:
+            total += flows.fill[i, c] * columns.size[c] / flows.gap[i, c]
+    return walls.conduction * walls.flow_heat / walls.area * total
+
+
+@compiled
+def stale_walls(columns, flows, walls):
+    """Whether the film has become another one than that for which the derivatives of the walls were made."""
+    most, change = 0.0, 0.0
+    for i in range(walls.conductance.size):
+        film = film_conductance(columns, flows, walls, i)
+        most, change = max(most, film), max(change, abs(film - walls.conductance[i]))
+    return change > ALIKE * most
+
+
 @compiled
 def answer_walls(columns, flows, walls, temperature, part):
     """New temperatures of bush and journal from the heat that they take; their largest change, K.

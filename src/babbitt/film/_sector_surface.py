@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._surface_film import Surface, SurfaceWork
+from babbitt.film._surface_film import Surface, SurfaceWork, counted
 from babbitt.film.axial import AxialMesh, element_axial_mesh
 from babbitt.film.model import END_DAM, Cavitation
 from babbitt.film.ring import gauss_angles
@@ -49,6 +49,7 @@ def sector_surface(pad: SectorPad, theta: Array, mesh: AxialMesh, height: float,
     ones = np.ones((theta.size - 1, radius.size))
     law = np.zeros(0) if pad.turbulence is None else pad.turbulence.kernel_row(unit_reynolds(pad, height))
     return Surface(
+        **counted(mesh.nodes.size, radius.size, 3),
         step=np.diff(theta),
         shape_a=np.array([np.ones_like(a), np.cos(a), np.sin(a)]),
         shape_b=np.array([np.ones_like(b), np.cos(b), np.sin(b)]),

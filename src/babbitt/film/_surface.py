@@ -28,7 +28,7 @@ Streamers that no supply reaches could circle with any amount of oil; this lets 
 @inner
 def couple_lines(surface, film, work):
     """Kind of every node, and the diagonal coupling between each line and the line before it."""
-    lines, nodes = surface.held.shape
+    lines, nodes = surface.held.shape[0], len(surface.nodes)
     for i in range(lines):
         for j in range(nodes):
             held, wet = surface.held[i, j], work.wet[i, j]
@@ -52,11 +52,12 @@ def couple_lines(surface, film, work):
 @inner
 def fill_lines(surface, film, work):
     """Diagonal block and right-hand sides (pressure, adjoints) of every line, into ``inverse`` and ``swept``."""
-    lines, nodes = surface.held.shape
-    motions = surface.lever.shape[0]
+    lines, nodes = surface.held.shape[0], len(surface.nodes)
+    motions = len(surface.motions)
     block, right = work.inverse, work.swept
     block[:] = 0.0
     right[:] = 0.0
+    uniform = across_at_unit_gap(surface)
     for i in range(lines):
         before = (i - 1) % lines
         interval = (i - 1) % surface.step.size
@@ -64,8 +65,14 @@ def fill_lines(surface, film, work):
         for a in range(nodes):
             if work.counts[i, a]:
                 active = True
-        if active:
-            for q in range(surface.radius.size):
+        if active and even(surface, film, i):
+            stretch = surface.kappa * film.cubed[i, 0]
+            for a in range(nodes):
+                if work.counts[i, a]:
+                    for b in range(nodes):
+                        block[i, a, b] = stretch * uniform[a, b] if work.holds[i, b] else 0.0
+        elif active:
+            for q in range(len(surface.points)):
                 conduct = surface.kappa * surface.share[q] * film.cubed[i, q]
                 for a in range(nodes):
                     part = conduct * surface.slope[q, a]
@@ -94,6 +101,27 @@ def fill_lines(surface, film, work):
                 right[0, i, a] -= loss
 
 
+@inner
+def across_at_unit_gap(surface):
+    """Flow across of every node for the pressure of every other where int h^3 is one all over the width."""
+    nodes = len(surface.nodes)
+    operator = np.zeros((nodes, nodes))
+    for q in range(len(surface.points)):
+        for a in range(nodes):
+            for b in range(nodes):
+                operator[a, b] += surface.share[q] * surface.slope[q, a] * surface.slope[q, b]
+    return operator
+
+
+@inlined
+def even(surface, film, i):
+    """Whether int h^3 of a line is the same all over the width."""
+    unequal = 0
+    for q in range(1, len(surface.points)):
+        unequal += film.cubed[i, q] != film.cubed[i, 0]
+    return unequal == 0
+
+
 @spliced
 def solve_surface(surface, film, work):
     """Pressure (or void) and the adjoints of the forces, with the wet set as it stands."""
@@ -108,10 +136,10 @@ def solve_surface(surface, film, work):
 @inner
 def eliminate(surface, work):
     """Forward sweep over the lines (from line 1 in a ring): S_i = D_i - L_i S_i-1^-1 U_i, inverted in place."""
-    lines, nodes = work.wet.shape
+    lines, nodes = work.wet.shape[0], len(surface.nodes)
     first = 1 if surface.cyclic else 0
     block, right = work.inverse, work.swept
-    motions = right.shape[0] - 1
+    motions = len(surface.motions)
     for i in range(first, lines):
         if i > first:
             for a in range(nodes):
@@ -128,13 +156,12 @@ def eliminate(surface, work):
                         for b in range(nodes):
                             total += block[i - 1, b, a] * right[d, i - 1, b]
                         right[d, i, a] -= up * total
-        invert_line(block, i)
+        invert_line(block, i, nodes)
 
 
 @inlined
-def invert_line(blocks, i):
+def invert_line(blocks, i, m):
     """Inverse of block i in place, Gauss-Jordan without pivoting; rows of identity cost nothing."""
-    m = blocks.shape[1]
     for c in range(m):
         pivot = 1.0 / blocks[i, c, c]
         blocks[i, c, c] = 1.0
@@ -152,10 +179,10 @@ def invert_line(blocks, i):
 def back_sweep(surface, work):
     """Back substitution of all right-hand sides from the last line to the first (to line 1 in a ring)."""
     first = 1 if surface.cyclic else 0
-    lines, nodes = surface.held.shape
+    lines, nodes = surface.held.shape[0], len(surface.nodes)
     inverse, swept, solution = work.inverse, work.swept, work.solution
     for i in range(lines - 1, first - 1, -1):
-        for r in range(solution.shape[0]):
+        for r in range(1 + len(surface.motions)):
             if i < lines - 1:
                 for b in range(nodes):
                     link = work.upper[i + 1, b] if r == 0 else work.lower[i + 1, b]
@@ -168,9 +195,8 @@ def back_sweep(surface, work):
 
 
 @inner
-def multiply(left, right, product):
+def multiply(left, right, product, size):
     """Product of two square matrices, into ``product``."""
-    size = left.shape[0]
     for a in range(size):
         for b in range(size):
             product[a, b] = 0.0
@@ -188,15 +214,15 @@ def close_ring(surface, film, work):
     With B the block tridiagonal matrix of the lines 1.., c and r the coupling column and row of line 0,
     V = B^-1 c:   (D_0 - r V) z = b_0 - r B^-1 b,  u = B^-1 b - V z; the adjoint uses the transposes.
     """
-    lines, nodes = surface.held.shape
-    last, motions = lines - 1, surface.lever.shape[0]
+    lines, nodes = surface.held.shape[0], len(surface.nodes)
+    last, motions = lines - 1, len(surface.motions)
     v, carried = work.border, np.empty((nodes, nodes))
     v[:] = 0.0
     for a in range(nodes):  # column of line 0: rows of line 1 and of the last line
         v[1, a, a] += work.lower[1, a]
         v[last, a, a] += work.upper[0, a]
     for i in range(2, lines):
-        multiply(work.inverse[i - 1], v[i - 1], carried)
+        multiply(work.inverse[i - 1], v[i - 1], carried, nodes)
         for a in range(nodes):
             for b in range(nodes):
                 v[i, a, b] -= work.lower[i, a] * carried[a, b]
@@ -205,7 +231,7 @@ def close_ring(surface, film, work):
             for a in range(nodes):
                 for b in range(nodes):
                     v[i, a, b] -= work.upper[i + 1, a] * v[i + 1, a, b]
-        multiply(work.inverse[i], v[i], carried)
+        multiply(work.inverse[i], v[i], carried, nodes)
         for a in range(nodes):
             for b in range(nodes):
                 v[i, a, b] = carried[a, b]
@@ -213,7 +239,7 @@ def close_ring(surface, film, work):
     for a in range(nodes):
         for b in range(nodes):
             schur[a, b] -= work.upper[1, a] * v[1, a, b] + work.lower[0, a] * v[last, a, b]
-    invert_line(work.inverse, 0)
+    invert_line(work.inverse, 0, nodes)
     # pressure
     for a in range(nodes):
         right[0, a] -= work.upper[1, a] * work.solution[0, 1, a] + work.lower[0, a] * work.solution[0, last, a]

@@ -27,9 +27,28 @@ from babbitt.film._grids import FAR, GAUSS, NEAR
 Array = NDArray[float64]
 
 
+Counted = tuple[int, ...] | NDArray[int64]
+UNROLLED = (5, 5, 2)
+
+
+def counted(nodes: int, points: int, motions: int) -> dict[str, Counted]:
+    """How many nodes, points and motions a surface has, as its length tells the compiler.
+
+    In a tuple the compiler knows the number and unrolls its loops: for half of a symmetric bearing on the usual
+    grid. All others share kernels that count as they go.
+    """
+    numbers = {"nodes": nodes, "points": points, "motions": motions}
+    if tuple(numbers.values()) == UNROLLED:
+        return {name: (0,) * number for name, number in numbers.items()}
+    return {name: np.zeros(number, dtype=int64) for name, number in numbers.items()}
+
+
 class Surface(NamedTuple):
     """Nodes of one unrolled film, what is held there, and the gap of the centred runner. a, b: Gauss points."""
 
+    nodes: Counted  # as many zeros as nodes across the width, see ``counted``
+    points: Counted
+    motions: Counted
     step: Array  # (n,)
     shape_a: Array  # shape_d at the Gauss points of every interval, (motions, n)
     shape_b: Array
@@ -95,7 +114,7 @@ class SurfaceWork(NamedTuple):
 def new_surface_film(surface):
     """Coefficients for a surface, not filled yet."""
     n, lines = surface.step.size, surface.held.shape[0]
-    nodes, points, d = surface.held.shape[1], surface.radius.size, surface.lever.shape[0]
+    nodes, points, d = len(surface.nodes), len(surface.points), len(surface.motions)
     return SurfaceFilm(
         np.empty((n, nodes)), np.empty((n, nodes)), np.empty((lines, points)), np.empty((d, n, nodes)),
         np.empty((d, n, nodes)), np.empty((d, lines, points)), np.empty((lines, nodes)),
@@ -106,8 +125,8 @@ def new_surface_film(surface):
 @compiled
 def new_surface_work(surface):
     """Workspace for a surface, all nodes wet."""
-    lines, nodes = surface.held.shape
-    d = 1 + surface.lever.shape[0]
+    lines, nodes = surface.held.shape[0], len(surface.nodes)
+    d = 1 + len(surface.motions)
     return SurfaceWork(
         np.ones((lines, nodes), np.bool_), np.zeros((d, lines, nodes)), np.zeros((d, lines, nodes)),
         np.zeros((lines, nodes, nodes)), np.ones((lines, nodes), np.bool_), np.ones((lines, nodes), np.bool_),
@@ -121,7 +140,7 @@ def new_surface_work(surface):
 def gap_at(surface, at, i, q):
     """Gap at the two Gauss points of interval i, at point q of the width."""
     ha, hb = surface.gap_a[i, q], surface.gap_b[i, q]
-    for d in range(surface.lever.shape[0]):
+    for d in range(len(surface.motions)):
         lift = at[d] * surface.lever[d, q]
         ha -= lift * surface.shape_a[d, i]
         hb -= lift * surface.shape_b[d, i]
@@ -132,7 +151,7 @@ def gap_at(surface, at, i, q):
 def smallest_surface_gap(surface, at):
     """Smallest gap at the Gauss points."""
     smallest = np.inf
-    for q in range(surface.radius.size):
+    for q in range(len(surface.points)):
         for i in range(surface.step.size):
             ha, hb = gap_at(surface, at, i, q)
             smallest = min(smallest, min(ha, hb))
@@ -183,49 +202,79 @@ def inlet_reach(surface, i, q, gap, rise):
 
 @inner
 def surface_coefficients(surface, at, rate, film):
-    """Fill the coefficients of the film at a position and velocity."""
-    n, lines, motions = surface.step.size, surface.held.shape[0], surface.lever.shape[0]
+    """Fill the coefficients of the film at a position and velocity.
+
+    Points of a line where gap and oil are what they are at the point before, and no supply is, share them.
+    """
+    n, lines, motions = surface.step.size, surface.held.shape[0], len(surface.motions)
+    points = len(surface.points)
     for array in (film.conductance, film.couette, film.cubed, film.squeeze, film.inlet):
         array[:] = 0.0
     for array in (film.conductance_d, film.couette_d, film.cubed_d, film.load, film.inlet_d):
         array[:] = 0.0
-    for q in range(surface.radius.size):
-        j, share, along, radius = surface.node[q], surface.share[q], surface.along[q], surface.radius[q]
-        for i in range(n):
-            half, after = 0.5 * surface.step[i], (i + 1) % lines
-            ha, hb = gap_at(surface, at, i, q)
-            mu, speed = surface.viscosity[i, q], surface.speed * surface.drag[i, q]
-            fa, fa_h = thickening(surface, mu, radius, ha, 0)
-            fb, fb_h = thickening(surface, mu, radius, hb, 0)
-            ga, ga_h = thickening(surface, mu, radius, ha, 1)
-            gb, gb_h = thickening(surface, mu, radius, hb, 1)
-            a2, b2 = fa / (ha * ha), fb / (hb * hb)
-            j3 = a2 / ha + b2 / hb
-            t = along / (12.0 * half * mu * j3)
-            mean = 0.5 * speed * (a2 + b2) / j3
-            film.conductance[i, j] += t
+    same = np.zeros(points, np.bool_)
+    for q in range(1, points):
+        same[q] = surface.radius[q] == surface.radius[q - 1]
+        for d in range(motions):
+            same[q] = same[q] and surface.lever[d, q] == surface.lever[d, q - 1]
+    t, mean, near, far, inlet = 0.0, 0.0, 0.0, 0.0, 0.0
+    of_motion = np.empty((motions, 7))
+    for i in range(n):
+        after, half = (i + 1) % lines, 0.5 * surface.step[i]
+        fed = False
+        for q in range(points):
+            j, share, along, radius = surface.node[q], surface.share[q], surface.along[q], surface.radius[q]
+            was_fed = fed
+            fed = i < lines and surface.held[i, j] and surface.held_pressure[i, j] > 0.0
+            mu, drag = surface.viscosity[i, q], surface.drag[i, q]
+            if (
+                fed or was_fed or not same[q] or surface.gap_a[i, q] != surface.gap_a[i, q - 1]
+                or surface.gap_b[i, q] != surface.gap_b[i, q - 1] or mu != surface.viscosity[i, q - 1]
+                or drag != surface.drag[i, q - 1]
+            ):  # fmt: skip
+                ha, hb = gap_at(surface, at, i, q)
+                speed = surface.speed * drag
+                fa, fa_h = thickening(surface, mu, radius, ha, 0)
+                fb, fb_h = thickening(surface, mu, radius, hb, 0)
+                ga, ga_h = thickening(surface, mu, radius, ha, 1)
+                gb, gb_h = thickening(surface, mu, radius, hb, 1)
+                over_a, over_b = 1.0 / ha, 1.0 / hb
+                a2, b2 = fa * over_a * over_a, fb * over_b * over_b
+                j3 = a2 * over_a + b2 * over_b
+                t = 1.0 / (12.0 * half * mu * j3)
+                mean = 0.5 * speed * (a2 + b2) / j3
+                ha2, hb2 = half * ha * ha / (mu * ga), half * hb * hb / (mu * gb)
+                near, far = NEAR * ha2 * ha + FAR * hb2 * hb, FAR * ha2 * ha + NEAR * hb2 * hb
+                gap = ha - NEAR_END * (hb - ha)  # at the line where the interval begins
+                reach, reach_gap, reach_growth = 0.0, 0.0, 0.0
+                if fed:
+                    reach, reach_gap, reach_growth = inlet_reach(surface, i, q, gap, (hb - ha) / (2.0 * GAUSS))
+                inlet = 0.5 * speed * (gap + reach)
+                for d in range(motions):
+                    lever = surface.lever[d, q]
+                    sa, sb = surface.shape_a[d, i] * lever, surface.shape_b[d, i] * lever
+                    a3, b3 = sa * a2 * over_a, sb * b2 * over_b
+                    j3_d = ((3.0 - fa_h) * a3 * over_a + (3.0 - fb_h) * b3 * over_b) / j3
+                    j2_d = ((2.0 - fa_h) * a3 + (2.0 - fb_h) * b3) / j3
+                    ca, cb = (3.0 - ga_h) * ha2 * sa, (3.0 - gb_h) * hb2 * sb
+                    start, rise = sa - NEAR_END * (sb - sa), (sb - sa) / (2.0 * GAUSS)
+                    start += reach_gap * start + reach_growth * rise
+                    of_motion[d, 0], of_motion[d, 1] = -t * j3_d, 0.5 * speed * j2_d - mean * j3_d
+                    of_motion[d, 2], of_motion[d, 3] = -NEAR * ca - FAR * cb, -FAR * ca - NEAR * cb
+                    of_motion[d, 4] = -0.5 * speed * start
+                    of_motion[d, 5], of_motion[d, 6] = half * (NEAR * sa + FAR * sb), half * (FAR * sa + NEAR * sb)
+            film.conductance[i, j] += along * t
             film.couette[i, j] += share * mean
-            ha2, hb2 = half * ha * ha / (mu * ga), half * hb * hb / (mu * gb)
-            film.cubed[i, q] += NEAR * ha2 * ha + FAR * hb2 * hb
-            film.cubed[after, q] += FAR * ha2 * ha + NEAR * hb2 * hb
-            gap = ha - NEAR_END * (hb - ha)  # at the line where the interval begins
-            reach, reach_gap, reach_growth = inlet_reach(surface, i, q, gap, (hb - ha) / (2.0 * GAUSS))
-            film.inlet[i, j] += share * 0.5 * speed * (gap + reach)
+            film.cubed[i, q] += near
+            film.cubed[after, q] += far
+            film.inlet[i, j] += share * inlet
             for d in range(motions):
-                lever = surface.lever[d, q]
-                sa, sb = surface.shape_a[d, i] * lever, surface.shape_b[d, i] * lever
-                a3, b3 = sa * a2 / ha, sb * b2 / hb
-                j3_d = ((3.0 - fa_h) * a3 / ha + (3.0 - fb_h) * b3 / hb) / j3
-                film.conductance_d[d, i, j] -= t * j3_d
-                j2_d = ((2.0 - fa_h) * a3 + (2.0 - fb_h) * b3) / j3
-                film.couette_d[d, i, j] += share * (0.5 * speed * j2_d - mean * j3_d)
-                ca, cb = (3.0 - ga_h) * ha2 * sa, (3.0 - gb_h) * hb2 * sb
-                film.cubed_d[d, i, q] -= NEAR * ca + FAR * cb
-                film.cubed_d[d, after, q] -= FAR * ca + NEAR * cb
-                start, rise = sa - NEAR_END * (sb - sa), (sb - sa) / (2.0 * GAUSS)
-                start += reach_gap * start + reach_growth * rise
-                film.inlet_d[d, i, j] -= share * 0.5 * speed * start
-                here, there = share * half * (NEAR * sa + FAR * sb), share * half * (FAR * sa + NEAR * sb)
+                film.conductance_d[d, i, j] += along * of_motion[d, 0]
+                film.couette_d[d, i, j] += share * of_motion[d, 1]
+                film.cubed_d[d, i, q] += of_motion[d, 2]
+                film.cubed_d[d, after, q] += of_motion[d, 3]
+                film.inlet_d[d, i, j] += share * of_motion[d, 4]
+                here, there = share * of_motion[d, 5], share * of_motion[d, 6]
                 film.load[d, i, j] += here
                 film.load[d, after, j] += there
                 film.squeeze[i, j] -= rate[d] * here

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from babbitt.film._compiling import compiled, inner
+import numpy as np
+
+from babbitt.film._compiling import compiled, inlined, inner
 from babbitt.film._forces import TIE, shortening
 from babbitt.film._surface import solve_surface
 from babbitt.film._surface_film import surface_coefficients, true_pressure
@@ -20,11 +22,11 @@ def evaluate_surface(surface, film, work, at, rate, smooth, force, stiffness, da
             end_adjoints_at_rupture(surface, film, work)
         solve_surface(surface, film, work)
         for i in range(work.pressure.shape[0]):
-            for j in range(work.pressure.shape[1]):
+            for j in range(len(surface.nodes)):
                 if again == 0:
                     work.pressure[i, j] = work.solution[0, i, j]
                     work.stiffening[i, j] = 1.0
-                    if work.holds[i, j]:
+                    if work.holds[i, j] and surface.piezo.shape[1] > 0:
                         work.stiffening[i, j] = true_pressure(surface, work.pressure[i, j])[1]
                 else:
                     work.solution[0, i, j] = work.pressure[i, j]
@@ -37,7 +39,7 @@ def evaluate_surface(surface, film, work, at, rate, smooth, force, stiffness, da
 @inner
 def balance_rows(surface, film, work):
     """Split the solution into pressure and liquid fraction and balance every node; a held node's row is supply."""
-    lines, nodes = surface.held.shape
+    lines, nodes = surface.held.shape[0], len(surface.nodes)
     for i in range(lines):
         for j in range(nodes):
             value = work.solution[0, i, j]
@@ -47,14 +49,7 @@ def balance_rows(surface, film, work):
                 if surface.conserving:
                     work.fill[i, j] = 1.0 - value
             work.row[i, j] = film.squeeze[i, j] * work.fill[i, j]
-        for q in range(surface.radius.size):
-            gradient = 0.0
-            for b in range(nodes):
-                gradient += surface.slope[q, b] * work.pressure[i, b]
-            if gradient != 0.0:
-                gradient *= surface.kappa * surface.share[q] * film.cubed[i, q]
-                for b in range(nodes):
-                    work.row[i, b] += gradient * surface.slope[q, b]
+        flow_across(surface, film, work, i)
     for i in range(surface.step.size):
         after = (i + 1) % lines
         for j in range(nodes):
@@ -66,10 +61,24 @@ def balance_rows(surface, film, work):
             work.row[after, j] -= flux
 
 
+@inlined
+def flow_across(surface, film, work, i):
+    """Add what a line sends across the width to the balance of its nodes."""
+    nodes = len(surface.nodes)
+    for q in range(len(surface.points)):
+        gradient = 0.0
+        for b in range(nodes):
+            gradient += surface.slope[q, b] * work.pressure[i, b]
+        if gradient != 0.0:
+            gradient *= surface.kappa * surface.share[q] * film.cubed[i, q]
+            for b in range(nodes):
+                work.row[i, b] += gradient * surface.slope[q, b]
+
+
 @inner
 def update_surface(surface, film, work):
     """Semismooth Newton step on the wet set; returns the number of changes."""
-    lines, nodes = surface.held.shape
+    lines, nodes = surface.held.shape[0], len(surface.nodes)
     changed = 0
     for i in range(lines):
         for j in range(nodes):
@@ -85,7 +94,7 @@ def update_surface(surface, film, work):
 @inner
 def end_adjoints_at_rupture(surface, film, work):
     """Conductance from the last wet line to the rupture itself, see ``_endings``."""
-    lines, nodes = surface.held.shape
+    lines, nodes = surface.held.shape[0], len(surface.nodes)
     n = surface.step.size
     for i in range(lines):
         for j in range(nodes):
@@ -107,47 +116,61 @@ def end_adjoints_at_rupture(surface, film, work):
 @inner
 def reduce_surface(surface, film, work, force, stiffness, damping):
     """Forces from the reference pressure; stiffness and damping from the adjoints (``_forces.add_forces``)."""
-    lines, nodes = surface.held.shape
-    n, motions = surface.step.size, surface.lever.shape[0]
-    adjoint = work.solution
-    for i in range(lines):  # the row of a held node is no balance: its adjoint does not count
+    lines, nodes = surface.held.shape[0], len(surface.nodes)
+    n, points, motions = surface.step.size, len(surface.points), len(surface.motions)
+    adjoint, pressure, fill = work.solution, work.pressure, work.fill
+    excess, drop, rise = np.empty((lines, nodes)), np.empty((n, nodes)), np.empty((motions, n, nodes))
+    slope = np.empty((1 + motions, lines, points))
+    for i in range(lines):
         for j in range(nodes):
-            if not work.counts[i, j]:
+            excess[i, j] = pressure[i, j] - surface.reference
+            if surface.piezo.shape[1] > 0:
+                excess[i, j] = true_pressure(surface, pressure[i, j])[0] - surface.reference
+            if not work.counts[i, j]:  # the row of a held node is no balance: its adjoint does not count
                 for d in range(motions):
                     adjoint[1 + d, i, j] = 0.0
+        for q in range(points):
+            for d in range(1 + motions):
+                total = 0.0
+                for b in range(nodes):
+                    total += surface.slope[q, b] * (pressure[i, b] if d == 0 else adjoint[d, i, b])
+                slope[d, i, q] = total
+            slope[0, i, q] *= surface.kappa * surface.share[q]
+    for i in range(n):
+        after = i + 1 if i + 1 < lines else 0
+        for j in range(nodes):
+            drop[i, j] = pressure[i, j] - pressure[after, j]
+            for d in range(motions):
+                rise[d, i, j] = adjoint[1 + d, i, j] - adjoint[1 + d, after, j]
     for d in range(motions):
-        total = 0.0
-        for i in range(lines):
-            for j in range(nodes):
-                pressure = true_pressure(surface, work.pressure[i, j])[0]
-                total -= film.load[d, i, j] * (pressure - surface.reference)
-        force[d] = total
-        for e in range(motions):
-            stiff, damp = 0.0, 0.0
+        force[d] = -dot(film.load[d].ravel(), excess.ravel())
+    for e in range(motions):
+        flux = fill[:n] * film.couette_d[e] + drop * film.conductance_d[e]
+        if surface.conserving:
             for i in range(n):
-                after = (i + 1) % lines
+                after = i + 1 if i + 1 < lines else 0
                 for j in range(nodes):
-                    flux = work.fill[i, j] * film.couette_d[e, i, j]
-                    flux += (work.pressure[i, j] - work.pressure[after, j]) * film.conductance_d[e, i, j]
-                    if surface.conserving and surface.held[i, j] and not work.holds[after, j]:
-                        flux = film.inlet_d[e, i, j] * work.fill[i, j]
-                    stiff += (adjoint[1 + d, i, j] - adjoint[1 + d, after, j]) * flux
-            for i in range(lines):
-                for j in range(nodes):
-                    damp -= adjoint[1 + d, i, j] * work.fill[i, j] * film.load[e, i, j]
-                for q in range(surface.radius.size):
-                    gradient, slope = 0.0, 0.0
-                    for b in range(nodes):
-                        gradient += surface.slope[q, b] * work.pressure[i, b]
-                        slope += surface.slope[q, b] * adjoint[1 + d, i, b]
-                    stiff += surface.kappa * surface.share[q] * gradient * slope * film.cubed_d[e, i, q]
-            stiffness[d, e], damping[d, e] = stiff, damp
+                    if surface.held[i, j] and not work.holds[after, j]:
+                        flux[i, j] = film.inlet_d[e, i, j] * fill[i, j]
+        across, moved = slope[0] * film.cubed_d[e], fill * film.load[e]
+        for d in range(motions):
+            stiff = dot(rise[d].ravel(), flux.ravel()) + dot(slope[1 + d].ravel(), across.ravel())
+            stiffness[d, e], damping[d, e] = stiff, -dot(adjoint[1 + d].ravel(), moved.ravel())
+
+
+@inlined
+def dot(one, other):
+    """Scalar product."""
+    total = 0.0
+    for i in range(one.size):
+        total += one[i] * other[i]
+    return total
 
 
 @compiled
 def carry_streamers(surface, film, work):
     """Liquid fraction behind a Reynolds rupture by continuity: flows and friction count only the oil there."""
-    lines, nodes = surface.held.shape
+    lines, nodes = surface.held.shape[0], len(surface.nodes)
     n = surface.step.size
     for j in range(nodes):
         flux = -1.0  # unknown until the column has passed a film

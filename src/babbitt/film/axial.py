@@ -13,7 +13,7 @@ Source: Canuto, Hussaini, Quarteroni, Zang, Spectral Methods: Fundamentals in Si
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -182,12 +182,12 @@ class AxialMesh:
     slope: Array
     side_nodes: tuple[int, ...]
 
-    @property
+    @cached_property
     def element_starts(self) -> NDArray[np.int64]:
         """First point of every element, shape (elements,)."""
         return np.flatnonzero(np.concatenate(([True], np.diff(self.points) < 1e-9)))
 
-    @property
+    @cached_property
     def breaks(self) -> tuple[int, ...]:
         """Nodes at the ends of the elements; none where the only element is half of an even polynomial."""
         starts = self.element_starts
@@ -195,7 +195,7 @@ class AxialMesh:
             return ()
         return (*(int(node) for node in self.node_of_point[starts]), self.nodes.size - 1)
 
-    @property
+    @cached_property
     def element_centres(self) -> Array:
         """Middle of the element that a point belongs to, shape (points,)."""
         starts = self.element_starts
@@ -204,6 +204,7 @@ class AxialMesh:
         return np.repeat(middles, ends - starts)
 
 
+@lru_cache(maxsize=32)
 def even_axial_mesh(unknowns: int) -> AxialMesh:
     """The even operator as a mesh of one element from the mid-plane to the edge."""
     degree = 2 * unknowns
@@ -217,6 +218,7 @@ def even_axial_mesh(unknowns: int) -> AxialMesh:
     return AxialMesh(points, points, share, np.arange(unknowns + 1), folded, (unknowns,))
 
 
+@lru_cache(maxsize=64)
 def element_axial_mesh(boundaries: tuple[float, ...], degrees: tuple[int, ...]) -> AxialMesh:
     """Spectral elements between given boundaries.
 

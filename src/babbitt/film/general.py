@@ -115,8 +115,9 @@ def line_density(film: JournalFilm, at: Array, gap: float) -> Density:
     lowest = max(gap, 1e-6)
 
     def density(angle: Array) -> Array:
-        gain = axial_gain(film, angle, sides).min(axis=1) / film.clearance
-        thickness = bore_gap(film, angle) - at[0] * np.cos(angle) - at[1] * np.sin(angle) + gain
+        thickness = bore_gap(film, angle) - at[0] * np.cos(angle) - at[1] * np.sin(angle)
+        if not film.is_straight:
+            thickness += axial_gain(film, angle, sides).min(axis=1) / film.clearance
         return np.asarray(np.maximum(thickness, lowest) ** exponent)
 
     return density

@@ -14,6 +14,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.design.roots import bracketed_root
 from babbitt.film.model import Cavitation, JournalFilm, Resolution
 from babbitt.film.solution import FilmSolution
 from babbitt.results import Outcome
@@ -70,8 +71,6 @@ def half_sommerfeld_equilibrium(
     film: JournalFilm, load: tuple[float, float], resolution: Resolution
 ) -> FilmSolution:
     """Where the film carries a load (N): first the depth, for a round ring looks the same from everywhere."""
-    from scipy.optimize import brentq
-
     size = math.hypot(*load)
 
     def on_axis(eps: float) -> FilmSolution:
@@ -84,7 +83,7 @@ def half_sommerfeld_equilibrium(
         return on_axis(0.0)
     if surplus(DEEPEST) < 0.0:
         return replace(on_axis(DEEPEST), outcome=Outcome.OVERLOADED)
-    eps = brentq(surplus, 1e-9, DEEPEST, xtol=1e-12, rtol=1e-10)
+    eps = bracketed_root(surplus, 1e-9, DEEPEST, 1e-12, 1e-10)
     force = on_axis(eps).force
     turn = math.atan2(-load[1], -load[0]) - math.atan2(force[1], force[0])
     place = (eps * film.clearance * math.cos(turn), eps * film.clearance * math.sin(turn))

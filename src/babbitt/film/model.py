@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from enum import Enum
+from functools import cached_property
 
 from babbitt.film.piezoviscosity import PressureViscosity
 from babbitt.film.turbulence import FilmTurbulence
@@ -227,7 +228,7 @@ class JournalFilm:
     turbulence: FilmTurbulence | None = None
     pressure_viscosity: PressureViscosity | None = None
 
-    @property
+    @cached_property
     def land_order(self) -> list[int]:
         """Numbers of the lands by their start angles within a turn."""
         return sorted(range(len(self.lands)), key=lambda number: self.lands[number].start_angle % (2.0 * math.pi))
@@ -259,11 +260,16 @@ class JournalFilm:
         )
 
     @property
+    def is_straight(self) -> bool:
+        """Whether the gap is the same all over the width, but for steps and pockets."""
+        return self.misalignment == (0.0, 0.0) and not self.crowning and not self.displacement
+
+    @property
     def is_starved(self) -> bool:
         """Whether a groove or pocket fills only part of the gap behind it."""
         return any(land.start_fill < 1.0 for land in self.lands) or any(one.fill < 1.0 for one in self.pockets)
 
-    @property
+    @cached_property
     def is_symmetric(self) -> bool:
         """Whether both halves of the width are alike."""
         return (

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._surface_film import Surface
+from babbitt.film._surface_film import Surface, counted
 from babbitt.film.axial import AxialMesh
 from babbitt.film.model import END_DAM, Cavitation, Field, FilmStart, JournalFilm, Land
 from babbitt.film.piezoviscosity import pressure_table, reduced_pressure
@@ -94,6 +94,7 @@ def build_ring(
     levers = np.ones((motions, mesh.points.size))
     levers[2:] = mesh.points
     surface = Surface(
+        **counted(mesh.nodes.size, mesh.points.size, motions),
         step=np.diff(theta), shape_a=shapes[0], shape_b=shapes[1], lever=levers, gap_a=gap_a, gap_b=gap_b,
         viscosity=viscosity, drag=np.ones_like(gap_a), turbulence=turbulence_row(film),
         radius=np.ones_like(mesh.share), share=mesh.share, along=mesh.share, node=mesh.node_of_point,
@@ -194,11 +195,13 @@ def gaps(film: JournalFilm, theta: Array, mesh: AxialMesh) -> tuple[Array, Array
     """Gap of the centred journal at both Gauss points of every interval and axial point, in clearances."""
     z = mesh.points * (0.5 * film.width)
     deeper = step_depths(film, theta, mesh)
-    first, second = (
-        bore_gap(film, angle)[:, None] + (axial_gain(film, angle, z) + deeper) / film.clearance
-        for angle in gauss_angles(theta)
-    )
-    return first, second
+
+    def gap(angle: Array) -> Array:
+        more = deeper if film.is_straight else deeper + axial_gain(film, angle, z)
+        return np.asarray(bore_gap(film, angle)[:, None] + more / film.clearance)
+
+    first, second = gauss_angles(theta)
+    return gap(first), gap(second)
 
 
 def axial_gain(film: JournalFilm, angle: Array, z: Array) -> Array:
@@ -262,7 +265,9 @@ def bore_gap(film: JournalFilm, angle: Array) -> Array:
 def land_gap(film: JournalFilm, land: Land, angle: Array) -> Array:
     """Gap over one land, in clearances."""
     clearance = film.clearance if land.clearance is None else land.clearance
-    gap = clearance + land.centre[0] * np.cos(angle) + land.centre[1] * np.sin(angle)
+    gap = np.full(angle.size, clearance)
+    if land.centre != (0.0, 0.0):
+        gap += land.centre[0] * np.cos(angle) + land.centre[1] * np.sin(angle)
     if land.profile:
         extent = land.end_angle - land.start_angle
         place = ((angle - land.start_angle) % TURN) / extent

@@ -50,6 +50,10 @@ class GrooveArc:
         """Where the groove ends, rad."""
         return self.first + self.extent
 
+    def spans(self, angle: float) -> bool:
+        """Whether an angle lies in the groove."""
+        return (angle - self.first) % TURN <= self.extent
+
 
 def groove_arcs(film: JournalFilm) -> list[GrooveArc]:
     """Grooves between the lands, each behind its land of ``film.land_order``."""
@@ -87,18 +91,20 @@ def ring_lines(film: JournalFilm, start: float, per_turn: int, density: Density 
     """
     grooves = [] if film.film_start is FilmStart.PERIODIC else groove_arcs(film)
     marks = marked_angles(start, [(arc.first, arc.last) for arc in grooves] + rectangles(film))
-    spans = []
+    spans, rims = [], supply_rims(film)
     for left, right in pairwise(marks):
-        fine = np.linspace(left, right, 8 + int(720 * (right - left) / TURN))
-        wanted = np.ones(fine.size) if density is None else density(fine)
-        if any(within(np.array([0.5 * (left + right)]), arc.first, arc.last)[0] for arc in grooves):
-            wanted = np.zeros(fine.size)
+        if any(arc.spans(0.5 * (left + right)) for arc in grooves):
+            fine = np.array([left, right])
+            wanted = np.zeros(2)
+        else:
+            fine = np.linspace(left, right, 8 + int(720 * (right - left) / TURN))
+            wanted = np.ones(fine.size) if density is None else density(fine)
         spans.append((fine, wanted))
     per_mass = per_turn / sum(cumulative_trapezoid(wanted, fine)[-1] for fine, wanted in spans)
     pieces = [marks[:1]]
     for fine, wanted in spans:
         if wanted.any():
-            mass = cumulative_trapezoid(np.maximum(per_mass * wanted, rim_density(film, fine, per_turn)), fine)
+            mass = cumulative_trapezoid(np.maximum(per_mass * wanted, rim_density(rims, fine, per_turn)), fine)
             count = max(2, round(mass[-1]))
             pieces.append(np.interp(mass[-1] * np.arange(1, count) / count, mass, fine))
         pieces.append(fine[-1:])
@@ -117,16 +123,22 @@ def marked_angles(start: float, arcs: list[tuple[float, float]]) -> Array:
     return np.asarray(marks)
 
 
-def rim_density(film: JournalFilm, angle: Array, per_turn: int) -> Array:
-    """Lines per radian that the rims of pockets and of open grooves under pressure ask for; none within them.
+def supply_rims(film: JournalFilm) -> list[tuple[float, float, float]]:
+    """Centre and extent (rad) of supplies that leak over a rim, and their size over the radius.
 
     Of an open groove the ends leak, over a length of the size of its dams.
     """
-    radius, wanted = 0.5 * film.diameter, np.zeros(angle.size)
+    radius = 0.5 * film.diameter
     rims = [(one.centre_angle, one.extent, max(one.extent, one.axial_length / radius)) for one in film.pockets]
     for arc in groove_arcs(film) if film.film_start is not FilmStart.PERIODIC else []:
         if arc.pressure > 0.0:
             rims.append((arc.first + 0.5 * arc.extent, arc.extent, 2.0 * END_DAM * film.width / radius))
+    return rims
+
+
+def rim_density(rims: list[tuple[float, float, float]], angle: Array, per_turn: int) -> Array:
+    """Lines per radian that the rims of supplies ask for; none within them."""
+    wanted = np.zeros(angle.size)
     for centre, extent, size in rims:
         away = np.abs((angle - centre + math.pi) % TURN - math.pi) - 0.5 * extent
         spacing = size * RIM_CELLS / per_turn + RIM_GROWTH * np.maximum(away, 0.0)
@@ -142,7 +154,9 @@ def rectangles(film: JournalFilm) -> list[tuple[float, float]]:
 
 def cumulative_trapezoid(values: Array, at: Array) -> Array:
     """Integral from the first place to every other, shape (n,)."""
-    return np.concatenate(([0.0], np.cumsum(0.5 * (values[1:] + values[:-1]) * np.diff(at))))
+    integral = np.zeros(at.size)
+    np.cumsum(0.5 * (values[1:] + values[:-1]) * (at[1:] - at[:-1]), out=integral[1:])
+    return integral
 
 
 def axial_mesh(film: JournalFilm, degree: int, *, halved: bool) -> AxialMesh:

@@ -149,13 +149,23 @@ def groove_lines(first: int, last: int, lines: int) -> NDArray[np.int64]:
 
 def drain_sides(ring: Ring, film: SurfaceFilm, work: SurfaceWork) -> None:
     """Let sides at cavitation pressure run partly filled where less oil arrives than their gap could carry."""
+    fed = fed_lines(ring)
+    for edge in drained_edges(ring):
+        drain_edge(ring.surface, film, work, edge, fed)
+
+
+def drained_edges(ring: Ring) -> list[int]:
+    """Nodes of the sides that can run partly filled: those at cavitation pressure of a film that moves."""
     if not ring.surface.speed > 0.0:
-        return
-    fed = np.zeros(work.row.shape[0], dtype=bool)
+        return []
+    return [edge for edge in ring.mesh.side_nodes if ring.surface.held_pressure[0, edge] <= 0.0]
+
+
+def fed_lines(ring: Ring) -> NDArray[np.bool_]:
+    """Lines on the ends of grooves."""
+    fed = np.zeros(ring.surface.held.shape[0], dtype=bool)
     fed[[line for ends in ring.groove_lines for line in ends]] = True
-    for edge in ring.mesh.side_nodes:
-        if ring.surface.held_pressure[0, edge] <= 0.0:
-            drain_edge(ring.surface, film, work, edge, fed)
+    return fed
 
 
 def twins(film: JournalFilm, grooves: int) -> list[int]:

@@ -17,6 +17,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.design.roots import bracketed_root
 from babbitt.film.model import Cavitation, FilmStart, JournalFilm
 from babbitt.film.solution import FilmSolution
 from babbitt.notices import InputError
@@ -216,8 +217,6 @@ class _Search:
 
     def single(self, place: int, states: Array, drawn: Array) -> float:
         """State of one supply that takes its flow, the others as they are."""
-        from scipy.optimize import brentq
-
         states = states.copy()
 
         def excess(log_state: float) -> float:
@@ -234,7 +233,7 @@ class _Search:
             if low <= math.log(LEAST_FILL):
                 raise _NoFilmError(self.film_at(states))
             high = low
-        return math.exp(brentq(excess, low, high, xtol=1e-13, rtol=1e-13))
+        return math.exp(bracketed_root(excess, low, high, 1e-13, 1e-13))
 
     def several(self, full: Array, drawn: Array) -> Array:
         """States of several supplies: a root of the function of Fischer and Burmeister in both inequalities."""

@@ -49,6 +49,8 @@ SETTLED = 2e-2
 COLD_LOAD = 2.0
 """Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks
 nothing and would have no bound to its temperature."""
+COLDLY_CARRIED = 0.2
+"""Residual force over load of this start: the first heat moves the journal by more."""
 CLOSING, CLOSED, OPEN = 400, 3e-8, 1e-4
 """Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from
 which the film counts as not converged."""
@@ -174,7 +176,7 @@ def attempt(
 def cold_start(sample: Sample, load: Array) -> Array:
     """Where a film of fresh oil carries the load, or a part of it that leaves the film thick."""
     part = min(1.0, COLD_LOAD / max(math.hypot(*load), 1e-300))
-    at, _, _, gap = carry(sample, part * load, np.zeros(2), 0.05, 30, False)
+    at, _, _, gap = carry(sample, part * load, np.zeros(2), COLDLY_CARRIED, 30, False)
     return at if gap > 0.0 else np.zeros(2)
 
 
@@ -203,7 +205,7 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
     if not gap > 0.0:
         return WarmRest(warm, at, NO_FILM, 0, gap)
     for passes in range(1, MOST_PASSES + 1):
-        changed, change = warm.advance(at, SWEEPS, 1 if passes < PATIENT_FROM else ROUNDS)
+        changed, change = warm.advance(at, SWEEPS, 1 if 1 < passes < PATIENT_FROM else ROUNDS)
         sample = warm.sample
         residual = sample.force + load
         size = math.hypot(*residual)

@@ -22,7 +22,7 @@ from babbitt.film.model import Cavitation
 from babbitt.film.ring import Ring
 from babbitt.film.sector import SectorFilm, SectorPad, motion_lengths, sector_answer
 from babbitt.film.thermal_solution import HeatSplit, side_oil
-from babbitt.film.warm_ring import WarmRing, columns_of, line_widths
+from babbitt.film.warm_ring import WarmRing, columns_of, drains_of, line_widths
 from babbitt.notices import InputError
 
 __all__ = ["SectorHeat", "WarmSector"]
@@ -146,7 +146,8 @@ class WarmSector:
             sample, heat, columns, new_flows(lines, theta.size - 1, count, layers),
             new_cells(lines, count, layers), np.full((lines, count, layers), cold), np.full(1, cold),
             _insulated(ring, heat, speed, height, capacity * speed * radius**2 * height), pad.viscosity,
-            pad.viscosity * speed * (radius / height) ** 2 / capacity, 0.0,
+            pad.viscosity * speed * (radius / height) ** 2 / capacity, 0.0, drains_of(ring),
+            np.ones((lines, count, layers)), np.zeros((lines, count, layers)),
         )  # fmt: skip
         return cls(pad, height, unit, warm)
 

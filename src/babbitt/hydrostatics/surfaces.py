@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._surface_film import Surface
+from babbitt.film._surface_film import Surface, counted
 from babbitt.film.axial import AxialMesh
 from babbitt.film.recess import FilmScales, RecessSurface
 from babbitt.film.ring import gauss_angles
@@ -230,6 +230,7 @@ def film_surface(
     held = recess != -1
     ones = np.ones_like(gap)
     return Surface(
+        **counted(mesh.nodes.size, mesh.points.size, lever.shape[0]),
         step=np.diff(theta), shape_a=shape_a, shape_b=shape_b, lever=lever, gap_a=gap, gap_b=gap.copy(),
         viscosity=ones, drag=ones.copy(), turbulence=np.zeros(0), radius=radius, share=weights * radius,
         along=weights / radius, node=mesh.node_of_point, slope=mesh.slope, held=held,

@@ -1,0 +1,103 @@
+"""Kernel: one pass of Reynolds equation, flows and energy equation, in one call from Python."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy import bool_, float64, int64
+from numpy.typing import NDArray
+
+from babbitt.film._compiling import compiled
+from babbitt.film._heat_cells import fill_cells, sweep_energy
+from babbitt.film._heat_flows import gather_flows, spread_viscosity
+from babbitt.film._heat_walls import MOST_RISE, answer_walls, stale_walls
+from babbitt.film._surface_forces import carry_streamers, drain_edge, evaluate_surface
+
+Array = NDArray[float64]
+
+
+class Drains(NamedTuple):
+    """Sides that run partly filled where little oil arrives (``drain_edge``)."""
+
+    edges: NDArray[int64]  # nodes of the sides at cavitation pressure
+    fed: NDArray[bool_]  # lines of grooves
+
+
+class Pace(NamedTuple):
+    """How far a pass goes."""
+
+    rounds: int  # in which the wet set may settle, at most
+    flickering: bool  # whether a few nodes that still change sides are let be
+    sweeps: int  # of the energy equation
+    relaxation: float  # share of the new viscosity that is taken
+    rise: float  # temperature per unit of dissipation over flow, K
+    stirred: float  # see ``fill_cells``
+    walls: float  # share of the way of the walls to their new temperatures
+
+
+FEW = 0.01  # of the nodes
+
+
+@compiled
+def gather_heat(surface, film, work, columns, flows, drains, at, rise):
+    """Flows and heat of the Reynolds solution; dissipation and friction power of the whole film."""
+    if not surface.conserving:
+        carry_streamers(surface, film, work)
+    for edge in drains.edges:
+        drain_edge(surface, film, work, edge, drains.fed)
+    dissipation, friction = gather_flows(surface, film, work, at, columns, flows)
+    flows.heat[:] *= rise
+    return dissipation, friction
+
+
+@compiled
+def warm_pass(
+    surface, film, work, columns, flows, cells, walls, drains, pace, fresh, viscosity, temperature, groove, rises,
+    at, force, stiffness, damping,
+):  # fmt: skip
+    """One pass at a journal position; ``fresh`` is the viscosity at the temperatures as they are.
+
+    Returns the number of nodes that changed sides, the largest change of temperature (K), how far this change goes
+    along with that of the last pass (``rises``, replaced), dissipation and friction power, and whether the
+    walls wait for new derivatives before they answer.
+    """
+    for i in range(fresh.shape[0]):
+        for c in range(fresh.shape[1]):
+            for k in range(len(columns.layers)):
+                viscosity[i, c, k] += pace.relaxation * (fresh[i, c, k] - viscosity[i, c, k])
+    spread_viscosity(surface, columns, viscosity, flows)
+    changed, rate, known = 0, np.zeros(at.size), work.wet.copy()
+    for _ in range(pace.rounds):
+        known[:] = work.wet
+        changed = evaluate_surface(surface, film, work, at, rate, False, force, stiffness, damping)
+        if changed == 0:
+            break
+    if pace.flickering and changed <= FEW * known.size:
+        work.wet[:] = known
+        changed = 0
+    dissipation, friction = gather_heat(surface, film, work, columns, flows, drains, at, pace.rise)
+    before = temperature.copy()
+    fill_cells(
+        surface, columns, flows, walls.conduction, pace.stirred, walls.insulated, walls.fresh, viscosity, cells
+    )
+    sweep_energy(surface, columns, flows, cells, 1.0, walls, temperature, groove, pace.sweeps, 1e-9)
+    change, along = 0.0, 0.0
+    for i in range(fresh.shape[0]):
+        for c in range(fresh.shape[1]):
+            for k in range(len(columns.layers)):
+                rise = temperature[i, c, k] - before[i, c, k]
+                change = max(change, abs(rise))
+                along += rise * rises[i, c, k]
+                rises[i, c, k] = rise
+    if change > MOST_RISE:
+        for i in range(fresh.shape[0]):
+            for c in range(fresh.shape[1]):
+                for k in range(len(columns.layers)):
+                    temperature[i, c, k] = before[i, c, k] + rises[i, c, k] * (MOST_RISE / change)
+    stale = False
+    if not walls.insulated:
+        stale = stale_walls(columns, flows, walls)
+        if not stale:
+            change = max(change, answer_walls(columns, flows, walls, temperature, pace.walls))
+    return changed, change, along, dissipation, friction, stale
