@@ -33,7 +33,7 @@ FLICKER = 30
 ANSWER_SWEEPS = 12
 """Of the energy equation that gives the film's answer to a warmer wall, at most."""
 MOST_HARMONICS = 16
-"""Of the temperature around the bore: twice as many change the hottest place of the reference bearing by 0.02 K."""
+"""Of the temperature around the bore: twice as many change the hottest place of our reference by 0.02 K."""
 USUAL_LAYERS = 8
 """Number of layers that the compiler knows."""
 
