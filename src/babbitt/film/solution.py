@@ -41,7 +41,7 @@ def attitude_angle(film: JournalFilm, position: ArrayLike, load_angle: float) ->
 
 
 def sommerfeld_number(film: JournalFilm, load: ArrayLike, speed: ArrayLike) -> Array:
-    """So = F psi^2 / (B D eta omega), psi = 2 c / D (ISO 7902), under loads in N at speeds in rad/s of any sign."""
+    """So = F psi^2 / (B D eta omega), psi = 2 c / D (ISO 7902), under loads in N at speeds in rad/s."""
     psi = 2.0 * film.clearance / film.diameter
     unit = film.width * film.diameter * film.viscosity / psi**2
     return np.asarray(np.asarray(load) / (unit * np.abs(speed)))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.report.line import VOCABULARY
+from babbitt.report.vocabulary import VOCABULARY
 
 SHORT = {
     "diameter": "Bearing diameter",
