@@ -56,21 +56,22 @@ def _supply_flow(result: Result) -> str:
     return _reading("supply_flow")(result) if is_fed(result) else ABSENT
 
 
-def _quantity(name: str, rank: int) -> Column:
+def column_of(name: str, rank: int) -> Column:
+    """The column of one quantity."""
     quantity = QUANTITIES[name]
     return Column(quantity.symbol, quantity.display.label, (_reading(name),), rank)
 
 
 COLUMNS = (
-    _quantity("specific_load", 2),
-    _quantity("surface_speed", 7),
-    _quantity("operating_relative_clearance", 8),
+    column_of("specific_load", 2),
+    column_of("surface_speed", 7),
+    column_of("operating_relative_clearance", 8),
     Column("T_en → T_ex", "°C", (_reading("supply_temperature"), _reading("outlet_temperature")), 1, " → "),
-    _quantity("bearing_temperature", 1),
-    _quantity("eccentricity_ratio", 3),
+    column_of("bearing_temperature", 1),
+    column_of("eccentricity_ratio", 3),
     Column("h_min / h_lim", "µm", (_reading("minimum_film_thickness"), _film_limit), 0, " / "),
-    _quantity("friction_power", 4),
-    _quantity("side_flow", 5),
+    column_of("friction_power", 4),
+    column_of("side_flow", 5),
     Column(QUANTITIES["supply_flow"].symbol, QUANTITIES["supply_flow"].display.label, (_supply_flow,), 6),
     Column("Re / Re_cr", "", (_reading("film_reynolds_number"), _reading("critical_reynolds_number")), 9, " / "),
 )
@@ -83,7 +84,12 @@ def columns_of(results: Sequence[Result]) -> tuple[Column, ...]:
     A bearing cooled by its housing has a bearing temperature, one fed with oil the temperatures of that oil: each
     stands under its own heading.
     """
-    return tuple(column for column in COLUMNS if set(column.cells(results)) != {ABSENT})
+    return filled(COLUMNS, results)
+
+
+def filled(columns: Sequence[Column], results: Sequence[Result]) -> tuple[Column, ...]:
+    """Those of some columns in which some bearing has a number."""
+    return tuple(column for column in columns if set(column.cells(results)) != {ABSENT})
 
 
 def is_fed(result: Result) -> bool:
