@@ -20,6 +20,7 @@ from babbitt.hydrostatics.closed_forms import lands_of
 from babbitt.hydrostatics.geometry import AnnularPad, CircularPad, RecessedJournal, ThrustRing
 from babbitt.hydrostatics.impedance import Compressibility, impedance
 from babbitt.hydrostatics.lines import DRAFT, ENGINEERING, REFERENCE, Grid
+from babbitt.hydrostatics.lumped import journal_lumps, lumped_under
 from babbitt.hydrostatics.network import Feeding
 from babbitt.hydrostatics.restrictors import Capillary
 from babbitt.hydrostatics.single_recess import gap_under, pad_at
@@ -70,6 +71,11 @@ def quick_gap() -> None:
     gap_under(lands, Feeding((Capillary(0.6e-3, 0.06, 0.03),), FixedPressure(5e6)), 0.03, 15e3, 1e-6)
 
 
+def quick_journal() -> None:
+    state = lumped_under(journal_lumps(JOURNAL, 0.02, SPEED), FEEDING, np.array([0.0, -20e3]))
+    impedance(state.response, state.network, OIL, 0.0)
+
+
 # what, promised milliseconds (none: shown), how often
 RUNS: tuple[tuple[str, Callable[[], None], float | None, int], ...] = (
     ("hybrid journal, 20 kN, coefficients", lambda: journal(20e3, ENGINEERING), 20.0, 40),
@@ -79,6 +85,7 @@ RUNS: tuple[tuple[str, Callable[[], None], float | None, int], ...] = (
     ("thrust ring under load and moment", ring, None, 20),
     ("round pad at a gap, closed form", quick, 1.0, 200),
     ("gap of a round pad under load, closed form", quick_gap, None, 40),
+    ("hybrid journal, 20 kN, lumped lands", quick_journal, 1.0, 100),
 )
 
 

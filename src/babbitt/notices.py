@@ -298,8 +298,8 @@ EXPLANATIONS: dict[str, Explanation] = {
     "W148": Explanation(
         "Warm oil flows back into a supply",
         "A groove or pocket lies where the film has more pressure than the supply: the film presses warm oil back "
-        "into it, and the heat of that oil leaves through the supply. `outlet_temperature` is of the oil at the "
-        "sides only.",
+        "into it, and the heat of that oil (`heat_returned`) leaves through the supply. `outlet_temperature` is "
+        "that of the oil at the sides; `groove_returned_flows` and `groove_temperatures` tell of every supply.",
         "Move the groove or pocket out of the loaded zone, or count on warmer supply oil.",
     ),
     "W142": Explanation(
@@ -398,6 +398,13 @@ EXPLANATIONS: dict[str, Explanation] = {
         "no width at all. That is no benefit of the groove.",
         "Compare with the ungrooved film cut at the same angle.",
     ),
+    "W157": Explanation(
+        "Groove behind the loaded film",
+        "The groove lies where the film has already broken, or widens from the groove on: the film behind it "
+        "carries nothing and makes no heat, so that `outlet_temperature` is merely that of the oil in the groove. "
+        "The oil that the loaded film warms is told as `segment_1_outlet_temperature`; limits hold for that.",
+        "Leave the groove out, or place it before the narrowest gap.",
+    ),
     # -- doubts about footsteps ---------------------------------------------------------------------------------
     "W160": Explanation(
         "Steady state not stable",
@@ -480,6 +487,15 @@ EXPLANATIONS: dict[str, Explanation] = {
         "are "
         "computed for the smooth heel alone, and friction by superposition as for a concentric one.",
         "Read side forces from the smooth heel as an order of magnitude.",
+    ),
+    "W171": Explanation(
+        "Friction heat outside the balance",
+        "The study's equations warm the oil by the loss of pressure in the face gap and, grooved, by what the "
+        "groove itself dissipates; the shear of heel and lands, most of the friction power, warms nothing. "
+        "Narrow-groove theory without `wall` keeps its films as cold as the oil that comes in. Both heels are "
+        "computed too cold.",
+        "Take `method: narrow_groove` with `wall`, where the heat of the films goes into metal and oil. "
+        "Otherwise read the friction power as an upper bound and the leakage as a lower one.",
     ),
     # hydrostatic bearings
     "W301": Explanation(
@@ -633,13 +649,16 @@ EXPLANATIONS: dict[str, Explanation] = {
     "S001": Explanation(
         "No film can carry the load",
         "At the coolest possible film, or on the way to the equilibrium temperature, the load asked for more than "
-        "the film carries at the largest eccentricity of the characteristics (0.99).",
+        "the film carries at the largest eccentricity of the characteristics (0.99). A film with its own "
+        "temperatures has closed at its thinnest place; the message tells the largest load with a film.",
         "A wider or larger bearing, a more viscous or cooler oil, a smaller clearance, more speed, or less load.",
     ),
     "S002": Explanation(
         "Thermal runaway",
-        "The friction heat exceeds what oil and housing carry away at every temperature up to 300 °C.",
-        "More oil, a cooler supply, a larger clearance, or a cooling surface.",
+        "The friction heat exceeds what oil and housing carry away at every temperature up to 300 °C. In a film "
+        "with its own temperatures: some place, mostly the thinnest, would be hotter than that; the message tells "
+        "the largest load with a cooler film.",
+        "More oil, a cooler supply, a larger clearance, less load, or a cooling surface.",
     ),
     "S003": Explanation(
         "The clearance closes",
@@ -648,10 +667,12 @@ EXPLANATIONS: dict[str, Explanation] = {
     ),
     "S004": Explanation(
         "Not converged",
-        "The iteration used up its steps without meeting its tolerance; the last state is no operating point.",
-        "Move supplies out of the loaded zone and try another accuracy; a bore that gives way by far more than "
-        "the film is thick may be too soft for this load; if the bearing is an ordinary one, report the case to "
-        "the developers.",
+        "The iteration used up its steps without meeting its tolerance; the last state is no operating point. A "
+        "film with its own temperatures mostly ends so near the largest load that it carries; the message tells "
+        "the largest load with a film.",
+        "Less load; move supplies out of the loaded zone and try another accuracy; a bore that gives way by far "
+        "more than the film is thick may be too soft for this load; if the bearing is an ordinary one, report the "
+        "case to the developers.",
     ),
     "S005": Explanation(
         "Lubricant data end",

@@ -14,12 +14,16 @@ from babbitt.units import ZERO_CELSIUS
 
 @dataclass(frozen=True)
 class DisplayUnit:
-    """How an SI value is shown: ``shown = si * scale + offset``, in tables with a fixed number of decimals."""
+    """How an SI value is shown: ``shown = si * scale + offset``, in tables with a fixed number of decimals.
+
+    What is not larger than `nothing`, in the unit shown, is the round-off of a balance and shown as 0.
+    """
 
     label: str
     scale: float = 1.0
     offset: float = 0.0
     decimals: int = 3
+    nothing: float = 0.0
 
 
 SI = {
@@ -35,8 +39,8 @@ SI = {
     "deg": DisplayUnit("°", 57.29577951308232, decimals=1),
     "kN": DisplayUnit("kN", 1e-3, decimals=2),
     "Nm": DisplayUnit("N m", decimals=2),
-    "kW": DisplayUnit("kW", 1e-3, decimals=2),
-    "L/min": DisplayUnit("L/min", 6e4, decimals=1),
+    "kW": DisplayUnit("kW", 1e-3, decimals=2, nothing=1e-7),
+    "L/min": DisplayUnit("L/min", 6e4, decimals=1, nothing=1e-9),
     "mPas": DisplayUnit("mPa s", 1e3, decimals=2),
     "mm2/s": DisplayUnit("mm²/s", 1e6, decimals=2),
     "m/s": DisplayUnit("m/s", decimals=2),
@@ -109,9 +113,11 @@ class Quantity:
         >>> film, power = QUANTITIES["minimum_film_thickness"], QUANTITIES["friction_power"]
         >>> film.format(52.34e-6), power.format(28503.0), power.format(141.8)
         ('52.3', '28.50', '0.142')
+        >>> power.format(-9.6e-7)
+        '0'
         """
         shown, decimals = self.shown(value), self.display.decimals
-        if shown == 0.0 and not self.display.offset:
+        if abs(shown) <= self.display.nothing and not self.display.offset:
             return "0"
         size = abs(shown)
         if not self.display.offset and round(size, LEAST_DIGITS) < 1.0:
@@ -204,8 +210,29 @@ QUANTITIES: dict[str, Quantity] = {
             "Highest mixing temperature of grooves, pockets and holes",
         ),
         _q("groove_temperatures", "T_gr", "K", "degC", 3, "Mixing temperature of every groove, pocket and hole"),
+        _q("groove_angles", "φ_gr", "rad", "deg", 3, "Direction of every groove, pocket and hole, from +x"),
+        _q("groove_fresh_flows", "Q_gr", "m3/s", "L/min", 3, "Fresh oil that every groove, pocket and hole gives"),
+        _q("groove_returned_flows", "Q_b,gr", "m3/s", "L/min", 3, "Warm oil that goes back into every one"),
+        _q("returned_flow", "Q_b", "m3/s", "L/min", 3, "Warm oil that goes back into supplies"),
+        _q("heat_returned", "P_b", "W", "kW", 4, "Heat that goes back into supplies, part of P_oil"),
         _q("mean_bush_temperature", "T_B,m", "K", "degC", 3, "Mean temperature of the bore"),
         _q("maximum_bush_temperature", "T_B,max", "K", "degC", 4, "Maximum temperature of the bush"),
+        _q(
+            "mean_wall_temperature",
+            "T_w,m",
+            "K",
+            "degC",
+            3,
+            "Mean temperature of the film at the wall of the bore",
+        ),
+        _q(
+            "maximum_wall_temperature",
+            "T_w,max",
+            "K",
+            "degC",
+            4,
+            "Highest film temperature at the wall of the bore",
+        ),
         _q("journal_temperature", "T_J", "K", "degC", 4, "Journal temperature"),
         _q("film_dissipation", "P_d", "W", "kW", 4, "Heat born in the film: friction power and pumping power"),
         _q("heat_film_to_bush", "P_fB", "W", "kW", 4, "Heat from film to bush"),
@@ -374,6 +401,7 @@ QUANTITIES: dict[str, Quantity] = {
         _q("mean_temperature_load_ratio", "F/F_m", "1", "", 3, "Load over that of one mean temperature"),
         _q("mean_temperature_outlet", "T_ex,m", "K", "degC", 4, "Outlet temperature by one mean temperature"),
         _q("film_angle", "θ", "rad", "deg", 4, "Angle from the widest gap in the direction of rotation"),
+        _q("film_direction", "φ", "rad", "deg", 4, "Direction of the same place, counter-clockwise from +x"),
         _q("film_thickness", "h", "m", "um", 4, "Film thickness over the angle"),
         _q("film_pressure", "p", "Pa", "MPa", 4, "Film pressure over the angle"),
         _q("film_temperature", "T", "K", "degC", 4, "Film temperature over the angle"),
@@ -430,7 +458,22 @@ QUANTITIES: dict[str, Quantity] = {
         _q("rim_pressure", "p₁", "Pa", "MPa3", 4, "Pressure at the rim of the heel, absolute"),
         _q("face_flow", "Q₂", "m3/s", "mm3/s", 4, "Flow from recess to rim; negative: the rim feeds the recess"),
         _q("heel_groove_flow", "Q_k", "m3/s", "mm3/s", 4, "Flow of the groove towards the rim"),
-        _q("heel_leakage", "Q_l", "m3/s", "mm3/s", 4, "Leakage through the clearance to ambient"),
+        _q(
+            "heel_leakage",
+            "Q_l",
+            "m3/s",
+            "mm3/s",
+            4,
+            "Leakage through the clearance to ambient, beside the groove",
+        ),
+        _q(
+            "heel_net_flow",
+            "Q_n",
+            "m3/s",
+            "mm3/s",
+            4,
+            "Net flow of clearance and groove to ambient; negative: oil is drawn in",
+        ),
         _q("rim_excess_flow", "ΔQ", "m3/s", "mm3/s", 4, "Oil that the rim receives and cannot give away"),
         _q("groove_outlet_temperature", "θ₁′", "K", "degC", 4, "Temperature of the oil at the end of the groove"),
         _q("face_outlet_temperature", "θ₁″", "K", "degC", 4, "Temperature of the oil that leaves the face gap"),
@@ -468,6 +511,7 @@ QUANTITIES: dict[str, Quantity] = {
         _q("gap_stiffness", "K_z", "N/m", "MN/m", 4, "Stiffness of the pad along its axis, slow motion"),
         _q("gap_damping", "C_z", "N s/m", "kNs/m", 4, "Damping of the pad along its axis, slow motion"),
         _q("least_tilt_stiffness", "K_φ", "N m/rad", "kNm/mrad", 4, "Least stiffness against tilting"),
+        _q("tilt_stiffness", "K_φφ", "N m/rad", "kNm/mrad", 4, "Stiffness against the tilts about x and y"),
         _q("runner_stiffness", "K", "N/m", "MN/m", 4, "Stiffness of the runner in z and the tilts about x and y"),
         _q("runner_damping", "C", "N s/m", "kNs/m", 4, "Damping of the runner in z and the tilts about x and y"),
         _q("dynamic_frequency", "f_d", "rad/s", "Hz", 4, "Frequencies of the dynamic coefficients"),
@@ -484,12 +528,22 @@ QUANTITIES: dict[str, Quantity] = {
         _q("network_stability", "λ_min", "1", "", 3, "Least eigenvalue of the recess network over the largest"),
         _q("stiffest_pressure_ratio", "β_opt", "1", "", 3, "Pressure ratio of greatest stiffness, gap given"),
         _q("least_power_gap", "h_P", "m", "um", 3, "Gap or clearance of least total power at these pressures"),
+        _q("least_power_viscosity", "η_P", "Pa s", "mPas", 4, "Viscosity of least total power at this gap"),
         _q("load_capacity", "W_max", "N", "kN", 4, "Load at the least gap allowed"),
         _q("tilt_x", "φ_x", "rad", "mrad", 4, "Tilt of the runner about x"),
         _q("tilt_y", "φ_y", "rad", "mrad", 4, "Tilt of the runner about y"),
         _q("moment_x", "M_x", "N m", "Nm", 4, "Moment of the film about x"),
         _q("moment_y", "M_y", "N m", "Nm", 4, "Moment of the film about y"),
         _q("recess_reynolds_number", "Re_r", "1", "count", 3, "Reynolds number in the recess"),
+        _q(
+            "restrictor_reynolds_number",
+            "Re_c",
+            "1",
+            "count",
+            3,
+            "Greatest Reynolds number in the capillaries",
+        ),
+        _q("edge_inertia", "Π_e", "1", "", 3, "ρ U²/2 at the recess edge over the lowest recess pressure"),
         _q("cavitated_share", "s_c", "1", "percent", 2, "Share of the lands without film"),
         _q("grid_error", "δ_g", "1", "percent", 2, "Estimated error of the force by the grid"),
         _q("breakaway_pressure", "p_b", "Pa", "MPa", 4, "Breakaway pressure without seepage, upper bound"),

@@ -1,10 +1,13 @@
 """Bearings whose film has its own temperatures, from the case to the answer."""
 
+import io
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
+from rich.console import Console
 
 from babbitt.bearings.check import film_check
 from babbitt.bearings.field import field_of
@@ -13,6 +16,8 @@ from babbitt.bearings.temperature_field import bush_temperature, centre_line, te
 from babbitt.bearings.thermal_film import thermal_operating_film
 from babbitt.cases import design_cases, parse_case
 from babbitt.fits import operating_relative_clearance
+from babbitt.quantities import QUANTITIES
+from babbitt.report.bearing_table import bearing_table
 from babbitt.results import Outcome
 from babbitt.studies.comparison import compare_methods
 from babbitt.studies.temperature_cost import cost_of_one_temperature
@@ -123,6 +128,12 @@ def test_temperatures_that_follow_soften_or_stiffen_but_keep_the_sign(full):
     assert np.abs(moving - frozen).max() < 0.5 * np.abs(frozen).max()
     assert found.stiffness_yy == pytest.approx(moving[1, 1])
     assert any("(following)" in said for said in found.assumptions)
+    assert (found.settings["stiffness_temperatures"], found.settings["damping_temperatures"]) == (
+        "following",
+        "frozen",
+    )
+    assert result.settings["stiffness_temperatures"] == "frozen"
+    assert np.array(found.damping) == pytest.approx(np.array(result.damping), rel=1e-12)
     assert any("(frozen)" in said for said in result.assumptions)
 
 
@@ -140,8 +151,36 @@ def test_a_film_hotter_than_oil_can_be_is_a_runaway():
     thin = TEXT.replace("speed: 3000 rpm", "speed: 60 rpm").replace("12 kN", "80 kN").replace("full", "adiabatic")
     thin = thin.replace(thin[thin.index("walls:") : thin.index("load:")], "")
     found = film_check(design(thin))
-    assert found.outcome in (Outcome.THERMAL_RUNAWAY, Outcome.OVERLOADED, Outcome.NOT_CONVERGED)
-    assert "Try:" in found.message
+    assert found.outcome is Outcome.THERMAL_RUNAWAY
+    assert "under 80 kN would be hotter than 300 °C somewhere" in found.message
+    assert "The largest load with a film was about" in found.message
+    assert "Try: `thermal: full`" in found.message
+    # the values are those of that last film: nearly as hot as oil can be, under less than the load
+    assert found.load < 80e3
+    assert found.maximum_temperature < 573.15
+    again = film_check(design(thin.replace("80 kN", f"{found.load} N")))
+    assert again.outcome.solved
+    assert again.maximum_temperature == pytest.approx(found.maximum_temperature, abs=25.0)  # its clearance grows
+
+
+@pytest.mark.parametrize(("load", "speed", "outcome", "words"), [
+    ("5000 kN", "1000 rpm", Outcome.OVERLOADED, "its thinnest place closes"),
+    ("80 kN", "10 rpm", Outcome.NOT_CONVERGED, "did not come to rest together"),
+])  # fmt: skip
+def test_a_load_above_capacity_tells_the_largest_load_with_a_film(load, speed, outcome, words):
+    bare = TEXT.replace(TEXT[TEXT.index("walls:") : TEXT.index("load:")], "")
+    found = film_check(design(bare.replace("12 kN", load).replace("3000 rpm", speed)))
+    assert found.outcome is outcome
+    assert words in found.message
+    assert "less load" in found.message
+    assert 0.2 * float(load.split()[0]) < found.load / 1e3 < float(load.split()[0])
+    assert found.checks == ()
+
+
+def test_nothing_is_printed_of_the_round_off_of_a_balance():
+    for name in ("heat_film_to_journal", "heat_to_oil", "friction_power"):
+        assert QUANTITIES[name].format(-3e-7) == "0"
+        assert QUANTITIES[name].format(0.02) != "0"
 
 
 def test_the_temperature_of_the_bush_meets_the_film_and_falls_outwards(full):
@@ -181,12 +220,77 @@ def test_comparison_tells_what_one_temperature_costs():
     assert found.variants[0].label == "full thermal film"
     assert results["film at 45 °C"].minimum_film_thickness > results["film"].minimum_film_thickness
     (said,) = cost_of_one_temperature(found)
-    assert said.startswith("Against film the full thermal film is")
+    assert said.startswith("Against the film of one temperature the full thermal film is")
     thin, plain = (results[one].minimum_film_thickness for one in ("full thermal film", "film"))
     assert f"{abs(thin / plain - 1.0):.0%} thinner" in said
 
 
 def test_adiabatic_walls_take_nothing():
     adiabatic = film_check(replace(design(), heat=HeatModel()))
-    assert "heat_film_to_bush" not in adiabatic.values
+    assert not [name for name in adiabatic.values if "bush" in name]
+    assert adiabatic.mean_wall_temperature < adiabatic.maximum_wall_temperature <= adiabatic.maximum_temperature
     assert adiabatic.heat_to_oil == pytest.approx(adiabatic.film_dissipation, rel=1e-8)
+
+
+TURBINE = (Path(__file__).parents[2] / "examples" / "turbulent_turbine_heat.yaml").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("walls", ["adiabatic", "full"])
+@pytest.mark.parametrize("law", ["ng_pan", "constantinescu"])
+def test_turbulence_makes_more_heat_and_a_thicker_film(walls, law):
+    text = TURBINE if walls == "full" else "\n".join(
+        line for line in TURBINE.replace("thermal: full", "thermal: adiabatic").splitlines()
+        if not line.lstrip().startswith(("walls:", "bush:", "housing:"))
+    )  # fmt: skip
+    laminar = film_check(design(text.replace("turbulence: ng_pan", "turbulence: laminar")))
+    turbulent = film_check(design(text.replace("turbulence: ng_pan", f"turbulence: {law}")))
+    assert "W101" in {one.code for one in laminar.warnings}
+    assert "W101" not in {one.code for one in turbulent.warnings}
+    assert turbulent.outcome.solved
+    assert turbulent.energy_balance_error < 1e-8
+    assert turbulent.mass_balance_error < 1e-8
+    assert turbulent.friction_power > 1.4 * laminar.friction_power
+    assert turbulent.outlet_temperature > laminar.outlet_temperature + 3.0
+    assert turbulent.minimum_film_thickness > 1.1 * laminar.minimum_film_thickness
+    assert 0.3 < turbulent.turbulent_share < 0.7
+    assert any(law.split("_")[0] in said.lower() for said in turbulent.assumptions)
+
+
+def test_a_slow_film_is_laminar_whatever_is_asked(full):
+    _, laminar, _ = full
+    asked = film_check(design(TEXT + "turbulence: ng_pan\n"))
+    assert asked.turbulent_share == 0.0
+    assert asked.minimum_film_thickness == pytest.approx(laminar.minimum_film_thickness, rel=1e-5)
+    assert asked.maximum_temperature == pytest.approx(laminar.maximum_temperature, abs=1e-2)
+
+
+def test_every_supply_is_told_in_the_table(full):
+    _, result, _ = full
+    fresh, back, mixed = (
+        result.arrays[f"groove_{one}"][0] for one in ("fresh_flows", "returned_flows", "temperatures")
+    )
+    assert sum(fresh) - sum(back) == pytest.approx(result.total_flow, rel=1e-9)
+    carried = result.volumetric_heat_capacity * result.total_flow
+    carried *= result.outlet_temperature - result.supply_temperature
+    assert carried + result.values.get("heat_returned", 0.0) == pytest.approx(result.heat_to_oil, rel=1e-8)
+    console = Console(width=140, file=io.StringIO())
+    console.print(bearing_table(result))
+    said = console.file.getvalue()
+    lines = [line.split() for line in said.splitlines() if len(line.split()) == 5 and line.split()[0] in "12"]
+    assert [line[1] for line in lines] == ["0", "180.0"]
+    assert [float(line[4]) for line in lines] == pytest.approx([one - 273.15 for one in mixed], abs=0.051)
+    assert [float(line[2]) for line in lines] == pytest.approx([6e4 * one for one in fresh], abs=0.051)
+
+
+def test_carry_over_lies_between_fresh_oil_and_all_the_hot_oil(full):
+    _, all_of_it, _ = full
+    shares = {share: film_check(design(f"{TEXT}carry_over: {share}\n")) for share in (0.0, 0.5, 1.0)}
+    assert shares[1.0].maximum_temperature == pytest.approx(all_of_it.maximum_temperature, abs=1e-9)
+    fresh = shares[0.0].arrays["groove_temperatures"][0]
+    assert fresh == pytest.approx([318.15, 318.15], abs=1e-9)  # every film starts with the oil of the supply
+    rising = [result.maximum_temperature for result in shares.values()]
+    assert rising[0] < rising[1] - 1.0 < rising[2] - 2.0
+    thinning = [result.minimum_film_thickness for result in shares.values()]
+    assert thinning == sorted(thinning, reverse=True)
+    assert all(result.energy_balance_error < 1e-8 for result in shares.values())
+    assert any("50% of it goes on" in said for said in shares[0.5].assumptions)

@@ -261,3 +261,75 @@ def test_jacking_doubts_and_refusals():
                            ({"load": 0.0}, "load")):  # fmt: skip
         with pytest.raises(InputError, match=words):
             jacking(**changes)
+
+
+@pytest.mark.parametrize(
+    ("made", "share"),
+    [
+        (pad_case(), 0.5),
+        (pad_case(Capillary(0.8e-3, 0.06, 0.03, 4), 20e3, "quick", ANNULAR, 3e6), 0.85),
+        (case(RING, Duty(25e3, angular_speed=100.0), "quick", "hydrostatic_thrust_ring", RING_FEEDING), 0.85),
+        (case(method="quick"), 1.0),
+        (case(RectangularPad(0.2, 0.1, 0.16, 0.06), Duty(20e3, sliding_speed=0.5), "quick", "hydrostatic_pad",
+              Feeding((Capillary(0.8e-3, 0.06, 0.03),), FixedPressure(3e6))), 1.0),
+    ],
+)  # fmt: skip
+def test_a_recess_moves_no_faster_than_its_outer_edge(made, share):
+    """Recess radii 25 of 50 mm and 85 of 100 mm; Reynolds number rho U depth/mu with the speed of that edge."""
+    assert made.recess_speed == pytest.approx(share * made.surface_speed, rel=1e-12)
+    found = hydrostatic_check(made).recess_reynolds_number
+    assert found == pytest.approx(870.0 * made.recess_speed * 1e-3 / made.oil.viscosity, rel=1e-12)
+
+
+def test_comparison_leaves_out_what_does_not_reach():
+    text = template("hydrostatic_pad")
+    for old, new in (
+        ("pad: {kind: circular, diameter: 100 mm, recess_diameter: 50 mm}",
+         "pad: {kind: rectangular, length: 200 mm, width: 100 mm, recess_length: 130 mm, recess_width: 30 mm}"),
+        ("speed: 500 rpm ", "sliding_speed: 0.5 m/s "),
+    ):  # fmt: skip
+        assert old in text
+        text = text.replace(old, new)
+    (comparison,) = compare_methods(parse_case(text))
+    assert [variant.label for variant in comparison.variants] == ["film"]
+    assert "quick is left out: the shorter side" in comparison.left_out
+
+
+def test_pressure_around_the_bore_carries_what_strips_leave_out():
+    """Why the quick jacking result asks for more pressure: the film's area holds far beyond the pocket's chord."""
+    film, quick = (jacking_check(jacking(method=method)) for method in METHODS)
+    bearing = jacking().bearing
+    chord = 2.0 * bearing.radius * math.sin(0.5 * bearing.recess_extent)
+    assert quick.effective_area == pytest.approx(chord * 0.5 * (bearing.width + bearing.recess_length), rel=1e-12)
+    assert film.effective_area > 2.0 * quick.effective_area
+    assert quick.pocket_pressure > 2.0 * film.pocket_pressure
+
+
+def test_tilts_have_units_of_their_own():
+    from babbitt.report.bearing_table import matrix_unit
+
+    stiffness, damping = QUANTITIES["dynamic_stiffness"], QUANTITIES["dynamic_damping"]
+    assert (matrix_unit(stiffness, "_zz"), matrix_unit(stiffness, "_φx")) == ("MN/m", "MN m/rad")
+    assert (matrix_unit(damping, "_zz"), matrix_unit(damping, "_φy")) == ("kN s/m", "kN s m/rad")
+
+
+def test_numbers_of_validity_are_told():
+    ring = hydrostatic_check(
+        case(RING, Duty(25e3, moments=(200.0, 0.0), angular_speed=100.0), "film", "hydrostatic_thrust_ring",
+             RING_FEEDING)
+    )  # fmt: skip
+    assert ring.edge_inertia == pytest.approx(
+        0.5 * 870.0 * (100.0 * 0.085) ** 2 / min(ring.arrays["recess_pressure"][0]), rel=1e-12
+    )
+    flow = max(ring.arrays["restrictor_flow"][0])
+    assert ring.restrictor_reynolds_number == pytest.approx(
+        4.0 * 870.0 * flow / (math.pi * 0.8e-3 * 0.02), rel=1e-12
+    )
+    tilts = np.array(ring.arrays["tilt_stiffness"])
+    assert tilts == pytest.approx(np.array(ring.arrays["runner_stiffness"])[1:, 1:], rel=1e-12)
+    assert np.linalg.eigvalsh(0.5 * (tilts + tilts.T)).min() == pytest.approx(ring.least_tilt_stiffness, rel=1e-12)
+    made = replace(pad_case(), oil=Oil(pad_case().oil.viscosity, 870.0, 2000.0))
+    result = hydrostatic_check(made)
+    best = result.least_power_viscosity / made.oil.viscosity
+    friction, pumping = result.friction_power * best, result.pumping_power / best
+    assert friction == pytest.approx(pumping, rel=1e-9)

@@ -118,8 +118,9 @@ def test_operating_point():
 
 def test_reversal_mirrors():
     forward, backward = long_film_check(CASE), long_film_check(replace(CASE, journal_speed=-CASE.journal_speed))
-    same = {name: value for name, value in forward.values.items() if name != "wall_time"}
-    assert same == {name: value for name, value in backward.values.items() if name != "wall_time"}
+    directed = ("wall_time", "angular_speed", "narrowest_gap_angle")
+    same = {name: value for name, value in forward.values.items() if name not in directed}
+    assert same == {name: value for name, value in backward.values.items() if name not in directed}
 
 
 @pytest.mark.parametrize("mode", [Discretisation.PUBLISHED_MEAN, Discretisation.PUBLISHED_LITERAL])
@@ -228,3 +229,26 @@ def test_supply_is_asked_for():
 def test_a_film_is_not_made_of_nothing():
     with pytest.raises(InputError, match="long film"):
         LongFilm(0.08, 0.1, 0.0, 100.0, oil(), 330.0)
+
+
+def test_reversed_rotation_mirrors_the_film_about_the_load():
+    there, back = (long_film_check(replace(CASE, journal_speed=sense * CASE.journal_speed)) for sense in (1, -1))
+    assert there.angular_speed == -back.angular_speed > 0.0
+    assert back.attitude_angle == pytest.approx(there.attitude_angle, rel=1e-12)
+    # the load points down: the mirror is the vertical, the narrowest gap lies on the side that the journal leaves
+    assert there.narrowest_gap_angle == pytest.approx(-math.pi / 2.0 + there.attitude_angle)
+    assert math.cos(back.narrowest_gap_angle) == pytest.approx(-math.cos(there.narrowest_gap_angle))
+    assert math.sin(back.narrowest_gap_angle) == pytest.approx(math.sin(there.narrowest_gap_angle))
+    here, mirrored = (one.arrays["film_direction"][0] for one in (there, back))
+    assert [math.cos(one) for one in mirrored] == pytest.approx([-math.cos(one) for one in here], abs=1e-9)
+    assert [math.sin(one) for one in mirrored] == pytest.approx([math.sin(one) for one in here], abs=1e-9)
+    assert back.arrays["film_temperature"] == there.arrays["film_temperature"]
+    # pressure integrated over the directions in the frame is the load, pointing down, either way round
+    for result in (there, back):
+        angle, pressure = (result.arrays[name][0][:-1] for name in ("film_direction", "film_pressure"))
+        step = 2.0 * math.pi / len(angle)
+        area = 0.5 * CASE.bearing.diameter * CASE.bearing.width * step
+        fx, fy = (
+            sum(p * turn(a) for p, a in zip(pressure, angle, strict=True)) * area for turn in (math.cos, math.sin)
+        )
+        assert (fx, fy) == pytest.approx((0.0, -result.load), abs=1e-6 * result.load)

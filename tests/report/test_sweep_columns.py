@@ -6,6 +6,7 @@ import pytest
 
 from babbitt.cases import kinds, parse_case, template
 from babbitt.quantities import QUANTITIES
+from babbitt.report.columns import columns_of
 from babbitt.report.sweep_columns import KEY_RESULTS, panels_of, sweep_columns
 from babbitt.solving import solve
 
@@ -23,12 +24,12 @@ def test_a_kind_has_columns_of_its_own_and_they_are_filled(kind):
     names = [name for name in KEY_RESULTS[kind] if name in results[0].values]
     assert len(names) >= 5
     columns = sweep_columns(results)
-    assert columns is not None
     assert [column.heading for column in columns] == [QUANTITIES[name].symbol for name in names]
     assert panels_of(results) == tuple((name,) for name in names[:4])
 
 
-def test_journal_bearings_have_those_of_their_table():
-    results = solve(parse_case(template("journal"))).results
-    assert sweep_columns(results) is None
-    assert panels_of(results)[0] == ("minimum_film_thickness",)
+@pytest.mark.parametrize("kind", ["journal", "hydrostatic_pad"])
+def test_other_kinds_have_those_of_the_table_of_a_machine(kind):
+    results = solve(parse_case(template(kind))).results
+    assert sweep_columns(results) == columns_of(results)
+    assert panels_of(results)[0] == ("minimum_film_thickness", "load")

@@ -217,3 +217,51 @@ def test_exponent_of_no_oil():
 def test_groove_in_the_file_may_be_none():
     result = babbitt.solve(parse_case(TEXT + "specific_load: 4 MPa\nsegments: {groove: {kind: none}}")).results[0]
     assert result.settings["groove"] == "none"
+
+
+def test_a_groove_behind_the_loaded_film_is_told_and_limits_hold_for_the_loaded_one():
+    late = replace(GROOVED, groove=replace(GOOD.groove, angle=math.radians(230.0)))
+    result = segments_check(late)
+    assert result.outlet_temperature == pytest.approx(result.supply_temperature)
+    assert "W157" in codes(result)
+    assert "W157" not in codes(segments_check(GROOVED))
+    (limit,) = (check for check in result.checks if check.code == "C104")
+    assert limit.quantity == "maximum_temperature"
+    assert limit.value == result.segment_1_outlet_temperature > result.supply_temperature + 20.0
+    # as hot as the ungrooved film, which ends before the groove begins
+    assert limit.value == pytest.approx(segments_check(PLAIN).outlet_temperature, abs=0.5)
+
+
+def test_reversed_rotation_mirrors_the_segments():
+    there, back = (segments_check(replace(GROOVED, journal_speed=speed)) for speed in (200.0, -200.0))
+    assert (there.angular_speed, back.angular_speed) == (200.0, -200.0)
+    assert math.cos(back.narrowest_gap_angle) == pytest.approx(-math.cos(there.narrowest_gap_angle))
+    assert math.sin(back.narrowest_gap_angle) == pytest.approx(math.sin(there.narrowest_gap_angle))
+    assert back.outlet_temperature == there.outlet_temperature
+
+
+@pytest.mark.parametrize("duty", [GivenLoad(28e3), GivenEccentricity(0.5)])
+def test_oil_colder_than_its_law_is_not_called_overloaded(duty):
+    result = segments_check(replace(PLAIN, duty=duty, oil_supply=OilSupply(ZERO - 10.0, 0.0)))
+    assert result.outcome is Outcome.NO_LUBRICANT_DATA
+    assert "supplied at -10 °C" in result.message
+
+
+def test_one_doubt_about_temperatures_is_enough():
+    hot = segments_check(replace(PLAIN, duty=GivenEccentricity(0.97)))
+    assert [notice.code for notice in hot.warnings].count("W107") == 1
+
+
+@pytest.mark.parametrize(
+    ("nu50", "exponent", "holds"), [(10.0, 1.8, False), (22.2, 2.2, True), (100.0, 2.8, False)]
+)
+def test_statements_on_grooves_hold_for_turbine_oils_not_for_all(nu50, exponent, holds):
+    """Through groove 15 K colder and blind one within 6 K: thin oils gain less, thick ones differ by more."""
+    own = oil(0.88 * nu50, exponent)
+    outlet = {
+        kind: film_at_eccentricity(film(kind, 135, lubricant=own, cells=720), 0.8).outlet_temperature
+        for kind in ("none", "through", "blind")
+    }
+    gain, apart = outlet["none"] - outlet["through"], abs(outlet["none"] - outlet["blind"])
+    assert (gain >= 15.0 and apart <= 6.0) is holds
+    assert gain > 8.0 > 0.8 * apart

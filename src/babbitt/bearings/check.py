@@ -26,6 +26,7 @@ from babbitt.bearings.thermal_answer import (
     thermal_rows,
     with_own_coefficients,
 )
+from babbitt.bearings.thermal_failure import thermal_failure
 from babbitt.bearings.thermal_film import film_equilibrium
 from babbitt.bearings.transition import transition_speed
 from babbitt.bearings.warm_film import FilmState, under_found_load
@@ -81,7 +82,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
     found = film_equilibrium(case)
     outcome, message = found.outcome, ""
     if not outcome.solved:
-        message = failure(case, found)
+        message = failure(case, found) if case.heat is None else thermal_failure(case, found)
     values: dict[str, float] = {}
     checks: tuple[Check, ...] = ()
     warnings = case.doubts

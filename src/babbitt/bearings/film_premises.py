@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from babbitt.bearings.layout import ALL_TURBULENT
 from babbitt.bearings.model import FilmBearing, FilmCase
 from babbitt.bearings.orbit_answer import orbit_assumptions
-from babbitt.bearings.thermal_answer import thermal_assumptions, thermal_setting
+from babbitt.bearings.thermal_answer import coefficient_settings, thermal_assumptions, thermal_setting
 from babbitt.design.conditions import GivenEccentricity, GivenPosition
 from babbitt.film.model import END_DAM, Cavitation
 from babbitt.units import ZERO_CELSIUS
@@ -81,20 +81,27 @@ def film_settings(case: FilmCase) -> dict[str, str]:
     """The choices that the numbers depend on."""
     grooves = sum(hollow.width is None for hollow in case.bearing.hollows)
     orbit = {} if case.changing_load is None else {"orbit_cavitation": Cavitation.REYNOLDS.name.lower()}
-    return orbit | {
-        "lubricant": case.lubricant.name,
-        "thermal": thermal_setting(case),
-        "cavitation": case.cavitation.name.lower(),
-        "film_start": case.bearing.film_start.name.lower(),
-        "accuracy": case.accuracy.value,
-        "rotation": case.rotation.value,
-        "bore": type(case.bearing.bore).__name__,
-        "grooves": str(grooves),
-        "pockets": str(len(case.bearing.hollows) - grooves),
-        "friction_factor": f"{case.friction_factor:g}",
-        "turbulence": case.turbulence.name if case.turbulence is not None else "laminar",
-        "pressure_viscosity": case.pressure_viscosity.law.value if case.pressure_viscosity is not None else "none",
-    }
+    heat = {} if case.heat is None else coefficient_settings(case.heat)
+    return (
+        orbit
+        | heat
+        | {
+            "lubricant": case.lubricant.name,
+            "thermal": thermal_setting(case),
+            "cavitation": case.cavitation.name.lower(),
+            "film_start": case.bearing.film_start.name.lower(),
+            "accuracy": case.accuracy.value,
+            "rotation": case.rotation.value,
+            "bore": type(case.bearing.bore).__name__,
+            "grooves": str(grooves),
+            "pockets": str(len(case.bearing.hollows) - grooves),
+            "friction_factor": f"{case.friction_factor:g}",
+            "turbulence": case.turbulence.name if case.turbulence is not None else "laminar",
+            "pressure_viscosity": case.pressure_viscosity.law.value
+            if case.pressure_viscosity is not None
+            else "none",
+        }
+    )
 
 
 def _flows_given(case: FilmCase) -> bool:

@@ -36,11 +36,14 @@ class HeatModel:
         None: no heat leaves through bush and journal (adiabatic).
     axial_temperature : AxialTemperature
     coefficients : TemperatureCoefficients
+    carry_over : float
+        Share of the oil brought to a supply that goes on with the next film, see `babbitt.film.heat.FilmHeat`.
     """
 
     walls: ConductingWalls | None = None
     axial_temperature: AxialTemperature = AxialTemperature.MEAN
     coefficients: TemperatureCoefficients = TemperatureCoefficients.FROZEN
+    carry_over: float = 1.0
 
     @property
     def name(self) -> str:

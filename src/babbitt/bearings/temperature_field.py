@@ -42,9 +42,12 @@ def temperature_over(thermal: ThermalFilm, field: FilmField) -> Array:
     return found
 
 
-def temperature_through(thermal: ThermalFilm, theta: Array) -> Array:
-    """Temperature in the middle of the width from the bush to the journal, K, shape (theta, layers + 2)."""
-    column = int(np.abs(thermal.axial_positions).argmin())
+def temperature_through(thermal: ThermalFilm, theta: Array, z: float = 0.0) -> Array:
+    """Temperature from the bush to the journal, K, shape (theta, layers + 2), at the place of the width next to z.
+
+    Without ``z`` (m) in the middle of the width.
+    """
+    column = int(np.abs(thermal.axial_positions - z).argmin())
     lines = thermal.temperature[:, column, :]
     shaft = np.full((lines.shape[0], 1), thermal.journal_temperature)
     through = np.concatenate((thermal.bush_temperature[:, None], lines, shaft), axis=1)

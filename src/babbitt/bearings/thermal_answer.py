@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from babbitt.film.thermal_solution import ThermalFilm
 
 __all__ = [
+    "coefficient_settings",
     "doubts_about_heat",
     "flow_without_pressure",
     "stiffness_values",
@@ -34,6 +35,9 @@ __all__ = [
 BACK_FROM = 0.05
 """Oil that goes back into supplies, over what leaves by the sides, from which it is told."""
 
+NOTHING = 1e-6
+"""Oil that goes back into supplies, over what leaves by the sides, up to which it is left out."""
+
 OPEN_BALANCE = 1e-6
 """Share of the friction power from which a heat balance that does not close is told."""
 
@@ -45,12 +49,23 @@ def thermal_setting(case: FilmCase) -> str:
     return "isothermal" if case.effective_temperature is not None else "global"
 
 
+def coefficient_settings(heat: HeatModel) -> dict[str, str]:
+    """Which temperatures stiffness and damping stand for: the damping is always that of frozen ones."""
+    return {
+        "stiffness_temperatures": heat.coefficients.value,
+        "damping_temperatures": TemperatureCoefficients.FROZEN.value,
+        "carry_over": f"{heat.carry_over:g}",
+    }
+
+
 def thermal_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     """Named results of the temperatures, SI."""
     thermal, supply = state.thermal, case.oil_supply
     assert thermal is not None
     assert supply is not None
     angle, place = thermal.hot_spot
+    conducting = case.heat is not None and case.heat.walls is not None
+    wall = "bush" if conducting else "wall"  # an adiabatic film has no bush, only a wall that it touches
     values = {
         "effective_temperature": state.temperature,
         "supply_temperature": supply.temperature,
@@ -59,14 +74,17 @@ def thermal_values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "maximum_temperature": thermal.maximum_temperature,
         "hot_spot_angle": math.pi - (math.pi - angle) % (2.0 * math.pi),
         "groove_temperature": float(thermal.groove_temperatures.max()),
-        "mean_bush_temperature": thermal.mean_bush_temperature,
-        "maximum_bush_temperature": float(thermal.bush_temperature.max()),
+        f"mean_{wall}_temperature": thermal.mean_bush_temperature,
+        f"maximum_{wall}_temperature": float(thermal.bush_temperature.max()),
         "journal_temperature": thermal.journal_temperature,
         "film_dissipation": thermal.heat.dissipation,
         "heat_to_oil": thermal.heat.oil,
         "energy_balance_error": thermal.heat.balance_error,
     }
-    if case.heat is not None and case.heat.walls is not None:
+    returned = float(thermal.returned_flow.sum())
+    if returned > NOTHING * thermal.film.leaving_flow:
+        values |= {"returned_flow": returned, "heat_returned": thermal.heat.returned}
+    if conducting:
         values |= {"heat_film_to_bush": thermal.heat.bush, "heat_film_to_journal": thermal.heat.journal}
     if thermal.axial_positions.size > 1:
         values["hot_spot_position"] = place
@@ -74,9 +92,15 @@ def thermal_values(case: FilmCase, state: FilmState) -> dict[str, float]:
 
 
 def thermal_rows(case: FilmCase, thermal: ThermalFilm) -> dict[str, Matrix]:
-    """Mixing temperature of every groove, pocket and hole in the order of the case."""
-    numbers = supply_numbers(case, thermal.film.film)
-    return {"groove_temperatures": (tuple(float(thermal.groove_temperatures[number]) for number in numbers),)}
+    """Direction, flows and mixing temperature of every groove, pocket and hole in the order of the case."""
+    numbers = list(supply_numbers(case, thermal.film.film))
+    rows: dict[str, Iterable[float]] = {
+        "groove_angles": [hollow.angle for hollow in case.bearing.hollows],
+        "groove_fresh_flows": thermal.fresh_flow[numbers],
+        "groove_returned_flows": thermal.returned_flow[numbers],
+        "groove_temperatures": thermal.groove_temperatures[numbers],
+    }
+    return {name: (tuple(float(one) for one in row),) for name, row in rows.items()}
 
 
 def with_own_coefficients(case: FilmCase, state: FilmState) -> tuple[FilmState, bool]:
@@ -119,10 +143,15 @@ def doubts_about_heat(
             f"{hottest - ZERO_CELSIUS:.0f} °C",
         )
     film = state.thermal.film
-    back = -float(film.supply_flow[film.supply_flow < 0.0].sum())
+    into = film.supply_flow < 0.0
+    back = -float(film.supply_flow[into].sum())
     if back > BACK_FROM * film.leaving_flow:
-        warmest = max(float(one) for one in state.thermal.groove_temperatures[film.supply_flow < 0.0])
-        yield Notice("W148", f"{back * 6e4:.2g} L/min of oil at up to {warmest - ZERO_CELSIUS:.0f} °C")
+        warmest = float(state.thermal.groove_temperatures[into].max()) - ZERO_CELSIUS
+        share = state.thermal.heat.returned / state.thermal.heat.oil
+        yield Notice(
+            "W148",
+            f"{back * 6e4:.2g} L/min of oil at up to {warmest:.0f} °C, with {share:.0%} of the heat of the oil",
+        )
     if values["energy_balance_error"] > OPEN_BALANCE:
         yield Notice("W146", f"{values['energy_balance_error']:.2g} of the friction power is not accounted for")
     if not followed:
@@ -141,7 +170,11 @@ def thermal_assumptions(case: FilmCase, flow: str) -> Iterator[str]:
     if heat.axial_temperature is AxialTemperature.MEAN and all(one.width is None for one in case.bearing.hollows):
         yield "One profile of temperature across the gap for the whole width."
     yield "Heat capacity, conductivity and density of the oil are those at the effective temperature."
-    yield "Grooves, pockets and holes mix fresh oil with what the film brings, completely."
+    yield "Grooves, pockets and holes mix fresh oil with what the film brings, completely" + (
+        "; all of it goes on, as far as the next film takes it."
+        if heat.carry_over == 1.0
+        else f"; {heat.carry_over:.0%} of it goes on, fresh oil replaces the rest (carry_over)."
+    )
     yield "Bush and journal expand freely, each by the mean temperature of its surface."
     yield from _wall_assumptions(heat)
     if heat.coefficients is TemperatureCoefficients.FROZEN:

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 from babbitt.bearings.heat_model import AxialTemperature
 from babbitt.bearings.layout import film_of, load_vector
 from babbitt.bearings.model import FilmCase
+from babbitt.bearings.thermal_failure import last_film
 from babbitt.bearings.warm_film import FilmState, operating_film
 from babbitt.design.conditions import GivenEccentricity, GivenPosition
 from babbitt.design.feeding import arrival
@@ -61,7 +62,8 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
     Returns
     -------
     Equilibrium
-        Always with a status; the film is the last one that settled.
+        Always with a status; the film of an unsolved one is that of the largest load that has one, if a load is
+        given, else the last one that settled.
     """
     if case.oil_supply is None:
         raise InputError("E101", "a film with its own temperatures needs a supply: the temperature of fresh oil.")
@@ -85,9 +87,10 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
             psi = _secant(last, here)
             last = here
     except NoFilmError as failure:
-        return Equilibrium(
-            failure.outcome, state, 0, state.temperature if state else cold, failure.capacity, failure.least_flow
-        )
+        if psi > 0.0:
+            state = last_film(case, lambda lighter: _warm_state(lighter, psi, at, _AttitudeSearch())) or state
+        reached = state.temperature if state else cold
+        return Equilibrium(failure.outcome, state, 0, reached, failure.capacity, failure.least_flow)
     return Equilibrium(Outcome.NOT_CONVERGED, state, MOST_ROUNDS, at)
 
 
@@ -195,6 +198,7 @@ def film_heat(case: FilmCase, heat_capacity: float, temperature: float) -> FilmH
         supply_temperature=case.oil_supply.temperature,
         walls=case.heat.walls,
         grid=HeatGrid(resolved=case.heat.axial_temperature is AxialTemperature.RESOLVED),
+        carry_over=case.heat.carry_over,
     )
 
 

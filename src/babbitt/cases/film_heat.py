@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "AxialTemperatureGiven",
+    "CarryOverGiven",
     "CoefficientsGiven",
     "ThermalGiven",
     "WallsGiven",
@@ -26,6 +27,7 @@ ThermalGiven = Literal["isothermal", "global", "adiabatic", "full"]
 AxialTemperatureGiven = Literal["mean", "resolved"]
 CoefficientsGiven = Literal["frozen", "following"]
 
+CarryOverGiven = Annotated[float, si("1", "0", "1")]
 Conductivity = Annotated[float, si("W/(m K)", "0.01 W/(m K)", "1000 W/(m K)")]
 OuterDiameter = Annotated[float, si("m", "1 mm", "10 m")]
 HeatTransfer = Annotated[float, si("W/(m2 K)", "0 W/(m2 K)", "100000 W/(m2 K)")]
@@ -129,7 +131,7 @@ REFUSED = (
 def heat_goes_with_the_film(bearing: JournalBearing) -> Iterator[Complaint]:
     """Complain about a thermal model and what does not go with it."""
     if bearing.method != "film":
-        for name in ("thermal", "walls", "axial_temperature", "temperature_coefficients"):
+        for name in ("thermal", "walls", "axial_temperature", "temperature_coefficients", "carry_over"):
             if is_given(bearing, name):
                 says = f"{name} belongs to the film method"
                 yield Complaint((name,), says, "method: film, or leave it out")
@@ -144,7 +146,7 @@ def heat_goes_with_the_film(bearing: JournalBearing) -> Iterator[Complaint]:
     if is_given(bearing, "walls") and bearing.thermal != "full":
         says = "walls take heat from a full thermal film only"
         yield Complaint(("walls",), says, "thermal: full")
-    for name in ("axial_temperature", "temperature_coefficients"):
+    for name in ("axial_temperature", "temperature_coefficients", "carry_over"):
         if is_given(bearing, name) and not own:
             says = "the film has one temperature"
             yield Complaint((name,), says, "thermal: adiabatic or full")
@@ -164,9 +166,6 @@ def _complaints_about_own_temperatures(bearing: JournalBearing) -> Iterator[Comp
     for name, says in REFUSED:
         if getattr(bearing, name) not in (None, False):
             yield Complaint((name,), says, also)
-    if bearing.turbulence != "laminar":
-        says = "a film with its own temperatures is laminar"
-        yield Complaint(("turbulence",), says, also)
     if bearing.cavitation != "mass_conserving":
         says = "oil that comes from nowhere has no temperature: only a film that conserves it knows its own"
         yield Complaint(("cavitation",), says, f"mass_conserving, or {also}")

@@ -50,6 +50,7 @@ def heat_model(inputs: Inputs, thermal: str | None = None) -> HeatModel | None:
         _walls(inputs) if chosen == "full" else None,
         AxialTemperature(bearing.axial_temperature),
         TemperatureCoefficients(bearing.temperature_coefficients),
+        bearing.carry_over,
     )
 
 

@@ -29,7 +29,7 @@ class HeelPart(Part):
         pairs = (("recess_radius", "bore_radius"), ("radius", "recess_radius"))
         for larger, smaller in pairs:
             if not getattr(self, larger) > getattr(self, smaller):
-                says = f"{smaller} is {written(getattr(self, smaller), 'm')}, not less than {larger}"
+                says = f"{smaller} is {written(getattr(self, smaller), 'mm')}, not less than {larger}"
                 yield Complaint((smaller,), says, "bore_radius < recess_radius < radius")
 
 
@@ -123,5 +123,5 @@ class FigureRanges(Part):
         for name in ("face_gap", "clearance"):
             low, high = getattr(self, f"{name}_from"), getattr(self, f"{name}_to")
             if not high > 1.05 * low:
-                says = f"{name}_to is {written(high, 'm')}, {name}_from {written(low, 'm')}"
+                says = f"{name}_to is {written(high, 'um')}, {name}_from {written(low, 'um')}"
                 yield Complaint((f"{name}_to",), says, f"more than {name}_from")

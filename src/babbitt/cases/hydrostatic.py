@@ -15,6 +15,7 @@ from babbitt.cases.fields import Name, Prose, WholeNumber
 from babbitt.cases.lubricant import LubricantGiven
 from babbitt.cases.own_lubricant import DynamicViscosity
 from babbitt.cases.part import Complaint, Part, exactly_one, is_given, refused, rule
+from babbitt.cases.recess_rules import clearance_is_small, in_order, lands_between
 from babbitt.cases.restrictors import HydrostaticSupply, RestrictorGiven
 from babbitt.hydrostatics.geometry import (
     AnnularPad,
@@ -26,7 +27,7 @@ from babbitt.hydrostatics.geometry import (
 )
 from babbitt.hydrostatics.impedance import Compressibility
 from babbitt.hydrostatics.model import Duty, HydrostaticCase, Oil, Recesses, Shape
-from babbitt.units import either_sense, si
+from babbitt.units import either_sense, si, written
 
 Length = Annotated[float, si("m", "0.1 mm", "20 m")]
 Gap = Annotated[float, si("m", "1 um", "2 mm")]
@@ -82,6 +83,10 @@ class HydrostaticOil(Part):
         return Oil(film.viscosity, film.density, film.heat_capacity, None, self.supply_temperature), supplied
 
 
+DIAMETERS = ("inner_diameter", "recess_inner_diameter", "recess_outer_diameter", "outer_diameter")
+"""Edges of a ring and of its recess, from inside to outside."""
+
+
 class RecessOil(Part):
     """Depth of the recesses and the oil that gives way in them."""
 
@@ -112,7 +117,11 @@ class HydrostaticFile(CaseFile):
     method: Literal["film", "quick"] = Field(
         "film", description="The film in two dimensions with the recess network, or closed forms and lumped lands."
     )
-    accuracy: Literal["draft", "engineering", "reference"] = Field("engineering", description="Grid of the film.")
+    accuracy: Literal["draft", "engineering", "reference"] = Field(
+        "engineering",
+        description="Grid of the film. A full film of reference accuracy is solved on half the lines as well and "
+        "extrapolated.",
+    )
     restrictor: RestrictorGiven = Field(description="The restrictor before every recess.")
     supply: HydrostaticSupply = Field(description="Oil before the restrictors.")
     oil: HydrostaticOil = Field(description="The oil.")
@@ -141,9 +150,14 @@ class HydrostaticFile(CaseFile):
         """Number of recesses."""
         return 1
 
+    def misfits(self) -> Iterator[Complaint]:
+        """Complain of lengths and angles that do not fit each other."""
+        yield from ()
+
     @rule
     def _shape_can_be_made(self) -> Iterator[Complaint]:
-        yield from refused(self.shaped_by, self.shape)
+        told = list(self.misfits())
+        yield from told or refused(self.shaped_by, self.shape)
 
     @rule
     def _oil_reaches(self) -> Iterator[Complaint]:
@@ -194,6 +208,10 @@ class CircularGiven(Part):
     diameter: Length = Field(description="Outer diameter.")
     recess_diameter: Length = Field(description="Diameter of the recess.")
 
+    @rule
+    def _recess_inside(self) -> Iterator[Complaint]:
+        yield from in_order(self, "recess_diameter", "diameter")
+
     def pad(self) -> PadShape:
         """Give the pad of the calculation."""
         return CircularPad(0.5 * self.diameter, 0.5 * self.recess_diameter)
@@ -207,6 +225,10 @@ class AnnularGiven(Part):
     recess_inner_diameter: Length = Field(description="Inner edge of the recess.")
     recess_outer_diameter: Length = Field(description="Outer edge of the recess.")
     outer_diameter: Length = Field(description="Outer edge of the ring.")
+
+    @rule
+    def _diameters_in_order(self) -> Iterator[Complaint]:
+        yield from in_order(self, *DIAMETERS)
 
     def pad(self) -> AnnularPad:
         """Give the pad of the calculation."""
@@ -226,6 +248,11 @@ class RectangularGiven(Part):
     width: Length = Field(description="Other side.")
     recess_length: Length = Field(description="Side of the recess along length.")
     recess_width: Length = Field(description="Other side of the recess.")
+
+    @rule
+    def _recess_inside(self) -> Iterator[Complaint]:
+        yield from in_order(self, "recess_length", "length")
+        yield from in_order(self, "recess_width", "width")
 
     def pad(self) -> PadShape:
         """Give the pad of the calculation."""
@@ -258,6 +285,20 @@ class HydrostaticPadCase(HydrostaticFile):
             yield Complaint(("speed",), "a rectangular pad does not turn", "sliding_speed", "write sliding_speed")
         if not rectangular and is_given(self, "sliding_speed"):
             yield Complaint(("sliding_speed",), "a round pad does not slide", "speed", "write speed")
+
+    @rule
+    def _closed_forms_reach(self) -> Iterator[Complaint]:
+        pad = self.pad
+        if self.method != "quick" or not isinstance(pad, RectangularGiven):
+            return
+        along, aside = 0.5 * (pad.length - pad.recess_length), 0.5 * (pad.width - pad.recess_width)
+        shorter = min(pad.recess_length, pad.recess_width)
+        if math.isclose(along, aside, rel_tol=1e-6) and shorter < along:
+            says = (
+                f"the shorter side of the recess, {written(shorter, 'mm')}, is less than its land, "
+                f"{written(along, 'mm')}: the corners touch and the closed forms end"
+            )
+            yield Complaint(("method",), says, "method: film, or a larger recess")
 
     def shape(self) -> PadShape:
         """Give the shape of the calculation."""
@@ -322,10 +363,28 @@ class HydrostaticThrustRingCase(HydrostaticFile):
                 ("moments",), "moments are given without the load", "load and moments, or gap and tilt"
             )
 
+    @rule
+    def _tilt_leaves_a_gap(self) -> Iterator[Complaint]:
+        tilt, edge = math.hypot(*self.tilt), 0.5 * self.outer_diameter
+        if self.gap is not None and tilt * edge >= self.gap:
+            where = math.degrees(math.atan2(-self.tilt[0], self.tilt[1]))
+            says = (
+                f"a tilt of {1e3 * tilt:.4g} mm/m closes the gap of {written(self.gap, 'um')} on the outer "
+                f"edge at {where:.4g} deg"
+            )
+            yield Complaint(
+                ("tilt",), says, f"less than {1e3 * self.gap / edge:.4g} mm/m in all", "or a wider gap"
+            )
+
     @property
     def recess_count(self) -> int:
         """Number of recesses."""
         return self.recesses.number
+
+    def misfits(self) -> Iterator[Complaint]:
+        """Complain of edges out of order and of recesses without lands between them."""
+        yield from in_order(self, *DIAMETERS)
+        yield from lands_between("recesses", self.recesses)
 
     def shape(self) -> ThrustRing:
         """Give the shape of the calculation."""
@@ -372,6 +431,12 @@ class HydrostaticJournalCase(HydrostaticFile):
     def recess_count(self) -> int:
         """Number of recesses."""
         return self.recesses.number
+
+    def misfits(self) -> Iterator[Complaint]:
+        """Complain of recesses that leave the bearing or no land between them."""
+        yield from clearance_is_small(self.radial_clearance, self.diameter)
+        yield from in_order(self, "recess_length", "width")
+        yield from lands_between("recesses", self.recesses)
 
     def shape(self) -> RecessedJournal:
         """Give the shape of the calculation."""

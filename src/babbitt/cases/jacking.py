@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import Annotated, Literal
 
@@ -11,7 +12,8 @@ from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose
 from babbitt.cases.hydrostatic import Gap, Length, Load, RecessRow
 from babbitt.cases.own_lubricant import DynamicViscosity
-from babbitt.cases.part import Complaint, refused, rule
+from babbitt.cases.part import Complaint, is_given, refused, rule
+from babbitt.cases.recess_rules import clearance_is_small, in_order, lands_between
 from babbitt.cases.restrictors import FlowRate, SupplyPressure
 from babbitt.hydrostatics.geometry import RecessedJournal
 from babbitt.hydrostatics.jacking_model import JackingCase
@@ -50,7 +52,24 @@ class JackingPocketCase(CaseFile):
 
     @rule
     def _can_be_made(self) -> Iterator[Complaint]:
-        yield from refused((), self.design)
+        told = [*self._misfits(), *self._useless_pockets()]
+        yield from told or refused(("pockets",), self.design)
+
+    def _misfits(self) -> Iterator[Complaint]:
+        if not (is_given(self, "lift_gap") or is_given(self, "pump_flow")):
+            yield Complaint((), "nothing says how far to lift", "lift_gap, or pump_flow", code="E003")
+        yield from clearance_is_small(self.radial_clearance, self.diameter)
+        yield from in_order(self, "pocket_length", "width")
+        for name in ("lift_gap", "roughness"):
+            if getattr(self, name) is not None:
+                yield from in_order(self, name, "radial_clearance", unit="um")
+        yield from lands_between("pockets", self.pockets)
+
+    def _useless_pockets(self) -> Iterator[Complaint]:
+        if not any(math.sin(angle) < 0.0 for angle in self.pockets.middles):
+            field = "angles" if self.pockets.angles else "first"
+            yield Complaint(("pockets", field), "no pocket lies in the lower half, where the shaft lies",
+                            "angles below the horizontal, such as -90 deg")  # fmt: skip
 
     def design(self) -> JackingCase:
         """Give the case of the calculation."""

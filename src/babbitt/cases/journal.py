@@ -32,6 +32,7 @@ from babbitt.cases.film_features import (
 )
 from babbitt.cases.film_heat import (
     AxialTemperatureGiven,
+    CarryOverGiven,
     CoefficientsGiven,
     ThermalGiven,
     WallsGiven,
@@ -206,6 +207,12 @@ class JournalBearing(Duty, SharedInputs):
         "mean",
         description="Whether temperatures of an adiabatic or full film are means over the width, or resolved "
         "along it. Between pockets and holes they are always resolved.",
+    )
+    carry_over: CarryOverGiven = Field(
+        1.0,
+        description="Hot oil carry-over of an adiabatic or full film: share, 0 to 1, of the oil that the film "
+        "brings to a groove, pocket or hole and that goes on with the next film; fresh oil flushes out the rest. "
+        "1 where the next film takes all of it that it can: the hottest.",
     )
     temperature_coefficients: CoefficientsGiven = Field(
         "frozen",

@@ -9,6 +9,8 @@ from babbitt.cases import heat_exchange, segments
 from babbitt.cases.operating_point import LOADS
 from babbitt.cases.part import Complaint, is_given
 from babbitt.cases.standard_rules import film_alone_knows
+from babbitt.longfilm.model import THICKEST_FILM
+from babbitt.notices import InputError
 
 if TYPE_CHECKING:
     from babbitt.cases.journal import JournalBearing
@@ -33,6 +35,7 @@ def complaints_about(bearing: JournalBearing) -> Iterator[Complaint]:
         return
     yield from unknown(bearing, METHODS[bearing.method])
     if bearing.method == "long_film":
+        yield from _thick_film(bearing)
         yield from heat_exchange.complaints_about(bearing.heat_exchange, bearing.diameter)
         return
     yield from segments.complaints_about(bearing.segments, bearing.diameter)
@@ -65,3 +68,14 @@ def complaints_about_loads(bearing: JournalBearing) -> Iterator[Complaint]:
             if is_given(duty, name):
                 says = "the load follows from the film thickness given in segments.profile"
                 yield Complaint((*path, name), says, "segments.profile or a load", "remove one")
+
+
+def _thick_film(bearing: JournalBearing) -> Iterator[Complaint]:
+    """The long film has a bound of c/R, the relative clearance; what no clearance can be is told before."""
+    try:
+        widest = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter).maximum
+    except InputError:
+        return
+    if widest > THICKEST_FILM:
+        says = f"the clearance is {1e3 * widest:.4g} permille of the bearing, too thick for the long film"
+        yield Complaint(("clearance",), says, f"up to {1e3 * THICKEST_FILM:g} permille, or method: film")

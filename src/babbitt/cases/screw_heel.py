@@ -54,7 +54,11 @@ class ScrewHeelCase(CaseFile):
     clearance: Gap = Field(description="Radial clearance delta of the heel.")
     oil: HeelOilPart = Field(description="Oil.")
     wall: WallPart | None = Field(None, description="Metal that takes heat from the films.")
-    speed: Annotated[float, si("rad/s", "0.1 rpm", "1000000 rpm")] = Field(description="Speed of the screw.")
+    speed: Annotated[float, si("rad/s", "0.1 rpm", "1000000 rpm")] = Field(
+        description="Speed of the screw, without a sign: it turns so that the groove drags oil from its outer end "
+        "to the rim. A groove of the other hand, or the other sense of rotation, drains the rim and is not "
+        "computed."
+    )
     supply_pressure: Annotated[float, si("Pa", "1 Pa", "500 MPa")] = Field(
         description="Pressure in the recess p2; absolute, or as `pressures` says."
     )
@@ -91,8 +95,8 @@ class ScrewHeelCase(CaseFile):
     def _supply_above_ambient(self) -> Iterator[Complaint]:
         if self.pressures == "absolute" and not self.supply_pressure > self.ambient_pressure:
             says = (
-                f"the supply, {written(self.supply_pressure, 'Pa')} absolute, is not above ambient, "
-                f"{written(self.ambient_pressure, 'Pa')}"
+                f"the supply, {written(self.supply_pressure, 'MPa')} absolute, is not above ambient, "
+                f"{written(self.ambient_pressure, 'MPa')}"
             )
             yield Complaint(("supply_pressure",), says, "more than ambient_pressure", "write pressures: gauge")
 

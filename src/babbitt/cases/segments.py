@@ -23,7 +23,7 @@ class LoadedGrooveGiven(Part):
     angle: Annotated[float, si("rad", "0 deg", "360 deg")] | None = Field(
         None, description="Centre of the groove, from the widest gap in the direction of rotation."
     )
-    width: Annotated[float, si("m", "0 mm", "1 m")] | None = Field(
+    width: Annotated[float, si("m", "0.01 mm", "1 m")] | None = Field(
         None, description="Width around the bore. 0 mm cuts the film in two and removes nothing."
     )
     mixing_factor: Annotated[float, si("1", "0", "1")] = Field(

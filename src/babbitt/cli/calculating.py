@@ -83,6 +83,9 @@ def compare(
     plots: Annotated[
         Path | None, typer.Option(metavar="DIR", help="Write one figure per journal bearing into a folder.")
     ] = None,
+    report: Annotated[
+        Path | None, typer.Option(metavar="OUT", help="Write figures, tables and remarks as one page: OUT.html.")
+    ] = None,
 ) -> None:
     """Solve the same bearings by every method that applies, side by side."""
     from babbitt.cases import load_case
@@ -95,6 +98,10 @@ def compare(
         from babbitt.report.comparison_figure import write_comparison_plots
 
         write_comparison_plots(found, plots)
+    if report is not None:
+        from babbitt.report.comparison_page import write_comparison_page
+
+        write_comparison_page(found, report)
     if not solved:
         raise typer.Exit(NO_SOLUTION)
 

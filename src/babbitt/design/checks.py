@@ -92,8 +92,9 @@ def limited_temperature(values: Mapping[str, float]) -> str:
 
 
 def hottest_place(values: Mapping[str, float]) -> str:
-    """Name of the temperature for which limits of the metal hold: the hottest of the bush, where it is known."""
-    return "maximum_bush_temperature" if "maximum_bush_temperature" in values else limited_temperature(values)
+    """Name of the temperature for which limits of the metal hold: the hottest of bush or wall, where known."""
+    walls = ("maximum_bush_temperature", "maximum_wall_temperature")
+    return next((name for name in walls if name in values), limited_temperature(values))
 
 
 def film_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:

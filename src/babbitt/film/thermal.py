@@ -95,7 +95,8 @@ def solve_thermal_journal(
     Raises
     ------
     InputError
-        E101 if the load is not finite, the journal stands still, or the film does not conserve oil.
+        E101 if the load is not finite, the journal stands still, the film does not conserve oil, or viscosity
+        under pressure is asked for.
     """
     begun = time.perf_counter()
     if not all(math.isfinite(part) for part in load):
@@ -103,6 +104,10 @@ def solve_thermal_journal(
     if film.cavitation is not Cavitation.MASS_CONSERVING:
         raise InputError("E101", f"cavitation is {film.cavitation.name.lower()}; oil that comes from nowhere, "
                          "where a film forms anew, has no temperature. Choose mass_conserving.")  # fmt: skip
+    if film.pressure_viscosity is not None:
+        raise InputError(
+            "E101", "pressure_viscosity is given; a film with its own temperatures does not count it."
+        )
     if film.angular_speed == 0.0:
         raise InputError("E101", "angular_speed is zero; a film at rest makes no heat and carries no steady load.")
     scales = Scales.of(film, abs(film.angular_speed))

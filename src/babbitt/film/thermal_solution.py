@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film._heat_cells import groove_balance
+from babbitt.film.ring_solution import twins
 from babbitt.film.scales import Scales
 from babbitt.film.solution import FilmSolution
 from babbitt.film.warm_ring import WarmRing
@@ -30,12 +31,15 @@ class HeatSplit:
         Carried off by the oil, over the sides and back into supplies.
     bush, journal : float
         Taken by the walls.
+    returned : float
+        Of that of the oil, what goes back into supplies.
     """
 
     dissipation: float
     oil: float
     bush: float
     journal: float
+    returned: float = 0.0
 
     @property
     def balance_error(self) -> float:
@@ -58,9 +62,12 @@ class ThermalFilm:
     temperature : ndarray, shape (lines, columns, layers)
         K; lines at ``film.angles``.
     supply_temperature, side_temperature : float
-        Of fresh oil, and the mean of what leaves over the sides, K.
+        Of fresh oil, and the mean of all that leaves over the sides, the ends of grooves included, K.
     groove_temperatures : ndarray, shape (supplies,)
         Mixed, K.
+    fresh_flow, returned_flow : ndarray, shape (supplies,)
+        Fresh oil that a supply gives, and warm oil that goes back into it, m3/s; their difference is the net
+        ``film.supply_flow``.
     bush_temperature : ndarray, shape (lines,)
         On the bore, K.
     bush_flux : ndarray, shape (lines,)
@@ -79,6 +86,8 @@ class ThermalFilm:
     supply_temperature: float
     side_temperature: float
     groove_temperatures: Array
+    fresh_flow: Array
+    returned_flow: Array
     bush_temperature: Array
     bush_flux: Array
     journal_temperature: float
@@ -120,17 +129,11 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
     own = (profile * warm.temperature).sum(axis=2)
     leaving, entering = np.maximum(flows.leak, 0.0), np.minimum(flows.leak, 0.0)
     over_sides = float((leaving * (own - cold)).sum() + (entering * 0.0).sum()) * unit
-    back = 0.0
-    for s in range(warm.groove.size):
-        brought, enthalpy, taken = groove_balance(
-            warm.sample.ring.surface, columns, flows, 1.0, warm.temperature, s
-        )
-        carried = warm.heat.carry_over
-        back += (1.0 - carried) * (enthalpy - brought * cold) * unit
-        back += max(carried * brought - taken, 0.0) * (warm.groove[s] - cold) * unit
+    exchange = supply_exchange(film, scales, warm, order)
+    back, returned = exchange.heat.sum() * unit, float((exchange.heat * exchange.back).sum()) * unit
+    sides = float(film.end_flows.sum()) + film.side_inflow
     bush, journal = warm.bush_heat(), float(warm.walls.journal[1])
     dissipation = warm.dissipation * warm.rise * unit
-    out = float(leaving.sum())
     edges = np.concatenate(([0.0], np.cumsum(columns.layer)))
     half = 0.5 * film.film.width
     mesh = warm.sample.ring.mesh
@@ -146,11 +149,70 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
         layers=0.5 * (edges[1:] + edges[:-1]),
         temperature=warm.temperature.copy(),
         supply_temperature=cold,
-        side_temperature=float((leaving * own).sum() / out) if out > 0.0 else cold,
-        groove_temperatures=warm.groove[list(order)],
+        side_temperature=cold + (over_sides + back - returned) * scales.flow / (unit * sides)
+        if sides > 0.0
+        else cold,
+        groove_temperatures=exchange.temperature[list(order)],
+        fresh_flow=exchange.fresh[list(order)] * scales.flow,
+        returned_flow=exchange.warm[list(order)] * exchange.back[list(order)] * scales.flow,
         bush_temperature=wall,
         bush_flux=warm.walls.bush_flux.copy(),
         journal_temperature=shaft,
-        heat=HeatSplit(dissipation, over_sides + back, bush, journal),
+        heat=HeatSplit(dissipation, over_sides + back, bush, journal, returned),
         effective_viscosity=warm.reference_viscosity * warm.friction / max(warm.unit_friction(), 1e-300),
     )
+
+
+@dataclass(frozen=True)
+class SupplyExchange:
+    """What every supply gives and takes, dimensionless but for its temperature, in the order of the ring.
+
+    Attributes
+    ----------
+    temperature : ndarray
+        Mixed, K.
+    fresh : ndarray
+        Fresh oil given.
+    warm, heat : ndarray
+        Oil that the film brings and does not take again, and its heat above that of fresh oil.
+    back : ndarray
+        Share of it that goes back into the supply; the rest leaves over the ends of the groove.
+    """
+
+    temperature: Array
+    fresh: Array
+    warm: Array
+    heat: Array
+    back: Array
+
+
+def supply_exchange(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequence[int]) -> SupplyExchange:
+    """Flows of the supplies of a film, from the balance of the oil that they mix.
+
+    Of what leaves over the ends of a groove, the warm oil that the next film does not take goes first; the rest is
+    fresh oil that has not mixed.
+    """
+    grooves, carried, cold = warm.groove.size, warm.heat.carry_over, warm.heat.supply_temperature
+    surface, columns = warm.sample.ring.surface, warm.columns
+    rows = [groove_balance(surface, columns, warm.flows, 1.0, warm.temperature, s) for s in range(grooves)]
+    brought, enthalpy, taken = np.array(rows).reshape(grooves, 3).T
+    surplus = np.maximum(carried * brought - taken, 0.0)
+    balance = np.array([
+        (1.0 - carried) * brought + surplus,
+        (1.0 - carried) * (enthalpy - brought * cold) + surplus * (warm.groove - cold),
+        np.maximum(taken - carried * brought, 0.0),
+        warm.groove,
+    ])  # fmt: skip
+    ring = warm.sample.ring
+    if len(ring.mesh.side_nodes) == 1:  # one of two images in the mid-plane is not seen
+        images = twins(film.film, len(ring.groove_lines))
+        unseen = ~np.isin(np.arange(grooves), columns.supply)
+        balance[3, unseen] = balance[3, images][unseen]
+        balance[:3] = 0.5 * (balance[:3] + balance[:3, images])
+    out, heat, added, temperature = balance
+    net = np.zeros(grooves)
+    net[list(order)] = film.supply_flow / scales.flow
+    ends = net - added + out
+    over_ends = np.clip(ends, 0.0, out)
+    back = 1.0 - np.divide(over_ends, out, out=np.ones(grooves), where=out > 0.0)
+    return SupplyExchange(temperature, net + out * back, out, heat, back)

@@ -14,6 +14,7 @@ from babbitt.footstep.model import PITCH_TOLERANCE, Footstep, LoadReference
 from babbitt.footstep.states import Method, NoSteadyStateError, StateName, SteadyState, steady_states
 from babbitt.footstep.superposition import slit_conductance
 from babbitt.footstep.turning_heel import turning_force
+from babbitt.footstep.uncounted_heat import uncounted_heat
 from babbitt.notices import EXPLANATIONS, Notice
 from babbitt.results import Bound, Check, Outcome, Result
 
@@ -29,6 +30,8 @@ LOWEST_AMBIENT = 50e3
 """Pa absolute; less looks like a gauge pressure."""
 MANY_GROOVES = 20
 """From which narrow-groove theory meets the film in two dimensions within 1 % (validation: film_groove_pitch)."""
+LUKEWARM = 5.0
+"""K; friction that would warm the oil by less may be left out of it."""
 
 TITLES = {
     StateName.SMOOTH: "smooth heel",
@@ -134,7 +137,8 @@ def _values(case: HeelCase, state: SteadyState) -> dict[str, float]:
         "rim_pressure": state.rim_pressure,
         "face_flow": state.face_flow,
         "heel_groove_flow": state.groove_flow if grooved else nan,
-        "heel_leakage": state.leakage,
+        "heel_leakage": state.leakage if both or not case.is_grooved else nan,
+        "heel_net_flow": state.leakage - state.groove_flow if grooved else state.leakage,
         "groove_outlet_temperature": state.groove_temperature,
         "face_outlet_temperature": state.face_temperature if both else nan,
         "face_film_temperature": nan if both else state.face_temperature,
@@ -233,6 +237,13 @@ def _doubts(case: HeelCase, state: SteadyState, values: dict[str, float]) -> Ite
         )  # fmt: skip
     if state.axial_stiffness < 0.0:
         yield Notice("W167", f"dF/dh = {-1e-6 * state.axial_stiffness:+.3g} N/µm")
+    heat, rise = uncounted_heat(case.footstep, state, case.method)
+    if rise > LUKEWARM:
+        yield Notice(
+            "W171",
+            f"{heat:.3g} W of friction and lost pressure warm neither oil nor metal; the oil alone would be "
+            f"warmed by {rise:.0f} K",
+        )
     if case.is_grooved and "leak_factor" in values:
         yield Notice(
             "W170",

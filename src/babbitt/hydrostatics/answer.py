@@ -21,10 +21,16 @@ from babbitt.hydrostatics.single_recess import gap_under, pad_at
 from babbitt.hydrostatics.state import Ending, RecessState, rest_under, state_at
 from babbitt.hydrostatics.surfaces import FilmOil, journal_surface, pad_surface, ring_surface
 
-__all__ = ["GRIDS", "Answer", "answer", "answer_at", "load_vector"]
+__all__ = ["GRIDS", "HALF_REFERENCE", "Answer", "answer", "answer_at", "load_vector"]
 
 Array = NDArray[np.float64]
-GRIDS = {"draft": DRAFT, "engineering": ENGINEERING, "reference": REFERENCE}
+HALF_REFERENCE = "half of reference"
+GRIDS = {
+    "draft": DRAFT,
+    "engineering": ENGINEERING,
+    "reference": REFERENCE,
+    HALF_REFERENCE: Grid(REFERENCE.per_turn // 2, REFERENCE.degree),
+}
 THINNEST = 0.01
 """Of the gap at rest: where a search gives up."""
 MOST_OPEN, LEAST_OPEN = 2e-3, 5e-7
@@ -151,7 +157,7 @@ def lumps_of(case: HydrostaticCase, gap: float) -> Lumps:
 
 
 def quick_gap(case: HydrostaticCase) -> float:
-    """Gap under the load by closed forms, of a ring as if level; zero where there is none."""
+    """Gap under the load by closed forms, of a ring nearly and as if level; zero where there is none."""
     shape, load = case.shape, case.duty.load or 0.0
     assert not isinstance(shape, RecessedJournal)
     if not isinstance(shape, ThrustRing):
@@ -163,7 +169,7 @@ def quick_gap(case: HydrostaticCase) -> float:
         return float(lumped_at(lumps, case.feeding, np.zeros(3)).response.force[0]) / load - 1.0
 
     low, high = math.log(LEAST_OPEN), math.log(MOST_OPEN)
-    return math.exp(bracketed_root(excess, low, high, 1e-10)) if excess(low) > 0.0 > excess(high) else 0.0
+    return math.exp(bracketed_root(excess, low, high, 1e-3)) if excess(low) > 0.0 > excess(high) else 0.0
 
 
 def quick_under(case: HydrostaticCase) -> Answer:

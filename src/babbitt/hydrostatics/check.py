@@ -10,6 +10,7 @@ import numpy as np
 
 from babbitt.design.roots import bracketed_root
 from babbitt.hydrostatics.answer import Answer, answer, answer_at, coarser, load_vector
+from babbitt.hydrostatics.extrapolation import half_of, richardson, richardson_of_matrices
 from babbitt.hydrostatics.friction import friction_power
 from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad, ThrustRing
 from babbitt.hydrostatics.model import HydrostaticCase
@@ -60,7 +61,12 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
             case.name, case.kind, case.method, outcome, last, assumptions=case.assumptions, message=message,
             settings=settings, warnings=case.doubts,
         )  # fmt: skip
-    named = values(case, found)
+    named, several = values(case, found), arrays(case, found)
+    half = half_of(case, found)
+    if half is not None:
+        named = richardson(named, values(case, half))
+        several = richardson_of_matrices(several, arrays(case, half))
+        settings["extrapolated"] = "yes"
     if case.oil.supply_temperature is not None:
         named |= {
             "supply_temperature": case.oil.supply_temperature,
@@ -84,7 +90,7 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
         warnings=(*case.doubts, *doubts(case, found, named)),
         assumptions=case.assumptions,
         settings=settings,
-        arrays=arrays(case, found),
+        arrays=several,
     )
 
 

@@ -27,8 +27,8 @@ class CircularPad:
     def __post_init__(self) -> None:
         positive(outer_radius=self.outer_radius, recess_radius=self.recess_radius)
         if not self.recess_radius < self.outer_radius:
-            raise InputError("E101", f"recess_radius is {self.recess_radius} m; it must be below outer_radius, "
-                             f"{self.outer_radius} m.")  # fmt: skip
+            raise InputError("E101", f"recess_radius is {1e3 * self.recess_radius:.6g} mm; it must be below "
+                             f"outer_radius, {1e3 * self.outer_radius:.6g} mm.")  # fmt: skip
 
     @property
     def area(self) -> float:
@@ -55,7 +55,8 @@ class AnnularPad:
         values = [getattr(self, name) for name in names]
         positive(**dict(zip(names, values, strict=True)))
         if not values[0] < values[1] < values[2] < values[3]:
-            raise InputError("E101", f"radii are {values} m; they must grow in the order {', '.join(names)}.")
+            said = ", ".join(f"{1e3 * value:.6g}" for value in values)
+            raise InputError("E101", f"radii are {said} mm; they must grow in the order {', '.join(names)}.")
 
     @property
     def radii(self) -> tuple[float, float, float, float]:
@@ -88,7 +89,8 @@ class RectangularPad:
         for side in ("length", "width"):
             recess, pad = getattr(self, f"recess_{side}"), getattr(self, side)
             if not recess < pad:
-                raise InputError("E101", f"recess_{side} is {recess} m; it must be less than {side}, {pad} m.")
+                raise InputError("E101", f"recess_{side} is {1e3 * recess:.6g} mm; it must be less than {side}, "
+                                 f"{1e3 * pad:.6g} mm.")  # fmt: skip
 
     @property
     def lands(self) -> tuple[float, float]:
@@ -170,10 +172,11 @@ class RecessedJournal:
         positive(diameter=self.diameter, width=self.width, clearance=self.clearance,
                  recess_length=self.recess_length)  # fmt: skip
         if not self.recess_length < self.width:
-            raise InputError("E101", f"recess_length is {self.recess_length} m; it must be less than the width of "
-                             f"the bearing, {self.width} m.")  # fmt: skip
+            raise InputError("E101", f"recess_length is {1e3 * self.recess_length:.6g} mm; it must be less than "
+                             f"the width of the bearing, {1e3 * self.width:.6g} mm.")  # fmt: skip
         if not 2.0 * self.clearance < self.diameter:
-            raise InputError("E101", f"clearance is {self.clearance} m; it must be small against the diameter.")
+            raise InputError("E101", f"clearance is {1e3 * self.clearance:.6g} mm; it must be small against the "
+                             f"diameter, {1e3 * self.diameter:.6g} mm.")  # fmt: skip
         check_pitch(self.recess_angles, self.recess_extent, self.groove_extent)
 
     @property

@@ -173,4 +173,5 @@ def jacking_doubts(case: JackingCase, upper: float) -> Iterator[Notice]:
     if case.bearing.count > 1 and not case.own_restrictors:
         yield Notice("W320", f"{case.bearing.count} pockets on one pump without restrictors or flow divider")
     if case.method == "quick":
-        yield Notice("W321", "strips around the pocket; pressure and flow are estimates")
+        yield Notice("W321", "pressure on the pocket and half of its axial lands, none around the bore: less "
+                     "area, more pressure and flow than by the film")  # fmt: skip

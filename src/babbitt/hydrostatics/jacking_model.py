@@ -66,8 +66,8 @@ class JackingCase:
         for name in ("lift_gap", "roughness"):
             value = getattr(self, name)
             if value is not None and not 0.0 < value < self.bearing.clearance:
-                raise InputError("E101", f"{name} is {value} m; it must be less than the radial clearance, "
-                                 f"{self.bearing.clearance} m.")  # fmt: skip
+                raise InputError("E101", f"{name} is {1e6 * value:.6g} µm; it must be above zero and less than "
+                                 f"the radial clearance, {1e6 * self.bearing.clearance:.6g} µm.")  # fmt: skip
         if not any(math.sin(angle) < 0.0 for angle in self.bearing.recess_angles):
             raise InputError("E101", "no pocket lies in the lower half; the load acts downwards (-90 deg).")
         if not self.projected_area > LEAST_SHARE * self.bearing.recess_length * self.bearing.radius:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +30,30 @@ ComplexArray = NDArray[np.complex128]
 TURN = 2.0 * math.pi
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 STEP = 1e-30  # of the complex step, in gaps
+
+
+@dataclass(frozen=True, eq=False)
+class Arcs:
+    """Lands of a bearing as arcs with Gauss points.
+
+    Attributes
+    ----------
+    outer_motions, land_motions : ndarray, shape (motions, arcs times points)
+        What the motions close the gap by at the points.
+    outer_half, land_half : ndarray, shape (arcs,)
+        Half of every arc, rad.
+    owners : ndarray, shape (n, arcs)
+        1 where the outer lands of an arc are those of a recess.
+    joins : ndarray, shape (arcs, n)
+        Of the lands between recesses: 1 for the recess before, -1 for that behind.
+    """
+
+    outer_motions: Array
+    land_motions: Array
+    outer_half: Array
+    land_half: Array
+    owners: Array
+    joins: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,9 +97,45 @@ class Lumps:
     area: Array
     squeeze: Array
 
+    @cached_property
+    def around(self) -> Array:
+        """What the motions close the gap by around the bearing, (motions, 361)."""
+        return self.motions(np.linspace(0.0, TURN, 361))
+
     def thinnest(self, at: Array) -> float:
         """Smallest gap at a position, m."""
-        return float((self.gap - at @ self.motions(np.linspace(0.0, TURN, 361))).min())
+        return float((self.gap - at @ self.around).min())
+
+    @cached_property
+    def arcs(self) -> Arcs:
+        """Outer lands of every recess over its pitch, and the lands between recesses or to a drain groove."""
+        n, half, groove = len(self.angles), 0.5 * self.extent, 0.5 * self.groove_extent
+        order = sorted(range(n), key=lambda k: self.angles[k] % TURN)
+        outer: list[tuple[int, float, float]] = []
+        lands: list[tuple[int | None, int | None, float, float]] = []
+        for place, k in enumerate(order):
+            following, middle = order[(place + 1) % n], self.angles[k]
+            pitch = (self.angles[following] - middle) % TURN or TURN
+            border, start, end = middle + 0.5 * pitch, middle + half, middle + pitch - half
+            outer += [(k, middle, border), (following, border, middle + pitch)]
+            if groove > 0.0:
+                lands += [(k, None, start, border - groove), (None, following, border + groove, end)]
+            else:
+                lands.append((k, following, start, end))
+        owners, joins = np.zeros((n, len(outer))), np.zeros((len(lands), n))
+        for arc, (owner, *_) in enumerate(outer):
+            owners[owner, arc] = 1.0
+        for arc, (before, after, *_) in enumerate(lands):
+            for one, sign in ((before, 1.0), (after, -1.0)):
+                if one is not None:
+                    joins[arc, one] += sign
+        ends = [np.array([arc[-2:] for arc in group]) for group in (outer, lands)]
+        halves = [0.5 * (group[:, 1] - group[:, 0]) for group in ends]
+        points = [
+            (group.mean(axis=1)[:, None] + own[:, None] * NODES).ravel()
+            for group, own in zip(ends, halves, strict=True)
+        ]
+        return Arcs(self.motions(points[0]), self.motions(points[1]), halves[0], halves[1], owners, joins)
 
 
 def journal_lumps(bearing: RecessedJournal, viscosity: float, speed: float) -> Lumps:
@@ -130,43 +191,19 @@ class LumpedState:
     carried: float = 0.0
 
 
-def integral(lumps: Lumps, at: ComplexArray, first: float, last: float, power: int) -> complex:
-    """Integral of h^power over an arc."""
-    angle = 0.5 * (last + first) + 0.5 * (last - first) * NODES
-    gap = lumps.gap - at @ lumps.motions(angle)
-    return complex(0.5 * (last - first) * (WEIGHTS @ gap**power))
-
-
 def lumped_flow(lumps: Lumps, at: ComplexArray) -> tuple[ComplexArray, ComplexArray]:
     """Matrix and Couette part of the outflow of all recesses: q = G p + q_0."""
-    n, half = len(lumps.angles), 0.5 * lumps.extent
-    matrix, couette = np.zeros((n, n), dtype=complex), np.zeros(n, dtype=complex)
-    order = sorted(range(n), key=lambda k: lumps.angles[k] % TURN)
-    for place, k in enumerate(order):
-        following = order[(place + 1) % n]
-        middle = lumps.angles[k]
-        pitch = (lumps.angles[following] - middle) % TURN or TURN
-        border = middle + 0.5 * pitch
-        for owner, first, last in ((k, middle, border), (following, border, middle + pitch)):
-            matrix[owner, owner] += integral(lumps, at, first, last, 3) * lumps.outer / lumps.viscosity
-        start, end = middle + half, middle + pitch - half
-        lands: list[tuple[int | None, int | None, float, float]] = [(k, following, start, end)]
-        if lumps.groove_extent > 0.0:
-            groove = 0.5 * lumps.groove_extent
-            lands = [(k, None, start, border - groove), (None, following, border + groove, end)]
-        for before, after, first, last in lands:
-            third = integral(lumps, at, first, last, -3)
-            conducts = lumps.length / (12.0 * lumps.viscosity * lumps.radius * third)
-            dragged = (
-                0.5 * lumps.length * lumps.speed * lumps.radius * integral(lumps, at, first, last, -2) / third
-            )
-            for one, other, sign in ((before, after, 1.0), (after, before, -1.0)):
-                if one is not None:
-                    matrix[one, one] += conducts
-                    couette[one] += sign * dragged
-                    if other is not None:
-                        matrix[one, other] -= conducts
-    return matrix, couette
+    arcs = lumps.arcs
+    outer = (lumps.gap - at @ arcs.outer_motions).reshape(-1, NODES.size)
+    cubes = arcs.outer_half * (outer**3 @ WEIGHTS)
+    inverse = 1.0 / (lumps.gap - at @ arcs.land_motions).reshape(-1, NODES.size)
+    square = inverse * inverse
+    third = arcs.land_half * ((square * inverse) @ WEIGHTS)
+    conducts = lumps.length / (12.0 * lumps.viscosity * lumps.radius * third)
+    dragged = 0.5 * lumps.length * lumps.speed * lumps.radius * arcs.land_half * (square @ WEIGHTS) / third
+    matrix = np.diag(arcs.owners @ cubes) * (lumps.outer / lumps.viscosity)
+    matrix = matrix + (arcs.joins.T * conducts) @ arcs.joins
+    return matrix, np.asarray(arcs.joins.T @ dragged)
 
 
 def lumped_at(lumps: Lumps, feeding: Feeding, at: Array, guess: NetworkState | None = None) -> LumpedState:

@@ -201,3 +201,17 @@ class HydrostaticCase:
         return (
             abs(self.duty.angular_speed) * self.reach if not self.duty.sliding_speed else self.duty.sliding_speed
         )
+
+    @property
+    def recess_speed(self) -> float:
+        """m/s, the greatest over a recess: that at the outer edge of recesses in round pads and rings."""
+        shape = self.shape
+        if isinstance(shape, CircularPad):
+            edge = shape.recess_radius
+        elif isinstance(shape, AnnularPad):
+            edge = shape.recess_outer_radius
+        elif isinstance(shape, ThrustRing):
+            edge = shape.radii.recess_outer_radius
+        else:
+            return self.surface_speed
+        return self.surface_speed * edge / self.reach

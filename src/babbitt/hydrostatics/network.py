@@ -11,6 +11,7 @@ that.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -89,6 +90,8 @@ class NetworkState:
 
     def least_eigenvalue(self, conductance: Array) -> float:
         """Least real part among the eigenvalues of G - dQ/dp over the largest in size."""
+        if conductance.size == 1:
+            return math.copysign(1.0, float(conductance[0, 0] + self.restrictor_matrix().real[0, 0]))
         found = np.linalg.eigvals(conductance + self.restrictor_matrix().real)
         return float(found.real.min() / max(np.abs(found).max(), 1e-300))
 

@@ -76,8 +76,7 @@ def of_pressures(case: HydrostaticCase, found: Answer, named: Mapping[str, float
     if highest is not None and named["supply_pressure"] > highest:
         yield Notice("W313", f"{1e-6 * named['supply_pressure']:.4g} MPa are needed, the pump holds "
                      f"{1e-6 * highest:.4g} MPa")  # fmt: skip
-    speed, lowest = case.surface_speed, float(found.network.pressures.min())
-    inertia = 0.5 * case.oil.density * speed**2 / max(lowest, 1.0)
+    inertia = named.get("edge_inertia", 0.0)
     if inertia > MOST_EDGE_INERTIA:
         yield Notice("W308", f"rho U²/2 is {inertia:.3g} of the lowest recess pressure, above {MOST_EDGE_INERTIA}")
     loss = named["compressibility_damping_loss"]

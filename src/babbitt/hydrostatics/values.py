@@ -12,7 +12,8 @@ from babbitt.hydrostatics.friction import friction_power, friction_torque
 from babbitt.hydrostatics.geometry import RecessedJournal
 from babbitt.hydrostatics.impedance import damping_loss, impedance
 from babbitt.hydrostatics.model import HydrostaticCase
-from babbitt.hydrostatics.optimum import least_power_gap, stiffest_ratio
+from babbitt.hydrostatics.optimum import least_power_gap, least_power_viscosity, stiffest_ratio
+from babbitt.hydrostatics.restrictors import Capillary, CheckValve
 from babbitt.hydrostatics.supply import Pump
 from babbitt.results import Matrix
 
@@ -72,11 +73,12 @@ def values(case: HydrostaticCase, found: Answer) -> dict[str, float]:
         named["stiffest_pressure_ratio"] = best
     if friction > 0.0 and pumping > 0.0:
         named["least_power_gap"] = least_power_gap(mean_gap(found), pumping, friction)
+        named["least_power_viscosity"] = least_power_viscosity(case.oil.viscosity, pumping, friction)
     if found.film is not None:
         named |= {"cavitated_share": found.film.dry_share, "mass_balance_error": found.film.mass_balance_error}
     else:
         named["mass_balance_error"] = network.residual
-    return named | reynolds(case, found)
+    return named | validity_numbers(case, found)
 
 
 def place(case: HydrostaticCase, found: Answer) -> dict[str, float]:
@@ -128,13 +130,23 @@ def pump_flow(case: HydrostaticCase, found: Answer) -> float:
     return supply.flow if isinstance(supply, Pump) else float(found.network.flows.sum())
 
 
-def reynolds(case: HydrostaticCase, found: Answer) -> dict[str, float]:
-    """Reynolds numbers of film and recess, where something moves."""
-    speed = case.surface_speed
-    if speed == 0.0:
-        return {}
-    scale = case.oil.density * speed / case.oil.viscosity
-    return {"film_reynolds_number": scale * mean_gap(found), "recess_reynolds_number": scale * case.recesses.depth}
+def validity_numbers(case: HydrostaticCase, found: Answer) -> dict[str, float]:
+    """Reynolds numbers of capillaries; where something moves, of film and recess, and the edge inertia."""
+    named = {}
+    pairs = zip(case.feeding.restrictors, found.network.flows, strict=True)
+    laws = [(one.restrictor if isinstance(one, CheckValve) else one, float(flow)) for one, flow in pairs]
+    numbers = [law.reynolds_number(flow) for law, flow in laws if isinstance(law, Capillary)]
+    if numbers:
+        named["restrictor_reynolds_number"] = max(numbers)
+    if case.surface_speed == 0.0:
+        return named
+    scale = case.oil.density / case.oil.viscosity
+    dynamic = 0.5 * case.oil.density * case.recess_speed**2
+    return named | {
+        "film_reynolds_number": scale * case.surface_speed * mean_gap(found),
+        "recess_reynolds_number": scale * case.recess_speed * case.recesses.depth,
+        "edge_inertia": dynamic / max(float(found.network.pressures.min()), 1.0),
+    }
 
 
 def arrays(case: HydrostaticCase, found: Answer) -> dict[str, Matrix]:
@@ -151,6 +163,8 @@ def arrays(case: HydrostaticCase, found: Answer) -> dict[str, Matrix]:
         prefix = "runner_"
     if stiffness.shape[0] > 1 and (case.is_journal or prefix == "runner_"):
         named |= {f"{prefix}stiffness": matrix(stiffness), f"{prefix}damping": matrix(damping)}
+        if prefix == "runner_":
+            named["tilt_stiffness"] = matrix(stiffness[1:, 1:])
     if case.frequencies:
         at = [impedance(found.response, network, case.compressibility, one) for one in case.frequencies]
         size = 1 if prefix == "pad_" else stiffness.shape[0]

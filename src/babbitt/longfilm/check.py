@@ -10,6 +10,7 @@ import numpy as np
 
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import GivenEccentricity, GivenLoad
+from babbitt.design.directions import directions_of, narrowest_direction
 from babbitt.design.doubts import doubts_about_film, doubts_about_running
 from babbitt.design.effective import EffectiveFilm
 from babbitt.design.heat_balance import NoFilmError
@@ -56,6 +57,8 @@ def long_film_check(case: LongFilmCase) -> Result:
     arrays: dict[str, Matrix] = {}
     if state is not None:
         values, arrays = _values(case, state), _arrays(state)
+        around = directions_of(case, state.attitude_angle, circle(case.cells)[0])
+        arrays["film_direction"] = (tuple(float(one) for one in around),)
         if outcome.solved:
             checks = (*limit_checks(case, values), clearance_check(case, values))
             not_made = checks_not_made(case, values)
@@ -106,11 +109,13 @@ def _values(case: LongFilmCase, state: LongFilmState) -> dict[str, float]:
         "relative_clearance": bearing.relative_clearance,
         "operating_relative_clearance": bearing.relative_clearance,
         **duty,
+        "angular_speed": case.journal_speed,
         **oil_values(case, effective),
         "sommerfeld_number": number,
         "american_sommerfeld_number": 1.0 / (2.0 * math.pi * number),
         "eccentricity_ratio": state.eccentricity_ratio,
         "attitude_angle": state.attitude_angle,
+        "narrowest_gap_angle": narrowest_direction(case, state.attitude_angle),
         "minimum_film_thickness": float(state.film_thickness.min()),
         "maximum_pressure": float(state.film_pressure.max()),
         "rupture_angle": state.pressure.rupture_angle,

@@ -16,7 +16,7 @@ from babbitt.notices import EXPLANATIONS
 from babbitt.quantities import QUANTITIES
 from babbitt.report import findings
 from babbitt.report import verdict as judge
-from babbitt.report.bearing_table import matrix_entries
+from babbitt.report.bearing_table import matrix_entries, matrix_unit
 from babbitt.report.calculation import Section, calculation
 from babbitt.report.chapters import Chapter, Member
 from babbitt.report.check_content import check_content, compared_checks, solved_checks, sources_of
@@ -70,9 +70,13 @@ KEY_RESULTS = (
     "groove_temperature",
     "mean_bush_temperature",
     "maximum_bush_temperature",
+    "mean_wall_temperature",
+    "maximum_wall_temperature",
     "journal_temperature",
     "film_dissipation",
     "heat_to_oil",
+    "returned_flow",
+    "heat_returned",
     "heat_film_to_bush",
     "heat_film_to_journal",
     "energy_balance_error",
@@ -260,7 +264,24 @@ def _key_results(chapter: Chapter) -> list[Data]:
                     "unit": quantity.display.label,
                 }
             )
-    return rows + _recess_rows(result)
+    return rows + _supply_rows(result) + _recess_rows(result)
+
+
+def _supply_rows(result: Result) -> list[Data]:
+    """Fresh oil, oil that goes back and temperature of every supply of a film with its own temperatures."""
+    rows = []
+    names = {
+        "groove_fresh_flows": "fresh oil",
+        "groove_returned_flows": "oil that goes back",
+        "groove_temperatures": "mixing temperature",
+    }
+    for place, angle in enumerate(result.arrays.get("groove_angles", ((),))[0], start=1):
+        where = f"{QUANTITIES['groove_angles'].format(angle)} °"
+        for name, said in names.items():
+            value = result.arrays[name][0][place - 1]
+            if name != "groove_returned_flows" or value > 0.0:
+                rows.append(_single_row(name, f"Supply {place} at {where}, {said}", value, str(place)))
+    return rows
 
 
 def _recess_rows(result: Result) -> list[Data]:
@@ -287,7 +308,7 @@ def _single_row(name: str, said: str, value: float, index: str) -> Data:
         "label": said,
         "symbol": symbol_node(symbol),
         "values": [quantity.format(value)],
-        "unit": quantity.display.label,
+        "unit": matrix_unit(quantity, index),
     }
 
 

@@ -12,8 +12,9 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from babbitt.quantities import QUANTITIES
+from babbitt.quantities import QUANTITIES, Quantity
 from babbitt.report import verdict as judge
+from babbitt.report.meanings import meaning
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import Verdict
 from babbitt.results import Check, Result
@@ -43,14 +44,33 @@ def bearing_table(result: Result) -> RenderableType:
     for name, value in result.values.items():
         quantity = QUANTITIES.get(name)
         if quantity is not None and math.isfinite(value) and name != "wall_time":
-            table.add_row(quantity.meaning, quantity.symbol, quantity.format(value), quantity.display.label)
+            said = meaning(name, result.kind)
+            table.add_row(said, quantity.symbol, quantity.format(value), quantity.display.label)
     return Group(
         heading,
         table,
+        *_supplies(result),
         *_recesses(result),
         *_frequencies(result),
         *([_checks(result.checks)] if result.checks else []),
     )
+
+
+def _supplies(result: Result) -> list[Table]:
+    """Flows and temperature of every groove, pocket and hole of a film with its own temperatures."""
+    names = ("groove_angles", "groove_fresh_flows", "groove_returned_flows", "groove_temperatures")
+    if not all(name in result.arrays and result.arrays[name][0] for name in names):
+        return []
+    table = engineers_table()
+    table.add_column("supply", justify="right")
+    for name, said in zip(names, ("at", "fresh oil", "goes back", "mixed at"), strict=True):
+        table.add_column(f"{said} {QUANTITIES[name].display.label}", justify="right", no_wrap=True)
+    columns = [result.arrays[name][0] for name in names]
+    for place, row in enumerate(zip(*columns, strict=True), start=1):
+        table.add_row(
+            str(place), *(QUANTITIES[name].format(value) for name, value in zip(names, row, strict=True))
+        )
+    return [table]
 
 
 def _recesses(result: Result) -> list[Table]:
@@ -82,7 +102,7 @@ def _frequencies(result: Result) -> list[Table]:
     shown = matrix_entries(len(result.arrays["dynamic_stiffness"][0]))
     for quantity, letter in ((stiffness, "K"), (damping, "C")):
         for name in shown:
-            table.add_column(f"{letter}{name} {quantity.display.label}", justify="right", no_wrap=True)
+            table.add_column(f"{letter}{name} {matrix_unit(quantity, name)}", justify="right", no_wrap=True)
     for place, at in enumerate(result.arrays["dynamic_frequency"][0]):
         cells = [
             f"{quantity.shown(result.arrays[quantity.name][place][entry]):.5g}"
@@ -103,6 +123,12 @@ def matrix_entries(size: int) -> dict[str, int]:
         return {"_zz": 0, "_φx": 4, "_φy": 8}
     axes = "xy" if size == 4 else ""
     return {f"_{one}{two}": place for place, (one, two) in enumerate(product(axes, axes))} or {"": 0}
+
+
+def matrix_unit(quantity: Quantity, index: str) -> str:
+    """Unit of an entry of stiffness or damping: forces over moves, of tilts (φ) moments over angles."""
+    unit = quantity.display.label
+    return f"{unit.removesuffix('/m')} m/rad" if "φ" in index else unit
 
 
 def _checks(checks: Sequence[Check]) -> RenderableType:

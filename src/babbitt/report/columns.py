@@ -78,13 +78,47 @@ COLUMNS = (
 """All columns; a machine's table has those in which some bearing has a number."""
 
 
+HEEL_COLUMNS = (
+    column_of("load", 0),
+    column_of("rim_pressure", 1),
+    column_of("face_flow", 3),
+    column_of("maximum_temperature", 2),
+    column_of("friction_power", 1),
+    column_of("face_gap_stiffness", 4),
+    column_of("load_ratio_to_smooth", 5),
+)
+"""Of the states of footsteps."""
+
+PUMPED_COLUMNS = (
+    column_of("load", 3),
+    column_of("specific_load", 7),
+    column_of("gap", 1),
+    column_of("eccentricity_ratio", 2),
+    Column("h_min / h_lim", "µm", (_reading("minimum_film_thickness"), _film_limit), 0, " / "),
+    column_of("mean_pressure_ratio", 1),
+    column_of("pocket_pressure", 1),
+    column_of("total_flow", 2),
+    column_of("pumping_power", 4),
+    column_of("friction_power", 4),
+    column_of("temperature_rise", 5),
+    column_of("gap_stiffness", 6),
+)
+"""Of hydrostatic bearings and jacking pockets."""
+
+
 def columns_of(results: Sequence[Result]) -> tuple[Column, ...]:
     """The columns in which some bearing has a number.
 
     A bearing cooled by its housing has a bearing temperature, one fed with oil the temperatures of that oil: each
     stands under its own heading.
     """
-    return filled(COLUMNS, results)
+    kinds = {result.kind for result in results}
+    among: tuple[Column, ...] = COLUMNS
+    if kinds == {"screw_heel"}:
+        among = HEEL_COLUMNS
+    elif kinds and all(kind == "jacking_pocket" or kind.startswith("hydrostatic_") for kind in kinds):
+        among = PUMPED_COLUMNS
+    return filled(among, results)
 
 
 def filled(columns: Sequence[Column], results: Sequence[Result]) -> tuple[Column, ...]:

@@ -37,7 +37,7 @@ ZERO_CELSIUS = ZERO_CELSIUS
 
 def comparison_figure(comparison: Comparison) -> Figure:
     """Film, power, flow and temperatures by every method, and temperatures around the journal."""
-    solved = [one for one in comparison.variants if _is_shown(one)]
+    solved = [one for one in comparison.variants if is_shown(one)]
     figure, axes = Sheet(166.0, 112.0, 2, 4, left=29.0, across=5.0, between=17.0).panels()
     for panel, name in zip(axes[0][:3], SHOWN, strict=True):
         _bars(panel, solved, name)
@@ -54,7 +54,7 @@ def comparison_figure(comparison: Comparison) -> Figure:
     return figure
 
 
-def _is_shown(variant: Variant) -> bool:
+def is_shown(variant: Variant) -> bool:
     """Whether a variant is a method of its own that has found a film with a temperature; hydrostatic bearings and
     footsteps are compared in the table alone."""
     solved = variant.is_method and variant.result.outcome.solved
@@ -72,6 +72,7 @@ def _bars(panel: Axes, variants: Sequence[Variant], name: str) -> None:
             panel.annotate(quantity.format(value), (length, place), xytext=(2, 0), textcoords="offset points",
                            fontsize=7, va="center", annotation_clip=False)  # fmt: skip
     panel.set_yticks(places, [one.label for one in variants])
+    panel.set_ylim(places[-1] - 0.5, places[0] + 0.5)  # a method that does not tell the quantity keeps its row
     panel.set_xlim(0.0, 1.28 * np.nanmax(shown))
     panel.set_xlabel(axis_label(quantity))
 
@@ -121,7 +122,7 @@ def _around(panel: Axes, variants: Sequence[Variant]) -> None:
     if field is not None:
         film_maps.degrees(panel, field)
     panel.set_xlabel("θ in °, counter-clockwise from $+x$")
-    panel.set_ylabel("$T$ in °C")
+    panel.set_ylabel("$T$ in °C, middle of the width")
     panel.legend(frameon=False, fontsize=7, ncols=3, loc="lower left", bbox_to_anchor=(0.0, 1.0), borderpad=0.0)
 
 
@@ -153,7 +154,7 @@ def write_comparison_plots(
         made = {
             folder / f"{place:02d}-methods.{image_format}": rendered(comparison_figure(comparison), image_format)
             for place, comparison in enumerate(comparisons, start=1)
-            if any(_is_shown(one) for one in comparison.variants)
+            if any(is_shown(one) for one in comparison.variants)
         }
     try:
         folder.mkdir(parents=True, exist_ok=True)

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
 from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
 from babbitt.quantities import QUANTITIES
+from babbitt.report.meanings import meaning
 from babbitt.report.table import console
 from babbitt.report.text import plain_text
 from babbitt.results import Result
@@ -24,6 +26,7 @@ COMPARED = (
     "outlet_temperature",
     "maximum_temperature",
     "maximum_bush_temperature",
+    "maximum_wall_temperature",
     "journal_temperature",
     "bearing_temperature",
     "friction_power",
@@ -46,6 +49,7 @@ COMPARED_HEELS = (
     "rim_pressure",
     "face_flow",
     "heel_leakage",
+    "heel_net_flow",
     "maximum_temperature",
     "friction_power",
     "face_gap_stiffness",
@@ -115,18 +119,34 @@ def _table(title: Text, variants: Sequence[Variant]) -> Table:
     table.add_column("unit")
     for variant in variants:
         table.add_column(variant.label, justify="right")
+    for row in compared_rows(variants):
+        table.add_row(row.meaning, row.unit, *row.cells)
+    return table
+
+
+@dataclass(frozen=True)
+class Row:
+    """One quantity with its unit, as every method tells it."""
+
+    meaning: str
+    unit: str
+    cells: tuple[str, ...]
+
+
+def compared_rows(variants: Sequence[Variant]) -> Iterator[Row]:
+    """What is put side by side of some variants."""
     for name in _compared(variants):
         if not any(name in variant.result.values for variant in variants):
             continue
         quantity = QUANTITIES[name]
-        shown = [
+        cells = (
             quantity.format(variant.result.values[name])
             if name in variant.result.values and _counts(name, variant.result)
             else "–"
             for variant in variants
-        ]
-        table.add_row(f"{quantity.meaning}, {quantity.symbol}", quantity.display.label, *shown)
-    return table
+        )
+        said = meaning(name, variants[0].result.kind)
+        yield Row(f"{said}, {quantity.symbol}", quantity.display.label, tuple(cells))
 
 
 def _counts(name: str, result: Result) -> bool:

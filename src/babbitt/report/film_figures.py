@@ -120,18 +120,19 @@ def _temperatures(case: FilmCase, state: FilmState) -> Iterator[Painted]:
 
     thermal, walls = state.thermal, case.heat.walls if case.heat is not None else None
     field = field_of(thermal.film, case.load_angle - math.pi)
+    cut = film_temperature.said_place(thermal)
     yield (
         "temperature-map",
-        "Temperature over the unrolled bore, mean across the gap (above), and across the gap in the middle of the "
-        "width (below; upwards: the journal). Cross: the hottest place. White: grooves, pockets and holes, with "
+        f"Temperature over the unrolled bore, mean across the gap (above), and across the gap {cut} "
+        "(below; upwards: the journal). Cross: the hottest place. White: grooves, pockets and holes, with "
         "their mixing temperature; hatched: the film is ruptured.",
         film_temperature.unrolled(case, thermal, field),
         True,
     )
     yield (
         "temperature-through",
-        "Temperature through film and bush, seen against the rotation axis; the film is drawn thick, bush and "
-        "housing to scale. Cross: the hottest place; the arrow is the load.",
+        f"Temperature through film and bush {cut}, seen against the rotation axis; the film is drawn thick, bush "
+        "and housing to scale. Cross: the hottest place; the arrow is the load.",
         film_temperature.through(case, thermal, walls.bush if walls is not None else None),
         False,
     )
@@ -181,19 +182,23 @@ def _swept(case: FilmCase, state: FilmState) -> Iterator[Painted]:
     if case.cavitation is Cavitation.HALF_SOMMERFELD:
         return  # a film without stiffness and damping
 
+    beside = "."
+    if state.thermal is not None:
+        beside = ", whose film has its own temperatures; the lines are films of one viscosity and pass beside it."
     by_load = locus_over_load(case, state, watch=shown(f"{case.name}: over the load"))
     by_speed = locus_over_speed(case, state, watch=shown(f"{case.name}: over the speed"))
     yield (
         "journal-locus",
         "Journal centre over the load (line) and, from a quarter to two and a half times the speed, over the "
-        f"speed (broad, pale), within the room that the bore leaves it, {KEPT}. Filled: the operating point.",
+        f"speed (broad, pale), within the room that the bore leaves it, {KEPT}. Filled: the operating point"
+        + beside,
         film_curves.locus(case, state, by_load, by_speed),
         False,
     )
     yield (
         "coefficients",
         f"Stiffness and damping over the speed at the given load, {KEPT}; below, the same films without dimension "
-        "over the Sommerfeld number. Filled: the operating point.",
+        "over the Sommerfeld number. Filled: the operating point" + beside,
         film_curves.coefficients(state, by_speed),
         True,
     )

@@ -48,35 +48,47 @@ def unrolled(case: FilmCase, thermal: ThermalFilm, field: FilmField) -> Figure:
     film_maps.level_names(top, lines, thermal.film.film, field)
     film_maps.dress(top, case, thermal.film, field)
     top.set_ylabel("$z$ in mm")
-    through = temperature_through(thermal, field.theta) - ZERO_CELSIUS
+    place = thermal.hot_spot[1]
+    through = temperature_through(thermal, field.theta, place) - ZERO_CELSIUS
     across = np.concatenate(([0.0], thermal.layers, [1.0]))
     lines = film_maps.shaded(bottom, degrees, across, through)
     bottom.clabel(lines, np.asarray(lines.levels)[::2], fontsize=6, fmt="%g", inline_spacing=2)
-    _cover_grooves(bottom, thermal, field)
+    _cover_grooves(bottom, thermal, field, place)
     bottom.set_ylabel("bush ←  $y/h$  → journal")
     bottom.set_ylim(0.0, 1.0)
     bottom.set_yticks([0.0, 0.5, 1.0])
-    _hot_spot(bottom, thermal, field)
+    _hot_spot(top, bottom, thermal, field)
     film_maps.degrees(top, field)
     bottom.set_xlabel("θ in °, counter-clockwise from $+x$")
     film_maps.says(top, "temperature in °C, mean across the gap")
-    film_maps.says(bottom, "temperature in °C, across the gap in the middle of the width")
+    film_maps.says(bottom, f"temperature in °C, across the gap {said_place(thermal)}")
     film_maps.rotation(top, case)
     return figure
 
 
-def _hot_spot(panel: Axes, thermal: ThermalFilm, field: FilmField) -> None:
-    line, _, layer = np.unravel_index(int(thermal.temperature.argmax()), thermal.temperature.shape)
+def said_place(thermal: ThermalFilm) -> str:
+    """Where along the width the cut through the hottest place lies, in words."""
+    place = thermal.hot_spot[1]
+    middle = thermal.axial_positions.size == 1 or place == thermal.axial_positions[
+        int(np.abs(thermal.axial_positions).argmin())
+    ]  # fmt: skip
+    sides = "z = ±" if thermal.axial_positions[0] >= -1e-12 else "z = "
+    return "in the middle of the width" if middle else f"at {sides}{1e3 * place:.0f} mm, where it is hottest"
+
+
+def _hot_spot(top: Axes, bottom: Axes, thermal: ThermalFilm, field: FilmField) -> None:
+    line, column, layer = np.unravel_index(int(thermal.temperature.argmax()), thermal.temperature.shape)
     angle = field.theta[0] + (thermal.film.angles.ravel()[line] - field.theta[0]) % (2.0 * math.pi)
-    film_maps.point(
-        panel, math.degrees(angle), thermal.layers[layer], f"{thermal.maximum_temperature - ZERO_CELSIUS:.1f}"
-    )
+    said = f"{thermal.maximum_temperature - ZERO_CELSIUS:.1f}"
+    film_maps.point(bottom, math.degrees(angle), thermal.layers[layer], said)
+    if thermal.axial_positions.size > 1:
+        film_maps.point(top, math.degrees(angle), 1e3 * thermal.axial_positions[column], said)
 
 
-def _cover_grooves(panel: Axes, thermal: ThermalFilm, field: FilmField) -> None:
-    """Supplies in the middle of the width, in which there is no gap, with their mixing temperature."""
+def _cover_grooves(panel: Axes, thermal: ThermalFilm, field: FilmField, place: float) -> None:
+    """Supplies at a place of the width, in which there is no gap, with their mixing temperature."""
     for patch, mixed in zip(supply_patches(thermal.film.film), thermal.groove_temperatures, strict=True):
-        if not patch.z[0] <= 0.0 <= patch.z[1]:
+        if not patch.z[0] <= place <= patch.z[1]:
             continue
         first = field.theta[0] + (patch.theta[0] - field.theta[0]) % (2.0 * math.pi)
         for start in (first, first - 2.0 * math.pi):
@@ -95,11 +107,11 @@ def through(case: FilmCase, thermal: ThermalFilm, bush: BushRing | None) -> Figu
     """Film and bush along the shaft, each with its temperature; the film is drawn thick."""
     from matplotlib.patches import Circle
 
-    figure, ((panel,),) = Sheet(81.0, 84.0, left=2.0, bottom=2.0).panels()
+    figure, ((panel,),) = Sheet(81.0, 90.0, left=2.0, bottom=8.0).panels()
     panel.set_aspect("equal")
     panel.axis("off")
     theta = np.linspace(0.0, 2.0 * math.pi, PLACES)
-    inside = temperature_through(thermal, theta) - ZERO_CELSIUS
+    inside = temperature_through(thermal, theta, thermal.hot_spot[1]) - ZERO_CELSIUS
     radii = 1.0 - FILM_AS_DRAWN * np.concatenate(([0.0], thermal.layers, [1.0]))
     reach = 1.12
     shades, levels = film_maps.levels_of(inside)
@@ -115,7 +127,7 @@ def through(case: FilmCase, thermal: ThermalFilm, bush: BushRing | None) -> Figu
     panel.add_patch(Circle((0.0, 0.0), 1.0, fill=False, linewidth=0.9, edgecolor=INK))
     panel.add_patch(Circle((0.0, 0.0), radii[-1], facecolor="0.97", linewidth=0.9, edgecolor=INK))
     _inner_words(panel, case, thermal, radii[-1])
-    _supplies(panel, thermal)
+    _supplies(panel, thermal, thermal.hot_spot[1])
     _spot(panel, thermal)
     panel.set(xlim=(-reach, reach), ylim=(-reach, reach))
     bar = figure.colorbar(drawn, ax=panel, orientation="horizontal", fraction=0.05, pad=0.02, aspect=32)
@@ -152,10 +164,10 @@ def _inner_words(panel: Axes, case: FilmCase, thermal: ThermalFilm, radius: floa
     arrow(panel, tip, tail, size=6.0)
 
 
-def _supplies(panel: Axes, thermal: ThermalFilm) -> None:
-    """Supplies in the middle of the width as notches."""
+def _supplies(panel: Axes, thermal: ThermalFilm, place: float) -> None:
+    """Supplies at a place of the width as notches."""
     for patch in supply_patches(thermal.film.film):
-        if patch.z[0] <= 0.0 <= patch.z[1]:
+        if patch.z[0] <= place <= patch.z[1]:
             angles = np.linspace(*patch.theta, 30)
             ends = (1.0 - FILM_AS_DRAWN, 1.1)
             x = np.concatenate((ends[0] * np.cos(angles), ends[1] * np.cos(angles[::-1])))
@@ -193,6 +205,7 @@ def along(case: FilmCase, thermal: ThermalFilm, field: FilmField) -> Figure:
     lower.axhline(thermal.journal_temperature - ZERO_CELSIUS, color=GREY, linewidth=0.7, label="journal")
     lower.axhline(thermal.supply_temperature - ZERO_CELSIUS, color=GREY, linewidth=0.7, linestyle=(0, (1, 3)),
                   label="fresh oil")  # fmt: skip
+    lower.margins(y=0.08)
     lower.set_ylabel("$T$ in °C")
     lower.legend(frameon=False, fontsize=7, ncols=5, loc="lower left", bbox_to_anchor=(0.0, 1.0), borderpad=0.0)
     for patch in supply_patches(thermal.film.film):

@@ -12,6 +12,7 @@ from babbitt.quantities import QUANTITIES
 from babbitt.report import verdict as judge
 from babbitt.report.bearing_table import STYLES, engineers_table
 from babbitt.report.columns import ABSENT
+from babbitt.report.meanings import meaning
 from babbitt.report.names import split_clearance
 from babbitt.report.text import plain_text
 from babbitt.results import Result
@@ -41,7 +42,7 @@ def heel_table(results: Sequence[Result]) -> RenderableType:
             continue
         cells = [values.get(name, math.nan) for values in solved]
         written = [quantity.format(value) if math.isfinite(value) else ABSENT for value in cells]
-        table.add_row(quantity.meaning, quantity.symbol, quantity.display.label, *written)
+        table.add_row(meaning(name, results[0].kind), quantity.symbol, quantity.display.label, *written)
     words = [judge.verdict(result) for result in results]
     stable = [
         {"yes": "stable", "no": "not stable"}.get(result.settings.get("stable", ""), "") for result in results

@@ -12,6 +12,8 @@ from babbitt.hydrostatics.answer import Answer
 from babbitt.hydrostatics.geometry import CircularPad, RecessedJournal, RectangularPad, ThrustRing
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import HydrostaticCase
+from babbitt.hydrostatics.restrictors import CheckValve
+from babbitt.hydrostatics.supply import Pump
 from babbitt.report.drawing import GREY, INK, PALE, Array, Drawing, Sheet, limit_line, mark, rendered, style
 from babbitt.results import Result
 
@@ -53,6 +55,11 @@ def of_bearing(case: HydrostaticCase, result: Result) -> Iterator[Painted]:
 
     case, found = warmed(case)
     what = "eccentricity" if case.is_journal else "gap"
+    steps = []
+    if any(isinstance(one, CheckValve) for one in case.feeding.restrictors):
+        steps.append("a check valve closes")
+    if isinstance(case.feeding.supply, Pump) and math.isfinite(case.feeding.supply.relief_pressure):
+        steps.append("the relief valve opens")
     yield (
         "load-curve",
         f"Load and stiffness over the {what}: film (line) and quick method (dashed)"
@@ -61,7 +68,8 @@ def of_bearing(case: HydrostaticCase, result: Result) -> Iterator[Painted]:
             if case.is_journal
             else ", the runner being level"
         )
-        + ". Filled: the operating point.",
+        + ". Filled: the operating point."
+        + "".join(f" The stiffness steps where {one}." for one in steps),
         load_curve(case, found),
         True,
     )
@@ -276,10 +284,11 @@ def powers(result: Result) -> Figure:
         share = np.sqrt(pumping / friction * wanted) * (x / (1e6 * gap)) ** 2
         line = 1e3 * named["effective_viscosity"] * share
         panel.plot(x, line, color=GREY, linewidth=0.9, linestyle=(0, (5, 2)))
-        place = int(np.abs(np.log(line / (0.93 * y[-1]))).argmin())
+        left = wanted > 1.0  # each label on the outer side of the pair of lines
+        place = int(np.abs(np.log(line / ((0.93 if left else 0.35) * y[-1]))).argmin())
         panel.annotate(
-            f"$P_f/P_p = {wanted:.0f}$", (x[place], line[place]), xytext=(-3, 0), textcoords="offset points",
-            ha="right", va="center", fontsize=6, color="0.3",
+            f"$P_f/P_p = {wanted:.0f}$", (x[place], line[place]), xytext=(-3 if left else 3, 0),
+            textcoords="offset points", ha="right" if left else "left", va="center", fontsize=6, color="0.3",
             bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.2},
         )  # fmt: skip
     mark(panel, 1e6 * gap, 1e3 * named["effective_viscosity"])

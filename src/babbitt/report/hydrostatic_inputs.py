@@ -128,6 +128,7 @@ def oil_rows(case: HydrostaticCase) -> Iterator[Said]:
         yield "Temperature before the restrictors", f"{oil.supply_temperature - ZERO_CELSIUS:.4g}", "°C"
 
 
+GRIDS = {"reference": "reference; full films extrapolated from it and half of its lines"}
 METHODS = {
     "film": "Reynolds equation in two dimensions with the flow network of the recesses",
     "quick": "closed forms; lands lumped where there are several recesses",
@@ -141,7 +142,7 @@ def groups(case: HydrostaticCase | JackingCase) -> tuple[tuple[str, tuple[Said, 
     method = [("Film", METHODS[case.method], "")]
     if case.method == "film":
         method += [("Where the film breaks up", "pressure and its gradient vanish (Reynolds)", ""),
-                   ("Grid", case.accuracy, "")]  # fmt: skip
+                   ("Grid", GRIDS.get(case.accuracy, case.accuracy), "")]  # fmt: skip
     if case.least_gap is not None:
         method.append(("Least gap allowed", f"{1e6 * case.least_gap:.4g}", "µm"))
     return (

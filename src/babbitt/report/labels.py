@@ -39,6 +39,10 @@ SHORT = {
     "groove_temperature": "Warmest groove",
     "mean_bush_temperature": "Bore, mean temperature",
     "maximum_bush_temperature": "Bush, highest temperature",
+    "mean_wall_temperature": "Film at the bore, mean",
+    "maximum_wall_temperature": "Film at the bore, hottest",
+    "returned_flow": "Oil back into supplies",
+    "heat_returned": "Heat back into supplies",
     "film_dissipation": "Heat born in the film",
     "heat_film_to_bush": "Heat to the bush",
     "heat_film_to_journal": "Heat to the journal",
@@ -97,6 +101,9 @@ SHORT = {
     "breakaway_pressure": "Breakaway, upper bound",
     "lying_pressure": "Breakaway, lower bound",
     "recess_reynolds_number": "Reynolds number in the recess",
+    "restrictor_reynolds_number": "Reynolds number in the capillaries",
+    "edge_inertia": "Inertia at the recess edge",
+    "least_power_viscosity": "Viscosity of least power",
 }
 
 

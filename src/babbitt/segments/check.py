@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from time import perf_counter
 
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import GivenLoad
+from babbitt.design.directions import directions_of, narrowest_direction
 from babbitt.design.effective import EffectiveFilm
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.design.screening import recommended_relative_clearance
@@ -48,10 +50,13 @@ def segments_check(case: SegmentCase) -> Result:
     arrays: dict[str, Matrix] = {}
     if state is not None:
         values, arrays = _values(case, state), _arrays(state)
+        if not case.profile:
+            around = directions_of(case, state.attitude_angle, state.grid.angles)
+            arrays["film_direction"] = (tuple(float(one) for one in around),)
         if outcome.solved:
             plain = beside(state) if case.groove is not None else None
             values |= _values_beside(state, plain)
-            checks = (*limit_checks(case, values), clearance_check(case, values))
+            checks = (*_of_the_hottest(limit_checks(case, values), values), clearance_check(case, values))
             not_made = checks_not_made(case, values)
             warnings = tuple(doubts(case, state, plain, values, checks))
         values["iterations"] = float(state.iterations)
@@ -70,6 +75,14 @@ def segments_check(case: SegmentCase) -> Result:
         _settings(case),
         arrays,
     )
+
+
+def _of_the_hottest(checks: tuple[Check, ...], values: dict[str, float]) -> Iterator[Check]:
+    """Limits of the temperature hold for the segment that the hottest oil leaves."""
+    hottest = "maximum_temperature"
+    for one in checks:
+        ahead = one.quantity == "outlet_temperature" and values[hottest] > one.value
+        yield replace(one, quantity=hottest, value=values[hottest]) if ahead else one
 
 
 def _solved(case: SegmentCase) -> tuple[Outcome, float | None, SegmentFilmState | None]:
@@ -103,6 +116,7 @@ def _values(case: SegmentCase, state: SegmentFilmState) -> dict[str, float]:
         "relative_clearance": bearing.relative_clearance,
         "operating_relative_clearance": bearing.relative_clearance,
         **duty,
+        "angular_speed": case.journal_speed,
         **oil_values(case, effective),
         "sommerfeld_number": number,
         "american_sommerfeld_number": 1.0 / (2.0 * math.pi * number),
@@ -125,6 +139,8 @@ def _values(case: SegmentCase, state: SegmentFilmState) -> dict[str, float]:
         "recommended_relative_clearance": recommended_relative_clearance(duty["surface_speed"]),
         **limit_values(case),
     }
+    if not case.profile:
+        values["narrowest_gap_angle"] = narrowest_direction(case, state.attitude_angle)
     values["eccentricity_ratio"] = (
         1.0 - thinnest / state.film.clearance if case.profile else state.eccentricity_ratio
     )
@@ -222,6 +238,10 @@ def _failure(case: SegmentCase, outcome: Outcome, capacity: float | None, state:
             f"after {state.iterations} iterations temperatures still changed by {warm:.3g} K, the wall by "
             f"{bent * 1e6:.3g} µm"
         )
+    elif outcome is Outcome.NO_LUBRICANT_DATA:
+        supplied = case.oil_supply.temperature - 273.15
+        reached = f"leaves the temperatures that the laws of {case.lubricant.name} reach"
+        far = f"the film, supplied at {supplied:.0f} °C, {reached}"
     elif outcome is Outcome.NOT_CONVERGED:
         far = "the film has no point of rupture, or no oil flows through it"
     remedy = EXPLANATIONS[outcome.code].remedy

@@ -36,7 +36,8 @@ def doubts(
         yield Notice("W151", f"c/R = {case.film.clearance / case.film.radius:.3g} > {THICK_FROM:g}")
     if plain is not None:
         yield from _doubts_about_groove(case, state, plain)
-    yield from _doubts_about_temperature(case, state)
+    outside = list(_doubts_about_temperature(case, state))
+    yield from outside
     if case.bearing.roughness is not None:
         combined = math.hypot(*case.bearing.roughness)
         if values["minimum_film_thickness"] < ROUGHNESS_FACTOR * combined:
@@ -45,7 +46,8 @@ def doubts(
                 f"h_min = {values['minimum_film_thickness'] * 1e6:.3g} µm < {ROUGHNESS_FACTOR:g} x "
                 f"{combined * 1e6:.3g} µm",
             )
-    yield from doubts_about_film(case, values)
+    told = {notice.code for notice in outside}
+    yield from (notice for notice in doubts_about_film(case, values) if notice.code not in told)
     yield from doubts_about_running(case, values, checks)
 
 
@@ -57,6 +59,13 @@ def _doubts_about_groove(case: SegmentCase, state: SegmentFilmState, plain: Besi
             f"under the same load {_celsius(state.outlet_temperature)} °C leave the last segment with the groove, "
             f"{_celsius(ungrooved.outlet_temperature)} °C without; eccentricity {state.eccentricity_ratio:.3f} "
             f"instead of {ungrooved.eccentricity_ratio:.3f}",
+        )
+    if state.segments[-1].friction_power == 0.0:
+        first = state.segments[0]
+        yield Notice(
+            "W157",
+            f"no load behind the groove; the loaded film ends at {math.degrees(first.segment.end):.0f}° with "
+            f"{_celsius(first.outlet_temperature)} °C",
         )
     if state.short_of_oil:
         yield Notice("W154", "more oil could leave the blind groove than enters it; its pressure was taken as 0")

@@ -115,7 +115,9 @@ def film_under_load(film: SegmentFilm, load: float) -> SegmentFilmState:
     for eccentricity in (*SCAN, *(BEYOND_CONTACT if film.compliance else ())):
         try:
             state = film_at_eccentricity(film, eccentricity, state)
-        except NoFilmError:
+        except NoFilmError as failure:
+            if state is None and failure.outcome is Outcome.NO_LUBRICANT_DATA:
+                raise  # the oil has no viscosity as it comes: no question of load
             break
         if not state.converged:
             break

@@ -16,7 +16,7 @@ from babbitt.hydrostatics.state import Ending
 __all__ = ["FrequencyCurve", "LoadCurve", "PowerMap", "over_frequency", "over_gap", "power_map"]
 
 Array = NDArray[np.float64]
-ECCENTRICITIES = np.concatenate((np.linspace(0.0, 0.7, 15), np.linspace(0.72, 0.9, 10)))
+ECCENTRICITIES = np.concatenate((np.linspace(0.0, 0.7, 29), np.linspace(0.71, 0.9, 20)))
 GAPS = np.geomspace(0.4, 2.5, 31)
 
 

@@ -38,20 +38,22 @@ def cost_of_one_temperature(comparison: Comparison) -> Iterator[str]:
 
 
 def _said(label: str, plain: Result, fullest: str, full: Result) -> str:
+    whom = "the film of one temperature" if label == "film" else label
     thin = full.minimum_film_thickness / plain.minimum_film_thickness - 1.0
     less = full.friction_power / plain.friction_power - 1.0
     film = QUANTITIES["minimum_film_thickness"]
     words = (
-        f"Against {label} the {fullest} is {abs(thin):.0%} {'thinner' if thin < 0.0 else 'thicker'} at its "
+        f"Against {whom} the {fullest} is {abs(thin):.0%} {'thinner' if thin < 0.0 else 'thicker'} at its "
         f"thinnest ({film.format(full.minimum_film_thickness)} instead of "
         f"{film.format(plain.minimum_film_thickness)} µm) and takes {abs(less):.0%} "
         f"{'less' if less < 0.0 else 'more'} power"
     )
     known = "outlet_temperature" if "outlet_temperature" in plain.values else "effective_temperature"
+    place = "bush" if "maximum_bush_temperature" in full.values else "film"
     hottest = full.values.get("maximum_bush_temperature", full.maximum_temperature)
     apart = hottest - plain.values[known]
     said = "outlet" if known == "outlet_temperature" else "effective temperature"
     return (
-        f"{words}; its bush reaches {hottest - ZERO_CELSIUS:.0f} °C, {abs(apart):.0f} K "
-        f"{'above' if apart > 0.0 else 'below'} the {said} that {label} tells."
+        f"{words}; its {place} reaches {hottest - ZERO_CELSIUS:.0f} °C, {abs(apart):.0f} K "
+        f"{'above' if apart > 0.0 else 'below'} the {said} that {whom} tells."
     )

@@ -1,0 +1,96 @@
+"""Where a film with its own temperatures gave way: the largest load that still had a film, and words for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from babbitt.bearings.model import Accuracy, FilmCase
+from babbitt.bearings.warm_film import FilmState
+from babbitt.design.conditions import GivenLoad
+from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
+from babbitt.notices import EXPLANATIONS
+from babbitt.results import Outcome
+
+__all__ = ["last_film", "thermal_failure"]
+
+HALVINGS, BISECTIONS = 10, 3
+"""Of the load until a film is found, and then between the last two."""
+
+ZERO_CELSIUS = 273.15
+
+
+def last_film(case: FilmCase, film_at: Callable[[FilmCase], FilmState]) -> FilmState | None:
+    """Film under the largest load, to some percent, below one that has none; None where there is none at all.
+
+    On a draft grid: it only tells how far the bearing is from carrying its load.
+
+    Parameters
+    ----------
+    case : FilmCase
+        Its load has no film.
+    film_at : callable
+        Film of a case; may raise `NoFilmError`.
+    """
+    if not isinstance(case.duty, GivenLoad):
+        return None
+    whole = case.duty.load
+
+    def under(share: float) -> FilmState | None:
+        try:
+            return film_at(replace(case, duty=GivenLoad(share * whole), accuracy=Accuracy.DRAFT))
+        except NoFilmError:
+            return None
+
+    high, low, found = 1.0, 1.0, None
+    for _ in range(HALVINGS):
+        high, low = low, 0.5 * low
+        found = under(low)
+        if found is not None:
+            break
+    if found is None:
+        return None
+    for _ in range(BISECTIONS):
+        middle = 0.5 * (low + high)
+        better = under(middle)
+        low, high, found = (low, middle, found) if better is None else (middle, high, better)
+    return found
+
+
+def thermal_failure(case: FilmCase, found: Equilibrium[FilmState]) -> str:
+    """Say what gave way, the last film that there was, and what to try."""
+    load = f" under {_kilonewtons(case.duty.load)} kN" if isinstance(case.duty, GivenLoad) else " at this position"
+    match found.outcome:
+        case Outcome.OVERLOADED:
+            far = f"no film with its own temperatures was found{load}: its thinnest place closes"
+        case Outcome.THERMAL_RUNAWAY:
+            far = f"the film{load} would be hotter than {CEILING - ZERO_CELSIUS:.0f} °C somewhere"
+        case Outcome.NO_LUBRICANT_DATA:
+            far = f"the film{load} would be hotter than the laws of {case.lubricant.name} reach"
+        case Outcome.NO_CLEARANCE:
+            far = "the clearance is used up by thermal growth"
+        case Outcome.OUTSIDE_CLEARANCE:
+            far = f"{load.strip()} the journal would touch or cut the bore"
+        case _:
+            far = f"film, temperatures and journal{load} did not come to rest together"
+    remedy = EXPLANATIONS[found.outcome.code].remedy
+    adiabatic = case.heat is not None and case.heat.walls is None
+    if adiabatic and found.outcome is Outcome.THERMAL_RUNAWAY:
+        remedy = f"`thermal: full`, for walls cool a film as thin as this; {remedy[0].lower()}{remedy[1:]}"
+    return f"{far}{_last(case, found.film)}. Try: {remedy[0].lower()}{remedy[1:]}"
+
+
+def _last(case: FilmCase, state: FilmState | None) -> str:
+    if state is None or state.thermal is None:
+        return ""
+    least = state.solution.minimum_film_thickness * 1e6
+    hottest = state.thermal.maximum_temperature - ZERO_CELSIUS
+    there = f"h_min = {least:.3g} µm, hottest place {hottest:.0f} °C"
+    if isinstance(case.duty, GivenLoad) and state.load < 0.999 * case.duty.load:
+        return f". The largest load with a film was about {_kilonewtons(state.load)} kN, with {there}"
+    return f". The last film that settled had {there}"
+
+
+def _kilonewtons(force: float) -> str:
+    """A force in kN, with three digits and no exponent."""
+    return f"{force / 1e3:.0f}" if force >= 1e5 else f"{force / 1e3:.3g}"

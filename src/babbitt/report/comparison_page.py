@@ -1,0 +1,119 @@
+"""The page of `babbitt compare`: what every method tells of one bearing, as one HTML file."""
+
+from __future__ import annotations
+
+from base64 import b64encode
+from collections.abc import Iterator, Sequence
+from html import escape
+from pathlib import Path
+
+from babbitt.notices import InputError
+from babbitt.report.comparison_table import compared_rows
+from babbitt.report.document import TEMPLATES
+from babbitt.report.drawing import rendered, style
+from babbitt.report.text import plain_text
+from babbitt.report.writing import require_writable, write_whole
+from babbitt.studies.comparison import Comparison, Variant
+from babbitt.studies.temperature_cost import cost_of_one_temperature
+
+__all__ = ["comparison_page", "write_comparison_page"]
+
+CAPTION = (
+    "Least film thickness, friction power, oil flow and temperatures by every method that tells them; below, the "
+    "temperature along the middle of the width, hottest across the gap, beside the single temperatures."
+)
+
+
+def write_comparison_page(comparisons: Sequence[Comparison], path: Path) -> None:
+    """Write the page of all bearings compared.
+
+    Parameters
+    ----------
+    comparisons : sequence of Comparison
+    path : Path
+        Ends in ``.html``.
+
+    Raises
+    ------
+    InputError
+        E007 for another suffix, a path that cannot be written, or matplotlib that is not installed.
+    """
+    if path.suffix.lower() != ".html":
+        raise InputError("E007", f"cannot write {path}: the page of a comparison ends in .html")
+    require_writable(path)
+    write_whole(path, comparison_page(comparisons).encode())
+
+
+def comparison_page(comparisons: Sequence[Comparison]) -> str:
+    """The page as HTML; equal for equal input."""
+    css = (TEMPLATES / "report.css").read_text(encoding="utf-8")
+    bodies = "\n".join(part for comparison in comparisons for part in _bearing(comparison))
+    title = escape(", ".join(plain_text(one.name) for one in comparisons))
+    return (
+        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}: methods compared</title>'
+        f"<style>\n{css}</style></head>\n<body>\n{bodies}\n</body></html>\n"
+    )
+
+
+def _bearing(comparison: Comparison) -> Iterator[str]:
+    methods = [one for one in comparison.variants if one.is_method]
+    others = [one for one in comparison.variants if not one.is_method]
+    yield f"<h1>{_text(comparison.name)}</h1>"
+    yield (
+        f'<p class="method">The same bearing by {len(methods)} methods. The first, {_text(methods[0].label)}, is '
+        "the one that the case asks for. The methods differ in what they neglect: that is told for each below the "
+        "figure.</p>"
+    )
+    costs = list(cost_of_one_temperature(comparison))
+    if costs:
+        yield "<h3>What one temperature costs</h3>"
+        yield from (f"<p>{_text(said)}</p>" for said in costs)
+    yield from _figure(comparison)
+    yield "<h3>What each method sees and neglects</h3>"
+    yield from _remarks(methods)
+    if comparison.left_out:
+        yield f'<p class="note">{_text(comparison.left_out)}</p>'
+    yield "<h3>Results side by side</h3>"
+    yield from _table(methods)
+    if others:
+        yield "<h3>Other choices within a method</h3>"
+        yield from _remarks(others)
+        yield from _table(others)
+    assumed = list(dict.fromkeys(said for one in methods[:1] for said in one.result.assumptions))
+    if assumed:
+        yield f"<h3>What {_text(methods[0].label)} takes for granted</h3>"
+        yield from (f'<p class="finding">{_text(said)}</p>' for said in assumed)
+
+
+def _figure(comparison: Comparison) -> Iterator[str]:
+    from babbitt.report.comparison_figure import comparison_figure, is_shown
+
+    if not any(is_shown(one) for one in comparison.variants):
+        return
+    with style():
+        drawn = b64encode(rendered(comparison_figure(comparison), "svg")).decode()
+    yield (
+        f'<figure><img alt="{escape(CAPTION)}" src="data:image/svg+xml;base64,{drawn}">'
+        f"<figcaption>{escape(CAPTION)}</figcaption></figure>"
+    )
+
+
+def _remarks(variants: Sequence[Variant]) -> Iterator[str]:
+    for one in variants:
+        said = f"<b>{_text(one.label)}</b>: {_text(one.remark)}."
+        if not one.result.outcome.solved:
+            said += f" No solution: {_text(one.result.outcome.value)}; {_text(one.result.message)}"
+        yield f'<p class="finding">{said}</p>'
+
+
+def _table(variants: Sequence[Variant]) -> Iterator[str]:
+    heads = "".join(f'<th class="number">{_text(one.label)}</th>' for one in variants)
+    yield f'<div class="wide"><table class="sheet"><tr><th>quantity</th><th>unit</th>{heads}</tr>'
+    for row in compared_rows(variants):
+        cells = "".join(f'<td class="number">{escape(cell)}</td>' for cell in row.cells)
+        yield f"<tr><td>{escape(row.meaning)}</td><td>{escape(row.unit)}</td>{cells}</tr>"
+    yield "</table></div>"
+
+
+def _text(said: str) -> str:
+    return escape(plain_text(said))

@@ -1,0 +1,38 @@
+"""What a quantity means where another kind of bearing than the standard's gives it."""
+
+from __future__ import annotations
+
+from babbitt.quantities import QUANTITIES
+
+__all__ = ["meaning"]
+
+PUMPED = {
+    "total_flow": "Oil through all restrictors",
+    "friction_power": "Friction power",
+    "effective_viscosity": "Dynamic viscosity of the oil in the film",
+    "supply_pressure": "Gauge pressure before the restrictors",
+    "iterations": "Steps of the search",
+}
+"""Hydrostatic bearings and footsteps: no film flow Q3 and supply flow Qp, no effective temperature."""
+JACKING = {"total_flow": "Oil of all pockets", "effective_area": "Load over pocket pressure"}
+
+
+def meaning(name: str, kind: str) -> str:
+    """Give one line on a quantity of a result.
+
+    Parameters
+    ----------
+    name : str
+        Of the vocabulary.
+    kind : str
+        Of the result.
+
+    Examples
+    --------
+    >>> meaning("total_flow", "hydrostatic_pad"), meaning("total_flow", "journal_bearing")
+    ('Oil through all restrictors', 'Total oil flow Q3 + Qp')
+    """
+    if kind == "jacking_pocket" and name in JACKING:
+        return JACKING[name]
+    pumped = kind in ("screw_heel", "jacking_pocket") or kind.startswith("hydrostatic_")
+    return PUMPED[name] if pumped and name in PUMPED else QUANTITIES[name].meaning

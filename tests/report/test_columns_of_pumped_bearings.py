@@ -1,0 +1,32 @@
+"""Key columns of footsteps and hydrostatic bearings in machine and sweep tables."""
+
+import pytest
+
+from babbitt.cases import parse_case, template
+from babbitt.report.columns import ABSENT, columns_of
+from babbitt.solving import solve
+
+
+def headings(kind):
+    results = solve(parse_case(template(kind))).results
+    return {column.heading: column.cells(results) for column in columns_of(results)}
+
+
+def test_footsteps_show_load_and_pressure_of_every_state():
+    cells = headings("screw_heel")
+    assert list(cells)[:3] == ["F", "p₁", "Q₂"]
+    assert cells["F"] == ["0.834", "0.829", "1.04"]
+    assert cells["F/F_s"][0] == ABSENT
+    assert "h_min / h_lim" not in cells
+
+
+@pytest.mark.parametrize(
+    ("kind", "wanted", "never"),
+    [("hydrostatic_pad", {"F", "h", "β_m", "Q", "K_z"}, {"Re / Re_cr", "ε"}),
+     ("hydrostatic_journal", {"F", "ε", "β_m", "Q", "ΔT"}, {"h", "Re / Re_cr"}),
+     ("jacking_pocket", {"F", "p_j", "Q"}, {"β_m", "P_f"})],
+)  # fmt: skip
+def test_hydrostatic_bearings_show_pressure_ratio_and_flow(kind, wanted, never):
+    cells = headings(kind)
+    assert wanted <= set(cells)
+    assert not never & set(cells)
