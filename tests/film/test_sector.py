@@ -40,7 +40,7 @@ def test_squeezed_parallel_faces_have_the_damping_of_the_sine_series():
 
 
 @settings(max_examples=15, deadline=None)
-@given(tilt=st.floats(-0.9, -0.2), twist=st.floats(-0.3, 0.3))
+@given(tilt=st.floats(-0.7, -0.2), twist=st.floats(-0.3, 0.3))
 def test_a_film_of_one_shape_carries_with_the_square_of_its_thickness(tilt, twist):
     """F(s a) = F(a) / s^2, so that K a = 2 F: at equilibrium K = 2 W / h."""
     slope_y = tilt * 100e-6 / 0.15
