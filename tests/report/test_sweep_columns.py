@@ -16,9 +16,7 @@ def test_the_key_results_are_quantities_of_known_kinds():
     assert {name for names in KEY_RESULTS.values() for name in names} <= QUANTITIES.keys()
 
 
-@pytest.mark.parametrize(
-    "kind", ["hydrostatic_pad", "jacking_pocket", "overhung_coupling", "screw_heel", "thrust"]
-)
+@pytest.mark.parametrize("kind", ["overhung_coupling", "thrust"])
 def test_a_kind_has_columns_of_its_own_and_they_are_filled(kind):
     results = solve(parse_case(template(kind))).results
     names = [name for name in KEY_RESULTS[kind] if name in results[0].values]
