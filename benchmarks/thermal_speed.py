@@ -33,7 +33,8 @@ def run(interpreter: str, script: str) -> dict[str, Any] | None:
         command = [interpreter, str(FOLDER / script), str(record)]
         done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
         if done.returncode == 0:
-            return json.loads(record.read_text(encoding="utf-8"))  # type: ignore[no-any-return]
+            found: dict[str, Any] = json.loads(record.read_text(encoding="utf-8"))
+            return found
     if "No module named 'ross'" in done.stderr:
         return None
     raise RuntimeError(f"{script} failed:\n{done.stderr[-3000:]}")

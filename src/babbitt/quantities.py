@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from babbitt.units import ZERO_CELSIUS
+
 
 @dataclass(frozen=True)
 class DisplayUnit:
@@ -32,7 +34,7 @@ SI = {
     "mm": DisplayUnit("mm", 1e3, decimals=2),
     "um": DisplayUnit("µm", 1e6, decimals=1),
     "MPa": DisplayUnit("MPa", 1e-6, decimals=2),
-    "degC": DisplayUnit("°C", 1.0, -273.15, decimals=1),
+    "degC": DisplayUnit("°C", 1.0, -ZERO_CELSIUS, decimals=1),
     "rpm": DisplayUnit("rpm", 9.549296585513721, decimals=0),
     "deg": DisplayUnit("°", 57.29577951308232, decimals=1),
     "kN": DisplayUnit("kN", 1e-3, decimals=2),

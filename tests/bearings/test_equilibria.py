@@ -10,7 +10,6 @@ from film_bearings import answer
 from babbitt.bearings.bore import Arc, LobedBore
 from babbitt.bearings.equilibria import find_equilibria
 from babbitt.film.model import (
-    DRAFT,
     ENGINEERING,
     Cavitation,
     FilmStart,
@@ -78,12 +77,13 @@ def test_the_wedge_outweighs_the_supply_in_a_fast_bearing():
 )
 @pytest.mark.parametrize("load", [(0.0, -200.0), (0.0, -3e4), (2e4, 0.0)])
 def test_ordinary_bearings_have_one_equilibrium(film, load):
-    rest = solve_journal(film, load, DRAFT)
-    found = find_equilibria(film, load, DRAFT)
+    rest = solve_journal(film, load, ENGINEERING)
+    found = find_equilibria(film, load, ENGINEERING)
     assert found.complete
     (place,) = found.places
-    np.testing.assert_allclose(place.position, rest.position, atol=2e-3 * film.clearance)
-    again = find_equilibria(film, load, DRAFT, (rest,))
+    # found from another side, on lines graded for another coarse film: 3e-5 at most (7e-4 on a draft grid)
+    np.testing.assert_allclose(place.position, rest.position, atol=6e-5 * film.clearance)
+    again = find_equilibria(film, load, ENGINEERING, (rest,))
     assert [one.film for one in again.places] == [rest]
 
 

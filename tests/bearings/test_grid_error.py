@@ -38,8 +38,9 @@ BEARINGS = {
     "pockets": POCKETS,
 }
 BEYOND = Resolution(12, 1536, 48, 1e-10)
-BEYOND_POCKETS = Resolution(10, 384, 48, 1e-9)
-FACTOR, LIGHT_FACTOR = 2.0, 3.0
+BEYOND_SURFACES = Resolution(10, 768, 48, 1e-9)
+POSITION_FACTOR, COEFFICIENT_FACTOR = 1.5, 1.75
+"""How far an estimate may be off; what is found lies within 0.83 to 1.24, and 0.68 to 1.35."""
 
 
 @pytest.mark.parametrize("accuracy", [Accuracy.DRAFT, Accuracy.ENGINEERING])
@@ -55,7 +56,7 @@ def test_the_estimate_brackets_the_true_error(name, accuracy, cavitation):
     case = replace(case, accuracy=accuracy, cavitation=cavitation)
     state = operating_film(case).film
     found = state.solution
-    grid = BEYOND_POCKETS if found.film.is_surface else BEYOND
+    grid = BEYOND_SURFACES if found.film.is_surface else BEYOND
     true = solve_journal(found.film, load_vector(case, state.load), grid)
     assert true.outcome.solved
     errors = {
@@ -66,8 +67,8 @@ def test_the_estimate_brackets_the_true_error(name, accuracy, cavitation):
     }
     estimated = grid_errors(case, state)
     assert estimated.keys() == errors.keys()
-    factor = LIGHT_FACTOR if name == "light" else FACTOR
     for quantity, error in errors.items():
+        factor = COEFFICIENT_FACTOR if quantity in ("stiffness_error", "damping_error") else POSITION_FACTOR
         assert abs(error) / factor < estimated[quantity] < abs(error) * factor, quantity
 
 
@@ -88,7 +89,7 @@ def test_a_prescribed_position_has_an_error_of_the_load_instead():
     film = operating_film(case).film.solution
     true = film_at_position(film.film, tuple(film.position), resolution=BEYOND).force
     error = np.linalg.norm(film.force - true) / np.linalg.norm(true)
-    assert error / FACTOR < found.load_error < error * FACTOR
+    assert error / POSITION_FACTOR < found.load_error < error * POSITION_FACTOR
 
 
 def test_nothing_is_estimated_unless_asked():
@@ -109,3 +110,16 @@ def test_a_finer_film_that_is_not_found_is_told(monkeypatch):
 def test_the_finest_grid_is_compared_with_one_twice_as_fine():
     grid = Accuracy.REFERENCE.resolution
     assert (finer(grid).intervals, finer(grid).axial_unknowns) == (768, 12)
+
+
+@pytest.mark.parametrize("name", ["two", "wide"])
+def test_on_the_finest_grid_a_journal_rests_only_when_its_film_has_receded(name):
+    """The ruptured zone of a Reynolds film is found line after line; only at its end does the load count."""
+    case = replace(
+        film_bearings.film(effective_temperature="60 degC", **BEARINGS[name]), cavitation=Cavitation.REYNOLDS
+    )
+    state = operating_film(case).film
+    found = solve_journal(state.solution.film, load_vector(case, state.load), finer(Accuracy.REFERENCE.resolution))
+    assert found.outcome.solved
+    there = film_at_position(found.film, tuple(found.position), resolution=finer(Accuracy.REFERENCE.resolution))
+    assert np.linalg.norm(there.force - found.force) < 1e-6 * state.load

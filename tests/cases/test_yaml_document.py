@@ -1,7 +1,6 @@
 """YAML without its surprises, and with the line of every value."""
 
 import json
-import time
 
 import pytest
 import yaml
@@ -139,17 +138,14 @@ def test_size_limit_counts_aliases_each_time():
 def test_billion_laughs_ends_at_once():
     lines = ["a0: &a0 [" + "x, " * 10 + "]"]
     lines += [f"a{i}: &a{i} [" + f"*a{i - 1}, " * 10 + "]" for i in range(1, 40)]
-    start = time.perf_counter()
-    with pytest.raises(DocumentError):
+    with pytest.raises(DocumentError, match="too many values") as caught:
         read_document("\n".join(lines))
-    assert time.perf_counter() - start < 1.0
+    assert caught.value.line == 5  # ten lists of 11 111 values each
 
 
 def test_a_megabyte_of_brackets_ends_at_once():
-    start = time.perf_counter()
-    with pytest.raises(DocumentError):
-        read_document("[" * 1_000_000)
-    assert time.perf_counter() - start < 1.0
+    with pytest.raises(DocumentError, match="nested too deeply"):
+        read_document("[" * 1_000_000 + "\t}")  # what is wrong at the end is never reached
 
 
 @pytest.mark.parametrize("text", ["", " \n", "# only\n", "---\n", "--- # x\n...\n"])

@@ -7,9 +7,10 @@ import math
 import gear_cases
 import pytest
 
+from babbitt.quantities import QUANTITIES
 from babbitt.report.calculation import calculation
 from babbitt.report.expression import number_node, text, tree, value
-from babbitt.report.line import VOCABULARY
+from babbitt.report.vocabulary import VOCABULARY
 from babbitt.standards.iso7902.model import DesignCase, GivenLoad
 from babbitt.standards.iso7902.procedure import check
 
@@ -126,3 +127,7 @@ def test_what_is_no_formula_is_refused():
     for hostile in ("__import__('os')", "a.b", "[1]", "lambda: 1"):
         with pytest.raises((ValueError, KeyError)):
             value(hostile, {"a": 1.0})
+
+
+def test_what_occurs_on_the_way_takes_no_name_from_the_results():
+    assert all(VOCABULARY[name] is quantity for name, quantity in QUANTITIES.items())

@@ -108,7 +108,7 @@ def test_every_formula_gives_the_result(machine):
 
 def test_printed_numbers_give_the_printed_result(machine):
     from babbitt.report.expression import value
-    from babbitt.report.line import VOCABULARY
+    from babbitt.report.vocabulary import VOCABULARY
 
     for name, line in lines(machine):
         if line.expression:

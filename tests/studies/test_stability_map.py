@@ -8,10 +8,10 @@ from functools import cache
 import film_bearings
 import numpy as np
 import pytest
+from routh_hurwitz import is_stable
 
 from babbitt.bearings.warm_film import operating_film
 from babbitt.bearings.whirl import STANDARD_GRAVITY, threshold_speed
-from babbitt.film.stability import is_stable
 from babbitt.studies.stability_map import stability_map
 
 LOBES = [{"angle": f"{angle} deg", "extent": "15 deg"} for angle in (90, 210, 330)]
@@ -59,11 +59,12 @@ def test_the_boundary_is_where_the_search_finds_the_threshold(name):
     case, state = bearing(name)
     found = mapped(name)
     shaft = {} if case.shaft_stiffness is None else {"shaft_stiffness": case.shaft_stiffness}
-    near = 0.03 if state.solution.film.is_surface else 0.02  # fewer speeds, a straight line between them
     for place in found.loads.size * np.array([1, 3, 5]) // 6:
         at = replace(state, load=float(found.loads[place]))
         wanted = threshold_speed(case, at, float(found.masses[place]), **shaft)
-        assert found.thresholds()[place] == pytest.approx(wanted, rel=near)
+        assert found.thresholds()[place] == pytest.approx(
+            wanted, rel=0.008
+        )  # a straight line between speeds 1.28 apart
 
 
 def test_without_a_mass_the_load_is_the_weight():

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from babbitt.lubricants import Lubricant, catalogue
+from babbitt.units import ZERO_CELSIUS
 from babbitt_pages.markdown import anchor, table, text
 
-CELSIUS_ZERO = 273.15
 TABLE_TEMPERATURES = (40.0, 60.0, 80.0, 100.0)
 
 
@@ -18,11 +18,11 @@ def page() -> str:
 
 def _row(oil: Lubricant) -> list[str]:
     viscosities = (
-        f"{oil.kinematic_viscosity(t + CELSIUS_ZERO) * 1e6:.4g}" if oil.covers(t + CELSIUS_ZERO) else "–"
+        f"{oil.kinematic_viscosity(t + ZERO_CELSIUS) * 1e6:.4g}" if oil.covers(t + ZERO_CELSIUS) else "–"
         for t in TABLE_TEMPERATURES
     )
-    coldest, hottest = (kelvin - CELSIUS_ZERO for kelvin in oil.temperature_range)
-    density = f"{oil.density(15.0 + CELSIUS_ZERO):.0f}"
+    coldest, hottest = (kelvin - ZERO_CELSIUS for kelvin in oil.temperature_range)
+    density = f"{oil.density(15.0 + ZERO_CELSIUS):.0f}"
     return [text(oil.name), *viscosities, density, f"{coldest:.0f} to {hottest:.0f}"]
 
 

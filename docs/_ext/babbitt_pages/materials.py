@@ -14,9 +14,8 @@ from babbitt.materials import (
     specific_load_limit,
     structural_materials,
 )
+from babbitt.units import ZERO_CELSIUS
 from babbitt_pages.markdown import table, text
-
-CELSIUS_ZERO = 273.15
 
 
 def page() -> str:
@@ -37,8 +36,8 @@ def _metal(metal: BearingMetal) -> str:
     rows = [
         ["composition", text(metal.composition.text), text(metal.composition.source)],
         *_limit_rows(metal),
-        *_rows("recommended temperature, advice only", metal.recommended_temperature, " °C", 1.0, -CELSIUS_ZERO),
-        *_rows("limiting temperature", metal.limiting_temperature, " °C", 1.0, -CELSIUS_ZERO),
+        *_rows("recommended temperature, advice only", metal.recommended_temperature, " °C", 1.0, -ZERO_CELSIUS),
+        *_rows("limiting temperature", metal.limiting_temperature, " °C", 1.0, -ZERO_CELSIUS),
         *_rows("thermal expansion", metal.thermal_expansion, "·10⁻⁶/K", 1e6),
         *_rows("hardness", metal.brinell_hardness, " HBW"),
     ]
@@ -89,7 +88,7 @@ def _experience() -> str:
     ]
     minutes = f"{limits.circulation_time / 60.0:.0f} min"
     temperatures = [
-        [name, f"{limit.general - CELSIUS_ZERO:.0f}", f"{limit.exceptional - CELSIUS_ZERO:.0f}"]
+        [name, f"{limit.general - ZERO_CELSIUS:.0f}", f"{limit.exceptional - ZERO_CELSIUS:.0f}"]
         for name, limit in (
             ("bearing temperature, self-cooled", limits.self_cooled),
             (

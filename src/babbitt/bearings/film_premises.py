@@ -10,6 +10,7 @@ from babbitt.bearings.orbit_answer import orbit_assumptions
 from babbitt.bearings.thermal_answer import coefficient_settings, thermal_assumptions, thermal_setting
 from babbitt.design.conditions import GivenEccentricity, GivenPosition
 from babbitt.film.model import END_DAM, Cavitation
+from babbitt.units import ZERO_CELSIUS
 
 __all__ = ["film_assumptions", "film_settings"]
 
@@ -61,7 +62,7 @@ def film_assumptions(case: FilmCase) -> Iterator[str]:
         yield "The position is prescribed: the load found need not point along the load angle."
     if case.effective_temperature is not None:
         yield (
-            f"Effective temperature prescribed: {case.effective_temperature - 273.15:.1f} °C; heat balance "
+            f"Effective temperature prescribed: {case.effective_temperature - ZERO_CELSIUS:.1f} °C; heat balance "
             f"not closed."
         )
 

@@ -104,9 +104,19 @@ class MasslessJournal(MovingJournal):
 
 
 class HeavyJournal(MovingJournal):
-    """State: position and velocity."""
+    """State: position and velocity. ``mass`` in kg."""
 
-    mass = 1.0
+    def __init__(
+        self,
+        film: JournalFilm,
+        steady: Array,
+        changing: ChangingLoad,
+        speed: float,
+        resolution: Resolution,
+        mass: float,
+    ) -> None:
+        super().__init__(film, steady, changing, speed, resolution)
+        self.mass = mass
 
     def start(self, place: Array) -> Array:
         """State of a journal that stands at a place."""

@@ -172,10 +172,8 @@ def find_orbit(
     if speed == 0.0:
         raise InputError("E101", "the journal stands still; an orbit keeps step with a journal that turns")
     thin = replace(film, cavitation=Cavitation.REYNOLDS)
-    kind = HeavyJournal if mass > 0.0 else MasslessJournal
-    journal = kind(thin, np.asarray(steady), changing, speed, resolution)
-    if isinstance(journal, HeavyJournal):
-        journal.mass = mass
+    moving = thin, np.asarray(steady), changing, speed, resolution
+    journal = HeavyJournal(*moving, mass) if mass > 0.0 else MasslessJournal(*moving)
     return _marched(journal, begun, watch)
 
 

@@ -14,6 +14,7 @@ from babbitt.bearings.thermal_film import film_heat, following_stiffness, therma
 from babbitt.bearings.warm_film import FilmState
 from babbitt.notices import Notice
 from babbitt.results import Matrix
+from babbitt.units import ZERO_CELSIUS
 
 if TYPE_CHECKING:
     from babbitt.film.model import JournalFilm
@@ -137,14 +138,15 @@ def doubts_about_heat(
     if low < coldest - 0.05 or high > hottest + 0.05:
         yield Notice(
             "W145",
-            f"the film is {low - 273.15:.1f} to {high - 273.15:.1f} °C, {case.lubricant.name} is described from "
-            f"{coldest - 273.15:.0f} to {hottest - 273.15:.0f} °C",
+            f"the film is {low - ZERO_CELSIUS:.1f} to {high - ZERO_CELSIUS:.1f} °C, "
+            f"{case.lubricant.name} is described from {coldest - ZERO_CELSIUS:.0f} to "
+            f"{hottest - ZERO_CELSIUS:.0f} °C",
         )
     film = state.thermal.film
     into = film.supply_flow < 0.0
     back = -float(film.supply_flow[into].sum())
     if back > BACK_FROM * film.leaving_flow:
-        warmest = float(state.thermal.groove_temperatures[into].max()) - 273.15
+        warmest = float(state.thermal.groove_temperatures[into].max()) - ZERO_CELSIUS
         share = state.thermal.heat.returned / state.thermal.heat.oil
         yield Notice(
             "W148",

@@ -9,6 +9,7 @@ from itertools import pairwise
 from pathlib import Path as FilePath
 from typing import Any
 
+from babbitt.cases.every_bearing import for_every_bearing
 from babbitt.cases.plain_words import Path, shown
 from babbitt.materials import parse_experience_limits
 from babbitt.notices import InputError
@@ -65,14 +66,7 @@ def with_tables(given: dict[str, Any], folder: FilePath) -> dict[str, Any]:
     TableError
         For the first table that cannot be used.
     """
-    made = _with_table(given, (), folder)
-    bearings = given.get("bearings")
-    if isinstance(bearings, list):
-        made["bearings"] = [
-            _with_table(one, ("bearings", index), folder) if isinstance(one, dict) else one
-            for index, one in enumerate(bearings)
-        ]
-    return made
+    return for_every_bearing(given, lambda bearing, path: _with_table(bearing, path, folder))
 
 
 def _with_table(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:

@@ -7,6 +7,7 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from babbitt.cases.bore_file import LARGEST_TABLE, TableError, rows_of_table
+from babbitt.cases.every_bearing import for_every_bearing
 from babbitt.cases.plain_words import Path, shown
 
 EXAMPLE = (
@@ -32,14 +33,7 @@ def with_compliances(given: dict[str, Any], folder: FilePath) -> dict[str, Any]:
     TableError
         For the first file that cannot be used.
     """
-    made = _with_matrices(given, (), folder)
-    bearings = made.get("bearings")
-    if isinstance(bearings, list):
-        made["bearings"] = [
-            _with_matrices(one, ("bearings", index), folder) if isinstance(one, dict) else one
-            for index, one in enumerate(bearings)
-        ]
-    return made
+    return for_every_bearing(given, lambda bearing, path: _with_matrices(bearing, path, folder))
 
 
 def _with_matrices(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:

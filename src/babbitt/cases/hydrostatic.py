@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from abc import abstractmethod
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import Annotated, ClassVar, Literal
@@ -136,13 +137,13 @@ class HydrostaticFile(CaseFile):
     notes: Prose = Field("", description="Notes to be shown in the report.")
     source: Prose = Field("", description="Where the numbers come from.")
 
+    @abstractmethod
     def shape(self) -> Shape:
         """Give the shape of the calculation."""
-        raise NotImplementedError
 
+    @abstractmethod
     def duty(self) -> Duty:
         """Give the duty of the calculation."""
-        raise NotImplementedError
 
     @property
     def recess_count(self) -> int:

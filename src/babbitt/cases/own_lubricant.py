@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Iterator
 from typing import Annotated
 
@@ -84,9 +85,9 @@ class OwnLubricant(Part):
             self.volumetric_heat_capacity,
         )
 
+    @abstractmethod
     def lubricant(self) -> Lubricant:
         """Give the lubricant of the calculation."""
-        raise NotImplementedError
 
     @rule
     def _slopes_have_values(self) -> Iterator[Complaint]:

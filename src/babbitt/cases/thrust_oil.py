@@ -13,7 +13,7 @@ from babbitt.cases.supply import OilTemperature
 from babbitt.lubricants import ConstantViscosity, OilProperties, lubricant_from_law
 from babbitt.thrust.design import Oil
 from babbitt.thrust.heat import USUAL_CARRY_OVER
-from babbitt.units import si
+from babbitt.units import ZERO_CELSIUS, si
 
 
 class GivenViscosity(Part):
@@ -75,10 +75,10 @@ class OilByBalance(Part):
 def _covered(given: LubricantGiven, temperature: float, name: str) -> Iterator[Complaint]:
     oil = given.lubricant()
     if not oil.covers(temperature):
-        low, high = (kelvin - 273.15 for kelvin in oil.temperature_range)
+        low, high = (kelvin - ZERO_CELSIUS for kelvin in oil.temperature_range)
         yield Complaint(
             (name,),
-            f"{temperature - 273.15:.4g} degC lies outside the data of {oil.name}",
+            f"{temperature - ZERO_CELSIUS:.4g} degC lies outside the data of {oil.name}",
             f"{low:.4g} degC to {high:.4g} degC",
             code="E006",
         )

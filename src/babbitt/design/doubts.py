@@ -8,6 +8,7 @@ from babbitt.design.conditions import Designed, surface_speed
 from babbitt.design.screening import ROTORDYNAMIC_CHECK_ABOVE
 from babbitt.notices import Notice
 from babbitt.results import Check
+from babbitt.units import ZERO_CELSIUS
 
 RIGID_FILM_UP_TO = 0.95
 """Eccentricity ratio above which the rigid isoviscous film is too simple."""
@@ -36,13 +37,15 @@ def doubts_about_film(case: Designed, values: Mapping[str, float]) -> Iterator[N
     if not coldest <= temperature <= hottest:
         yield Notice(
             "W107",
-            f"T_eff = {temperature - 273.15:.1f} °C lies outside {coldest - 273.15:.0f} to "
-            f"{hottest - 273.15:.0f} °C, for which {case.lubricant.name} is described",
+            f"T_eff = {temperature - ZERO_CELSIUS:.1f} °C lies outside {coldest - ZERO_CELSIUS:.0f} to "
+            f"{hottest - ZERO_CELSIUS:.0f} °C, for which {case.lubricant.name} is described",
         )
     leaving = values.get("outlet_temperature", temperature)
     if case.oil_supply is not None and leaving < case.oil_supply.temperature - 1e-6:
         colder = case.oil_supply.temperature - leaving
-        yield Notice("W118", f"the oil leaves at {leaving - 273.15:.1f} °C, {colder:.1f} K colder than it enters")
+        yield Notice(
+            "W118", f"the oil leaves at {leaving - ZERO_CELSIUS:.1f} °C, {colder:.1f} K colder than it enters"
+        )
     clearance = 0.5 * values["operating_relative_clearance"] * case.bearing.diameter
     depth, eccentricity = 1.0 - values["minimum_film_thickness"] / clearance, values["eccentricity_ratio"]
     if depth > RIGID_FILM_UP_TO:
@@ -66,7 +69,7 @@ def doubts_about_running(
         yield Notice("W109", f"surface speed {speed:.1f} m/s > {ROTORDYNAMIC_CHECK_ABOVE:g} m/s")
     too_hot = any(check.code == "C104" and not check.ok for check in checks)
     if case.oil_supply is None and case.cooling is not None and too_hot:
-        yield Notice("W110", f"T_B = {values['bearing_temperature'] - 273.15:.0f} °C without pressure feed")
+        yield Notice("W110", f"T_B = {values['bearing_temperature'] - ZERO_CELSIUS:.0f} °C without pressure feed")
     if "transition_film_thickness" in values and "transition_speed" not in values:
         yield Notice("W112", "the film limit of the surfaces exceeds the radial clearance: no transition speed")
     if case.limits.minimum_film_thickness is None and "empirical_film_limit" not in values:

@@ -6,11 +6,12 @@ from babbitt.design.conditions import Designed, GivenLoad
 from babbitt.design.heat_balance import Equilibrium, FilmT
 from babbitt.notices import EXPLANATIONS
 from babbitt.results import Outcome
+from babbitt.units import ZERO_CELSIUS
 
 
 def failure(case: Designed, found: Equilibrium[FilmT]) -> str:
     """Say how far an unsolved case came, and what to try."""
-    reached = f"{found.last_temperature - 273.15:.1f} °C"
+    reached = f"{found.last_temperature - ZERO_CELSIUS:.1f} °C"
     match found.outcome:
         case Outcome.OVERLOADED if found.least_flow is not None:
             needed = f"a film needs about {found.least_flow * 6e4:.3g} L/min"

@@ -119,7 +119,9 @@ def settle(axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, m
     for step in range(1, max_steps + 1):
         if patient:
             grid.wet[:] = True
-        for _ in range(PATIENCE if patient else 1):
+        # a calm journal waits for a Reynolds film, which on fine lines may still recede, one line after the other
+        waits = grid.wet.shape[1] if calm > 0 and not bearing.conserving else 1
+        for _ in range(PATIENCE if patient else waits):
             changed = evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, bool(0), result)
             if changed == 0:
                 break

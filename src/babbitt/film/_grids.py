@@ -221,30 +221,35 @@ def film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film):
 
 
 @inlined
+def growth_to_rupture(gap, rise, resistance):
+    """Growth of the gap from a flooded line to where the film ruptures, and its derivatives in gap and rise.
+
+    A supply at pressure p_s before a diverging gap h_0 + g t keeps the film full up to the length l with
+    p_s = 3 mu r^2 g l^2 / h_0^3 at unit speed (first order in l). ``rise`` is g times the interval s, in which the
+    rupture stays; ``resistance`` is 3 mu r^2 s over p_s. Returns g l.
+    """
+    growth = math.sqrt(gap**3 * rise / resistance)
+    if growth > rise:
+        return rise, 0.0, 1.0
+    return growth, 1.5 * growth / gap, 0.5 * growth / rise
+
+
+@inlined
 def inlet_flux(bearing, grid, k, x, y, film):
     """Flux that enters a line which ruptures inside its first interval, and its derivatives.
 
-    A flooded groove at pressure p_s before a diverging gap h_0 + g t keeps the film full up to the length
-    l with p_s = 3 g l^2 / h_0^3 (first order in l), and sends off q = (h_0 + g l) / 2. For p_s = 0 that is h_0/2;
-    the face value Q_0 there would make the whole mass-conserving solution first order.
+    What a flooded groove sends off, (h_0 + g l) / 2 (``growth_to_rupture``); h_0/2 for p_s = 0. The face value Q_0
+    there would make the whole mass-conserving solution first order.
     """
-    speed, pressure = bearing.speed, bearing.lands[k, START_PRESSURE]
+    speed, pressure, step = bearing.speed, bearing.lands[k, START_PRESSURE], grid.step[k, 0]
     c, s = math.cos(grid.theta[k, 0]), math.sin(grid.theta[k, 0])
     middle_gap = 0.5 * (grid.gap_a[k, 0] + grid.gap_b[k, 0])
-    growth = (grid.gap_b[k, 0] - grid.gap_a[k, 0]) / (2.0 * GAUSS * grid.step[k, 0])
-    gap = middle_gap - 0.5 * growth * grid.step[k, 0] - x * c - y * s
+    growth = (grid.gap_b[k, 0] - grid.gap_a[k, 0]) / (2.0 * GAUSS * step)
+    gap = middle_gap - 0.5 * growth * step - x * c - y * s
     slope = growth + x * s - y * c
-    film.inlet[0] = 0.5 * gap * speed
-    film.inlet[1] = -0.5 * c * speed
-    film.inlet[2] = -0.5 * s * speed
+    extra, by_gap, by_rise = 0.0, 0.0, 0.0
     if pressure > 0.0 and slope > 1e-12 and speed > 0.0:
-        # growth of the gap up to the rupture: g l = sqrt(p_s h0^3 g / 3), p_s counted for unit speed
-        extra = math.sqrt(pressure / speed * gap**3 * slope / 3.0)
-        if extra > slope * grid.step[k, 0]:
-            extra = slope * grid.step[k, 0]
-            film.inlet[1] += 0.5 * speed * s * grid.step[k, 0]
-            film.inlet[2] -= 0.5 * speed * c * grid.step[k, 0]
-        else:
-            film.inlet[1] += 0.25 * speed * extra * (-3.0 * c / gap + s / slope)
-            film.inlet[2] += 0.25 * speed * extra * (-3.0 * s / gap - c / slope)
-        film.inlet[0] += 0.5 * speed * extra
+        extra, by_gap, by_rise = growth_to_rupture(gap, slope * step, 3.0 * step * speed / pressure)
+    film.inlet[0] = 0.5 * speed * (gap + extra)
+    film.inlet[1] = 0.5 * speed * (-c - by_gap * c + by_rise * step * s)
+    film.inlet[2] = 0.5 * speed * (-s - by_gap * s - by_rise * step * c)

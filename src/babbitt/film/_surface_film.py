@@ -22,7 +22,7 @@ from numpy import bool_, float64, int64
 from numpy.typing import NDArray
 
 from babbitt.film._compiling import compiled, inner
-from babbitt.film._grids import FAR, GAUSS, NEAR
+from babbitt.film._grids import FAR, GAUSS, NEAR, growth_to_rupture
 
 Array = NDArray[float64]
 
@@ -182,11 +182,7 @@ def thickening(surface, viscosity, radius, gap, direction):
 
 @inner
 def inlet_reach(surface, i, q, gap, rise):
-    """Growth of the gap up to where the film behind a held node ruptures, and its derivatives in gap and rise.
-
-    As ``_grids.inlet_flux``: a node at pressure p_s before a gap h_0 + g t keeps the film full up to l with
-    p_s = 3 mu r^2 g l^2 / h_0^3; ``rise`` is g times the interval, and the rupture stays inside it.
-    """
+    """Growth of the gap behind a held node (``_grids.growth_to_rupture``); nothing behind one without pressure."""
     j = surface.node[q]
     if i >= surface.held.shape[0] or not surface.held[i, j]:
         return 0.0, 0.0, 0.0
@@ -194,10 +190,7 @@ def inlet_reach(surface, i, q, gap, rise):
     if not (pressure > 0.0 and speed > 0.0 and rise > 1e-12):
         return 0.0, 0.0, 0.0
     resistance = 3.0 * surface.viscosity[i, q] * surface.radius[q] ** 2 * surface.step[i] * speed
-    reach = np.sqrt(pressure * gap**3 * rise / resistance)
-    if reach > rise:
-        return rise, 0.0, 1.0
-    return reach, 1.5 * reach / gap, 0.5 * reach / rise
+    return growth_to_rupture(gap, rise, resistance / pressure)
 
 
 @inner

@@ -137,7 +137,8 @@ def rest(
     for step in range(1, max_steps + 1):
         if patient:
             sample.work.wet[:] = True
-        for _ in range(PATIENCE if patient else 1):
+        waits = sample.work.wet.shape[0] if calm > 0 and not sample.ring.surface.conserving else 1
+        for _ in range(PATIENCE if patient else waits):
             changed = sample.evaluate(at)
             if changed == 0 or sample.effort.left < 0.0:
                 break

@@ -6,17 +6,45 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from babbitt.film.model import JournalFilm
 from babbitt.results import Outcome
 
-__all__ = ["FilmSolution"]
+__all__ = ["FilmSolution", "attitude_angle", "sommerfeld_number"]
 
 NOTHING = 1e-9
 """Share of a flow that is round-off."""
 
 Array = NDArray[np.float64]
+
+
+def attitude_angle(film: JournalFilm, position: ArrayLike, load_angle: float) -> Array:
+    """From the load to the line of centres in the sense of rotation, rad, within (-pi, pi].
+
+    Parameters
+    ----------
+    film : JournalFilm
+        Says the sense.
+    position : array_like, shape (..., 2)
+        Of the journal centre, m.
+    load_angle : float
+        Direction of the load, rad.
+
+    Returns
+    -------
+    ndarray, shape (...)
+    """
+    x, y = np.moveaxis(np.asarray(position, dtype=np.float64), -1, 0)
+    turn = math.copysign(1.0, film.angular_speed) * (np.arctan2(y, x) - load_angle)
+    return np.asarray(math.pi - (math.pi - turn) % (2.0 * math.pi))
+
+
+def sommerfeld_number(film: JournalFilm, load: ArrayLike, speed: ArrayLike) -> Array:
+    """So = F psi^2 / (B D eta omega), psi = 2 c / D (ISO 7902), under loads in N at speeds in rad/s."""
+    psi = 2.0 * film.clearance / film.diameter
+    unit = film.width * film.diameter * film.viscosity / psi**2
+    return np.asarray(np.asarray(load) / (unit * np.abs(speed)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,10 +127,7 @@ class FilmSolution:
     def attitude_angle(self) -> float:
         """From the load to the line of centres in the sense of rotation, rad, within (-pi, pi]."""
         load_angle = math.atan2(-self.force[1], -self.force[0])
-        turn = math.atan2(self.position[1], self.position[0]) - load_angle
-        if self.film.angular_speed < 0.0:
-            turn = -turn
-        return math.pi - (math.pi - turn) % (2.0 * math.pi)
+        return float(attitude_angle(self.film, self.position, load_angle))
 
     @property
     def load(self) -> float:
@@ -111,10 +136,8 @@ class FilmSolution:
 
     @property
     def sommerfeld_number(self) -> float:
-        """So = F psi^2 / (B D eta omega), psi = 2 c / D (ISO 7902)."""
-        film = self.film
-        psi = 2.0 * film.clearance / film.diameter
-        return self.load * psi**2 / (film.width * film.diameter * film.viscosity * abs(film.angular_speed))
+        """So of ISO 7902 (`sommerfeld_number`)."""
+        return float(sommerfeld_number(self.film, self.load, self.film.angular_speed))
 
     @property
     def leaving_flow(self) -> float:

@@ -1,4 +1,4 @@
-"""When a bearing whirls: critical mass, whirl frequency ratio, Routh-Hurwitz margin of a rigid journal.
+"""When a bearing whirls: critical mass and whirl frequency of a rigid journal.
 
 Equation of motion of a mass m carried by one film, about equilibrium:  m r'' + C r' + K r = 0. Its characteristic
 polynomial is a quartic in s; on the threshold s = i Omega. Source: Lund J.W., Thomsen K.K. (1978).
@@ -11,7 +11,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["critical_mass", "hurwitz_margins", "is_stable", "whirl_frequency"]
+__all__ = ["critical_mass", "whirl_frequency"]
 
 Matrix = NDArray[np.float64]
 
@@ -55,19 +55,3 @@ def critical_mass(stiffness: Matrix, damping: Matrix) -> float:
     if frequency == 0.0:
         return math.inf
     return threshold_stiffness(stiffness, damping) / frequency**2
-
-
-def hurwitz_margins(mass: float, stiffness: Matrix, damping: Matrix) -> tuple[float, ...]:
-    """Coefficients a3..a0 of the quartic over a4, and the last Hurwitz determinant; all positive means stable."""
-    (kxx, kxy), (kyx, kyy) = np.asarray(stiffness) / mass
-    (cxx, cxy), (cyx, cyy) = np.asarray(damping) / mass
-    a3 = cxx + cyy
-    a2 = kxx + kyy + cxx * cyy - cxy * cyx
-    a1 = kxx * cyy + kyy * cxx - kxy * cyx - kyx * cxy
-    a0 = kxx * kyy - kxy * kyx
-    return float(a3), float(a2), float(a1), float(a0), float(a1 * (a3 * a2 - a1) - a3**2 * a0)
-
-
-def is_stable(mass: float, stiffness: Matrix, damping: Matrix) -> bool:
-    """Whether a rigid journal of this mass returns to its equilibrium (Routh-Hurwitz)."""
-    return all(margin > 0.0 for margin in hurwitz_margins(mass, stiffness, damping))

@@ -23,9 +23,6 @@ Value = TypeVar("Value", float, NDArray[np.float64])
 Point = tuple[float, float]
 """A known point of a law: temperature in K and the value there, in SI."""
 
-CELSIUS_ZERO = 273.15
-"""0 °C in K."""
-
 
 def evaluate(formula: Callable[[Any, Any], Any], temperature: Value, *, above: float, law: str) -> Value:
     """Evaluate ``formula(m, temperature)`` with ``m`` the module that suits the argument.

@@ -8,13 +8,13 @@ import tomllib
 from importlib import resources
 from typing import Any
 
-from babbitt.lubricants._evaluation import CELSIUS_ZERO
 from babbitt.lubricants.lubricant import Lubricant, PropertySources
 from babbitt.lubricants.property_laws import LinearProperty, PropertyLaw, ShiftedLaw
 from babbitt.lubricants.viscosity_index import nu40_from_viscosity_index, nu100_from_viscosity_index
 from babbitt.lubricants.viscosity_laws import ViscosityLaw, Vogel
 from babbitt.lubricants.walther import Walther
 from babbitt.notices import InputError
+from babbitt.units import ZERO_CELSIUS
 
 _MM2_PER_S = 1e-6
 _PROPERTIES = ("density", "heat_capacity", "conductivity")
@@ -187,4 +187,4 @@ def _source(table: Table, shared: Table) -> str:
 
 
 def _kelvin(celsius: float) -> float:
-    return celsius + CELSIUS_ZERO
+    return celsius + ZERO_CELSIUS

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from babbitt.lubricants._evaluation import CELSIUS_ZERO, Point
+from babbitt.lubricants._evaluation import Point
 from babbitt.lubricants.catalogue import shared_law
 from babbitt.lubricants.lubricant import Lubricant
 from babbitt.lubricants.property_laws import ConstantProperty, LinearProperty, PropertyLaw, ShiftedLaw
@@ -16,9 +16,10 @@ from babbitt.lubricants.viscosity_index import nu100_from_viscosity_index
 from babbitt.lubricants.viscosity_laws import OIL_TEMPERATURE_RANGE, ViscosityLaw
 from babbitt.lubricants.walther import AstmD341, Walther
 from babbitt.notices import InputError
+from babbitt.units import ZERO_CELSIUS
 
-_AT_40 = 40.0 + CELSIUS_ZERO
-_AT_100 = 100.0 + CELSIUS_ZERO
+_AT_40 = 40.0 + ZERO_CELSIUS
+_AT_100 = 100.0 + ZERO_CELSIUS
 
 
 @dataclass(frozen=True)
@@ -46,10 +47,10 @@ class OilProperties:
     """
 
     density: float | None = None
-    density_temperature: float = 15.0 + CELSIUS_ZERO
+    density_temperature: float = 15.0 + ZERO_CELSIUS
     density_slope: float | None = None
     heat_capacity: float | None = None
-    heat_capacity_temperature: float = 50.0 + CELSIUS_ZERO
+    heat_capacity_temperature: float = 50.0 + ZERO_CELSIUS
     heat_capacity_slope: float | None = None
     conductivity: float | None = None
     volumetric_heat_capacity: float | None = None

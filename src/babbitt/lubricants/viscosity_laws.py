@@ -13,7 +13,6 @@ from enum import Enum
 from typing import Any, ClassVar, Protocol
 
 from babbitt.lubricants._evaluation import (
-    CELSIUS_ZERO,
     Point,
     Value,
     evaluate,
@@ -23,6 +22,7 @@ from babbitt.lubricants._evaluation import (
     require_range,
 )
 from babbitt.notices import InputError
+from babbitt.units import ZERO_CELSIUS
 
 OIL_TEMPERATURE_RANGE = (253.15, 423.15)
 """−20 to 150 °C: between the pour point and the end of use of common mineral oils (assumption)."""
@@ -234,7 +234,7 @@ class PowerLaw:
         """
         points = sorted((colder, warmer))
         require_falling("PowerLaw", *points)
-        (t1, value1), (t2, value2) = ((t - CELSIUS_ZERO, value) for t, value in points)
+        (t1, value1), (t2, value2) = ((t - ZERO_CELSIUS, value) for t, value in points)
         if t1 <= 0.0:
             raise InputError("E006", f"PowerLaw: points must lie above 0 °C (273.15 K), given {points[0][0]:g} K.")
         exponent = math.log(value1 / value2) / math.log(t2 / t1)
@@ -242,10 +242,10 @@ class PowerLaw:
 
     def __call__(self, temperature: Value) -> Value:
         """Viscosity in SI at a temperature in K; float or array of any shape."""
-        return evaluate(self._formula, temperature, above=CELSIUS_ZERO, law="the power law")
+        return evaluate(self._formula, temperature, above=ZERO_CELSIUS, law="the power law")
 
     def _formula(self, m: Any, temperature: Any) -> Any:
-        return self.viscosity_at_50 * (50.0 / (temperature - CELSIUS_ZERO)) ** self.exponent
+        return self.viscosity_at_50 * (50.0 / (temperature - ZERO_CELSIUS)) ** self.exponent
 
 
 @dataclass(frozen=True)

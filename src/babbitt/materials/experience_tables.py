@@ -14,8 +14,7 @@ from typing import Any
 
 from babbitt.materials.bearing_metal import AlloyFamily
 from babbitt.notices import InputError
-
-_CELSIUS = 273.15
+from babbitt.units import ZERO_CELSIUS
 
 
 @dataclass(frozen=True)
@@ -177,8 +176,8 @@ def _parse(raw: Mapping[str, Any]) -> ExperienceLimits:
             films=tuple(tuple(value * 1e-6 for value in row) for row in film["film_um"]),
         ),
         specific_load={AlloyFamily(family): limit(entry, 1e6, 0.0) for family, entry in load.items()},
-        self_cooled=limit(temperature["self_cooled"], 1.0, _CELSIUS),
-        pressure_fed_little_oil=limit(temperature["pressure_fed_little_oil"], 1.0, _CELSIUS),
-        pressure_fed_much_oil=limit(temperature["pressure_fed_much_oil"], 1.0, _CELSIUS),
+        self_cooled=limit(temperature["self_cooled"], 1.0, ZERO_CELSIUS),
+        pressure_fed_little_oil=limit(temperature["pressure_fed_little_oil"], 1.0, ZERO_CELSIUS),
+        pressure_fed_much_oil=limit(temperature["pressure_fed_much_oil"], 1.0, ZERO_CELSIUS),
         circulation_time=float(temperature["little_oil_up_to_minutes"]) * 60.0,
     )

@@ -108,8 +108,8 @@ def _position(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
         "minimum_film_thickness", "operating_relative_clearance * diameter / 2 * (1 - eccentricity_ratio)"
     )
     ratio = sheet["maximum_pressure"] / sheet["specific_load"]
-    yield sheet.read("pressure_ratio", "eccentricity_ratio", *ARGUMENTS, value=ratio)
-    yield sheet.line("maximum_pressure", "pressure_ratio * specific_load")
+    yield sheet.read("peak_pressure_ratio", "eccentricity_ratio", *ARGUMENTS, value=ratio)
+    yield sheet.line("maximum_pressure", "peak_pressure_ratio * specific_load")
 
 
 def _friction(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:

@@ -56,21 +56,22 @@ def _supply_flow(result: Result) -> str:
     return _reading("supply_flow")(result) if is_fed(result) else ABSENT
 
 
-def _quantity(name: str, rank: int) -> Column:
+def column_of(name: str, rank: int) -> Column:
+    """The column of one quantity."""
     quantity = QUANTITIES[name]
     return Column(quantity.symbol, quantity.display.label, (_reading(name),), rank)
 
 
 COLUMNS = (
-    _quantity("specific_load", 2),
-    _quantity("surface_speed", 7),
-    _quantity("operating_relative_clearance", 8),
+    column_of("specific_load", 2),
+    column_of("surface_speed", 7),
+    column_of("operating_relative_clearance", 8),
     Column("T_en → T_ex", "°C", (_reading("supply_temperature"), _reading("outlet_temperature")), 1, " → "),
-    _quantity("bearing_temperature", 1),
-    _quantity("eccentricity_ratio", 3),
+    column_of("bearing_temperature", 1),
+    column_of("eccentricity_ratio", 3),
     Column("h_min / h_lim", "µm", (_reading("minimum_film_thickness"), _film_limit), 0, " / "),
-    _quantity("friction_power", 4),
-    _quantity("side_flow", 5),
+    column_of("friction_power", 4),
+    column_of("side_flow", 5),
     Column(QUANTITIES["supply_flow"].symbol, QUANTITIES["supply_flow"].display.label, (_supply_flow,), 6),
     Column("Re / Re_cr", "", (_reading("film_reynolds_number"), _reading("critical_reynolds_number")), 9, " / "),
 )
@@ -78,29 +79,29 @@ COLUMNS = (
 
 
 HEEL_COLUMNS = (
-    _quantity("load", 0),
-    _quantity("rim_pressure", 1),
-    _quantity("face_flow", 3),
-    _quantity("maximum_temperature", 2),
-    _quantity("friction_power", 1),
-    _quantity("face_gap_stiffness", 4),
-    _quantity("load_ratio_to_smooth", 5),
+    column_of("load", 0),
+    column_of("rim_pressure", 1),
+    column_of("face_flow", 3),
+    column_of("maximum_temperature", 2),
+    column_of("friction_power", 1),
+    column_of("face_gap_stiffness", 4),
+    column_of("load_ratio_to_smooth", 5),
 )
 """Of the states of footsteps."""
 
 PUMPED_COLUMNS = (
-    _quantity("load", 3),
-    _quantity("specific_load", 7),
-    _quantity("gap", 1),
-    _quantity("eccentricity_ratio", 2),
+    column_of("load", 3),
+    column_of("specific_load", 7),
+    column_of("gap", 1),
+    column_of("eccentricity_ratio", 2),
     Column("h_min / h_lim", "µm", (_reading("minimum_film_thickness"), _film_limit), 0, " / "),
-    _quantity("mean_pressure_ratio", 1),
-    _quantity("pocket_pressure", 1),
-    _quantity("total_flow", 2),
-    _quantity("pumping_power", 4),
-    _quantity("friction_power", 4),
-    _quantity("temperature_rise", 5),
-    _quantity("gap_stiffness", 6),
+    column_of("mean_pressure_ratio", 1),
+    column_of("pocket_pressure", 1),
+    column_of("total_flow", 2),
+    column_of("pumping_power", 4),
+    column_of("friction_power", 4),
+    column_of("temperature_rise", 5),
+    column_of("gap_stiffness", 6),
 )
 """Of hydrostatic bearings and jacking pockets."""
 
@@ -117,7 +118,12 @@ def columns_of(results: Sequence[Result]) -> tuple[Column, ...]:
         among = HEEL_COLUMNS
     elif kinds and all(kind == "jacking_pocket" or kind.startswith("hydrostatic_") for kind in kinds):
         among = PUMPED_COLUMNS
-    return tuple(column for column in among if set(column.cells(results)) != {ABSENT})
+    return filled(among, results)
+
+
+def filled(columns: Sequence[Column], results: Sequence[Result]) -> tuple[Column, ...]:
+    """Those of some columns in which some bearing has a number."""
+    return tuple(column for column in columns if set(column.cells(results)) != {ABSENT})
 
 
 def is_fed(result: Result) -> bool:

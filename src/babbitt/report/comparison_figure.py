@@ -19,6 +19,7 @@ from babbitt.report.drawing import FORMATS, GREY, INK, Sheet, axis_label, mathem
 from babbitt.report.film_state import state_of
 from babbitt.report.writing import write_whole
 from babbitt.studies.comparison import Comparison, Variant
+from babbitt.units import ZERO_CELSIUS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -31,7 +32,7 @@ TEMPERATURES = ("effective_temperature", "outlet_temperature", "maximum_bush_tem
 MARKS = {"effective_temperature": "|", "outlet_temperature": ">", "maximum_bush_temperature": "s",
          "maximum_temperature": "o"}  # fmt: skip
 LINES = ("-", "--", ":", "-.")
-ZERO_CELSIUS = 273.15
+ZERO_CELSIUS = ZERO_CELSIUS
 
 
 def comparison_figure(comparison: Comparison) -> Figure:

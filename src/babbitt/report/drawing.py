@@ -27,7 +27,7 @@ MILLIMETRE = 1.0 / 25.4
 INK, GREY, PALE = "0.0", "0.45", "0.75"
 """Lines of the bearing itself, of limits and references, of what stands beside it for comparison."""
 
-STYLE: dict[str, Any] = {
+STYLE: dict[Any, Any] = {
     "font.family": "STIXGeneral",
     "mathtext.fontset": "stix",
     "font.size": 8.0,
@@ -98,7 +98,7 @@ def style() -> Iterator[None]:
         import matplotlib
     except ImportError:
         raise missing_extra("matplotlib", "plots") from None
-    with matplotlib.rc_context(STYLE):  # type: ignore[arg-type]
+    with matplotlib.rc_context(STYLE):
         yield
 
 

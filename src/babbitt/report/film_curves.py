@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -29,7 +29,7 @@ ROOM_FOR_A_NAME = 0.13
 """Room to the right of the curves for each name that stands in a line there, as a share of their length."""
 
 AXES = ("xx", "xy", "yx", "yy")
-LINES: dict[str, dict[str, object]] = {
+LINES: dict[str, dict[str, Any]] = {
     "xx": {"color": INK, "linestyle": "-"},
     "yy": {"color": INK, "linestyle": (0, (6, 1.5))},
     "xy": {"color": GREY, "linestyle": "-"},
@@ -141,7 +141,7 @@ def _family(panel: Axes, x: Array, values: Array, symbol: str) -> None:
     ends = []
     for place, axis in enumerate(AXES):
         curve = values[order, place // 2, place % 2]
-        panel.plot(x, curve, **LINES[axis])  # type: ignore[arg-type]
+        panel.plot(x, curve, **LINES[axis])
         ends.append((float(curve[-1]), axis))
     low, high = _focus(values)
     panel.set_ylim(low, high)

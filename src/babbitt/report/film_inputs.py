@@ -10,6 +10,7 @@ from babbitt.bearings.heat_model import AxialTemperature, HeatModel
 from babbitt.bearings.model import FilmBearing, Hollow
 from babbitt.film.heat import ConductingWalls
 from babbitt.film.model import Cavitation, FilmStart, Step
+from babbitt.units import ZERO_CELSIUS
 
 CAVITATION = {
     Cavitation.MASS_CONSERVING: "the oil is conserved (Jakobsson, Floberg, Olsson)",
@@ -46,7 +47,7 @@ def said_of_bush(walls: ConductingWalls) -> str:
         for inner, outer, conductivity in zip(bush.radii[:-1], bush.radii[1:], bush.conductivities, strict=True)
         if outer - inner > THINNEST_RING
     )
-    outside = f"{bush.heat_transfer_coefficient:.4g} W/(m² K) to {bush.ambient_temperature - 273.15:.4g} °C"
+    outside = f"{bush.heat_transfer_coefficient:.4g} W/(m² K) to {bush.ambient_temperature - ZERO_CELSIUS:.4g} °C"
     return f"rings up to {rings}; outside {outside}"
 
 
@@ -54,10 +55,11 @@ def said_of_journal(walls: ConductingWalls) -> str:
     """Say how the journal finds its temperature."""
     journal = walls.journal
     if journal.temperature is not None:
-        return f"held at {journal.temperature - 273.15:.4g} °C"
+        return f"held at {journal.temperature - ZERO_CELSIUS:.4g} °C"
     if journal.shaft_conductance == 0.0:
         return "in balance with the film alone"
-    return f"{journal.shaft_conductance:.4g} W/K along the shaft to {journal.ambient_temperature - 273.15:.4g} °C"
+    ambient = journal.ambient_temperature - ZERO_CELSIUS
+    return f"{journal.shaft_conductance:.4g} W/K along the shaft to {ambient:.4g} °C"
 
 
 def said_of_start(bearing: FilmBearing) -> str:

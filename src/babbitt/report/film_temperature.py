@@ -20,13 +20,13 @@ from babbitt.film.heat import BushRing
 from babbitt.film.thermal_solution import ThermalFilm
 from babbitt.report import film_maps
 from babbitt.report.drawing import GREY, INK, Array, Sheet, arrow
+from babbitt.units import ZERO_CELSIUS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.cm import ScalarMappable
     from matplotlib.figure import Figure
 
-ZERO_CELSIUS = 273.15
 FILM_AS_DRAWN = 0.16
 """Thickness of the film as drawn, in radii of the bore."""
 JOURNAL_AS_DRAWN = 0.55

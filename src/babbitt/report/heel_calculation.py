@@ -8,9 +8,11 @@ from babbitt.footstep.case import HeelCase
 from babbitt.footstep.model import BackflowViscosity, FaceOutlet, Footstep, FrictionViscosity
 from babbitt.footstep.states import Method
 from babbitt.report.calculation import Section
-from babbitt.report.line import VOCABULARY, Line, calculated
+from babbitt.report.line import Line
+from babbitt.report.vocabulary import VOCABULARY, calculated
 from babbitt.report.worksheet import Worksheet
 from babbitt.results import Result
+from babbitt.units import ZERO_CELSIUS
 
 TOTAL = "2 * pi * heel_radius * heel_length / heel_clearance"
 
@@ -148,15 +150,15 @@ def _clearance(sheet: HeelSheet, outward: bool, grooved: bool) -> Iterator[Line]
 def _friction(sheet: HeelSheet, step: Footstep) -> Iterator[Line]:
     oil = step.oil
     if step.groove is None:
-        shear = oil.at(sheet["face_outlet_temperature"] + 273.15)
+        shear = oil.at(sheet["face_outlet_temperature"] + ZERO_CELSIUS)
         yield sheet.given(
             "clearance_viscosity", "at the temperature at which oil leaves the face gap", value=shear
         )
         cylinder = f"clearance_viscosity * {TOTAL} * (screw_speed * heel_radius)**2"
     else:
         mean = step.options.friction_viscosity is FrictionViscosity.MEAN
-        hot = oil.at(sheet["groove_outlet_temperature"] + 273.15)
-        shear = 0.5 * (oil.viscosity + hot) if mean else oil.at(sheet["rim_temperature"] + 273.15)
+        hot = oil.at(sheet["groove_outlet_temperature"] + ZERO_CELSIUS)
+        shear = 0.5 * (oil.viscosity + hot) if mean else oil.at(sheet["rim_temperature"] + ZERO_CELSIUS)
         yield sheet.given("clearance_viscosity", step.options.friction_viscosity.value, value=shear)
         yield sheet.line("land_surface", "groove_starts * screw_land_width * groove_length")
         yield sheet.line("groove_surface", "groove_starts * screw_groove_width * groove_length")
@@ -165,7 +167,7 @@ def _friction(sheet: HeelSheet, step: Footstep) -> Iterator[Line]:
             "groove_depth))"
             " * (groove_speed * heel_radius)**2"
         )
-    outlet = sheet["face_outlet_temperature"] + 273.15
+    outlet = sheet["face_outlet_temperature"] + ZERO_CELSIUS
     yield sheet.given(
         "face_viscosity", "at the mean temperature of the face gap", value=oil.at(0.5 * (oil.temperature + outlet))
     )

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from babbitt.footstep.case import HeelCase
 from babbitt.footstep.model import Footstep
 from babbitt.footstep.states import Method
+from babbitt.units import ZERO_CELSIUS
 
 Said = tuple[str, str, str]
 """What it is, its value, its unit."""
@@ -68,7 +69,7 @@ def _groove(step: Footstep) -> Iterator[Said]:
 def _oil(step: Footstep) -> Iterator[Said]:
     oil = step.oil
     yield "Viscosity of the oil that comes in", f"{1e3 * oil.viscosity:.5g}", "mPa s"
-    yield "Its temperature", f"{oil.temperature - 273.15:.5g}", "°C"
+    yield "Its temperature", f"{oil.temperature - ZERO_CELSIUS:.5g}", "°C"
     yield "Exponent of viscosity α", f"{oil.exponent:.4g}", "1/K"
     yield "Density times heat capacity", f"{1e-6 * oil.heat_capacity:.4g}", "MJ/(m³ K)"
     yield "Density", f"{oil.density:.4g}", "kg/m³"
@@ -79,7 +80,7 @@ def _operation(step: Footstep) -> Iterator[Said]:
     yield "Pressure in the recess, absolute", f"{1e-6 * step.supply_pressure:.5g}", "MPa"
     yield "Pressure of the surroundings, absolute", f"{1e-6 * step.ambient_pressure:.5g}", "MPa"
     if step.wall is not None:
-        yield "Metal", f"{step.wall.temperature - 273.15:.4g} °C, {step.wall.conductance:.4g} W/K", ""
+        yield "Metal", f"{step.wall.temperature - ZERO_CELSIUS:.4g} °C, {step.wall.conductance:.4g} W/K", ""
 
 
 def _method(case: HeelCase, step: Footstep) -> Iterator[Said]:

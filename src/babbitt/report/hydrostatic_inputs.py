@@ -19,6 +19,7 @@ from babbitt.hydrostatics.restrictors import (
     Slot,
 )
 from babbitt.hydrostatics.supply import FixedPressure
+from babbitt.units import ZERO_CELSIUS
 
 Said = tuple[str, str, str]
 """Label, value, unit."""
@@ -124,7 +125,7 @@ def oil_rows(case: HydrostaticCase) -> Iterator[Said]:
         yield "Density", f"{oil.density:.4g}", "kg/m³"
         yield "Specific heat", f"{oil.heat_capacity:.5g}", "J/(kg K)"
     if oil.supply_temperature is not None:
-        yield "Temperature before the restrictors", f"{oil.supply_temperature - 273.15:.4g}", "°C"
+        yield "Temperature before the restrictors", f"{oil.supply_temperature - ZERO_CELSIUS:.4g}", "°C"
 
 
 GRIDS = {"reference": "reference; full films extrapolated from it and half of its lines"}

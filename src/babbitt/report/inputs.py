@@ -30,9 +30,9 @@ from babbitt.report.film_inputs import (
 from babbitt.report.heel_words import heel_inputs
 from babbitt.report.hydrostatic_inputs import groups as hydrostatic_inputs
 from babbitt.report.labels import label
-from babbitt.report.line import VOCABULARY, symbol
 from babbitt.report.one_dimension import said_of
 from babbitt.report.text import plain_text
+from babbitt.report.vocabulary import VOCABULARY, symbol
 from babbitt.segments.model import SegmentCase
 from babbitt.shaft_line.design import LineDesign
 from babbitt.standards.iso7902.model import Curves, DesignCase, Friction, GivenEccentricity
@@ -45,6 +45,7 @@ from babbitt.standards.iso7902.supply import (
     SupplyElement,
 )
 from babbitt.thrust.design import ThrustDesign
+from babbitt.units import ZERO_CELSIUS
 
 LAWS = {
     Walther: "Walther (ASTM D341, short form)",
@@ -295,7 +296,7 @@ def _oil_rows(oil: Lubricant) -> Iterator[Row]:
     yield Row("Name", plain_text(oil.name))
     yield Row("Viscosity law", LAWS.get(type(oil.viscosity_law), type(oil.viscosity_law).__name__))
     for celsius in (40, 100):
-        kelvin = celsius + 273.15
+        kelvin = celsius + ZERO_CELSIUS
         if oil.covers(kelvin):
             viscosity = f"{1e6 * oil.kinematic_viscosity(kelvin):.4g}"
             yield Row(f"Kinematic viscosity at {celsius} °C", viscosity, None, "mm²/s")

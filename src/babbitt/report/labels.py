@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from babbitt.report.line import VOCABULARY
 from babbitt.report.meanings import OF_THRUST
+from babbitt.report.vocabulary import VOCABULARY
 
 SHORT = {
     "diameter": "Bearing diameter",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rich.table import Table
 
 from babbitt.report.table import console
+from babbitt.units import ZERO_CELSIUS
 
 
 def print_lubricants() -> None:
@@ -13,7 +14,7 @@ def print_lubricants() -> None:
 
     table = _table("name", "ν 40 °C mm²/s", "ν 100 °C mm²/s", "ρ 15 °C kg/m³", "range °C", "source")
     for oil in catalogue():
-        coldest, hottest = (kelvin - 273.15 for kelvin in oil.temperature_range)
+        coldest, hottest = (kelvin - ZERO_CELSIUS for kelvin in oil.temperature_range)
         nu100 = f"{oil.kinematic_viscosity(373.15) * 1e6:.2f}" if oil.covers(373.15) else "–"
         table.add_row(
             oil.name,
@@ -51,8 +52,8 @@ def print_materials() -> None:
             shown(metal.limits(LoadCharacter.SHOCK).specific_load, 1e-6),
             shown(calm.sliding_speed),
             shown(calm.pv, 1e-6),
-            shown(metal.limiting_temperature, 1.0, -273.15),
-            shown(metal.recommended_temperature, 1.0, -273.15),
+            shown(metal.limiting_temperature, 1.0, -ZERO_CELSIUS),
+            shown(metal.recommended_temperature, 1.0, -ZERO_CELSIUS),
             "; ".join(sources(metal)),
         )
     others = _table("material", "kind", "α 1e-6/K", "λ W/(m K)", "E GPa", "source")

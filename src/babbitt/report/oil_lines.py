@@ -16,8 +16,9 @@ from babbitt.lubricants import (
     Vogel,
     Walther,
 )
-from babbitt.report.line import ZERO_CELSIUS, Line
+from babbitt.report.line import Line
 from babbitt.report.worksheet import Worksheet
+from babbitt.units import ZERO_CELSIUS
 
 if TYPE_CHECKING:
     from babbitt.standards.iso7902.model import DesignCase

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from babbitt.longfilm.model import Discretisation, ExchangeZone, LongFilmCase, NusseltLaw
 from babbitt.segments.model import GrooveKind, SegmentCase
+from babbitt.units import ZERO_CELSIUS
 
 METHOD_NAMES = {"long_film": "Long film with heat exchange", "segments": "Heat balance by segments"}
 
@@ -82,7 +83,7 @@ def _of_long_film(case: LongFilmCase) -> Iterator[tuple[str, str]]:
         yield "From the bush to the surroundings", f"{bush.ambient_coefficient:.4g} W/(m² K)"
     yield "Along the shaft", f"{exchange.shaft_conductance:.4g} W/K"
     if exchange.ambient_temperature is not None:
-        yield "Surroundings", f"{exchange.ambient_temperature - 273.15:.4g} °C"
+        yield "Surroundings", f"{exchange.ambient_temperature - ZERO_CELSIUS:.4g} °C"
 
 
 def _of_segments(case: SegmentCase) -> Iterator[tuple[str, str]]:

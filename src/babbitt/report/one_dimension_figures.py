@@ -26,6 +26,7 @@ from babbitt.report.drawing import (
 )
 from babbitt.results import Result
 from babbitt.segments.model import SegmentCase, SegmentFilm
+from babbitt.units import ZERO_CELSIUS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -138,7 +139,7 @@ def _temperatures_of_long_film(panel: Axes, result: Result, angles: Array) -> No
     panel.plot([angles[hottest]], [film[hottest]], "x", color=INK, markersize=5)
     ends = [(float(film[-1]), "film")]
     if "journal_temperature" in result.values:
-        journal = result.journal_temperature - 273.15
+        journal = result.journal_temperature - ZERO_CELSIUS
         panel.axhline(journal, color=GREY, linestyle=DASHED)
         ends.append((journal, "journal"))
     if "bush_temperature" in result.arrays:
@@ -169,14 +170,14 @@ def _temperatures_of_segments(panel: Axes, case: SegmentCase, result: Result) ->
         before, behind = map(math.degrees, case.film.groove_edges())
         spans = [(start, before, *_of_segment(result, 1)), (behind, max(end, behind), *_of_segment(result, 2))]
     for left, right, inlet, mean, outlet in spans:
-        panel.plot([left, right], [inlet - 273.15, outlet - 273.15], "o", color=INK, markersize=3)
-        panel.plot([left, right], [mean - 273.15] * 2, color=INK)
+        panel.plot([left, right], [inlet - ZERO_CELSIUS, outlet - ZERO_CELSIUS], "o", color=INK, markersize=3)
+        panel.plot([left, right], [mean - ZERO_CELSIUS] * 2, color=INK)
         panel.annotate(
-            "mean", (0.5 * (left + right), mean - 273.15), xytext=(0, 2), textcoords="offset points", fontsize=7,
-            ha="center", va="bottom",
+            "mean", (0.5 * (left + right), mean - ZERO_CELSIUS), xytext=(0, 2), textcoords="offset points",
+            fontsize=7, ha="center", va="bottom",
         )  # fmt: skip
         panel.annotate(
-            f"leaves at {outlet - 273.15:.0f} °C", (right, outlet - 273.15), xytext=(4, 0),
+            f"leaves at {outlet - ZERO_CELSIUS:.0f} °C", (right, outlet - ZERO_CELSIUS), xytext=(4, 0),
             textcoords="offset points", fontsize=7, va="center",
         )  # fmt: skip
     low, high = panel.get_ylim()
@@ -229,7 +230,7 @@ def _beside(case: SegmentCase, result: Result) -> Figure:
         eccentricities, pressure, outlet = _swept(one)
         left.plot(eccentricities, pressure, color=colour, linestyle=line, label=name)
         right.plot(pressure, outlet, color=colour, linestyle=line)
-    pressure_here, outlet_here = 1e-6 * result.specific_load, result.outlet_temperature - 273.15
+    pressure_here, outlet_here = 1e-6 * result.specific_load, result.outlet_temperature - ZERO_CELSIUS
     mark(left, result.eccentricity_ratio, pressure_here)
     mark(right, pressure_here, outlet_here)
     left.legend(frameon=False, fontsize=7, loc="upper left")
@@ -250,6 +251,6 @@ def _swept(film: SegmentFilm) -> tuple[Array, Array, Array]:
             state = film_at_eccentricity(film, eccentricity, state)
         except NoFilmError:
             break
-        found.append((eccentricity, 1e-6 * state.specific_load, state.outlet_temperature - 273.15))
+        found.append((eccentricity, 1e-6 * state.specific_load, state.outlet_temperature - ZERO_CELSIUS))
     columns = np.array(found).T
     return columns[0], columns[1], columns[2]

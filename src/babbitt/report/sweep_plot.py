@@ -11,6 +11,7 @@ import numpy as np
 from babbitt.notices import InputError
 from babbitt.quantities import QUANTITIES
 from babbitt.report.drawing import FORMATS, GREY, INK, Sheet, axis_label, in_engineers_unit, rendered, style
+from babbitt.report.sweep_columns import panels_of
 from babbitt.report.text import plain_text
 from babbitt.report.writing import write_whole
 from babbitt.studies.case_sweep import CaseSweep
@@ -18,21 +19,6 @@ from babbitt.studies.case_sweep import CaseSweep
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-SHOWN = (
-    ("minimum_film_thickness", "load"),
-    ("friction_power", "pocket_pressure"),
-    (
-        "outlet_temperature",
-        "bearing_temperature",
-        "effective_temperature",
-        "maximum_temperature",
-        "temperature_rise",
-        "lift",
-    ),
-    ("total_flow", "rim_pressure", "maximum_pressure", "eccentricity_ratio"),
-)
-"""One panel each: of the quantities in a row the first that some answer has."""
 
 LINES: tuple[dict[str, Any], ...] = tuple(
     {"color": colour, "linestyle": dashes}
@@ -61,7 +47,7 @@ def require_plot(path: Path) -> None:
 
 
 def write_sweep_plot(sweep: CaseSweep, path: Path) -> None:
-    """Draw film thickness, friction, temperature and flow over the field, and write the figure.
+    """Draw the key results over the field and write the figure.
 
     Raises
     ------
@@ -75,13 +61,16 @@ def write_sweep_plot(sweep: CaseSweep, path: Path) -> None:
 
 
 def sweep_figure(sweep: CaseSweep) -> Figure:
-    """Four panels over the field, a line per bearing; what the file itself has in the field is marked."""
+    """At most four panels over the field, a line per bearing; what the file itself has in the field is marked."""
     names = sweep.names
     legend = 4.5 * math.ceil(len(names) / 3) if len(names) > 1 else 0.0
     height = 100.0 + legend
     figure, axes = Sheet(166.0, height, 2, 2, across=16.0, between=5.0).panels(sharex=True)
     figure.subplots_adjust(top=1.0 - (5.0 + legend) / height)
-    for panel, choice in zip(axes.ravel(), SHOWN, strict=True):
+    shown = panels_of([result for _, result in sweep.rows()])
+    for panel in axes.ravel()[len(shown) :]:
+        panel.set_axis_off()
+    for panel, choice in zip(axes.ravel(), shown, strict=False):
         _panel(panel, sweep, choice, titled=panel in axes[0])
     for panel in axes[1]:
         panel.set_xlabel(f"{sweep.path} in {sweep.values.unit}" if sweep.values.unit else sweep.path)

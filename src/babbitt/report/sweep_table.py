@@ -13,6 +13,7 @@ from babbitt.interop.unit_names import static_column
 from babbitt.quantities import QUANTITIES
 from babbitt.report import verdict as judge
 from babbitt.report.bearing_table import STYLES, engineers_table
+from babbitt.report.sweep_columns import sweep_columns
 from babbitt.report.table import console, fitting
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import Verdict
@@ -30,7 +31,7 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
     named = len(sweep.names) > 1
     shown = _shown(sweep)
     own = max(len(sweep.path), *(len(text) for text in shown)) + 2
-    columns, hidden = fitting(results, to.width - own)
+    columns, hidden = fitting(sweep_columns(results), results, to.width - own)
     table = engineers_table(title=Text(plain_text(sweep.machines[0].name), style="bold"), title_justify="left")
     table.add_column(Text(f"{sweep.path}\n{sweep.values.unit}"), justify="right", no_wrap=True)
     if named:

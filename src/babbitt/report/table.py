@@ -95,7 +95,7 @@ def render(name: str, results: Sequence[Result], width: int) -> RenderableType:
 
 def _machine(name: str, results: Sequence[Result], width: int) -> RenderableType:
     incomplete = any(result.not_checked for result in results)
-    shown, hidden = fitting(results, width - (len(NOT_CHECKED) + GAP if incomplete else 0))
+    shown, hidden = fitting(columns_of(results), results, width - (len(NOT_CHECKED) + GAP if incomplete else 0))
     table = engineers_table(title=Text(plain_text(name), style="bold"), title_justify="left")
     table.add_column(
         Text("Bearing"), overflow="fold", min_width=min(NAME_WIDTH, _longest_name(results)), max_width=NAME_LIMIT
@@ -121,9 +121,8 @@ def _machine(name: str, results: Sequence[Result], width: int) -> RenderableType
     return Group(*parts)
 
 
-def fitting(results: Sequence[Result], width: int) -> tuple[list[Column], list[Column]]:
+def fitting(columns: Sequence[Column], results: Sequence[Result], width: int) -> tuple[list[Column], list[Column]]:
     """Columns that fit beside a name column, and those that do not."""
-    columns = columns_of(results)
     shown = list(columns)
 
     def needed() -> int:

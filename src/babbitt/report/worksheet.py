@@ -6,7 +6,8 @@ import math
 from typing import TYPE_CHECKING
 
 from babbitt.report.expression import names, value
-from babbitt.report.line import SUBSTITUTED_DIGITS, VOCABULARY, Line, calculated
+from babbitt.report.line import SUBSTITUTED_DIGITS, Line
+from babbitt.report.vocabulary import VOCABULARY, calculated
 from babbitt.results import Result
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +14,7 @@ from babbitt.bearings.model import Accuracy, FilmCase
 from babbitt.bearings.rotor import RIGID, critical_mass_of_rotor
 from babbitt.bearings.watch import Watch, unwatched
 from babbitt.film.model import FilmStart, JournalFilm, Resolution
+from babbitt.film.solution import attitude_angle, sommerfeld_number
 
 if TYPE_CHECKING:
     from babbitt.bearings.warm_film import FilmState
@@ -60,8 +61,8 @@ class FilmPoints:
     def there(self) -> FilmPoints:
         """The points that have an equilibrium."""
         names = ("loads", "speeds", "solved", "position", "minimum_film_thickness", "stiffness", "damping")
-        kept: dict[str, Array] = {name: getattr(self, name)[self.solved] for name in names}
-        return replace(self, **kept)  # type: ignore[arg-type]
+        kept: dict[str, Any] = {name: getattr(self, name)[self.solved] for name in names}
+        return replace(self, **kept)
 
     @property
     def eccentricity_ratio(self) -> Array:
@@ -71,16 +72,12 @@ class FilmPoints:
     @property
     def attitude_angle(self) -> Array:
         """From the load to the line of centres in the sense of rotation, rad, within (-π, π], shape (n,)."""
-        turn = np.arctan2(self.position[:, 1], self.position[:, 0]) - self.load_angle
-        sense = math.copysign(1.0, self.film.angular_speed)
-        return np.asarray(math.pi - np.remainder(math.pi - sense * turn, 2.0 * math.pi))
+        return attitude_angle(self.film, self.position, self.load_angle)
 
     @property
     def sommerfeld_number(self) -> Array:
-        """So = F ψ²/(B D η ω) of ISO 7902, shape (n,)."""
-        film = self.film
-        unit = film.width * film.diameter * film.viscosity * (0.5 * film.diameter / film.clearance) ** 2
-        return np.asarray(self.loads / (unit * self.speeds))
+        """So of ISO 7902, shape (n,)."""
+        return sommerfeld_number(self.film, self.loads, self.speeds)
 
     def critical_mass(self, shaft_stiffness: float = RIGID) -> Array:
         """Mass above which a rotor whirls, kg, shape (n,); infinite where none does, no number without film."""

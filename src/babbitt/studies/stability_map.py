@@ -74,17 +74,22 @@ class StabilityMap:
     def thresholds(self) -> Array:
         """Lowest speed in the map above which the rotor whirls under each load, rad/s, shape (n,).
 
-        Between the points the growth over the speed is taken as linear in the logarithm of the speed. No number
-        where it does not begin to whirl within the map.
+        Between the points the logarithm of the reserve is taken as linear in that of the speed; beside a speed at
+        which no rotor whirls, or every one, the growth over the speed instead. No number where it does not begin
+        to whirl within the map.
         """
         found = np.full(self.loads.shape, np.nan)
-        ratio, steps = self.growth / self.speeds, np.log(self.speeds)
-        for row, rate in enumerate(ratio):
-            for left in range(rate.size - 1):
-                if rate[left] < 0.0 <= rate[left + 1]:
-                    share = rate[left] / (rate[left] - rate[left + 1])
-                    found[row] = np.exp(steps[left] + share * (steps[left + 1] - steps[left]))
-                    break
+        steps = np.log(self.speeds)
+        with np.errstate(divide="ignore"):
+            short = -np.log(self.reserve)
+        for row, rate in enumerate(self.growth / self.speeds):
+            (begins,) = np.nonzero((rate[:-1] < 0.0) & (rate[1:] >= 0.0))
+            if begins.size:
+                ends = slice(begins[0], begins[0] + 2)
+                low, high = short[row, ends]
+                if not -np.inf < low < 0.0 <= high < np.inf:
+                    low, high = rate[ends]
+                found[row] = np.exp(steps[ends] @ [high, -low] / (high - low))
         return found
 
 

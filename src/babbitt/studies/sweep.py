@@ -92,11 +92,15 @@ def varied(case: DesignT, path: str, value: float) -> DesignT:
 
 def _replaced(part: Any, names: list[str], value: float, path: str) -> Any:
     name, *rest = names
-    if not is_dataclass(part) or name not in {field.name for field in fields(part)}:
+    if name not in _field_names(part):
         raise ValueError(f"the case has no {path!r}: {type(part).__name__} has no field {name!r}")
     present = getattr(part, name)
     if rest:
-        return replace(part, **{name: _replaced(present, rest, value, path)})  # type: ignore[type-var]
+        return replace(part, **{name: _replaced(present, rest, value, path)})
     if isinstance(present, bool) or not isinstance(present, int | float):
         raise ValueError(f"{path!r} of the case is no number: {present!r}")
-    return replace(part, **{name: round(value) if isinstance(present, int) else value})  # type: ignore[type-var]
+    return replace(part, **{name: round(value) if isinstance(present, int) else value})
+
+
+def _field_names(part: object) -> set[str]:
+    return {field.name for field in fields(part)} if is_dataclass(part) else set()

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from babbitt.quantities import QUANTITIES
 from babbitt.results import Result
 from babbitt.studies.comparison import Comparison
+from babbitt.units import ZERO_CELSIUS
 
 __all__ = ["cost_of_one_temperature"]
 
 ONE_TEMPERATURE = ("ISO 7902", "film", "film, Reynolds")
 FULLEST = ("full thermal film", "adiabatic film")
-ZERO_CELSIUS = 273.15
 
 
 def cost_of_one_temperature(comparison: Comparison) -> Iterator[str]:

@@ -10,6 +10,7 @@ from babbitt.cases import Case
 from babbitt.cases.build import film_cases
 from babbitt.cases.film_heat import may_have_own_temperatures
 from babbitt.cases.journal import JournalBearing
+from babbitt.units import ZERO_CELSIUS
 
 __all__ = ["ThermalVariant", "thermal_variants"]
 
@@ -17,7 +18,6 @@ GLOBAL = "film"
 
 INLET = "inlet"
 PRESCRIBED = "prescribed"
-ZERO_CELSIUS = 273.15
 
 REMARKS = {
     INLET: (

@@ -23,10 +23,11 @@ from babbitt.units.fields import (
     either_sense,
     si,
 )
-from babbitt.units.kinds import KINDS, Kind
+from babbitt.units.kinds import KINDS, ZERO_CELSIUS, Kind
 from babbitt.units.reading import QuantityError, bare_number, read, written
 
 __all__ = [
+    "ZERO_CELSIUS",
     "Angle",
     "Area",
     "Density",

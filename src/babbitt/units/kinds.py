@@ -10,6 +10,9 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+ZERO_CELSIUS = 273.15
+"""K."""
+
 INCH, POUND_FORCE, KILOGRAM_FORCE, FAHRENHEIT = 0.0254, 4.4482216152605, 9.80665, 5.0 / 9.0
 TURN = 2.0 * math.pi
 
@@ -102,8 +105,8 @@ _ALL = (
         "50 degC",
         {"degC": 1.0, "°C": 1.0, "C": 1.0, "celsius": 1.0, "K": 1.0}
         | {"degF": FAHRENHEIT, "°F": FAHRENHEIT, "F": FAHRENHEIT},
-        {"degC": 273.15, "°C": 273.15, "C": 273.15, "celsius": 273.15}
-        | dict.fromkeys(("degF", "°F", "F"), 273.15 - 32.0 * FAHRENHEIT),
+        {"degC": ZERO_CELSIUS, "°C": ZERO_CELSIUS, "C": ZERO_CELSIUS, "celsius": ZERO_CELSIUS}
+        | dict.fromkeys(("degF", "°F", "F"), ZERO_CELSIUS - 32.0 * FAHRENHEIT),
     ),
     Kind(
         "rad/s",

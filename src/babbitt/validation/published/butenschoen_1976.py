@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 SYMBOLS = {"sommerfeld_number": "So", "attitude_angle_degrees": "β", "side_flow": "8 Q₃*"}
 UNITS = {"attitude_angle_degrees": "°"}
+
+Answer = Callable[[str, float, float], float]
+"""Quantity, width ratio and eccentricity ratio -> the value that one of our solvers gives."""
 
 _TOLERANCES = {
     "sommerfeld_number": Within(relative=0.004, absolute=0.5e-4),
@@ -72,8 +75,13 @@ def entries() -> Iterator[Entry]:
                 )
 
 
-def computed(quantity: str, shape: BearingCurves, eccentricity_ratio: float) -> float:
+def computed(quantity: str, width_ratio: float, eccentricity_ratio: float) -> float:
     """Our value of a printed quantity, in the unit of the table."""
+    return value_of(quantity, curves(360, width_ratio), eccentricity_ratio)
+
+
+def value_of(quantity: str, shape: BearingCurves, eccentricity_ratio: float) -> float:
+    """A printed quantity from characteristics, in the unit of the table."""
     match quantity:
         case "sommerfeld_number":
             return shape.sommerfeld_number(eccentricity_ratio)
@@ -90,12 +98,18 @@ def run() -> tuple[Comparison, ...]:
 
 def _comparison(entry: Entry) -> Comparison:
     odd_flow = entry.doubt and entry.quantity == "side_flow"
+    tolerance = _TOLERANCE_OF_ODD_ENTRIES if odd_flow else _TOLERANCES[entry.quantity]
+    return compared(entry, computed, tolerance)
+
+
+def compared(entry: Entry, ours: Answer, tolerance: Within) -> Comparison:
+    """One printed number beside that of one of our solvers."""
     return Comparison(
         SYMBOLS[entry.quantity],
         entry.place,
         entry.printed,
-        computed(entry.quantity, curves(360, entry.width_ratio), entry.eccentricity_ratio),
-        _TOLERANCE_OF_ODD_ENTRIES if odd_flow else _TOLERANCES[entry.quantity],
+        ours(entry.quantity, entry.width_ratio, entry.eccentricity_ratio),
+        tolerance,
         UNITS.get(entry.quantity, ""),
         "table of pure rotation",
         entry.decimals,
@@ -106,19 +120,23 @@ def _comparison(entry: Entry) -> Comparison:
 
 def draw(figure: Figure) -> None:
     """Our curves through the printed points, and all deviations."""
+    draw_table(figure, computed, 200, run())
+
+
+def draw_table(figure: Figure, ours: Answer, points: int, rows: tuple[Comparison, ...]) -> None:
+    """Curves of one of our solvers through the printed points, and all deviations."""
     figure.set_size_inches(7.2, 6.0)
     panels = figure.subplots(2, 2).ravel()
-    table, eccentricities = list(entries()), 1.0 / (1.0 + np.exp(-np.linspace(-3.0, 4.595, 200)))
+    table, eccentricities = list(entries()), 1.0 / (1.0 + np.exp(-np.linspace(-3.0, 4.595, points)))
     ratios = reference_data("butenschoen_1976")["width_ratios"]
     for axes, quantity in zip(panels, SYMBOLS, strict=False):
         for ratio, line, marker in zip(ratios, LINES, MARKERS, strict=False):
-            shape = curves(360, ratio)
-            ours = [computed(quantity, shape, e) for e in eccentricities.tolist()]
-            axes.plot(eccentricities, ours, linestyle=line, color=GREY)
-            points = [e for e in table if e.quantity == quantity and e.width_ratio == ratio]
+            curve = [ours(quantity, ratio, e) for e in eccentricities.tolist()]
+            axes.plot(eccentricities, curve, linestyle=line, color=GREY)
+            printed = [e for e in table if e.quantity == quantity and e.width_ratio == ratio]
             axes.plot(
-                [e.eccentricity_ratio for e in points],
-                [e.printed for e in points],
+                [e.eccentricity_ratio for e in printed],
+                [e.printed for e in printed],
                 marker=marker,
                 color=INK,
                 markerfacecolor="none",
@@ -131,8 +149,8 @@ def draw(figure: Figure) -> None:
     panels[0].legend(title="B/D (print)", title_fontsize=8)
     panels[1].set_ylabel("attitude angle β in °")
     panels[2].set_ylabel("side flow Q₃ / ((D/2)³ ψ ω)")
-    draw_deviations(panels[3], run())
-    panels[3].set_title("all 210 values")
+    draw_deviations(panels[3], rows)
+    panels[3].set_title(f"all {len(rows)} values")
 
 
 CASE = ValidationCase(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from babbitt.characteristics import ClosedFormCurves
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import BAND, GREY, INK, LINES, MARKERS, eccentricity_axis
-from babbitt.validation.published.butenschoen_1976 import SYMBOLS, UNITS, Entry, computed, entries, width_label
+from babbitt.validation.published.butenschoen_1976 import SYMBOLS, UNITS, Entry, entries, value_of, width_label
 from babbitt.validation.tolerance import Within
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ def run() -> tuple[Comparison, ...]:
 
 
 def _closed_form(entry: Entry) -> float:
-    return computed(entry.quantity, ClosedFormCurves(entry.width_ratio), entry.eccentricity_ratio)
+    return value_of(entry.quantity, ClosedFormCurves(entry.width_ratio), entry.eccentricity_ratio)
 
 
 def draw(figure: Figure) -> None:

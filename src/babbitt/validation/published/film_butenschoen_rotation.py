@@ -6,13 +6,9 @@ import math
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from babbitt.validation.case import Comparison, Story, ValidationCase
-from babbitt.validation.figure import GREY, INK, LINES, MARKERS, draw_deviations, eccentricity_axis
-from babbitt.validation.published.butenschoen_1976 import SYMBOLS, UNITS, Entry, entries, width_label
+from babbitt.validation.published.butenschoen_1976 import compared, draw_table, entries
 from babbitt.validation.published.film_bearings import CLEARANCE, at_position, round_film, side_flow_ratio
-from babbitt.validation.reference_data import reference_data
 from babbitt.validation.tolerance import Within
 
 if TYPE_CHECKING:
@@ -40,53 +36,12 @@ def computed(quantity: str, width_ratio: float, eccentricity_ratio: float) -> fl
 @lru_cache
 def run() -> tuple[Comparison, ...]:
     """Compare all three quantities over the whole table."""
-    return tuple(_comparison(entry) for entry in entries())
-
-
-def _comparison(entry: Entry) -> Comparison:
-    return Comparison(
-        SYMBOLS[entry.quantity],
-        entry.place,
-        entry.printed,
-        computed(entry.quantity, entry.width_ratio, entry.eccentricity_ratio),
-        _TOLERANCES[entry.quantity],
-        UNITS.get(entry.quantity, ""),
-        "table of pure rotation",
-        entry.decimals,
-        suspect="" if entry.judged else entry.doubt,
-        remark=entry.doubt if entry.judged else "",
-    )
+    return tuple(compared(entry, computed, _TOLERANCES[entry.quantity]) for entry in entries())
 
 
 def draw(figure: Figure) -> None:
     """The engine's curves through the printed points, and all deviations."""
-    figure.set_size_inches(7.2, 6.0)
-    panels = figure.subplots(2, 2).ravel()
-    table, eccentricities = list(entries()), 1.0 / (1.0 + np.exp(-np.linspace(-3.0, 4.595, 60)))
-    ratios = reference_data("butenschoen_1976")["width_ratios"]
-    for axes, quantity in zip(panels, SYMBOLS, strict=False):
-        for ratio, line, marker in zip(ratios, LINES, MARKERS, strict=False):
-            ours = [computed(quantity, ratio, e) for e in eccentricities.tolist()]
-            axes.plot(eccentricities, ours, linestyle=line, color=GREY)
-            points = [e for e in table if e.quantity == quantity and e.width_ratio == ratio]
-            axes.plot(
-                [e.eccentricity_ratio for e in points],
-                [e.printed for e in points],
-                marker=marker,
-                color=INK,
-                markerfacecolor="none",
-                linestyle="none",
-                label=width_label(ratio),
-            )
-        eccentricity_axis(axes)
-    panels[0].set_yscale("log")
-    panels[0].set_ylabel("Sommerfeld number So")
-    panels[0].legend(title="B/D (print)", title_fontsize=8)
-    panels[1].set_ylabel("attitude angle β in °")
-    panels[2].set_ylabel("side flow Q₃ / ((D/2)³ ψ ω)")
-    rows = run()
-    draw_deviations(panels[3], rows)
-    panels[3].set_title(f"all {len(rows)} values")
+    draw_table(figure, computed, 60, run())
 
 
 CASE = ValidationCase(

@@ -12,6 +12,7 @@ from babbitt.results import Result
 from babbitt.standards.iso7902.model import Bearing, DesignCase, Friction, GivenLoad, OilSupply
 from babbitt.standards.iso7902.procedure import check
 from babbitt.standards.iso7902.supply import Arrangement, Holes, Pockets
+from babbitt.units import ZERO_CELSIUS
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import draw_deviations
 from babbitt.validation.tolerance import Within
@@ -19,7 +20,6 @@ from babbitt.validation.tolerance import Within
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_CELSIUS_ZERO = 273.15
 _RPM = math.pi / 30.0
 _SOURCE = "independent prototype"
 _VALUE = Within(relative=5e-4)
@@ -31,11 +31,11 @@ def _oil() -> Lubricant:
     """46 and 6.8 mm²/s at 40 and 100 °C, 870 kg/m³ at 20 °C."""
     properties = OilProperties(
         density=870.0,
-        density_temperature=20.0 + _CELSIUS_ZERO,
+        density_temperature=20.0 + ZERO_CELSIUS,
         density_slope=-0.63,
         volumetric_heat_capacity=1.8e6,
     )
-    colder, warmer = (40.0 + _CELSIUS_ZERO, 46e-6), (100.0 + _CELSIUS_ZERO, 6.8e-6)
+    colder, warmer = (40.0 + ZERO_CELSIUS, 46e-6), (100.0 + ZERO_CELSIUS, 6.8e-6)
     return lubricant_from_points("oil 46/6.8", colder, warmer, properties)
 
 
@@ -47,7 +47,7 @@ def full_bearing() -> DesignCase:
         GivenLoad(36e3),
         2000.0 * _RPM,
         _oil(),
-        OilSupply(58.0 + _CELSIUS_ZERO, 0.5e6),
+        OilSupply(58.0 + ZERO_CELSIUS, 0.5e6),
     )
 
 
@@ -59,13 +59,13 @@ def partial_bearing() -> DesignCase:
         GivenLoad(150e3),
         1400.0 * _RPM,
         _oil(),
-        OilSupply(50.0 + _CELSIUS_ZERO, 0.15e6),
+        OilSupply(50.0 + ZERO_CELSIUS, 0.15e6),
         friction=Friction.ARC,
     )
 
 
 _QUANTITIES: tuple[tuple[str, str, Callable[[Result], float], Within, float, float], ...] = (
-    ("T_ex", "°C", lambda r: r.outlet_temperature - _CELSIUS_ZERO, _KELVIN, 66.226930, 71.443751),
+    ("T_ex", "°C", lambda r: r.outlet_temperature - ZERO_CELSIUS, _KELVIN, 66.226930, 71.443751),
     ("ψ_eff", "‰", lambda r: r.operating_relative_clearance * 1e3, _VALUE, 1.6253616, 1.2),
     ("η_eff", "mPa s", lambda r: r.effective_viscosity * 1e3, _VALUE, 16.170888, 16.980424),
     ("So", "", lambda r: r.sommerfeld_number, _VALUE, 3.9001157, 1.4460966),

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 from babbitt.results import Result
 from babbitt.standards.iso7902.procedure import check, check_at_temperature
+from babbitt.units import ZERO_CELSIUS
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import BAND, GREY, INK
 from babbitt.validation.published.reverse_gear_inputs import (
-    CELSIUS_ZERO,
     design_case,
     inferred,
     inferred_bearing,
@@ -71,14 +71,14 @@ def solved(name: str) -> Result:
     outlet = next(
         row["outlet_temperature_C"] for row in published()["tables_4_and_5"]["rows"] if row["name"] == name
     )
-    return check_at_temperature(design_case(name), (inlet + outlet) / 2.0 + CELSIUS_ZERO)
+    return check_at_temperature(design_case(name), (inlet + outlet) / 2.0 + ZERO_CELSIUS)
 
 
 @lru_cache
 def outlet_temperature(name: str) -> float:
     """Our own outlet temperature in °C, with the friction factor that suits these tables."""
     factor = inferred()["common"]["friction_factor_of_tables_4_and_5"]
-    return check(design_case(name, friction_factor=factor)).outlet_temperature - CELSIUS_ZERO
+    return check(design_case(name, friction_factor=factor)).outlet_temperature - ZERO_CELSIUS
 
 
 def run() -> tuple[Comparison, ...]:

@@ -11,9 +11,8 @@ from typing import Any
 from babbitt.lubricants import lubricant
 from babbitt.standards.iso7902.model import Bearing, DesignCase, Friction, GivenLoad, OilSupply
 from babbitt.standards.iso7902.supply import Arrangement, HalfCircumferentialGroove, Pockets, SupplyElement
+from babbitt.units import ZERO_CELSIUS
 from babbitt.validation.reference_data import reference_data
-
-CELSIUS_ZERO = 273.15
 
 _JOURNAL_STEEL = 11e-6  # 1/K, textbook value; only the difference to the bearing matters
 
@@ -79,7 +78,7 @@ def design_case(
         duty=GivenLoad(specific_load(name) * width * diameter),
         journal_speed=2.0 * bearing["surface_speed_m_s"] / diameter,
         lubricant=lubricant(common["lubricant"]),
-        oil_supply=OilSupply(common["inlet_temperature_C"] + CELSIUS_ZERO, 1e6 * common["element_pressure_MPa"]),
+        oil_supply=OilSupply(common["inlet_temperature_C"] + ZERO_CELSIUS, 1e6 * common["element_pressure_MPa"]),
         friction=friction or Friction(common["friction"]),
         friction_factor=friction_factor or common["friction_factor"],
         assumptions=(inferred()["statement"],),

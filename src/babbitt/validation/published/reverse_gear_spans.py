@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 from babbitt.results import Result
 from babbitt.standards.iso7902.model import Friction
 from babbitt.standards.iso7902.procedure import check
+from babbitt.units import ZERO_CELSIUS
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import BAND, GREY, INK
-from babbitt.validation.published.reverse_gear_inputs import CELSIUS_ZERO, design_case, published
+from babbitt.validation.published.reverse_gear_inputs import design_case, published
 from babbitt.validation.tolerance import Within
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ class _Column:
 
 _COLUMNS = {
     "outlet_temperature_C": _Column(
-        "T_ex", "°C", "outlet temperature", lambda r: r.outlet_temperature - CELSIUS_ZERO, Within(absolute=2.0)
+        "T_ex", "°C", "outlet temperature", lambda r: r.outlet_temperature - ZERO_CELSIUS, Within(absolute=2.0)
     ),
     "friction_power_kW": _Column(
         "P_f", "kW", "friction power", lambda r: r.friction_power / 1e3, Within(relative=0.04)

@@ -110,6 +110,10 @@ def _both(of: Callable[[str], float]) -> tuple[float, float]:
     return of("hot"), of("cold")
 
 
+def _ratios(read: Callable[[SteadyState], float], gap: float, clearance: float) -> tuple[float, float]:
+    return _both(lambda name: _ratio(read, name, gap, clearance))
+
+
 def _reproduced() -> Iterator[Claim]:
     hot, cold = critical_clearances(footstep())
     yield Claim(
@@ -134,8 +138,7 @@ def _reproduced() -> Iterator[Claim]:
     for clearance in (10.0, 20.0, 40.0):
         yield Claim(
             "the friction power is about half", "P_smooth/P", f"h = 20 µm, δ = {clearance:g} µm", "", 2.0,
-            *_both(lambda name, at=clearance: 1.0 / _ratio(lambda s: s.friction_power, name, 20.0, at)),  # type: ignore[misc]
-            Within(relative=0.1),
+            *_ratios(lambda s: 1.0 / s.friction_power, 20.0, clearance), Within(relative=0.1),
         )  # fmt: skip
     yield Claim(
         "the load rises with the face gap", "T(60 µm)/T(20 µm)", "δ = 20 µm", "", 1.0,
@@ -177,7 +180,7 @@ def _refuted() -> Iterator[Claim]:
         yield Claim(
             "the leakage is several orders of magnitude above that of the smooth heel", "Q_l/Q_l,smooth",
             f"h = 20 µm, δ = {clearance:g} µm", "", 100.0,
-            *_both(lambda name, at=clearance: _ratio(lambda s: s.leakage, name, 20.0, at)), AtLeast(),  # type: ignore[misc]
+            *_ratios(lambda s: s.leakage, 20.0, clearance), AtLeast(),
             "the leakage follows pressure and viscosity at the rim, and neither differs by orders",
         )  # fmt: skip
     yield Claim(

@@ -19,8 +19,9 @@ from babbitt.validation.published.someya_common import (
     GROOVE,
     STIFFNESS,
     WIDTH_RATIO,
-    compliance_over_slope,
-    own_slope,
+    consistency,
+    named,
+    printed,
     solved,
     table,
 )
@@ -85,29 +86,22 @@ def turned_stiffness(stiffness: Array, position: Array) -> Array:
 def computed(bearing_number: float) -> dict[str, float]:
     """The engine's row: position, flow, stiffness of the standing and of the turning bearing, damping."""
     position, flow, stiffness, damping = solved(_FILM, bearing_number)
-    turned = turned_stiffness(stiffness, position)
-    return {
-        "ε": float(np.hypot(*position)),
-        "φ": math.degrees(math.atan2(position[1], position[0])),
-        "Q": flow,
-        **dict(zip(STIFFNESS, stiffness.ravel().tolist(), strict=True)),
-        **{f"{name} turned": value for name, value in zip(STIFFNESS, turned.ravel().tolist(), strict=True)},
-        **dict(zip(DAMPING, damping.ravel().tolist(), strict=True)),
-    }
+    turned = turned_stiffness(stiffness, position).ravel().tolist()
+    names = (f"{name} turned" for name in STIFFNESS)
+    return named(position, flow, stiffness, damping) | dict(zip(names, turned, strict=True))
 
 
 @lru_cache
 def run() -> tuple[Comparison, ...]:
     """Compare every row, and the engine with itself."""
-    return (*_rows(), *_consistency())
+    return (*_rows(), *consistency(_FILM, table("table_1")))
 
 
 def _rows() -> Iterator[Comparison]:
     for row in table("table_1"):
         ours, eccentricity = computed(row["bearing_number_S"]), row["eccentricity_ratio"]
-        printed = {"ε": eccentricity, "φ": row["attitude_angle_degrees"], "Q": row["Q"]}
-        printed |= {f"{name} turned": row[name] for name in STIFFNESS} | {name: row[name] for name in DAMPING}
-        for quantity, value in printed.items():
+        for name, value in printed(row).items():
+            quantity = f"{name} turned" if name in STIFFNESS else name
             low, high = _JUDGED[quantity]
             reason = "" if low <= eccentricity <= high else _reason(quantity, eccentricity)
             yield Comparison(
@@ -141,35 +135,18 @@ def _reason(quantity: str, eccentricity: float) -> str:
     return _LIGHT if eccentricity <= 0.4 and not quantity.startswith("B") else _HEAVY
 
 
-def _consistency() -> Iterator[Comparison]:
-    for row in table("table_1"):
-        number = row["bearing_number_S"]
-        stiffness = solved(_FILM, number)[2]
-        ratio, _ = compliance_over_slope(stiffness, own_slope(lambda s: solved(_FILM, s)[0], number))
-        yield Comparison(
-            "1/K over slope of the locus",
-            f"S = {number:g}",
-            1.0,
-            ratio,
-            Within(relative=0.001),
-            "",
-            "identity of every locus",
-        )
-
-
 def draw(figure: Figure) -> None:
     """Cross stiffness in both readings, what tells them apart, damping, and all deviations."""
     figure.set_size_inches(7.2, 6.0)
     panels = figure.subplots(2, 2).ravel()
     rows = table("table_1")
-    printed = {name: [row[name] for row in rows] for name in (*STIFFNESS, *DAMPING)}
     eccentricities = [row["eccentricity_ratio"] for row in rows]
     ours = [computed(number) for number in np.geomspace(0.00499, 5.96, 60).tolist()]
     sizes = [each["ε"] for each in ours]
     points = {"color": INK, "markerfacecolor": "none", "linestyle": "none"}
     panels[0].plot(sizes, [-each["Kyx"] for each in ours], color=GREY, label="grooves stand (true)")
     panels[0].plot(sizes, [-each["Kyx turned"] for each in ours], color=GREY, linestyle="--", label="grooves turn")
-    panels[0].plot(eccentricities, [-value for value in printed["Kyx"]], marker="o", **points, label="print")
+    panels[0].plot(eccentricities, [-row["Kyx"] for row in rows], marker="o", **points, label="print")
     panels[0].set_ylabel("cross stiffness -Kyx c/W")
     panels[0].set_yscale("symlog", linthresh=1.0)
     tangents = [math.tan(math.radians(row["attitude_angle_degrees"])) for row in rows]
@@ -181,7 +158,7 @@ def draw(figure: Figure) -> None:
     panels[1].set_ylabel("Kxx tan φ / Kxy")
     for name, line, marker in zip(("Bxx", "Bxy", "Byy"), LINES, MARKERS, strict=False):
         panels[2].plot(sizes, [each[name] for each in ours], linestyle=line, color=GREY)
-        panels[2].plot(eccentricities, printed[name], marker=marker, **points, label=name)
+        panels[2].plot(eccentricities, [row[name] for row in rows], marker=marker, **points, label=name)
     panels[2].set_yscale("log")
     panels[2].set_ylabel("damping B c ω/W")
     for axes in panels[:3]:

@@ -15,17 +15,17 @@ from babbitt.validation.published.film_bearings import CLEARANCE, film_of
 from babbitt.validation.published.lund_thomsen_1978 import two_lobes
 from babbitt.validation.published.someya_common import (
     CITATION,
-    DAMPING,
     GROOVE,
+    IDENTITY,
     STIFFNESS,
     WIDTH_RATIO,
-    compliance_over_slope,
-    own_slope,
+    consistency,
+    named,
+    printed,
     printed_consistency,
     solved,
     table,
 )
-from babbitt.validation.tolerance import Within
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -40,30 +40,21 @@ _CONTRADICTION = (
 
 def computed(bearing_number: float) -> dict[str, float]:
     """The engine's row; ε on the assembled clearance, all else on that of the lobes."""
-    position, flow, stiffness, damping = solved(_FILM, bearing_number)
-    return {
-        "ε": float(np.hypot(*position)) / (1.0 - _PRELOAD),
-        "φ": math.degrees(math.atan2(position[1], position[0])),
-        "Q": flow,
-        **dict(zip(STIFFNESS, stiffness.ravel().tolist(), strict=True)),
-        **dict(zip(DAMPING, damping.ravel().tolist(), strict=True)),
-    }
+    ours = named(*solved(_FILM, bearing_number))
+    return ours | {"ε": ours["ε"] / (1.0 - _PRELOAD)}
 
 
 @lru_cache
 def run() -> tuple[Comparison, ...]:
     """Compare every row, and the engine with itself."""
-    return (*_rows(), *_consistency())
+    return (*_rows(), *consistency(_FILM, table("table_3")))
 
 
 def _rows() -> Iterator[Comparison]:
     for row in table("table_3"):
         number = row["bearing_number_S"]
         ours = computed(number)
-        printed = {"ε": row["eccentricity_ratio"], "φ": row["attitude_angle_degrees"], "Q": row["Q"]}
-        for name in (*STIFFNESS, *DAMPING):
-            printed[name] = row[name]
-        for quantity, value in printed.items():
+        for quantity, value in printed(row).items():
             yield Comparison(
                 quantity,
                 f"S = {number:g}",
@@ -74,22 +65,6 @@ def _rows() -> Iterator[Comparison]:
                 _SOURCE,
                 information=_CONTRADICTION,
             )
-
-
-def _consistency() -> Iterator[Comparison]:
-    for row in table("table_3"):
-        number = row["bearing_number_S"]
-        stiffness = solved(_FILM, number)[2]
-        ratio, _ = compliance_over_slope(stiffness, own_slope(lambda s: solved(_FILM, s)[0], number))
-        yield Comparison(
-            "1/K over slope of the locus",
-            f"S = {number:g}",
-            1.0,
-            ratio,
-            Within(relative=0.001),
-            "",
-            "identity of every locus",
-        )
 
 
 def draw(figure: Figure) -> None:
@@ -128,7 +103,7 @@ def draw(figure: Figure) -> None:
     panels[2].plot(
         [each[0] for each in of_print], [each[1] for each in of_print], marker="o", **points, label="print"
     )
-    own = [row for row in run() if row.source == "identity of every locus"]
+    own = [row for row in run() if row.source == IDENTITY]
     panels[2].plot(numbers, [row.computed for row in own], marker="|", color=INK, label="engine")
     panels[2].set_ylabel("1/K over slope of the locus")
     panels[2].legend()

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
 from babbitt.film.model import JournalFilm
+from babbitt.validation.case import Comparison
 from babbitt.validation.published.film_bearings import (
     CLEARANCE,
     Array,
@@ -17,11 +18,13 @@ from babbitt.validation.published.film_bearings import (
     side_flow_ratio,
 )
 from babbitt.validation.reference_data import reference_data
+from babbitt.validation.tolerance import Within
 
 WIDTH_RATIO = 0.5
 GROOVE = math.radians(10.0)
 STIFFNESS = ("Kxx", "Kxy", "Kyx", "Kyy")
 DAMPING = ("Bxx", "Bxy", "Byx", "Byy")
+IDENTITY = "identity of every locus"
 CITATION = (
     "T. Someya (ed.), *Journal-Bearing Databook*, Springer, 1989, page {page}; numbers as reproduced in the "
     "public repository VictorLier/Tribology, a file of a course at the Technical University of Denmark. Two "
@@ -41,6 +44,39 @@ def solved(film: JournalFilm, bearing_number: float) -> tuple[Array, float, Arra
     found = at_rest(film, load)
     position = np.array([-found.position[1], found.position[0]]) / CLEARANCE
     return (position, side_flow_ratio(found), *coefficients(found, load))
+
+
+def named(position: Array, flow: float, stiffness: Array, damping: Array) -> dict[str, float]:
+    """What `solved` gives, by the names of the tables."""
+    return {
+        "ε": float(np.hypot(*position)),
+        "φ": math.degrees(math.atan2(position[1], position[0])),
+        "Q": flow,
+        **dict(zip(STIFFNESS, stiffness.ravel().tolist(), strict=True)),
+        **dict(zip(DAMPING, damping.ravel().tolist(), strict=True)),
+    }
+
+
+def printed(row: dict[str, float]) -> dict[str, float]:
+    """A row of a table by the same names."""
+    own = {"ε": row["eccentricity_ratio"], "φ": row["attitude_angle_degrees"], "Q": row["Q"]}
+    return own | {name: row[name] for name in (*STIFFNESS, *DAMPING)}
+
+
+def consistency(film: JournalFilm, rows: Sequence[dict[str, float]]) -> Iterator[Comparison]:
+    """Hold the engine's stiffness against the slope of its own locus, at the bearing numbers of a table."""
+    for row in rows:
+        number = row["bearing_number_S"]
+        slope = own_slope(lambda s: solved(film, s)[0], number)
+        yield Comparison(
+            "1/K over slope of the locus",
+            f"S = {number:g}",
+            1.0,
+            compliance_over_slope(solved(film, number)[2], slope)[0],
+            Within(relative=0.001),
+            "",
+            IDENTITY,
+        )
 
 
 def compliance_over_slope(stiffness: Array, slope: Array) -> tuple[float, float]:

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 from babbitt.design.ducts import Duct
 from babbitt.lubricants import lubricant
 from babbitt.standards.iso7902.supply import equivalent_holes
+from babbitt.units import ZERO_CELSIUS
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
-from babbitt.validation.published.reverse_gear_inputs import CELSIUS_ZERO, published
+from babbitt.validation.published.reverse_gear_inputs import published
 from babbitt.validation.tolerance import AtMost, Tolerance, Within
 
 if TYPE_CHECKING:
@@ -38,7 +39,7 @@ def tube(loss_coefficient: float) -> Duct:
 
 def loss(duct: Duct, flow: float, celsius: float) -> float:
     """Pressure loss in Pa with the oil of the text."""
-    oil, temperature = lubricant(_OIL), celsius + CELSIUS_ZERO
+    oil, temperature = lubricant(_OIL), celsius + ZERO_CELSIUS
     return duct.pressure_loss(flow, oil.density(temperature), oil.kinematic_viscosity(temperature))
 
 

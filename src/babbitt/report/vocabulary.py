@@ -1,0 +1,147 @@
+"""The words of a calculation: the vocabulary of results, and what only occurs on the way to them."""
+
+from __future__ import annotations
+
+from babbitt.quantities import QUANTITIES, DisplayUnit, Quantity
+from babbitt.report.expression import Node
+from babbitt.report.symbols import symbol_node
+from babbitt.units import ZERO_CELSIUS
+
+__all__ = ["PRINTED_UNITS", "VOCABULARY", "calculated", "symbol"]
+
+PRINTED_UNITS = {
+    "1": "",
+    "m2": "m²",
+    "m3": "m³",
+    "m2/s": "m²/s",
+    "m3/s": "m³/s",
+    "kg/m3": "kg/m³",
+    "J/(m3 K)": "J/(m³ K)",
+}
+
+
+def _local(
+    name: str, symbol: str, unit: str, meaning: str, digits: int = 4, shown: DisplayUnit | None = None
+) -> Quantity:
+    return Quantity(name, symbol, unit, shown or DisplayUnit(PRINTED_UNITS.get(unit, unit)), digits, meaning)
+
+
+_MICRO = DisplayUnit("µm", 1e6)
+_MILLI = DisplayUnit("mm", 1e3)
+_KILO = DisplayUnit("kPa", 1e-3)
+
+VOCABULARY: dict[str, Quantity] = QUANTITIES | {
+    quantity.name: quantity
+    for quantity in (
+        _local("radial_clearance", "c", "m", "Radial clearance", 4, _MICRO),
+        _local("absolute_temperature", "T", "K (abs)", "Absolute temperature", 6),
+        _local("double_logarithm", "W", "1", "Double logarithm of the viscosity", 6),
+        _local("walther_intercept", "A_W", "1", "Walther's A", 7),
+        _local("walther_slope", "B_W", "1", "Walther's B", 7),
+        _local("walther_additive", "a_W", "1", "Additive constant"),
+        _local("kinematic_viscosity_number", "ν_mm", "mm²/s", "Kinematic viscosity at T_eff"),
+        _local("vogel_factor", "a_V", "Pa s", "Vogel's a", 6),
+        _local("vogel_activation", "b_V", "K (abs)", "Vogel's b", 6),
+        _local("vogel_pole", "c_V", "K (abs)", "Vogel's c", 6),
+        _local("reference_viscosity", "η_0", "Pa s", "Viscosity at T_0", 6),
+        _local(
+            "reference_temperature", "T_0", "K", "Reference temperature", 5, DisplayUnit("°C", 1.0, -ZERO_CELSIUS)
+        ),
+        _local("temperature_coefficient", "β_T", "1/K", "Temperature coefficient", 6),
+        _local("viscosity_at_50", "η_50", "Pa s", "Viscosity at 50 °C", 6),
+        _local("viscosity_exponent", "m", "1", "Exponent of the power law", 6),
+        _local("reference_density", "ρ_0", "kg/m³", "Density at T_0", 5),
+        _local("density_slope", "s_ρ", "kg/(m³ K)", "Change of density", 5),
+        _local("friction_factor", "k_f", "1", "Factor on the friction number"),
+        _local("full_sommerfeld_number", "So_360", "1", "Sommerfeld number of the full bearing at ε"),
+        _local(
+            "full_attitude_angle",
+            "β_360",
+            "rad",
+            "Attitude angle of the full bearing at ε",
+            3,
+            QUANTITIES["attitude_angle"].display,
+        ),
+        _local("sheared_arc", "I", "1", "Integral of dφ/(1 + ε cos φ) over the arc"),
+        _local("peak_pressure_ratio", "p_max*", "1", "Maximum over mean pressure"),
+        _local("hole_diameter", "d_H", "m", "Diameter of the supply hole", 4, _MILLI),
+        _local("pocket_width", "b_P", "m", "Width of the pocket", 4, _MILLI),
+        _local("groove_width", "b_G", "m", "Width of the groove", 4, _MILLI),
+        _local("heel_length", "L", "m", "Length of the heel", 4, _MILLI),
+        _local("heel_radius", "r_1", "m", "Radius of the heel", 4, _MILLI),
+        _local("recess_radius", "r_3", "m", "Radius of the recess", 4, _MILLI),
+        _local("bore_radius", "r_2", "m", "Radius of the bore", 4, _MILLI),
+        _local("recess_depth", "H", "m", "Depth of the recess", 4, _MILLI),
+        _local("groove_angle", "φ", "rad", "Angle of the groove", 6, QUANTITIES["attitude_angle"].display),
+        _local("groove_depth", "h_k", "m", "Depth of the groove", 4, _MILLI),
+        _local("screw_groove_width", "a", "m", "Width of a groove", 4, _MILLI),
+        _local("screw_land_width", "b", "m", "Width of a land", 4, _MILLI),
+        _local("groove_starts", "z_n", "1", "Number of starts"),
+        _local("groove_length", "l", "m", "Length of a groove", 5, _MILLI),
+        _local("groove_wall_speed", "U_k", "m/s", "Speed of the wall along the groove", 6),
+        _local("groove_line_flow", "q", "m2/s", "Groove flow per width", 8),
+        _local("groove_drive", "N", "m2/s", "Six times the shear flow less twice the flow", 8),
+        _local("groove_heat_term", "M_3", "m⁴/s²", "Term of the heat in the groove", 8),
+        _local("groove_stream_term", "M_4", "J m²/(s K)", "Term of the stream of heat", 8),
+        _local("face_resistance", "κ", "1/m³", "Resistance of recess and face gap", 8),
+        _local("inlet_viscosity", "μ_0", "Pa s", "Viscosity of the oil that comes in", 6),
+        _local("viscosity_exponent_alpha", "α", "1/K (abs)", "Exponent of viscosity", 6),
+        _local(
+            "heel_inlet_temperature", "θ_0", "K", "Inlet temperature", 6, DisplayUnit("°C", 1.0, -ZERO_CELSIUS)
+        ),
+        _local("heel_supply_pressure", "p_2", "Pa", "Pressure in the recess", 6),
+        _local("heel_ambient_pressure", "p_a", "Pa", "Pressure of the surroundings", 6),
+        _local("screw_speed", "ω_0", "rad/s", "Speed of the screw", 6),
+        _local("groove_speed", "ω", "rad/s", "Speed in the model of the groove", 6),
+        _local("rim_viscosity", "μ_c", "Pa s", "Viscosity at the rim", 7),
+        _local("clearance_viscosity", "μ_1", "Pa s", "Viscosity of the friction in the clearance", 7),
+        _local("face_viscosity", "μ_2", "Pa s", "Viscosity of the friction in the face gap", 7),
+        _local("land_surface", "S_1", "m2", "Surface of the lands", 6),
+        _local("groove_surface", "S_2", "m2", "Surface of the grooves", 6),
+        _local("face_friction_power", "P_face", "W", "Friction power of recess and face gap", 6),
+        _local("element_ratio", "s", "1", "Relative width of the supply element"),
+        _local("hole_correction", "q_H", "1", "Correction for a hole"),
+        _local("pocket_correction", "q_P", "1", "Correction for a pocket"),
+        _local("hole_number", "n_H", "1", "Equal holes at each place"),
+        _local("heat_transfer_coefficient", "k_A", "W/(m² K)", "Heat transfer coefficient"),
+        _local("cooling_surface", "A", "m²", "Surface that gives off heat"),
+        _local("roughness_bearing", "Rz_B", "m", "Roughness of the bearing", 3, _MICRO),
+        _local("roughness_journal", "Rz_J", "m", "Roughness of the journal", 3, _MICRO),
+        _local("tilt_offset", "B_y", "m", "Offset of the axis over the width by tilt", 3, _MICRO),
+        _local("mean_deflection", "y", "m", "Mean deflection of the journal", 3, _MICRO),
+        _local("waviness", "h_wav", "m", "Wave height of both surfaces", 3, _MICRO),
+        _local("wave_factor", "E/G", "1", "Ratio of the functions of effective waviness", 3),
+        _local("transition_eccentricity", "ε_tr", "1", "Eccentricity at transition"),
+        _local("transition_sommerfeld_number", "So_tr", "1", "Sommerfeld number at transition"),
+        _local("regime_number", "λ", "1", "Orlov's regime number"),
+        _local("duct_flow", "Q", "m3/s", "Oil flow in the supply", 4, QUANTITIES["total_flow"].display),
+        _local("duct_number", "n", "1", "Equal ducts in parallel"),
+        _local("duct_diameter", "d", "m", "Diameter", 4, _MILLI),
+        _local("duct_length", "l", "m", "Length", 4, _MILLI),
+        _local("duct_coefficient", "ζ", "1", "Loss coefficient"),
+        _local("duct_velocity", "v", "m/s", "Mean velocity"),
+        _local("duct_reynolds_number", "Re_d", "1", "Reynolds number"),
+        _local("duct_friction", "λ_d", "1", "Friction factor"),
+        _local("duct_loss", "Δp", "Pa", "Pressure loss", 4, _KILO),
+        _local("inlet_density", "ρ_en", "kg/m³", "Density at the inlet"),
+        _local(
+            "inlet_kinematic_viscosity",
+            "ν_en",
+            "m2/s",
+            "Kinematic viscosity at the inlet",
+            4,
+            QUANTITIES["effective_kinematic_viscosity"].display,
+        ),
+    )
+}
+"""The vocabulary of results and what only occurs on the way to them."""
+
+
+def calculated(quantity: Quantity, value: float) -> float:
+    """A value in the units in which the lines calculate: SI, and temperatures in °C."""
+    return value - ZERO_CELSIUS if quantity.unit == "K" else value
+
+
+def symbol(name: str) -> Node:
+    """The symbol of a quantity."""
+    return symbol_node(VOCABULARY[name].symbol)

@@ -1,0 +1,33 @@
+"""The columns of a sweep are those of the kind of case."""
+
+from __future__ import annotations
+
+import pytest
+
+from babbitt.cases import kinds, parse_case, template
+from babbitt.quantities import QUANTITIES
+from babbitt.report.columns import columns_of
+from babbitt.report.sweep_columns import KEY_RESULTS, panels_of, sweep_columns
+from babbitt.solving import solve
+
+
+def test_the_key_results_are_quantities_of_known_kinds():
+    assert KEY_RESULTS.keys() <= kinds().keys()
+    assert {name for names in KEY_RESULTS.values() for name in names} <= QUANTITIES.keys()
+
+
+@pytest.mark.parametrize("kind", ["overhung_coupling", "thrust"])
+def test_a_kind_has_columns_of_its_own_and_they_are_filled(kind):
+    results = solve(parse_case(template(kind))).results
+    names = [name for name in KEY_RESULTS[kind] if name in results[0].values]
+    assert len(names) >= 5
+    columns = sweep_columns(results)
+    assert [column.heading for column in columns] == [QUANTITIES[name].symbol for name in names]
+    assert panels_of(results) == tuple((name,) for name in names[:4])
+
+
+@pytest.mark.parametrize("kind", ["journal", "hydrostatic_pad"])
+def test_other_kinds_have_those_of_the_table_of_a_machine(kind):
+    results = solve(parse_case(template(kind))).results
+    assert sweep_columns(results) == columns_of(results)
+    assert panels_of(results)[0] == ("minimum_film_thickness", "load")
