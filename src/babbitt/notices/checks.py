@@ -1,0 +1,141 @@
+"""What the checks of a design compare."""
+
+from __future__ import annotations
+
+from babbitt.notices.explanation import Explanation
+
+CHECKS: dict[str, Explanation] = {
+    "C101": Explanation(
+        "Film thickness by experience",
+        "The minimum film thickness is compared with a value by experience for diameter and surface speed.",
+        "A more viscous or cooler oil, a larger bearing, less load.",
+    ),
+    "C102": Explanation(
+        "Film thickness by surface geometry",
+        "The minimum film thickness is compared with the sum of roughness, half the tilt offset, half the "
+        "deflection, and effective waviness.",
+        "Finer or truer surfaces, better alignment, or a thicker film.",
+    ),
+    "C103": Explanation(
+        "Specific load",
+        "The specific load is compared with the value by experience of the family of the bearing metal, or with "
+        "the limit that the case sets.",
+        "A larger bearing or a stronger metal.",
+    ),
+    "C104": Explanation(
+        "Temperature",
+        "The oil outlet temperature (pressure fed) or the bearing temperature (self-cooled) is compared with the "
+        "value by experience or with the limit that the case sets.",
+        "More oil, a cooler supply, a larger clearance, or a thinner oil.",
+    ),
+    "C105": Explanation(
+        "Specific load of the metal",
+        "The specific load is compared with the limit of the bearing metal for the character of the load.",
+        "A larger bearing or a stronger metal.",
+    ),
+    "C106": Explanation(
+        "Surface speed of the metal",
+        "The surface speed is compared with the limit of the bearing metal.",
+        "A smaller journal, a lower speed, or another metal.",
+    ),
+    "C107": Explanation(
+        "Load times speed of the metal",
+        "The product of specific load and surface speed is compared with the limit of the bearing metal.",
+        "A wider bearing, a lower speed, or another metal.",
+    ),
+    "C108": Explanation(
+        "Limiting temperature of the metal",
+        "The hottest known temperature is compared with that at which the metal loses its hardness.",
+        "More or cooler oil, or another metal.",
+    ),
+    "C109": Explanation(
+        "Recommended temperature of the metal",
+        "Advice only: the temperature recommended for lasting operation of the metal.",
+        "More or cooler oil; a thermal film calculation tells the temperature of the metal itself.",
+    ),
+    "C110": Explanation(
+        "Laminar film",
+        "The Reynolds number of the film is compared with 41.3 sqrt(D/C), the end of validity of the procedure.",
+        "Use `method: film` with `turbulence: ng_pan` or `constantinescu`.",
+    ),
+    "C111": Explanation(
+        "Transition to mixed friction",
+        "The speed is compared with the speed below which the surfaces touch.",
+        "Smoother surfaces, a more viscous oil, less load, or jacking oil for starting.",
+    ),
+    "C112": Explanation(
+        "Whirl screening by Orlov",
+        "Advice only: the relative clearance should exceed 3.5e-3 sqrt(lambda B/D).",
+        "A larger clearance, a thinner oil, a narrower bearing.",
+    ),
+    "C113": Explanation(
+        "Whirl screening by Dmitriev",
+        "Advice only: the eccentricity ratio should exceed 0.60; below 0.55 whirl is possible.",
+        "A larger clearance, a thinner oil, a narrower bearing.",
+    ),
+    "C115": Explanation(
+        "Critical mass",
+        "The mass above which a rigid rotor whirls, and with `shaft_stiffness` that of a rotor on an elastic "
+        "shaft, is compared with the mass of the rotor (`rotor_mass`), or, as advice only, with the load over g.",
+        "A larger clearance, a thinner oil, a narrower bearing, or a bore with preload.",
+    ),
+    "C116": Explanation(
+        "Pressure of plain bearings",
+        "Where no bearing metal is given to compare the load with, the largest film pressure is compared with "
+        "100 MPa, about the yield strength of a white metal of Brinell hardness 30, the hardest on board.",
+        "Give the metal (`materials: {bearing_metal: ...}`), which has limits of its own; a larger bearing.",
+    ),
+    "C114": Explanation(
+        "Recommended clearance",
+        "Advice only: the mean relative clearance should reach 0.8e-3 U^(1/4), with U in m/s.",
+        "Choose a larger clearance where heat or whirl matter.",
+    ),
+    "C130": Explanation(
+        "Stability of the steady state",
+        "How the balance of the rim answers to a higher pressure: a positive slope of outflow less inflow "
+        "drains the rim "
+        "and the state is stable, as long as things change slowly; a negative one feeds it.",
+        "Design for the stable state; see the plot of the steady states over the clearance.",
+    ),
+    "C201": Explanation(
+        "Loss of load capacity by shaking",
+        "Largest dynamic force of a pad over the mean static load of a pad, for any phase between propeller and "
+        "collar; the usual limit is 50 %.",
+        "Reduce the cause that dominates; a backing ring of the stiffness shown halves the dynamic load.",
+    ),
+    "C202": Explanation(
+        "Thinnest film of the pads",
+        "Thinnest film at a corner of a pad: static, and in a shaft line with all harmonics for any phase.",
+        "Less load or runout, a more viscous or cooler oil, a better alignment, a compliant ring.",
+    ),
+    "C203": Explanation(
+        "Load left on the pad that is unloaded most",
+        "Least of static plus dynamic load over the mean pad load; at 0 a pad leaves the collar.",
+        "Reduce tilt first, which unloads the pads on one side, then runout.",
+    ),
+    "C204": Explanation(
+        "Distance of the excitations from natural frequencies",
+        "Least relative distance of an excitation from a natural frequency of the line; 20 % are advised.",
+        "Bar the speed range, or move the frequency by seating, ring, shaft or number of blades.",
+    ),
+    "C301": Explanation(
+        "Least gap",
+        "The smallest gap against the least that the case allows.",
+        "More supply pressure, more recess area, or a stiffer restrictor.",
+    ),
+    "C302": Explanation(
+        "Load against its limit",
+        "The load against the force of the film at the least gap allowed.",
+        "More supply pressure or recess area.",
+    ),
+    "C303": Explanation(
+        "Supply pressure",
+        "The supply pressure against what the pump can hold.",
+        "Another pump or wider restrictors.",
+    ),
+    "C304": Explanation(
+        "Jacking pressure",
+        "Breakaway and lifting pressure against the relief valve of the pump.",
+        "A higher relief setting or a larger pocket.",
+    ),
+}

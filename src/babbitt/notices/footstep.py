@@ -1,0 +1,99 @@
+"""Doubts about footsteps of screw pumps."""
+
+from __future__ import annotations
+
+from babbitt.notices.explanation import Explanation
+
+FOOTSTEP: dict[str, Explanation] = {
+    "W160": Explanation(
+        "Steady state not stable",
+        "In this state a higher pressure at the rim brings more oil to the rim than leaves it, so that the "
+        "pressure "
+        "runs away to another state. It satisfies the equations and will not be found running.",
+        "Look at the stable state of the same heel; where none is stable, change the clearance or the face gap.",
+    ),
+    "W161": Explanation(
+        "Oil of the groove very hot",
+        "The oil that leaves the groove, or a film, is hotter than 150 °C. The temperature of the rim, where "
+        "streams "
+        "are mixed, does not show it.",
+        "Read the state as a sign that the adiabatic groove is too simple; compare with `method: narrow_groove` "
+        "and a "
+        "`wall`, or choose a larger clearance.",
+    ),
+    "W162": Explanation(
+        "Lands are no lands",
+        "The clearance is a third of the groove depth or more: the lands hardly hinder the oil, and the "
+        "formulas that "
+        "set grooves against lands lose their sense.",
+        "A smaller clearance or deeper grooves.",
+    ),
+    "W163": Explanation(
+        "Ambient pressure looks like a gauge pressure",
+        "Less than 50 kPa absolute around the pump is unusual. Supply and ambient pressure must be of one kind.",
+        "Give both as absolute pressures, or `pressures: gauge` with the supply pressure above ambient.",
+    ),
+    "W164": Explanation(
+        "Flow in the footstep is not laminar",
+        "A Reynolds number of groove, recess or clearance exceeds 1500; all formulas are for laminar films.",
+        "Take flows and friction as estimates: turbulence raises friction and lowers the flow at equal pressure.",
+    ),
+    "W165": Explanation(
+        "Grooves do not close around the heel",
+        "The number of starts times the sum of groove and land width misses the circumference by more than 3 %, "
+        "and "
+        "the case accepts it.",
+        "Correct the widths (both normal to the groove), the number of starts, or the angle.",
+    ),
+    "W166": Explanation(
+        "The rim feeds the recess",
+        "The pressure at the rim exceeds that of the supply: oil of the groove flows back into the recess and the "
+        "bore. The footstep no longer draws oil from the delivery side, and what comes back is warm.",
+        "Wanted or not, provide for it: a larger clearance or a shallower groove lowers the pressure at the rim.",
+    ),
+    "W167": Explanation(
+        "Negative axial stiffness",
+        "The load rises as the face gap opens: the gap lies upstream of the clearance, and where oil flows "
+        "outwards "
+        "through it, opening it lets more pressure reach the rim. The heel finds no place of its own under a "
+        "constant "
+        "load; it runs away from it or onto its stop.",
+        "The load must fall faster with the face gap than the footstep's own, or a stop must hold the heel; "
+        "damping of "
+        "the face gap only delays it.",
+    ),
+    "W168": Explanation(
+        "Equations of the study",
+        "Groove and clearance are taken as two separate flows, the groove gives no heat to the metal, and the "
+        "shear of "
+        "the lands heats no oil. The study printed load gains of 10 and 25 % that are no property of these "
+        "equations: "
+        "`babbitt validate screw_heel_claims` shows each claim beside what they give.",
+        "Compare with `method: narrow_groove`, which sees the clearance as one film and the conduction of the "
+        "metal.",
+    ),
+    "W169": Explanation(
+        "Few grooves",
+        "Narrow-groove theory counts on many grooves. With 20 or more it meets the film in two dimensions "
+        "within 1 % in "
+        "flow and pressure; at 5 starts the clearance lets through about 3 % more (`babbitt validate "
+        "film_groove_pitch`).",
+        "Take the leakage as a few per cent too small; more starts pump more evenly.",
+    ),
+    "W170": Explanation(
+        "Eccentric grooved heel",
+        "The leakage of an eccentric or tilted grooved heel counts the local clearance only; forces to the side "
+        "are "
+        "computed for the smooth heel alone, and friction by superposition as for a concentric one.",
+        "Read side forces from the smooth heel as an order of magnitude.",
+    ),
+    "W171": Explanation(
+        "Friction heat outside the balance",
+        "The study's equations warm the oil by the loss of pressure in the face gap and, grooved, by what the "
+        "groove itself dissipates; the shear of heel and lands, most of the friction power, warms nothing. "
+        "Narrow-groove theory without `wall` keeps its films as cold as the oil that comes in. Both heels are "
+        "computed too cold.",
+        "Take `method: narrow_groove` with `wall`, where the heat of the films goes into metal and oil. "
+        "Otherwise read the friction power as an upper bound and the leakage as a lower one.",
+    ),
+}

@@ -1,0 +1,121 @@
+"""Doubts about hydrostatic bearings and jacking."""
+
+from __future__ import annotations
+
+from babbitt.notices.explanation import Explanation
+
+HYDROSTATICS: dict[str, Explanation] = {
+    "W301": Explanation(
+        "Oil flows back through a restrictor",
+        "The film raises a recess above the supply pressure and pushes oil back into the manifold; the "
+        "bearing loses load.",
+        "Put a check valve before each recess (`check_valve: true`), or raise the supply pressure.",
+    ),
+    "W302": Explanation(
+        "Pressure ratio far from its best",
+        "Recess over supply pressure at the design point lies outside 0.3 to 0.8; stiffness falls off on "
+        "either side.",
+        "Change the restrictor: `stiffest_pressure_ratio` in the results says what to aim at.",
+    ),
+    "W303": Explanation(
+        "Capillary outside its law",
+        "The flow in the capillary is not laminar, or the tube is so short that its entry counts.",
+        "A longer or narrower tube, several tubes, or give `entry_loss`.",
+    ),
+    "W304": Explanation(
+        "Small orifice",
+        "Orifices below 0.3 mm clog.",
+        "A larger orifice and a finer filter, or a capillary.",
+    ),
+    "W305": Explanation(
+        "Film not laminar",
+        "The Reynolds number of the film exceeds 1000; the laminar film equation ends there.",
+        "Treat friction and flow as lower bounds.",
+    ),
+    "W306": Explanation(
+        "Recess not laminar",
+        "The Reynolds number in the recess exceeds 1000; its laminar friction factor is then too low.",
+        "Treat the friction power as a lower bound; a shallower recess helps.",
+    ),
+    "W307": Explanation(
+        "Shallow recess",
+        "The recess is less than ten gaps deep; its pressure is not uniform.",
+        "A deeper recess.",
+    ),
+    "W308": Explanation(
+        "Inertia at the recess edge",
+        "The dynamic pressure of the moving surface is no longer small against the recess pressure; oil "
+        "entering the land loses pressure that is not counted.",
+        "Treat the load at speed as an upper bound.",
+    ),
+    "W309": Explanation(
+        "Compressible oil costs damping",
+        "Oil in recess and line gives way and takes away more than a fifth of the damping.",
+        "Shallower recesses, restrictors close to the recess, oil without air.",
+    ),
+    "W310": Explanation(
+        "Pneumatic-hammer-like",
+        "Compressible oil takes away more damping than the film has: a heavy enough mass on the bearing "
+        "vibrates by itself.",
+        "Shallower recesses, restrictors close to the recess, oil without air, more land.",
+    ),
+    "W311": Explanation(
+        "Friction against pumping power",
+        "The sum of both powers is far from its least, which lies at a ratio of 1 (viscosity free) to 3 "
+        "(gap free).",
+        "`least_power_gap` in the results says what gap to aim at with restrictors made to suit.",
+    ),
+    "W312": Explanation(
+        "Warm oil",
+        "The oil warms by more than 20 K between manifold and drain; one viscosity for the whole film is a "
+        "rough guess.",
+        "More flow, a thinner oil, less supply pressure or speed.",
+    ),
+    "W313": Explanation(
+        "Pump too weak",
+        "The supply pressure exceeds what the pump can hold.",
+        "Another pump, or wider restrictors.",
+    ),
+    "W314": Explanation(
+        "Breakaway above the relief valve",
+        "Before the shaft lifts, oil reaches the pocket only; lifting may need up to the load over the "
+        "projected pocket area.",
+        "A higher relief setting or a larger pocket.",
+    ),
+    "W315": Explanation(
+        "Dry film at a recess",
+        "The film is ruptured right beside a recess; frozen rupture makes the coefficients less certain there.",
+        "Compare with a finer accuracy.",
+    ),
+    "W316": Explanation(
+        "Too few recesses",
+        "Fewer than three recesses give no stiffness in some direction.",
+        "Three or more recesses, four or more for a spindle.",
+    ),
+    "W317": Explanation(
+        "Unequal lands by strips",
+        "Closed forms are for lands of equal width; strips without corners were used.",
+        "Choose `method: film`.",
+    ),
+    "W318": Explanation(
+        "Short recess",
+        "Closed forms of the rectangle are off by up to 0.5 % where the recess is shorter than two land widths.",
+        "Choose `method: film`.",
+    ),
+    "W319": Explanation(
+        "Lumped lands",
+        "The quick method lumps the lands: stiffness of a four-recess journal bearing is some 3 % low, flow "
+        "5 % high, damping too low.",
+        "Choose `method: film`.",
+    ),
+    "W320": Explanation(
+        "Pockets feed each other",
+        "Several pockets on one pump without restrictors: the first that lifts takes the oil of the others.",
+        "A flow divider, or a restrictor for every pocket.",
+    ),
+    "W321": Explanation(
+        "Rough closed form",
+        "Jacking pockets by strips: pressure and flow are estimates, good to a factor of two at small gaps.",
+        "Choose `method: film`.",
+    ),
+}

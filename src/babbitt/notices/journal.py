@@ -1,0 +1,224 @@
+"""Doubts about journal bearings."""
+
+from __future__ import annotations
+
+from babbitt.notices.explanation import Explanation
+
+JOURNAL: dict[str, Explanation] = {
+    "W101": Explanation(
+        "Film is not laminar",
+        "The Reynolds number of the film exceeds 41.3 sqrt(D/C), up to which the ISO 7902 procedure is valid. "
+        "Vortices raise friction and temperature above the values shown.",
+        "Use `method: film` with `turbulence: ng_pan` or `constantinescu`, a smaller clearance, a more "
+        "viscous oil or a lower speed.",
+    ),
+    "W102": Explanation(
+        "Width ratio outside the standard",
+        "ISO 7902 tabulates B/D from 0.125 to 1. The characteristics used here are computed, not extrapolated, "
+        "and the formulas for supply flow and limits have no experience there.",
+        "Read the result with care, or compare it with a film method.",
+    ),
+    "W103": Explanation(
+        "Supply element outside the range of its flow formula",
+        "The fits for holes and pockets hold for a relative width of 0.05 to 0.7 of the bearing width; the value "
+        "at the nearest bound was used.",
+        "Take the supply flow as an estimate; a film method gives the flow of the real pocket.",
+    ),
+    "W104": Explanation(
+        "Uneven pockets replaced by a centred arc",
+        "The standard knows only arcs centred on the load. The arc between uneven pockets is replaced by a "
+        "conventional span rounded to a tabulated one.",
+        "Compare with a film method, which sees the pockets where they are.",
+    ),
+    "W105": Explanation(
+        "Loaded arc shorter than any tabulated span",
+        "The pockets leave less than 90 degrees of centred arc; the characteristics of 90 degrees flatter it.",
+        "Move the pockets away from the load or use a film method.",
+    ),
+    "W106": Explanation(
+        "Circumferential groove splits the bearing",
+        "A full circumferential groove divides the film into two lands. The load number was formed with the "
+        "whole width.",
+        "Compute two bearings of half the land width with half the load each.",
+    ),
+    "W107": Explanation(
+        "Temperature outside the lubricant data",
+        "The effective temperature lies outside the range for which the lubricant's numbers are meant.",
+        "Give the lubricant by points that enclose the operating temperature.",
+    ),
+    "W108": Explanation(
+        "Danger of whirl",
+        "Below an eccentricity of about 0.55 (possible up to 0.60) or below Orlov's clearance the journal can "
+        "whirl by itself. This is a screening rule, not a stability calculation.",
+        "A larger clearance, a thinner oil, a narrower bearing, or a rotordynamic check with film coefficients.",
+    ),
+    "W109": Explanation(
+        "Fast bearing",
+        "Above 20 m/s the dynamics of shaft and film deserve a check of their own.",
+        "Make a rotordynamic check with stiffness and damping of the film.",
+    ),
+    "W110": Explanation(
+        "Pressure feed needed",
+        "Cooled by its surroundings alone the bearing becomes hotter than permissible.",
+        "Feed oil under pressure, enlarge the cooling surface, or move more air.",
+    ),
+    "W111": Explanation(
+        "Supply pressure used up",
+        "The pressure losses on the way consume the supply pressure: nothing is left to push oil through the "
+        "supply element, and the side flow may not be made good.",
+        "Larger tubes and holes, or a higher supply pressure.",
+    ),
+    "W112": Explanation(
+        "No transition speed",
+        "The film thickness at which mixed friction begins is larger than the radial clearance, or smaller than "
+        "the tables reach; the transition speed is absent or an upper bound.",
+        "Check roughness, tilt and waviness against the clearance.",
+    ),
+    "W113": Explanation(
+        "Closed-form characteristics",
+        "The closed forms of DIN 31652 deviate from the solution of the Reynolds equation by up to 7 % in load "
+        "and 2.5 degrees in attitude angle, and exist for a full bearing only.",
+        "Use `characteristics: computed` (the default) unless an old calculation is to be repeated.",
+    ),
+    "W114": Explanation(
+        "Rotating bearing",
+        "The friction formula of the procedure holds for a bearing at rest; with a turning bearing only the film "
+        "forces and flows follow the effective speed.",
+        "Take friction power and temperature as estimates.",
+    ),
+    "W115": Explanation(
+        "Outside the experience tables",
+        "No experience value of the permissible film thickness exists for this diameter.",
+        "Give `surfaces` or `limits: {minimum_film_thickness: ...}`.",
+    ),
+    "W116": Explanation(
+        "Film thinner than rigid films go",
+        "Above an eccentricity of 0.95, or where the film is thinner than 0.05 of the clearance, elastic "
+        "deformation, roughness and heat decide the film; a rigid isoviscous film is too simple.",
+        "Treat the film thickness as an order of magnitude; lower the load or raise the viscosity.",
+    ),
+    "W117": Explanation(
+        "Number without unit",
+        "A number without unit is in SI: a speed in rad/s, a load in N. This one looks as if another unit was "
+        "meant.",
+        "Write the unit: '3000 rpm', '6 kN'; '3000 rad/s' or '6 N' if the number is meant as it stands.",
+    ),
+    "W118": Explanation(
+        "Oil leaves colder than it enters",
+        "The housing takes more heat than friction makes, so that the oil is cooled on its way through the film. "
+        "The rule of the mean temperature was made for oil that is heated.",
+        "Check ambient temperature, cooling surface and heat transfer coefficient; leave `cooling` out if the oil "
+        "carries the heat.",
+    ),
+    "W119": Explanation(
+        "Film hardly loaded",
+        "Below an eccentricity of 0.01 the characteristics follow their limit of small eccentricity.",
+        "Check load and units; a bearing without load tends to whirl.",
+    ),
+    "W121": Explanation(
+        "Flow of open grooves",
+        "A groove as wide as the bearing ends somewhere, and how its ends are closed decides what leaks there. "
+        "The film lets its pressure fall to that of the sides over the last 2.5 % of the width at either end and "
+        "counts the flow over the lands beside them; what runs straight out of the ends is not counted. Supply "
+        "flow and, through the heat balance, temperature and film thickness inherit this; a finer `accuracy` does "
+        "not cure it.",
+        "Describe grooves that end before the side as pockets with their true width.",
+    ),
+    "W122": Explanation(
+        "The film reforms without oil",
+        "The Reynolds condition lets the film begin again behind the ruptured zone without asking where the oil "
+        "comes from. Flows, and with them the heat balance, count oil that no supply delivers.",
+        "Use `cavitation: mass_conserving` (the default) where flows and temperatures matter.",
+    ),
+    "W140": Explanation(
+        "Starved supply",
+        "The film would draw more oil than a groove, pocket or hole is given. It fills only part of the gap "
+        "behind it: the film begins later, is thinner, and is less stiff than a flooded one.",
+        "More oil, or supplies where the film draws less; a wider bearing passes less oil for its load.",
+    ),
+    "W141": Explanation(
+        "Oil drawn in at the sides",
+        "Where the film is ruptured, or a side stands under pressure, the sides draw oil in. The film counts on "
+        "it: its sides lie in oil, which enters as warm as that of the supply. A side in air would draw air.",
+        "A `cavitation_pressure` of 0 bar for sides in air; otherwise a supply that keeps the sides flooded.",
+    ),
+    "W145": Explanation(
+        "Film outside the lubricant data",
+        "Somewhere in the film the temperature lies outside the range for which the lubricant's numbers are "
+        "meant; its viscosity there is extrapolated.",
+        "Give the lubricant by points that enclose the coldest and the hottest place of the film.",
+    ),
+    "W146": Explanation(
+        "Heat balance of the film left open",
+        "Dissipation, heat carried by the oil, and heat taken by bush and journal do not add up to round-off: the "
+        "energy equation was left before it had settled.",
+        "Try another `accuracy`; temperatures are right to about this share of their rise.",
+    ),
+    "W147": Explanation(
+        "Stiffness with frozen temperatures only",
+        "The stiffness was asked for with temperatures that follow the motion. The film beside the operating "
+        "point did not settle.",
+        "Use `temperature_coefficients: frozen`, or move supplies out of the loaded zone.",
+    ),
+    "W148": Explanation(
+        "Warm oil flows back into a supply",
+        "A groove or pocket lies where the film has more pressure than the supply: the film presses warm oil back "
+        "into it, and the heat of that oil (`heat_returned`) leaves through the supply. `outlet_temperature` is "
+        "that of the oil at the sides; `groove_returned_flows` and `groove_temperatures` tell of every supply.",
+        "Move the groove or pocket out of the loaded zone, or count on warmer supply oil.",
+    ),
+    "W142": Explanation(
+        "Pressure beyond plain bearings",
+        "The film pressure exceeds 100 MPa. There soft bearing metals yield, surfaces deform by more than the "
+        "film is thick, and oils are several times as viscous as without pressure: a rigid film of constant "
+        "viscosity, though solved, says little. The number is an assumption: a white metal of Brinell hardness "
+        "30, the hardest on board, yields at about a third of its hardness.",
+        "Check load, width and units; a larger bearing or less load.",
+    ),
+    "W143": Explanation(
+        "The load points into a groove",
+        "The load is directed at a groove as wide as the bearing. The groove carries no more than its own "
+        "pressure, and the film beside it all the rest.",
+        "Turn the groove away from the load; check `load_angle`, which is counter-clockwise from the x axis.",
+    ),
+    "W120": Explanation(
+        "The journal whirls",
+        "The rotor is heavier than the critical mass: in this film it leaves its place and whirls at about half "
+        "the speed. The rotor is rigid, or one mass on an elastic shaft where `shaft_stiffness` is given.",
+        "A larger clearance, a thinner oil, a narrower bearing, a bore with preload, or tilting pads; for a rotor "
+        "of several masses make a rotordynamic analysis with stiffness and damping of the film.",
+    ),
+    "W125": Explanation(
+        "No estimate of the grid error",
+        "The film was found on the grid of the case, but not on a finer one, with which `error_estimate` compares "
+        "it.",
+        "Choose another `accuracy`; that numbers of two accuracies agree is an estimate, too.",
+    ),
+    "W131": Explanation(
+        "The journal can rest elsewhere",
+        "Under the same load the film has more than one equilibrium. The results are those of the one found "
+        "first; where that is a saddle, those of the thinnest film among the places at which the journal stays. "
+        "Slow, lightly loaded bearings with a high supply pressure are of this kind: beside a groove under "
+        "pressure the narrowing gap chokes the flow, and the oil pushes the less, the nearer the journal comes.",
+        "Lower the supply pressure, raise the speed or the load, or feed where the load does not lead the "
+        "journal.",
+    ),
+    "W132": Explanation(
+        "The journal leaves its place",
+        "The equilibrium shown is a saddle: the smallest push and the journal moves to another place. No place "
+        "where it stays was found, or with `equilibria: first` none was looked for.",
+        "Leave `equilibria` at auto; lower the supply pressure, or raise the speed or the load.",
+    ),
+    "W133": Explanation(
+        "Orbit on a coarse grid",
+        "Where wedge and squeeze nearly cancel, as for a load that rotates near half the speed, the film force is "
+        "a small difference of two large ones, and the grid blurs it.",
+        "A finer `accuracy`.",
+    ),
+    "W134": Explanation(
+        "An equilibrium may be missing",
+        "The directions of the force around the clearance tell how many equilibria there must be, and another "
+        "number was found. One of them may lie nearer to contact than the search looks.",
+        "A finer `accuracy`; look at the film at the places in question with `position`.",
+    ),
+}

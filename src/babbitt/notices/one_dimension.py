@@ -1,0 +1,56 @@
+"""Doubts about films of one dimension."""
+
+from __future__ import annotations
+
+from babbitt.notices.explanation import Explanation
+
+ONE_DIMENSION: dict[str, Explanation] = {
+    "W150": Explanation(
+        "Published discretisation does not conserve the flow",
+        "The pressure equation of the published calculation left out the change of viscosity, so that the local "
+        "flow varies along the film: by 5 % of its mean at an eccentricity of 0.3, by 160 % at 0.8. Its heat "
+        "balance, and its table, carry this error.",
+        "Use `discretisation: consistent` (the default) for anything but repeating the published numbers.",
+    ),
+    "W151": Explanation(
+        "Thick film",
+        "The radial clearance exceeds 0.005 of the radius, so that the theory of thin films is no longer safe.",
+        "Check the clearance and its unit.",
+    ),
+    "W152": Explanation(
+        "Coarse film",
+        "With fewer than 90 sectors the load is off by more than about 0.5 %.",
+        "Use more sectors.",
+    ),
+    "W153": Explanation(
+        "The groove makes the film hotter",
+        "Under the same load the rigid film with a groove runs at a greater eccentricity, and what leaves it is "
+        "hotter than without the groove. A groove cools at the same gap, not at the same load, unless the "
+        "deformed film keeps its load capacity, which this model cannot show.",
+        "Place the groove outside the loaded zone, or compare with a film in two dimensions.",
+    ),
+    "W154": Explanation(
+        "Blind groove short of oil",
+        "Even without any pressure in the blind groove more oil could leave it than enters it: the film behind it "
+        "would starve.",
+        "Move the groove away from the thinnest film, or open and feed it.",
+    ),
+    "W155": Explanation(
+        "Film thinner than the roughness allows",
+        "The film is thinner than three times the combined roughness, sqrt(Ra_B² + Ra_J²): the surfaces touch.",
+        "Smoother surfaces, a more viscous or cooler oil, or less load.",
+    ),
+    "W156": Explanation(
+        "Gain of a blind groove is apparent",
+        "A film cut in two has two mean temperatures in place of one and so carries more, even if the groove has "
+        "no width at all. That is no benefit of the groove.",
+        "Compare with the ungrooved film cut at the same angle.",
+    ),
+    "W157": Explanation(
+        "Groove behind the loaded film",
+        "The groove lies where the film has already broken, or widens from the groove on: the film behind it "
+        "carries nothing and makes no heat, so that `outlet_temperature` is merely that of the oil in the groove. "
+        "The oil that the loaded film warms is told as `segment_1_outlet_temperature`; limits hold for that.",
+        "Leave the groove out, or place it before the narrowest gap.",
+    ),
+}

@@ -1,0 +1,54 @@
+"""Doubts about thrust bearings and shaft lines."""
+
+from __future__ import annotations
+
+from babbitt.notices.explanation import Explanation
+
+THRUST: dict[str, Explanation] = {
+    "W201": Explanation(
+        "Pads share the load very unevenly",
+        "The tilt of the housing, or a pad height, is as large as the film that an even share would have, or "
+        "a pad "
+        "carries less than 1 % of the mean. Such a pad flutters or runs dry on another day of another alignment.",
+        "Align the housing, adjust the heights of the pads, or give the ring more compliance.",
+    ),
+    "W202": Explanation(
+        "Dynamic film beyond the linear range",
+        "The film at a pivot moves by more than a fifth of its static value. Stiffness and damping of the static "
+        "film are then off: the error of a peak was measured as 5 % at 0.22 and 9 % at 0.33.",
+        "Solve the nonlinear motion (nonlinear: true), or take the bound with a margin.",
+    ),
+    "W203": Explanation(
+        "Excitation near a natural frequency",
+        "An excitation comes within 20 % of a natural frequency of the line. Frequencies are known no better "
+        "than the "
+        "stiffness of seating and ring and the entrained water.",
+        "Bar this speed range, or move the frequency by seating, ring, shaft or number of blades.",
+    ),
+    "W204": Explanation(
+        "Film of the pads is not laminar",
+        "The Reynolds number of the film at the mean radius exceeds about 1000. Vortices raise friction and carry "
+        "more load than the laminar film.",
+        "Choose turbulence: ng_pan or constantinescu.",
+    ),
+    "W205": Explanation(
+        "A pad leaves the collar or touches it",
+        "In the nonlinear motion the load of a pad falls to nothing, a corner comes as close as surfaces are "
+        "rough, or "
+        "tilts leave the films that were tabulated. What follows such a moment is not computed reliably.",
+        "Reduce runout, tilt or ripple; the tools for admissible amplitudes say how far.",
+    ),
+    "W206": Explanation(
+        "Speed outside the Campbell map",
+        "The speed of the case lies outside the speeds for which a map was asked: what the map says of barred "
+        "ranges "
+        "does not hold there.",
+        "Widen speeds, lowest to highest, to hold the speed of the case.",
+    ),
+    "W207": Explanation(
+        "No film of pads carries this load",
+        "The film that would carry the load is thinner than 1 µm: surfaces of a good finish touch there, and the "
+        "numbers describe no bearing.",
+        "Less thrust, more or larger pads, a more viscous or cooler oil, more speed, or a straighter housing.",
+    ),
+}
