@@ -24,6 +24,7 @@ class DisplayUnit:
 
 SI = {
     "": DisplayUnit(""),
+    "balance": DisplayUnit("", nothing=1e-12),
     "count": DisplayUnit("", decimals=0),
     "percent": DisplayUnit("%", 1e2, decimals=2),
     "permille": DisplayUnit("‰", 1e3),
