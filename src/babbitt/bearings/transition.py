@@ -6,7 +6,7 @@ import math
 
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState
-from babbitt.bearings.whirl import at_speed
+from babbitt.bearings.whirl import SPEED_TOLERANCE, at_speed
 from babbitt.design.roots import bracketed_root
 
 SLOWEST = 1e-5
@@ -35,4 +35,4 @@ def transition_speed(case: FilmCase, state: FilmState, film_thickness: float) ->
             low, high = low - math.log(2.0), low
             if low < here + math.log(SLOWEST):
                 return None
-    return math.exp(bracketed_root(surplus, low, high, absolute=1e-5))
+    return math.exp(bracketed_root(surplus, low, high, absolute=SPEED_TOLERANCE))

@@ -22,6 +22,8 @@ STANDARD_GRAVITY = 9.80665
 FASTEST = 10.0
 """The threshold is sought up to this many times the speed, and down to its inverse."""
 
+SPEED_TOLERANCE = 1e-4
+"""Relative, of a speed sought: a tenth of what the grid leaves open."""
 SEARCH_STEP = 1.25
 """Ratio of the speeds at which the search looks."""
 
@@ -116,6 +118,6 @@ def crossing(excess: Callable[[float], float], speed: float) -> float | None:
         if math.isnan(there):
             return None
         if here * there <= 0.0:
-            return bracketed_root(excess, min(near, far), max(near, far), relative=1e-5)
+            return bracketed_root(excess, min(near, far), max(near, far), relative=SPEED_TOLERANCE)
         near, here = far, there
     return None
