@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from babbitt import __version__
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.watch import Watch, unwatched
-from babbitt.cases import Case, OverhungCouplingCase, case_hash, design_cases
-from babbitt.cases.build import AnyDesign, EveryDesign
+from babbitt.cases import case_hash, design_cases
 from babbitt.cases.case_file import CaseFile
-from babbitt.footstep.case import HeelCase
-from babbitt.hydrostatics.jacking_model import JackingCase
-from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.results import Outcome, Result
 from babbitt.segments.model import SegmentCase
-from babbitt.shaft_line.design import LineDesign
-from babbitt.shafts import bearing_loads
 from babbitt.standards.iso7902 import check as iso7902_check
-from babbitt.thrust.design import ThrustDesign
+from babbitt.standards.iso7902.model import DesignCase
+
+if TYPE_CHECKING:
+    from babbitt.cases import Case
+    from babbitt.cases.designs import AnyDesign, EveryDesign
+    from babbitt.hydrostatics.jacking_model import JackingCase
+    from babbitt.hydrostatics.model import HydrostaticCase
+    from babbitt.shaft_line.design import LineDesign
+    from babbitt.thrust.design import ThrustDesign
 
 
 @dataclass(frozen=True)
@@ -95,11 +98,11 @@ def solve(case: Case, watch: Watch = unwatched) -> MachineResult:
             f"solve takes a case, not {given}; read one with babbitt.load_case(path) or parse_case(text)"
         )
     designs = design_cases(case)
-    if isinstance(case, OverhungCouplingCase):
-        results: tuple[Result, ...] = (_shaft_result(case),)
-    else:
+    if designs:
         pairs = [(design, result) for design in designs for result in solve_every(design, watch)]
         designs, results = tuple(design for design, _ in pairs), tuple(result for _, result in pairs)
+    else:
+        results = (_shaft_result(case),)
     return MachineResult(
         case.name,
         results,
@@ -124,8 +127,12 @@ def solve_every(design: EveryDesign, watch: Watch = unwatched) -> tuple[Result, 
     -------
     tuple of Result
     """
+    if isinstance(design, FilmCase | DesignCase | LongFilmCase | SegmentCase):
+        return (solve_design(design, watch),)
+    from babbitt.footstep.case import HeelCase
+
     if isinstance(design, HeelCase):
-        from babbitt.footstep.check import heel_results  # scipy is imported when the first heel is solved
+        from babbitt.footstep.check import heel_results
 
         return heel_results(design)
     return (solve_design(design, watch),)
@@ -156,23 +163,39 @@ def solve_design(design: AnyDesign, watch: Watch = unwatched) -> Result:
         from babbitt.segments.check import segments_check
 
         return segments_check(design)
-    if isinstance(design, HydrostaticCase | JackingCase):
-        from babbitt.hydrostatics.check import hydrostatic_check
+    if isinstance(design, DesignCase):
+        return iso7902_check(design)
+    return _carried_axially_or_by_pressure(design)
+
+
+def _carried_axially_or_by_pressure(design: HydrostaticCase | JackingCase | ThrustDesign | LineDesign) -> Result:
+    from babbitt.hydrostatics.jacking_model import JackingCase
+    from babbitt.hydrostatics.model import HydrostaticCase
+    from babbitt.thrust.design import ThrustDesign
+
+    if isinstance(design, JackingCase):
         from babbitt.hydrostatics.jacking import jacking_check
 
-        return jacking_check(design) if isinstance(design, JackingCase) else hydrostatic_check(design)
+        return jacking_check(design)
+    if isinstance(design, HydrostaticCase):
+        from babbitt.hydrostatics.check import hydrostatic_check
+
+        return hydrostatic_check(design)
     if isinstance(design, ThrustDesign):
         from babbitt.thrust.check import thrust_check
 
         return thrust_check(design)
-    if isinstance(design, LineDesign):
-        from babbitt.shaft_line.check import line_check
+    from babbitt.shaft_line.check import line_check
 
-        return line_check(design)
-    return iso7902_check(design)
+    return line_check(design)
 
 
-def _shaft_result(case: OverhungCouplingCase) -> Result:
+def _shaft_result(case: Case) -> Result:
+    from babbitt.cases import OverhungCouplingCase
+    from babbitt.shafts import bearing_loads
+
+    if not isinstance(case, OverhungCouplingCase):
+        raise TypeError(f"a case of kind {case.kind} holds nothing to compute")
     shaft = case.shaft()
     loads = bearing_loads(shaft)
     values = {

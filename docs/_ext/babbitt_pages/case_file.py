@@ -8,7 +8,7 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
-from babbitt.cases.machine import AnyCase
+from babbitt.cases.every_kind import AnyCase
 from babbitt.cases.part import Part
 from babbitt.units import KINDS, written
 from babbitt_pages.markdown import anchor, code, table, text

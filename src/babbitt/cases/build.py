@@ -6,7 +6,7 @@ import hashlib
 import json
 from collections.abc import Callable, Iterator
 from functools import partial
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import one_dimension
@@ -14,29 +14,15 @@ from babbitt.cases.film_cases import film_case
 from babbitt.cases.iso7902_cases import iso7902_case
 from babbitt.cases.joined_inputs import Inputs, Point, inputs
 from babbitt.cases.journal import JournalBearing
-from babbitt.cases.machine import Case, HydrostaticBearing, JournalCase, Machine
+from babbitt.cases.machine import JournalCase, Machine
 from babbitt.cases.one_dimension_cases import long_film_case, segment_case
 from babbitt.cases.part import Part
-from babbitt.cases.screw_heel import ScrewHeelCase, heel_cases
-from babbitt.cases.thrust import ThrustCase
-from babbitt.cases.thrust_line import ThrustLineCase
-from babbitt.footstep.case import HeelCase
-from babbitt.hydrostatics.jacking_model import JackingCase
-from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
-from babbitt.segments.model import SegmentCase
-from babbitt.shaft_line.design import LineDesign
 from babbitt.standards.iso7902.model import DesignCase
-from babbitt.thrust.design import ThrustDesign
 
-JournalDesign = DesignCase | FilmCase | LongFilmCase | SegmentCase
-"""A journal bearing by one method: ISO 7902, the film, the long film, or the segments."""
-
-AnyDesign = JournalDesign | HydrostaticCase | JackingCase | ThrustDesign | LineDesign
-"""What a method computes and has one answer."""
-
-EveryDesign = AnyDesign | HeelCase
-"""The same, and the heel of a footstep, which may have several steady states."""
+if TYPE_CHECKING:
+    from babbitt.cases.designs import EveryDesign, JournalDesign
+    from babbitt.cases.every_kind import Case
 
 DesignT = TypeVar("DesignT")
 
@@ -57,14 +43,8 @@ def design_cases(case: Case) -> tuple[EveryDesign, ...]:
         In the order of the file; empty for the statics of a shaft. Names are ``Bearing``, ``Bearing [point]``,
         ``Bearing (minimum clearance)``, ``Bearing [point] (minimum clearance)``.
     """
-    if isinstance(case, ScrewHeelCase):
-        return heel_cases(case)
-    if isinstance(case, HydrostaticBearing):
-        return (case.design(),)
-    if isinstance(case, ThrustCase):
-        return (case.thrust_design(),)
-    if isinstance(case, ThrustLineCase):
-        return (case.line_design(),)
+    if not isinstance(case, JournalCase | Machine):
+        return case.designs()
     return tuple(design for bearing in bearings_of(case) for design in design_cases_of(bearing, case))
 
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Literal, Self
+from typing import TYPE_CHECKING, Literal, Self
 
 from pydantic import Field, PrivateAttr
 
 from babbitt.cases.part import Part
+
+if TYPE_CHECKING:
+    from babbitt.cases.designs import EveryDesign
 
 
 class CaseFile(Part):
@@ -26,3 +29,7 @@ class CaseFile(Part):
         case = self.model_copy()
         case._text = text
         return case
+
+    def designs(self) -> tuple[EveryDesign, ...]:
+        """Give what is to be computed, numbers in SI and all choices made; none for the statics of a shaft."""
+        return ()

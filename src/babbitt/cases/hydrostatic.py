@@ -163,6 +163,10 @@ class HydrostaticFile(CaseFile):
     def _oil_reaches(self) -> Iterator[Complaint]:
         yield from refused(("oil",), self.oil.oils)
 
+    def designs(self) -> tuple[HydrostaticCase, ...]:
+        """Give the case of the calculation."""
+        return (self.design(),)
+
     def design(self) -> HydrostaticCase:
         """Give the case of the calculation."""
         film, supplied = self.oil.oils()

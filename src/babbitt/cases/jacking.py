@@ -71,6 +71,10 @@ class JackingPocketCase(CaseFile):
             yield Complaint(("pockets", field), "no pocket lies in the lower half, where the shaft lies",
                             "angles below the horizontal, such as -90 deg")  # fmt: skip
 
+    def designs(self) -> tuple[JackingCase, ...]:
+        """Give the case of the calculation."""
+        return (self.design(),)
+
     def design(self) -> JackingCase:
         """Give the case of the calculation."""
         row = self.pockets

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from pathlib import Path as FilePath
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pydantic import ValidationError
 
@@ -12,35 +12,18 @@ from babbitt.cases.bore_file import TableError, with_tables
 from babbitt.cases.compliance_file import with_compliances
 from babbitt.cases.displacement_file import with_displacements
 from babbitt.cases.document import DocumentError, Node, read_document
-from babbitt.cases.hydrostatic import HydrostaticJournalCase, HydrostaticPadCase, HydrostaticThrustRingCase
-from babbitt.cases.jacking import JackingPocketCase
-from babbitt.cases.machine import Case, JournalCase, Machine
-from babbitt.cases.overhung_coupling import OverhungCouplingCase
+from babbitt.cases.kinds import KINDS
 from babbitt.cases.plain_words import Path, nearest, shown
 from babbitt.cases.problems import CaseError, Problem
-from babbitt.cases.screw_heel import ScrewHeelCase
-from babbitt.cases.thrust import ThrustCase
-from babbitt.cases.thrust_line import ThrustLineCase
+
+if TYPE_CHECKING:
+    from babbitt.cases.every_kind import Case
 
 LARGEST_FILE = 1_000_000
 """Bytes."""
 
 VERSION = 1
 """Version of the case language."""
-
-KINDS: Mapping[str, type[Case]] = {
-    "journal": JournalCase,
-    "machine": Machine,
-    "overhung_coupling": OverhungCouplingCase,
-    "screw_heel": ScrewHeelCase,
-    "hydrostatic_pad": HydrostaticPadCase,
-    "hydrostatic_thrust_ring": HydrostaticThrustRingCase,
-    "hydrostatic_journal": HydrostaticJournalCase,
-    "jacking_pocket": JackingPocketCase,
-    "thrust": ThrustCase,
-    "thrust_line": ThrustLineCase,
-}
-"""What a file can hold, by its `kind`."""
 
 
 def load_case(path: str | FilePath) -> Case:

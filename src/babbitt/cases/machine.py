@@ -1,25 +1,19 @@
-"""What a file can hold: one bearing of any kind, a machine of many, a shaft line, or the statics of a shaft."""
+"""A file with one journal bearing, or with a machine of many."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Literal
+from typing import Literal
 
-from pydantic import Discriminator, Field
+from pydantic import Field
 
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.completeness import complaints_about
 from babbitt.cases.fields import Name, Prose
-from babbitt.cases.hydrostatic import HydrostaticJournalCase, HydrostaticPadCase, HydrostaticThrustRingCase
-from babbitt.cases.jacking import JackingPocketCase
 from babbitt.cases.journal import JournalBearing
-from babbitt.cases.overhung_coupling import OverhungCouplingCase
 from babbitt.cases.part import Complaint, as_far_as_usable, rule
 from babbitt.cases.plain_words import Path
-from babbitt.cases.screw_heel import ScrewHeelCase
 from babbitt.cases.shared import SharedInputs
-from babbitt.cases.thrust import ThrustCase
-from babbitt.cases.thrust_line import ThrustLineCase
 
 
 class JournalCase(JournalBearing, CaseFile):
@@ -65,15 +59,3 @@ class Machine(SharedInputs, CaseFile):
             for complaint in as_far_as_usable(complaints_about(bearing, self, "bearings", index)):
                 told.setdefault((complaint.path, complaint.says), complaint)
         yield from told.values()
-
-
-HydrostaticBearing = HydrostaticPadCase | HydrostaticThrustRingCase | HydrostaticJournalCase | JackingPocketCase
-"""Bearings that oil under pressure carries."""
-
-Case = (
-    JournalCase | Machine | OverhungCouplingCase | ScrewHeelCase | HydrostaticBearing | ThrustCase | ThrustLineCase
-)
-"""What a file can hold."""
-
-AnyCase = Annotated[Case, Discriminator("kind")]
-"""The same, discriminated by `kind`."""

@@ -6,8 +6,6 @@ import json
 from importlib.resources import files
 from typing import Any
 
-from babbitt.cases.machine import AnyCase
-
 SCHEMA_FILE = "schema.json"
 
 
@@ -22,6 +20,8 @@ def case_schema() -> dict[str, Any]:
     """
     from pydantic import TypeAdapter
     from pydantic.json_schema import GenerateJsonSchema
+
+    from babbitt.cases.every_kind import AnyCase
 
     drawn = TypeAdapter(AnyCase).json_schema()
     return {

@@ -170,6 +170,10 @@ class ScrewHeelCase(CaseFile):
             tilt=self.tilt,
         )
 
+    def designs(self) -> tuple[HeelCase, ...]:
+        """Give the smooth heel, the grooved one, or both."""
+        return heel_cases(self)
+
 
 def heel_cases(case: ScrewHeelCase) -> tuple[HeelCase, ...]:
     """Design cases of a footstep: the smooth heel, the grooved one, or both."""

@@ -174,6 +174,10 @@ class ThrustCase(ThrustBearingInputs, CaseFile):
     def _thrust_or_film(self) -> Iterator[Complaint]:
         yield from exactly_one(self, "thrust", "film")
 
+    def designs(self) -> tuple[ThrustDesign, ...]:
+        """Give the bearing of the calculation."""
+        return (self.thrust_design(),)
+
     def thrust_design(self) -> ThrustDesign:
         """Give the bearing of the calculation."""
         duty = GivenFilm(self.film) if self.film is not None else GivenThrust(self.thrust or 0.0)

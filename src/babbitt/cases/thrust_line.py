@@ -175,6 +175,10 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
                 "false, or pads without face, crown, turbulence and thermal: adiabatic",
             )
 
+    def designs(self) -> tuple[LineDesign, ...]:
+        """Give the line of the calculation."""
+        return (self.line_design(),)
+
     def line_design(self) -> LineDesign:
         """Give the line of the calculation."""
         line = ShaftLine(

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import copy
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from babbitt.cases.loading import build_case, load_case, read_file
-from babbitt.cases.machine import Case
 from babbitt.cases.operating_point import LOADS, SPEEDS
 from babbitt.notices import InputError
+
+if TYPE_CHECKING:
+    from babbitt.cases.every_kind import Case
 
 __all__ = ["CaseVariation", "case_variation"]
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from babbitt.bearings.model import FilmCase
-from babbitt.cases.build import EveryDesign
+from babbitt.cases.designs import EveryDesign
 from babbitt.footstep.case import HeelCase
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import HydrostaticCase

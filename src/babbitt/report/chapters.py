@@ -23,7 +23,7 @@ from babbitt.shaft_line.design import LineDesign
 from babbitt.thrust.design import ThrustDesign
 
 if TYPE_CHECKING:
-    from babbitt.cases.build import EveryDesign
+    from babbitt.cases.designs import EveryDesign
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from babbitt import __version__
 from babbitt.bearings.bore import WornBore
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case, design_cases
-from babbitt.cases.build import EveryDesign
+from babbitt.cases.designs import EveryDesign
 from babbitt.film.model import Cavitation
 from babbitt.footstep.case import HeelCase
 from babbitt.footstep.states import Method

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
-from babbitt.cases.build import EveryDesign
+from babbitt.cases.designs import EveryDesign
 from babbitt.footstep.case import HeelCase
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import HydrostaticCase

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from babbitt.bearings.model import FilmCase
-from babbitt.cases.build import EveryDesign, JournalDesign
+from babbitt.cases.designs import EveryDesign, JournalDesign
 from babbitt.design.conditions import GivenPosition
 from babbitt.design.ducts import Duct
 from babbitt.footstep.case import HeelCase

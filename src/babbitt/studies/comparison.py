@@ -8,15 +8,15 @@ from dataclasses import dataclass, replace
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case
 from babbitt.cases.build import (
-    AnyDesign,
     bearings_of,
     design_cases_of,
     iso7902_cases,
     long_films_of,
     unknown_to_iso7902,
 )
+from babbitt.cases.designs import AnyDesign
+from babbitt.cases.every_kind import HydrostaticBearing
 from babbitt.cases.journal import JournalBearing
-from babbitt.cases.machine import HydrostaticBearing
 from babbitt.cases.one_dimension import METHODS
 from babbitt.cases.screw_heel import ScrewHeelCase
 from babbitt.film.model import Cavitation, FilmStart

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.cases.build import AnyDesign, DesignT
+from babbitt.cases.build import DesignT
+from babbitt.cases.designs import AnyDesign
 from babbitt.results import Outcome
 from babbitt.solving import solve_design
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from babbitt.bearings.model import FilmCase
-from babbitt.cases.build import EveryDesign
+from babbitt.cases.designs import EveryDesign
 from babbitt.interop import FORMATS
 from babbitt.notices import InputError
 from babbitt.studies.coefficients import is_clockwise
