@@ -56,6 +56,10 @@ CLOSING, CLOSED, OPEN = 400, 3e-8, 1e-4
 which the film counts as not converged."""
 POLISH, POLISHED = 8, 1e-10
 """Last steps of the journal at frozen temperatures, at most, and the residual force over load that ends them."""
+THICK = 0.3
+"""Gap, in clearances, down to which lines may stand as for a journal at the usual place."""
+USUAL_PLACE, USUAL_ATTITUDE = 0.6, math.radians(45.0)
+"""Of the journal: relative eccentricity, and angle ahead of the load."""
 MOST_PASSES = 120
 STUBBORN = 4
 """Passes at rest after which nodes that change sides for ever are let be."""
@@ -143,12 +147,30 @@ def thermal_film_at(
 
 
 def search(film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution) -> WarmRest:
-    """A direct attempt, and if that loses the film, one that lets the load grow."""
+    """At once on the fine ring where the film stays thick; else by way of a coarse ring, at last with a growing load."""
+    size = math.hypot(*load)
+    found = on_usual_lines(film, heat, scales, load, resolution) if size <= COLD_LOAD else None
+    if found is not None and found.status == CONVERGED and found.gap > THICK:
+        return found
     found = attempt(film, heat, scales, load, resolution, 1.0)
     if found.status != CONVERGED:
-        size = math.hypot(*load)
         found = attempt(film, heat, scales, load, resolution, min(1.0, 0.1 * MODERATE_LOAD / max(size, 1e-300)))
     return replace(found, status=NO_FILM) if found.gap < THINNEST else found
+
+
+def on_usual_lines(
+    film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution
+) -> WarmRest | None:
+    """Equilibrium on the fine ring at once; None where the film of fresh oil is thin already.
+
+    Lines crowd a little where a film of usual thickness would be thin.
+    """
+    along, across = USUAL_PLACE * load / max(math.hypot(*load), 1e-300), np.array([-1.0, 1.0])
+    usual = math.cos(USUAL_ATTITUDE) * along + math.sin(USUAL_ATTITUDE) * across * along[::-1]
+    density = line_density(film, usual, 1.0 - USUAL_PLACE)
+    warm = fresh_ring(film, heat, scales, 2 * resolution.intervals, resolution, density)
+    at = cold_start(warm.sample, load)
+    return rest(warm, load, at, resolution.tolerance, SETTLED) if warm.sample.gap(at) > THICK else None
 
 
 def attempt(

@@ -236,7 +236,7 @@ def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
     A node on a side goes with the one beside it: alone it would hold hardly any oil, and any temperature.
     """
     supply, sides = ring.supply, list(ring.mesh.side_nodes)
-    inner = np.setdiff1d(np.arange(supply.shape[1]), sides)
+    inner = np.delete(np.arange(supply.shape[1]), sides)
     whole = (supply[:, inner] == supply[:, inner[:1]]).all(axis=1)
     resolved = heat.grid.resolved or not bool(whole.all())
     node_share = np.bincount(ring.surface.node, ring.surface.share, minlength=supply.shape[1])
