@@ -30,13 +30,14 @@ class Pace(NamedTuple):
     rounds: int  # in which the wet set may settle, at most
     flickering: bool  # whether a few nodes that still change sides are let be
     sweeps: int  # of the energy equation
-    relaxation: float  # share of the new viscosity that is taken
+    relaxation: float  # share of (the logarithm of) the new viscosity that is taken
     rise: float  # temperature per unit of dissipation over flow, K
     stirred: float  # see ``fill_cells``
     walls: float  # share of the way of the walls to their new temperatures
 
 
 FEW = 0.01  # of the nodes
+SMALL_GAIN = 0.05  # of the viscosity, up to which two terms of the power series do
 
 
 @compiled
@@ -65,7 +66,11 @@ def warm_pass(
     for i in range(fresh.shape[0]):
         for c in range(fresh.shape[1]):
             for k in range(len(columns.layers)):
-                viscosity[i, c, k] += pace.relaxation * (fresh[i, c, k] - viscosity[i, c, k])
+                gain, part = fresh[i, c, k] / viscosity[i, c, k] - 1.0, pace.relaxation
+                if abs(gain) < SMALL_GAIN:
+                    viscosity[i, c, k] *= 1.0 + part * gain * (1.0 + 0.5 * (part - 1.0) * gain)
+                else:
+                    viscosity[i, c, k] *= (1.0 + gain) ** part
     spread_viscosity(surface, columns, viscosity, flows)
     changed, rate, known = 0, np.zeros(at.size), work.wet.copy()
     for _ in range(pace.rounds):

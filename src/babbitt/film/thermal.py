@@ -147,7 +147,7 @@ def thermal_film_at(
 
 
 def search(film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution) -> WarmRest:
-    """At once on the fine ring where the film stays thick, else after a coarse ring, at last with a growing load."""
+    """On the fine ring at once where the film stays thick, else after a coarse one; last with a growing load."""
     size = math.hypot(*load)
     found = on_usual_lines(film, heat, scales, load, resolution) if size <= COLD_LOAD else None
     if found is not None and found.status == CONVERGED and found.gap > THICK:
