@@ -10,13 +10,14 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Discriminator, Field
 
+from babbitt.cases.bare_numbers import about_load, about_speed
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose, WholeNumber
 from babbitt.cases.lubricant import LubricantGiven
 from babbitt.cases.own_lubricant import DynamicViscosity
 from babbitt.cases.part import Complaint, Part, exactly_one, is_given, refused, rule
 from babbitt.cases.recess_rules import clearance_is_small, in_order, lands_between
-from babbitt.cases.restrictors import HydrostaticSupply, RestrictorGiven
+from babbitt.cases.restrictors import ConstantFlowGiven, HydrostaticSupply, RestrictorGiven
 from babbitt.hydrostatics.geometry import (
     AnnularPad,
     CircularPad,
@@ -163,6 +164,13 @@ class HydrostaticFile(CaseFile):
     def _oil_reaches(self) -> Iterator[Complaint]:
         yield from refused(("oil",), self.oil.oils)
 
+    @rule
+    def _one_pump_too_many(self) -> Iterator[Complaint]:
+        if isinstance(self.restrictor, ConstantFlowGiven) and is_given(self.supply, "pump_flow"):
+            says = "constant_flow has a pump for every recess, and the supply names one pump for all"
+            hint = "the pressure that the pumps of the recesses can reach; restrictor.flow is what each delivers"
+            yield Complaint(("supply", "pump_flow"), says, "pressure", hint)
+
     def designs(self) -> tuple[HydrostaticCase, ...]:
         """Give the case of the calculation."""
         return (self.design(),)
@@ -200,6 +208,7 @@ class HydrostaticFile(CaseFile):
             highest_supply_pressure=self.supply.highest_pressure,
             accuracy=self.accuracy,
             assumptions=tuple(assumptions),
+            doubts=(*about_speed(self, "speed"), *about_load(self)),
         )
 
 
