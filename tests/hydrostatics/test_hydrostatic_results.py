@@ -30,7 +30,7 @@ from babbitt.hydrostatics.jacking import jacking_check
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import Duty, Oil, Recesses
 from babbitt.hydrostatics.network import Feeding
-from babbitt.hydrostatics.restrictors import Capillary, CheckValve, FlowValve, Orifice
+from babbitt.hydrostatics.restrictors import Capillary, CheckValve, ConstantFlow, FlowValve, Orifice
 from babbitt.hydrostatics.supply import FixedPressure, Pump
 from babbitt.notices import InputError
 from babbitt.quantities import QUANTITIES
@@ -333,3 +333,47 @@ def test_numbers_of_validity_are_told():
     best = result.least_power_viscosity / made.oil.viscosity
     friction, pumping = result.friction_power * best, result.pumping_power / best
     assert friction == pytest.approx(pumping, rel=1e-9)
+
+
+def pumped(case_of, flow, **changes):
+    """With a pump for every recess, each of which reaches 5 MPa."""
+    return replace(case_of, feeding=feeding(ConstantFlow(flow), len(case_of.feeding.restrictors)), **changes)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_pump_for_every_recess_holds_its_own_pressure(method):
+    result = hydrostatic_check(pumped(pad_case(method=method, load=11e3), 4e-6))
+    (pressure,) = result.arrays["recess_pressure"][0]
+    assert pressure == pytest.approx(11e3 / result.effective_area, rel=1e-9)
+    assert result.pumping_power == pytest.approx(pressure * 4e-6, rel=1e-9)
+    assert result.pump_power == pytest.approx(pressure * 4e-6 / 0.8, rel=1e-9)
+    assert "W313" not in codes(result)
+    (check,) = (check for check in result.checks if check.code == "C303")
+    assert (check.value, check.limit, check.ok) == (pytest.approx(pressure), 5e6, True)
+
+
+def test_the_leakage_of_such_a_pump_costs_power_and_warms_no_film():
+    fed = feeding(ConstantFlow(4e-6, 4e-13), 1)
+    result = hydrostatic_check(replace(pad_case(method="quick", load=11e3), feeding=fed))
+    (pressure,) = result.arrays["recess_pressure"][0]
+    assert result.pump_power == pytest.approx(pressure * 4e-6 / 0.8, rel=1e-9)
+    assert result.pumping_power == pytest.approx(pressure * (4e-6 - 4e-13 * pressure), rel=1e-9)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_recess_above_what_its_pump_reaches(method):
+    result = hydrostatic_check(pumped(pad_case(method=method, load=40e3), 4e-6, least_gap=20e-6))
+    assert "W313" in codes(result)
+    assert {check.code: check.ok for check in result.checks}["C303"] is False
+    assert not result.within_limits
+    assert result.load_capacity == pytest.approx(5e6 * result.effective_area, rel=1e-5)
+    higher = hydrostatic_check(pumped(pad_case(method=method, load=40e3), 4e-6, highest_supply_pressure=20e6))
+    assert {check.code: check.ok for check in higher.checks}["C303"] is True
+
+
+def test_load_capacity_of_a_journal_ends_where_a_pump_comes_to_its_pressure():
+    made = pumped(case(duty=Duty(5e3, -0.5 * math.pi), method="quick"), 1.2e-5, least_gap=5e-6)
+    capacity = hydrostatic_check(made).load_capacity
+    at_limit = hydrostatic_check(replace(made, duty=replace(made.duty, load=capacity)))
+    assert max(at_limit.arrays["recess_pressure"][0]) == pytest.approx(5e6, rel=1e-3)
+    assert at_limit.minimum_film_thickness > 5e-6

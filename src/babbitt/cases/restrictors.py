@@ -100,7 +100,9 @@ class ConstantFlowGiven(Part):
 
     example: ClassVar[str] = "{kind: constant_flow, flow: 0.75 L/min}"
 
-    kind: Literal["constant_flow"] = Field(description="A pump for every recess.")
+    kind: Literal["constant_flow"] = Field(
+        description="A pump for every recess; `supply.pressure` is what it can reach."
+    )
     flow: FlowRate = Field(description="Flow of one.")
     leakage: Leakage = Field(0.0, description="What it delivers less for every pascal.")
 

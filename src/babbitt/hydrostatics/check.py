@@ -8,12 +8,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from babbitt.design.roots import bracketed_root
-from babbitt.hydrostatics.answer import Answer, answer, answer_at, coarser, load_vector
+from babbitt.hydrostatics.answer import Answer, answer, coarser
+from babbitt.hydrostatics.capacity import capacity
 from babbitt.hydrostatics.extrapolation import half_of, richardson, richardson_of_matrices
 from babbitt.hydrostatics.friction import friction_power
-from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad, ThrustRing
+from babbitt.hydrostatics.geometry import RectangularPad, ThrustRing
 from babbitt.hydrostatics.model import HydrostaticCase
+from babbitt.hydrostatics.pumping import held_pressure, highest_pressure, is_pumped
 from babbitt.hydrostatics.state import Ending
 from babbitt.hydrostatics.validity import doubts
 from babbitt.hydrostatics.values import arrays, values
@@ -86,7 +87,7 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
         case.method,
         outcome,
         named,
-        checks=tuple(checks(case, named)),
+        checks=tuple(checks(case, found, named)),
         warnings=(*case.doubts, *doubts(case, found, named)),
         assumptions=case.assumptions,
         settings=settings,
@@ -150,53 +151,22 @@ def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
     )
 
 
-def capacity(case: HydrostaticCase) -> float | None:
-    """Load at the least gap that the user allows, N; None where it was not found."""
-    least = case.least_gap or 0.0
-    if isinstance(case.shape, RecessedJournal):
-        return journal_capacity(replace(case, accuracy="draft"), max(case.shape.clearance - least, 0.0))
-    at = np.zeros(1 if isinstance(case.shape, RectangularPad) else 3)
-    state = answer_at(case, at, least)
-    return float(state.response.force[0]) if state.ending is Ending.SOLVED else None
-
-
-def journal_capacity(case: HydrostaticCase, depth: float) -> float | None:
-    """Load in its given direction at an eccentricity: the film pushes straight against it at one attitude."""
-    load = load_vector(case)
-    size = float(np.hypot(*load))
-    angle = math.atan2(load[1], load[0]) if size else -0.5 * math.pi
-    towards = np.array([math.cos(angle), math.sin(angle)])
-    sense = math.copysign(1.0, case.duty.angular_speed)
-
-    def force(attitude: float) -> tuple[float, float]:
-        turned = angle + sense * attitude
-        at = depth * np.array([math.cos(turned), math.sin(turned)])
-        state = answer_at(case, at, case.rest_gap)
-        if state.ending is not Ending.SOLVED:
-            return math.nan, math.nan
-        found = state.response.force
-        return -float(found @ towards), float(towards[0] * found[1] - towards[1] * found[0])
-
-    straight, aside = force(0.0)
-    if case.duty.angular_speed and aside * force(0.5 * math.pi)[1] < 0.0:
-        attitude = bracketed_root(lambda place: force(place)[1], 0.0, 0.5 * math.pi, 1e-3)
-        straight = force(attitude)[0]
-    return straight if math.isfinite(straight) else None
-
-
-def checks(case: HydrostaticCase, named: dict[str, float]) -> list[Check]:
+def checks(case: HydrostaticCase, found: Answer, named: dict[str, float]) -> list[Check]:
     """Limits that the user set."""
-    found = []
+    made = []
     if case.least_gap is not None:
         gap = named["minimum_film_thickness"]
-        found.append(Check("C301", "minimum_film_thickness", gap, case.least_gap, Bound.AT_LEAST, USER))
+        made.append(Check("C301", "minimum_film_thickness", gap, case.least_gap, Bound.AT_LEAST, USER))
         if case.duty.load is not None and "load_capacity" in named:
-            found.append(Check("C302", "load", named["load"], named["load_capacity"], Bound.AT_MOST,
-                               "film at the least gap allowed"))  # fmt: skip
-    if case.highest_supply_pressure is not None:
-        found.append(Check("C303", "supply_pressure", named["supply_pressure"], case.highest_supply_pressure,
-                           Bound.AT_MOST, USER))  # fmt: skip
-    return found
+            source = "film at the least gap allowed" + ", or the pressure of its pumps" * is_pumped(case)
+            made.append(Check("C302", "load", named["load"], named["load_capacity"], Bound.AT_MOST, source))
+    limit = highest_pressure(case, found.network)
+    if limit is not None:
+        name = "recess_pressure" if is_pumped(case) else "supply_pressure"
+        held = held_pressure(case, found.network) if is_pumped(case) else named["supply_pressure"]
+        source = USER if case.highest_supply_pressure is not None else "pressure of the supply"
+        made.append(Check("C303", name, held, limit, Bound.AT_MOST, source))
+    return made
 
 
 def refuse_contact(case: HydrostaticCase) -> None:

@@ -9,7 +9,8 @@ import numpy as np
 from babbitt.hydrostatics.answer import Answer
 from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad, ThrustRing
 from babbitt.hydrostatics.model import HydrostaticCase
-from babbitt.hydrostatics.restrictors import Capillary, CheckValve, ConstantFlow, Orifice, Restrictor
+from babbitt.hydrostatics.pumping import is_pumped, law_of
+from babbitt.hydrostatics.restrictors import Capillary, Orifice
 from babbitt.notices import Notice
 
 __all__ = ["doubts"]
@@ -34,11 +35,6 @@ def doubts(case: HydrostaticCase, found: Answer, named: Mapping[str, float]) -> 
     yield from of_film(case, found, named)
     yield from of_powers(case, named)
     yield from of_method(case)
-
-
-def law_of(restrictor: Restrictor) -> Restrictor:
-    """The restrictor behind a check valve."""
-    return restrictor.restrictor if isinstance(restrictor, CheckValve) else restrictor
 
 
 def of_restrictors(case: HydrostaticCase, found: Answer) -> Iterator[Notice]:
@@ -70,10 +66,15 @@ def of_restrictors(case: HydrostaticCase, found: Answer) -> Iterator[Notice]:
 def of_pressures(case: HydrostaticCase, found: Answer, named: Mapping[str, float]) -> Iterator[Notice]:
     """Pressure ratio, supply, inertia at the edge of a recess."""
     ratio = named["mean_pressure_ratio"]
-    if not 0.3 <= ratio <= 0.8 and not isinstance(law_of(case.feeding.restrictors[0]), ConstantFlow):
+    if is_pumped(case):
+        worst, supply = int(found.network.pressures.argmax()), found.network.supply_pressure
+        if float(found.network.pressures[worst]) > supply:
+            yield Notice("W313", f"recess {worst + 1} stands at {1e-6 * found.network.pressures[worst]:.4g} MPa, "
+                         f"its pump is given {1e-6 * supply:.4g} MPa")  # fmt: skip
+    elif not 0.3 <= ratio <= 0.8:
         yield Notice("W302", f"recess over supply pressure is {ratio:.3f} on average, outside 0.3 to 0.8")
     highest = case.highest_supply_pressure
-    if highest is not None and named["supply_pressure"] > highest:
+    if highest is not None and not is_pumped(case) and named["supply_pressure"] > highest:
         yield Notice("W313", f"{1e-6 * named['supply_pressure']:.4g} MPa are needed, the pump holds "
                      f"{1e-6 * highest:.4g} MPa")  # fmt: skip
     inertia = named.get("edge_inertia", 0.0)

@@ -13,8 +13,8 @@ from babbitt.hydrostatics.geometry import RecessedJournal
 from babbitt.hydrostatics.impedance import damping_loss, impedance
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.hydrostatics.optimum import least_power_gap, least_power_viscosity, stiffest_ratio
-from babbitt.hydrostatics.restrictors import Capillary, CheckValve
-from babbitt.hydrostatics.supply import Pump
+from babbitt.hydrostatics.pumping import law_of, pump_power, pumping_power
+from babbitt.hydrostatics.restrictors import Capillary
 from babbitt.results import Matrix
 
 __all__ = ["arrays", "values"]
@@ -27,7 +27,7 @@ def values(case: HydrostaticCase, found: Answer) -> dict[str, float]:
     network, response = found.network, found.response
     friction = friction_power(case, found)
     flow, supply = float(network.flows.sum()), network.supply_pressure
-    pumping = supply * flow
+    pumping = pumping_power(case, network)
     stiffness, damping = impedance(response, network, case.compressibility, 0.0)
     named = place(case, found)
     named |= {
@@ -39,7 +39,7 @@ def values(case: HydrostaticCase, found: Answer) -> dict[str, float]:
         named["maximum_pressure"] = found.film.maximum_pressure
     named |= {
         "pumping_power": pumping,
-        "pump_power": supply * pump_flow(case, found) / case.pump_efficiency,
+        "pump_power": pump_power(case, network),
         "friction_power": friction,
         "power_ratio": friction / pumping,
         "temperature_rise": (pumping + friction) / (case.oil.density * case.oil.heat_capacity * flow),
@@ -124,17 +124,11 @@ def mean_gap(found: Answer) -> float:
     return found.rest_gap if found.at.size == 2 else found.rest_gap + float(found.at[0])
 
 
-def pump_flow(case: HydrostaticCase, found: Answer) -> float:
-    """What the pump delivers, with overflow and leakage, m3/s."""
-    supply = case.feeding.supply
-    return supply.flow if isinstance(supply, Pump) else float(found.network.flows.sum())
-
-
 def validity_numbers(case: HydrostaticCase, found: Answer) -> dict[str, float]:
     """Reynolds numbers of capillaries; where something moves, of film and recess, and the edge inertia."""
     named = {}
     pairs = zip(case.feeding.restrictors, found.network.flows, strict=True)
-    laws = [(one.restrictor if isinstance(one, CheckValve) else one, float(flow)) for one, flow in pairs]
+    laws = [(law_of(one), float(flow)) for one, flow in pairs]
     numbers = [law.reynolds_number(flow) for law, flow in laws if isinstance(law, Capillary)]
     if numbers:
         named["restrictor_reynolds_number"] = max(numbers)

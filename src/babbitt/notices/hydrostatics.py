@@ -73,8 +73,9 @@ HYDROSTATICS: dict[str, Explanation] = {
     ),
     "W313": Explanation(
         "Pump too weak",
-        "The supply pressure exceeds what the pump can hold.",
-        "Another pump, or wider restrictors.",
+        "The supply pressure exceeds what the pump can hold, or, with `constant_flow`, a recess the pressure of "
+        "the supply, which its pump is to reach: the recess then gets less oil than the calculation gives it.",
+        "Another pump, or wider restrictors; with `constant_flow` more recess area or less load.",
     ),
     "W314": Explanation(
         "Breakaway above the relief valve",
