@@ -1,8 +1,13 @@
 """Friction heat that warms no oil: energy balance of the footstep."""
 
+import math
+from dataclasses import replace
+
 import pytest
 from heels import footstep
 
+from babbitt.footstep.case import HeelCase
+from babbitt.footstep.check import heel_results
 from babbitt.footstep.face import Face
 from babbitt.footstep.model import Wall
 from babbitt.footstep.states import Method, steady_states
@@ -46,3 +51,49 @@ def test_metal_takes_it():
         through = (0.63e6 - 0.101e6) * state.face_flow
         assert heat == pytest.approx(state.friction_power + through, rel=1e-9)
         assert rise > 5.0
+
+
+def test_no_oil_that_leaves_takes_no_heat():
+    """The rise is infinite, and is told as one that oil cannot have."""
+    step = footstep(groove=None)
+    (state,) = steady_states(step, Method.NARROW_GROOVE)
+    still = replace(state, leakage=0.0)
+    heat, rise = uncounted_heat(step, still, Method.NARROW_GROOVE)
+    assert heat > 0.0
+    assert rise == math.inf
+
+
+@pytest.mark.parametrize(("clearance", "advised"), [(10.0, True), (60.0, False)])
+def test_a_rise_that_oil_cannot_have_is_advice(clearance, advised):
+    """Flow falls with the cube of the clearance, and friction rises: 200 K lie between."""
+    (result,) = heel_results(HeelCase("Heel", footstep(groove=None, clearance=clearance)))
+    (told,) = (notice.message for notice in result.warnings if notice.code == "W171")
+    heat = [check for check in result.checks if check.code == "C131"]
+    assert bool(heat) is advised
+    assert result.within_limits
+    if advised:
+        assert "more than 200 K" in told
+        (check,) = heat
+        assert not check.ok
+        assert check.value == pytest.approx(result.heel_leakage, rel=1e-12)
+    else:
+        assert "warmed by" in told
+        assert "more than" not in told
+
+
+@pytest.mark.parametrize(
+    "cooler",
+    [
+        {"face_gap": 12.0}, {"clearance": 20.0}, {"angular_speed": 120.0},
+        {"oil": replace(footstep().oil, viscosity=0.018)}, {"groove": replace(footstep().groove, depth=0.33e-3)},
+    ],
+)  # fmt: skip
+def test_what_the_advice_about_hot_grooves_says_makes_them_cooler(cooler):
+    """W161."""
+    hot = {"face_gap": 10.0, "clearance": 22.0}
+    (result, *_) = heel_results(HeelCase("Heel", footstep(**hot)))
+    assert "W161" in {notice.code for notice in result.warnings}
+    changed = steady_states(footstep(**(hot | cooler)))[0]
+    assert changed.maximum_temperature < result.maximum_temperature
+    wider = steady_states(footstep(**(hot | {"clearance": 24.0})))[0]
+    assert wider.maximum_temperature > result.maximum_temperature

@@ -4,7 +4,7 @@ import math
 from dataclasses import replace
 
 import pytest
-from hydrostatic_bearings import SPEED, case, down
+from hydrostatic_bearings import CLEARANCE, SPEED, case, down
 
 from babbitt.hydrostatics.check import hydrostatic_check
 from babbitt.hydrostatics.model import Duty
@@ -30,6 +30,7 @@ def test_under_a_load_the_place_is_extrapolated():
     made = case(duty=Duty(20e3, -0.5 * math.pi, angular_speed=SPEED), accuracy="reference")
     result = hydrostatic_check(made)
     assert result.load == pytest.approx(20e3, rel=1e-9)
+    assert result.minimum_film_thickness == pytest.approx(CLEARANCE * (1.0 - result.eccentricity_ratio), rel=1e-12)
     # the prototype on two of its grids, extrapolated: eccentricity and attitude
     assert result.eccentricity_ratio == pytest.approx(0.529596 + (0.529596 - 0.529862) / 3.0, abs=3e-5)
 

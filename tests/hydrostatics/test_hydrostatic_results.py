@@ -377,3 +377,27 @@ def test_load_capacity_of_a_journal_ends_where_a_pump_comes_to_its_pressure():
     at_limit = hydrostatic_check(replace(made, duty=replace(made.duty, load=capacity)))
     assert max(at_limit.arrays["recess_pressure"][0]) == pytest.approx(5e6, rel=1e-3)
     assert at_limit.minimum_film_thickness > 5e-6
+
+
+def test_tilts_of_a_ring_with_one_recess_by_lumped_lands_are_not_damped():
+    ring = replace(RING, recess_angles=(0.0,), recess_extent=math.radians(359.0))
+    made = case(ring, Duty(None, gap=50e-6), "quick", "hydrostatic_thrust_ring",
+                Feeding(RING_FEEDING.restrictors[:1], RING_FEEDING.supply))  # fmt: skip
+    result = hydrostatic_check(made)
+    assert 0.0 < result.compressibility_damping_loss < 1.0
+
+
+def test_a_level_ring_has_no_tilt():
+    made = case(RING, Duty(25e3, angular_speed=100.0), "film", "hydrostatic_thrust_ring", RING_FEEDING)
+    result = hydrostatic_check(made)
+    assert (result.tilt_x, result.tilt_y) == (0.0, 0.0)
+
+
+def test_lumped_lands_squeeze_at_the_gap_that_was_found():
+    loaded = case(RING, Duty(25e3, moments=(400.0, 0.0)), "quick", "hydrostatic_thrust_ring", RING_FEEDING)
+    under = hydrostatic_check(loaded)
+    held = Duty(None, gap=under.gap, tilt=(under.tilt_x, under.tilt_y))
+    at = hydrostatic_check(replace(loaded, duty=held))
+    assert at.load == pytest.approx(25e3, rel=1e-8)
+    assert at.gap_damping == pytest.approx(under.gap_damping, rel=1e-9)
+    assert at.gap_stiffness == pytest.approx(under.gap_stiffness, rel=1e-7)

@@ -14,7 +14,7 @@ from babbitt.footstep.model import PITCH_TOLERANCE, Footstep, LoadReference
 from babbitt.footstep.states import Method, NoSteadyStateError, StateName, SteadyState, steady_states
 from babbitt.footstep.superposition import slit_conductance
 from babbitt.footstep.turning_heel import turning_force
-from babbitt.footstep.uncounted_heat import uncounted_heat
+from babbitt.footstep.uncounted_heat import leaving_flow, uncounted_heat
 from babbitt.notices import EXPLANATIONS, Notice
 from babbitt.results import Bound, Check, Outcome, Result
 
@@ -32,6 +32,8 @@ MANY_GROOVES = 20
 """From which narrow-groove theory meets the film in two dimensions within 1 % (validation: film_groove_pitch)."""
 LUKEWARM = 5.0
 """K; friction that would warm the oil by less may be left out of it."""
+BEYOND_SENSE = 200.0
+"""K; assumption: no mineral oil is warmed by more and still a lubricant."""
 
 TITLES = {
     StateName.SMOOTH: "smooth heel",
@@ -118,12 +120,23 @@ def _result(
             "C130", "rim_drain_number", values["rim_drain_number"], 0.0, Bound.AT_LEAST,
             "balance of the rim: a higher pressure must drain it", advisory=True,
         ),
+        *_heat_checks(case, state),
     )  # fmt: skip
     return Result(
         f"{case.name} ({title})", case.kind, case.method.value, Outcome.CONVERGED, values, checks,
         (*_doubts_about_inputs(case), *_doubts(case, state, values)), (), _assumptions(case), "",
         _settings(case) | {"state": state.name.value, "stable": "yes" if state.stable else "no"},
     )  # fmt: skip
+
+
+def _heat_checks(case: HeelCase, state: SteadyState) -> Iterator[Check]:
+    """Advise where the oil that leaves could not take the heat left out of it: such a state cannot last."""
+    heat, rise = uncounted_heat(case.footstep, state, case.method)
+    if rise > BEYOND_SENSE:
+        name = "heel_leakage" if case.method is Method.SUPERPOSITION else "heel_net_flow"
+        needed = heat / (case.footstep.oil.heat_capacity * BEYOND_SENSE)
+        yield Check("C131", name, leaving_flow(state, case.method), needed, Bound.AT_LEAST,
+                    f"friction heat at a rise of {BEYOND_SENSE:.0f} K", advisory=True)  # fmt: skip
 
 
 def _values(case: HeelCase, state: SteadyState) -> dict[str, float]:
@@ -239,11 +252,10 @@ def _doubts(case: HeelCase, state: SteadyState, values: dict[str, float]) -> Ite
         yield Notice("W167", f"dF/dh = {-1e-6 * state.axial_stiffness:+.3g} N/µm")
     heat, rise = uncounted_heat(case.footstep, state, case.method)
     if rise > LUKEWARM:
-        yield Notice(
-            "W171",
-            f"{heat:.3g} W of friction and lost pressure warm neither oil nor metal; the oil alone would be "
-            f"warmed by {rise:.0f} K",
-        )
+        oil = f"the oil alone would be warmed by {rise:.0f} K"
+        if rise > BEYOND_SENSE:
+            oil = f"the oil that leaves would be warmed by more than {BEYOND_SENSE:.0f} K and cannot take them"
+        yield Notice("W171", f"{heat:.3g} W of friction and lost pressure warm neither oil nor metal; {oil}")
     if case.is_grooved and "leak_factor" in values:
         yield Notice(
             "W170",

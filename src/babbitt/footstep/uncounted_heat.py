@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
+
 from babbitt.footstep.model import Footstep
 from babbitt.footstep.states import Method
 from babbitt.footstep.steady_state import SteadyState
 
-__all__ = ["uncounted_heat"]
+__all__ = ["leaving_flow", "uncounted_heat"]
 
 
 def uncounted_heat(step: Footstep, state: SteadyState, method: Method) -> tuple[float, float]:
@@ -25,18 +27,27 @@ def uncounted_heat(step: Footstep, state: SteadyState, method: Method) -> tuple[
     Returns
     -------
     heat, rise : float
-        W and K; zero where the heat of the films goes into metal and oil (narrow grooves with a wall).
+        W and K; zero where the heat of the films goes into metal and oil (narrow grooves with a wall). The rise is
+        infinite where no oil leaves that could take the heat.
     """
     if method is Method.NARROW_GROOVE and step.wall is not None:
         return 0.0, 0.0
     oil = step.oil
     given = state.friction_power + (step.supply_pressure - step.ambient_pressure) * state.face_flow
-    carried, leaving = 0.0, abs(state.leakage)
+    carried = 0.0
     if method is Method.SUPERPOSITION:
         outward = max(state.face_flow, 0.0)
         carried = outward * (state.face_temperature - oil.temperature)
         if state.groove_flow > 0.0:
             carried += state.groove_flow * (state.groove_temperature - oil.temperature)
-        leaving = state.leakage + outward - state.face_flow
-    heat = given - oil.heat_capacity * carried
-    return heat, heat / (oil.heat_capacity * leaving)
+    heat, takes = given - oil.heat_capacity * carried, oil.heat_capacity * leaving_flow(state, method)
+    if takes <= 0.0:
+        return heat, math.inf if heat > 0.0 else 0.0
+    return heat, heat / takes
+
+
+def leaving_flow(state: SteadyState, method: Method) -> float:
+    """Oil that leaves the footstep with its heat, to ambient and back into the bore, m3/s."""
+    if method is Method.SUPERPOSITION:
+        return state.leakage + max(-state.face_flow, 0.0)
+    return abs(state.leakage)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -188,6 +188,11 @@ def quick_under(case: HydrostaticCase) -> Answer:
     if isinstance(shape, ThrustRing):
         lumps = lumps_of(case, gap)
         state = lumped_under(lumps, case.feeding, load_vector(case))
+        if state.ending is Ending.SOLVED:  # the lands squeeze at the gap that was found
+            found = gap + float(state.at[0])
+            at = np.array([0.0, *state.at[1:]])
+            lumps, gap = lumps_of(case, found), found
+            state = replace(lumped_at(lumps, case.feeding, at, state.network), carried=state.carried)
         return Answer(state.response, state.network, state.at, gap, state.ending, lumps.thinnest(state.at), 1,
                       state.carried)  # fmt: skip
     return answer_at(case, np.zeros(3), gap)

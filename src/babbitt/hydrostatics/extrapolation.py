@@ -16,8 +16,9 @@ from babbitt.results import Matrix
 
 __all__ = ["half_of", "richardson", "richardson_of_matrices"]
 
-OF_THE_GRID = {"mass_balance_error", "cavitated_share"}
-"""Values that tell how the grid did; there is nothing behind them to go to."""
+OF_THE_GRID = {"mass_balance_error", "cavitated_share", "minimum_film_thickness"}
+"""Values that tell how the grid did, with nothing behind them to go to, and the least gap, which is looked for
+among nodes and moves in steps."""
 
 
 def half_of(case: HydrostaticCase, found: Answer) -> Answer | None:
@@ -49,10 +50,14 @@ def richardson(fine: Mapping[str, float], half: Mapping[str, float]) -> dict[str
     >>> richardson({"load": 4.0, "cavitated_share": 0.5}, {"load": 1.0, "cavitated_share": 0.0})
     {'load': 5.0, 'cavitated_share': 0.5}
     """
-    return {
+    gone = {
         name: value + (value - half[name]) / 3.0 if name in half and name not in OF_THE_GRID else value
         for name, value in fine.items()
     }
+    if "eccentricity_ratio" in gone:  # the gap of a journal follows its place
+        shift = gone["eccentricity_ratio"] - fine["eccentricity_ratio"]
+        gone["minimum_film_thickness"] *= 1.0 - shift / (1.0 - fine["eccentricity_ratio"])
+    return gone
 
 
 def richardson_of_matrices(fine: Mapping[str, Matrix], half: Mapping[str, Matrix]) -> dict[str, Matrix]:

@@ -103,7 +103,11 @@ def lost_damping(film: RecessResponse, network: NetworkState, oil: Compressibili
 
 
 def damping_loss(film: RecessResponse, network: NetworkState, oil: Compressibility) -> float:
-    """Largest share of the damping of a motion that compressibility takes away in slow motion."""
+    """Largest share of the damping of a motion that compressibility takes away in slow motion.
+
+    Motions that nothing damps, such as tilts of a ring whose lumped lands have one recess, do not count.
+    """
     full = np.diag(static_coefficients(film, network)[1])
     lost = np.diag(lost_damping(film, network, oil))
-    return float((lost / full).max())
+    damped = full > 0.0
+    return float((lost[damped] / full[damped]).max(initial=0.0))

@@ -17,6 +17,8 @@ __all__ = ["doubts"]
 
 LAMINAR_FILM, LAMINAR_TUBE = 1000.0, 2000.0
 SLENDER, SMALLEST_ORIFICE = 20.0, 0.3e-3
+BEYOND_SENSE = 200.0
+"""K; assumption: no mineral oil is warmed by more and still a lubricant."""
 MOST_EDGE_INERTIA, MOST_LOSS, WARMEST = 0.2, 0.2, 20.0
 
 
@@ -121,7 +123,8 @@ def of_powers(case: HydrostaticCase, named: Mapping[str, float]) -> Iterator[Not
         yield Notice("W311", f"friction over pumping power is {ratio:.3g}, outside 1 to 3")
     rise = named["temperature_rise"]
     if rise > WARMEST:
-        yield Notice("W312", f"the oil warms by {rise:.3g} K between manifold and drain")
+        by = f"{rise:.3g} K" if rise <= BEYOND_SENSE else f"more than {BEYOND_SENSE:.0f} K, which it cannot,"
+        yield Notice("W312", f"the oil warms by {by} between manifold and drain")
 
 
 def of_method(case: HydrostaticCase) -> Iterator[Notice]:

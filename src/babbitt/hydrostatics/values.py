@@ -97,7 +97,7 @@ def place(case: HydrostaticCase, found: Answer) -> dict[str, float]:
             "specific_load": float(np.hypot(*force)) / (case.shape.diameter * case.shape.width),
             "eccentricity_ratio": size / case.shape.clearance,
             "attitude_angle": angle,
-            "minimum_film_thickness": found.minimum_gap,
+            "minimum_film_thickness": case.shape.clearance - size,
         }
     named = {
         "load": float(found.response.force[0]),
@@ -106,8 +106,8 @@ def place(case: HydrostaticCase, found: Answer) -> dict[str, float]:
     }
     if found.at.size == 3 and case.kind == "hydrostatic_thrust_ring":
         named |= {
-            "tilt_x": float(found.at[1]),
-            "tilt_y": float(found.at[2]),
+            "tilt_x": level(float(found.at[1]), case, found),
+            "tilt_y": level(float(found.at[2]), case, found),
             "moment_x": round_off(float(found.response.force[1]), case, found),
             "moment_y": round_off(float(found.response.force[2]), case, found),
         }
@@ -117,6 +117,11 @@ def place(case: HydrostaticCase, found: Answer) -> dict[str, float]:
 def round_off(moment: float, case: HydrostaticCase, found: Answer) -> float:
     """A moment, zero where it is no more than round-off of the load."""
     return 0.0 if abs(moment) < 1e-9 * abs(float(found.response.force[0])) * case.reach else moment
+
+
+def level(tilt: float, case: HydrostaticCase, found: Answer) -> float:
+    """A tilt, zero where it is no more than round-off of the gap."""
+    return 0.0 if abs(tilt) * case.reach < 1e-9 * mean_gap(found) else tilt
 
 
 def mean_gap(found: Answer) -> float:

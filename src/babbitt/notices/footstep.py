@@ -5,6 +5,13 @@ from __future__ import annotations
 from babbitt.notices.explanation import Explanation
 
 FOOTSTEP: dict[str, Explanation] = {
+    "C131": Explanation(
+        "Oil enough for the friction heat",
+        "The oil that leaves against what would carry off, at a rise of 200 K, the heat that the method leaves "
+        "out of it. With less the state cannot last as computed: metal takes the heat, or the films are far "
+        "warmer.",
+        "Take `method: narrow_groove` with `wall`, which says where the heat goes.",
+    ),
     "W160": Explanation(
         "Steady state not stable",
         "In this state a higher pressure at the rim brings more oil to the rim than leaves it, so that the "
@@ -18,8 +25,8 @@ FOOTSTEP: dict[str, Explanation] = {
         "streams "
         "are mixed, does not show it.",
         "Read the state as a sign that the adiabatic groove is too simple; compare with `method: narrow_groove` "
-        "and a "
-        "`wall`, or choose a larger clearance.",
+        "and a `wall`. The groove is cooler with a wider face gap, a thinner oil, less speed, a smaller clearance "
+        "or a deeper groove; a larger clearance makes it hotter.",
     ),
     "W162": Explanation(
         "Lands are no lands",
