@@ -401,3 +401,15 @@ def test_lumped_lands_squeeze_at_the_gap_that_was_found():
     assert at.load == pytest.approx(25e3, rel=1e-8)
     assert at.gap_damping == pytest.approx(under.gap_damping, rel=1e-9)
     assert at.gap_stiffness == pytest.approx(under.gap_stiffness, rel=1e-7)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_moment_that_tilts_the_runner_onto_the_ring_is_named(method):
+    duty = Duty(25e3, moments=(1200.0, -1600.0))
+    tilted = case(RING, duty, method, "hydrostatic_thrust_ring", RING_FEEDING, accuracy="draft")
+    result = hydrostatic_check(tilted)
+    assert result.outcome is Outcome.OVERLOADED
+    assert "moment of 2000 N m: it sets the load 80 mm off the axis" in result.message
+    heavy = hydrostatic_check(replace(tilted, duty=replace(duty, load=1e6)))
+    assert heavy.outcome is Outcome.OVERLOADED
+    assert "moment" not in heavy.message

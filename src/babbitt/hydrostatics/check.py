@@ -132,12 +132,7 @@ def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
             )
         return Outcome.CONVERGED, ""
     if found.ending is Ending.OVERLOADED:
-        load = case.duty.load or 0.0
-        carried = found.carried * load
-        return Outcome.OVERLOADED, (
-            f"the load is {1e-3 * load:.4g} kN; up to about {1e-3 * carried:.4g} kN were carried "
-            f"({100.0 * found.carried:.0f} %). Raise the supply pressure or the recess area, or widen restrictors"
-        )
+        return Outcome.OVERLOADED, overloaded(case, found)
     if found.ending is Ending.UNSTABLE_NETWORK:
         return Outcome.UNSTABLE_NETWORK, (
             "the least eigenvalue of the recess network is "
@@ -148,6 +143,24 @@ def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
     return Outcome.NOT_CONVERGED, (
         f"after {found.steps} steps the smallest gap was {1e6 * found.minimum_gap:.3g} µm and "
         f"{100.0 * found.carried:.0f} % of the load were carried"
+    )
+
+
+def overloaded(case: HydrostaticCase, found: Answer) -> str:
+    """Whether the load or its moment is too much, and how far it came."""
+    load, share = case.duty.load or 0.0, found.carried
+    level = replace(case, duty=replace(case.duty, moments=(0.0, 0.0)))
+    if any(case.duty.moments) and answer(level).ending is Ending.SOLVED:
+        moment = math.hypot(*case.duty.moments)
+        came = f"; up to about {100.0 * share:.0f} % of both were carried" if share > 0.01 else ""
+        return (
+            f"the load of {1e-3 * load:.4g} kN alone is carried, but not with the moment of {moment:.4g} N m: it "
+            f"sets the load {1e3 * moment / load:.3g} mm off the axis, and the runner tilts onto the ring{came}. "
+            "Bring the load nearer to the axis, or take a larger ring"
+        )
+    return (
+        f"the load is {1e-3 * load:.4g} kN; up to about {1e-3 * share * load:.4g} kN were carried "
+        f"({100.0 * share:.0f} %). Raise the supply pressure or the recess area, or widen restrictors"
     )
 
 
