@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from babbitt.notices import InputError
 from babbitt.quantities import QUANTITIES
@@ -20,6 +21,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+Array = NDArray[np.float64]
+Order = NDArray[np.intp]
+Flags = NDArray[np.bool_]
+
 LINES: tuple[dict[str, Any], ...] = tuple(
     {"color": colour, "linestyle": dashes}
     for dashes in ("-", (0, (6, 1.5)), (0, (2, 1.5)), (0, (6, 1.5, 1, 1.5)))
@@ -32,6 +37,9 @@ MARKERS = ("o", "s", "^")
 
 MOST_MARKED = 25
 """Points of a curve that are still marked one by one."""
+
+NOT_STABLE: dict[str, Any] = {"linestyle": (0, (3.5, 1.5))}
+"""Where steady states are stable or not, broken lines say just that; colours and markers tell the states."""
 
 
 def require_plot(path: Path) -> None:
@@ -62,8 +70,9 @@ def write_sweep_plot(sweep: CaseSweep, path: Path) -> None:
 
 def sweep_figure(sweep: CaseSweep) -> Figure:
     """At most four panels over the field, a line per bearing; what the file itself has in the field is marked."""
-    names = sweep.names
-    legend = 4.5 * math.ceil(len(names) / 3) if len(names) > 1 else 0.0
+    names, judged = sweep.names, _tells_stability(sweep)
+    entries = len(names) + judged
+    legend = 4.5 * math.ceil(entries / 3) if entries > 1 else 0.0
     height = 100.0 + legend
     figure, axes = Sheet(166.0, height, 2, 2, across=16.0, between=5.0).panels(sharex=True)
     figure.subplots_adjust(top=1.0 - (5.0 + legend) / height)
@@ -75,8 +84,16 @@ def sweep_figure(sweep: CaseSweep) -> Figure:
     for panel in axes[1]:
         panel.set_xlabel(f"{sweep.path} in {sweep.values.unit}" if sweep.values.unit else sweep.path)
     if legend:
+        from matplotlib.lines import Line2D
+
         handles = axes[0][0].get_lines()[: len(names)]
         labels = [plain_text(name).replace("$", r"\$") for name in names]
+        if judged:
+            handles = [
+                *handles,
+                Line2D([], [], color=INK, marker="o", markersize=2.4, markerfacecolor="white", **NOT_STABLE),
+            ]
+            labels.append("not stable (broken, open)")
         figure.legend(handles, labels, loc="upper left", ncols=3, frameon=False, fontsize=7, handlelength=3.2)
     return figure
 
@@ -88,18 +105,17 @@ def _panel(panel: Axes, sweep: CaseSweep, choice: tuple[str, ...], *, titled: bo
     x = np.arange(len(sweep.values.texts), dtype=float) if numbers is None else np.array(numbers)
     if numbers is None:
         panel.set_xticks(x, sweep.values.texts)
-    for line, bearing in enumerate(sweep.names):
-        y = np.full(x.shape, np.nan)
-        for place, result in sweep.rows():
-            if result.name == bearing and result.outcome.solved:
-                y[place] = result.values.get(name, math.nan)
-        order = np.argsort(x)
-        marker: dict[str, Any] = (
-            {"marker": MARKERS[line // len(LINES) % len(MARKERS)], "markersize": 2.4}
-            if x.size <= MOST_MARKED
-            else {}
-        )
-        panel.plot(x[order], in_engineers_unit(name, y[order]), **LINES[line % len(LINES)], **marker)
+    order, judged = np.argsort(x), _tells_stability(sweep)
+    curves = [_curve(sweep, bearing, name, order) for bearing in sweep.names]
+    for line, (y, lasts) in enumerate(curves):
+        panel.plot(x[order], np.where(lasts, y, np.nan), **_look(line, x.size, judged=judged))
+    for line, (y, lasts) in enumerate(curves):
+        if lasts.all():
+            continue
+        beside = np.convolve(~lasts, (1, 1, 1), mode="same") > 0
+        own = _look(line, x.size, judged=judged)
+        panel.plot(x[order], np.where(beside, y, np.nan), **{**own, **NOT_STABLE, "marker": ""})
+        panel.plot(x[order], np.where(lasts, np.nan, y), **{**own, "linestyle": "", "markerfacecolor": "white"})
     if sweep.present is not None and x.min() <= sweep.present <= x.max():
         panel.axvline(sweep.present, color=GREY, linewidth=0.6, linestyle=(0, (1, 2)), zorder=0)
         if titled:
@@ -108,3 +124,32 @@ def _panel(panel: Axes, sweep: CaseSweep, choice: tuple[str, ...], *, titled: bo
                 textcoords="offset points", fontsize=6, color="0.4", ha="center",
             )  # fmt: skip
     panel.set_ylabel(axis_label(QUANTITIES[name]))
+
+
+def _curve(sweep: CaseSweep, bearing: str, name: str, order: Order) -> tuple[Array, Flags]:
+    """A result of one bearing in the order of the field, and where its state is not said to be unstable."""
+    y, lasts = np.full(order.shape, np.nan), np.full(order.shape, True)
+    for place, result in sweep.rows():
+        if result.name == bearing and result.outcome.solved:
+            y[place] = result.values.get(name, math.nan)
+            lasts[place] = result.settings.get("stable") != "no"
+    return in_engineers_unit(name, y[order]), lasts[order]
+
+
+def _look(line: int, points: int, *, judged: bool) -> dict[str, Any]:
+    """Colour, dashes and markers of a bearing; of a steady state without dashes."""
+    if judged:
+        marker = {
+            "marker": MARKERS[line % len(MARKERS)],
+            "markersize": 2.4,
+            "markevery": max(1, points // MOST_MARKED),
+        }
+        return {"color": (INK, GREY)[line % 2], "linestyle": "-", **marker}
+    if points > MOST_MARKED:
+        return LINES[line % len(LINES)]
+    return LINES[line % len(LINES)] | {"marker": MARKERS[line // len(LINES) % len(MARKERS)], "markersize": 2.4}
+
+
+def _tells_stability(sweep: CaseSweep) -> bool:
+    """Whether some state of the sweep is said not to be stable."""
+    return any(result.settings.get("stable") == "no" for _, result in sweep.rows())
