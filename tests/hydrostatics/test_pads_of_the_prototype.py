@@ -76,12 +76,8 @@ def test_round_pads(name):
     stiff = pad_at(lands_of(CIRCULAR), made.feeding, 0.03, result.gap)
     assert static_coefficients(stiff.response, stiff.network)[1][0, 0] == printed(damping)
     assert result.friction_power == printed(friction)
-    # the prototype counts the oil of a pump at the nominal 5 MPa, which it leaves at the pressure of its recess
-    nominal, warming = 5e6 * result.total_flow, 870.0 * 2000.0 * result.total_flow
-    assert nominal == printed(pumping)
-    assert result.temperature_rise + (nominal - result.pumping_power) / warming == printed(rise)
-    share = result.mean_pressure_ratio if restrictor is PUMP else 1.0
-    assert result.pumping_power == pytest.approx(share * nominal, rel=1e-12)
+    assert result.pumping_power == printed(pumping)
+    assert result.temperature_rise == printed(rise)
 
 
 def test_round_pad_constants():

@@ -1,8 +1,7 @@
 """Power that the pumps spend, and the pressure that they must hold.
 
-Behind restrictors all oil is pumped to the supply pressure, P = p_s sum Q_k. A pump for every recess, or a stage
-of a flow divider, holds no more than the pressure of its own recess, P = sum p_k Q_k; the pressure of the supply
-is then what these pumps can reach.
+All oil is pumped to the supply pressure, P = p_s sum Q_k, constant flows too: they are metered from that pressure.
+Where a recess asks for more than that, its pump or stage of a flow divider has to hold what the recess asks for.
 """
 
 from __future__ import annotations
@@ -29,9 +28,7 @@ def is_pumped(case: HydrostaticCase) -> bool:
 
 def pumping_power(case: HydrostaticCase, network: NetworkState) -> float:
     """Given to the oil that reaches the recesses, W."""
-    if is_pumped(case):
-        return float(network.pressures @ network.flows)
-    return network.supply_pressure * float(network.flows.sum())
+    return float(np.maximum(network.pressures, network.supply_pressure) @ network.flows)
 
 
 def pump_power(case: HydrostaticCase, network: NetworkState) -> float:
@@ -40,7 +37,7 @@ def pump_power(case: HydrostaticCase, network: NetworkState) -> float:
     if is_pumped(case):
         laws = (law_of(one) for one in case.feeding.restrictors)
         moved = np.array([one.flow for one in laws if isinstance(one, ConstantFlow)])
-        return float(network.pressures @ moved) / case.pump_efficiency
+        return float(np.maximum(network.pressures, network.supply_pressure) @ moved) / case.pump_efficiency
     flow = supply.flow if isinstance(supply, Pump) else float(network.flows.sum())
     return network.supply_pressure * flow / case.pump_efficiency
 
