@@ -64,6 +64,15 @@ def test_heat_and_oil_are_accounted_for(full):
     assert result.heat_film_to_journal == pytest.approx(5.0 * (result.journal_temperature - 303.15), rel=1e-5)
 
 
+def test_arrays_are_attributes_and_verdicts_are_plain(full):
+    _, result, _ = full
+    assert result.groove_fresh_flows == result.arrays["groove_fresh_flows"]
+    assert all(type(check.ok) is bool for check in result.checks)
+    assert all(type(value) is float for value in result.values.values())
+    with pytest.raises(AttributeError, match="'no_such' is not among the results: .*groove_fresh_flows"):
+        _ = result.no_such
+
+
 def test_the_hottest_place_is_told(full):
     _, result, state = full
     assert result.supply_temperature < result.outlet_temperature < result.maximum_temperature

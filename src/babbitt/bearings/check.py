@@ -136,7 +136,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
         case.kind,
         METHOD,
         outcome,
-        {name: value for name, value in values.items() if not math.isnan(value)},
+        {name: float(value) for name, value in values.items() if not math.isnan(value)},
         checks,
         warnings,
         not_made,

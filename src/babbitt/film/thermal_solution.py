@@ -128,7 +128,7 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
     leaving, own = side_oil(warm)
     over_sides = float((leaving * (own - cold)).sum()) * unit
     exchange = supply_exchange(film, scales, warm, order)
-    back, returned = exchange.heat.sum() * unit, float((exchange.heat * exchange.back).sum()) * unit
+    back, returned = float(exchange.heat.sum()) * unit, float((exchange.heat * exchange.back).sum()) * unit
     sides = float(film.end_flows.sum()) + film.side_inflow
     bush, journal = warm.bush_heat(), float(warm.walls.journal[1])
     dissipation = warm.dissipation * warm.rise * unit
@@ -147,7 +147,7 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
         layers=0.5 * (edges[1:] + edges[:-1]),
         temperature=warm.temperature.copy(),
         supply_temperature=cold,
-        side_temperature=cold + (over_sides + back - returned) * scales.flow / (unit * sides)
+        side_temperature=float(cold + (over_sides + back - returned) * scales.flow / (unit * sides))
         if sides > 0.0
         else cold,
         groove_temperatures=exchange.temperature[list(order)],
