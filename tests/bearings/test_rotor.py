@@ -13,8 +13,7 @@ from routh_hurwitz import hurwitz_margins, is_stable
 
 from babbitt.bearings.rotor import RIGID, critical_mass_of_rotor, growth_rates
 from babbitt.bearings.warm_film import operating_film
-from babbitt.bearings.whirl import crossing
-from babbitt.bearings.whirl import at_speed
+from babbitt.bearings.whirl import at_speed, crossing
 from babbitt.film.stability import whirl_frequency
 
 entries = st.integers(-100, 100).map(lambda tenths: 0.1 * tenths)

@@ -163,9 +163,11 @@ JOURNAL: dict[str, Explanation] = {
     "W148": Explanation(
         "Warm oil flows back into a supply",
         "A groove or pocket lies where the film has more pressure than the supply: the film presses warm oil back "
-        "into it, and the heat of that oil (`heat_returned`) leaves through the supply. `outlet_temperature` is "
-        "that of the oil at the sides; `groove_returned_flows` and `groove_temperatures` tell of every supply.",
-        "Move the groove or pocket out of the loaded zone, or count on warmer supply oil.",
+        "into it. Or `carry_over` says that fresh oil flushes warm oil out of the grooves, more than leaves over "
+        "their ends. The heat of all that oil (`heat_returned`) leaves through the supplies. `outlet_temperature` "
+        "is that of the oil at the sides; `groove_returned_flows` and `groove_temperatures` tell of every supply.",
+        "Move the groove or pocket out of the loaded zone, or count on warmer supply oil; with `carry_over`, let "
+        "the supply line take that oil away.",
     ),
     "W142": Explanation(
         "Pressure beyond plain bearings",
