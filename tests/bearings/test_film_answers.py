@@ -102,3 +102,16 @@ def test_the_highest_pressure_is_that_of_the_field(given):
     assert told >= field_of(solution).pressure.max() * (1.0 - 1e-12)
     if not given:
         assert told == solution.maximum_pressure
+
+
+def test_methods_that_do_not_apply_are_told_with_the_reason():
+    turbulent = {"turbulence": "ng_pan", "tilt_coefficients": True, "accuracy": "draft", "span": "150 deg"}
+    (found,) = compare_methods(case(**turbulent))
+    told = dict(line.split(" left out: ") for line in found.left_out.splitlines())
+    assert told == {
+        "adiabatic film and full thermal film are": "coefficients of tilt are those of a film of one temperature",
+        "long film is": "it knows laminar films only",
+    }
+    labels = {variant.label for variant in found.variants}
+    assert "ISO 7902" in labels
+    assert labels.isdisjoint({"adiabatic film", "full thermal film", "long film"})
