@@ -178,10 +178,10 @@ JOURNAL: dict[str, Explanation] = {
         "Check load, width and units; a larger bearing or less load.",
     ),
     "W143": Explanation(
-        "The load points into a groove",
-        "The load is directed at a groove as wide as the bearing. The groove carries no more than its own "
-        "pressure, and the film beside it all the rest.",
-        "Turn the groove away from the load; check `load_angle`, which is counter-clockwise from the x axis.",
+        "The load points into a groove or pocket",
+        "The load is directed at a groove as wide as the bearing, or at a pocket or hole. It carries no more than "
+        "its own pressure, and the film beside it all the rest.",
+        "Turn it away from the load; check `load_angle`, which is counter-clockwise from the x axis.",
     ),
     "W120": Explanation(
         "The journal whirls",
