@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
+from typing import Any
 
 from babbitt.notices import Notice
 
@@ -92,7 +93,7 @@ class Check:
     @property
     def ok(self) -> bool:
         """Whether the value keeps its limit."""
-        return self.value <= self.limit if self.bound is Bound.AT_MOST else self.value >= self.limit
+        return bool(self.value <= self.limit if self.bound is Bound.AT_MOST else self.value >= self.limit)
 
     @property
     def margin(self) -> float:
@@ -160,12 +161,12 @@ class Result:
             return self.arrays[name]
         raise AttributeError  # leads to __getattr__, which tells what there is
 
-    def __getattr__(self, name: str) -> float:
-        """Give the named quantities as attributes: ``result.minimum_film_thickness``."""
+    def __getattr__(self, name: str) -> Any:
+        """Give the named quantities as attributes: ``result.minimum_film_thickness``, ``result.supply_fill``."""
         values: Mapping[str, float] = self.__dict__.get("values", {})
-        try:
-            return values[name]
-        except KeyError:
-            arrays: Mapping[str, Matrix] = self.__dict__.get("arrays", {})
-            there = ", ".join((*values, *arrays))
-            raise AttributeError(f"{name!r} is not among the results: {there}") from None
+        arrays: Mapping[str, Matrix] = self.__dict__.get("arrays", {})
+        for named in (values, arrays):
+            if name in named:
+                return named[name]
+        there = ", ".join((*values, *arrays))
+        raise AttributeError(f"{name!r} is not among the results: {there}")

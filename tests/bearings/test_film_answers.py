@@ -3,8 +3,11 @@
 import json
 
 import pytest
-from film_bearings import case, solved
+from film_bearings import case, film, solved
 
+from babbitt.bearings.check import film_check
+from babbitt.bearings.field import field_of
+from babbitt.bearings.warm_film import operating_film
 from babbitt.report.content import content
 from babbitt.report.export import to_json, write_json
 from babbitt.report.table import render
@@ -80,3 +83,35 @@ def test_comparison_leaves_the_standard_out_where_it_does_not_know_the_bearing()
     assert "round bores only, not lobes" in lemon.left_out
     assert "give span" in grooved.left_out
     assert not compare_methods(case(grooves=None, span="180 deg", accuracy="draft"))[0].left_out
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {},
+        {"misalignment": {"x": "0 mrad", "y": "0.4 mrad"}},
+        {"misalignment": {"x": "0 mrad", "y": "0.4 mrad"},
+         "pockets": [{"angle": "90 deg", "extent": "30 deg", "width": "60 mm"}]},
+    ],
+)  # fmt: skip
+def test_the_highest_pressure_is_that_of_the_field(given):
+    bearing = film(**given)
+    solution = operating_film(bearing).film.solution
+    told = film_check(bearing).maximum_pressure
+    assert told == pytest.approx(field_of(solution).pressure.max(), rel=5e-3)
+    assert told >= field_of(solution).pressure.max() * (1.0 - 1e-12)
+    if not given:
+        assert told == solution.maximum_pressure
+
+
+def test_methods_that_do_not_apply_are_told_with_the_reason():
+    turbulent = {"turbulence": "ng_pan", "tilt_coefficients": True, "accuracy": "draft", "span": "150 deg"}
+    (found,) = compare_methods(case(**turbulent))
+    told = dict(line.split(" left out: ") for line in found.left_out.splitlines())
+    assert told == {
+        "adiabatic film and full thermal film are": "coefficients of tilt are those of a film of one temperature",
+        "long film is": "it knows laminar films only",
+    }
+    labels = {variant.label for variant in found.variants}
+    assert "ISO 7902" in labels
+    assert labels.isdisjoint({"adiabatic film", "full thermal film", "long film"})

@@ -29,6 +29,15 @@ def test_a_load_into_a_groove_is_told(angle, told):
     assert ("W143" in said(result)) is told
 
 
+@pytest.mark.parametrize(("angle", "told"), [(-90.0, True), (-72.0, False)])
+def test_a_load_into_a_pocket_is_told(angle, told):
+    pocket = {"angle": "-85 deg", "extent": "20 deg", "width": "40 mm"}
+    warnings = said(answer(**QUICK, pockets=[pocket], load="5 kN", load_angle=f"{angle} deg"))
+    assert ("W143" in warnings) is told
+    if told:
+        assert warnings["W143"].endswith("the pocket or hole, 40 mm wide, reaches from -95° to -75°")
+
+
 def test_a_supply_flow_from_the_side_is_not_called_a_flow_from_the_grooves():
     pressed = answer(
         **QUICK, grooves=GROOVES, supply={"temperature": "45 degC", "pressure": "0.1 MPa"},

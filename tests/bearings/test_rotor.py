@@ -13,7 +13,7 @@ from routh_hurwitz import hurwitz_margins, is_stable
 
 from babbitt.bearings.rotor import RIGID, critical_mass_of_rotor, growth_rates
 from babbitt.bearings.warm_film import operating_film
-from babbitt.bearings.whirl import at_speed
+from babbitt.bearings.whirl import at_speed, crossing
 from babbitt.film.stability import whirl_frequency
 
 entries = st.integers(-100, 100).map(lambda tenths: 0.1 * tenths)
@@ -116,3 +116,15 @@ def test_at_another_speed_the_load_keeps_the_direction_that_was_found():
     assert at_speed(case, state, abs(case.journal_speed)).position == pytest.approx(
         state.solution.position, rel=1e-5
     )
+
+
+def test_a_threshold_is_not_told_where_films_are_missing_beside_it():
+    def excess(speed):
+        return 115.0 - speed
+
+    def with_a_hole(speed):
+        return math.nan if 101.0 < speed < 124.0 else excess(speed)
+
+    assert crossing(excess, 100.0) == pytest.approx(115.0, rel=1e-4)
+    assert crossing(with_a_hole, 100.0) is None
+    assert crossing(lambda speed: math.nan, 100.0) is None

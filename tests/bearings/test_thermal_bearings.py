@@ -2,6 +2,7 @@
 
 import io
 import math
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -62,6 +63,15 @@ def test_heat_and_oil_are_accounted_for(full):
     taken = result.heat_to_oil + result.heat_film_to_bush + result.heat_film_to_journal
     assert taken == pytest.approx(result.film_dissipation, rel=1e-8)
     assert result.heat_film_to_journal == pytest.approx(5.0 * (result.journal_temperature - 303.15), rel=1e-5)
+
+
+def test_arrays_are_attributes_and_verdicts_are_plain(full):
+    _, result, _ = full
+    assert result.groove_fresh_flows == result.arrays["groove_fresh_flows"]
+    assert all(type(check.ok) is bool for check in result.checks)
+    assert all(type(value) is float for value in result.values.values())
+    with pytest.raises(AttributeError, match=r"'no_such' is not among the results: .*groove_fresh_flows"):
+        _ = result.no_such
 
 
 def test_the_hottest_place_is_told(full):
@@ -251,8 +261,11 @@ def test_turbulence_makes_more_heat_and_a_thicker_film(walls, law):
     assert turbulent.mass_balance_error < 1e-8
     assert turbulent.friction_power > 1.4 * laminar.friction_power
     assert turbulent.outlet_temperature > laminar.outlet_temperature + 3.0
+    oil = design(text).lubricant
+    assert turbulent.effective_viscosity == pytest.approx(oil.dynamic_viscosity(turbulent.effective_temperature))
+    assert turbulent.supply_temperature < turbulent.effective_temperature < turbulent.maximum_temperature
     assert turbulent.minimum_film_thickness > 1.1 * laminar.minimum_film_thickness
-    assert 0.3 < turbulent.turbulent_share < 0.7
+    assert 0.5 < turbulent.turbulent_share < 0.9
     assert any(law.split("_")[0] in said.lower() for said in turbulent.assumptions)
 
 
@@ -280,6 +293,17 @@ def test_every_supply_is_told_in_the_table(full):
     assert [line[1] for line in lines] == ["0", "180.0"]
     assert [float(line[4]) for line in lines] == pytest.approx([one - 273.15 for one in mixed], abs=0.051)
     assert [float(line[2]) for line in lines] == pytest.approx([6e4 * one for one in fresh], abs=0.051)
+
+
+def test_oil_that_goes_back_is_told_with_its_own_heat():
+    text = TEXT.replace("load: 12 kN", "load: 12 kN\ncarry_over: 60 %")
+    result = film_check(design(text))
+    (said,) = [one.message for one in result.warnings if one.code == "W148"]
+    flow, degrees, share = (float(number) for number in re.findall(r"[\d.]+", said))
+    assert flow == pytest.approx(6e4 * sum(result.groove_returned_flows[0]), rel=0.05)
+    assert share == pytest.approx(100.0 * result.heat_returned / result.heat_to_oil, abs=0.5)
+    capacity = result.volumetric_heat_capacity * result.returned_flow
+    assert degrees == pytest.approx(result.supply_temperature - 273.15 + result.heat_returned / capacity, abs=0.5)
 
 
 def test_carry_over_lies_between_fresh_oil_and_all_the_hot_oil(full):

@@ -47,3 +47,19 @@ def test_a_root_at_a_bound_and_none():
 
 def test_steps_are_bounded():
     assert not find_root(lambda x: math.tanh(1e6 * (x - 0.123456)), 0.0, 1.0, most_steps=3).converged
+
+
+def test_no_number_at_a_bound_is_refused():
+    for function in (lambda x: math.nan if x == 0.0 else x, lambda x: math.nan if x == 2.0 else x - 1.0):
+        for search in (find_root, bracketed_root):
+            with pytest.raises(ValueError, match="must be a number"):
+                search(function, 0.0, 2.0)
+
+
+def test_no_number_between_the_bounds_is_no_root():
+    def hollow(x):
+        return x - 0.3 if x in (0.0, 1.0) else math.nan
+
+    assert not find_root(hollow, 0.0, 1.0).converged
+    with pytest.raises(ValueError, match="without a root"):
+        bracketed_root(hollow, 0.0, 1.0)

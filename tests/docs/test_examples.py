@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import doctest
 import io
+import json
 import runpy
 import shlex
 import shutil
@@ -163,9 +164,13 @@ BEYOND_A_LIMIT = ("trawler_thrust_line.yaml",)
 
 
 @pytest.mark.parametrize("file", sorted((ROOT / "examples").glob("*.yaml")), ids=lambda file: file.name)
-def test_example_cases_have_an_operating_point_within_limits(file: Path) -> None:
-    status, output = run(f"babbitt solve {shlex.quote(str(file))} --strict")
+def test_example_cases_have_an_operating_point_within_limits_and_a_record(file: Path, tmp_path: Path) -> None:
+    record = tmp_path / "record.json"
+    status, output = run(f"babbitt solve {shlex.quote(str(file))} --strict --json {shlex.quote(str(record))}")
     assert status == (1 if file.name in BEYOND_A_LIMIT else 0), output
+    bearings = json.loads(record.read_text(encoding="utf-8"))["bearings"]
+    assert bearings
+    assert all(one["results"] for one in bearings)
 
 
 def test_every_example_is_listed_and_shown() -> None:

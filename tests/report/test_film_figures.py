@@ -24,7 +24,7 @@ from babbitt.quantities import QUANTITIES
 from babbitt.report.film_state import SLOW, state_of
 from babbitt.solving import MachineResult
 from babbitt.studies.locus import locus_over_load, locus_over_speed
-from babbitt.studies.stability_map import stability_map
+from babbitt.studies.stability_map import StabilityMap, stability_map
 
 pytest.importorskip("matplotlib")
 
@@ -266,6 +266,22 @@ def test_the_stability_map_marks_the_point_and_names_its_regions():
     assert number == pytest.approx(state.solution.sommerfeld_number)
     critical = np.interp(number, *curve.get_data())
     assert critical / mass == pytest.approx(result.critical_mass / result.rotor_mass, rel=1e-3)
+
+
+def test_multiples_of_the_mass_stay_on_the_stable_side_of_the_edge_of_whirl():
+    """Beside speeds at which no rotor whirls as well, and where there is no film."""
+    loads, speeds = np.array([1e3, 2e3]), np.array([100.0, 200.0, 400.0])
+    growth = np.array([[-20.0, -0.1, 5.0], [math.nan, -3.0, 0.0]])
+    critical = np.array([[math.inf, 400.0, 60.0], [math.nan, math.inf, 100.0]])
+    found = StabilityMap(loads, speeds, np.full(2, 100.0), math.inf, growth, critical, points=None)
+    share = film_stability.whirl_share(found)
+    assert share[0].tolist() == pytest.approx([0.0, 0.2, 100.0 / 160.0])
+    assert share.mask.tolist() == [[False, False, False], [True, False, False]]
+    assert (share >= film_stability.EDGE_OF_WHIRL).filled(False).tolist() == (growth >= 0.0).tolist()
+    for row, first in ((0, 0), (1, 1)):
+        levels = 1.0 / (1.0 + np.array([10.0, 5.0, 2.0, 1.0]))
+        at = np.interp(levels, share[row, first:].tolist(), speeds[first:])
+        assert all(np.diff(at) > 0.0)
 
 
 def test_names_of_curves_stay_inside_their_panel():

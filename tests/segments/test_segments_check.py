@@ -113,6 +113,25 @@ def test_operating_point_of_a_grooved_film():
     assert result.heat_to_oil == pytest.approx(result.friction_power, rel=1e-9)
 
 
+def test_warm_oil_that_leaves_in_the_groove_is_told_with_its_heat():
+    behind = replace(GROOVED, groove=Groove(math.radians(300.0), 6e-3, GrooveKind.THROUGH))
+    result = segments_check(behind)
+    assert result.segment_2_power == 0.0
+    assert result.outlet_temperature == result.supply_temperature
+    assert result.groove_warm_flow == pytest.approx(result.segment_1_flow)
+    assert result.groove_heat == pytest.approx(result.heat_to_oil)
+    for factor in (0.3, 0.8):
+        result = segments_check(replace(GROOVED, groove=replace(GROOVED.groove, mixing_factor=factor)))
+        fresh = max(factor, 1.0 - result.segment_1_flow / result.segment_2_flow)
+        going_on = (1.0 - fresh) * result.segment_2_flow
+        assert result.groove_warm_flow == pytest.approx(result.segment_1_flow - going_on, rel=1e-9)
+        assert result.groove_heat == pytest.approx(
+            result.segment_1_heat * result.groove_warm_flow / result.segment_1_flow
+        )
+    blind = replace(GROOVED, groove=replace(GROOVED.groove, kind=GrooveKind.BLIND))
+    assert "groove_heat" not in segments_check(blind).values
+
+
 def test_gain_of_a_blind_groove_is_called_apparent():
     blind = replace(GROOVED, groove=replace(GROOVED.groove, kind=GrooveKind.BLIND))
     result = segments_check(blind)

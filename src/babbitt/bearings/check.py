@@ -136,7 +136,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
         case.kind,
         METHOD,
         outcome,
-        {name: value for name, value in values.items() if not math.isnan(value)},
+        {name: float(value) for name, value in values.items() if not math.isnan(value)},
         checks,
         warnings,
         not_made,
@@ -196,7 +196,7 @@ def _doubts(
 
 
 def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, float]) -> Iterator[Notice]:
-    """Flow of grooves as wide as the bearing, and a load that points into one."""
+    """Flow of grooves as wide as the bearing, and a load that points into one, or into a pocket."""
     grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
     if grooves and without_pressure(state.solution.film) != state.solution.film:
         flow = values["supply_flow"] * 6e4
@@ -207,7 +207,7 @@ def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, fl
             )
             said += ", as oil flows from a side into them" if state.solution.side_inflow > 0.0 else ""
         yield Notice("W121", f"{said}: a rough estimate")
-    for groove in grooves:
+    for groove in case.bearing.hollows:
         aside = abs(math.remainder(values["load_angle"] - groove.angle, 2.0 * math.pi))
         if aside <= 0.5 * groove.extent + AT_A_LINE:
             load, first, last = (
@@ -216,6 +216,7 @@ def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, fl
                     values["load_angle"], groove.angle - 0.5 * groove.extent, groove.angle + 0.5 * groove.extent
                 )
             )  # fmt: skip
+            which = "groove" if groove.width is None else f"pocket or hole, {1e3 * groove.width:.3g} mm wide,"
             yield Notice(
-                "W143", f"the load acts at {load:.0f}°, the groove reaches from {first:.0f}° to {last:.0f}°"
+                "W143", f"the load acts at {load:.0f}°, the {which} reaches from {first:.0f}° to {last:.0f}°"
             )

@@ -23,6 +23,7 @@ __all__ = [
     "field_of",
     "inside",
     "journal_gap",
+    "highest_pressure",
     "narrowest_gap_angle",
     "pressure_on",
     "step_patches",
@@ -133,6 +134,14 @@ def field_of(solution: FilmSolution, start: float = 0.0) -> FilmField:
 def pressure_on(solution: FilmSolution, theta: Array, z: Array) -> Array:
     """Gauge pressure in Pa at angles (rad) and axial places (m), as `field_of` has it; shape (theta, z)."""
     return _around(theta, solution.angles.ravel(), _across(solution, z))
+
+
+def highest_pressure(solution: FilmSolution) -> float:
+    """Highest gauge pressure of the field, Pa: it may lie between the nodes, where the sides are not alike."""
+    lines = solution.pressure.reshape(-1, solution.axial_positions.size)[~_monotone(solution)]
+    z = np.linspace(-0.5, 0.5, AXIAL_POINTS) * solution.film.width
+    places = np.abs(z) if solution.axial_positions[0] >= 0.0 else z
+    return max(solution.maximum_pressure, float((lines @ _polynomials(solution, places).T).max(initial=0.0)))
 
 
 def journal_gap(solution: FilmSolution, theta: Array, z: Array) -> Array:
@@ -249,8 +258,7 @@ def _across(solution: FilmSolution, z: Array) -> Array:
     count = nodes.size
     lines = solution.pressure.reshape(-1, count)
     values = lines @ _polynomials(solution, places).T
-    monotone = (solution.void.reshape(-1, count)[:, : count - 1] > 0.0).any(axis=1)
-    monotone |= np.ptp(lines[:, 1 : count - 1], axis=1) == 0.0  # a groove edge: level, and a step at the side
+    monotone = _monotone(solution)
     if symmetric:  # the mirror image makes the slope vanish in the mid-plane
         own, nodes = lines[monotone], np.concatenate((-nodes[:0:-1], nodes))
         mirrored = np.concatenate((own[:, :0:-1], own), axis=1)
@@ -259,6 +267,14 @@ def _across(solution: FilmSolution, z: Array) -> Array:
     if monotone.any():
         values[monotone] = PchipInterpolator(nodes, mirrored, axis=1)(z)
     return np.asarray(np.maximum(values, solution.film.cavitation_pressure))
+
+
+def _monotone(solution: FilmSolution) -> NDArray[np.bool_]:
+    """Lines partly ruptured, and edges of grooves: level, and a step at the side; shape (lines,)."""
+    count = solution.axial_positions.size
+    ruptured = (solution.void.reshape(-1, count)[:, : count - 1] > 0.0).any(axis=1)
+    level = np.ptp(solution.pressure.reshape(-1, count)[:, 1 : count - 1], axis=1) == 0.0
+    return np.asarray(ruptured | level)
 
 
 def _void_across(solution: FilmSolution, z: Array) -> Array:

@@ -9,7 +9,7 @@ import numpy as np
 
 from babbitt.bearings.bore import LobedBore
 from babbitt.bearings.extent import full_film_share, turbulent_share
-from babbitt.bearings.field import narrowest_gap_angle
+from babbitt.bearings.field import highest_pressure, narrowest_gap_angle
 from babbitt.bearings.layout import supply_numbers, without_pressure
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.thermal_answer import flow_without_pressure, thermal_values
@@ -58,7 +58,7 @@ def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "load_angle": math.atan2(-film.force[1], -film.force[0]),
         "minimum_film_thickness": film.minimum_film_thickness,
         "narrowest_gap_angle": narrowest_gap_angle(film),
-        "maximum_pressure": film.maximum_pressure,
+        "maximum_pressure": highest_pressure(film),
         "friction_number": coefficient / state.relative_clearance,
         "friction_coefficient": coefficient,
         "friction_torque": case.friction_factor * film.friction_torque,

@@ -142,15 +142,15 @@ def doubts_about_heat(
             f"{case.lubricant.name} is described from {coldest - ZERO_CELSIUS:.0f} to "
             f"{hottest - ZERO_CELSIUS:.0f} °C",
         )
-    film = state.thermal.film
-    into = film.supply_flow < 0.0
-    back = -float(film.supply_flow[into].sum())
-    if back > BACK_FROM * film.leaving_flow:
-        warmest = float(state.thermal.groove_temperatures[into].max()) - ZERO_CELSIUS
-        share = state.thermal.heat.returned / state.thermal.heat.oil
+    thermal = state.thermal
+    back = float(thermal.returned_flow.sum())
+    if back > BACK_FROM * thermal.film.leaving_flow:
+        warmth = thermal.heat.returned / (state.volumetric_heat_capacity * back)
+        mean = thermal.supply_temperature + warmth - ZERO_CELSIUS
+        share = thermal.heat.returned / thermal.heat.oil
         yield Notice(
             "W148",
-            f"{back * 6e4:.2g} L/min of oil at up to {warmest:.0f} °C, with {share:.0%} of the heat of the oil",
+            f"{back * 6e4:.2g} L/min, {mean:.0f} °C warm in the mean, with {share:.0%} of the heat of the oil",
         )
     if values["energy_balance_error"] > OPEN_BALANCE:
         yield Notice("W146", f"{values['energy_balance_error']:.2g} of the friction power is not accounted for")

@@ -11,7 +11,7 @@ from babbitt.bearings.model import FilmCase
 from babbitt.bearings.rotor import RIGID, critical_mass_of_rotor
 from babbitt.bearings.settling import place_of, settled_film
 from babbitt.bearings.warm_film import FilmState
-from babbitt.design.roots import bracketed_root
+from babbitt.design.roots import find_root
 
 if TYPE_CHECKING:
     from babbitt.film.solution import FilmSolution
@@ -106,7 +106,10 @@ def threshold_speed(case: FilmCase, state: FilmState, mass: float, shaft_stiffne
 
 
 def crossing(excess: Callable[[float], float], speed: float) -> float | None:
-    """Speed at which a function turns from positive to negative: above a stable speed, below an unstable one."""
+    """Speed at which a function turns from positive to negative: above a stable speed, below an unstable one.
+
+    None where there is none in sight, or the function has no value on the way.
+    """
     here = excess(speed)
     if math.isnan(here):
         return None
@@ -118,6 +121,7 @@ def crossing(excess: Callable[[float], float], speed: float) -> float | None:
         if math.isnan(there):
             return None
         if here * there <= 0.0:
-            return bracketed_root(excess, min(near, far), max(near, far), relative=SPEED_TOLERANCE)
+            root = find_root(excess, min(near, far), max(near, far), relative=SPEED_TOLERANCE)
+            return root.value if root.converged else None
         near, here = far, there
     return None

@@ -148,14 +148,21 @@ def _rounded(value: Any) -> Any:
 def long_films_of(bearing: JournalBearing, case: Case) -> tuple[LongFilmCase, ...]:
     """The bearing as an infinitely long film, whatever method it names.
 
-    Empty where that method does not know the bearing, or where no oil is supplied.
+    Empty where `unknown_to_long_film` says why.
     """
-    unfit = next(one_dimension.unknown(bearing, "the long film"), None) is not None
-    supply = inputs(bearing, case).supply if isinstance(case, JournalCase | Machine) else None
-    if unfit or supply is None or supply.temperature is None:
+    if unknown_to_long_film(bearing, case):
         return ()
     seen = bearing.model_copy(update={"method": "long_film"})
     return tuple(_expanded(seen, case, long_film_case))
+
+
+def unknown_to_long_film(bearing: JournalBearing, case: Case) -> str:
+    """Why the infinitely long film does not know a bearing, in words; empty where it does."""
+    unfit = next(one_dimension.unknown(bearing, "it"), None)
+    if unfit is not None:
+        return unfit.says
+    supply = inputs(bearing, case).supply if isinstance(case, JournalCase | Machine) else None
+    return "" if supply is not None and supply.temperature is not None else "it needs the temperature of fresh oil"
 
 
 def _expanded(bearing: JournalBearing, case: Case, make: Maker[DesignT]) -> Iterator[DesignT]:

@@ -20,7 +20,7 @@ __all__ = [
     "ThermalGiven",
     "WallsGiven",
     "heat_goes_with_the_film",
-    "may_have_own_temperatures",
+    "unknown_to_own_temperatures",
 ]
 
 ThermalGiven = Literal["isothermal", "global", "adiabatic", "full"]
@@ -156,9 +156,9 @@ def heat_goes_with_the_film(bearing: JournalBearing) -> Iterator[Complaint]:
         yield from _complaints_about_sizes(bearing, bearing.walls)
 
 
-def may_have_own_temperatures(bearing: JournalBearing) -> bool:
-    """Whether nothing about a bearing but its method keeps its film from having its own temperatures."""
-    return not any(_complaints_about_own_temperatures(bearing))
+def unknown_to_own_temperatures(bearing: JournalBearing) -> str:
+    """What about a bearing keeps its film from having its own temperatures, in words; empty where nothing does."""
+    return next((one.says for one in _complaints_about_own_temperatures(bearing)), "")
 
 
 def _complaints_about_own_temperatures(bearing: JournalBearing) -> Iterator[Complaint]:

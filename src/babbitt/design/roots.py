@@ -14,6 +14,9 @@ from dataclasses import dataclass
 
 __all__ = ["Root", "bracketed_root", "find_root"]
 
+MOST_HALVINGS = 2200
+"""As many halvings lead from the widest bracket of floating-point numbers to the narrowest."""
+
 
 @dataclass(frozen=True)
 class Root:
@@ -35,12 +38,21 @@ def bracketed_root(
     absolute, relative : float
         Tolerance of the root.
 
+    Raises
+    ------
+    ValueError
+        When the function is no number at a bound, has the same sign at both, or when no root was found between
+        them.
+
     Examples
     --------
     >>> round(bracketed_root(lambda x: x * x - 2.0, 0.0, 2.0), 12)
     1.414213562373
     """
-    return find_root(function, low, high, absolute, relative).value
+    root = find_root(function, low, high, absolute, relative)
+    if not root.converged:
+        raise ValueError(f"the search between {low} and {high} ended without a root at {root.value}")
+    return root.value
 
 
 def find_root(
@@ -49,7 +61,7 @@ def find_root(
     high: float,
     absolute: float = 0.0,
     relative: float = 0.0,
-    most_steps: int = 200,
+    most_steps: int = MOST_HALVINGS,
 ) -> Root:
     """Root of a function between two bounds, with the verdict on its tolerance.
 
@@ -58,9 +70,15 @@ def find_root(
     Raises
     ------
     ValueError
-        When the function has the same sign at both bounds.
+        When the function is no number at a bound, or has the same sign at both.
+
+    Notes
+    -----
+    Where the function is no number between the bounds, the search ends there and has not converged.
     """
     lower, upper = function(low), function(high)
+    if math.isnan(lower) or math.isnan(upper):
+        raise ValueError(f"the function is {lower} at {low} and {upper} at {high}; it must be a number there")
     if (lower > 0.0) == (upper > 0.0) and lower != 0.0 != upper:
         raise ValueError(f"the function is {lower} at {low} and {upper} at {high}; it needs different signs there")
     newest, opposite, oldest = high, low, low

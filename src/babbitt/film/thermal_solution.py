@@ -76,7 +76,8 @@ class ThermalFilm:
         K.
     heat : HeatSplit
     effective_viscosity : float
-        Uniform viscosity with the same friction power in the same gap by shear, Pa s.
+        Uniform viscosity of the oil with the same friction power in the same gap by shear, at every place with the
+        turbulence that the film has there, Pa s.
     """
 
     film: FilmSolution
@@ -128,7 +129,7 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
     leaving, own = side_oil(warm)
     over_sides = float((leaving * (own - cold)).sum()) * unit
     exchange = supply_exchange(film, scales, warm, order)
-    back, returned = exchange.heat.sum() * unit, float((exchange.heat * exchange.back).sum()) * unit
+    back, returned = float(exchange.heat.sum()) * unit, float((exchange.heat * exchange.back).sum()) * unit
     sides = float(film.end_flows.sum()) + film.side_inflow
     bush, journal = warm.bush_heat(), float(warm.walls.journal[1])
     dissipation = warm.dissipation * warm.rise * unit
@@ -141,13 +142,14 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
     if warm.walls.insulated:  # walls are as warm as the oil that touches them
         touching = warm.temperature[:, :, [0, -1]].mean(axis=1)
         wall, shaft = touching[:, 0].copy(), float(touching[:, 1] @ warm.walls.width / warm.walls.width.sum())
+    sheared = warm.unit_friction() * churning(warm)
     return ThermalFilm(
         film=replace(film, friction_torque=warm.friction * scales.torque),
         axial_positions=inner if resolved else np.zeros(1),
         layers=0.5 * (edges[1:] + edges[:-1]),
         temperature=warm.temperature.copy(),
         supply_temperature=cold,
-        side_temperature=cold + (over_sides + back - returned) * scales.flow / (unit * sides)
+        side_temperature=float(cold + (over_sides + back - returned) * scales.flow / (unit * sides))
         if sides > 0.0
         else cold,
         groove_temperatures=exchange.temperature[list(order)],
@@ -157,8 +159,20 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
         bush_flux=warm.walls.bush_flux.copy(),
         journal_temperature=shaft,
         heat=HeatSplit(dissipation, over_sides + back, bush, journal, returned),
-        effective_viscosity=warm.reference_viscosity * warm.friction / max(warm.unit_friction(), 1e-300),
+        effective_viscosity=warm.reference_viscosity * warm.friction / max(sheared, 1e-300),
     )
+
+
+def churning(warm: WarmRing) -> float:
+    """Turbulent over laminar friction by shear of the whole film, at one viscosity; 1 for a laminar film.
+
+    Without it turbulence would count as viscosity of the oil, and again wherever that enters a Reynolds number.
+    """
+    flows, columns = warm.flows, warm.columns
+    per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
+    laminar = warm.walls.width[:, None] * per
+    whole = float(laminar.sum())
+    return float((laminar * flows.stir).sum()) / whole if whole > 0.0 else 1.0
 
 
 def side_oil(warm: WarmRing) -> tuple[Array, Array]:

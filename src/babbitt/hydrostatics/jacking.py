@@ -93,7 +93,7 @@ def gap_for_flow(case: JackingCase, flow: float) -> float:
 
     Flow grows with the gap.
     """
-    from babbitt.design.roots import find_root
+    from babbitt.design.roots import bracketed_root
 
     def excess(log_gap: float) -> float:
         return math.log(lift_at(case, math.exp(log_gap)).flow / flow)
@@ -101,7 +101,7 @@ def gap_for_flow(case: JackingCase, flow: float) -> float:
     low, high = math.log(1e-3 * case.bearing.clearance), math.log(0.9 * case.bearing.clearance)
     if excess(low) > 0.0 or excess(high) < 0.0:
         return math.nan
-    return math.exp(find_root(excess, low, high, 1e-5).value)
+    return math.exp(bracketed_root(excess, low, high, 1e-5))
 
 
 def lift_curve(case: JackingCase) -> tuple[LiftPoint, ...]:

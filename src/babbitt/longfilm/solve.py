@@ -201,4 +201,6 @@ def _between(film: LongFilm, load: float, below: float, above: LongFilmState) ->
         return film_at_eccentricity(film, eccentricity, near).load - load
 
     root = find_root(excess, below, above.eccentricity_ratio, 1e-10)
+    if not root.converged:
+        raise NoFilmError(Outcome.NOT_CONVERGED)
     return film_at_eccentricity(film, root.value, near)

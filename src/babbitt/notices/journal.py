@@ -163,9 +163,11 @@ JOURNAL: dict[str, Explanation] = {
     "W148": Explanation(
         "Warm oil flows back into a supply",
         "A groove or pocket lies where the film has more pressure than the supply: the film presses warm oil back "
-        "into it, and the heat of that oil (`heat_returned`) leaves through the supply. `outlet_temperature` is "
-        "that of the oil at the sides; `groove_returned_flows` and `groove_temperatures` tell of every supply.",
-        "Move the groove or pocket out of the loaded zone, or count on warmer supply oil.",
+        "into it. Or `carry_over` says that fresh oil flushes warm oil out of the grooves, more than leaves over "
+        "their ends. The heat of all that oil (`heat_returned`) leaves through the supplies. `outlet_temperature` "
+        "is that of the oil at the sides; `groove_returned_flows` and `groove_temperatures` tell of every supply.",
+        "Move the groove or pocket out of the loaded zone, or count on warmer supply oil; with `carry_over`, let "
+        "the supply line take that oil away.",
     ),
     "W142": Explanation(
         "Pressure beyond plain bearings",
@@ -176,10 +178,10 @@ JOURNAL: dict[str, Explanation] = {
         "Check load, width and units; a larger bearing or less load.",
     ),
     "W143": Explanation(
-        "The load points into a groove",
-        "The load is directed at a groove as wide as the bearing. The groove carries no more than its own "
-        "pressure, and the film beside it all the rest.",
-        "Turn the groove away from the load; check `load_angle`, which is counter-clockwise from the x axis.",
+        "The load points into a groove or pocket",
+        "The load is directed at a groove as wide as the bearing, or at a pocket or hole. It carries no more than "
+        "its own pressure, and the film beside it all the rest.",
+        "Turn it away from the load; check `load_angle`, which is counter-clockwise from the x axis.",
     ),
     "W120": Explanation(
         "The journal whirls",

@@ -63,6 +63,8 @@ ONE_DIMENSION: tuple[Quantity, ...] = (
     ),
     quantity("groove_pressure", "p_g", "Pa", "MPa", 4, "Gauge pressure in the groove"),
     quantity("groove_side_flow", "Q_g", "m3/s", "L/min", 4, "Flow out of the ends of the groove"),
+    quantity("groove_warm_flow", "Q_gw", "m3/s", "L/min", 4, "Warm oil that fresh oil replaces in the groove"),
+    quantity("groove_heat", "q_g", "W", "kW", 4, "Heat of that oil, part of P_oil, which leaves by the groove"),
     quantity("groove_load_ratio", "F/F_0", "1", "", 3, "Load over that of the ungrooved film at the same gap"),
     quantity("ungrooved_specific_load", "p̄_0", "Pa", "MPa", 3, "Specific load without groove at the same gap"),
     quantity("ungrooved_outlet_temperature", "T_ex,0", "K", "degC", 4, "Outlet without groove at the same gap"),

@@ -71,8 +71,8 @@ def _bearing(comparison: Comparison) -> Iterator[str]:
     yield from _figure(comparison)
     yield "<h3>What each method sees and neglects</h3>"
     yield from _remarks(methods)
-    if comparison.left_out:
-        yield f'<p class="note">{_text(comparison.left_out)}</p>'
+    for line in comparison.left_out.splitlines():
+        yield f'<p class="note">{_text(line)}</p>'
     yield "<h3>Results side by side</h3>"
     yield from _table(methods)
     if others:

@@ -103,8 +103,8 @@ def print_comparison(comparisons: Sequence[Comparison]) -> bool:
         _print_remarks(to, methods)
         for line in cost_of_one_temperature(comparison):
             to.print(f"  {line}", markup=False)
-        if comparison.left_out:
-            to.print(f"  {comparison.left_out}", markup=False)
+        for line in comparison.left_out.splitlines():
+            to.print(f"  {line}", markup=False)
         to.print()
         if others:
             to.print(_table(Text("Other choices within a method", style="bold"), others))

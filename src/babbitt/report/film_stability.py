@@ -25,6 +25,9 @@ if TYPE_CHECKING:
 WHIRLS, RESERVES = "0.88", (2.0, 5.0, 10.0)
 """Grey of the unstable region; multiples of the mass of the rotor that are drawn."""
 
+EDGE_OF_WHIRL = 0.5
+"""Mass of the rotor over its sum with the critical one where both are equal."""
+
 WORD, ROOM = 2.5, 0.05
 """Width of a word over its height; room around its middle that it takes, as a share of the height of the panel."""
 
@@ -47,23 +50,22 @@ def _map(panel: Axes, state: FilmState, found: StabilityMap) -> None:
     rpm, kilo = QUANTITIES["threshold_speed"].display.scale, QUANTITIES["load"].display.scale
     x, y = kilo * found.loads, rpm * found.speeds
     panel.set(xscale="log", yscale="log", xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
-    rate = np.ma.masked_invalid((found.growth / found.speeds).T)
-    if np.ma.count(rate):
-        reach = 1.0 + float(np.abs(rate).max())
-        panel.contourf(x, y, rate, levels=[0.0, reach], colors=[WHIRLS])
+    share = whirl_share(found).T
+    if np.ma.count(share):
+        panel.contourf(x, y, share, levels=[EDGE_OF_WHIRL, 1.1], colors=[WHIRLS])
     if not found.points.solved.all():
         missing = np.where(found.points.solved.reshape(found.growth.shape), 0.0, 1.0).T
         panel.contourf(x, y, missing, levels=[0.5, 1.5], colors=["none"], hatches=["////"])
-    if rate.min() < 0.0 < rate.max():
-        panel.contour(x, y, rate, levels=[0.0], colors=[INK], linewidths=[1.1])
-    reserve = np.ma.masked_invalid(np.log10(np.clip(found.reserve, 1e-3, 1e3)).T)
-    levels = [math.log10(times) for times in RESERVES if reserve.min() < math.log10(times) < reserve.max()]
+    if share.min() < EDGE_OF_WHIRL < share.max():
+        panel.contour(x, y, share, levels=[EDGE_OF_WHIRL], colors=[INK], linewidths=[1.1])
+    levels = [level for times in reversed(RESERVES) if share.min() < (level := 1.0 / (1.0 + times)) < share.max()]
     if levels:
-        lines = panel.contour(x, y, reserve, levels=levels, colors=["0.6"], linewidths=[0.5])
+        lines = panel.contour(x, y, share, levels=levels, colors=["0.6"], linewidths=[0.5])
         places = [place for path in lines.get_paths() if (place := _inside(path.vertices, x, y)) is not None]
+        places = [one for n, one in enumerate(places) if all(_apart(one, other, x, y) for other in places[:n])]
         if places:
             panel.clabel(
-                lines, fmt=lambda level: f"{10.0**level:.0f} m", fontsize=6, inline_spacing=2, manual=places
+                lines, fmt=lambda level: f"{1.0 / level - 1.0:.0f} m", fontsize=6, inline_spacing=2, manual=places
             )
     here = kilo * state.load, rpm * abs(state.solution.film.angular_speed)
     _words(panel, x, y, found, here)
@@ -71,6 +73,24 @@ def _map(panel: Axes, state: FilmState, found: StabilityMap) -> None:
     panel.set(xlabel=axis_label(QUANTITIES["load"]), ylabel="$N$ in rpm")
     plain_ticks(panel.xaxis)
     plain_ticks(panel.yaxis)
+
+
+def whirl_share(found: StabilityMap) -> np.ma.MaskedArray[Any, Any]:
+    """Mass of the rotor over the sum of it and the critical mass, shape (n, m), masked where there is no film.
+
+    It rises from 0, where no rotor whirls, over 1/2 at the edge of whirl to 1, where every one does: as curves of
+    one level each of one finite field, the edge and the multiples of the mass cannot cross.
+    """
+    share = 1.0 / (1.0 + np.maximum(found.reserve, 0.0))
+    sided = np.where(found.stable, np.minimum(share, EDGE_OF_WHIRL - 1e-6), np.maximum(share, EDGE_OF_WHIRL))
+    return np.ma.masked_array(sided, ~np.isfinite(found.growth + share))
+
+
+def _apart(one: tuple[float, float], other: tuple[float, float], x: Array, y: Array) -> bool:
+    """Whether two places leave room for a name at each."""
+    across = math.log(one[0] / other[0]) / math.log(x[-1] / x[0])
+    up = math.log(one[1] / other[1]) / math.log(y[-1] / y[0])
+    return math.hypot(across, up) > ROOM
 
 
 def _inside(curve: Any, x: Array, y: Array) -> tuple[float, float] | None:

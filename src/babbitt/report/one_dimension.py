@@ -25,6 +25,8 @@ OWN_RESULTS = (
     "mean_temperature_load_ratio",
     "groove_pressure",
     "groove_side_flow",
+    "groove_warm_flow",
+    "groove_heat",
     *(
         f"segment_{place}_{name}"
         for place in (1, 2)

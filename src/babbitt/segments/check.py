@@ -19,7 +19,7 @@ from babbitt.notices import EXPLANATIONS, Notice
 from babbitt.results import Check, Matrix, Outcome, Result
 from babbitt.segments.beside import Beside, beside
 from babbitt.segments.doubts import doubts
-from babbitt.segments.model import SegmentCase
+from babbitt.segments.model import GrooveKind, SegmentCase
 from babbitt.segments.solve import film_at_eccentricity, film_under_load
 from babbitt.segments.state import SegmentFilmState
 
@@ -157,7 +157,10 @@ def _values(case: SegmentCase, state: SegmentFilmState) -> dict[str, float]:
             f"segment_{place}_viscosity": one.viscosity,
             f"segment_{place}_constant": one.segment.constant,
         }
-    return values | {"groove_pressure": state.groove_pressure, "groove_side_flow": state.groove_side_flow}
+    values |= {"groove_pressure": state.groove_pressure, "groove_side_flow": state.groove_side_flow}
+    if case.groove.kind is GrooveKind.THROUGH:
+        values |= {"groove_warm_flow": state.groove_warm_flow, "groove_heat": state.groove_heat}
+    return values
 
 
 def _mean_temperature(state: SegmentFilmState) -> float:

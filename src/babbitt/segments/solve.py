@@ -135,6 +135,8 @@ def _between(film: SegmentFilm, load: float, below: float, above: SegmentFilmSta
         return film_at_eccentricity(film, eccentricity, above).load - load
 
     root = find_root(excess, below, above.eccentricity_ratio, 1e-9)
+    if not root.converged:
+        raise NoFilmError(Outcome.NOT_CONVERGED)
     return film_at_eccentricity(film, root.value, above)
 
 

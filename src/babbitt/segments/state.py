@@ -89,13 +89,28 @@ class SegmentFilmState:
 
     @property
     def outlet_temperature(self) -> float:
-        """Of the last segment, K."""
+        """Of the last segment, K; what leaves in a groove is apart from it (`groove_warm_flow`)."""
         return self.segments[-1].outlet_temperature
 
     @property
     def groove_side_flow(self) -> float:
         """Q1 - Q2: what leaves at the ends of the groove; negative: what it must be given. 0 without groove."""
         return self.segments[0].flow - self.segments[-1].flow
+
+    @property
+    def groove_warm_flow(self) -> float:
+        """Oil of the first segment that fresh oil replaces in the groove and that leaves there, m³/s."""
+        first, last = self.segments[0], self.segments[-1]
+        cold = first.inlet_temperature
+        warmed, kept = first.outlet_temperature - cold, last.inlet_temperature - cold
+        going_on = last.flow * kept / warmed if warmed > 0.0 else last.flow
+        return max(first.flow - going_on, 0.0) if last is not first else 0.0
+
+    @property
+    def groove_heat(self) -> float:
+        """Heat that this oil takes with it, W: part of that of the first segment."""
+        first = self.segments[0]
+        return first.heat * self.groove_warm_flow / first.flow
 
     def width_of_narrow_zone(self, factor: float = 1.1) -> float:
         """Angle over which the film is thinner than `factor` times its thinnest, rad."""

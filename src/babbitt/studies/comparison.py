@@ -13,6 +13,7 @@ from babbitt.cases.build import (
     iso7902_cases,
     long_films_of,
     unknown_to_iso7902,
+    unknown_to_long_film,
 )
 from babbitt.cases.designs import AnyDesign
 from babbitt.cases.every_kind import HydrostaticBearing
@@ -31,7 +32,13 @@ from babbitt.standards.iso7902 import DesignCase, check
 from babbitt.standards.iso7902.model import Curves, Friction
 from babbitt.studies.heel_comparison import compare_heels
 from babbitt.studies.one_dimension import long_film_variants, segment_variants
-from babbitt.studies.thermal_variants import GLOBAL, ThermalVariant, thermal_variants
+from babbitt.studies.thermal_variants import (
+    GLOBAL,
+    OWN,
+    ThermalVariant,
+    left_out_of_thermal_variants,
+    thermal_variants,
+)
 
 
 @dataclass(frozen=True)
@@ -58,7 +65,7 @@ class Variant:
 @dataclass(frozen=True)
 class Comparison:
     """All ways to compute one bearing; the first is the one the case asks for, `left_out` says which do not apply
-    and why."""
+    and why, a line for each."""
 
     name: str
     variants: tuple[Variant, ...]
@@ -167,10 +174,18 @@ def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
         plain = next((one.case for one in films if one.label == GLOBAL), films[0].case)
         among = (*ordered, *_cavitation_variants(plain))
         methods = (one for one in among if one.is_method)
-        reason = unknown_to_iso7902(bearing)
-        left_out = f"{ISO_LABEL} is left out: {reason}" if reason else ""
         ranked = (*methods, *(one for one in among if not one.is_method))
-        yield Comparison(films[0].case.name, ranked, left_out)
+        yield Comparison(films[0].case.name, ranked, "\n".join(_left_out(bearing, case)))
+
+
+def _left_out(bearing: JournalBearing, case: Case) -> Iterator[str]:
+    """Which methods do not apply to a bearing, and why."""
+    reasons = {
+        f"{ISO_LABEL} is": unknown_to_iso7902(bearing),
+        f"{' and '.join(OWN.values())} are": left_out_of_thermal_variants(bearing, case),
+        f"{LONG_FILM[0]} is": unknown_to_long_film(bearing, case),
+    }
+    yield from (f"{which} left out: {reason}" for which, reason in reasons.items() if reason)
 
 
 def _film_variant(one: ThermalVariant) -> Variant:

@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 from babbitt.bearings.model import FilmCase
 from babbitt.cases import Case
 from babbitt.cases.build import film_cases
-from babbitt.cases.film_heat import may_have_own_temperatures
+from babbitt.cases.film_heat import unknown_to_own_temperatures
 from babbitt.cases.journal import JournalBearing
 from babbitt.units import ZERO_CELSIUS
 
-__all__ = ["ThermalVariant", "thermal_variants"]
+__all__ = ["OWN", "ThermalVariant", "left_out_of_thermal_variants", "thermal_variants"]
 
 GLOBAL = "film"
 
@@ -64,12 +64,8 @@ def thermal_variants(bearing: JournalBearing, case: Case) -> Iterator[tuple[Ther
         From the simplest to the fullest; that of the bearing itself stands first where it names the film method.
     """
     own_films, with_balance = film_cases(bearing, case), film_cases(bearing, case, "global")
-    free = may_have_own_temperatures(bearing)
-    heated = {
-        name: film_cases(bearing, case, name)
-        for name in OWN
-        if free and all(film.oil_supply is not None and film.oil_supply.flow is None for film in own_films)
-    }
+    free = not left_out_of_thermal_variants(bearing, case)
+    heated = {name: film_cases(bearing, case, name) for name in OWN if free}
     for index, own in enumerate(own_films):
         found = {}
         if own.effective_temperature is not None:
@@ -83,6 +79,16 @@ def thermal_variants(bearing: JournalBearing, case: Case) -> Iterator[tuple[Ther
         yield tuple(
             ThermalVariant(_label(name, film), REMARKS[name], film) for name, film in _ordered(bearing, own, found)
         )
+
+
+def left_out_of_thermal_variants(bearing: JournalBearing, case: Case) -> str:
+    """Why films with their own temperatures do not know a bearing, in words; empty where they do."""
+    reason = unknown_to_own_temperatures(bearing)
+    supplies = [film.oil_supply for film in film_cases(bearing, case)]
+    if reason or all(one is not None and one.flow is None for one in supplies):
+        return reason
+    flooded = "a film with its own temperatures is fed by pressure, not by a given flow"
+    return flooded if all(supplies) else "a film with its own temperatures needs the temperature of fresh oil"
 
 
 def _label(name: str, film: FilmCase) -> str:

@@ -78,7 +78,8 @@ def solved(name: str) -> Result:
 def outlet_temperature(name: str) -> float:
     """Our own outlet temperature in °C, with the friction factor that suits these tables."""
     factor = inferred()["common"]["friction_factor_of_tables_4_and_5"]
-    return check(design_case(name, friction_factor=factor)).outlet_temperature - ZERO_CELSIUS
+    kelvin: float = check(design_case(name, friction_factor=factor)).outlet_temperature
+    return kelvin - ZERO_CELSIUS
 
 
 def run() -> tuple[Comparison, ...]:
