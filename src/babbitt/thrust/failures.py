@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from babbitt.results import Outcome
 
-__all__ = ["NoPadFilmError", "OverloadedPadsError", "ThermalRunawayError", "UnsettledPadError"]
+__all__ = ["NoPadFilmError", "OverloadedPadsError", "PadsTouchError", "ThermalRunawayError", "UnsettledPadError"]
 
 
 class NoPadFilmError(Exception):
@@ -43,5 +43,19 @@ class OverloadedPadsError(NoPadFilmError):
         self.said = (
             f"the pads carry at most {carried / 1e3:.4g} kN of {thrust / 1e3:.4g} kN: in front of a deep step the "
             "pressure has a bound; a shallower face, more viscous oil, more speed, or larger pads"
+        )
+        super().__init__(self.said)
+
+
+class PadsTouchError(NoPadFilmError):
+    """Tilt and heights bring a pad on a rigid ring through the mean film that is given."""
+
+    outcome = Outcome.OUTSIDE_CLEARANCE
+
+    def __init__(self, film: float, nearer: float, pad: int) -> None:
+        self.said = (
+            f"tilt and heights bring pad {pad} {nearer * 1e6:.1f} µm nearer to the collar than the mean film of "
+            f"{film * 1e6:.1f} µm: it stands in the collar; a thicker film, a ring that gives way, or the "
+            "thrust in place of the film"
         )
         super().__init__(self.said)
