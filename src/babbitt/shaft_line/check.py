@@ -19,7 +19,7 @@ from babbitt.shaft_line.natural import Mode, modes, undamped_frequencies
 from babbitt.shaft_line.stages import Attribution, attribution
 from babbitt.shaft_line.sweeps import CampbellPoint, RingPoint, barred_ranges, ring_sweep, speed_sweep, usual_rings
 from babbitt.shaft_line.transient import Transient, transient
-from babbitt.thrust.check import oil_assumptions, pad_arrays, share_doubts, share_values
+from babbitt.thrust.check import oil_assumptions, pad_arrays, share_doubts, share_values, temperature_not_checked
 from babbitt.thrust.design import ThrustState, operating_state
 from babbitt.thrust.failures import NoPadFilmError
 
@@ -136,7 +136,7 @@ def line_check(design: LineDesign) -> Result:
         values,
         tuple(_checks(design, answer, values)),
         (*thrust.doubts, *share_doubts(thrust, answer.static), *_doubts(answer), *_beside_the_map(design)),
-        _not_checked(design),
+        (*_not_checked(design), temperature_not_checked(values)),
         (*design.lubricant.assumptions, *thrust.assumptions, *_assumptions(design)),
         settings={
             "lubricant": design.lubricant.name,

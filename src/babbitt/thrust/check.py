@@ -17,7 +17,14 @@ from babbitt.thrust.heat import Temperatures
 from babbitt.thrust.sharing import Share, share_of
 from babbitt.thrust.state import CONTACT, condensed
 
-__all__ = ["oil_assumptions", "pad_arrays", "share_doubts", "share_values", "thrust_check"]
+__all__ = [
+    "oil_assumptions",
+    "pad_arrays",
+    "share_doubts",
+    "share_values",
+    "temperature_not_checked",
+    "thrust_check",
+]
 
 METHOD = "film"
 LEAST_SHARE = 0.01
@@ -73,7 +80,7 @@ def thrust_check(design: ThrustDesign) -> Result:
         values,
         (limit,),
         (*design.doubts, *share_doubts(design, state)),
-        (),
+        (temperature_not_checked(values),),
         (*design.lubricant.assumptions, *design.assumptions, *_assumptions(design)),
         settings={"lubricant": design.lubricant.name, "pivot": design.bearing.pad.pivot.value},
         arrays=pad_arrays(state.share, design.speed),
@@ -222,10 +229,22 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
     reynolds = reynolds_number(design, share, effective_viscosity(design, state), state.temperatures)
     if design.turbulence is None and reynolds > LAMINAR_UP_TO:
         yield Notice("W204", f"Re = {reynolds:.0f} > {LAMINAR_UP_TO:.0f}")
-    hottest = max((pad.heat.maximum for pad in share.states if pad.heat is not None), default=None)
+    known = (*_hottest(share).values(), *([] if state.temperatures is None else [state.temperatures.trailing]))
+    hottest = max(known, default=design.oil.effective_temperature)
     if hottest is not None and not design.lubricant.covers(hottest):
         low, high = (kelvin - 273.15 for kelvin in design.lubricant.temperature_range)
         yield Notice("W145", f"film up to {hottest - 273.15:.1f} °C, data from {low:.4g} to {high:.4g} °C")
+
+
+def temperature_not_checked(values: dict[str, float]) -> Notice:
+    """That no temperature is held against a limit, and the hottest one that is known."""
+    names = ("maximum_temperature", "trailing_temperature", "effective_temperature")
+    known = next((values[name] for name in names if name in values), None)
+    if known is None:
+        return Notice("C104", "the viscosity of the films is given, their temperature is not known")
+    return Notice(
+        "C104", f"no limit belongs to a thrust case; the hottest oil known is at {known - 273.15:.1f} °C"
+    )
 
 
 def oil_assumptions(oil: Oil) -> Iterator[str]:

@@ -25,7 +25,7 @@ class ThermalRunawayError(NoPadFilmError):
     """No balance up to the highest temperature."""
 
     outcome = Outcome.THERMAL_RUNAWAY
-    said = "friction outruns the oil up to 300 °C; cool the supply, thin the oil, carry less over"
+    said = "friction outruns the oil up to 300 °C; less thrust, cooler or thinner oil, less of it carried over"
 
 
 class UnsettledPadError(NoPadFilmError):
@@ -39,10 +39,11 @@ class OverloadedPadsError(NoPadFilmError):
 
     outcome = Outcome.OVERLOADED
 
-    def __init__(self, thrust: float, carried: float) -> None:
+    def __init__(self, thrust: float, carried: float, stepped: bool = False) -> None:
+        bound = "in front of a deep step the pressure has a bound; a shallower step, " if stepped else ""
         self.said = (
-            f"the pads carry at most {carried / 1e3:.4g} kN of {thrust / 1e3:.4g} kN: in front of a deep step the "
-            "pressure has a bound; a shallower face, more viscous oil, more speed, or larger pads"
+            f"the pads carry at most {carried / 1e3:.4g} kN of {thrust / 1e3:.4g} kN: {bound}less thrust, more "
+            "viscous oil, more speed, or larger pads"
         )
         super().__init__(self.said)
 

@@ -12,6 +12,7 @@ from babbitt.design.roots import bracketed_root
 from babbitt.notices import InputError
 from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.carrying import Carrying
+from babbitt.thrust.face import SteppedFace
 from babbitt.thrust.failures import OverloadedPadsError, PadsTouchError
 from babbitt.thrust.state import PadState
 
@@ -121,7 +122,7 @@ def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, departures:
     if float(np.ptp(away)) == 0.0:
         return _evenly(films, bearing, thrust, float(away[0]))
     most = float(films.load(np.full(bearing.number, THINNEST)).sum())
-    _require_carried(thrust, most)
+    _require_carried(films, thrust, most)
     mean = films.height_for(thrust / bearing.number)
 
     def excess(approach: float) -> float:
@@ -141,7 +142,7 @@ def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, departures:
     heights = heights_at(films, c, approach + away)
     states = _states(films, heights)
     loads = np.array([state.load for state in states])
-    _require_carried(thrust, float(loads.sum()))
+    _require_carried(films, thrust, float(loads.sum()))
     return Share(bearing, thrust, approach, heights, loads, states)
 
 
@@ -184,17 +185,17 @@ def share_at_film(films: Carrying, bearing: ThrustBearing, film: float) -> Share
     return Share(bearing, float(loads.sum()), approach, heights, loads, states)
 
 
-def _require_carried(thrust: float, carried: float) -> None:
+def _require_carried(films: Carrying, thrust: float, carried: float) -> None:
     """Pads of a face carry no more than a bound, where a table continued goes on."""
     if not carried > (1.0 - CARRIED) * thrust:
-        raise OverloadedPadsError(thrust, carried)
+        raise OverloadedPadsError(thrust, carried, isinstance(films.pad.face, SteppedFace))
 
 
 def _evenly(films: Carrying, bearing: ThrustBearing, thrust: float, away: float) -> Share:
     """Pads that all stand alike carry alike."""
     height = films.height_for(thrust / bearing.number)
     state = films.state(height)
-    _require_carried(thrust, bearing.number * state.load)
+    _require_carried(films, thrust, bearing.number * state.load)
     yielding = 0.0 if math.isinf(bearing.ring_stiffness) else state.load / bearing.ring_stiffness
     even = np.ones(bearing.number)
     approach = height - yielding - away
