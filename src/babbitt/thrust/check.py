@@ -10,14 +10,16 @@ import numpy as np
 from babbitt.design.doubts import doubt_about_pressure
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Matrix, Outcome, Result
-from babbitt.thrust.bearing import runout_at
+from babbitt.thrust.bearing import ThrustBearing, runout_at
 from babbitt.thrust.design import Oil, ThrustDesign, ThrustState, bearing_state
 from babbitt.thrust.failures import NoPadFilmError
 from babbitt.thrust.heat import Temperatures
+from babbitt.thrust.lean import held_leans, leaning_films
 from babbitt.thrust.sharing import Share, share_of
 from babbitt.thrust.state import CONTACT, condensed
 
 __all__ = [
+    "lean_assumptions",
     "oil_assumptions",
     "pad_arrays",
     "share_doubts",
@@ -29,6 +31,8 @@ __all__ = [
 METHOD = "film"
 LEAST_SHARE = 0.01
 """Pad load over the mean below which a pad is as good as unloaded."""
+NOTICED = 0.01
+"""Of the thinnest film: what a lean of the faces takes off it before it is told."""
 LAMINAR_UP_TO = 1000.0
 """Reynolds number of a film, rho U h/mu, up to which it is taken as laminar: Ng and Pan's theory departs there."""
 TURNS = 24
@@ -226,6 +230,7 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
             f"{share.states[films.index(min(films))].load / 1e3:.0f} kN; surfaces touch below "
             f"{CONTACT * 1e6:g} µm",
         )
+    yield from _lean(share, min(films))
     reynolds = reynolds_number(design, share, effective_viscosity(design, state), state.temperatures)
     if design.turbulence is None and reynolds > LAMINAR_UP_TO:
         yield Notice("W204", f"Re = {reynolds:.0f} > {LAMINAR_UP_TO:.0f}")
@@ -234,6 +239,18 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
     if hottest is not None and not design.lubricant.covers(hottest):
         low, high = (kelvin - 273.15 for kelvin in design.lubricant.temperature_range)
         yield Notice("W145", f"film up to {hottest - 273.15:.1f} °C, data from {low:.4g} to {high:.4g} °C")
+
+
+def _lean(share: Share, thinnest: float) -> Iterator[Notice]:
+    """Faces that cannot follow the tilt of the housing."""
+    leaning = leaning_films(share)
+    if thinnest - float(leaning.min()) > NOTICED * thinnest:
+        yield Notice(
+            "W208",
+            f"pivots stand as tilted, faces square to the shaft; leaning with the housing pad "
+            f"{1 + int(leaning.argmin())} would come to {leaning.min() * 1e6:.1f} µm at its thinnest place, not "
+            f"{thinnest * 1e6:.1f} µm",
+        )
 
 
 def temperature_not_checked(values: dict[str, float]) -> Notice:
@@ -270,8 +287,14 @@ def oil_assumptions(oil: Oil) -> Iterator[str]:
         )
 
 
+def lean_assumptions(bearing: ThrustBearing) -> Iterator[str]:
+    """What is assumed of the faces under a tilt of the housing."""
+    if held_leans(bearing).any():
+        yield "A tilt of the housing moves the pivots; faces that cannot follow it are taken square to the shaft."
+
+
 def _assumptions(design: ThrustDesign) -> tuple[str, ...]:
-    said = list(oil_assumptions(design.oil))
+    said = [*oil_assumptions(design.oil), *lean_assumptions(design.bearing)]
     if design.oil.warm is not None:
         said.append("Each pad takes in what the pad before it sends off, mixed with fresh oil.")
     if design.turbulence is not None:
