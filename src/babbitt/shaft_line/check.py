@@ -19,14 +19,8 @@ from babbitt.shaft_line.natural import Mode, modes, undamped_frequencies
 from babbitt.shaft_line.stages import Attribution, attribution
 from babbitt.shaft_line.sweeps import CampbellPoint, RingPoint, barred_ranges, ring_sweep, speed_sweep, usual_rings
 from babbitt.shaft_line.transient import Transient, transient
-from babbitt.thrust.check import (
-    lean_assumptions,
-    oil_assumptions,
-    pad_arrays,
-    share_doubts,
-    share_values,
-    temperature_not_checked,
-)
+from babbitt.thrust.assumed import lean_assumptions, oil_assumptions
+from babbitt.thrust.check import pad_arrays, share_doubts, share_values, temperature_not_checked
 from babbitt.thrust.design import ThrustState, operating_state
 from babbitt.thrust.failures import NoPadFilmError
 

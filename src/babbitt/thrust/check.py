@@ -10,17 +10,16 @@ import numpy as np
 from babbitt.design.doubts import doubt_about_pressure
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Matrix, Outcome, Result
-from babbitt.thrust.bearing import ThrustBearing, runout_at
-from babbitt.thrust.design import Oil, ThrustDesign, ThrustState, bearing_state
+from babbitt.thrust.assumed import lean_assumptions, oil_assumptions
+from babbitt.thrust.bearing import runout_at
+from babbitt.thrust.design import ThrustDesign, ThrustState, bearing_state
 from babbitt.thrust.failures import NoPadFilmError
 from babbitt.thrust.heat import Temperatures
-from babbitt.thrust.lean import held_leans, leaning_films
+from babbitt.thrust.lean import leaning_films
 from babbitt.thrust.sharing import Share, share_of
 from babbitt.thrust.state import CONTACT, condensed
 
 __all__ = [
-    "lean_assumptions",
-    "oil_assumptions",
     "pad_arrays",
     "share_doubts",
     "share_values",
@@ -262,35 +261,6 @@ def temperature_not_checked(values: dict[str, float]) -> Notice:
     return Notice(
         "C104", f"no limit belongs to a thrust case; the hottest oil known is at {known - 273.15:.1f} °C"
     )
-
-
-def oil_assumptions(oil: Oil) -> Iterator[str]:
-    """What is assumed of the temperature of the films."""
-    if oil.warm is None:
-        yield (
-            "One viscosity for all films, that at the effective temperature; rigid pads; frictionless pivots; "
-            "oil at "
-            "ambient pressure around each pad."
-        )
-    else:
-        across = "and across the pads" if oil.resolved else "means over the width of the pads"
-        yield (
-            f"Films with their own temperatures along the pads and across the gap, {across}; no heat "
-            "goes to "
-            "pads and collar; rigid pads; frictionless pivots; oil at ambient pressure around each pad."
-        )
-        yield "Stiffness and damping at frozen temperatures."
-    if oil.supply_temperature is not None:
-        yield (
-            f"{oil.carry_over:.0%} of the oil that leaves a pad over its trailing edge enters the next; "
-            "all heat goes with the oil."
-        )
-
-
-def lean_assumptions(bearing: ThrustBearing) -> Iterator[str]:
-    """What is assumed of the faces under a tilt of the housing."""
-    if held_leans(bearing).any():
-        yield "A tilt of the housing moves the pivots; faces that cannot follow it are taken square to the shaft."
 
 
 def _assumptions(design: ThrustDesign) -> tuple[str, ...]:
