@@ -26,7 +26,10 @@ SOURCES = sorted(Path(__file__).parent.glob("_*.py"))
 DIGEST = hashlib.sha256(b"".join(path.read_bytes() for path in SOURCES)).hexdigest()[:16]
 
 
-KINDS = {"Axial": "films of grooved and lobed bores", "Surface": "films that differ across the width"}
+KINDS = {
+    "Axial": "films of grooved and lobed bores, once: about 15 s",
+    "Surface": "films that differ across the width, once: about 15 s, with temperatures 40 s",
+}
 
 
 def announce(first: Any) -> None:
@@ -34,7 +37,7 @@ def announce(first: Any) -> None:
     kind = KINDS.get(first.instance_class.__name__) if isinstance(first, types.NamedTuple) else None
     if kind and first not in _announced:
         _announced.add(first)
-        print(f"babbitt: compiling the kernels for {kind}, once: about 15 s", file=sys.stderr)
+        print(f"babbitt: compiling the kernels for {kind}", file=sys.stderr)
 
 
 _announced: set[object] = set()

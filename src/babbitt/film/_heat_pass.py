@@ -73,9 +73,10 @@ def warm_pass(
                     viscosity[i, c, k] *= (1.0 + gain) ** part
     spread_viscosity(surface, columns, viscosity, flows)
     changed, rate, known = 0, np.zeros(at.size), work.wet.copy()
+    rough = bool(0)  # the literal False would compile the film anew
     for _ in range(pace.rounds):
         known[:] = work.wet
-        changed = evaluate_surface(surface, film, work, at, rate, False, force, stiffness, damping)
+        changed = evaluate_surface(surface, film, work, at, rate, rough, force, stiffness, damping)
         if changed == 0:
             break
     if pace.flickering and changed <= FEW * known.size:

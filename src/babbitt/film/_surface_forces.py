@@ -143,28 +143,40 @@ def reduce_surface(surface, film, work, force, stiffness, damping):
             for d in range(motions):
                 rise[d, i, j] = adjoint[1 + d, i, j] - adjoint[1 + d, after, j]
     for d in range(motions):
-        force[d] = -dot(film.load[d].ravel(), excess.ravel())
-    for e in range(motions):
-        flux = fill[:n] * film.couette_d[e] + drop * film.conductance_d[e]
-        if surface.conserving:
+        total = 0.0
+        for i in range(lines):
+            for j in range(nodes):
+                total -= film.load[d, i, j] * excess[i, j]
+        force[d] = total
+        for e in range(motions):
+            stiff, damp = 0.0, 0.0
             for i in range(n):
-                after = i + 1 if i + 1 < lines else 0
                 for j in range(nodes):
-                    if surface.held[i, j] and not work.holds[after, j]:
-                        flux[i, j] = film.inlet_d[e, i, j] * fill[i, j]
-        across, moved = slope[0] * film.cubed_d[e], fill * film.load[e]
-        for d in range(motions):
-            stiff = dot(rise[d].ravel(), flux.ravel()) + dot(slope[1 + d].ravel(), across.ravel())
-            stiffness[d, e], damping[d, e] = stiff, -dot(adjoint[1 + d].ravel(), moved.ravel())
+                    flux = fill[i, j] * film.couette_d[e, i, j] + drop[i, j] * film.conductance_d[e, i, j]
+                    stiff += rise[d, i, j] * flux
+            for i in range(lines):
+                for j in range(nodes):
+                    damp -= adjoint[1 + d, i, j] * fill[i, j] * film.load[e, i, j]
+                for q in range(points):
+                    stiff += slope[0, i, q] * slope[1 + d, i, q] * film.cubed_d[e, i, q]
+            stiffness[d, e], damping[d, e] = stiff, damp
+    if surface.conserving:
+        burst_behind_held(surface, film, work, drop, rise, stiffness)
 
 
 @inlined
-def dot(one, other):
-    """Scalar product."""
-    total = 0.0
-    for i in range(one.size):
-        total += one[i] * other[i]
-    return total
+def burst_behind_held(surface, film, work, drop, rise, stiffness):
+    """Where a line ruptures right behind a held node, what enters it takes the place of the flux in the sums."""
+    lines = surface.held.shape[0]
+    for i in range(surface.step.size):
+        after = i + 1 if i + 1 < lines else 0
+        for j in range(len(surface.nodes)):
+            if surface.held[i, j] and not work.holds[after, j]:
+                for e in range(len(surface.motions)):
+                    more = work.fill[i, j] * (film.inlet_d[e, i, j] - film.couette_d[e, i, j])
+                    more -= drop[i, j] * film.conductance_d[e, i, j]
+                    for d in range(len(surface.motions)):
+                        stiffness[d, e] += rise[d, i, j] * more
 
 
 @compiled

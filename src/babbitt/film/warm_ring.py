@@ -65,7 +65,8 @@ class WarmRing:
     last_rise : ndarray, shape (lines, columns, layers)
         Change of the temperature in the last pass, K.
     relaxation : float
-        Share of (the logarithm of) a new viscosity field that a pass takes: load, position and heat answer each other with a swing.
+        Share of (the logarithm of) a new viscosity field that a pass takes: load, position and heat answer each
+        other with a swing.
     passes : int
         So far.
     """
