@@ -100,12 +100,16 @@ def test_without_excitation_nothing_is_lost():
     )
     assert found.loss_mean_bound == pytest.approx(0.0, abs=1e-12)
     assert found.dynamic_minimum_film == pytest.approx(found.minimum_film_thickness)
+    said = " ".join(answers(found))
+    assert "Nothing shakes the line" in said
+    assert "dominates" not in said
+    assert "would halve" not in said
 
 
 def test_no_harmonic_at_all_is_not_checked():
     start, end = BASE.index("ripple:"), BASE.index("film_limit:")
     found = solve(parse_case(BASE[:start] + BASE[end:])).results[0]
-    assert [notice.code for notice in found.not_checked] == ["C201"]
+    assert [notice.code for notice in found.not_checked] == ["C201", "C104"]
 
 
 def test_a_speed_beside_the_map_is_told():

@@ -1,5 +1,7 @@
 """The march in time against the frequency domain (B5), and the nonlinear pads."""
 
+import math
+
 import numpy as np
 import pytest
 from trawler_line import RIPPLE, RUNOUT, duty, given_pads, line
@@ -99,6 +101,21 @@ def test_golden_nonlinear_motion():
     assert np.all(found.film_shift > 0.0)
     assert np.all(found.load_peaks > 0.0)
     assert np.all(found.unload_peaks > 0.0)
+
+
+@pytest.mark.parametrize("ring", [2e10, math.inf])
+def test_no_film_pulls(ring):
+    """Runout of six times the base case, where linear forces pull: pads lift off, and the mean thrust stays."""
+    from dataclasses import replace
+
+    shaken = duty().with_runout(6.0)
+    state = state_of(replace(shaken, bearing=replace(shaken.bearing, ring_stiffness=ring)), FILMS)
+    assert (state.share.loads - state.forced.peaks()).min() < 0.0
+    found = transient(state)
+    assert found.loads.min() == 0.0
+    assert found.lifts_off
+    assert 0.0 < found.lifted.max() < 0.5
+    assert found.loads[:-1].sum(axis=1).mean() == pytest.approx(state.share.thrust, rel=0.02)
 
 
 def test_crowned_pads_have_no_similar_films_to_march():

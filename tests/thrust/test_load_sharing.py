@@ -11,7 +11,8 @@ from trawler_pads import PAD, SPEED, THRUST, VISCOSITY, bearing
 from babbitt.notices import InputError
 from babbitt.thrust.bearing import ThrustBearing, runout_at
 from babbitt.thrust.carrying import carrying
-from babbitt.thrust.sharing import share_of
+from babbitt.thrust.failures import PadsTouchError
+from babbitt.thrust.sharing import share_at_film, share_of
 
 FILMS = carrying(PAD, VISCOSITY, SPEED)
 
@@ -96,3 +97,27 @@ def test_bearings_that_cannot_be_are_refused(change, says):
 def test_no_thrust_is_refused():
     with pytest.raises(InputError, match="thrust"):
         share_of(FILMS, bearing(), 0.0)
+
+
+@pytest.mark.parametrize("ring", [math.inf, 1e12, 1e10, 1e9])
+@pytest.mark.parametrize("proud", [(), (9e-6, *[0.0] * 7)])
+def test_the_mean_film_is_the_one_given_and_its_thrust_the_same_share(ring, proud):
+    """Whatever the ring gives way: films of mean 50 um and nothing else, and the way back."""
+    uneven = bearing(ring, 40e-6, 0.5, height_errors=proud)
+    share = share_at_film(FILMS, uneven, 50e-6)
+    assert share.heights.mean() == pytest.approx(50e-6, rel=1e-9)
+    back = share_of(FILMS, uneven, share.thrust)
+    assert back.heights == pytest.approx(share.heights, rel=1e-7)
+    assert back.approach == pytest.approx(share.approach, rel=1e-6)
+
+
+def test_a_softer_ring_needs_less_thrust_for_the_mean_film():
+    """An uneven share carries more at the same mean, since W ~ 1/h^2 is convex; a soft ring evens it out."""
+    thrusts = [share_at_film(FILMS, bearing(ring, 40e-6), 50e-6).thrust for ring in (math.inf, 1e11, 1e10, 1e9)]
+    assert thrusts == sorted(thrusts, reverse=True)
+    assert thrusts[-1] > 8 * float(FILMS.load(np.array(50e-6)))
+
+
+def test_a_mean_film_that_the_tilt_uses_up_is_none():
+    with pytest.raises(PadsTouchError, match=r"pad 1 .* nearer"):
+        share_at_film(FILMS, bearing(math.inf, 80e-6), 50e-6)

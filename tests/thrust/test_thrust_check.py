@@ -214,3 +214,25 @@ def test_a_step_carries_no_more_than_its_bound(tilt):
     assert found.outcome is Outcome.OVERLOADED
     assert not found.values
     assert "of 1000 kN" in found.message
+    assert "deep step" in found.message
+
+
+@pytest.mark.parametrize(
+    ("changed", "says"),
+    [
+        ({}, "not known"),
+        ({"oil": f"{BALANCE}}}"}, "hottest oil known"),
+        ({"oil": f"{BALANCE}}}", "thermal": "adiabatic"}, "hottest oil known"),
+    ],
+)
+def test_no_temperature_is_passed_over_in_silence(changed, says):
+    [notice] = result(**changed).not_checked
+    assert notice.code == "C104"
+    assert says in notice.message
+    assert "W145" not in {one.code for one in result(**changed).warnings}
+
+
+def test_oil_hotter_at_the_trailing_edges_than_its_data_is_told():
+    found = result(oil=BALANCE.replace("45 degC", "95 degC") + "}", thrust="900 kN", tilt=None)
+    hottest = found.trailing_temperature - 273.15
+    assert f"{hottest:.1f} °C" in {one.code: one.message for one in found.warnings}["W145"]

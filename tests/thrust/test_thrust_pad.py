@@ -1,6 +1,7 @@
 """Tilting pads: reference values, similarity, the exact stiffness 2 W/h, closed forms of sliders."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -115,6 +116,23 @@ def test_a_crowned_pad_balances_in_the_middle():
     assert state.load == pytest.approx(20e3, rel=1e-8)
     assert state.minimum_film_thickness > 0.0
     assert float(films.load(np.array(state.height))) == pytest.approx(20e3, rel=1e-3)
+
+
+@pytest.mark.parametrize("fraction", [0.5, 0.6])
+@pytest.mark.parametrize("pivot", [Pivot.POINT, Pivot.LINE])
+def test_a_crowned_pad_balances_at_films_thinner_than_its_crown(pivot, fraction):
+    """There the plane of the pad cuts the runner at a corner and its face does not; loads rise as films thin."""
+    pad = replace(PAD, crown=20e-6, pivot=pivot, pivot_fraction=fraction)
+    states = [pad_state(pad, height, VISCOSITY, SPEED) for height in (50e-6, 20e-6, 10e-6, 5e-6)]
+    for state in states:
+        forces = pad.from_pivot().T @ state.film.forces
+        moments = forces[list(pad.free_tilts)]
+        assert np.abs(moments).max() < 1e-9 * state.load * (pad.outer_radius - pad.inner_radius)
+        assert state.minimum_film_thickness > 0.0
+    thin = states[-1]
+    assert (pad.corners() @ np.array([thin.height, thin.slope_x, thin.slope_y])).min() < 0.0
+    loads = [state.load for state in states]
+    assert loads == sorted(loads)
 
 
 @pytest.mark.parametrize("face", [TaperedFace(40e-6, 0.7), SteppedFace(40e-6, 0.7)])

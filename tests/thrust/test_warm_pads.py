@@ -213,3 +213,11 @@ def test_the_pads_after_the_hottest_one_take_in_hotter_oil_than_its_mirror():
 def test_equal_pads_have_no_other_neighbours_than_their_like():
     even = replace(TILTED, bearing=replace(TILTED.bearing, tilt=HousingTilt()))
     assert bearing_state(even).share.heights == pytest.approx(operating_state(even).share.heights)
+
+
+def test_a_mean_film_stays_the_one_given_where_pads_warm_their_neighbours():
+    """And its thrust has that share: heat capacity is taken at the mean film there, at the mean load here."""
+    found = bearing_state(replace(TILTED, duty=GivenFilm(50e-6)))
+    assert found.share.heights.mean() == pytest.approx(50e-6, rel=1e-6)
+    again = bearing_state(replace(TILTED, duty=GivenThrust(found.share.thrust)))
+    assert again.share.heights == pytest.approx(found.share.heights, rel=2e-3)

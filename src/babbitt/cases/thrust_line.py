@@ -175,6 +175,17 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
                 "false, or pads without face, crown, turbulence and thermal: adiabatic",
             )
 
+    @rule
+    def _held_tilts_feel_a_face_that_leans(self) -> Iterator[Complaint]:
+        leans = any(one.lobes == 1 and one.amplitude > 0.0 for one in self.runout)
+        if self.nonlinear and leans and self.pads.pivot.kind == "line":
+            yield Complaint(
+                ("nonlinear",),
+                "a line pivot holds the tilt along the radius against a collar face that leans, which the "
+                "nonlinear motion leaves out and the linear answer counts",
+                "false, or a point pivot, or runout of 2 lobes or more",
+            )
+
     def designs(self) -> tuple[LineDesign, ...]:
         """Give the line of the calculation."""
         return (self.line_design(),)

@@ -54,7 +54,8 @@ def _of_line(result: Result) -> Iterator[str]:
     yield _survival(result, checks)
     yield _loss(result, checks["C201"])
     yield _causes(result)
-    yield _ring(result)
+    if result.values["loss_mean_bound"] > 0.0:
+        yield _ring(result)
     if bearable := _bearable(result, checks["C201"].limit):
         yield bearable
     yield _frequencies(result)
@@ -78,7 +79,7 @@ def _survival(result: Result, checks: dict[str, Check]) -> str:
     sign = "≥" if film.ok else "<"
     return (
         f"{word}: thinnest film {_micro(film.value)} {sign} {_micro(film.limit)} at pad {thinnest}, and {left}, "
-        "whatever the phases."
+        "at the worst phases."
     )
 
 
@@ -87,7 +88,7 @@ def _loss(result: Result, check: Check) -> str:
     kept = "within" if check.ok else "beyond"
     assert check.bound is Bound.AT_MOST
     return (
-        f"Dynamic load: {_percent(v['loss_mean_bound'])} of the mean static pad load for any phases, {kept} "
+        f"Dynamic load: {_percent(v['loss_mean_bound'])} of the mean static pad load at the worst phases, {kept} "
         f"the limit of "
         f"{_percent(check.limit)}; {_percent(v['loss_mean_peak'])} with the phases given. Of the static load "
         f"of the pad "
@@ -99,6 +100,8 @@ def _loss(result: Result, check: Check) -> str:
 
 def _causes(result: Result) -> str:
     v = result.values
+    if not v["loss_mean_bound"] > 0.0:
+        return "Nothing shakes the line: neither thrust ripple nor runout has an amplitude."
     first = max(CAUSES, key=lambda name: v[name])
     return (
         f"What dominates: {CAUSES[first]}. Runout alone gives {_percent(v['runout_share'])}, thrust ripple alone "

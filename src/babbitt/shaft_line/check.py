@@ -19,7 +19,8 @@ from babbitt.shaft_line.natural import Mode, modes, undamped_frequencies
 from babbitt.shaft_line.stages import Attribution, attribution
 from babbitt.shaft_line.sweeps import CampbellPoint, RingPoint, barred_ranges, ring_sweep, speed_sweep, usual_rings
 from babbitt.shaft_line.transient import Transient, transient
-from babbitt.thrust.check import oil_assumptions, pad_arrays, share_doubts, share_values
+from babbitt.thrust.assumed import lean_assumptions, oil_assumptions
+from babbitt.thrust.check import pad_arrays, share_doubts, share_values, temperature_not_checked
 from babbitt.thrust.design import ThrustState, operating_state
 from babbitt.thrust.failures import NoPadFilmError
 
@@ -136,7 +137,7 @@ def line_check(design: LineDesign) -> Result:
         values,
         tuple(_checks(design, answer, values)),
         (*thrust.doubts, *share_doubts(thrust, answer.static), *_doubts(answer), *_beside_the_map(design)),
-        _not_checked(design),
+        (*_not_checked(design), temperature_not_checked(values)),
         (*design.lubricant.assumptions, *thrust.assumptions, *_assumptions(design)),
         settings={
             "lubricant": design.lubricant.name,
@@ -249,9 +250,13 @@ def _doubts(answer: LineAnswer) -> Iterator[Notice]:
                 )
     moved = answer.nonlinear
     if moved is not None:
-        unloaded, closest = 1 + int(moved.loads.min(axis=0).argmin()), 1 + int(moved.thinnest.argmin())
+        unloaded, closest = 1 + int(moved.lifted.argmax()), 1 + int(moved.thinnest.argmin())
         for happens, said in (
-            (moved.lifts_off, f"the load of pad {unloaded} falls to {moved.loads.min() / 1e3:.1f} kN"),
+            (
+                moved.lifts_off,
+                f"pad {unloaded} carries nothing during {moved.lifted.max():.0%} of the revolution at most; from "
+                f"one revolution to the next loads differ by {moved.steady:.1%} of the largest dynamic one",
+            ),
             (moved.touches, f"a corner of pad {closest} comes as close as {moved.thinnest.min() * 1e6:.2f} µm"),
             (moved.outside, "tilts leave the tabulated films"),
         ):
@@ -308,6 +313,7 @@ def _arrays(design: LineDesign, answer: LineAnswer) -> dict[str, Matrix]:
 def _assumptions(design: LineDesign) -> Iterator[str]:
     yield "Linear films about the static share, tilts of the pads free and with their inertia; axial motion only."
     yield from oil_assumptions(design.thrust.oil)
+    yield from lean_assumptions(design.thrust.bearing)
     if design.thrust.oil.warm is not None:
         yield "Each pad takes in what a pad under its own load sends off, mixed with fresh oil."
     if design.line.seating is None:

@@ -31,7 +31,7 @@ class Transient:
     angles : ndarray, shape (n,)
         Of the shaft, rad.
     loads : ndarray, shape (n, z)
-        W_i + N_i, N.
+        W_i + N_i, N; 0 or more.
     films : ndarray, shape (n, z)
         At the pivots, m.
     thinnest : ndarray, shape (n, z)
@@ -74,6 +74,11 @@ class Transient:
         return np.asarray(self.films[:-1].mean(axis=0) - self.static_films)
 
     @property
+    def lifted(self) -> Array:
+        """Share of the revolution during which each pad carries nothing."""
+        return np.asarray((self.loads[:-1] <= 0.0).mean(axis=0))
+
+    @property
     def lifts_off(self) -> bool:
         """Whether a pad loses its load."""
         return bool(self.loads.min() <= 0.0)
@@ -85,7 +90,11 @@ class Transient:
 
 
 class Motion:
-    """Rates of (U, V, [U_h, V_h,] x, alpha_x, alpha_y); massless pads follow their films."""
+    """Rates of (U, V, [U_h, V_h,] x, alpha_x, alpha_y); massless pads follow their films.
+
+    A film pushes and does not pull: where the sum of wedge and squeeze would be below zero the film ruptures and
+    the pad carries nothing. Until then the film counts whole.
+    """
 
     def __init__(self, state: LineState, table: FilmTable) -> None:
         duty, bearing = state.duty, state.duty.bearing
@@ -137,12 +146,15 @@ class Motion:
                 matrix[:, 1:, 1:], (right[:, 1:] - matrix[:, 1:, 0] * closing[:, None])[..., None]
             )
             rates = np.asarray(np.concatenate([closing[:, None], tilts[..., 0]], axis=1), dtype=np.float64)
-            loads = right[:, 0] - (matrix[:, 0, :] * rates).sum(axis=1)
+            loads = np.maximum(right[:, 0] - (matrix[:, 0, :] * rates).sum(axis=1), 0.0)
             return gaps, rates, loads, np.zeros(self.z)
-        loads = self.c * (x - housing[0])
+        loads = self.c * np.maximum(x - housing[0], 0.0)
         right[:, 0] -= loads
         rates = np.asarray(np.linalg.solve(matrix, right[..., None])[..., 0], dtype=np.float64)
-        return gaps, rates, loads, rates[:, 0] + v[-1] + xi_rate
+        x_rate = rates[:, 0] + v[-1] + xi_rate
+        # an unloaded ring is not pulled by the film: the pad stays on it while the collar goes away
+        x_rate = np.where(x <= housing[0], np.maximum(x_rate, housing[1]), x_rate)
+        return gaps, rates, loads, x_rate
 
     def __call__(self, time: float, y: Array) -> Array:
         """Rates of the state."""
@@ -239,6 +251,7 @@ def _linear_start(state: LineState, motion: Motion, amplitude: float) -> Array:
         housing += amplitude * np.array([answer.housing.real, (1j * nu * answer.housing).real])
         for i, pad in enumerate(state.share.states):
             slopes[i] += amplitude * (answer.gaps[i] * tilt_answer(pad, nu, state.duty.bearing.inertia)).real
+    x = np.maximum(x, housing[0]) if not motion.rigid else x
     parts_of_state = [u, v, *([housing] if motion.seat is not None else []), x, slopes.T.ravel()]
     return np.concatenate(parts_of_state)
 

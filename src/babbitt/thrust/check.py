@@ -10,18 +10,28 @@ import numpy as np
 from babbitt.design.doubts import doubt_about_pressure
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Matrix, Outcome, Result
+from babbitt.thrust.assumed import lean_assumptions, oil_assumptions
 from babbitt.thrust.bearing import runout_at
-from babbitt.thrust.design import Oil, ThrustDesign, ThrustState, bearing_state
+from babbitt.thrust.design import ThrustDesign, ThrustState, bearing_state
 from babbitt.thrust.failures import NoPadFilmError
 from babbitt.thrust.heat import Temperatures
+from babbitt.thrust.lean import leaning_films
 from babbitt.thrust.sharing import Share, share_of
 from babbitt.thrust.state import CONTACT, condensed
 
-__all__ = ["oil_assumptions", "pad_arrays", "share_doubts", "share_values", "thrust_check"]
+__all__ = [
+    "pad_arrays",
+    "share_doubts",
+    "share_values",
+    "temperature_not_checked",
+    "thrust_check",
+]
 
 METHOD = "film"
 LEAST_SHARE = 0.01
 """Pad load over the mean below which a pad is as good as unloaded."""
+NOTICED = 0.01
+"""Of the thinnest film: what a lean of the faces takes off it before it is told."""
 LAMINAR_UP_TO = 1000.0
 """Reynolds number of a film, rho U h/mu, up to which it is taken as laminar: Ng and Pan's theory departs there."""
 TURNS = 24
@@ -73,7 +83,7 @@ def thrust_check(design: ThrustDesign) -> Result:
         values,
         (limit,),
         (*design.doubts, *share_doubts(design, state)),
-        (),
+        (temperature_not_checked(values),),
         (*design.lubricant.assumptions, *design.assumptions, *_assumptions(design)),
         settings={"lubricant": design.lubricant.name, "pivot": design.bearing.pad.pivot.value},
         arrays=pad_arrays(state.share, design.speed),
@@ -219,40 +229,42 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
             f"{share.states[films.index(min(films))].load / 1e3:.0f} kN; surfaces touch below "
             f"{CONTACT * 1e6:g} µm",
         )
+    yield from _lean(share, min(films))
     reynolds = reynolds_number(design, share, effective_viscosity(design, state), state.temperatures)
     if design.turbulence is None and reynolds > LAMINAR_UP_TO:
         yield Notice("W204", f"Re = {reynolds:.0f} > {LAMINAR_UP_TO:.0f}")
-    hottest = max((pad.heat.maximum for pad in share.states if pad.heat is not None), default=None)
+    known = (*_hottest(share).values(), *([] if state.temperatures is None else [state.temperatures.trailing]))
+    hottest = max(known, default=design.oil.effective_temperature)
     if hottest is not None and not design.lubricant.covers(hottest):
         low, high = (kelvin - 273.15 for kelvin in design.lubricant.temperature_range)
         yield Notice("W145", f"film up to {hottest - 273.15:.1f} °C, data from {low:.4g} to {high:.4g} °C")
 
 
-def oil_assumptions(oil: Oil) -> Iterator[str]:
-    """What is assumed of the temperature of the films."""
-    if oil.warm is None:
-        yield (
-            "One viscosity for all films, that at the effective temperature; rigid pads; frictionless pivots; "
-            "oil at "
-            "ambient pressure around each pad."
+def _lean(share: Share, thinnest: float) -> Iterator[Notice]:
+    """Faces that cannot follow the tilt of the housing."""
+    leaning = leaning_films(share)
+    if thinnest - float(leaning.min()) > NOTICED * thinnest:
+        yield Notice(
+            "W208",
+            f"pivots stand as tilted, faces square to the shaft; leaning with the housing pad "
+            f"{1 + int(leaning.argmin())} would come to {leaning.min() * 1e6:.1f} µm at its thinnest place, not "
+            f"{thinnest * 1e6:.1f} µm",
         )
-    else:
-        across = "and across the pads" if oil.resolved else "means over the width of the pads"
-        yield (
-            f"Films with their own temperatures along the pads and across the gap, {across}; no heat "
-            "goes to "
-            "pads and collar; rigid pads; frictionless pivots; oil at ambient pressure around each pad."
-        )
-        yield "Stiffness and damping at frozen temperatures."
-    if oil.supply_temperature is not None:
-        yield (
-            f"{oil.carry_over:.0%} of the oil that leaves a pad over its trailing edge enters the next; "
-            "all heat goes with the oil."
-        )
+
+
+def temperature_not_checked(values: dict[str, float]) -> Notice:
+    """That no temperature is held against a limit, and the hottest one that is known."""
+    names = ("maximum_temperature", "trailing_temperature", "effective_temperature")
+    known = next((values[name] for name in names if name in values), None)
+    if known is None:
+        return Notice("C104", "the viscosity of the films is given, their temperature is not known")
+    return Notice(
+        "C104", f"no limit belongs to a thrust case; the hottest oil known is at {known - 273.15:.1f} °C"
+    )
 
 
 def _assumptions(design: ThrustDesign) -> tuple[str, ...]:
-    said = list(oil_assumptions(design.oil))
+    said = [*oil_assumptions(design.oil), *lean_assumptions(design.bearing)]
     if design.oil.warm is not None:
         said.append("Each pad takes in what the pad before it sends off, mixed with fresh oil.")
     if design.turbulence is not None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,7 +13,7 @@ from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.carrying import Carrying, carrying
 from babbitt.thrust.heat import HeatBalance, Temperatures, balanced
 from babbitt.thrust.neighbours import share_with_neighbours
-from babbitt.thrust.sharing import Share, share_of
+from babbitt.thrust.sharing import Share, share_at_film, share_of
 from babbitt.thrust.state import PadState
 from babbitt.thrust.warm import PadOil
 from babbitt.thrust.warm_films import WarmFilms, own_temperatures, warm_carrying
@@ -40,7 +39,7 @@ class GivenThrust:
 
 @dataclass(frozen=True)
 class GivenFilm:
-    """The mean film at the pivots in m is given, the thrust is found; without tilt and with a rigid ring exact."""
+    """The mean film at the pivots in m is given, the thrust is found."""
 
     film: float
 
@@ -174,7 +173,8 @@ def bearing_state(design: ThrustDesign) -> ThrustState:
     bearing = state.share.bearing
     if not isinstance(state.films, WarmFilms) or float(np.ptp(bearing.departures())) == 0.0:
         return state
-    share = share_with_neighbours(state.films, state.share)
+    film = design.duty.film if isinstance(design.duty, GivenFilm) else None
+    share = share_with_neighbours(state.films, state.share, film)
     return ThrustState(state.films, share, own_temperatures(state.films.oil, share.states, bearing.sense))
 
 
@@ -202,9 +202,4 @@ def warm_films(
 def _share(films: Carrying, bearing: ThrustBearing, duty: GivenThrust | GivenFilm) -> Share:
     if isinstance(duty, GivenThrust):
         return share_of(films, bearing, duty.thrust)
-    from dataclasses import replace
-
-    level = replace(bearing, ring_stiffness=math.inf)
-    heights = duty.film + level.departures()
-    thrust = float(films.load(np.maximum(heights, 1e-9)).sum())
-    return share_of(films, bearing, thrust)
+    return share_at_film(films, bearing, duty.film)

@@ -132,10 +132,13 @@ def _film(sector: SectorPad, motion: Array, mesh: tuple[int, int]) -> SectorFilm
 
 
 def within_reach(pad: ThrustPad, motion: Array, step: Array) -> Array:
-    """The step, halved until the thinnest corner keeps its share of the height."""
-    corners = pad.corners()
+    """The step, halved until the thinnest film keeps its share of the height.
+
+    The face counts: a crowned pad may lean until its plane would cut the runner at a corner.
+    """
+    basis, face = pad.watched()
     for _ in range(MOST_STEPS):
-        if (corners @ (motion + step)).min() > LEAST_GAP * motion[0]:
+        if (basis @ (motion + step) + face).min() > LEAST_GAP * motion[0]:
             return step
         step = 0.5 * step
     return step

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from babbitt.results import Outcome
 
-__all__ = ["NoPadFilmError", "OverloadedPadsError", "ThermalRunawayError", "UnsettledPadError"]
+__all__ = ["NoPadFilmError", "OverloadedPadsError", "PadsTouchError", "ThermalRunawayError", "UnsettledPadError"]
 
 
 class NoPadFilmError(Exception):
@@ -25,7 +25,7 @@ class ThermalRunawayError(NoPadFilmError):
     """No balance up to the highest temperature."""
 
     outcome = Outcome.THERMAL_RUNAWAY
-    said = "friction outruns the oil up to 300 °C; cool the supply, thin the oil, carry less over"
+    said = "friction outruns the oil up to 300 °C; less thrust, cooler or thinner oil, less of it carried over"
 
 
 class UnsettledPadError(NoPadFilmError):
@@ -39,9 +39,24 @@ class OverloadedPadsError(NoPadFilmError):
 
     outcome = Outcome.OVERLOADED
 
-    def __init__(self, thrust: float, carried: float) -> None:
+    def __init__(self, thrust: float, carried: float, stepped: bool = False) -> None:
+        bound = "in front of a deep step the pressure has a bound; a shallower step, " if stepped else ""
         self.said = (
-            f"the pads carry at most {carried / 1e3:.4g} kN of {thrust / 1e3:.4g} kN: in front of a deep step the "
-            "pressure has a bound; a shallower face, more viscous oil, more speed, or larger pads"
+            f"the pads carry at most {carried / 1e3:.4g} kN of {thrust / 1e3:.4g} kN: {bound}less thrust, more "
+            "viscous oil, more speed, or larger pads"
+        )
+        super().__init__(self.said)
+
+
+class PadsTouchError(NoPadFilmError):
+    """Tilt and heights bring a pad on a rigid ring through the mean film that is given."""
+
+    outcome = Outcome.OUTSIDE_CLEARANCE
+
+    def __init__(self, film: float, nearer: float, pad: int) -> None:
+        self.said = (
+            f"tilt and heights bring pad {pad} {nearer * 1e6:.1f} µm nearer to the collar than the mean film of "
+            f"{film * 1e6:.1f} µm: it stands in the collar; a thicker film, a ring that gives way, or the "
+            "thrust in place of the film"
         )
         super().__init__(self.said)

@@ -40,7 +40,7 @@ REACH = 0.3
 """Largest change of a height in a round, over it."""
 
 
-def share_with_neighbours(films: WarmFilms, share: Share) -> Share:
+def share_with_neighbours(films: WarmFilms, share: Share, mean_film: float | None = None) -> Share:
     """The share of pads that take in the oil of the pad before.
 
     Parameters
@@ -48,6 +48,8 @@ def share_with_neighbours(films: WarmFilms, share: Share) -> Share:
     films : WarmFilms
     share : Share
         Of pads that take in that of their like, from which the search begins.
+    mean_film : float, optional
+        Mean film at the pivots that is kept, m, in place of the thrust.
 
     Raises
     ------
@@ -66,11 +68,12 @@ def share_with_neighbours(films: WarmFilms, share: Share) -> Share:
         states = tuple(pad.state for pad in pads)
         loads = np.array([state.load for state in states])
         stiffness = FOLLOWING * np.array([condensed(one, 0.0).real for one in states])
-        approach, new = _common(bearing, share.thrust, heights, loads, stiffness)
+        thrust = share.thrust if mean_film is None else float(loads.sum())
+        approach, new = _common(bearing, thrust, mean_film, heights, loads, stiffness)
         wanted = _inlets(oil, list(states), bearing.sense)
         moved = max(float(np.abs(new / heights - 1.0).max()), 1e-3 * float(np.abs(wanted - inlets).max()))
         if moved < SETTLED:
-            return Share(bearing, share.thrust, approach, heights, loads, _closed(oil, pads, bearing.sense))
+            return Share(bearing, thrust, approach, heights, loads, _closed(oil, pads, bearing.sense))
         heights, inlets = new, inlets + STEP * (wanted - inlets)
     raise UnsettledPadError
 
@@ -114,15 +117,24 @@ def _inlets(oil: PadOil, states: list[PadState], sense: float) -> Array:
 
 
 def _common(
-    bearing: ThrustBearing, thrust: float, heights: Array, loads: Array, stiffness: Array
+    bearing: ThrustBearing,
+    thrust: float,
+    mean_film: float | None,
+    heights: Array,
+    loads: Array,
+    stiffness: Array,
 ) -> tuple[float, Array]:
     """Position of the collar and heights at which pads of given stiffness share the thrust.
 
-    From h_i + dh_i - (W_i - k_i dh_i)/c = s + e_i and sum (W_i - k_i dh_i) = F_0.
+    From h_i + dh_i - (W_i - k_i dh_i)/c = s + e_i and sum (W_i - k_i dh_i) = F_0, or the mean of h_i + dh_i given.
     """
     giving = 1.0 + stiffness / bearing.ring_stiffness
     at_rest = heights - loads / bearing.ring_stiffness - bearing.departures()
     together = stiffness / giving
-    approach = float((loads.sum() - thrust + together @ at_rest) / together.sum())
+    if mean_film is None:
+        approach = float((loads.sum() - thrust + together @ at_rest) / together.sum())
+    else:
+        missing = mean_film * heights.size - heights.sum()
+        approach = float((missing + (at_rest / giving).sum()) / (1.0 / giving).sum())
     change = (approach - at_rest) / giving
     return approach, heights + np.clip(change, -REACH * heights, REACH * heights)

@@ -12,10 +12,11 @@ from babbitt.design.roots import bracketed_root
 from babbitt.notices import InputError
 from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.carrying import Carrying
-from babbitt.thrust.failures import OverloadedPadsError
+from babbitt.thrust.face import SteppedFace
+from babbitt.thrust.failures import OverloadedPadsError, PadsTouchError
 from babbitt.thrust.state import PadState
 
-__all__ = ["Share", "share_of"]
+__all__ = ["Share", "share_at_film", "share_of"]
 
 Array = NDArray[np.float64]
 
@@ -121,7 +122,7 @@ def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, departures:
     if float(np.ptp(away)) == 0.0:
         return _evenly(films, bearing, thrust, float(away[0]))
     most = float(films.load(np.full(bearing.number, THINNEST)).sum())
-    _require_carried(thrust, most)
+    _require_carried(films, thrust, most)
     mean = films.height_for(thrust / bearing.number)
 
     def excess(approach: float) -> float:
@@ -141,21 +142,60 @@ def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, departures:
     heights = heights_at(films, c, approach + away)
     states = _states(films, heights)
     loads = np.array([state.load for state in states])
-    _require_carried(thrust, float(loads.sum()))
+    _require_carried(films, thrust, float(loads.sum()))
     return Share(bearing, thrust, approach, heights, loads, states)
 
 
-def _require_carried(thrust: float, carried: float) -> None:
+def share_at_film(films: Carrying, bearing: ThrustBearing, film: float) -> Share:
+    """The share at which the films at the pivots have a mean, whatever the ring gives way.
+
+    Parameters
+    ----------
+    films : Carrying
+        Of one pad.
+    bearing : ThrustBearing
+    film : float
+        Mean of the films at the pivots, m, positive.
+
+    Raises
+    ------
+    PadsTouchError
+        If tilt and heights bring a pad on a rigid ring nearer than the mean film.
+    """
+    away, c = bearing.departures(), bearing.ring_stiffness
+    if float(np.ptp(away)) == 0.0:
+        heights = np.full(bearing.number, film)
+    elif math.isinf(c):
+        heights = film + away - away.mean()
+        if not float(heights.min()) > 0.0:
+            raise PadsTouchError(film, film - float(heights.min()), 1 + int(heights.argmin()))
+    else:
+        low = -float(away.max())
+        high = film - float(away.min())  # there every pad stands farther than the mean film
+
+        def excess(approach: float) -> float:
+            return float(heights_at(films, c, approach + away).mean()) - film
+
+        while excess(low) > 0.0:
+            low -= film + float(films.load(np.array(film))) / c
+        heights = heights_at(films, c, bracketed_root(excess, low, high) + away)
+    states = _states(films, heights)
+    loads = np.array([state.load for state in states])
+    approach = float((heights - loads / c - away).mean())
+    return Share(bearing, float(loads.sum()), approach, heights, loads, states)
+
+
+def _require_carried(films: Carrying, thrust: float, carried: float) -> None:
     """Pads of a face carry no more than a bound, where a table continued goes on."""
     if not carried > (1.0 - CARRIED) * thrust:
-        raise OverloadedPadsError(thrust, carried)
+        raise OverloadedPadsError(thrust, carried, isinstance(films.pad.face, SteppedFace))
 
 
 def _evenly(films: Carrying, bearing: ThrustBearing, thrust: float, away: float) -> Share:
     """Pads that all stand alike carry alike."""
     height = films.height_for(thrust / bearing.number)
     state = films.state(height)
-    _require_carried(thrust, bearing.number * state.load)
+    _require_carried(films, thrust, bearing.number * state.load)
     yielding = 0.0 if math.isinf(bearing.ring_stiffness) else state.load / bearing.ring_stiffness
     even = np.ones(bearing.number)
     approach = height - yielding - away

@@ -1,0 +1,40 @@
+"""What is assumed of the films of a thrust bearing, in sentences."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from babbitt.thrust.bearing import ThrustBearing
+from babbitt.thrust.design import Oil
+from babbitt.thrust.lean import held_leans
+
+__all__ = ["lean_assumptions", "oil_assumptions"]
+
+
+def oil_assumptions(oil: Oil) -> Iterator[str]:
+    """What is assumed of the temperature of the films."""
+    if oil.warm is None:
+        yield (
+            "One viscosity for all films, that at the effective temperature; rigid pads; frictionless pivots; "
+            "oil at "
+            "ambient pressure around each pad."
+        )
+    else:
+        across = "and across the pads" if oil.resolved else "means over the width of the pads"
+        yield (
+            f"Films with their own temperatures along the pads and across the gap, {across}; no heat "
+            "goes to "
+            "pads and collar; rigid pads; frictionless pivots; oil at ambient pressure around each pad."
+        )
+        yield "Stiffness and damping at frozen temperatures."
+    if oil.supply_temperature is not None:
+        yield (
+            f"{oil.carry_over:.0%} of the oil that leaves a pad over its trailing edge enters the next; "
+            "all heat goes with the oil."
+        )
+
+
+def lean_assumptions(bearing: ThrustBearing) -> Iterator[str]:
+    """What is assumed of the faces under a tilt of the housing."""
+    if held_leans(bearing).any():
+        yield "A tilt of the housing moves the pivots; faces that cannot follow it are taken square to the shaft."
