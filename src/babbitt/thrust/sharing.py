@@ -60,7 +60,7 @@ class Share:
 
     @property
     def collar_moment(self) -> float:
-        """Moment of uneven pad loads on the collar, square to the shaft, N m, the size of the sum of W_i r_p exp(j gamma_i)."""
+        """Moment of uneven pad loads on the collar, N m: size of the sum of W_i r_p exp(j gamma_i)."""
         turned = self.loads * np.exp(1j * self.bearing.angles)
         return float(self.bearing.pad.pivot_radius * abs(turned.sum()))
 
