@@ -1,5 +1,6 @@
 """Where machine code is kept, and what is said while it is made."""
 
+import gc
 from pathlib import Path
 
 import pytest
@@ -47,3 +48,14 @@ def test_one_line_tells_what_is_compiled(capsys, monkeypatch):
     assert capsys.readouterr().err.splitlines() == [
         "babbitt: compiling the kernels for films of grooved and lobed bores, once: about 15 s"
     ]
+
+
+def test_collector_of_garbage_is_held_off_while_kernels_compile_and_only_then():
+    unswept = _compiling.Unswept()
+    for _ in range(2):
+        unswept.on_start(None)
+        assert not gc.isenabled()
+    unswept.on_end(None)
+    assert not gc.isenabled()  # the outer kernel still compiles
+    unswept.on_end(None)
+    assert gc.isenabled()

@@ -110,8 +110,7 @@ class SurfaceWork(NamedTuple):
     border: Array  # response to the values on line 0, (lines, nodes, nodes); cyclic only
 
 
-@compiled
-def new_surface_film(surface):
+def new_surface_film(surface: Surface) -> SurfaceFilm:
     """Coefficients for a surface, not filled yet."""
     n, lines = surface.step.size, surface.held.shape[0]
     nodes, points, d = len(surface.nodes), len(surface.points), len(surface.motions)
@@ -122,8 +121,7 @@ def new_surface_film(surface):
     )  # fmt: skip
 
 
-@compiled
-def new_surface_work(surface):
+def new_surface_work(surface: Surface) -> SurfaceWork:
     """Workspace for a surface, all nodes wet."""
     lines, nodes = surface.held.shape[0], len(surface.nodes)
     d = 1 + len(surface.motions)
