@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from babbitt.film._compiling import compiled
 from babbitt.film._heat_cells import fill_cells, sweep_energy
 from babbitt.film._heat_flows import gather_flows, spread_viscosity
-from babbitt.film._heat_walls import MOST_RISE, answer_walls, stale_walls
+from babbitt.film._heat_walls import MOST_RISE, ask_walls, stale_walls
 from babbitt.film._surface_forces import carry_streamers, drain_edge, evaluate_surface
 
 Array = NDArray[float64]
@@ -105,5 +105,6 @@ def warm_pass(
     if not walls.insulated:
         stale = stale_walls(columns, flows, walls)
         if not stale:
-            change = max(change, answer_walls(columns, flows, walls, temperature, pace.walls))
+            answered = ask_walls(surface, columns, flows, cells, walls, temperature, groove, pace.walls)
+            change = max(change, answered)
     return changed, change, along, dissipation, friction, stale

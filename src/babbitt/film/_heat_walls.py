@@ -8,7 +8,7 @@ import numpy as np
 from numpy import float64
 from numpy.typing import NDArray
 
-from babbitt.film._compiling import compiled
+from babbitt.film._compiling import compiled, inner
 from babbitt.film._heat_cells import sweep_energy
 
 Array = NDArray[float64]
@@ -61,7 +61,7 @@ ALIKE = 0.5
 """Change of the film's conductance, over its largest, up to which derivatives of the walls are kept."""
 
 
-@compiled
+@inner
 def film_conductance(columns, flows, walls, i):
     """Conductance k/h of the film at a line, W/(m2 K)."""
     total = 0.0
@@ -81,12 +81,12 @@ def stale_walls(columns, flows, walls):
     return change > ALIKE * most
 
 
-@compiled
-def answer_walls(columns, flows, walls, temperature, part):
-    """New temperatures of bush and journal from the heat that they take; their largest change, K.
+@inner
+def wall_step(columns, flows, walls, temperature):
+    """Step of Newton of the walls, harmonic by harmonic and the journal last, (modes + 1,); fills what they take.
 
-    Newton on what the walls take less what they pass on, harmonic by harmonic and for the journal; ``inverse``
-    is of the derivatives, the film's own answer to a warmer wall among them. ``part`` of the step is taken.
+    To zero goes what the walls take less what they pass on; ``inverse`` is of the derivatives, the film's own answer
+    to a warmer wall among them.
     """
     modes = walls.analysis.shape[0]
     walls.journal[1] = wall_fluxes(columns, flows, walls, temperature, walls.bush_flux)
@@ -100,8 +100,40 @@ def answer_walls(columns, flows, walls, temperature, part):
     for m in range(modes + 1):
         for n in range(modes + 1):
             step[m] += walls.inverse[m, n] * left[n]
-    change = 0.0 if walls.journal_given else abs(step[modes])
-    rise = np.zeros(temperature.shape[0])
+    if walls.journal_given:
+        step[modes] = 0.0
+    return step
+
+
+@inner
+def learn(walls, last, step):
+    """Let the inverse know what is left after the step ``last``, and mend the next one in place.
+
+    Broyden's good update: with s the last step and d the next one as the inverse J^-1 has it,
+    J^-1 += d (s^T J^-1) / (s^T (s - d)). Source: Broyden, Math. Comp. 19 (1965) 577-593.
+    """
+    size, along, square = last.size, 0.0, 0.0
+    for m in range(size):
+        along += last[m] * step[m]
+        square += last[m] * last[m]
+    if not abs(along) < MOST_LEFT * square:
+        return
+    for n in range(size):
+        row = 0.0
+        for m in range(size):
+            row += last[m] * walls.inverse[m, n]
+        for m in range(size):
+            walls.inverse[m, n] += step[m] * row / (square - along)
+    for m in range(size):
+        step[m] *= square / (square - along)
+
+
+@inner
+def move_walls(walls, step, part):
+    """Take ``part`` of a step, less where it is long; the largest change, K."""
+    modes = walls.analysis.shape[0]
+    change = abs(step[modes])
+    rise = np.zeros(walls.bush.size)
     for i in range(rise.size):
         for m in range(modes):
             rise[i] += walls.synthesis[i, m] * step[m]
@@ -111,23 +143,58 @@ def answer_walls(columns, flows, walls, temperature, part):
         walls.bush[i] += share * rise[i]
     for m in range(modes):
         walls.harmonics[m] += share * step[m]
-    if not walls.journal_given:
-        walls.journal[0] += share * step[modes]
+    walls.journal[0] += share * step[modes]
     return share * change
 
 
+@compiled
+def ask_walls(surface, columns, flows, cells, walls, temperature, groove, part):
+    """Let the walls answer and the film follow them by one sweep, or each would chase the other from pass to pass."""
+    change = move_walls(walls, wall_step(columns, flows, walls, temperature), part)
+    sweep_energy(surface, columns, flows, cells, 1.0, walls, temperature, groove, 1, 0.0)
+    return change
+
+
+MOST_LEFT = 0.8  # of a step, up to which the next one says how good the inverse is
 MOST_RISE = 20.0  # K: change of a temperature in one pass; what a film that leaks nothing would reach has no bound
 
 
 @compiled
 def close_energy(surface, columns, flows, cells, walls, temperature, groove, most, tolerance):
     """Energy equation and walls beside a film at rest, until nothing changes any more; the last change."""
-    change = 0.0
-    for _ in range(most):
+    change, last = 0.0, np.zeros(walls.inverse.shape[0])
+    for turn in range(most):
         enough = max(tolerance, 0.02 * change)  # walls that answer to a film on its way are thrown off theirs
         change = sweep_energy(surface, columns, flows, cells, 1.0, walls, temperature, groove, 16, enough)
         if not walls.insulated:
-            change = max(change, answer_walls(columns, flows, walls, temperature, 1.0))
+            step = wall_step(columns, flows, walls, temperature)
+            if turn > 0:
+                learn(walls, last, step)
+            last[:] = step
+            change = max(change, move_walls(walls, step, 1.0))
         if change < tolerance:
             break
     return change
+
+
+@compiled
+def answers_of_film(surface, columns, flows, cells, walls, modes, fluxes, heats, most, tolerance):
+    """What the film gives to the walls with one of them at 1 K and all else at zero.
+
+    For every mode the flux into the bush (W/m2), into a row of ``fluxes``, and the heat into the journal (W), into
+    ``heats``; the mode behind the harmonics is the journal.
+    """
+    harmonics, lines = walls.analysis.shape[0], walls.bush.size
+    temperature = np.empty((lines, columns.size.size, columns.layer.size))
+    groove = np.empty(columns.supply.max() + 1)
+    bush, journal = walls.bush.copy(), walls.journal.copy()
+    for row in range(modes.size):
+        temperature[:] = 0.0
+        groove[:] = 0.0
+        for i in range(lines):
+            walls.bush[i] = walls.synthesis[i, modes[row]] if modes[row] < harmonics else 0.0
+        walls.journal[0] = 0.0 if modes[row] < harmonics else 1.0
+        sweep_energy(surface, columns, flows, cells, 0.0, walls, temperature, groove, most, tolerance)
+        heats[row] = wall_fluxes(columns, flows, walls, temperature, fluxes[row])
+    walls.bush[:] = bush
+    walls.journal[:] = journal

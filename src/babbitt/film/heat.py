@@ -24,7 +24,7 @@ __all__ = [
 
 Array = NDArray[np.float64]
 
-THERMAL_ENGINEERING = Resolution(4, 48, 24, 3e-4)
+THERMAL_ENGINEERING = Resolution(4, 48, 24, 1e-3)
 THERMAL_REFERENCE = Resolution(6, 192, 96, 1e-7)
 """Grids of films with their own temperatures: 1 % of the film thickness and 1 K, and ten times less."""
 

@@ -40,11 +40,11 @@ __all__ = ["solve_thermal_journal", "thermal_film_at"]
 
 Array = NDArray[np.float64]
 
-SWEEPS = 3
-"""Of the energy equation in a pass."""
+SWEEPS = 2
+"""Of the energy equation in a pass, before the walls answer; one more follows them."""
 COARSE, COARSELY_SETTLED = 1e-2, 2.0
 """Residual force over load, and change of temperature in a pass (K), at which a coarse ring has done its part."""
-SETTLED = 2e-2
+SETTLED = 5e-2
 """Change of temperature in a pass, K, at which film and temperature rest beside each other."""
 COLD_LOAD = 2.0
 """Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks
@@ -54,12 +54,14 @@ COLDLY_CARRIED = 0.2
 CLOSING, CLOSED, OPEN = 400, 3e-8, 1e-4
 """Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from
 which the film counts as not converged."""
-POLISH, POLISHED = 8, 1e-10
+POLISH, POLISHED = 8, 1e-9
 """Last steps of the journal at frozen temperatures, at most, and the residual force over load that ends them."""
 THICK = 0.3
 """Gap, in clearances, down to which lines may stand as for a journal at the usual place."""
 USUAL_PLACE, USUAL_ATTITUDE = 0.6, math.radians(45.0)
 """Of the journal: relative eccentricity, and angle ahead of the load."""
+USUAL_ROUNDS = 2
+"""Updates of the wet set there before the film tells how warm it gets."""
 MOST_PASSES = 120
 STUBBORN = 4
 """Passes at rest after which nodes that change sides for ever are let be."""
@@ -161,7 +163,7 @@ def search(film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resol
 def on_usual_lines(
     film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution
 ) -> WarmRest | None:
-    """Equilibrium on the fine ring at once; None where the film of fresh oil is thin already.
+    """Equilibrium on the fine ring at once; None where the film is thin already at the temperature guessed.
 
     Lines crowd a little where a film of usual thickness would be thin.
     """
@@ -169,8 +171,11 @@ def on_usual_lines(
     usual = math.cos(USUAL_ATTITUDE) * along + math.sin(USUAL_ATTITUDE) * across * along[::-1]
     density = line_density(film, usual, 1.0 - USUAL_PLACE)
     warm = fresh_ring(film, heat, scales, 2 * resolution.intervals, resolution, density)
-    at = cold_start(warm.sample, load)
-    return rest(warm, load, at, resolution.tolerance, SETTLED) if warm.sample.gap(at) > THICK else None
+    for _ in range(USUAL_ROUNDS):
+        warm.sample.evaluate(usual)
+    thinner = warm.guess(usual)
+    at, _, _, gap = carry(warm.sample, load / thinner, usual, COLDLY_CARRIED, 30, False)
+    return rest(warm, load, at, resolution.tolerance, SETTLED) if gap > THICK else None
 
 
 def attempt(
@@ -251,16 +256,16 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
 
 
 def polished(found: WarmRest) -> WarmRest:
-    """Let the film carry the load exactly, its temperatures as they are: a few steps of Newton."""
+    """Let the film carry the load exactly, its temperatures as they are: a few steps of Newton from the last pass."""
     if found.load is None:
         return found
     sample, at = found.warm.sample, found.position
     for _ in range(POLISH):
-        sample.evaluate(at)
         residual = sample.force + found.load
         if math.hypot(*residual) <= POLISHED * math.hypot(*found.load) + 1e-14:
             break
         at = at + np.linalg.solve(sample.stiffness, residual)
+        sample.evaluate(at)
     gap = sample.gap(at)
     return replace(found, position=at, gap=gap) if gap > CONTACT else found
 

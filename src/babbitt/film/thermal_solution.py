@@ -225,7 +225,7 @@ def supply_exchange(film: FilmSolution, scales: Scales, warm: WarmRing, order: S
     ring = warm.sample.ring
     if len(ring.mesh.side_nodes) == 1:  # one of two images in the mid-plane is not seen
         images = twins(film.film, len(ring.groove_lines))
-        unseen = ~np.isin(np.arange(grooves), columns.supply)
+        unseen = np.bincount(columns.supply.ravel() + 1, minlength=grooves + 1)[1:] == 0
         balance[3, unseen] = balance[3, images][unseen]
         balance[:3] = 0.5 * (balance[:3] + balance[:3, images])
     out, heat, added, temperature = balance

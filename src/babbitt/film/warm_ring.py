@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._heat_cells import Cells, fill_cells, new_cells, sweep_energy
-from babbitt.film._heat_flows import Columns, Flows, new_flows
+from babbitt.film._heat_cells import Cells, fill_cells, new_cells
+from babbitt.film._heat_flows import Columns, Flows, new_flows, spread_viscosity
 from babbitt.film._heat_pass import Drains, Pace, gather_heat, warm_pass
-from babbitt.film._heat_walls import Walls, answer_walls, close_energy, wall_fluxes
+from babbitt.film._heat_walls import Walls, answers_of_film, ask_walls, close_energy, stale_walls
 from babbitt.film.general import Sample
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm
@@ -21,17 +21,20 @@ from babbitt.film.ring_solution import drained_edges, fed_lines
 __all__ = ["WarmRing", "columns_of"]
 
 Array = NDArray[np.float64]
-FILM_CONDUCTANCE, UNIFORM_SHARE = 2.5, 1.5
-"""Guess of what a film gives less to a place of the wall that is 1 K warmer: k/h times the first, and the second
-times what it gives less to a bush warmer all around. Only the number of passes depends on it."""
+GUESSED_SHARE = 0.8
+"""Of the temperature that all the heat of a film gives to the oil that leaves it, where its temperatures start. Only
+the number of passes depends on it."""
+MOST_GUESSED = 200.0
+"""Rise in K up to which a first temperature is guessed."""
 RELAX, CALM, LEAST_RELAX = 0.65, 12, 0.05
 """Share of a new viscosity field that a pass takes, passes after which a swinging film takes less, the least."""
 TURBULENT_PRANDTL = 0.9
 """Eddy viscosity over eddy diffusivity of heat; textbook value of turbulent boundary layers."""
 FLICKER = 30
 """Passes after which a few nodes that still change sides are let be, as ``_equilibrium.CYCLING``."""
-ANSWER_SWEEPS = 12
-"""Of the energy equation that gives the film's answer to a warmer wall, at most."""
+ANSWER_SWEEPS, ANSWERED = 12, 1e-2
+"""Of the energy equation that gives the film's answer to a warmer wall, at most, and their last change that ends
+them, over that of the wall."""
 MOST_HARMONICS = 16
 """Of the temperature around the bore: twice as many change the hottest place of our reference by 0.02 K."""
 USUAL_LAYERS = 8
@@ -124,7 +127,9 @@ class WarmRing:
         )  # fmt: skip
         if stale:
             self.prepare_bush()
-            answered = answer_walls(self.columns, self.flows, walls, self.temperature, part)
+            answered = ask_walls(
+                sample.ring.surface, self.columns, self.flows, self.cells, walls, self.temperature, self.groove, part
+            )
             change = max(change, float(answered))
         self.passes += 1
         if self.passes > CALM:
@@ -132,6 +137,25 @@ class WarmRing:
                 max(0.7 * self.relaxation, LEAST_RELAX) if along < 0.0 else min(1.1 * self.relaxation, RELAX)
             )
         return int(changed), float(change)
+
+    def guess(self, at: Array) -> float:
+        """Let oil and walls start at one temperature; viscosity there over the reference.
+
+        It is that at which the film solved at a place would carry its own heat off, which goes with its viscosity.
+        """
+        spread_viscosity(self.sample.ring.surface, self.columns, self.viscosity, self.flows)
+        self.gather(at)
+        leaving = max(float(np.maximum(self.flows.leak, 0.0).sum()), 1e-300)
+        rises, cold = np.linspace(0.0, MOST_GUESSED, 101), self.heat.supply_temperature
+        relative = np.asarray(self.heat.viscosity(cold + rises)) / self.reference_viscosity
+        heated = GUESSED_SHARE * self.dissipation * self.rise / leaving * relative
+        rise = float(np.interp(0.0, rises - heated, rises))
+        self.temperature[:] = self.groove[:] = cold + rise
+        self.walls.bush[:] = cold + rise
+        self.walls.harmonics[:1] += rise
+        if not self.walls.journal_given:
+            self.walls.journal[0] = cold + rise
+        return float(np.interp(rise, rises, relative))
 
     def gather(self, at: Array) -> None:
         """Flows and heat of the Reynolds solution."""
@@ -151,43 +175,34 @@ class WarmRing:
 
         What the film gives less to a warmer wall is exact for the journal and the first harmonics of the bush: the
         energy equation is linear, and solved once for each with that wall at 1 K and all else at zero. The
-        others get a guess on the safe side; the answer does not depend on it.
+        others get a guess: around the bore it goes with k/h and its mean, its size is that of the first harmonics, and
+        it grows with the cube root of the order, as the conductance of a thin boundary layer does that a warm
+        place of this length makes in a shear flow (Leveque 1928). The answer does not depend on it.
         """
         walls, flows, columns = self.walls, self.flows, self.columns
         per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
         film = walls.conduction * walls.flow_heat / walls.area * per.sum(axis=1)
         walls.conductance[:] = film
         modes, half = walls.analysis.shape[0], walls.analysis.shape[0] // 2
-        exact = [m for m in (0, 1, half + 1, modes) if m <= modes]
-        answers = {m: self.answer_to(m) for m in exact}
-        local = FILM_CONDUCTANCE * film + UNIFORM_SHARE * np.abs(answers[0][0])
+        first = [1, half + 1][: 2 * half]
+        exact = np.array([0, *first, modes])
+        fluxes, heats = np.zeros((exact.size, film.size)), np.zeros(exact.size)
+        answers_of_film(self.sample.ring.surface, columns, flows, self.cells, walls, exact, fluxes, heats,
+                        ANSWER_SWEEPS, ANSWERED)  # fmt: skip
+        answers = -walls.analysis @ fluxes.T
+        guess = (walls.analysis * (film + film.mean())) @ walls.synthesis
+        known, guessed = sum(answers[m, n] for n, m in enumerate(first, 1)), sum(guess[m, m] for m in first)
+        order = np.concatenate(([1.0], np.arange(1, half + 1), np.arange(1, half + 1)))
         matrix = np.zeros((modes + 1, modes + 1))
-        matrix[:modes, :modes] = np.diag(walls.admittance) + (walls.analysis * local) @ walls.synthesis
-        for m, (flux, journal) in answers.items():
-            matrix[:modes, m] = -walls.analysis @ flux
-            matrix[modes, m] = -journal
-            if m < modes:
-                matrix[m, m] += walls.admittance[m]
+        matrix[:modes, :modes] = guess * (known / max(guessed, 1e-300) * np.cbrt(order))
+        matrix[:modes, exact] = answers
+        matrix[modes, exact] = -heats
+        matrix[np.arange(modes), np.arange(modes)] += walls.admittance
         matrix[modes, modes] += walls.journal[2]
         if walls.journal_given:
             matrix[modes], matrix[:, modes] = 0.0, 0.0
             matrix[modes, modes] = 1.0
         walls.inverse[:] = np.linalg.inv(matrix)
-
-    def answer_to(self, mode: int) -> tuple[Array, float]:
-        """Heat flux into the bush (W/m2) and heat into the journal (W), one wall at 1 K and all else at zero."""
-        walls, columns = self.walls, self.columns
-        modes = walls.analysis.shape[0]
-        bush = walls.synthesis[:, mode].copy() if mode < modes else np.zeros(walls.bush.size)
-        journal = np.zeros(4)
-        journal[0] = 0.0 if mode < modes else 1.0
-        held = walls._replace(bush=bush, journal=journal)
-        temperature = np.zeros_like(self.temperature)
-        surface = self.sample.ring.surface
-        sweep_energy(surface, columns, self.flows, self.cells, 0.0, held, temperature, np.zeros_like(self.groove),
-                     ANSWER_SWEEPS, 1e-2)  # fmt: skip
-        flux = np.zeros(bush.size)
-        return flux, float(wall_fluxes(columns, self.flows, held, temperature, flux))
 
     def start_from(self, coarse: WarmRing) -> None:
         """Take over the temperatures of a coarser ring, linear between its lines."""
@@ -214,8 +229,8 @@ class WarmRing:
         """Solve energy and walls beside the film as it stands; largest change of the last round, K."""
         self.fill(self.viscosity if self.passes else self.relative_viscosity())
         surface = self.sample.ring.surface
-        if not self.walls.insulated:
-            self.prepare_bush()  # made anew: the closing rounds see this film only
+        if not self.walls.insulated and stale_walls(self.columns, self.flows, self.walls):
+            self.prepare_bush()
         return float(
             close_energy(surface, self.columns, self.flows, self.cells, self.walls, self.temperature, self.groove,
                          most, tolerance)
