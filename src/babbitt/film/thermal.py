@@ -51,7 +51,7 @@ COLD_LOAD = 2.0
 nothing and would have no bound to its temperature."""
 COLDLY_CARRIED = 0.2
 """Residual force over load of this start: the first heat moves the journal by more."""
-CLOSING, CLOSED, OPEN = 400, 3e-8, 1e-4
+CLOSING, CLOSED, OPEN = 400, 1e-7, 1e-4
 """Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from
 which the film counts as not converged."""
 POLISH, POLISHED = 8, 1e-9
@@ -256,7 +256,7 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
 
 
 def polished(found: WarmRest) -> WarmRest:
-    """Let the film carry the load exactly, its temperatures as they are: a few steps of Newton from the last pass."""
+    """Let the film carry the load exactly, its temperatures as they are: Newton steps from the last pass."""
     if found.load is None:
         return found
     sample, at = found.warm.sample, found.position

@@ -22,19 +22,24 @@ __all__ = ["WarmRing", "columns_of"]
 
 Array = NDArray[np.float64]
 GUESSED_SHARE = 0.8
-"""Of the temperature that all the heat of a film gives to the oil that leaves it, where its temperatures start. Only
-the number of passes depends on it."""
+"""Of the rise that all heat of a film gives to the oil that leaves it, where its temperatures start. Only the
+number of passes depends on it."""
 MOST_GUESSED = 200.0
 """Rise in K up to which a first temperature is guessed."""
 RELAX, CALM, LEAST_RELAX = 0.65, 12, 0.05
 """Share of a new viscosity field that a pass takes, passes after which a swinging film takes less, the least."""
 TURBULENT_PRANDTL = 0.9
 """Eddy viscosity over eddy diffusivity of heat; textbook value of turbulent boundary layers."""
+TRIED, SLOW = 3, 0.7
+"""Passes with the same derivatives of the walls, after which they are made anew where a pass changes more than this
+share of what the last one did."""
 FLICKER = 30
 """Passes after which a few nodes that still change sides are let be, as ``_equilibrium.CYCLING``."""
 ANSWER_SWEEPS, ANSWERED = 12, 1e-2
 """Of the energy equation that gives the film's answer to a warmer wall, at most, and their last change that ends
 them, over that of the wall."""
+FEW_ROUNDS = 40
+"""That close the heat balance with the derivatives of the walls as they are, before they are made anew."""
 MOST_HARMONICS = 16
 """Of the temperature around the bore: twice as many change the hottest place of our reference by 0.02 K."""
 USUAL_LAYERS = 8
@@ -70,8 +75,10 @@ class WarmRing:
     relaxation : float
         Share of (the logarithm of) a new viscosity field that a pass takes: load, position and heat answer each
         other with a swing.
-    passes : int
-        So far.
+    passes, asked : int
+        So far, and that in which the derivatives of the walls were made.
+    last_change : float
+        Of a temperature in the last pass, K.
     """
 
     sample: Sample
@@ -92,6 +99,8 @@ class WarmRing:
     friction: float = 0.0
     relaxation: float = RELAX
     passes: int = 0
+    asked: int = 0
+    last_change: float = math.inf
 
     @classmethod
     def of(cls, sample: Sample, heat: FilmHeat, film: JournalFilm, speed: float) -> WarmRing:
@@ -127,11 +136,13 @@ class WarmRing:
         )  # fmt: skip
         if stale:
             self.prepare_bush()
-            answered = ask_walls(
-                sample.ring.surface, self.columns, self.flows, self.cells, walls, self.temperature, self.groove, part
-            )
+            self.asked = self.passes
+            answered = ask_walls(sample.ring.surface, self.columns, self.flows, self.cells, walls,
+                                 self.temperature, self.groove, part)  # fmt: skip
             change = max(change, float(answered))
-        self.passes += 1
+        if self.passes - self.asked >= TRIED and change > SLOW * self.last_change:
+            walls.conductance[:] = 0.0  # forgets the film of the derivatives: the next pass makes new ones
+        self.passes, self.last_change = self.passes + 1, float(change)
         if self.passes > CALM:
             self.relaxation = (
                 max(0.7 * self.relaxation, LEAST_RELAX) if along < 0.0 else min(1.1 * self.relaxation, RELAX)
@@ -175,9 +186,10 @@ class WarmRing:
 
         What the film gives less to a warmer wall is exact for the journal and the first harmonics of the bush: the
         energy equation is linear, and solved once for each with that wall at 1 K and all else at zero. The
-        others get a guess: around the bore it goes with k/h and its mean, its size is that of the first harmonics, and
-        it grows with the cube root of the order, as the conductance of a thin boundary layer does that a warm
-        place of this length makes in a shear flow (Leveque 1928). The answer does not depend on it.
+        others get a guess: around the bore it goes with k/h and its mean, its size is that of the first
+        harmonics, and it grows with the cube root of the order, as the conductance of the thin boundary layer
+        does that a warm place of this length makes in a shear flow (Leveque, Ann. des Mines 13 (1928)). The
+        temperatures found do not depend on it.
         """
         walls, flows, columns = self.walls, self.flows, self.columns
         per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
@@ -228,13 +240,17 @@ class WarmRing:
     def close(self, most: int, tolerance: float) -> float:
         """Solve energy and walls beside the film as it stands; largest change of the last round, K."""
         self.fill(self.viscosity if self.passes else self.relative_viscosity())
-        surface = self.sample.ring.surface
-        if not self.walls.insulated and stale_walls(self.columns, self.flows, self.walls):
+        conducting, change = not self.walls.insulated, math.inf
+        if conducting and stale_walls(self.columns, self.flows, self.walls):
             self.prepare_bush()
-        return float(
-            close_energy(surface, self.columns, self.flows, self.cells, self.walls, self.temperature, self.groove,
-                         most, tolerance)
-        )  # fmt: skip
+        for rounds in (min(FEW_ROUNDS, most), most):
+            change = close_energy(self.sample.ring.surface, self.columns, self.flows, self.cells, self.walls,
+                                  self.temperature, self.groove, rounds, tolerance)  # fmt: skip
+            if change < tolerance:
+                break
+            if conducting:
+                self.prepare_bush()
+        return float(change)
 
     def unit_friction(self) -> float:
         """Friction power of the same film by shear alone at the reference viscosity."""
