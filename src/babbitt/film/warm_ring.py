@@ -31,8 +31,8 @@ RELAX, CALM, LEAST_RELAX = 0.65, 12, 0.05
 TURBULENT_PRANDTL = 0.9
 """Eddy viscosity over eddy diffusivity of heat; textbook value of turbulent boundary layers."""
 TRIED, SLOW = 3, 0.7
-"""Passes with the same derivatives of the walls, after which they are made anew where a pass changes more than this
-share of what the last one did."""
+"""Passes with the same derivatives of the walls, after which they are made anew where a pass changes more than
+this share of what the last one did."""
 FLICKER = 30
 """Passes after which a few nodes that still change sides are let be, as ``_equilibrium.CYCLING``."""
 ANSWER_SWEEPS, ANSWERED = 12, 1e-2

@@ -23,6 +23,7 @@ from babbitt.longfilm.solve import film_at_eccentricity, film_under_load
 from babbitt.longfilm.state import LongFilmState
 from babbitt.notices import EXPLANATIONS, Notice
 from babbitt.results import Check, Matrix, Outcome, Result
+from babbitt.units import ZERO_CELSIUS
 
 METHOD = "long_film"
 
@@ -208,8 +209,9 @@ def _doubts_about_temperature(case: LongFilmCase, state: LongFilmState) -> Itera
     if float(film.min()) < coldest or float(film.max()) > hottest:
         yield Notice(
             "W107",
-            f"the film runs from {film.min() - 273.15:.0f} to {film.max() - 273.15:.0f} °C; "
-            f"{case.lubricant.name} is described from {coldest - 273.15:.0f} to {hottest - 273.15:.0f} °C",
+            f"the film runs from {film.min() - ZERO_CELSIUS:.0f} to {film.max() - ZERO_CELSIUS:.0f} °C; "
+            f"{case.lubricant.name} is described from {coldest - ZERO_CELSIUS:.0f} "
+            f"to {hottest - ZERO_CELSIUS:.0f} °C",
         )
 
 

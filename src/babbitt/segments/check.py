@@ -22,6 +22,7 @@ from babbitt.segments.doubts import doubts
 from babbitt.segments.model import GrooveKind, SegmentCase
 from babbitt.segments.solve import film_at_eccentricity, film_under_load
 from babbitt.segments.state import SegmentFilmState
+from babbitt.units import ZERO_CELSIUS
 
 METHOD = "segments"
 
@@ -242,7 +243,7 @@ def _failure(case: SegmentCase, outcome: Outcome, capacity: float | None, state:
             f"{bent * 1e6:.3g} µm"
         )
     elif outcome is Outcome.NO_LUBRICANT_DATA:
-        supplied = case.oil_supply.temperature - 273.15
+        supplied = case.oil_supply.temperature - ZERO_CELSIUS
         reached = f"leaves the temperatures that the laws of {case.lubricant.name} reach"
         far = f"the film, supplied at {supplied:.0f} °C, {reached}"
     elif outcome is Outcome.NOT_CONVERGED:

@@ -12,6 +12,7 @@ from babbitt.results import Check
 from babbitt.segments.beside import Beside
 from babbitt.segments.model import GrooveKind, SegmentCase
 from babbitt.segments.state import SegmentFilmState
+from babbitt.units import ZERO_CELSIUS
 
 POWER_LAW_RANGE = (293.15, 393.15)
 """K, 20 to 120 °C: where the source uses the power law of viscosity."""
@@ -92,4 +93,4 @@ def _doubts_about_temperature(case: SegmentCase, state: SegmentFilmState) -> Ite
 
 
 def _celsius(temperature: float) -> str:
-    return f"{temperature - 273.15:.0f}"
+    return f"{temperature - ZERO_CELSIUS:.0f}"

@@ -26,6 +26,7 @@ from babbitt.standards.iso7902.doubts import doubts_of
 from babbitt.standards.iso7902.film import Film, curves_of, film_at
 from babbitt.standards.iso7902.model import DesignCase
 from babbitt.standards.iso7902.screening import Transition, orlov_relative_clearance, transition
+from babbitt.units import ZERO_CELSIUS
 
 METHOD = "iso7902"
 
@@ -72,7 +73,8 @@ def check_at_temperature(case: DesignCase, effective_temperature: float) -> Resu
         As of `check`; `energy_balance_error` says how far the heat balance stays open.
     """
     start = perf_counter()
-    stated = f"effective temperature prescribed: {effective_temperature - 273.15:.1f} °C; heat balance not closed"
+    celsius = effective_temperature - ZERO_CELSIUS
+    stated = f"effective temperature prescribed: {celsius:.1f} °C; heat balance not closed"
     prescribed = replace(case, assumptions=(*case.assumptions, stated))
     film_of = partial(film_at, case=case, shape=curves_of(case))
     return _result(prescribed, at_prescribed_temperature(effective_temperature, film_of), start)

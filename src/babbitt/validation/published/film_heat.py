@@ -12,6 +12,7 @@ import numpy as np
 
 from babbitt.film.heat import THERMAL_ENGINEERING, BushRing, ConductingWalls, FilmHeat, HeatGrid, JournalHeat
 from babbitt.film.model import Cavitation, FilmStart, JournalFilm, Land, Resolution, grooved_bore
+from babbitt.units import ZERO_CELSIUS
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.published.film_bearings import Array
@@ -89,7 +90,7 @@ def _rows() -> Iterator[Comparison]:
     found = concentric(_LAYERS[-1])
     closed = couette(found.layers)
     place = f"{_LAYERS[-1]} layers"
-    yield Comparison("T_max", place, closed.max() - 273.15, float(found.maximum_temperature) - 273.15,
+    yield Comparison("T_max", place, closed.max() - ZERO_CELSIUS, float(found.maximum_temperature) - ZERO_CELSIUS,
                      Within(absolute=0.02), "°C", "closed form")  # fmt: skip
     power = _VISCOSITY * (0.5 * _DIAMETER * _SPEED) ** 2 / _GAP * math.pi * _DIAMETER * _WIDTH
     yield Comparison("P_f", place, power, found.heat.dissipation, Within(relative=1e-6), "W", "closed form")
@@ -100,8 +101,8 @@ def _rows() -> Iterator[Comparison]:
                      "closed form")  # fmt: skip
     usual, finest = bearing(THERMAL_ENGINEERING.intervals), bearing(_INTERVALS[-1], 24)
     grids = "default against finest grid"
-    yield Comparison("T_max", grids, finest.maximum_temperature - 273.15, usual.maximum_temperature - 273.15,
-                     Within(absolute=0.2), "°C", "own grid")  # fmt: skip
+    hottest, ours = (one.maximum_temperature - ZERO_CELSIUS for one in (finest, usual))
+    yield Comparison("T_max", grids, hottest, ours, Within(absolute=0.2), "°C", "own grid")  # fmt: skip
     thin = finest.film.minimum_film_thickness
     yield Comparison("h_min", grids, 1e6 * thin, 1e6 * usual.film.minimum_film_thickness, Within(relative=0.01),
                      "µm", "own grid")  # fmt: skip
@@ -114,9 +115,9 @@ def draw(figure: Figure) -> None:
     figure.set_size_inches(7.2, 3.4)
     left, middle, right = figure.subplots(1, 3)
     eta = np.linspace(0.0, 1.0, 101)
-    left.plot(couette(eta) - 273.15, eta, color=GREY, label="closed form")
+    left.plot(couette(eta) - ZERO_CELSIUS, eta, color=GREY, label="closed form")
     coarse = concentric(_LAYERS[1])
-    left.plot(coarse.temperature[0, 0] - 273.15, coarse.layers, "o", color=INK, fillstyle="none",
+    left.plot(coarse.temperature[0, 0] - ZERO_CELSIUS, coarse.layers, "o", color=INK, fillstyle="none",
               label=f"{_LAYERS[1]} layers")  # fmt: skip
     left.set(xlabel="T in °C", ylabel="y/h")
     left.legend(fontsize=7)

@@ -11,6 +11,7 @@ from babbitt.lubricants import ConstantProperty, Lubricant, PowerLaw, ViscosityK
 from babbitt.segments.model import Groove, GrooveKind, SegmentFilm
 from babbitt.segments.solve import film_at_eccentricity, film_under_load
 from babbitt.segments.state import SegmentFilmState
+from babbitt.units import ZERO_CELSIUS
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, MARKERS
 from babbitt.validation.published.long_film_isothermal import exact
@@ -20,9 +21,9 @@ from babbitt.validation.tolerance import AtLeast, AtMost, Within
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-ZERO = 273.15
 CELLS = 2000
 ANGLES = (135, 150, 165)
+DESCRIBED = (20.0 + ZERO_CELSIUS, 120.0 + ZERO_CELSIUS)
 
 
 def oil(viscosity: float, exponent: float) -> Lubricant:
@@ -30,11 +31,11 @@ def oil(viscosity: float, exponent: float) -> Lubricant:
     data = reference_data("grooved")
     return Lubricant(
         name=f"{viscosity:g} mPa s at 50 °C",
-        viscosity_law=PowerLaw(1e-3 * viscosity, exponent, ViscosityKind.DYNAMIC, (20.0 + ZERO, 120.0 + ZERO)),
+        viscosity_law=PowerLaw(1e-3 * viscosity, exponent, ViscosityKind.DYNAMIC, DESCRIBED),
         density_law=ConstantProperty(data["density"]),
         heat_capacity_law=ConstantProperty(data["heat_capacity"]),
         conductivity_law=ConstantProperty(0.13),
-        temperature_range=(20.0 + ZERO, 120.0 + ZERO),
+        temperature_range=DESCRIBED,
         source="assumed",
     )
 
@@ -59,7 +60,7 @@ def film(
         clearance=0.5e-6 * data["relative_clearance_permille"] * data["diameter_mm"],
         surface_speed=data["surface_speed_m_s"],
         lubricant=lubricant or oil(data["viscosity_50_mPas"], data["exponent"]),
-        supply_temperature=data["supply_temperature_C"] + ZERO,
+        supply_temperature=data["supply_temperature_C"] + ZERO_CELSIUS,
         groove=groove,
         cells=more.pop("cells", CELLS),
         **more,
@@ -123,8 +124,8 @@ def _reference() -> Iterator[Comparison]:
             pairs += [
                 (f"Q{name}", row["Q_cm3_s"][n], 1e6 * one.flow, flow, "cm³/s", 2),
                 (f"A{name}", row["A_W"][n], one.friction_power, heat, "W", 0),
-                (f"t_m{name}", row["T_m_C"][n], one.mean_temperature - ZERO, warm, "°C", 1),
-                (f"t_out{name}", row["T_out_C"][n], one.outlet_temperature - ZERO, warm, "°C", 1),
+                (f"t_m{name}", row["T_m_C"][n], one.mean_temperature - ZERO_CELSIUS, warm, "°C", 1),
+                (f"t_out{name}", row["T_out_C"][n], one.outlet_temperature - ZERO_CELSIUS, warm, "°C", 1),
             ]
         for quantity, reference, ours, tolerance, unit, decimals in pairs:
             yield Comparison(
@@ -160,7 +161,7 @@ def _equal_load() -> Iterator[Comparison]:
     plain = loaded("none")
     yield Comparison("ε", "ungrooved, 6.5 MPa", 0.66, plain.eccentricity_ratio, Within(absolute=0.005), "",
                      "own reference, not published", 2)  # fmt: skip
-    leaving = plain.outlet_temperature - ZERO
+    leaving = plain.outlet_temperature - ZERO_CELSIUS
     yield Comparison("t_out", "ungrooved, 6.5 MPa", 69.0, leaving, Within(absolute=0.5), "°C",
                      "own reference, not published", 0)  # fmt: skip
     for angle, eccentricity, outlet in ((135, 0.915, 110.0), (150, 0.925, 108.0), (165, 0.955, 121.0)):
@@ -168,7 +169,8 @@ def _equal_load() -> Iterator[Comparison]:
         place = f"through groove at {angle}°, 6.5 MPa"
         yield Comparison("ε", place, eccentricity, state.eccentricity_ratio, Within(absolute=0.005), "",
                          "own reference, not published", 3, remark=told)  # fmt: skip
-        yield Comparison("t_out", place, outlet, state.outlet_temperature - ZERO, Within(absolute=1.0), "°C",
+        leaving = state.outlet_temperature - ZERO_CELSIUS
+        yield Comparison("t_out", place, outlet, leaving, Within(absolute=1.0), "°C",
                          "own reference, not published", 0, remark=told)  # fmt: skip
 
 
@@ -177,9 +179,9 @@ def draw(figure: Figure) -> None:
     figure.set_size_inches(7.2, 3.4)
     left, right = figure.subplots(1, 2, sharey=True)
     for axes, answer, title in ((left, solved, "equal gap, ε = 0.8"), (right, loaded, "equal load, 6.5 MPa")):
-        axes.axhline(answer("none").outlet_temperature - ZERO, color=GREY, label="ungrooved")
+        axes.axhline(answer("none").outlet_temperature - ZERO_CELSIUS, color=GREY, label="ungrooved")
         for kind, marker in zip(("through", "blind"), MARKERS, strict=False):
-            leaves = [answer(kind, angle).outlet_temperature - ZERO for angle in ANGLES]
+            leaves = [answer(kind, angle).outlet_temperature - ZERO_CELSIUS for angle in ANGLES]
             axes.plot(
                 ANGLES, leaves, marker=marker, color=INK, markerfacecolor="none", label=f"{kind} groove",
                 linestyle="-" if kind == "through" else "--",

@@ -10,10 +10,10 @@ from babbitt.longfilm.model import BushRing, Discretisation, HeatExchange, LongF
 from babbitt.longfilm.solve import film_at_eccentricity
 from babbitt.longfilm.state import LongFilmState
 from babbitt.lubricants import ConstantProperty, LinearProperty, Lubricant, Walther
+from babbitt.units import ZERO_CELSIUS
 from babbitt.validation.reference_data import reference_data
 
 ATMOSPHERE = 101325.0
-ZERO = 273.15
 
 FITTED_CLEARANCE = {
     Discretisation.PUBLISHED_MEAN: 56.33e-6,
@@ -28,14 +28,14 @@ WALL = 5e-3
 
 def oil() -> Lubricant:
     """Thin synthetic gear oil; viscosity of a data sheet of its class, density and heat capacity assumed."""
-    law = Walther.through((50.0 + ZERO, 10.5e-6), (100.0 + ZERO, 3.0e-6), additive=0.6)
+    law = Walther.through((50.0 + ZERO_CELSIUS, 10.5e-6), (100.0 + ZERO_CELSIUS, 3.0e-6), additive=0.6)
     return Lubricant(
         name="IPM-10",
         viscosity_law=law,
-        density_law=LinearProperty(820.0, 20.0 + ZERO, -0.738),
-        heat_capacity_law=LinearProperty(4186.8 * 0.433, 15.0 + ZERO, 4186.8 * 0.0011),
+        density_law=LinearProperty(820.0, 20.0 + ZERO_CELSIUS, -0.738),
+        heat_capacity_law=LinearProperty(4186.8 * 0.433, 15.0 + ZERO_CELSIUS, 4186.8 * 0.0011),
         conductivity_law=ConstantProperty(0.135),
-        temperature_range=(20.0 + ZERO, 150.0 + ZERO),
+        temperature_range=(20.0 + ZERO_CELSIUS, 150.0 + ZERO_CELSIUS),
         source="data-sheet level of the oil class",
     )
 
@@ -55,7 +55,7 @@ def film(
         clearance=clearance or FITTED_CLEARANCE[discretisation],
         angular_speed=speed * math.pi / 30.0,
         lubricant=oil(),
-        inlet_temperature=data["inlet_temperature_C"] + ZERO,
+        inlet_temperature=data["inlet_temperature_C"] + ZERO_CELSIUS,
         exchange=exchange or HeatExchange(),
         discretisation=discretisation,
         cells=cells,

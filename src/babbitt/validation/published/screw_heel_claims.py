@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from babbitt.footstep.clearances import critical_clearances
 from babbitt.footstep.states import SteadyState, steady_states
 from babbitt.footstep.superposition import GroovedHeel
+from babbitt.units import ZERO_CELSIUS
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.published.screw_heel_common import SOURCE, footstep, smooth, states
@@ -123,7 +124,7 @@ def _reproduced() -> Iterator[Claim]:
     )  # fmt: skip
     yield Claim(
         "the temperature at small clearance does not exceed 70 °C", "θ", "δ = δ_cr", "°C", 70.0,
-        hot.temperature - 273.15, cold.temperature - 273.15, AtMost(),
+        hot.temperature - ZERO_CELSIUS, cold.temperature - ZERO_CELSIUS, AtMost(),
     )  # fmt: skip
     yield Claim(
         "the temperature is about 15 K above that of the smooth heel", "θ − θ_smooth", "h = δ = 20 µm", "K", 15.0,

@@ -13,6 +13,7 @@ from babbitt.lubricants import lubricant
 from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.design import GivenThrust, Oil, ThrustDesign, ThrustState, operating_state
 from babbitt.thrust.pad import ThrustPad
+from babbitt.units import ZERO_CELSIUS
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.reference_data import reference_data
@@ -36,7 +37,7 @@ def solved(carry_over: float, *, own: bool = False, resolved: bool = False) -> T
     )
     oil = Oil(
         lubricant(data["oil"]),
-        supply_temperature=data["supply_degC"] + 273.15,
+        supply_temperature=data["supply_degC"] + ZERO_CELSIUS,
         carry_over=carry_over,
         own_temperatures=own,
         resolved=resolved,
@@ -67,7 +68,7 @@ def _rows() -> Iterator[Comparison]:
         ("h_max", data["maximum_film_um"], 1e6 * float(pad.watched_films().max()), Within(0.05), "µm"),
         ("h_min", data["minimum_film_um"], 1e6 * pad.minimum_film_thickness, Within(0.1), "µm"),
         ("p_max", data["maximum_pressure_MPa"], 1e-6 * pad.maximum_pressure, Within(0.07), "MPa"),
-        ("T_max", data["maximum_temperature_degC"], pad.heat.maximum - 273.15, Within(absolute=2.0), "°C"),
+        ("T_max", data["maximum_temperature_degC"], pad.heat.maximum - ZERO_CELSIUS, Within(absolute=2.0), "°C"),
         ("K, tilts held", data["stiffness_N_per_m"], z * float(pad.stiffness[0, 0]), Within(0.1), "N/m"),
         ("C, tilts held", data["damping_Ns_per_m"], z * float(pad.damping[0, 0]), Within(0.15), "N s/m"),
     ):
@@ -79,7 +80,7 @@ def _rows() -> Iterator[Comparison]:
         ("h_p", data["pivot_film_um"], 1e6 * plain.height, "µm"),
         ("h_min", data["minimum_film_um"], 1e6 * plain.minimum_film_thickness, "µm"),
         ("p_max", data["maximum_pressure_MPa"], 1e-6 * plain.maximum_pressure, "MPa"),
-        ("T, trailing", data["maximum_temperature_degC"], state.temperatures.trailing - 273.15, "°C"),
+        ("T, trailing", data["maximum_temperature_degC"], state.temperatures.trailing - ZERO_CELSIUS, "°C"),
         ("C, tilts held", data["damping_Ns_per_m"], z * float(plain.damping[0, 0]), "N s/m"),
     ):
         yield Comparison(name, "one viscosity", expected, ours, None, unit, source, information=ONE)
@@ -97,8 +98,9 @@ def draw(figure: Figure) -> None:
         pads = [state.share.states[0] for state in states]
         left.plot(shares, [1e6 * pad.height for pad in pads], color=INK, linestyle=style, label=name)
         left.plot(shares, [1e6 * pad.minimum_film_thickness for pad in pads], color=INK, linestyle=style)
-        trailing = [state.temperatures.trailing - 273.15 for state in states if state.temperatures is not None]
-        hottest = [pad.heat.maximum - 273.15 for pad in pads if pad.heat is not None]
+        mixed = [state.temperatures for state in states if state.temperatures is not None]
+        trailing = [temperatures.trailing - ZERO_CELSIUS for temperatures in mixed]
+        hottest = [pad.heat.maximum - ZERO_CELSIUS for pad in pads if pad.heat is not None]
         right.plot(shares, trailing, color=INK, linestyle=style, label=f"trailing edge, {name}")
         if own:
             right.plot(shares, hottest, color=INK, linestyle=":", label="hottest place in the film")
