@@ -66,7 +66,7 @@ def film_conductance(columns, flows, walls, i):
     """Conductance k/h of the film at a line, W/(m2 K)."""
     total = 0.0
     for c in range(columns.size.size):
-        if columns.supply[i, c] < 0:
+        if columns.supply[i, c] < 0 and flows.gap[i, c] > 0.0:
             total += flows.fill[i, c] * columns.size[c] / flows.gap[i, c]
     return walls.conduction * walls.flow_heat / walls.area * total
 
@@ -79,6 +79,13 @@ def stale_walls(columns, flows, walls):
         film = film_conductance(columns, flows, walls, i)
         most, change = max(most, film), max(change, abs(film - walls.conductance[i]))
     return change > ALIKE * most
+
+
+@compiled
+def note_film(columns, flows, walls):
+    """Remember the film for which derivatives of the walls are made."""
+    for i in range(walls.conductance.size):
+        walls.conductance[i] = film_conductance(columns, flows, walls, i)
 
 
 @inner

@@ -20,6 +20,7 @@ __all__ = [
     "FilmHeat",
     "HeatGrid",
     "JournalHeat",
+    "mean_over_layers",
 ]
 
 Array = NDArray[np.float64]
@@ -130,6 +131,12 @@ class HeatGrid:
         """Layers, thinner towards the walls (the squares of a half cosine), shape (layers,)."""
         even = np.linspace(0.0, 1.0, self.layers + 1)
         return np.diff(0.5 * (0.5 * (1.0 - np.cos(np.pi * even)) + even))
+
+
+def mean_over_layers(temperature: Array, layers: Array) -> Array:
+    """Mean over the gap of temperatures (..., layers) in the middle of layers, from 0 to 1 between the walls."""
+    edges = np.concatenate(([0.0], 0.5 * (layers[1:] + layers[:-1]), [1.0]))
+    return np.asarray(temperature @ np.diff(edges))
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film._heat_cells import groove_balance
+from babbitt.film.heat import mean_over_layers
 from babbitt.film.ring_solution import twins
 from babbitt.film.scales import Scales
 from babbitt.film.solution import FilmSolution
@@ -118,8 +119,7 @@ class ThermalFilm:
     @property
     def mean_temperature(self) -> Array:
         """Mean over the gap, K, shape (lines, columns)."""
-        edges = np.concatenate(([0.0], 0.5 * (self.layers[1:] + self.layers[:-1]), [1.0]))
-        return np.asarray(self.temperature @ np.diff(edges))
+        return mean_over_layers(self.temperature, self.layers)
 
 
 def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequence[int]) -> ThermalFilm:
@@ -142,7 +142,6 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
     if warm.walls.insulated:  # walls are as warm as the oil that touches them
         touching = warm.temperature[:, :, [0, -1]].mean(axis=1)
         wall, shaft = touching[:, 0].copy(), float(touching[:, 1] @ warm.walls.width / warm.walls.width.sum())
-    sheared = warm.unit_friction() * churning(warm)
     return ThermalFilm(
         film=replace(film, friction_torque=warm.friction * scales.torque),
         axial_positions=inner if resolved else np.zeros(1),
@@ -159,20 +158,8 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
         bush_flux=warm.walls.bush_flux.copy(),
         journal_temperature=shaft,
         heat=HeatSplit(dissipation, over_sides + back, bush, journal, returned),
-        effective_viscosity=warm.reference_viscosity * warm.friction / max(sheared, 1e-300),
+        effective_viscosity=warm.reference_viscosity * warm.friction / max(warm.unit_friction(), 1e-300),
     )
-
-
-def churning(warm: WarmRing) -> float:
-    """Turbulent over laminar friction by shear of the whole film, at one viscosity; 1 for a laminar film.
-
-    Without it turbulence would count as viscosity of the oil, and again wherever that enters a Reynolds number.
-    """
-    flows, columns = warm.flows, warm.columns
-    per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
-    laminar = warm.walls.width[:, None] * per
-    whole = float(laminar.sum())
-    return float((laminar * flows.stir).sum()) / whole if whole > 0.0 else 1.0
 
 
 def side_oil(warm: WarmRing) -> tuple[Array, Array]:

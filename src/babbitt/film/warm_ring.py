@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from babbitt.film._heat_cells import Cells, fill_cells, new_cells
 from babbitt.film._heat_flows import Columns, Flows, new_flows, spread_viscosity
 from babbitt.film._heat_pass import Drains, Pace, gather_heat, warm_pass
-from babbitt.film._heat_walls import Walls, answers_of_film, ask_walls, close_energy, stale_walls
+from babbitt.film._heat_walls import Walls, answers_of_film, ask_walls, close_energy, note_film, stale_walls
 from babbitt.film.general import Sample
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm
@@ -56,11 +56,14 @@ class WarmRing:
     heat : FilmHeat
     columns : Columns
     flows : Flows
+    cells : Cells
     temperature : ndarray, shape (lines, columns, layers)
         K.
     groove : ndarray, shape (supplies,)
         Mixing temperature of every supply, K.
-    walls : WallState
+    walls : Walls
+    reference_viscosity : float
+        Pa s; that of the fresh oil.
     rise : float
         mu omega R^2 / (rho c c^2): temperature per unit of dissipation over flow, K.
     stirred : float
@@ -177,9 +180,9 @@ class WarmRing:
 
     def fill(self, viscosity: Array) -> None:
         """Cells of the energy equation for the flows as they stand."""
-        fill_cells(self.sample.ring.surface, self.columns, self.flows, self.walls.conduction, self.stirred,
-        self.walls.insulated,
-                   self.walls.fresh, viscosity, self.cells)  # fmt: skip
+        walls = self.walls
+        fill_cells(self.sample.ring.surface, self.columns, self.flows, walls.conduction, self.stirred,
+                   walls.insulated, walls.fresh, viscosity, self.cells)  # fmt: skip
 
     def prepare_bush(self) -> None:
         """Derivatives of the balance of the walls, for the film as it is.
@@ -192,9 +195,8 @@ class WarmRing:
         temperatures found do not depend on it.
         """
         walls, flows, columns = self.walls, self.flows, self.columns
-        per = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
-        film = walls.conduction * walls.flow_heat / walls.area * per.sum(axis=1)
-        walls.conductance[:] = film
+        note_film(columns, flows, walls)
+        film = walls.conductance
         modes, half = walls.analysis.shape[0], walls.analysis.shape[0] // 2
         first = [1, half + 1][: 2 * half]
         exact = np.array([0, *first, modes])
@@ -253,9 +255,14 @@ class WarmRing:
         return float(change)
 
     def unit_friction(self) -> float:
-        """Friction power of the same film by shear alone at the reference viscosity."""
-        per = np.where(self.columns.supply < 0, self.flows.fill * self.columns.size, 0.0)
-        return float((self.walls.width[:, None] * per / np.maximum(self.flows.gap, 1e-12)).sum())
+        """Friction power of the same film by shear at the reference viscosity, with its turbulence.
+
+        Laminar shear would let turbulence count as viscosity of the oil, and again wherever that enters a Reynolds
+        number.
+        """
+        flows, columns = self.flows, self.columns
+        over_gap = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
+        return float((self.walls.width[:, None] * over_gap * flows.stir).sum())
 
     def bush_heat(self) -> float:
         """Heat that the bush takes, W."""

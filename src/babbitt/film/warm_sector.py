@@ -17,7 +17,7 @@ from babbitt.film._heat_flows import new_flows
 from babbitt.film._heat_walls import Walls
 from babbitt.film._sector_surface import sector_mesh, sector_surface
 from babbitt.film.general import Effort, Sample
-from babbitt.film.heat import FilmHeat
+from babbitt.film.heat import FilmHeat, mean_over_layers
 from babbitt.film.model import Cavitation
 from babbitt.film.ring import Ring
 from babbitt.film.sector import SectorFilm, SectorPad, motion_lengths, sector_answer
@@ -78,8 +78,7 @@ class SectorHeat:
     @property
     def mean_temperature(self) -> Array:
         """Mean over the gap, K, shape (lines, columns)."""
-        edges = np.concatenate(([0.0], 0.5 * (self.layers[1:] + self.layers[:-1]), [1.0]))
-        return np.asarray(self.temperature @ np.diff(edges))
+        return mean_over_layers(self.temperature, self.layers)
 
 
 @dataclass(eq=False)
