@@ -65,7 +65,7 @@ def values(case: HydrostaticCase, found: Answer) -> dict[str, float]:
         if case.count == 1:
             named["effective_area"] = abs(float(response.area[0, 0]))
     named["compressibility_damping_loss"] = damping_loss(response, network, case.compressibility)
-    named["network_stability"] = network.least_eigenvalue(response.conductance)
+    named["network_stability"] = network.least_eigenvalue
     best = stiffest_ratio(
         case.feeding.restrictors[0], case.shape if isinstance(case.shape, RecessedJournal) else None
     )
