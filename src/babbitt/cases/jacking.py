@@ -10,9 +10,9 @@ from pydantic import Field
 
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose
-from babbitt.cases.hydrostatic import Gap, Length, Load, RecessRow
 from babbitt.cases.own_lubricant import DynamicViscosity
 from babbitt.cases.part import Complaint, is_given, refused, rule
+from babbitt.cases.recess_parts import Gap, Length, Load, RecessRow
 from babbitt.cases.recess_rules import clearance_is_small, in_order, lands_between
 from babbitt.cases.restrictors import FlowRate, SupplyPressure
 from babbitt.hydrostatics.geometry import RecessedJournal
