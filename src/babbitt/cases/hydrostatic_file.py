@@ -11,7 +11,7 @@ from pydantic import Field
 from babbitt.cases.bare_numbers import about_load, about_speed
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose
-from babbitt.cases.part import Complaint, is_given, refused, rule
+from babbitt.cases.part import Complaint, exactly_one, is_given, refused, rule
 from babbitt.cases.recess_parts import Frequency, Gap, HydrostaticOil, Load, RecessOil
 from babbitt.cases.restrictors import ConstantFlowGiven, HydrostaticSupply, RestrictorGiven
 from babbitt.hydrostatics.geometry import AnnularPad, CircularPad
@@ -35,7 +35,10 @@ class HydrostaticFile(CaseFile):
         description="Grid of the film. A full film of reference accuracy is solved on half the lines as well and "
         "extrapolated.",
     )
-    restrictor: RestrictorGiven = Field(description="The restrictor before every recess.")
+    restrictor: RestrictorGiven | None = Field(None, description="The restrictor before every recess.")
+    restrictors: tuple[RestrictorGiven, ...] = Field(
+        (), max_length=60, description="One for every recess in their order, where they are not alike."
+    )
     supply: HydrostaticSupply = Field(description="Oil before the restrictors.")
     oil: HydrostaticOil = Field(description="The oil.")
     recess_oil: RecessOil = Field(description="Depth of the recesses and the oil in them.")
@@ -77,8 +80,22 @@ class HydrostaticFile(CaseFile):
         yield from refused(("oil",), self.oil.oils)
 
     @rule
+    def _restrictors_fit(self) -> Iterator[Complaint]:
+        yield from exactly_one(self, "restrictor", "restrictors")
+        given, count = self.restrictors, self.recess_count
+        if is_given(self, "restrictors") and len(given) != count:
+            says = f"{len(given)} restrictor{'s' * (len(given) != 1)} for {count} recess{'es' * (count > 1)}"
+            yield Complaint(("restrictors",), says, "one for every recess", "restrictor is for all alike")
+        pumped = [isinstance(one, ConstantFlowGiven) for one in given]
+        if any(pumped) and not all(pumped):
+            says = "constant_flow has a pump for its recess, and other recesses hang on the supply"
+            allowed = "constant_flow for all recesses, or other restrictors for all"
+            yield Complaint(("restrictors", pumped.index(True)), says, allowed)
+
+    @rule
     def _one_pump_too_many(self) -> Iterator[Complaint]:
-        if isinstance(self.restrictor, ConstantFlowGiven) and is_given(self.supply, "pump_flow"):
+        own = self.restrictors[0] if self.restrictors else self.restrictor
+        if isinstance(own, ConstantFlowGiven) and is_given(self.supply, "pump_flow"):
             says = "constant_flow has a pump for every recess, and the supply names one pump for all"
             hint = "the pressure that the pumps of the recesses can reach; restrictor.flow is what each delivers"
             yield Complaint(("supply", "pump_flow"), says, "pressure", hint)
@@ -94,7 +111,8 @@ class HydrostaticFile(CaseFile):
         own = self.recess_oil
         turning = isinstance(shape, CircularPad | AnnularPad)
         factor = own.friction_factor or (1.0 if turning else 4.0)
-        restrictor = self.restrictor.restrictor(supplied.viscosity, supplied.density)
+        given = self.restrictors or (self.restrictor,) * self.recess_count
+        restrictors = [one.restrictor(supplied.viscosity, supplied.density) for one in given if one is not None]
         assumptions = list(self.assumptions)
         if self.recess_oil.friction_factor is None:
             assumptions.append(f"Friction factor {factor:g} in the recesses, by their shape.")
@@ -107,7 +125,7 @@ class HydrostaticFile(CaseFile):
             kind=self.kind,
             method=self.method,
             shape=shape,
-            feeding=self.supply.feeding(restrictor, self.recess_count),
+            feeding=self.supply.feeding(restrictors),
             oil=film,
             duty=self.duty(),
             recesses=Recesses(own.depth, factor),

@@ -45,6 +45,11 @@ class Feeding:
     supply: Supply
 
     @property
+    def is_uniform(self) -> bool:
+        """Whether all restrictors are alike."""
+        return all(one == self.restrictors[0] for one in self.restrictors)
+
+    @property
     def nominal_pressure(self) -> float:
         """A pressure of the size to come, Pa."""
         supply = self.supply

@@ -69,7 +69,7 @@ def values(case: HydrostaticCase, found: Answer) -> dict[str, float]:
     best = stiffest_ratio(
         case.feeding.restrictors[0], case.shape if isinstance(case.shape, RecessedJournal) else None
     )
-    if best is not None:
+    if best is not None and case.feeding.is_uniform:
         named["stiffest_pressure_ratio"] = best
     if friction > 0.0 and pumping > 0.0:
         named["least_power_gap"] = least_power_gap(mean_gap(found), pumping, friction)
