@@ -1,6 +1,7 @@
 """The search of the gap, and what it is searched in: closed forms and lumped lands."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,16 +9,18 @@ from hydrostatic_bearings import CIRCULAR, CIRCULAR_CAPILLARY, CIRCULAR_ORIFICE,
 from hypothesis import given
 from hypothesis import strategies as st
 
+from babbitt.hydrostatics.answer import answer, answer_at
 from babbitt.hydrostatics.check import hydrostatic_check
 from babbitt.hydrostatics.closed_forms import lands_of
 from babbitt.hydrostatics.gap_search import gap_for_load
 from babbitt.hydrostatics.lumps import journal_lumps, ring_lumps
-from babbitt.hydrostatics.model import Duty
+from babbitt.hydrostatics.model import Duty, Oil
 from babbitt.hydrostatics.network import Feeding
 from babbitt.hydrostatics.restrictors import ConstantFlow, MembraneValve
 from babbitt.hydrostatics.single_recess import gap_under, pad_at
 from babbitt.hydrostatics.supply import FixedPressure
 from babbitt.results import Outcome
+from babbitt.studies.hydrostatic_sweeps import over_gap
 
 BOUNDS = (1e-7, 1.0)
 
@@ -105,6 +108,18 @@ def test_what_flows_along_the_lands_leaves_nowhere():
     assert flow.dragged.sum() == pytest.approx(0.0, abs=1e-12 * np.abs(flow.dragged).max())
     assert (flow.joins @ np.ones(4)).max() == 0.0
     assert np.linalg.eigvalsh(flow.conductance).min() > 0.0
+
+
+def test_films_beside_closed_forms_get_every_motion():
+    """The film beside a pad by closed forms stands still: its kernels read a velocity for every motion."""
+    duty, fed = Duty(11e3), Feeding((CIRCULAR_CAPILLARY,), FixedPressure(5e6))
+    made = case(CIRCULAR, duty, "quick", "hydrostatic_pad", fed, Oil(0.03, 870.0, 2000.0))
+    found = answer(made)
+    film, quick = (over_gap(made, found, method) for method in ("film", "quick"))
+    assert film.at == pytest.approx(quick.at)
+    assert film.load == pytest.approx(quick.load, rel=1e-6)
+    with pytest.raises(ValueError, match="1 numbers for 3 motions"):
+        answer_at(replace(made, method="film"), np.zeros(1), 40e-6)
 
 
 def few_recesses(count, moments):

@@ -117,8 +117,15 @@ def state_at(build: Build, feeding: Feeding, at: Array, grid: Grid) -> RecessSta
     Returns
     -------
     RecessState
+
+    Raises
+    ------
+    ValueError
+        Where the position has not one number for every motion of the film.
     """
     film = RecessFilm.on(build(grid))
+    if at.shape != film.of.scales.motion.shape:
+        raise ValueError(f"a position of {at.size} numbers for {film.of.scales.motion.size} motions")
     pressures, supply = first_guess(feeding, film)
     return fixed_state(film, feeding, at, pressures, supply)
 
