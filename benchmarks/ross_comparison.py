@@ -23,7 +23,6 @@ from __future__ import annotations
 import json
 import math
 import os
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -36,30 +35,17 @@ sys.path.insert(0, str(FOLDER))
 
 from case import CLEARANCE, DIAMETER, LAND, LOAD, SPEED, VISCOSITY, WIDTH  # noqa: E402
 from fine_reference import SimpleLand, coefficients, equilibrium  # noqa: E402
+from sides import record_of  # noqa: E402
 
 REFERENCE = FOLDER / "reference.json"
 LIMITS = {"reynolds": 0.15e-3, "mass-conserving": 0.4e-3}
 
 
-def run(interpreter: str, script: str, cache: str) -> dict[str, Any] | None:
-    """The record of one side, or None where its program is not installed."""
-    record = Path(cache, "record.json")
-    environment = {**os.environ, "NUMBA_CACHE_DIR": cache, "OMP_NUM_THREADS": "1", "NUMBA_NUM_THREADS": "1"}
-    command = [interpreter, str(FOLDER / script), str(record)]
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
-    if done.returncode == 0:
-        found: dict[str, Any] = json.loads(record.read_text(encoding="utf-8"))
-        return found
-    if "No module named 'ross'" in done.stderr:
-        return None
-    raise RuntimeError(f"{script} failed:\n{done.stderr[-3000:]}")
-
-
 def cold_and_warm(interpreter: str, script: str) -> tuple[dict[str, Any], dict[str, Any]] | None:
     """Records without and with compiled code on disk."""
     with tempfile.TemporaryDirectory() as cache:
-        cold = run(interpreter, script, cache)
-        warm = run(interpreter, script, cache) if cold else None
+        cold = record_of(interpreter, FOLDER / script, cache)
+        warm = record_of(interpreter, FOLDER / script, cache) if cold else None
     return (cold, warm) if cold and warm else None
 
 

@@ -12,38 +12,23 @@ times faster than ROSS.
 
 from __future__ import annotations
 
-import json
 import os
-import subprocess
 import sys
-import tempfile
 from pathlib import Path
-from typing import Any
+
+sys.path.insert(0, str(Path(__file__).parent / "two_lands"))
+
+from sides import record_of
 
 FOLDER = Path(__file__).parent / "two_lands_heat"
 LIMITS = {"adiabatic": 3e-3, "full": 8e-3, "full, resolved along the width": 60e-3}
 FASTER = 500.0
 
 
-def run(interpreter: str, script: str) -> dict[str, Any] | None:
-    """The record of one side, or None where its program is not installed."""
-    with tempfile.TemporaryDirectory() as cache:
-        record = Path(cache, "record.json")
-        environment = {**os.environ, "OMP_NUM_THREADS": "1", "NUMBA_NUM_THREADS": "1"}
-        command = [interpreter, str(FOLDER / script), str(record)]
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
-        if done.returncode == 0:
-            found: dict[str, Any] = json.loads(record.read_text(encoding="utf-8"))
-            return found
-    if "No module named 'ross'" in done.stderr:
-        return None
-    raise RuntimeError(f"{script} failed:\n{done.stderr[-3000:]}")
-
-
 def main() -> int:
     """Print both sides and whether the marks are met."""
-    ours = run(sys.executable, "by_babbitt.py")
-    theirs = run(os.environ.get("BABBITT_ROSS_PYTHON", sys.executable), "by_ross.py")
+    ours = record_of(sys.executable, FOLDER / "by_babbitt.py")
+    theirs = record_of(os.environ.get("BABBITT_ROSS_PYTHON", sys.executable), FOLDER / "by_ross.py")
     assert ours is not None
     missed = []
     print(f"{'':44}{'fastest ms':>11}{'median ms':>11}{'eps':>8}{'h error':>9}{'T error K':>11}{'balance':>10}")

@@ -117,7 +117,7 @@ def test_reversed_rotation_mirrors_the_bearing(full):
     mirrored = film_check(design(TEXT.replace("3000 rpm", "-3000 rpm")))
     assert mirrored.maximum_temperature == pytest.approx(result.maximum_temperature, abs=2e-2)  # settled to 5e-2 K
     here, there = result.arrays["groove_temperatures"][0], mirrored.arrays["groove_temperatures"][0]
-    assert there == pytest.approx(here[::-1], abs=1e-3)
+    assert there == pytest.approx(here[::-1], abs=2e-2)
 
 
 def test_a_given_eccentricity_finds_its_load_again(full):

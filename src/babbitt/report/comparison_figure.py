@@ -12,12 +12,11 @@ import numpy as np
 from babbitt.bearings.field import field_of
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.temperature_field import centre_line
-from babbitt.notices import InputError
 from babbitt.quantities import QUANTITIES
 from babbitt.report import film_maps
-from babbitt.report.drawing import FORMATS, GREY, INK, Sheet, axis_label, mathematics, rendered, style
+from babbitt.report.drawing import GREY, INK, Sheet, axis_label, mathematics, rendered, require_format, style
 from babbitt.report.film_state import state_of
-from babbitt.report.writing import write_whole
+from babbitt.report.writing import write_into
 from babbitt.studies.comparison import Comparison, Variant
 from babbitt.units import ZERO_CELSIUS
 
@@ -148,18 +147,11 @@ def write_comparison_plots(
     InputError
         E007 if the folder cannot be written to, the format is unknown, or matplotlib is not installed.
     """
-    if image_format not in FORMATS:
-        raise InputError("E007", f"no figures as {image_format!r}; there are {', '.join(FORMATS)}")
+    require_format(image_format)
     with style():
         made = {
-            folder / f"{place:02d}-methods.{image_format}": rendered(comparison_figure(comparison), image_format)
+            f"{place:02d}-methods.{image_format}": rendered(comparison_figure(comparison), image_format)
             for place, comparison in enumerate(comparisons, start=1)
             if any(is_shown(one) for one in comparison.variants)
         }
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise InputError("E007", f"cannot make the folder {folder}: {error.strerror}") from None
-    for path, image in made.items():
-        write_whole(path, image)
-    return tuple(made)
+    return write_into(folder, made)

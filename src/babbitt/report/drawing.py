@@ -63,6 +63,12 @@ _UNDATED: dict[str, dict[str, Any]] = {
 }
 
 
+def require_format(image_format: str) -> None:
+    """Refuse a format that no figure has, with E007."""
+    if image_format not in FORMATS:
+        raise InputError("E007", f"no figures as {image_format!r}; there are {', '.join(FORMATS)}")
+
+
 @dataclass(frozen=True)
 class Drawing:
     """A finished figure.

@@ -13,15 +13,14 @@ from babbitt.footstep.case import HeelCase
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
-from babbitt.notices import InputError
 from babbitt.report import painters
-from babbitt.report.drawing import FORMATS, Drawing, rendered, style
+from babbitt.report.drawing import Drawing, rendered, require_format, style
 from babbitt.report.film_figures import all_figures
 from babbitt.report.heel_figures import heel_figures
 from babbitt.report.hydrostatic_figures import hydrostatic_figures
 from babbitt.report.one_dimension_figures import figures_along_the_film
 from babbitt.report.thrust_figures import thrust_figures
-from babbitt.report.writing import write_whole
+from babbitt.report.writing import write_into
 from babbitt.results import Result
 from babbitt.segments.model import SegmentCase
 from babbitt.shaft_line.design import LineDesign
@@ -158,16 +157,9 @@ def write_plots(machine: MachineResult, folder: Path, image_format: str = "svg")
     InputError
         E007 if the folder cannot be written to, the format is unknown, or matplotlib is not installed.
     """
-    if image_format not in FORMATS:
-        raise InputError("E007", f"no figures as {image_format!r}; there are {', '.join(FORMATS)}")
+    require_format(image_format)
     made = {}
     for place, (case, result) in enumerate(zip(machine.design_cases, machine.results, strict=False), start=1):
         for drawing in _all_of(case, result, image_format):
-            made[folder / f"{place:02d}-{drawing.name}.{image_format}"] = drawing.image
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise InputError("E007", f"cannot make the folder {folder}: {error.strerror}") from None
-    for path, image in made.items():
-        write_whole(path, image)
-    return tuple(made)
+            made[f"{place:02d}-{drawing.name}.{image_format}"] = drawing.image
+    return write_into(folder, made)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
+from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
@@ -43,6 +44,23 @@ def write_whole(path: Path, content: bytes) -> None:
         if partial is not None:
             with suppress(OSError):
                 partial.unlink()
+
+
+def write_into(folder: Path, files: Mapping[str, bytes]) -> tuple[Path, ...]:
+    """Write files into a folder, which is made if it does not exist; where they are now.
+
+    Raises
+    ------
+    InputError
+        E007 if the folder cannot be made or a file not be written.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError("E007", f"cannot make the folder {folder}: {error.strerror}") from None
+    for name, content in files.items():
+        write_whole(folder / name, content)
+    return tuple(folder / name for name in files)
 
 
 def _write_through(path: Path, content: bytes) -> None:
