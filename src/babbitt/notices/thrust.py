@@ -51,12 +51,4 @@ THRUST: dict[str, Explanation] = {
         "numbers describe no bearing.",
         "Less thrust, more or larger pads, a more viscous or cooler oil, more speed, or a straighter housing.",
     ),
-    "W208": Explanation(
-        "Faces that cannot follow the tilt of the housing",
-        "A tilt of the housing lifts and lowers the pivots, which is computed, and leans the faces of fixed pads, "
-        "and of pads on line pivots along the radius, which is not: their outer corners come closer than the "
-        "thinnest film that is shown. The film of the message lays the lean on the films as they are, loads "
-        "unchanged.",
-        "Hold the film of the message against the limit; align the housing, or use point pivots.",
-    ),
 }

@@ -19,7 +19,7 @@ from babbitt.shaft_line.natural import Mode, modes, undamped_frequencies
 from babbitt.shaft_line.stages import Attribution, attribution
 from babbitt.shaft_line.sweeps import CampbellPoint, RingPoint, barred_ranges, ring_sweep, speed_sweep, usual_rings
 from babbitt.shaft_line.transient import Transient, transient
-from babbitt.thrust.assumed import lean_assumptions, oil_assumptions
+from babbitt.thrust.assumed import oil_assumptions
 from babbitt.thrust.check import pad_arrays, share_doubts, share_values, temperature_not_checked
 from babbitt.thrust.design import ThrustState, operating_state
 from babbitt.thrust.failures import NoPadFilmError
@@ -313,7 +313,6 @@ def _arrays(design: LineDesign, answer: LineAnswer) -> dict[str, Matrix]:
 def _assumptions(design: LineDesign) -> Iterator[str]:
     yield "Linear films about the static share, tilts of the pads free and with their inertia; axial motion only."
     yield from oil_assumptions(design.thrust.oil)
-    yield from lean_assumptions(design.thrust.bearing)
     if design.thrust.oil.warm is not None:
         yield "Each pad takes in what a pad under its own load sends off, mixed with fresh oil."
     if design.line.seating is None:

@@ -52,6 +52,11 @@ class RunoutHarmonic:
         if self.order != round(self.order):
             raise InputError("E203", f"order of the runout is {self.order:g}; a face has whole lobes: 1, 2, 3 ...")
 
+    @property
+    def leans(self) -> bool:
+        """Whether the face leans under the pads: one high spot is a plane; of waves only the height counts."""
+        return self.order == 1.0
+
     def scaled(self, factor: float) -> RunoutHarmonic:
         """With another amplitude."""
         return replace(self, amplitude=self.amplitude * factor)

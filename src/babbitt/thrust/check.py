@@ -10,13 +10,12 @@ import numpy as np
 from babbitt.design.doubts import doubt_about_pressure
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Matrix, Outcome, Result
-from babbitt.thrust.assumed import lean_assumptions, oil_assumptions
-from babbitt.thrust.bearing import runout_at
+from babbitt.thrust.assumed import oil_assumptions
 from babbitt.thrust.design import ThrustDesign, ThrustState, bearing_state
 from babbitt.thrust.failures import NoPadFilmError
 from babbitt.thrust.heat import Temperatures
-from babbitt.thrust.lean import leaning_films
 from babbitt.thrust.sharing import Share, share_of
+from babbitt.thrust.standing import standing_on_runout
 from babbitt.thrust.state import CONTACT, condensed
 
 __all__ = [
@@ -30,8 +29,6 @@ __all__ = [
 METHOD = "film"
 LEAST_SHARE = 0.01
 """Pad load over the mean below which a pad is as good as unloaded."""
-NOTICED = 0.01
-"""Of the thinnest film: what a lean of the faces takes off it before it is told."""
 LAMINAR_UP_TO = 1000.0
 """Reynolds number of a film, rho U h/mu, up to which it is taken as laminar: Ng and Pan's theory departs there."""
 TURNS = 24
@@ -170,8 +167,9 @@ def _turned(design: ThrustDesign, state: ThrustState) -> float:
     """Largest pad load over the mean while the collar turns so slowly that nothing swings."""
     largest = 0.0
     for turned in 2.0 * np.pi * np.arange(TURNS) / TURNS:
-        away = runout_at(design.bearing, design.runout, float(turned))
-        largest = max(largest, share_of(state.films, design.bearing, state.share.thrust, away).largest_over_mean)
+        stands = standing_on_runout(design.bearing, design.runout, float(turned))
+        share = share_of(state.films, design.bearing, state.share.thrust, stands)
+        largest = max(largest, share.largest_over_mean)
     return largest
 
 
@@ -229,7 +227,6 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
             f"{share.states[films.index(min(films))].load / 1e3:.0f} kN; surfaces touch below "
             f"{CONTACT * 1e6:g} µm",
         )
-    yield from _lean(share, min(films))
     reynolds = reynolds_number(design, share, effective_viscosity(design, state), state.temperatures)
     if design.turbulence is None and reynolds > LAMINAR_UP_TO:
         yield Notice("W204", f"Re = {reynolds:.0f} > {LAMINAR_UP_TO:.0f}")
@@ -238,18 +235,6 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
     if hottest is not None and not design.lubricant.covers(hottest):
         low, high = (kelvin - 273.15 for kelvin in design.lubricant.temperature_range)
         yield Notice("W145", f"film up to {hottest - 273.15:.1f} °C, data from {low:.4g} to {high:.4g} °C")
-
-
-def _lean(share: Share, thinnest: float) -> Iterator[Notice]:
-    """Faces that cannot follow the tilt of the housing."""
-    leaning = leaning_films(share)
-    if thinnest - float(leaning.min()) > NOTICED * thinnest:
-        yield Notice(
-            "W208",
-            f"pivots stand as tilted, faces square to the shaft; leaning with the housing pad "
-            f"{1 + int(leaning.argmin())} would come to {leaning.min() * 1e6:.1f} µm at its thinnest place, not "
-            f"{thinnest * 1e6:.1f} µm",
-        )
 
 
 def temperature_not_checked(values: dict[str, float]) -> Notice:
@@ -264,7 +249,7 @@ def temperature_not_checked(values: dict[str, float]) -> Notice:
 
 
 def _assumptions(design: ThrustDesign) -> tuple[str, ...]:
-    said = [*oil_assumptions(design.oil), *lean_assumptions(design.bearing)]
+    said = [*oil_assumptions(design.oil)]
     if design.oil.warm is not None:
         said.append("Each pad takes in what the pad before it sends off, mixed with fresh oil.")
     if design.turbulence is not None:

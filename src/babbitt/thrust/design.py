@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from babbitt.film.turbulence import TurbulenceLaw
 from babbitt.lubricants import Lubricant
 from babbitt.notices import Notice
@@ -14,6 +12,7 @@ from babbitt.thrust.carrying import Carrying, carrying
 from babbitt.thrust.heat import HeatBalance, Temperatures, balanced
 from babbitt.thrust.neighbours import share_with_neighbours
 from babbitt.thrust.sharing import Share, share_at_film, share_of
+from babbitt.thrust.standing import standing_at_rest
 from babbitt.thrust.state import PadState
 from babbitt.thrust.warm import PadOil
 from babbitt.thrust.warm_films import WarmFilms, own_temperatures, warm_carrying
@@ -171,7 +170,7 @@ def bearing_state(design: ThrustDesign) -> ThrustState:
     """
     state = operating_state(design)
     bearing = state.share.bearing
-    if not isinstance(state.films, WarmFilms) or float(np.ptp(bearing.departures())) == 0.0:
+    if not isinstance(state.films, WarmFilms) or standing_at_rest(bearing).is_even:
         return state
     film = design.duty.film if isinstance(design.duty, GivenFilm) else None
     share = share_with_neighbours(state.films, state.share, film)

@@ -13,14 +13,14 @@ from babbitt.film.turbulence import FilmTurbulence
 from babbitt.notices import InputError
 from babbitt.thrust.face import PlaneFace, SteppedFace, TaperedFace, face_rows
 
-__all__ = ["Pivot", "ThrustPad"]
+__all__ = ["DEGREE", "Pivot", "ThrustPad"]
 
 Array = NDArray[np.float64]
 
 USUAL_INTERVALS = 64
 """Intervals along a pad: the load is within 0.1 % of the limit of a fine grid (`tests/thrust`)."""
-
-
+DEGREE = 8
+"""Of the polynomials across it."""
 WATCHED = 33
 """Points along a pad with a face at which its film is watched, and across it at most."""
 
@@ -144,14 +144,20 @@ class ThrustPad:
     def watched(self) -> tuple[Array, Array]:
         """Where the film is watched: (1, X, Y) of points, (n, 3), and the departure of the face there, m, (n,).
 
-        The corners of a plane pad, of which one has the thinnest film; a grid over any other.
+        The corners of a plane pad on a point; of other plane pads, which may lean along the radius, both arcs; a
+        grid with the edge of the face and the radius of the pivot over any other.
         """
         if isinstance(self.face, PlaneFace) and self.crown == 0.0:
-            return self.corners(), np.zeros(4)
-        rows = np.array(self.form())
-        along = np.linspace(0, rows.shape[0] - 1, WATCHED).round().astype(int)
+            if self.pivot is Pivot.POINT:
+                return self.corners(), np.zeros(4)
+            rows = np.zeros((WATCHED, 2))
+        else:
+            rows = np.array(self.form())
+        last = rows.shape[0] - 1
+        kinks = [round(getattr(self.face, "fraction", 0.0) * last), round(self.pivot_fraction * last)]
+        along = np.unique([*np.linspace(0, last, WATCHED).round().astype(int), *kinks, min(kinks[0] + 1, last)])
         across = np.linspace(0, rows.shape[1] - 1, min(WATCHED, rows.shape[1])).round().astype(int)
-        angle = along[:, None] / (rows.shape[0] - 1) * self.extent - self.pivot_angle
+        angle = along[:, None] / last * self.extent - self.pivot_angle
         radius = self.inner_radius + across[None, :] / (rows.shape[1] - 1) * (
             self.outer_radius - self.inner_radius
         )
