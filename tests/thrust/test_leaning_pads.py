@@ -78,7 +78,7 @@ def test_thrust_heights_slopes_and_free_moments_are_balanced(pad, ring):
 
 @HELD
 def test_every_film_is_that_of_the_leaning_gap(pad):
-    """Solved anew in the frame of the ring, not of the pivot: h of the level land, tilt of the housing, free tilt."""
+    """Solved anew in the frame of the ring, not of the pivot: level land, tilt of the housing, free tilt."""
     of = tilted(pad, ring=math.inf)
     share = share_of(FILMS[pad], of, THRUST)
     for place in (0, 3):
@@ -98,7 +98,7 @@ def test_every_film_is_that_of_the_leaning_gap(pad):
 
 @HELD
 def test_the_moment_is_that_of_all_pressures_about_the_shaft(pad):
-    """Sum of p (r exp(j theta)) dA over the ring, from the forces of the films about the axis, not about pivots."""
+    """Sum of p (r exp(j theta)) dA over the ring, from the forces of films about the axis, not pivots."""
     of = tilted(pad)
     share = share_of(FILMS[pad], of, THRUST)
     total = 0j

@@ -51,4 +51,11 @@ THRUST: dict[str, Explanation] = {
         "numbers describe no bearing.",
         "Less thrust, more or larger pads, a more viscous or cooler oil, more speed, or a straighter housing.",
     ),
+    "W208": Explanation(
+        "Sweeps without a film in places",
+        "At some speeds of the map, or on some backing rings, the pads find no film for the thrust: faces that "
+        "lean with the housing touch, pads are overloaded, or the oil runs hot. These points are left out of "
+        "tables and figures.",
+        "Align the housing, or read the sweep only where it has points.",
+    ),
 }

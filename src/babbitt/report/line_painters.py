@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from babbitt.report.drawing import GREY, INK, PALE, Sheet, limit_line, mark
-from babbitt.shaft_line.check import LineAnswer
+from babbitt.shaft_line.answer import LineAnswer
 from babbitt.shaft_line.sweeps import BARRED_WITHIN, barred_ranges
 
 if TYPE_CHECKING:

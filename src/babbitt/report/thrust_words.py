@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from babbitt.results import Bound, Check, Result
+from babbitt.units import ZERO_CELSIUS
 
 __all__ = ["answers"]
 
@@ -197,7 +198,7 @@ def _oil(result: Result) -> str:
 
 
 def _celsius(kelvin: float) -> str:
-    return f"{kelvin - 273.15:.1f} °C"
+    return f"{kelvin - ZERO_CELSIUS:.1f} °C"
 
 
 def _percent(share: float) -> str:

@@ -9,6 +9,7 @@ from babbitt.design.roots import bracketed_root
 from babbitt.shaft_line.model import LineDuty, state_of
 from babbitt.shaft_line.sweeps import RingPoint, ring_point
 from babbitt.thrust.carrying import Carrying
+from babbitt.thrust.failures import NoPadFilmError
 
 __all__ = [
     "Admissible",
@@ -23,6 +24,8 @@ __all__ = [
 WIDEST = 2.0**12
 """Factor up to which a root is sought."""
 RELATIVE = 1e-9
+BEYOND = 1e6
+"""Loss that stands for a bearing without a film."""
 
 
 @dataclass(frozen=True)
@@ -75,7 +78,11 @@ def largest_tilt(duty: LineDuty, films: Carrying, loss: float) -> float | None:
 
 
 def _loss(duty: LineDuty, films: Carrying) -> float:
-    return state_of(duty, films).losses.mean_bound
+    """L1 (bound); without a film more than any limit, so that what is admissible ends there."""
+    try:
+        return state_of(duty, films).losses.mean_bound
+    except NoPadFilmError:
+        return BEYOND
 
 
 def _largest(of: Callable[[float], float], limit: float) -> float | None:
@@ -116,7 +123,10 @@ def _stiffest(
 ) -> RingPoint | None:
     stiff: RingPoint | None = None
     for ring in sorted(rings, reverse=True):
-        point = ring_point(duty, films, ring)
+        try:
+            point = ring_point(duty, films, ring)
+        except NoPadFilmError:
+            continue
         if excess(point) <= 0.0:
             if stiff is None:
                 return point

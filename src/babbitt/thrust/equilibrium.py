@@ -128,7 +128,7 @@ def first_slopes(pad: ThrustPad, height: float) -> tuple[float, float]:
 
 
 def first_motion(pad: ThrustPad, height: float, slopes: tuple[float, float], lean: Lean) -> Array:
-    """Where a pad is moved from, (height, slope_x, slope_y): held slopes as they are, free ones such that it clears.
+    """Where a pad is moved from, (height, slope_x, slope_y): held slopes stay, free ones such that it clears.
 
     Raises
     ------

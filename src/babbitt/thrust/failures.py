@@ -97,7 +97,7 @@ class LeaningPadError(NoPadFilmError):
         self.pad = pad
         which = "the pads do" if pad is None else f"pad {pad} does"
         self.said = (
-            f"{which} not come to rest under the thrust with faces that lean with the housing; a straighter housing, "
-            "less thrust, a ring that gives way, or pads on point pivots"
+            f"{which} not come to rest under the thrust with faces that lean with the housing; a straighter "
+            "housing, less thrust, a ring that gives way, or pads on point pivots"
         )
         super().__init__(self.said)
