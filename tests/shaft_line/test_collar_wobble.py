@@ -89,7 +89,8 @@ def turned_slowly(pad, runout):
     films = carrying(pad, VISCOSITY, SPEED)
     still = share_of(films, of, THRUST)
     return still, [
-        share_of(films, of, THRUST, standing_on_runout(of, runout, turned)).moment - still.moment
+        share_of(films, of, THRUST, standing_on_runout(of, (RunoutHarmonic(1.0, runout),), turned)).moment
+        - still.moment
         for turned in (0.0, 1.1)
     ]
 

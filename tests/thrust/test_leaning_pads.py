@@ -14,6 +14,7 @@ from babbitt.thrust.equilibrium import sector_of
 from babbitt.thrust.face import SteppedFace, TaperedFace
 from babbitt.thrust.failures import LeaningPadsTouchError, PadsTouchError
 from babbitt.thrust.pad import Pivot
+from babbitt.thrust.runout import RunoutHarmonic
 from babbitt.thrust.sharing import share_at_film, share_of
 from babbitt.thrust.standing import standing_at_rest, standing_on_runout
 
@@ -44,7 +45,7 @@ def test_the_gap_of_a_fixed_pad_gets_the_plane_of_the_housing(sense):
 def test_a_collar_with_one_high_spot_is_a_tilt_that_turns(sense):
     """The runout A at r_p is the plane of a housing tilted by A r_o/r_p towards the high spot."""
     level = tilted(TAPER, 0.0, sense=sense)
-    turned = standing_on_runout(level, 5e-6, 0.9)
+    turned = standing_on_runout(level, (RunoutHarmonic(1.0, 5e-6),), 0.9)
     same = standing_at_rest(
         tilted(TAPER, 5e-6 * TAPER.outer_radius / TAPER.pivot_radius, sense * 0.9, sense=sense)
     )

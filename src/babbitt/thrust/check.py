@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from time import perf_counter
 
 import numpy as np
@@ -20,6 +21,8 @@ __all__ = ["thrust_check"]
 METHOD = "film"
 TURNS = 24
 """Positions of the collar at which its runout is shared out slowly."""
+WAVES = 4
+"""So many waves around the face are seen at so many positions."""
 
 
 def thrust_check(design: ThrustDesign) -> Result:
@@ -48,7 +51,7 @@ def thrust_check(design: ThrustDesign) -> Result:
             assumptions=_assumptions(design),
         )
     values = share_values(design, state)
-    if design.runout:
+    if any(one.amplitude > 0.0 for one in design.runouts):
         values["quasi_static_load_ratio"] = _turned(design, state)
     values["wall_time"] = perf_counter() - start
     limit = Check(
@@ -77,8 +80,9 @@ def thrust_check(design: ThrustDesign) -> Result:
 def _turned(design: ThrustDesign, state: ThrustState) -> float:
     """Largest pad load over the mean while the collar turns so slowly that nothing swings."""
     largest = 0.0
-    for turned in 2.0 * np.pi * np.arange(TURNS) / TURNS:
-        stands = standing_on_runout(design.bearing, design.runout, float(turned))
+    count = TURNS * math.ceil(max(one.order for one in design.runouts) / WAVES)
+    for turned in 2.0 * np.pi * np.arange(count) / count:
+        stands = standing_on_runout(design.bearing, design.runouts, float(turned))
         share = share_of(state.films, design.bearing, state.share.thrust, stands)
         largest = max(largest, share.largest_over_mean)
     return largest

@@ -11,6 +11,7 @@ from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.carrying import Carrying, carrying
 from babbitt.thrust.heat import HeatBalance, Temperatures, balanced
 from babbitt.thrust.neighbours import share_with_neighbours
+from babbitt.thrust.runout import RunoutHarmonic
 from babbitt.thrust.sharing import Share, share_at_film, share_of
 from babbitt.thrust.standing import standing_at_rest
 from babbitt.thrust.state import PadState
@@ -104,8 +105,8 @@ class ThrustDesign:
     speed : float
         Magnitude, rad/s.
     oil : Oil
-    runout : float
-        Amplitude of the face at the pivot radius, m.
+    runouts : tuple of RunoutHarmonic
+        Runout and waves of the face of the collar.
     film_limit : float
         Least film permitted, m.
     film_limit_source : str
@@ -119,7 +120,7 @@ class ThrustDesign:
     duty: GivenThrust | GivenFilm
     speed: float
     oil: Oil
-    runout: float = 0.0
+    runouts: tuple[RunoutHarmonic, ...] = ()
     film_limit: float = 10e-6
     film_limit_source: str = ""
     turbulence: TurbulenceLaw | None = None

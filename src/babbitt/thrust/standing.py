@@ -6,6 +6,7 @@ over a pad. A pivot lets the pad follow the slopes about the axes of its free ti
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 
 from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.pad import ThrustPad
+from babbitt.thrust.runout import RunoutHarmonic
 
 __all__ = ["LEVEL", "Lean", "Standing", "standing_at_rest", "standing_on_runout"]
 
@@ -61,26 +63,29 @@ def standing_at_rest(bearing: ThrustBearing) -> Standing:
     return Standing(bearing.departures(), _held(bearing.pad, slopes))
 
 
-def standing_on_runout(bearing: ThrustBearing, amplitude: float, turned: float) -> Standing:
-    """The same with a collar that leans, and has turned.
+def standing_on_runout(bearing: ThrustBearing, runouts: Sequence[RunoutHarmonic], turned: float) -> Standing:
+    """The same with a collar whose face is not square to the shaft, and has turned.
 
-    Under pad i the face stands out by xi_i (1 + X/r_p - j Y/r_p), see `babbitt.thrust.state.wobble_answer`.
+    Of one high spot the face is a plane: under pad i it stands out by xi_i (1 + X/r_p - j Y/r_p), see
+    `babbitt.thrust.state.wobble_answer`. Of waves only the height at the pivot counts.
 
     Parameters
     ----------
     bearing : ThrustBearing
-    amplitude : float
-        Of the runout at the pivot radius, m: the high spot thins the film under it.
+    runouts : sequence of RunoutHarmonic
+        High spots thin the film under them.
     turned : float
-        Angle of the high spot from pad 1 in the sense of rotation, rad.
+        Angle of the collar in the sense of rotation, rad; at 0 without a phase a high spot is under pad 1.
     """
     still = standing_at_rest(bearing)
-    passed = turned - bearing.phases()
-    slopes = -amplitude / bearing.pad.pivot_radius * np.column_stack([np.cos(passed), np.sin(passed)])
-    return Standing(
-        still.departures - amplitude * np.cos(passed),
-        still.leans + _held(bearing.pad, slopes),
-    )
+    departures, leans = still.departures.copy(), still.leans.copy()
+    for one in runouts:
+        passed = one.order * (turned - bearing.phases()) + one.phase
+        departures -= one.amplitude * np.cos(passed)
+        if one.leans:
+            steep = -one.amplitude / bearing.pad.pivot_radius
+            leans += _held(bearing.pad, steep * np.column_stack([np.cos(passed), np.sin(passed)]))
+    return Standing(departures, leans)
 
 
 def _held(pad: ThrustPad, slopes: Array) -> Array:
