@@ -49,10 +49,8 @@ class _OneLength(Shorthand):
 
 
 def _waves(given: Any) -> Any:
-    if isinstance(given, dict):
-        return [given]
-    is_length = isinstance(given, str | int | float) and not isinstance(given, bool)
-    return [{"amplitude": given}] if is_length else given
+    waves = given if isinstance(given, list | tuple) else [given]
+    return [{"amplitude": one} if isinstance(one, str | int | float) else one for one in waves]
 
 
 RunoutGiven = Annotated[tuple[Runout, ...], _OneLength(_waves, "an amplitude such as '5 um', or a list of waves")]

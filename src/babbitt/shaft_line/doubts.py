@@ -37,7 +37,7 @@ def _about_the_motion(answer: LineAnswer) -> Iterator[Notice]:
             if away < NEAR:
                 yield Notice(
                     "W203",
-                    f"excitation {nu / math.tau:.2f} Hz is {away:.0%} away from natural frequency "
+                    f"excitation {nu / math.tau:.2f} Hz is {away:.0%} away from undamped natural frequency "
                     f"{place}, {mode.frequency / math.tau:.2f} Hz",
                 )
     moved = answer.nonlinear

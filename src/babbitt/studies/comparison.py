@@ -132,9 +132,9 @@ def compare_methods(case: Case) -> tuple[Comparison, ...]:
 
 ONE_METHOD = {
     "thrust": "thrust pads have one film method, there is nothing to compare; to see what its options do, solve "
-    "copies of the case with another thermal (global, adiabatic) or turbulence, or vary a field with babbitt sweep",
-    "thrust_line": "a shaft line has one method, there is nothing to compare; its report sets runout, ripple, tilt "
-    "and rings side by side (babbitt solve --report), and babbitt sweep varies a field",
+    "copies of the case with another thermal or turbulence, or vary a field with babbitt sweep",
+    "thrust_line": "a shaft line has one method, there is nothing to compare; its report sets runout, ripple, "
+    "tilt and rings side by side (babbitt solve --report), and babbitt sweep varies a field",
 }
 OTHER_KINDS = "a case of kind {kind!r} has one method; there is nothing to compare"
 
