@@ -52,8 +52,8 @@ class Carrying(Protocol):
     def height_for(self, load: float) -> float:
         """Height of the pivot, m, at which the pad carries a load, N."""
 
-    def state(self, height: float, lean: Lean = LEVEL) -> PadState:
-        """The whole film at a height, with the slopes that the pivot holds."""
+    def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
+        """The whole film at a height, with the slopes that the pivot holds; ``near``: one to start from."""
 
     def at(self, viscosity: float, angular_speed: float) -> Carrying:
         """The same pad in another oil and at another speed."""
@@ -93,12 +93,13 @@ class SimilarFilms:
         """sqrt(A/W)."""
         return float(np.sqrt(self.constant / load))
 
-    def state(self, height: float, lean: Lean = LEVEL) -> PadState:
+    def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
         """The similar film; one that leans is solved."""
         similar = self.reference.similar(height, self.viscosity, self.angular_speed)
         if not any(lean):
             return similar
-        return _leaning(self.pad, height, self.viscosity, self.angular_speed, similar.slope_y, lean)
+        along = similar.slope_y if near is None else near.slope_y
+        return _leaning(self.pad, height, self.viscosity, self.angular_speed, along, lean)
 
     def at(self, viscosity: float, angular_speed: float) -> SimilarFilms:
         """The similar film in another oil."""
@@ -152,13 +153,14 @@ class TabulatedFilms:
             )
         return height
 
-    def state(self, height: float, lean: Lean = LEVEL) -> PadState:
+    def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
         """The film at a height, solved."""
-        near = int(np.argmin(np.abs(np.log(self.heights / height))))
-        slopes = self.slopes[near]
-        share = height / self.heights[near]
+        place = int(np.argmin(np.abs(np.log(self.heights / height))))
+        slopes = self.slopes[place]
+        share = height / self.heights[place]
         if any(lean):
-            return _leaning(self.pad, height, self.viscosity, self.angular_speed, slopes[1] * share, lean)
+            along = slopes[1] * share if near is None else near.slope_y
+            return _leaning(self.pad, height, self.viscosity, self.angular_speed, along, lean)
         guess = (slopes[0] * share, slopes[1] * share)
         try:
             return pad_state(self.pad, height, self.viscosity, self.angular_speed, guess)

@@ -25,10 +25,8 @@ __all__ = ["PowerLaws", "settled", "states_at"]
 Array = NDArray[np.float64]
 
 MOST_ROUNDS = 40
-SETTLED = 1e-10
-"""Change of a height, over it, that ends the search."""
-AS_GOOD = 1e-6
-"""The same where it grows no smaller any more: films with their own temperatures are not known better."""
+SETTLED = 1e-6
+"""Change of a height, over it, that ends the search: loads are then known to a few millionths."""
 KEPT = 0.3
 """Share of its thinnest film that a pad keeps in a step."""
 ROOM = 5e-6
@@ -93,10 +91,11 @@ def settled(
     """
     nearest = _nearest(films.pad, standing)
     heights = np.maximum(first, nearest + np.maximum(KEPT * first, ROOM))
-    laws, last, lifted = None, np.inf, 0
+    laws, lifted = None, 0
+    states: tuple[PadState, ...] = ()
     for _ in range(MOST_ROUNDS):
         try:
-            states = states_at(films, heights, standing)
+            states = states_at(films, heights, standing, states)
         except LeaningPadError as failure:
             if failure.pad is None or lifted == LIFTED:
                 raise
@@ -107,16 +106,27 @@ def settled(
         wanted = place(laws)
         new = np.maximum(wanted, nearest + KEPT * (heights - nearest))
         moved = float(np.abs(new / heights - 1.0).max())
-        if moved < SETTLED or (moved < AS_GOOD and moved > 0.5 * last):
+        if moved < SETTLED:
             return heights, states
         if float((new - nearest).min()) < GONE:
             raise LeaningPadsTouchError(1 + int((new - nearest).argmin()), float(laws.loads.sum()))
-        heights, last = new, moved
+        heights = new
     raise LeaningPadError
 
 
-def states_at(films: Carrying, heights: Array, standing: Standing) -> tuple[PadState, ...]:
+def states_at(
+    films: Carrying, heights: Array, standing: Standing, near: tuple[PadState, ...] = ()
+) -> tuple[PadState, ...]:
     """Films at the heights; pads that stand and lean alike share one.
+
+    Parameters
+    ----------
+    films : Carrying
+    heights : ndarray, shape (z,)
+        m.
+    standing : Standing
+    near : tuple of PadState
+        Films of the pads near these heights with the same leans, from which to start; empty for none.
 
     Raises
     ------
@@ -130,7 +140,7 @@ def states_at(films: Carrying, heights: Array, standing: Standing) -> tuple[PadS
         key = (float(f"{height:.12e}"), lean)
         if key not in found:
             try:
-                found[key] = films.state(float(height), lean)
+                found[key] = films.state(float(height), lean, near[place] if near else None)
             except InputError:  # no balance, or a place between the watched ones touches
                 if not any(lean):
                     raise

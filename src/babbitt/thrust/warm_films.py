@@ -103,12 +103,12 @@ class WarmFilms:
         except (InputError, NoPadFilmError):
             return begin
 
-    def state(self, height: float, lean: Lean = LEVEL) -> PadState:
+    def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
         """The film at a height, solved."""
         if abs(height / self.middle.state.height - 1.0) < SAME and not any(lean):
             return self.middle.state
-        near = min(self.starts, key=lambda start: abs(np.log(start.state.height / height)))
-        return warm_pad(self.pad, self.oil, self.angular_speed, height, None, near, lean=lean).state
+        start = min(self.starts, key=lambda start: abs(np.log(start.state.height / height)))
+        return warm_pad(self.pad, self.oil, self.angular_speed, height, None, start, lean=lean).state
 
     def at(self, viscosity: float, angular_speed: float) -> WarmFilms:
         """The same films at another speed; viscosity is their own."""
