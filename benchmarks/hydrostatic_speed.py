@@ -16,15 +16,19 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 import numpy as np
 
+from babbitt.hydrostatics.answer import answer
+from babbitt.hydrostatics.check import hydrostatic_check
 from babbitt.hydrostatics.closed_forms import lands_of
 from babbitt.hydrostatics.geometry import AnnularPad, CircularPad, RecessedJournal, ThrustRing
 from babbitt.hydrostatics.impedance import Compressibility, impedance
 from babbitt.hydrostatics.lines import DRAFT, ENGINEERING, REFERENCE, Grid
-from babbitt.hydrostatics.lumped import journal_lumps, lumped_under
+from babbitt.hydrostatics.lumped import lumped_at, lumped_under
+from babbitt.hydrostatics.lumps import journal_lumps
+from babbitt.hydrostatics.model import Duty, HydrostaticCase, Oil, Recesses
 from babbitt.hydrostatics.network import Feeding
 from babbitt.hydrostatics.restrictors import Capillary
 from babbitt.hydrostatics.single_recess import gap_under, pad_at
-from babbitt.hydrostatics.state import rest_under
+from babbitt.hydrostatics.state import Ending, rest_under
 from babbitt.hydrostatics.supply import FixedPressure
 from babbitt.hydrostatics.surfaces import FilmOil, journal_surface, ring_surface
 
@@ -38,6 +42,10 @@ RING = ThrustRing(
 )
 RING_FEEDING = Feeding((Capillary(0.8e-3, 0.06, 0.02),) * 4, FixedPressure(3e6))
 OIL = Compressibility(3.7e-6, 1e9)
+QUICK_RING = HydrostaticCase(
+    "Ring", "hydrostatic_thrust_ring", "quick", RING, RING_FEEDING, Oil(0.02, 870.0, 2000.0),
+    Duty(25e3, moments=(200.0, 0.0), angular_speed=1000.0 * math.pi / 30.0), Recesses(1e-3), OIL,
+)  # fmt: skip
 
 
 def journal(load: float, grid: Grid) -> None:
@@ -72,8 +80,16 @@ def quick_gap() -> None:
 
 
 def quick_journal() -> None:
-    state = lumped_under(journal_lumps(JOURNAL, 0.02, SPEED), FEEDING, np.array([0.0, -20e3]))
+    lumps = journal_lumps(JOURNAL, 0.02, SPEED)
+    state = lumped_under(lumps, FEEDING, np.array([0.0, -20e3]), lumped_at(lumps, FEEDING, np.zeros(2)))
     impedance(state.response, state.network, OIL, 0.0)
+
+
+def quick_ring() -> None:
+    found = answer(QUICK_RING)
+    if found.ending is not Ending.SOLVED:
+        raise RuntimeError(f"quick ring: {found.ending}")
+    impedance(found.response, found.network, OIL, 0.0)
 
 
 # what, promised milliseconds (none: shown), how often
@@ -84,8 +100,10 @@ RUNS: tuple[tuple[str, Callable[[], None], float | None, int], ...] = (
     ("hybrid journal, 20 kN, reference", lambda: journal(20e3, REFERENCE), None, 5),
     ("thrust ring under load and moment", ring, None, 20),
     ("round pad at a gap, closed form", quick, 1.0, 200),
-    ("gap of a round pad under load, closed form", quick_gap, None, 40),
+    ("gap of a round pad under load, closed form", quick_gap, 1.0, 100),
     ("hybrid journal, 20 kN, lumped lands", quick_journal, 1.0, 100),
+    ("ring under load and moment, lumped lands", quick_ring, 1.0, 100),
+    ("ring under load and moment, lumped, result", lambda: hydrostatic_check(QUICK_RING), None, 100),
 )
 
 

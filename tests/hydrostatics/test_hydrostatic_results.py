@@ -414,3 +414,66 @@ def test_a_moment_that_tilts_the_runner_onto_the_ring_is_named(method):
     heavy = hydrostatic_check(replace(tilted, duty=replace(duty, load=1e6)))
     assert heavy.outcome is Outcome.OVERLOADED
     assert "moment" not in heavy.message
+
+
+SPINDLE = """
+kind: hydrostatic_journal
+name: Spindle
+method: quick
+diameter: 100 mm
+width: 100 mm
+radial_clearance: 50 um
+recesses: {number: 4, extent: 60 deg}
+recess_length: 70 mm
+recess_oil: {depth: 1 mm}
+restrictors: [CAPILLARY, {kind: orifice, diameter: 0.35 mm}, CAPILLARY, {kind: orifice, diameter: 0.35 mm}]
+supply: {pressure: 5 MPa}
+oil: {viscosity: 20 mPa s}
+load: 10 kN
+"""
+
+
+def spindle(*bores):
+    rows = ", ".join(f"{{kind: capillary, diameter: {bore} mm, length: 100 mm}}" for bore in bores)
+    given = [line for line in SPINDLE.splitlines() if not line.startswith("restrictors")]
+    (made,) = parse_case("\n".join([*given, f"restrictors: [{rows}]"])).designs()
+    return made
+
+
+def test_recesses_may_have_different_restrictors():
+    """The first recess bears the load: more oil there than in the others lifts the shaft."""
+    alike, plain = hydrostatic_check(spindle(0.8, 0.8, 0.8, 0.8)), hydrostatic_check(case(
+        duty=Duty(10e3, -0.5 * math.pi), method="quick"))  # fmt: skip
+    assert alike.minimum_film_thickness == pytest.approx(plain.minimum_film_thickness, rel=1e-9)
+    assert "stiffest_pressure_ratio" in alike.values
+    lifted = hydrostatic_check(spindle(1.0, 0.8, 0.6, 0.8))
+    assert lifted.minimum_film_thickness > 1.2 * alike.minimum_film_thickness
+    assert "stiffest_pressure_ratio" not in lifted.values  # of restrictors that are alike
+    (mixed,) = parse_case(
+        SPINDLE.replace("CAPILLARY", "{kind: capillary, diameter: 0.2 mm, length: 3 mm}")
+    ).designs()
+    result = hydrostatic_check(mixed)
+    assert result.outcome is Outcome.CONVERGED
+    laws = [one.law(p, 5e6)[0] for one, p in
+            zip(mixed.feeding.restrictors, result.arrays["recess_pressure"][0], strict=True)]  # fmt: skip
+    assert result.arrays["restrictor_flow"][0] == pytest.approx(laws, rel=1e-9)
+    assert {notice.message for notice in result.warnings if notice.code == "W303"} == {
+        "the capillary is 15 diameters long, less than 20"
+    }
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_oil_that_a_recess_pushes_back_is_not_pumped_again(method):
+    """At 30 kN the loaded recess stands above the supply; the pump keeps the net flow at its pressure."""
+    result = hydrostatic_check(case(duty=Duty(30e3, -0.5 * math.pi, angular_speed=SPEED), method=method))
+    assert min(result.arrays["restrictor_flow"][0]) < 0.0
+    assert result.pumping_power == pytest.approx(5e6 * result.total_flow, rel=1e-12)
+
+
+def test_a_bare_weight_on_jacking_pockets_is_doubted():
+    text = template("jacking_pocket")
+    assert [one.doubts for one in parse_case(text).designs()] == [()]
+    bare = "\n".join("load: 20" if line.startswith("load:") else line for line in text.splitlines())
+    (made,) = parse_case(bare).designs()
+    assert "W117" in codes(jacking_check(made))
+    assert made.load == 20.0

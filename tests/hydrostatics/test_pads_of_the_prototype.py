@@ -21,7 +21,8 @@ from babbitt.hydrostatics.check import hydrostatic_check
 from babbitt.hydrostatics.closed_forms import lands_of
 from babbitt.hydrostatics.impedance import Compressibility, impedance, static_coefficients
 from babbitt.hydrostatics.lines import DRAFT, ENGINEERING
-from babbitt.hydrostatics.lumped import centred_stiffness, journal_lumps, lumped_at
+from babbitt.hydrostatics.lumped import centred_stiffness, lumped_at
+from babbitt.hydrostatics.lumps import journal_lumps
 from babbitt.hydrostatics.model import Duty, Oil, Recesses
 from babbitt.hydrostatics.network import Feeding
 from babbitt.hydrostatics.restrictors import Capillary, ConstantFlow, MembraneValve
@@ -143,7 +144,21 @@ def test_quick_networks_of_journals():
         stiffness = static_coefficients(centred.response, centred.network)[0][1, 1]
         assert stiffness == printed(known)
         assert centred_stiffness(bearing, 5e6, centred.network.pressures[0] / 5e6) == printed(known)
-        for first in (-90.0, -90.0 + 180.0 / number, -70.0):  # load onto a recess, between, anywhere
-            lumps = journal_lumps(journal(first, number, land), 0.02, 0.0)
-            up, below = (lumped_at(lumps, fed, down(eps)).response.force[1] for eps in (-1e-4, 1e-4))
-            assert (below - up) / (2e-4 * CLEARANCE) == pytest.approx(stiffness, rel=3e-8)
+
+
+@pytest.mark.parametrize(("number", "land"), [(3, 30.0), (4, 30.0), (6, 20.0)])
+@pytest.mark.parametrize("share", [0.0, 0.5, 20.0 / 90.0])  # load onto a recess, between, anywhere
+def test_quick_network_near_the_centre_is_its_closed_form(number, land, share):
+    """At an eccentricity of 1e-4 to 1e-8; what is left is of second order, and nothing beside it."""
+    bearing = journal(-90.0 + share * 360.0 / number, number, land)
+    lumps, fed = journal_lumps(bearing, 0.02, 0.0), feeding(number=number)
+    ratio = lumped_at(lumps, fed, np.zeros(2)).network.pressures[0] / 5e6
+    closed = centred_stiffness(bearing, 5e6, ratio)
+
+    def excess(eps):
+        up, below = (lumped_at(lumps, fed, down(one)).response.force[1] for one in (-eps, eps))
+        return (below - up) / (2.0 * eps * CLEARANCE) / closed - 1.0
+
+    assert excess(1e-4) == pytest.approx(0.0, abs=1e-8)
+    assert excess(8e-3) / excess(4e-3) == pytest.approx(4.0, rel=2e-3)
+    assert (4.0 * excess(5e-5) - excess(1e-4)) / 3.0 == pytest.approx(0.0, abs=1e-10)

@@ -27,7 +27,8 @@ from babbitt.hydrostatics.closed_forms import lands_of
 from babbitt.hydrostatics.geometry import RectangularPad
 from babbitt.hydrostatics.impedance import Compressibility, damping_loss, impedance, static_coefficients
 from babbitt.hydrostatics.lines import DRAFT, ENGINEERING, REFERENCE, Grid
-from babbitt.hydrostatics.lumped import centred_stiffness, journal_lumps, land_interaction, lumped_at
+from babbitt.hydrostatics.lumped import centred_stiffness, land_interaction, lumped_at
+from babbitt.hydrostatics.lumps import journal_lumps
 from babbitt.hydrostatics.restrictors import Capillary, ConstantFlow
 from babbitt.hydrostatics.state import state_at
 from babbitt.hydrostatics.supply import FixedPressure, Pump

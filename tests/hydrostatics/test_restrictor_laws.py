@@ -121,9 +121,9 @@ def test_newton_finds_every_land(name, conductance):
 
 def test_valve_that_opens_faster_than_the_land_lets_out_is_unstable():
     steep = solved([FlowValve(1e-6, 2e-12, 1e-6)], FixedPressure(5e6), np.array([[1e-12]]))
-    assert steep.least_eigenvalue(np.array([[1e-12]])) < 0.0
+    assert steep.least_eigenvalue < 0.0
     calm = solved([FlowValve(1e-6, 0.5e-12, 1e-6)], FixedPressure(5e6), np.array([[1e-12]]))
-    assert calm.least_eigenvalue(np.array([[1e-12]])) > 0.0
+    assert calm.least_eigenvalue > 0.0
 
 
 @pytest.mark.parametrize(

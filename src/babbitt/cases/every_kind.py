@@ -6,7 +6,9 @@ from typing import Annotated
 
 from pydantic import Discriminator
 
-from babbitt.cases.hydrostatic import HydrostaticJournalCase, HydrostaticPadCase, HydrostaticThrustRingCase
+from babbitt.cases.hydrostatic_journal import HydrostaticJournalCase
+from babbitt.cases.hydrostatic_pad import HydrostaticPadCase
+from babbitt.cases.hydrostatic_thrust_ring import HydrostaticThrustRingCase
 from babbitt.cases.jacking import JackingPocketCase
 from babbitt.cases.machine import JournalCase, Machine
 from babbitt.cases.overhung_coupling import OverhungCouplingCase

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Annotated, ClassVar, Literal
 
 from pydantic import Discriminator, Field
@@ -186,9 +186,9 @@ class HydrostaticSupply(Part):
                     "correct one",
                 )
 
-    def feeding(self, restrictor: Restrictor, count: int) -> Feeding:
+    def feeding(self, restrictors: Iterable[Restrictor]) -> Feeding:
         """Give restrictors and supply of the calculation."""
         if self.pressure is not None:
-            return Feeding((restrictor,) * count, FixedPressure(self.pressure))
+            return Feeding(tuple(restrictors), FixedPressure(self.pressure))
         relief = float("inf") if self.relief_pressure is None else self.relief_pressure
-        return Feeding((restrictor,) * count, Pump(self.pump_flow or 0.0, self.leakage, relief))
+        return Feeding(tuple(restrictors), Pump(self.pump_flow or 0.0, self.leakage, relief))

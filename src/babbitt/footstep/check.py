@@ -17,12 +17,13 @@ from babbitt.footstep.turning_heel import turning_force
 from babbitt.footstep.uncounted_heat import leaving_flow, uncounted_heat
 from babbitt.notices import EXPLANATIONS, Notice
 from babbitt.results import Bound, Check, Outcome, Result
+from babbitt.units import ZERO_CELSIUS
 
 __all__ = ["heel_results", "state_title"]
 
 LAMINAR_UP_TO = 1500.0
 """Reynolds number above which the laminar film is doubted."""
-HOTTEST = 150.0 + 273.15
+HOTTEST = 150.0 + ZERO_CELSIUS
 """K; mineral oil ages fast above it."""
 LAND_SHARE = 1.0 / 3.0
 """Clearance over groove depth above which lands are no lands."""
@@ -236,7 +237,7 @@ def _doubts(case: HeelCase, state: SteadyState, values: dict[str, float]) -> Ite
             "W160", f"d(outflow − inflow of the rim)/dp₁ = {1e15 * state.drain_slope:.4g} mm³/(s MPa) < 0"
         )
     if state.maximum_temperature > HOTTEST:
-        yield Notice("W161", f"oil of {state.maximum_temperature - 273.15:.0f} °C > 150 °C")
+        yield Notice("W161", f"oil of {state.maximum_temperature - ZERO_CELSIUS:.0f} °C > 150 °C")
     for name, what in (
         ("groove_reynolds_number", "groove"), ("recess_reynolds_number", "recess"),
         ("clearance_reynolds_number", "clearance"),

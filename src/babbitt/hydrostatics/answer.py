@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.design.roots import bracketed_root
 from babbitt.film.recess import RecessResponse, RecessSurface
 from babbitt.hydrostatics.closed_forms import lands_of
 from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad, ThrustRing
 from babbitt.hydrostatics.lines import DRAFT, ENGINEERING, REFERENCE, Grid
-from babbitt.hydrostatics.lumped import Lumps, journal_lumps, lumped_at, lumped_under, ring_lumps
+from babbitt.hydrostatics.lumped import level_under, lumped_at, lumped_under
+from babbitt.hydrostatics.lumps import Lumps, journal_lumps, ring_lumps
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.hydrostatics.network import NetworkState
 from babbitt.hydrostatics.single_recess import gap_under, pad_at
-from babbitt.hydrostatics.state import Ending, RecessState, rest_under, state_at
+from babbitt.hydrostatics.state import Ending, RecessState, ending_of, rest_under, state_at
 from babbitt.hydrostatics.surfaces import FilmOil, journal_surface, pad_surface, ring_surface
 
 __all__ = ["GRIDS", "HALF_REFERENCE", "Answer", "answer", "answer_at", "load_vector"]
@@ -35,6 +35,8 @@ THINNEST = 0.01
 """Of the gap at rest: where a search gives up."""
 MOST_OPEN, LEAST_OPEN = 2e-3, 5e-7
 """Gaps between which that of a pad is sought, m."""
+NEAR = 0.1
+"""Of the load: as near Newton in all motions begins."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,11 +124,7 @@ def answer_at(case: HydrostaticCase, at: Array, gap: float) -> Answer:
         state = lumped_at(lumps, case.feeding, at)
         return Answer(state.response, state.network, at, gap, state.ending, lumps.thinnest(at), 1)
     pad = pad_at(lands_of(shape), case.feeding, case.oil.viscosity, gap + float(at[0]))
-    stable = pad.network.least_eigenvalue(pad.response.conductance) > 1e-12
-    ending = Ending.SOLVED if pad.network.converged else Ending.NOT_CONVERGED
-    return Answer(
-        pad.response, pad.network, at[:1], gap, ending if stable else Ending.UNSTABLE_NETWORK, pad.gap, 1
-    )
+    return Answer(pad.response, pad.network, at[:1], gap, ending_of(pad.network), pad.gap, 1)
 
 
 def of_film(state: RecessState, gap: float) -> Answer:
@@ -164,38 +162,40 @@ def quick_gap(case: HydrostaticCase) -> float:
         found = gap_under(lands_of(shape), case.feeding, case.oil.viscosity, load, LEAST_OPEN)
         return 0.0 if math.isnan(found) else found
 
-    def excess(log_gap: float) -> float:
-        lumps = lumps_of(case, math.exp(log_gap))
-        return float(lumped_at(lumps, case.feeding, np.zeros(3)).response.force[0]) / load - 1.0
-
-    low, high = math.log(LEAST_OPEN), math.log(MOST_OPEN)
-    return math.exp(bracketed_root(excess, low, high, 1e-3)) if excess(low) > 0.0 > excess(high) else 0.0
+    level = level_under(lumps_of(case, case.rest_gap), case.feeding, load, (LEAST_OPEN, MOST_OPEN), 1e-3)
+    return 0.0 if level is None else case.rest_gap + float(level.at[0])
 
 
 def quick_under(case: HydrostaticCase) -> Answer:
     """Equilibrium by closed forms or lumped lands."""
-    shape = case.shape
-    if isinstance(shape, RecessedJournal):
-        lumps = lumps_of(case, shape.clearance)
-        state = lumped_under(lumps, case.feeding, load_vector(case))
-        return Answer(state.response, state.network, state.at, shape.clearance, state.ending,
+    if isinstance(case.shape, RecessedJournal):
+        lumps = lumps_of(case, case.rest_gap)
+        state = lumped_under(lumps, case.feeding, load_vector(case), lumped_at(lumps, case.feeding, np.zeros(2)))
+        return Answer(state.response, state.network, state.at, case.rest_gap, state.ending,
                       lumps.thinnest(state.at), 1, state.carried)  # fmt: skip
+    if isinstance(case.shape, ThrustRing):
+        return quick_ring(case)
     gap = quick_gap(case)
-    if gap == 0.0:
-        least = answer_at(case, np.zeros(load_vector(case).size), LEAST_OPEN)
-        share = float(least.response.force[0]) / (case.duty.load or 1.0)
-        return Answer(least.response, least.network, least.at, LEAST_OPEN, Ending.OVERLOADED, LEAST_OPEN, 1, share)
-    if isinstance(shape, ThrustRing):
-        lumps = lumps_of(case, gap)
-        state = lumped_under(lumps, case.feeding, load_vector(case))
-        if state.ending is Ending.SOLVED:  # the lands squeeze at the gap that was found
-            found = gap + float(state.at[0])
-            at = np.array([0.0, *state.at[1:]])
-            lumps, gap = lumps_of(case, found), found
-            state = replace(lumped_at(lumps, case.feeding, at, state.network), carried=state.carried)
-        return Answer(state.response, state.network, state.at, gap, state.ending, lumps.thinnest(state.at), 1,
-                      state.carried)  # fmt: skip
-    return answer_at(case, np.zeros(3), gap)
+    return answer_at(case, np.zeros(3), gap) if gap else quick_overload(case)
+
+
+def quick_ring(case: HydrostaticCase) -> Answer:
+    """Equilibrium of a ring by lumped lands, from near the gap at which it carries the load level."""
+    lumps = lumps_of(case, case.rest_gap)
+    level = level_under(lumps, case.feeding, case.duty.load or 0.0, (LEAST_OPEN, MOST_OPEN), NEAR)
+    if level is None:
+        return quick_overload(case)
+    state = lumped_under(lumps, case.feeding, load_vector(case), level)
+    gap, tilts = lumps.gap + float(state.at[0]), state.at * (0.0, 1.0, 1.0)
+    return Answer(state.response, state.network, tilts, gap, state.ending, lumps.thinnest(state.at), 1,
+                  state.carried)  # fmt: skip
+
+
+def quick_overload(case: HydrostaticCase) -> Answer:
+    """A pad or ring at the least gap of the search, which carries less than the load."""
+    least = answer_at(case, np.zeros(load_vector(case).size), LEAST_OPEN)
+    share = float(least.response.force[0]) / (case.duty.load or 1.0)
+    return Answer(least.response, least.network, least.at, LEAST_OPEN, Ending.OVERLOADED, LEAST_OPEN, 1, share)
 
 
 def coarser(case: HydrostaticCase, found: Answer) -> RecessState:

@@ -136,7 +136,7 @@ def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
     if found.ending is Ending.UNSTABLE_NETWORK:
         return Outcome.UNSTABLE_NETWORK, (
             "the least eigenvalue of the recess network is "
-            f"{found.network.least_eigenvalue(found.response.conductance):.3g} of the largest; a valve opens "
+            f"{found.network.least_eigenvalue:.3g} of the largest; a valve opens "
             "faster "
             "with pressure than the lands let out: lower its gain"
         )

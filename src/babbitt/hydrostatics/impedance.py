@@ -77,7 +77,7 @@ def impedance(
     nu = 1j * frequency
     matrix = (
         film.conductance
-        + network.restrictor_matrix(nu * oil.manifold)
+        + network.moved_restrictor_matrix(nu * oil.manifold)
         + nu * oil.recess * np.eye(film.outflow.size)
     )
     whole = film.stiffness + nu * film.damping
@@ -87,7 +87,7 @@ def impedance(
 
 def static_coefficients(film: RecessResponse, network: NetworkState) -> tuple[Array, Array]:
     """Stiffness and damping of slow motion with oil that does not give way."""
-    matrix = film.conductance + network.restrictor_matrix().real
+    matrix = film.conductance + network.restrictor_matrix()
     answered = np.linalg.solve(matrix, np.column_stack((film.opening, film.area.T)))
     motions = film.force.size
     return film.stiffness + film.area @ answered[:, :motions], film.damping + film.area @ answered[:, motions:]
@@ -95,7 +95,7 @@ def static_coefficients(film: RecessResponse, network: NetworkState) -> tuple[Ar
 
 def lost_damping(film: RecessResponse, network: NetworkState, oil: Compressibility) -> Array:
     """Damping of slow motion that the compressibility takes away."""
-    matrix = film.conductance + network.restrictor_matrix().real
+    matrix = film.conductance + network.restrictor_matrix()
     give = np.diag(np.full(film.outflow.size, oil.recess))
     if np.isfinite(network.manifold_slope):
         give = give + np.outer(network.supply_slope, network.slope) * oil.manifold / network.manifold_slope**2

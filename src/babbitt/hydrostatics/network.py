@@ -11,9 +11,11 @@ that.
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +26,7 @@ from babbitt.hydrostatics.supply import FixedPressure, Pump, Supply
 __all__ = ["Feeding", "NetworkState", "solve_network"]
 
 Array = NDArray[np.float64]
+ComplexArray = NDArray[np.complex128]
 MOST_STEPS = 80
 TIGHT = 1e-13
 
@@ -40,6 +43,11 @@ class Feeding:
 
     restrictors: tuple[Restrictor, ...]
     supply: Supply
+
+    @property
+    def is_uniform(self) -> bool:
+        """Whether all restrictors are alike."""
+        return all(one == self.restrictors[0] for one in self.restrictors)
 
     @property
     def nominal_pressure(self) -> float:
@@ -71,6 +79,8 @@ class NetworkState:
     residual : float
         Largest imbalance of a recess over the largest flow.
     converged : bool
+    least_eigenvalue : float
+        Of G - dQ/dp, its least real part over the largest in size; the state is stable where it is positive.
     """
 
     pressures: Array
@@ -82,18 +92,34 @@ class NetworkState:
     manifold_slope: float
     residual: float
     converged: bool
+    least_eigenvalue: float
 
-    def restrictor_matrix(self, manifold: complex = 0.0) -> NDArray[np.complex128]:
-        """-dQ/dp with the answer of the supply pressure; ``manifold`` is i nu V/B of the oil in it."""
-        coupled = np.outer(self.supply_slope, self.slope) / (self.manifold_slope + manifold)
-        return np.asarray(np.diag(self.slope) - coupled, dtype=np.complex128)
+    @property
+    def is_stable(self) -> bool:
+        """Whether recess pressures come back after a disturbance."""
+        return self.least_eigenvalue > 1e-12
 
-    def least_eigenvalue(self, conductance: Array) -> float:
-        """Least real part among the eigenvalues of G - dQ/dp over the largest in size."""
-        if conductance.size == 1:
-            return math.copysign(1.0, float(conductance[0, 0] + self.restrictor_matrix().real[0, 0]))
-        found = np.linalg.eigvals(conductance + self.restrictor_matrix().real)
-        return float(found.real.min() / max(np.abs(found).max(), 1e-300))
+    def restrictor_matrix(self) -> Array:
+        """-dQ/dp of all restrictors with the answer of the supply pressure."""
+        return answering(self.slope, self.supply_slope, self.manifold_slope)
+
+    def moved_restrictor_matrix(self, manifold: complex) -> ComplexArray:
+        """The same where the oil in the manifold gives way; ``manifold`` is its i nu V/B."""
+        return np.asarray(answering(self.slope, self.supply_slope, self.manifold_slope + manifold), complex)
+
+
+def answering(slope: Array, supply_slope: Array, manifold_slope: complex) -> NDArray[Any]:
+    """-dQ/dp of restrictors with what they take off the supply pressure, where that does not stand."""
+    own = np.diag(slope)
+    return own if cmath.isinf(manifold_slope) else own - np.outer(supply_slope, slope) / manifold_slope
+
+
+def least_eigenvalue(matrix: Array, symmetric: bool) -> float:
+    """Least real part among the eigenvalues of G - dQ/dp over the largest in size."""
+    if matrix.size == 1:
+        return math.copysign(1.0, float(matrix[0, 0]))
+    found = np.linalg.eigvalsh(matrix) if symmetric else np.linalg.eigvals(matrix)
+    return float(found.real.min() / max(np.abs(found).max(), 1e-300))
 
 
 def solve_network(feeding: Feeding, conductance: Array, outflow: Array, at: Array, supply: float) -> NetworkState:
@@ -130,7 +156,7 @@ def solve_network(feeding: Feeding, conductance: Array, outflow: Array, at: Arra
 
 def with_overflow(state: NetworkState, overflow: float) -> NetworkState:
     """The same state with what runs through the relief valve."""
-    return NetworkState(**{**vars(state), "overflow": overflow})
+    return replace(state, overflow=overflow)
 
 
 def attempts(
@@ -141,12 +167,12 @@ def attempts(
     Valves with a rising law may have several states, of which the stable one lasts.
     """
     first = newton(feeding, conductance, outflow, at, at, supply, pump)
-    if first.converged and first.least_eigenvalue(conductance) > 0.0:
+    if first.converged and first.is_stable:
         return first
     for share in (0.98, 0.02):
         start = np.full(at.size, share * supply)
         other = newton(feeding, conductance, outflow, at, start, supply, pump)
-        if other.converged and other.least_eigenvalue(conductance) > 0.0:
+        if other.converged and other.is_stable:
             return other
     return first
 
@@ -155,56 +181,59 @@ def newton(
     feeding: Feeding, conductance: Array, outflow: Array, at: Array, start: Array, supply: float, pump: Pump | None
 ) -> NetworkState:
     """Newton with halved steps; the supply pressure is an unknown where there is a pump."""
-    p: NDArray[np.float64] = start.astype(float).copy()
+    p: NDArray[np.float64] = start.astype(float)
     count = p.size
+    unknowns = count if pump is None else count + 1
     old = np.inf
-    step: Array = np.zeros(count + 1)
+    step: Array = np.zeros(unknowns)
+    matrix, right = np.zeros((unknowns, unknowns)), np.zeros(unknowns)
+    diagonal = np.arange(count)
     flows, by_recess, by_supply = laws(feeding.restrictors, p, supply)
     size = max(float(np.abs(flows).max()), float(np.abs(outflow).max()), 1e-300)
     halvings, short, settled = 0, np.inf, False
     for _ in range(MOST_STEPS):
         residual = outflow + conductance @ (p - at) - flows
-        matrix = np.zeros((count + 1, count + 1))
-        matrix[:count, :count] = conductance - np.diag(by_recess)
-        right = np.zeros(count + 1)
-        right[:count] = -residual
-        matrix[count, count] = 1.0
-        balance = 0.0
+        wrong = float(np.abs(residual).max())
         if pump is not None:
-            balance = float(flows.sum()) - pump.delivers(supply)
-            matrix[:count, count] = -by_supply
-            matrix[count, :count] = by_recess
-            matrix[count, count] = float(by_supply.sum()) + pump.leakage
-            right[count] = -balance
+            right[count] = pump.delivers(supply) - float(flows.sum())
+            wrong = max(wrong, abs(float(right[count])))
         size = max(float(np.abs(flows).max()), 1e-12 * size)
-        wrong = max(float(np.abs(residual).max()), abs(balance))
         short = wrong / size
         if short < TIGHT or settled:  # settled: what is left is the round-off of the pressures
             break
         if wrong > 0.95 * old and halvings < 12:
             step *= 0.5
-            p, supply = np.asarray(p - step[:count]), supply - step[count]
+            p, supply = p - step[:count], supply - (0.0 if pump is None else float(step[count]))
             halvings += 1
         else:
+            matrix[:count, :count] = conductance
+            matrix[diagonal, diagonal] -= by_recess
+            right[:count] = -residual
+            if pump is not None:
+                matrix[:count, count], matrix[count, :count] = -by_supply, by_recess
+                matrix[count, count] = float(by_supply.sum()) + pump.leakage
             try:
                 step = np.asarray(np.linalg.solve(matrix, right), dtype=np.float64)
             except np.linalg.LinAlgError:
                 break
             old, halvings = wrong, 0
             settled = float(np.abs(step).max()) < 1e-12 * max(float(np.abs(p).max()), abs(supply))
-            p, supply = np.asarray(p + step[:count]), supply + step[count]
+            p, supply = p + step[:count], supply + (0.0 if pump is None else float(step[count]))
         flows, by_recess, by_supply = laws(feeding.restrictors, p, supply)
-    fixed = pump is None
+    slopes = (-by_recess, np.zeros(count), np.inf)
+    if pump is not None:
+        slopes = (-by_recess, by_supply, float(by_supply.sum()) + pump.leakage)
     return NetworkState(
         pressures=p,
         flows=flows,
         supply_pressure=float(supply),
         overflow=0.0,
-        slope=-by_recess,
-        supply_slope=np.zeros(count) if fixed else by_supply,
-        manifold_slope=np.inf if pump is None else float(by_supply.sum()) + pump.leakage,
+        slope=slopes[0],
+        supply_slope=slopes[1],
+        manifold_slope=slopes[2],
         residual=short,
         converged=bool(short < 1e-9 or (settled and short < 1e-4)),
+        least_eigenvalue=least_eigenvalue(conductance + answering(*slopes), pump is None),
     )
 
 

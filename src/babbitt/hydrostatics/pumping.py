@@ -2,11 +2,13 @@
 
 All oil is pumped to the supply pressure, P = p_s sum Q_k, constant flows too: they are metered from that pressure.
 Where a recess asks for more than that, its pump or stage of a flow divider has to hold what the recess asks for.
+Oil that a recess pushes back through its restrictor returns to the manifold and needs not be pumped again.
 """
 
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.hydrostatics.network import NetworkState
@@ -28,7 +30,13 @@ def is_pumped(case: HydrostaticCase) -> bool:
 
 def pumping_power(case: HydrostaticCase, network: NetworkState) -> float:
     """Given to the oil that reaches the recesses, W."""
-    return float(np.maximum(network.pressures, network.supply_pressure) @ network.flows)
+    return float(pumped_to(case, network) @ network.flows)
+
+
+def pumped_to(case: HydrostaticCase, network: NetworkState) -> NDArray[np.float64]:
+    """Gauge pressure to which the oil of every recess is pumped, Pa: of the supply, or what its own pump needs."""
+    standing = np.full(network.pressures.size, network.supply_pressure)
+    return np.maximum(network.pressures, standing) if is_pumped(case) else standing
 
 
 def pump_power(case: HydrostaticCase, network: NetworkState) -> float:
@@ -37,7 +45,7 @@ def pump_power(case: HydrostaticCase, network: NetworkState) -> float:
     if is_pumped(case):
         laws = (law_of(one) for one in case.feeding.restrictors)
         moved = np.array([one.flow for one in laws if isinstance(one, ConstantFlow)])
-        return float(np.maximum(network.pressures, network.supply_pressure) @ moved) / case.pump_efficiency
+        return float(pumped_to(case, network) @ moved) / case.pump_efficiency
     flow = supply.flow if isinstance(supply, Pump) else float(network.flows.sum())
     return network.supply_pressure * flow / case.pump_efficiency
 

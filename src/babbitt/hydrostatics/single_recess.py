@@ -11,11 +11,15 @@ from numpy.typing import NDArray
 from babbitt.design.roots import bracketed_root
 from babbitt.film.recess import RecessResponse
 from babbitt.hydrostatics.closed_forms import Lands
+from babbitt.hydrostatics.gap_search import gap_for_load
+from babbitt.hydrostatics.impedance import static_coefficients
 from babbitt.hydrostatics.network import Feeding, NetworkState, solve_network
 
 __all__ = ["PadState", "gap_under", "least_power_recess", "pad_at"]
 
 Array = NDArray[np.float64]
+TYPICAL, WIDEST = 3e-5, 1.0
+"""Gaps at which the search begins and ends, m."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,15 +97,11 @@ def gap_under(lands: Lands, feeding: Feeding, viscosity: float, load: float, thi
     The load falls as the gap grows wherever the network is stable.
     """
 
-    def excess(log_gap: float) -> float:
-        return pad_at(lands, feeding, viscosity, math.exp(log_gap)).load / load - 1.0
+    def carried(gap: float) -> tuple[float, float]:
+        state = pad_at(lands, feeding, viscosity, gap)
+        return state.load, float(static_coefficients(state.response, state.network)[0][0, 0])
 
-    low, high = math.log(thinnest), math.log(thinnest) + 0.5
-    if not excess(low) > 0.0:
-        return math.nan
-    while excess(high) > 0.0 and high < 0.0:
-        low, high = high, high + 0.5
-    return math.exp(bracketed_root(excess, low, high))
+    return gap_for_load(carried, load, (thinnest, WIDEST), TYPICAL, 1e-12)
 
 
 def least_power_recess() -> float:

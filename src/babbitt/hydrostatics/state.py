@@ -14,7 +14,7 @@ from babbitt.hydrostatics.impedance import static_coefficients
 from babbitt.hydrostatics.lines import Grid
 from babbitt.hydrostatics.network import Feeding, NetworkState, solve_network
 
-__all__ = ["Ending", "RecessState", "rest_under", "state_at"]
+__all__ = ["Ending", "RecessState", "ending_of", "rest_under", "state_at"]
 
 Array = NDArray[np.float64]
 Build = Callable[[Grid], RecessSurface]
@@ -117,8 +117,15 @@ def state_at(build: Build, feeding: Feeding, at: Array, grid: Grid) -> RecessSta
     Returns
     -------
     RecessState
+
+    Raises
+    ------
+    ValueError
+        Where the position has not one number for every motion of the film.
     """
     film = RecessFilm.on(build(grid))
+    if at.shape != film.of.scales.motion.shape:
+        raise ValueError(f"a position of {at.size} numbers for {film.of.scales.motion.size} motions")
     pressures, supply = first_guess(feeding, film)
     return fixed_state(film, feeding, at, pressures, supply)
 
@@ -137,17 +144,15 @@ def fixed_state(film: RecessFilm, feeding: Feeding, at: Array, pressures: Array,
             pressures, supply = network.pressures, network.supply_pressure
         elif response.changed == 0:
             break
-    ending = judge(response, network, moved < 1e-8)
+    ending = ending_of(network, moved < 1e-8)
     return RecessState(film, response, network, at, ending, steps, moved)
 
 
-def judge(response: RecessResponse, network: NetworkState, settled: bool) -> Ending:
-    """Whether a state is one, and stable."""
-    if network.least_eigenvalue(response.conductance) <= 1e-12:
+def ending_of(network: NetworkState, settled: bool = True) -> Ending:
+    """Whether a state is one, and stable; ``settled`` where film and network agree."""
+    if not network.is_stable:
         return Ending.UNSTABLE_NETWORK
-    if not (network.converged and settled):
-        return Ending.NOT_CONVERGED
-    return Ending.SOLVED
+    return Ending.SOLVED if network.converged and settled else Ending.NOT_CONVERGED
 
 
 def rest_under(
@@ -236,9 +241,7 @@ def descend(
         residual = response.force + response.area @ shift + load
         short = float(np.abs(residual * units).max()) / size
         if max(moved, short) < tolerance and response.changed == 0:
-            return RecessState(
-                film, response, network, at, judge(response, network, True), step, max(moved, short)
-            )
+            return RecessState(film, response, network, at, ending_of(network), step, max(moved, short))
         if not np.isfinite(short):
             return RecessState(film, response, network, at, Ending.NOT_CONVERGED, step, short)
         stiffness, damping = static_coefficients(response, network)
@@ -256,7 +259,7 @@ def descend(
         while not new_gap > 0.4 * gap and halvings < 40:
             move, halvings = 0.5 * move, halvings + 1
             new_gap = film.gap(at + move)
-        matrix = response.conductance + network.restrictor_matrix().real
+        matrix = response.conductance + network.restrictor_matrix()
         change = np.linalg.solve(matrix, response.opening @ move)
         if network.converged:
             pressures = network.pressures - np.clip(change, -0.5 * abs(supply), 0.5 * abs(supply))

@@ -57,12 +57,12 @@ def of_restrictors(case: HydrostaticCase, found: Answer) -> Iterator[Notice]:
                 )
     if said:
         yield Notice("W303", said)
-    first = law_of(case.feeding.restrictors[0])
-    if isinstance(first, Capillary) and first.length < SLENDER * first.diameter:
-        ratio = first.length / first.diameter
-        yield Notice("W303", f"the capillary is {ratio:.3g} diameters long, less than {SLENDER:.0f}")
-    if isinstance(first, Orifice) and first.diameter < SMALLEST_ORIFICE:
-        yield Notice("W304", f"the orifice has {1e3 * first.diameter:.3g} mm, less than 0.3 mm")
+    for law in dict.fromkeys(law_of(one) for one in case.feeding.restrictors):
+        if isinstance(law, Capillary) and law.length < SLENDER * law.diameter:
+            ratio = law.length / law.diameter
+            yield Notice("W303", f"the capillary is {ratio:.3g} diameters long, less than {SLENDER:.0f}")
+        if isinstance(law, Orifice) and law.diameter < SMALLEST_ORIFICE:
+            yield Notice("W304", f"the orifice has {1e3 * law.diameter:.3g} mm, less than 0.3 mm")
 
 
 def of_pressures(case: HydrostaticCase, found: Answer, named: Mapping[str, float]) -> Iterator[Notice]:

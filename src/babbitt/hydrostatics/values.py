@@ -65,11 +65,11 @@ def values(case: HydrostaticCase, found: Answer) -> dict[str, float]:
         if case.count == 1:
             named["effective_area"] = abs(float(response.area[0, 0]))
     named["compressibility_damping_loss"] = damping_loss(response, network, case.compressibility)
-    named["network_stability"] = network.least_eigenvalue(response.conductance)
+    named["network_stability"] = network.least_eigenvalue
     best = stiffest_ratio(
         case.feeding.restrictors[0], case.shape if isinstance(case.shape, RecessedJournal) else None
     )
-    if best is not None:
+    if best is not None and case.feeding.is_uniform:
         named["stiffest_pressure_ratio"] = best
     if friction > 0.0 and pumping > 0.0:
         named["least_power_gap"] = least_power_gap(mean_gap(found), pumping, friction)

@@ -10,7 +10,7 @@ HYDROSTATICS: tuple[Quantity, ...] = (
     quantity("pressure_ratio", "β_r", "1", "", 4, "Recess over supply pressure, of every recess"),
     quantity("mean_pressure_ratio", "β_m", "1", "", 4, "Recess over supply pressure, mean of the recesses"),
     quantity("restrictor_flow", "Q_r", "m3/s", "L/min", 4, "Oil flow through every restrictor"),
-    quantity("pumping_power", "P_p", "W", "kW", 4, "Supply pressure times flow"),
+    quantity("pumping_power", "P_p", "W", "kW", 4, "Flow times the pressure to which it is pumped"),
     quantity("pump_power", "P_pu", "W", "kW", 4, "Power at the shaft of the pump"),
     quantity("power_ratio", "P_f/P_p", "1", "", 3, "Friction power over pumping power"),
     quantity("temperature_rise", "ΔT", "K", "K", 3, "Rise of the oil between manifold and drain"),

@@ -27,6 +27,7 @@ from babbitt.report.figures import clearance_range, draw
 from babbitt.report.film_figures import report_figures
 from babbitt.report.heel_calculation import heel_calculation
 from babbitt.report.heel_figures import heel_figures
+from babbitt.report.hydrostatic_calculation import hydrostatic_calculation
 from babbitt.report.hydrostatic_figures import hydrostatic_figures
 from babbitt.report.inputs import inputs
 from babbitt.report.labels import label
@@ -215,6 +216,8 @@ def _sections(case: EveryDesign | None, chapter: Chapter) -> tuple[Section, ...]
     """The calculation of the member shown, or of every steady state of a heel."""
     if isinstance(case, DesignCase):
         return calculation(case, chapter.shown.result)
+    if isinstance(case, HydrostaticCase | JackingCase):
+        return hydrostatic_calculation(case, chapter.shown.result)
     return tuple(
         replace(section, title=f"{member.clearance.capitalize()}: {section.title.lower()}")
         for member in chapter.members

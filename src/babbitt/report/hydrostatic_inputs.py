@@ -58,7 +58,12 @@ def _recesses(angles: tuple[float, ...], extent: float, groove: float) -> Iterat
 
 def feeding_rows(case: HydrostaticCase) -> Iterator[Said]:
     """Restrictors, supply, recesses."""
-    yield "Restrictor before every recess", said_of_restrictor(case.feeding.restrictors[0]), ""
+    restrictors = case.feeding.restrictors
+    if case.feeding.is_uniform:
+        yield "Restrictor before every recess", said_of_restrictor(restrictors[0]), ""
+    else:
+        for k, one in enumerate(restrictors, 1):
+            yield f"Restrictor before recess {k}", said_of_restrictor(one), ""
     supply = case.feeding.supply
     if isinstance(supply, FixedPressure):
         yield "Supply pressure", f"{1e-6 * supply.pressure:.5g}", "MPa"

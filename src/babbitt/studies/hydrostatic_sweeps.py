@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.hydrostatics.answer import Answer, answer_at
+from babbitt.hydrostatics.answer import Answer, answer_at, load_vector
 from babbitt.hydrostatics.impedance import impedance
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.hydrostatics.state import Ending
@@ -60,7 +60,7 @@ def states_over_gap(case: HydrostaticCase, found: Answer) -> Iterator[tuple[floa
         places = [(e, e * found.rest_gap * towards, found.rest_gap) for e in ECCENTRICITIES]
     else:
         own = found.rest_gap + float(found.at[0])
-        level = np.zeros(found.at.size)
+        level = np.zeros(load_vector(case).size)  # of all motions: a quick pad knows but one
         places = [(share * own, level, share * own) for share in GAPS]
     for place, at, gap in places:
         state = answer_at(case, at, gap)

@@ -1,0 +1,78 @@
+"""Recessed journal bearings, hydrostatic or hybrid."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from babbitt.cases.hydrostatic_file import HydrostaticFile
+from babbitt.cases.part import Complaint, exactly_one, rule
+from babbitt.cases.recess_parts import Angle, Gap, Length, RecessRow, Speed
+from babbitt.cases.recess_rules import clearance_is_small, in_order, lands_between
+from babbitt.hydrostatics.geometry import RecessedJournal
+from babbitt.hydrostatics.model import Duty, HydrostaticCase
+from babbitt.units import si
+
+
+class HydrostaticJournalCase(HydrostaticFile):
+    """A recessed journal bearing, hydrostatic or hybrid."""
+
+    kind: Literal["hydrostatic_journal"] = Field(description="Recessed journal bearing, at rest or turning.")
+    diameter: Length = Field(description="Bore.")
+    width: Length = Field(description="Width of the bearing.")
+    radial_clearance: Gap = Field(description="Radial clearance.")
+    recesses: RecessRow = Field(description="The recesses.")
+    recess_length: Length = Field(description="Axial length of the recesses.")
+    speed: Speed = Field(0.0, description="Rotational speed; positive counter-clockwise.")
+    load_angle: Angle = Field(-0.5 * math.pi, description="Direction of the load, from +x.")
+    eccentricity_ratio: Annotated[float, si("1", "0", "0.999")] | None = Field(
+        None, description="Eccentricity over clearance, in place of the load."
+    )
+    attitude_angle: Angle = Field(
+        0.0, description="From the direction of the load to that of the eccentricity, in the sense of rotation."
+    )
+    cavitation_pressure: Annotated[float, si("Pa", "-0.1 MPa", "0 MPa")] = Field(
+        0.0, description="Gauge pressure at which the film breaks."
+    )
+
+    @rule
+    def _load_or_position(self) -> Iterator[Complaint]:
+        yield from exactly_one(self, "load", "eccentricity_ratio")
+
+    @property
+    def recess_count(self) -> int:
+        """Number of recesses."""
+        return self.recesses.number
+
+    def misfits(self) -> Iterator[Complaint]:
+        """Complain of recesses that leave the bearing or no land between them."""
+        yield from clearance_is_small(self.radial_clearance, self.diameter)
+        yield from in_order(self, "recess_length", "width")
+        yield from lands_between("recesses", self.recesses)
+
+    def shape(self) -> RecessedJournal:
+        """Give the shape of the calculation."""
+        row = self.recesses
+        return RecessedJournal(
+            self.diameter, self.width, self.radial_clearance, row.middles, row.extent, self.recess_length,
+            row.drain_groove,
+        )  # fmt: skip
+
+    def duty(self) -> Duty:
+        """Give the duty of the calculation."""
+        e = (self.eccentricity_ratio or 0.0) * self.radial_clearance
+        angle = self.load_angle + math.copysign(1.0, self.speed) * self.attitude_angle
+        return Duty(
+            self.load,
+            self.load_angle,
+            position=(e * math.cos(angle), e * math.sin(angle)),
+            angular_speed=self.speed,
+        )
+
+    def design(self) -> HydrostaticCase:
+        """Give the case of the calculation."""
+        return replace(super().design(), cavitation_pressure=self.cavitation_pressure)
