@@ -432,7 +432,7 @@ def test_values_of_a_sweep_may_be_negative(run, tmp_path):
     [
         (("load", "1 kN:2 rpm:3"), "kind of '1 kN'"),
         (("laod", "1 kN, 2 kN"), "did you mean 'load'"),
-        (("load", "1 kN, 3 m"), "a length"),
+        (("load", "2 m, 3 m"), "a length"),
         (("lubricant.x", "1, 2"), "not a mapping"),
         (("load", "1 kN", "--bearing", "Nobody"), "there are: Grooved"),
         (("load", "1 kN", "--plot", "out.docx"), ".png, .svg or .pdf"),

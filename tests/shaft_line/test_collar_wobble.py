@@ -4,15 +4,21 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from trawler_line import duty
-from trawler_pads import INERTIA, PAD, SPEED, VISCOSITY
+from trawler_line import duty, line
+from trawler_pads import INERTIA, PAD, SPEED, THRUST, VISCOSITY
 
 from babbitt.film.sector import PlaneMotion, sector_film
+from babbitt.shaft_line.excitation import RunoutHarmonic
+from babbitt.shaft_line.forced import forced
+from babbitt.shaft_line.losses import gap_motions, moment_amplitude
 from babbitt.shaft_line.model import state_of
+from babbitt.shaft_line.pads import FilmPads
 from babbitt.thrust.carrying import carrying
 from babbitt.thrust.equilibrium import sector_of
 from babbitt.thrust.face import TaperedFace
 from babbitt.thrust.pad import Pivot
+from babbitt.thrust.sharing import share_of
+from babbitt.thrust.standing import standing_on_runout
 from babbitt.thrust.state import TiltInertia
 
 FILMS = carrying(PAD, VISCOSITY, SPEED)
@@ -26,7 +32,10 @@ def on(pad, inertia=INERTIA):
 
 
 def test_a_face_that_leans_presses_a_fixed_pad_as_its_film_displaced():
-    """Forces of the film under the plane of the wobbling face at its high spot, and a quarter of a turn later."""
+    """Forces of the film under the plane of the wobbling face at its high spot, and a quarter of a turn later.
+
+    Coefficients of a film that ruptures askew to its lines are known to 2e-4.
+    """
     state = on(TAPER)
     pad = state.share.states[0]
     to_film, amplitude = TAPER.from_pivot(), 1e-8
@@ -42,7 +51,7 @@ def test_a_face_that_leans_presses_a_fixed_pad_as_its_film_displaced():
         ]
         slope[phase] = (loads[0] - loads[1]) / (2.0 * amplitude)
     felt = (state.pads.film(1e-3) * (1.0 + state.pads.wobble(1e-3)))[0]
-    assert felt.real == pytest.approx(slope["high"], rel=1e-4)
+    assert felt.real == pytest.approx(slope["high"], rel=3e-4)
     assert felt.imag == pytest.approx(-slope["later"], rel=1e-3)
 
 
@@ -72,3 +81,37 @@ def test_tilt_turns_the_collar_and_an_even_bearing_does_not():
     )
     assert base.share.collar_moment == pytest.approx(moment)
     assert base.share.collar_moment > 1e4
+
+
+def turned_slowly(pad, runout):
+    """Static moments of the pads with the high spot at two places, less that without runout."""
+    of = replace(duty(tilt=0.0).bearing, pad=pad)
+    films = carrying(pad, VISCOSITY, SPEED)
+    still = share_of(films, of, THRUST)
+    return still, [
+        share_of(films, of, THRUST, standing_on_runout(of, (RunoutHarmonic(1.0, runout),), turned)).moment
+        - still.moment
+        for turned in (0.0, 1.1)
+    ]
+
+
+@pytest.mark.parametrize("pad", [TAPER, LINE_PAD, PAD], ids=["taper", "line", "point"])
+def test_slow_runout_turns_the_collar_as_the_static_share_does(pad):
+    """The dynamic moment at vanishing speed is that of pads that stand on the turned collar, slopes included."""
+    small = 1e-7
+    still, moments = turned_slowly(pad, small)
+    slow = forced(line(), FilmPads(still), 1e-4, (), (RunoutHarmonic(1.0, small),))
+    amplitude = moment_amplitude(still, slow.parts[0])
+    assert [abs(moment) for moment in moments] == pytest.approx([amplitude] * 2, rel=2e-3)
+    assert np.angle(moments[1] / moments[0]) == pytest.approx(1.1, abs=2e-3)
+
+
+@pytest.mark.parametrize("pad", [TAPER, LINE_PAD], ids=["taper", "line"])
+def test_forces_of_the_moving_gaps_are_those_of_the_line(pad):
+    """-(K + j nu C) g of height and slopes gives the forces that the line was solved for, under a tilt."""
+    state = on(pad)
+    for part in state.forced.parts:
+        nu = part.response.frequency
+        films = np.array([one.stiffness + 1j * nu * one.damping for one in state.share.states])
+        forces = -np.einsum("zj,zj->z", films[:, 0, :], gap_motions(state.share, part))
+        assert forces == pytest.approx(part.response.forces, rel=1e-9)

@@ -9,6 +9,7 @@ import pytest
 from babbitt.cases import CaseError, parse_case, template
 from babbitt.cases.variation import case_variation
 from babbitt.notices import InputError
+from babbitt.report.sweep_table import print_sweep, sweep_csv
 from babbitt.solving import solve
 from babbitt.studies.case_sweep import sweep_case
 from babbitt.studies.sweep_values import values_of
@@ -113,9 +114,28 @@ def test_a_list_without_that_place_is_told(film):
 def test_unknown_fields_bad_values_and_unknown_bearings_are_told(film):
     with pytest.raises(CaseError, match="did you mean 'load'"):
         sweep_case(case_variation(film, "laod"), values_of("1 kN, 2 kN"))
-    with pytest.raises(CaseError, match="load: '3 m' is a length"):
-        sweep_case(case_variation(film, "load"), values_of("1 kN, 3 m"))
+    with pytest.raises(CaseError, match="load: '2 m' is a length"):
+        sweep_case(case_variation(film, "load"), values_of("2 m, 3 m"))
     with pytest.raises(InputError, match="no bearing 'Nobody'; there are: Grooved"):
         case_variation(film, "load", "Nobody")
     with pytest.raises(CaseError, match="no such file"):
         case_variation(film.parent / "none.yaml", "load")
+
+
+def test_a_value_that_is_refused_stops_nothing(film, capsys):
+    """Its row tells so in table and CSV, its reason below; the others are as without it."""
+    found = sweep_case(case_variation(film, "load"), values_of("1 kN, 3 m, 2 kN"))
+    alone = sweep_case(case_variation(film, "load"), values_of("1 kN, 2 kN"))
+    assert [place for place, _ in found.rows()] == [0, 2]
+    assert [one.values["minimum_film_thickness"] for _, one in found.rows()] == [
+        one.values["minimum_film_thickness"] for _, one in alone.rows()
+    ]
+    assert not found.solved
+    assert list(found.refused) == [1]
+    print_sweep(found)
+    shown = " ".join(capsys.readouterr().out.split())
+    assert "refused" in shown
+    assert "'3 m' is a length" in shown
+    lines = sweep_csv(found).splitlines()
+    assert [line.split(",")[2] for line in lines[1:]] == ["converged", "refused", "converged"]
+    assert {line.count(",") for line in lines} == {lines[0].count(",")}

@@ -9,10 +9,12 @@ from hypothesis import strategies as st
 from trawler_pads import PAD, SPEED, THRUST, VISCOSITY, bearing
 
 from babbitt.notices import InputError
-from babbitt.thrust.bearing import ThrustBearing, runout_at
+from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.carrying import carrying
 from babbitt.thrust.failures import PadsTouchError
+from babbitt.thrust.runout import RunoutHarmonic
 from babbitt.thrust.sharing import share_at_film, share_of
+from babbitt.thrust.standing import standing_on_runout
 
 FILMS = carrying(PAD, VISCOSITY, SPEED)
 
@@ -64,7 +66,10 @@ def test_a_pad_that_stands_proud_carries_more():
 
 def test_runout_at_rest_wanders_with_the_collar():
     of = bearing(tilt=0.0)
-    first, second = (share_of(FILMS, of, THRUST, runout_at(of, 5e-6, angle)).loads for angle in (0.0, math.pi / 4))
+    first, second = (
+        share_of(FILMS, of, THRUST, standing_on_runout(of, (RunoutHarmonic(1.0, 5e-6),), angle)).loads
+        for angle in (0.0, math.pi / 4)
+    )
     assert int(first.argmax()) == 0
     assert second == pytest.approx(np.roll(first, 1), rel=1e-9)
 

@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 
 from babbitt import parse_case
@@ -9,6 +10,7 @@ from babbitt.cases import template
 from babbitt.notices import InputError
 from babbitt.results import Outcome
 from babbitt.solving import solve
+from babbitt.studies.comparison import compare_methods
 from babbitt.thrust.design import GivenThrust, Oil, operating_state
 from babbitt.thrust.heat import HeatBalance, temperatures_of
 
@@ -236,3 +238,59 @@ def test_oil_hotter_at_the_trailing_edges_than_its_data_is_told():
     found = result(oil=BALANCE.replace("45 degC", "95 degC") + "}", thrust="900 kN", tilt=None)
     hottest = found.trailing_temperature - 273.15
     assert f"{hottest:.1f} °C" in {one.code: one.message for one in found.warnings}["W145"]
+
+
+@pytest.mark.parametrize("runout", ["5 um", "[5 um]", "{amplitude: 5 um}", "[{amplitude: 5 um, lobes: 1}]"])
+def test_runout_is_one_thing_however_it_is_written(runout):
+    given, plain = parse_case(text(runout=runout)), parse_case(text(runout="5 um"))
+    assert given == plain
+    line = template("thrust_line").split("runout:")
+    after = line[1].split("\n\n", 1)[1]
+    of_line = parse_case(f"{line[0]}runout: {runout}\n\n{after}")
+    assert of_line.line_design().runouts == given.thrust_design().runouts
+
+
+def test_runout_of_a_wrong_kind_is_told_what_would_do():
+    unknown = "[{amplitude: 5 um, lobe: 2}]"
+    for wrong, words in (("true", "a length such as"), ("5 kg", "is a mass"), (unknown, "lobes")):
+        with pytest.raises(InputError, match=f"runout.*{words}"):
+            parse_case(text(runout=wrong))
+
+
+def test_two_lobes_load_pads_by_their_height_only():
+    """Of waves the share knows the height: with as many lobes as pads all pads stand alike."""
+    ratio = result(tilt=None, runout="[{amplitude: 5 um, lobes: 8}]").values["quasi_static_load_ratio"]
+    assert ratio == pytest.approx(1.0, abs=1e-9)
+    assert result(tilt=None, runout="[{amplitude: 5 um, lobes: 2}]").values["quasi_static_load_ratio"] > 1.1
+
+
+def test_bare_numbers_that_look_like_another_unit_are_told():
+    found = result(speed="125", thrust="500")
+    told = [doubt.message for doubt in found.warnings if doubt.code == "W117"]
+    assert len(told) == 2
+    assert "125 rpm" in told[0]
+    assert "500 kN" in told[1]
+    assert not [doubt for doubt in result().warnings if doubt.code == "W117"]
+
+
+@pytest.mark.parametrize("kind", ["thrust", "thrust_line"])
+def test_there_is_nothing_to_compare_and_the_message_says_what_to_do(kind):
+    with pytest.raises(InputError, match=r"nothing to compare.*babbitt sweep") as told:
+        compare_methods(parse_case(template(kind)))
+    assert told.value.code == "E004"
+
+
+def test_taper_pads_under_a_tilt_tell_the_films_of_leaning_faces():
+    pads = (
+        "{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, pivot: {kind: fixed}, "
+        "face: {kind: taper, depth: 40 um, fraction: 0.7}}"
+    )
+    found, level = result(pads=pads), result(pads=pads, tilt=None)
+    assert found.outcome.solved
+    assert np.ptp(found.arrays["pad_slope_radial"][0]) == pytest.approx(2.0 * 30e-6 / 0.375)
+    assert not np.any(level.arrays["pad_slope_radial"][0])
+    assert found.values["minimum_film_thickness"] < level.values["minimum_film_thickness"]
+    assert level.values["collar_moment"] == pytest.approx(0.0, abs=1e-3)
+    stuck = result(pads=pads, tilt="{offset: 200 um}", ring_stiffness=None)
+    assert stuck.outcome is Outcome.OVERLOADED
+    assert "leans with the housing" in stuck.message

@@ -17,6 +17,7 @@ from babbitt.thrust.equilibrium import pad_state
 from babbitt.thrust.face import SteppedFace, TaperedFace
 from babbitt.thrust.failures import ThermalRunawayError
 from babbitt.thrust.pad import Pivot
+from babbitt.thrust.standing import standing_at_rest
 from babbitt.thrust.warm import PadOil, warm_pad
 
 VG_100 = lubricant("ISO VG 100")
@@ -221,3 +222,41 @@ def test_a_mean_film_stays_the_one_given_where_pads_warm_their_neighbours():
     assert found.share.heights.mean() == pytest.approx(50e-6, rel=1e-6)
     again = bearing_state(replace(TILTED, duty=GivenThrust(found.share.thrust)))
     assert again.share.heights == pytest.approx(found.share.heights, rel=2e-3)
+
+
+@pytest.mark.parametrize("pad", [TAPER, replace(PAD, pivot=Pivot.LINE)], ids=["taper", "line"])
+def test_warm_faces_that_lean_share_thrust_and_heat(pad):
+    """Held slopes, the thrust, the positions over the ring and the energy, with pads that feed each other."""
+    of = replace(design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=True), tilt=30e-6))
+    of = replace(of, bearing=replace(of.bearing, pad=pad))
+    stands = standing_at_rest(of.bearing)
+    for state, exactly in ((operating_state(of), 1e-5), (bearing_state(of), 1e-6)):
+        share = state.share
+        assert share.loads.sum() == pytest.approx(500e3, rel=exactly)
+        at = share.heights - share.loads / 2e10 - stands.departures
+        assert at == pytest.approx(np.full(8, share.approach), abs=exactly * share.heights.max())
+        held = [tilt - 1 for tilt in (1, 2) if tilt not in pad.free_tilts]
+        slopes = np.array([(one.slope_x, one.slope_y) for one in share.states])
+        assert slopes[:, held] == pytest.approx(stands.leans[:, held], abs=1e-15)
+    assert abs(state.temperatures.error) < 1e-6
+
+
+def test_oil_that_hardly_warms_leaves_the_share_of_leaning_pads():
+    steady = replace(VG_100, fixed_volumetric_heat_capacity=1e14)
+    warm, cold = (
+        operating_state(replace(of, bearing=replace(of.bearing, pad=TAPER))).share
+        for of in (
+            design(Oil(steady, None, 318.15, 0.75, own_temperatures=True), tilt=30e-6),
+            design(Oil(VG_100, 318.15), tilt=30e-6),
+        )
+    )
+    assert warm.loads == pytest.approx(cold.loads, rel=2e-3)
+    assert warm.moment == pytest.approx(cold.moment, rel=2e-3)
+
+
+def test_the_heat_balance_of_leaning_pads_is_closed():
+    of = design(Oil(VG_100, None, 318.15, 0.75), tilt=30e-6)
+    found = operating_state(replace(of, bearing=replace(of.bearing, pad=TAPER)))
+    assert standing_at_rest(found.share.bearing).is_leaning
+    assert found.share.loads.sum() == pytest.approx(500e3, rel=1e-8)
+    assert abs(found.temperatures.error) < 1e-9

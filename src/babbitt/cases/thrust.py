@@ -9,9 +9,11 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from babbitt.cases.bare_numbers import about_load, about_speed
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose
 from babbitt.cases.part import Complaint, Part, exactly_one, rule
+from babbitt.cases.runout import RUNOUT, Runout, RunoutGiven
 from babbitt.cases.thrust_oil import OilByBalance, ThrustOil
 from babbitt.cases.thrust_pads import Stiffness, ThrustPads, Tilt, TiltingPivot
 from babbitt.film.turbulence import CONSTANTINESCU, NG_PAN, FilmTurbulence, TurbulenceLaw
@@ -108,7 +110,7 @@ class ThrustBearingInputs(Part):
             says = "the films have one temperature"
             yield Complaint(("radial_temperature",), says, "mean, or thermal: adiabatic")
 
-    def design(self, name: str, duty: GivenThrust | GivenFilm, runout: float) -> ThrustDesign:
+    def design(self, name: str, duty: GivenThrust | GivenFilm, runouts: tuple[Runout, ...]) -> ThrustDesign:
         """Give the bearing of the calculation."""
         pads, pivot = self.pads, self.pads.pivot
         tilting = pivot if isinstance(pivot, TiltingPivot) else None
@@ -148,12 +150,13 @@ class ThrustBearingInputs(Part):
             duty,
             abs(self.speed),
             oil,
-            runout,
+            tuple(one.harmonic() for one in runouts),
             USUAL_FILM_LIMIT if self.film_limit is None else self.film_limit,
             "assumption: 10 µm" if self.film_limit is None else "given in the case",
             law,
             tuple(words_of(self)),
             self.assumptions,
+            (*about_speed(self, "speed"), *about_load(self, "thrust")),
         )
 
 
@@ -166,9 +169,7 @@ class ThrustCase(ThrustBearingInputs, CaseFile):
     film: Annotated[float, si("m", "0.1 um", "5 mm")] | None = Field(
         None, description="Mean film at the pivots, in place of the thrust, which is then found."
     )
-    runout: Annotated[float, si("m", "0 um", "5 mm")] = Field(
-        0.0, description="Face runout of the collar at the pivot radius: half the indicator reading."
-    )
+    runout: RunoutGiven = Field((), max_length=20, description=RUNOUT)
 
     @rule
     def _thrust_or_film(self) -> Iterator[Complaint]:

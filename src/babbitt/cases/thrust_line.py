@@ -11,10 +11,11 @@ from pydantic import Field
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, WholeNumber
 from babbitt.cases.part import Complaint, Part, exactly_one, rule
+from babbitt.cases.runout import RUNOUT, RunoutGiven
 from babbitt.cases.thrust import Thrust, ThrustBearingInputs, written
 from babbitt.cases.thrust_pads import Damping, PartMass, Stiffness
 from babbitt.shaft_line.design import LineDesign
-from babbitt.shaft_line.excitation import RunoutHarmonic, ThrustHarmonic
+from babbitt.shaft_line.excitation import ThrustHarmonic
 from babbitt.shaft_line.line import Rod, Seating, ShaftLine
 from babbitt.thrust.design import GivenThrust
 from babbitt.units import si
@@ -93,16 +94,6 @@ class ThrustRipple(Part):
             yield Complaint(("order",), "given besides blade_multiple", "one of the two", "remove one")
 
 
-class Runout(Part):
-    """Runout or waviness of the collar face."""
-
-    amplitude: Annotated[float, si("m", "0 um", "5 mm")] = Field(
-        description="Amplitude at the pivot radius, A_R: half the indicator reading."
-    )
-    lobes: Annotated[int, WholeNumber(1, 50)] = Field(1, description="Waves around the face. 1 is runout.")
-    phase: Phase = Field(0.0, description="Phase.")
-
-
 class SpeedRange(Part):
     """Speeds at which the line is solved, with a Campbell map."""
 
@@ -138,7 +129,7 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
     collar_mass: Weight = Field(description="Mass of the collar with all that is axially rigid to it, m_2.")
     seating: SeatingGiven | None = Field(None, description="What carries the housing. None: rigid.")
     ripple: tuple[ThrustRipple, ...] = Field((), max_length=20, description="Harmonics of the thrust.")
-    runout: tuple[Runout, ...] = Field((), max_length=20, description="Runout and waves of the collar face.")
+    runout: RunoutGiven = Field((), max_length=20, description=RUNOUT)
     loss_limit: Annotated[float, si("1", "0.01", "5")] | None = Field(
         None, description="Limit of dynamic over mean static pad load. None: 50 %, usual in industry."
     )
@@ -202,15 +193,14 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
             if self.seating is None
             else Seating(self.seating.stiffness, self.seating.damping, self.seating.housing_mass),
         )
-        first = self.runout[0].amplitude if self.runout else 0.0
-        given = self.design(self.name, GivenThrust(self.thrust), first)
+        given = self.design(self.name, GivenThrust(self.thrust), self.runout)
         from dataclasses import replace
 
         return LineDesign(
             replace(given, given=(*given.given, *_words(self))),
             line,
             tuple(self._thrust_harmonic(one) for one in self.ripple),
-            tuple(RunoutHarmonic(float(one.lobes), one.amplitude, one.phase) for one in self.runout),
+            given.runouts,
             0.5 if self.loss_limit is None else self.loss_limit,
             "usual limit in industry: 50 % of the static load" if self.loss_limit is None else "given in the case",
             () if self.speeds is None else self.speeds.speeds(),

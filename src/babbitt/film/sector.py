@@ -147,11 +147,6 @@ class SectorFilm:
         return float(self.forces[0])
 
     @property
-    def centre_of_pressure(self) -> tuple[float, float]:
-        """X and Y of the resultant, m."""
-        return float(self.forces[1] / self.forces[0]), float(self.forces[2] / self.forces[0])
-
-    @property
     def maximum_pressure(self) -> float:
         """Highest gauge pressure on the nodes, Pa."""
         return float(self.pressure.max())

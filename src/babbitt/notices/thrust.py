@@ -52,11 +52,10 @@ THRUST: dict[str, Explanation] = {
         "Less thrust, more or larger pads, a more viscous or cooler oil, more speed, or a straighter housing.",
     ),
     "W208": Explanation(
-        "Faces that cannot follow the tilt of the housing",
-        "A tilt of the housing lifts and lowers the pivots, which is computed, and leans the faces of fixed pads, "
-        "and of pads on line pivots along the radius, which is not: their outer corners come closer than the "
-        "thinnest film that is shown. The film of the message lays the lean on the films as they are, loads "
-        "unchanged.",
-        "Hold the film of the message against the limit; align the housing, or use point pivots.",
+        "Sweeps without a film in places",
+        "At some speeds of the map, or on some backing rings, the pads find no film for the thrust: faces that "
+        "lean with the housing touch, pads are overloaded, or the oil runs hot. These points are left out of "
+        "tables and figures.",
+        "Align the housing, or read the sweep only where it has points.",
     ),
 }

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from babbitt.report.drawing import GREY, INK, PALE, Sheet, limit_line, mark
-from babbitt.shaft_line.check import LineAnswer
+from babbitt.shaft_line.answer import LineAnswer
 from babbitt.shaft_line.sweeps import BARRED_WITHIN, barred_ranges
 
 if TYPE_CHECKING:
@@ -108,7 +108,7 @@ def ring_sweep(answer: LineAnswer, limit: float) -> Figure:
     above.set_ylim(0.0, None)
     below.set_ylim(0.0, None)
     above.set_ylabel("dynamic load in %")
-    below.set_ylabel("first frequency in Hz")
+    below.set_ylabel("first frequency,\nundamped, in Hz")
     below.set_xlabel("ring stiffness per pad in GN/m")
     above.legend(frameon=False, fontsize=7, loc="upper left", handlelength=2.4, bbox_to_anchor=(0.0, 0.70))
     return figure

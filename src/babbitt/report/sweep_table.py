@@ -19,6 +19,7 @@ from babbitt.report.text import plain_text
 from babbitt.report.verdict import Verdict
 from babbitt.studies.case_sweep import CaseSweep
 
+REFUSED = "refused"
 NOT_TOLD = ("wall_time", "iterations")
 """Results that tell of the run and differ from run to run."""
 
@@ -40,12 +41,15 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
         table.add_column(Text(f"{column.heading}\n{column.unit}"), justify="right", no_wrap=True)
     table.add_column(Text("verdict"), no_wrap=True)
     cells = list(zip(*(column.cells(results) for column in columns), strict=True)) or [()] * len(results)
-    for (place, result), line in zip(rows, cells, strict=True):
-        word = judge.verdict(result)
-        name = (Text(plain_text(result.name)),) if named else ()
-        table.add_row(
-            Text(plain_text(shown[place])), *name, *map(Text, line), Text(word.value, style=STYLES[word])
-        )
+    answered = zip(rows, cells, strict=True)
+    lines = [
+        (place, result.name, line, judge.verdict(result).value, STYLES[judge.verdict(result)])
+        for (place, result), line in answered
+    ]
+    lines += [(place, "", ("",) * len(columns), REFUSED, STYLES[Verdict.UNSOLVED]) for place in sweep.refused]
+    for place, bearing, line, word, style in sorted(lines, key=lambda one: one[0]):
+        name = (Text(plain_text(bearing)),) if named else ()
+        table.add_row(Text(plain_text(shown[place])), *name, *map(Text, line), Text(word, style=style))
     to.print(table)
     if hidden:
         to.print(
@@ -54,13 +58,16 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
     for place, result in rows:
         if judge.verdict(result) is Verdict.UNSOLVED:
             to.print(Text(f"{sweep.path} {sweep.values.texts[place]}, {result.name}: {result.outcome.value}"))
+    for reason in sweep.refused.values():
+        to.print(Text(plain_text(reason)))
 
 
 def sweep_csv(sweep: CaseSweep) -> str:
     """The answers as CSV: one row a value and bearing, results in SI with the unit in every column name.
 
     The first column is the field; its unit, where the values have one, stands in its name. A row without an
-    operating point has no results. UTF-8, comma, decimal point.
+    operating point has no results; the status of a value that the case does not take is ``refused``. UTF-8, comma,
+    decimal point.
     """
     rows = list(sweep.rows())
     quantities = dict.fromkeys(
@@ -75,11 +82,15 @@ def sweep_csv(sweep: CaseSweep) -> str:
     unit = f" [{sweep.values.unit}]" if sweep.values.unit and sweep.values.numbers is not None else ""
     writer.writerow([f"{sweep.path}{unit}", "bearing", "status", *(static_column(name) for name in quantities)])
     shown = _shown(sweep)
+    lines: list[tuple[int, list[str]]] = [
+        (place, [shown[place], "", REFUSED, *([""] * len(quantities))]) for place in sweep.refused
+    ]
     for place, result in rows:
         solved = result.outcome.solved
         numbers = [result.values.get(name, math.nan) if solved else math.nan for name in quantities]
         told = [repr(float(number)) if math.isfinite(number) else "" for number in numbers]
-        writer.writerow([shown[place], result.name, result.outcome.name.lower(), *told])
+        lines.append((place, [shown[place], result.name, result.outcome.name.lower(), *told]))
+    writer.writerows(line for _, line in sorted(lines, key=lambda one: one[0]))
     return stream.getvalue()
 
 

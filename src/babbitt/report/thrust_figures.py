@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.report.drawing import Drawing, rendered, style
 from babbitt.results import Result
-from babbitt.shaft_line.check import LineAnswer, line_answer
+from babbitt.shaft_line.answer import LineAnswer, line_answer
 from babbitt.shaft_line.design import LineDesign
 from babbitt.thrust.design import ThrustDesign, bearing_state
 from babbitt.thrust.sharing import Share

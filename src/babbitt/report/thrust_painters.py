@@ -11,6 +11,7 @@ from babbitt.report import film_maps
 from babbitt.report.drawing import GREY, INK, Array, Sheet
 from babbitt.thrust.peak import between_nodes
 from babbitt.thrust.sharing import Share
+from babbitt.units import ZERO_CELSIUS
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -130,14 +131,14 @@ def pad_temperature(share: Share) -> Figure:
     assert heat is not None
     figure, ((panel,),) = Sheet(81.0, 52.0, left=11.0).panels()
     _, column, _ = np.unravel_index(int(heat.temperature.argmax()), heat.temperature.shape)
-    celsius = heat.temperature[:, column] - 273.15
+    celsius = heat.temperature[:, column] - ZERO_CELSIUS
     across = np.concatenate(([0.0], heat.layers, [1.0]))
     shown = np.concatenate((celsius[:, :1], celsius, celsius[:, -1:]), axis=1)
     degrees = np.degrees(film.theta)
     lines = film_maps.shaded(panel, degrees, across, shown)
     panel.clabel(lines, np.asarray(lines.levels)[::2], fontsize=6, fmt="%g", inline_spacing=2)
     line, layer = np.unravel_index(int(shown.argmax()), shown.shape)
-    film_maps.point(panel, float(degrees[line]), float(across[layer]), f"{heat.maximum - 273.15:.1f}")
+    film_maps.point(panel, float(degrees[line]), float(across[layer]), f"{heat.maximum - ZERO_CELSIUS:.1f}")
     panel.set_xlabel("angle from the leading edge in °")
     panel.set_ylabel("pad  ←  $y/h$  →  collar")
     panel.set_ylim(0.0, 1.0)

@@ -64,10 +64,11 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
     if modes:
         yield _plain(
             "Damped modes",
-            ("Mode", "Frequency", "Damping ratio"),
+            ("Mode", "Damped frequency", "Damping ratio"),
             ("", "Hz", "%"),
             [(str(n), f"{f / math.tau:.2f}", f"{100.0 * d:.2f}") for n, (f, d) in enumerate(modes, start=1)],
-            "",
+            "Of the free motion that decays. Undamped frequencies, against which excitations are held, take the "
+            "stiffness of the films at rest; moving films are stiffer.",
         )
     rings = result.arrays["ring_sweep"]
     step = max(1, len(rings) // RINGS_SHOWN)
@@ -80,7 +81,7 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
             "Both",
             "Film amplitude",
             "Thinnest film",
-            "First frequency",
+            "First frequency, undamped",
             "Static max/mean",
         ),
         ("GN/m", "%", "%", "%", "µm", "µm", "Hz", ""),

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from babbitt.results import Bound, Check, Result
+from babbitt.units import ZERO_CELSIUS
 
 __all__ = ["answers"]
 
@@ -152,17 +153,24 @@ def _bearable(result: Result, limit: float) -> str:
 def _frequencies(result: Result) -> str:
     v = result.values
     first = v["natural_frequency_1"] / math.tau
-    said = f"First axial natural frequency {first:.1f} Hz"
-    if "damping_ratio_1" in v:
-        said += f", damping ratio {_percent(v['damping_ratio_1'])}"
+    said = f"First axial natural frequency {first:.2f} Hz, undamped and on the stiffness of the films at rest"
     if "frequency_separation" in v:
-        said += f"; the nearest excitation is {_percent(v['frequency_separation'])} away from a natural frequency"
+        said += (
+            f"; the nearest excitation is {_percent(v['frequency_separation'])} away from an undamped frequency"
+        )
+    if damped := result.arrays.get("damped_modes", ()):
+        frequency, ratio = damped[0][0] / math.tau, damped[0][1]
+        why = ", higher as films stiffen with frequency" if frequency > first else ""
+        said += (
+            f". Let go, the damped line swings at {frequency:.2f} Hz{why}, with a damping ratio of "
+            f"{_percent(ratio)}; near there its response peaks"
+        )
     barred = result.arrays.get("barred_ranges", ())
     spans = [f"{_rpm(low)} to {_rpm(high)} rpm (order {order:g})" for low, high, order in barred]
     if spans:
-        said += f". Within 20 % of it and to be barred or passed quickly: {', '.join(spans)}"
+        said += f". Within 20 % of the undamped frequency and to be barred or passed quickly: {', '.join(spans)}"
     elif "campbell" in result.arrays:
-        said += ". No speed of the map comes within 20 % of it"
+        said += ". No speed of the map comes within 20 % of the undamped frequency"
     return f"{said}."
 
 
@@ -197,7 +205,7 @@ def _oil(result: Result) -> str:
 
 
 def _celsius(kelvin: float) -> str:
-    return f"{kelvin - 273.15:.1f} °C"
+    return f"{kelvin - ZERO_CELSIUS:.1f} °C"
 
 
 def _percent(share: float) -> str:

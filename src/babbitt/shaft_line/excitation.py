@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 from babbitt.notices import InputError
+from babbitt.thrust.runout import RunoutHarmonic
 
 __all__ = ["RunoutHarmonic", "ThrustHarmonic"]
 
@@ -29,38 +30,17 @@ class ThrustHarmonic:
     phase: float = 0.0
 
     def __post_init__(self) -> None:
-        _require(self, "thrust ripple", "N")
+        _require(self)
 
     def scaled(self, factor: float) -> ThrustHarmonic:
         """With another amplitude."""
         return replace(self, amplitude=self.amplitude * factor)
 
 
-@dataclass(frozen=True)
-class RunoutHarmonic:
-    """Waviness of the face in ``order`` lobes: xi_i = amplitude cos(order (omega t - gamma_i) + phase) (D6).
-
-    Order 1 is face runout; ``amplitude`` (m) at the pivot radius is half the indicator reading.
-    """
-
-    order: float
-    amplitude: float
-    phase: float = 0.0
-
-    def __post_init__(self) -> None:
-        _require(self, "runout", "m")
-        if self.order != round(self.order):
-            raise InputError("E203", f"order of the runout is {self.order:g}; a face has whole lobes: 1, 2, 3 ...")
-
-    def scaled(self, factor: float) -> RunoutHarmonic:
-        """With another amplitude."""
-        return replace(self, amplitude=self.amplitude * factor)
-
-
-def _require(harmonic: ThrustHarmonic | RunoutHarmonic, what: str, unit: str) -> None:
+def _require(harmonic: ThrustHarmonic) -> None:
     if not (math.isfinite(harmonic.order) and harmonic.order > 0.0):
-        raise InputError("E203", f"order of the {what} is {harmonic.order:g}; it must be positive.")
+        raise InputError("E203", f"order of the thrust ripple is {harmonic.order:g}; it must be positive.")
     if not (math.isfinite(harmonic.amplitude) and harmonic.amplitude >= 0.0):
         raise InputError(
-            "E203", f"amplitude of the {what} is {harmonic.amplitude:g} {unit}; it must be 0 or more."
+            "E203", f"amplitude of the thrust ripple is {harmonic.amplitude:g} N; it must be 0 or more."
         )

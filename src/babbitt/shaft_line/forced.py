@@ -40,7 +40,7 @@ class Part:
     @property
     def leans(self) -> bool:
         """Whether the face leans under the pads."""
-        return self.is_runout and self.harmonic.order == 1.0
+        return isinstance(self.harmonic, RunoutHarmonic) and self.harmonic.leans
 
     @property
     def is_runout(self) -> bool:
@@ -165,9 +165,7 @@ def forced(
         frequency = runout.order * speed
         _require_bounded(line, pads, frequency)
         under = runout.amplitude * np.exp(1j * (runout.phase - runout.order * pads.phases))
-        felt = under
-        if runout.order == 1.0:  # one high spot is a face that leans; of waves only the height at the pivot counts
-            felt = under * (1.0 + pads.wobble(frequency))
+        felt = under * (1.0 + pads.wobble(frequency)) if runout.leans else under
         found = respond(line, pads, frequency, 0j, felt)
         parts.append(Part(runout, replace(found, gaps=found.gaps + felt - under), under))
     return Forced(tuple(parts))

@@ -9,6 +9,8 @@ from babbitt.design.roots import bracketed_root
 from babbitt.shaft_line.model import LineDuty, state_of
 from babbitt.shaft_line.sweeps import RingPoint, ring_point
 from babbitt.thrust.carrying import Carrying
+from babbitt.thrust.failures import NoPadFilmError
+from babbitt.thrust.sharing import share_of
 
 __all__ = [
     "Admissible",
@@ -23,6 +25,8 @@ __all__ = [
 WIDEST = 2.0**12
 """Factor up to which a root is sought."""
 RELATIVE = 1e-9
+BEYOND = 1e6
+"""Loss that stands for a bearing without a film."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +59,8 @@ def largest_runout(duty: LineDuty, films: Carrying, loss: float) -> float | None
     """Amplitude of the first runout harmonic, m; None without runout or where even none is too much."""
     if not duty.runout:
         return None
-    factor = _largest(lambda f: _loss(duty.with_runout(f), films), loss)
+    share = share_of(films, duty.bearing, duty.thrust)
+    factor = _largest(lambda f: state_of(duty.with_runout(f), films, share).losses.mean_bound, loss)
     return None if factor is None else factor * duty.runout
 
 
@@ -63,19 +68,24 @@ def largest_ripple(duty: LineDuty, films: Carrying, loss: float) -> float | None
     """Amplitude of the first thrust harmonic, N."""
     if not duty.ripple:
         return None
-    factor = _largest(lambda f: _loss(duty.with_ripple(f), films), loss)
+    share = share_of(films, duty.bearing, duty.thrust)
+    factor = _largest(lambda f: state_of(duty.with_ripple(f), films, share).losses.mean_bound, loss)
     return None if factor is None else factor * duty.ripple
 
 
 def largest_tilt(duty: LineDuty, films: Carrying, loss: float) -> float | None:
     """Offset of the housing at the outer radius, m."""
     scale = duty.bearing.tilt.offset or films.height_for(duty.thrust / duty.bearing.number)
-    factor = _largest(lambda f: _loss(duty.with_tilt(f * scale), films), loss)
+    factor = _largest(lambda f: _loss_at(duty.with_tilt(f * scale), films), loss)
     return None if factor is None else factor * scale
 
 
-def _loss(duty: LineDuty, films: Carrying) -> float:
-    return state_of(duty, films).losses.mean_bound
+def _loss_at(duty: LineDuty, films: Carrying) -> float:
+    """L1 (bound); without a film more than any limit, so that what is admissible ends there."""
+    try:
+        return state_of(duty, films).losses.mean_bound
+    except NoPadFilmError:
+        return BEYOND
 
 
 def _largest(of: Callable[[float], float], limit: float) -> float | None:
@@ -116,7 +126,10 @@ def _stiffest(
 ) -> RingPoint | None:
     stiff: RingPoint | None = None
     for ring in sorted(rings, reverse=True):
-        point = ring_point(duty, films, ring)
+        try:
+            point = ring_point(duty, films, ring)
+        except NoPadFilmError:
+            continue
         if excess(point) <= 0.0:
             if stiff is None:
                 return point

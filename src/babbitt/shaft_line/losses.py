@@ -15,9 +15,10 @@ from babbitt.shaft_line.forced import Forced, Part
 from babbitt.thrust.sharing import Share
 from babbitt.thrust.state import tilt_answer, wobble_answer
 
-__all__ = ["FilmCheck", "Losses", "film_check", "losses_of"]
+__all__ = ["FilmCheck", "Losses", "film_check", "gap_motions", "losses_of", "moment_amplitude"]
 
 Array = NDArray[np.float64]
+ComplexArray = NDArray[np.complex128]
 
 LINEAR_UP_TO = 0.2
 """Dynamic over static film up to which the linear film holds: the error of a peak is about 5 % there."""
@@ -57,11 +58,12 @@ def losses_of(share: Share, forced: Forced) -> Losses:
         peaks, lowest = np.abs(history).max(axis=1), history.min(axis=1)
     else:
         peaks, lowest = bounds, -bounds
+    bears = own > 0.0  # a face that leans away with the housing may carry nothing
     return Losses(
         mean_peak=float(peaks.max() / mean),
         mean_bound=float(bounds.max() / mean),
-        own_peak=float((peaks / own).max()),
-        own_bound=float((bounds / own).max()),
+        own_peak=float((peaks[bears] / own[bears]).max()),
+        own_bound=float((bounds[bears] / own[bears]).max()),
         margin_peak=float((own + lowest).min() / mean),
         margin_bound=float((own - bounds).min() / mean),
         worst_pad=int(peaks.argmax()),
@@ -101,7 +103,7 @@ def film_check(share: Share, forced: Forced) -> FilmCheck:
     bearing = share.bearing
     basis = bearing.pad.watched()[0]
     statics = np.array([state.watched_films() for state in share.states])
-    moving = [_moving(share, part, basis) for part in forced.parts]
+    moving = [gap_motions(share, part) @ basis.T for part in forced.parts]
     relative = np.asarray(sum(np.abs(part.response.gaps) for part in forced.parts)) / share.heights
     bound = statics - np.asarray(sum(np.abs(move) for move in moving))
     if not forced.commensurate:
@@ -115,16 +117,30 @@ def film_check(share: Share, forced: Forced) -> FilmCheck:
     return FilmCheck(histories.min(axis=1), bound.min(axis=1), relative, histories)
 
 
-def _moving(share: Share, part: Part, basis: Array) -> NDArray[np.complex128]:
-    """Complex amplitudes of the film at the points of every pad, m, shape (z, points)."""
-    frequency = part.response.frequency
+def gap_motions(share: Share, part: Part) -> ComplexArray:
+    """Complex amplitudes of height, slope_x and slope_y of every gap, m and 1, shape (z, 3)."""
+    frequency, inertia = part.response.frequency, share.bearing.inertia
     rows = []
     for state, gap, under in zip(share.states, part.response.gaps, part.runout, strict=True):
-        tilts = gap * tilt_answer(state, frequency, share.bearing.inertia)
+        tilts = gap * tilt_answer(state, frequency, inertia)
         if part.leans:
-            tilts = tilts + under * wobble_answer(state, frequency, share.bearing.inertia)
-        rows.append(basis @ np.array([gap, *tilts]))
+            tilts = tilts + under * wobble_answer(state, frequency, inertia)
+        rows.append([gap, *tilts])
     return np.array(rows)
+
+
+def moment_amplitude(share: Share, part: Part) -> float:
+    """Longest semi-axis of the ellipse that the moment of the pads on the collar runs through, N m.
+
+    Levers as of `Share.moment`, forces and moments of the pads -(K + j nu C) g.
+    """
+    bearing, frequency = share.bearing, part.response.frequency
+    films = np.array([state.stiffness + 1j * frequency * state.damping for state in share.states])
+    force, radial, along = -np.einsum("zij,zj->iz", films, gap_motions(share, part))
+    outward, onward = force * bearing.pad.pivot_radius + radial, bearing.sense * along
+    cos, sin = np.cos(bearing.angles), np.sin(bearing.angles)
+    first, second = complex((outward * cos - onward * sin).sum()), complex((outward * sin + onward * cos).sum())
+    return math.sqrt(0.5 * (abs(first) ** 2 + abs(second) ** 2 + abs(first**2 + second**2)))
 
 
 def separation(frequency: float, natural: float) -> float:

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
-
-import numpy as np
 
 from babbitt.shaft_line.excitation import RunoutHarmonic, ThrustHarmonic
 from babbitt.shaft_line.forced import Forced, forced
 from babbitt.shaft_line.line import ShaftLine
-from babbitt.shaft_line.losses import FilmCheck, Losses, film_check, losses_of
+from babbitt.shaft_line.losses import FilmCheck, Losses, film_check, losses_of, moment_amplitude
 from babbitt.shaft_line.pads import FilmPads
 from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.carrying import Carrying
@@ -119,13 +116,7 @@ class LineState:
     @property
     def moment_amplitude(self) -> float:
         """Bound of the dynamic moment on the collar square to the shaft, N m: sum over the harmonics."""
-        bearing, total = self.duty.bearing, 0.0
-        for part in self.forced.parts:
-            forces = part.response.forces
-            first, second = (complex((forces * wave(bearing.angles)).sum()) for wave in (np.cos, np.sin))
-            # the longest semi-axis of the ellipse that the moment runs through
-            total += math.sqrt(0.5 * (abs(first) ** 2 + abs(second) ** 2 + abs(first**2 + second**2)))
-        return bearing.pad.pivot_radius * total
+        return sum(moment_amplitude(self.share, part) for part in self.forced.parts)
 
     @property
     def worst_turn_loss(self) -> float:
@@ -155,8 +146,3 @@ def state_of(duty: LineDuty, films: Carrying, share: Share | None = None) -> Lin
     if not answer.parts:
         answer = forced(duty.line, pads, duty.speed, (ThrustHarmonic(1.0, 0.0),), ())
     return LineState(duty, films, share, pads, answer, losses_of(share, answer), film_check(share, answer))
-
-
-def is_rigid(duty: LineDuty) -> bool:
-    """Whether the backing ring does not give way."""
-    return math.isinf(duty.bearing.ring_stiffness)

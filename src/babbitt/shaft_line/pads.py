@@ -148,11 +148,9 @@ class FilmPads:
     def wobble(self, frequency: float) -> ComplexArray:
         """-(K + j nu C)_1t g / (k + j nu d), see `wobble_answer`."""
         inertia = self.bearing.inertia
-        return np.array(
-            [
-                -(state.stiffness + 1j * frequency * state.damping)[0, 1:]
-                @ wobble_answer(state, frequency, inertia)
-                / condensed(state, frequency, inertia)
-                for state in self.share.states
-            ]
-        )
+        added = np.zeros(self.bearing.number, dtype=complex)
+        for place, (state, film) in enumerate(zip(self.share.states, self.film(frequency), strict=True)):
+            if film != 0.0:  # a face that leans away with the housing may carry nothing
+                row = (state.stiffness + 1j * frequency * state.damping)[0, 1:]
+                added[place] = -row @ wobble_answer(state, frequency, inertia) / film
+        return added

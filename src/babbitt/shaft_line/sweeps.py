@@ -5,12 +5,14 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from babbitt.shaft_line.damped import DampedMode, damped_modes
 from babbitt.shaft_line.model import LineDuty, LineState, state_of
 from babbitt.shaft_line.natural import undamped_frequencies
 from babbitt.thrust.carrying import Carrying
+from babbitt.thrust.failures import NoPadFilmError
 
 __all__ = ["CampbellPoint", "RingPoint", "barred_ranges", "ring_point", "ring_sweep", "speed_sweep", "usual_rings"]
 
@@ -66,8 +68,12 @@ def ring_point(duty: LineDuty, films: Carrying, stiffness: float) -> RingPoint:
 
 
 def ring_sweep(duty: LineDuty, films: Carrying, stiffnesses: Sequence[float]) -> tuple[RingPoint, ...]:
-    """Solve the line on rings of several stiffnesses (N/m per pad)."""
-    return tuple(ring_point(duty, films, stiffness) for stiffness in stiffnesses)
+    """Solve the line on rings of several stiffnesses (N/m per pad); without those on which pads find no film."""
+    points = []
+    for stiffness in stiffnesses:
+        with suppress(NoPadFilmError):
+            points.append(ring_point(duty, films, stiffness))
+    return tuple(points)
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,6 +101,8 @@ def speed_sweep(
 ) -> tuple[CampbellPoint, ...]:
     """Solve the line at several speeds, thrust and ripple growing with the square of the speed.
 
+    Speeds at which pads find no film are left out.
+
     Parameters
     ----------
     duty : LineDuty
@@ -107,15 +115,16 @@ def speed_sweep(
     points = []
     for speed in speeds:
         at = duty.at_speed(speed)
-        state = state_of(at, films_at(at))
-        points.append(
-            CampbellPoint(
-                speed,
-                undamped_frequencies(duty.line, state.pads, MODES),
-                damped_modes(duty.line, state.pads, MODES),
-                state,
+        with suppress(NoPadFilmError):
+            state = state_of(at, films_at(at))
+            points.append(
+                CampbellPoint(
+                    speed,
+                    undamped_frequencies(duty.line, state.pads, MODES),
+                    damped_modes(duty.line, state.pads, MODES),
+                    state,
+                )
             )
-        )
     return tuple(points)
 
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
+from babbitt.cases import Case
 from babbitt.cases.variation import CaseVariation
+from babbitt.notices import InputError
 from babbitt.results import Result
 from babbitt.solving import MachineResult, solve
 from babbitt.studies.sweep_values import SweepValues
@@ -26,18 +28,24 @@ class CaseSweep:
     values : SweepValues
     present : float or None
         What the file itself has in the field, in the unit of the values.
+    places : tuple of int
+        Of the values that could be used.
     machines : tuple of MachineResult
-        One per value.
+        One for each of them.
+    refused : mapping of int to str
+        Place of every other value, and why the case does not take it.
     """
 
     path: str
     values: SweepValues
     present: float | None
+    places: tuple[int, ...]
     machines: tuple[MachineResult, ...]
+    refused: Mapping[int, str]
 
     def rows(self) -> Iterator[tuple[int, Result]]:
         """Every answer with the place of its value."""
-        for place, machine in enumerate(self.machines):
+        for place, machine in zip(self.places, self.machines, strict=True):
             for result in machine.results:
                 yield place, result
 
@@ -48,8 +56,8 @@ class CaseSweep:
 
     @property
     def solved(self) -> bool:
-        """Whether every answer is an operating point."""
-        return all(machine.solved for machine in self.machines)
+        """Whether every value has an answer, and every answer is an operating point."""
+        return not self.refused and all(machine.solved for machine in self.machines)
 
 
 def sweep_case(
@@ -68,13 +76,33 @@ def sweep_case(
     Returns
     -------
     CaseSweep
-        With a status for every value.
+        With a status for every value; one that the field does not take stops nothing.
 
     Raises
     ------
-    CaseError
-        For a value that the field does not take; nothing is solved then.
+    InputError
+        What the first value is refused for, if all are; nothing is solved where the case itself refuses them.
     """
-    cases = [variation.case(text) for text in values.texts]
-    machines = tuple(solve(cases[place]) for place in watch(range(len(cases))))
-    return CaseSweep(variation.path, values, values.number_of(variation.present), machines)
+    cases: dict[int, Case] = {}
+    machines: dict[int, MachineResult] = {}
+    refused: dict[int, InputError] = {}
+    for place, text in enumerate(values.texts):
+        try:
+            cases[place] = variation.case(text)
+        except InputError as error:
+            refused[place] = error
+    for place in watch(list(cases)):
+        try:
+            machines[place] = solve(cases[place])
+        except InputError as error:  # of some methods only the film tells what cannot be
+            refused[place] = error
+    if not machines:
+        raise refused[min(refused)]
+    return CaseSweep(
+        variation.path,
+        values,
+        values.number_of(variation.present),
+        tuple(machines),
+        tuple(machines.values()),
+        {place: str(refused[place]) for place in sorted(refused)},
+    )

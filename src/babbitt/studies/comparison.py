@@ -126,11 +126,17 @@ def compare_methods(case: Case) -> tuple[Comparison, ...]:
         return (_hydrostatic(case),)
     bearings = bearings_of(case)
     if not bearings:
-        raise InputError(
-            "E004", f"{case.name}: a case of kind {case.kind!r} has one method; there is nothing to compare"
-        )
+        raise InputError("E004", f"{case.name}: {ONE_METHOD.get(case.kind, OTHER_KINDS).format(kind=case.kind)}")
     return tuple(found for bearing in bearings for found in _compared(bearing, case))
 
+
+ONE_METHOD = {
+    "thrust": "thrust pads have one film method, there is nothing to compare; to see what its options do, solve "
+    "copies of the case with another thermal or turbulence, or vary a field with babbitt sweep",
+    "thrust_line": "a shaft line has one method, there is nothing to compare; its report sets runout, ripple, "
+    "tilt and rings side by side (babbitt solve --report), and babbitt sweep varies a field",
+}
+OTHER_KINDS = "a case of kind {kind!r} has one method; there is nothing to compare"
 
 HYDROSTATIC_REMARKS = {
     "film": "sees corners, interaction and rupture; assumes one viscosity for the whole film",

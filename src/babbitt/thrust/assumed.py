@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.design import Oil
-from babbitt.thrust.lean import held_leans
 
-__all__ = ["lean_assumptions", "oil_assumptions"]
+__all__ = ["oil_assumptions"]
 
 
 def oil_assumptions(oil: Oil) -> Iterator[str]:
@@ -32,9 +30,3 @@ def oil_assumptions(oil: Oil) -> Iterator[str]:
             f"{oil.carry_over:.0%} of the oil that leaves a pad over its trailing edge enters the next; "
             "all heat goes with the oil."
         )
-
-
-def lean_assumptions(bearing: ThrustBearing) -> Iterator[str]:
-    """What is assumed of the faces under a tilt of the housing."""
-    if held_leans(bearing).any():
-        yield "A tilt of the housing moves the pivots; faces that cannot follow it are taken square to the shaft."

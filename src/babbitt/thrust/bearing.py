@@ -12,7 +12,7 @@ from babbitt.notices import InputError
 from babbitt.thrust.pad import ThrustPad
 from babbitt.thrust.state import TiltInertia
 
-__all__ = ["HousingTilt", "ThrustBearing", "runout_at"]
+__all__ = ["HousingTilt", "ThrustBearing"]
 
 Array = NDArray[np.float64]
 
@@ -106,8 +106,3 @@ class ThrustBearing:
     def phases(self) -> Array:
         """Angles by which the collar passes each pad later than pad 1, rad."""
         return self.sense * self.angles
-
-
-def runout_at(bearing: ThrustBearing, amplitude: float, turned: float) -> Array:
-    """Departures with the collar turned to an angle: a high spot of ``amplitude`` (m) thins the film under it."""
-    return bearing.departures() - amplitude * np.cos(turned - bearing.phases())

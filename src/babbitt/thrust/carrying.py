@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from babbitt.notices import InputError
 from babbitt.thrust.equilibrium import UnbalancedPadError, pad_state
 from babbitt.thrust.pad import ThrustPad
+from babbitt.thrust.standing import LEVEL, Lean
 from babbitt.thrust.state import PadState
 
 __all__ = ["Carrying", "SimilarFilms", "TabulatedFilms", "carrying"]
@@ -22,6 +23,9 @@ REFERENCE_SHARE = 1e-4
 """Film at which a plane pad is solved, over its mean radius; by similarity any would do."""
 TABLE = (2e-6, 1e-3, 28)
 """Films at which other pads are tabulated: thinnest and thickest over the outer radius, and how many."""
+
+PARTS = (1.0, 0.6, 0.35, 0.2)
+"""Of the slope of a level pad, from which that of a leaning one is sought."""
 
 
 class Carrying(Protocol):
@@ -48,8 +52,8 @@ class Carrying(Protocol):
     def height_for(self, load: float) -> float:
         """Height of the pivot, m, at which the pad carries a load, N."""
 
-    def state(self, height: float) -> PadState:
-        """The whole film at a height."""
+    def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
+        """The whole film at a height, with the slopes that the pivot holds; ``near``: one to start from."""
 
     def at(self, viscosity: float, angular_speed: float) -> Carrying:
         """The same pad in another oil and at another speed."""
@@ -89,9 +93,13 @@ class SimilarFilms:
         """sqrt(A/W)."""
         return float(np.sqrt(self.constant / load))
 
-    def state(self, height: float) -> PadState:
-        """The similar film."""
-        return self.reference.similar(height, self.viscosity, self.angular_speed)
+    def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
+        """The similar film; one that leans is solved."""
+        similar = self.reference.similar(height, self.viscosity, self.angular_speed)
+        if not any(lean):
+            return similar
+        along = similar.slope_y if near is None else near.slope_y
+        return _leaning(self.pad, height, self.viscosity, self.angular_speed, along, lean)
 
     def at(self, viscosity: float, angular_speed: float) -> SimilarFilms:
         """The similar film in another oil."""
@@ -145,11 +153,14 @@ class TabulatedFilms:
             )
         return height
 
-    def state(self, height: float) -> PadState:
+    def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
         """The film at a height, solved."""
-        near = int(np.argmin(np.abs(np.log(self.heights / height))))
-        slopes = self.slopes[near]
-        share = height / self.heights[near]
+        place = int(np.argmin(np.abs(np.log(self.heights / height))))
+        slopes = self.slopes[place]
+        share = height / self.heights[place]
+        if any(lean):
+            along = slopes[1] * share if near is None else near.slope_y
+            return _leaning(self.pad, height, self.viscosity, self.angular_speed, along, lean)
         guess = (slopes[0] * share, slopes[1] * share)
         try:
             return pad_state(self.pad, height, self.viscosity, self.angular_speed, guess)
@@ -216,6 +227,28 @@ def _tabulated(pad: ThrustPad, viscosity: float, angular_speed: float) -> Tabula
     return TabulatedFilms(
         pad, np.array(heights[order]), np.array(loads[order]), tuple(slopes[order]), viscosity, angular_speed
     )
+
+
+def _leaning(
+    pad: ThrustPad, height: float, viscosity: float, angular_speed: float, along: float, lean: Lean
+) -> PadState:
+    """A film that leans; a line pivot that leans much tilts less than a level one, so less is tried in turn.
+
+    Beyond its balance such a pad falls over into a gap that diverges, where nothing moves it any more.
+    """
+    for part in PARTS[:-1] if pad.free_tilts else ():
+        try:
+            state = pad_state(pad, height, viscosity, angular_speed, (0.0, part * along), lean=lean)
+        except UnbalancedPadError:
+            continue
+        if state.load > 0.0:
+            return state
+    state = pad_state(pad, height, viscosity, angular_speed, (0.0, PARTS[-1] * along), lean=lean)
+    if pad.free_tilts and not state.load > 0.0:
+        raise UnbalancedPadError(
+            "E202", f"at a film of {height * 1e6:.2f} µm no tilt balances the pad that leans."
+        )
+    return state
 
 
 def _require_load(pad: ThrustPad, load: float, height: float) -> None:

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from babbitt.film.turbulence import TurbulenceLaw
 from babbitt.lubricants import Lubricant
 from babbitt.notices import Notice
@@ -13,7 +11,9 @@ from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.carrying import Carrying, carrying
 from babbitt.thrust.heat import HeatBalance, Temperatures, balanced
 from babbitt.thrust.neighbours import share_with_neighbours
+from babbitt.thrust.runout import RunoutHarmonic
 from babbitt.thrust.sharing import Share, share_at_film, share_of
+from babbitt.thrust.standing import standing_at_rest
 from babbitt.thrust.state import PadState
 from babbitt.thrust.warm import PadOil
 from babbitt.thrust.warm_films import WarmFilms, own_temperatures, warm_carrying
@@ -105,8 +105,8 @@ class ThrustDesign:
     speed : float
         Magnitude, rad/s.
     oil : Oil
-    runout : float
-        Amplitude of the face at the pivot radius, m.
+    runouts : tuple of RunoutHarmonic
+        Runout and waves of the face of the collar.
     film_limit : float
         Least film permitted, m.
     film_limit_source : str
@@ -120,7 +120,7 @@ class ThrustDesign:
     duty: GivenThrust | GivenFilm
     speed: float
     oil: Oil
-    runout: float = 0.0
+    runouts: tuple[RunoutHarmonic, ...] = ()
     film_limit: float = 10e-6
     film_limit_source: str = ""
     turbulence: TurbulenceLaw | None = None
@@ -171,7 +171,7 @@ def bearing_state(design: ThrustDesign) -> ThrustState:
     """
     state = operating_state(design)
     bearing = state.share.bearing
-    if not isinstance(state.films, WarmFilms) or float(np.ptp(bearing.departures())) == 0.0:
+    if not isinstance(state.films, WarmFilms) or standing_at_rest(bearing).is_even:
         return state
     film = design.duty.film if isinstance(design.duty, GivenFilm) else None
     share = share_with_neighbours(state.films, state.share, film)

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.notices import InputError
-from babbitt.thrust.pad import ThrustPad
+from babbitt.thrust.pad import DEGREE, ThrustPad
 from babbitt.thrust.peak import peak_pressure
+from babbitt.thrust.standing import LEVEL, Lean
 from babbitt.thrust.state import PadState
 
 if TYPE_CHECKING:
@@ -17,12 +18,11 @@ if TYPE_CHECKING:
 
 __all__ = [
     "UnbalancedPadError",
+    "first_motion",
     "first_slopes",
     "pad_state",
     "sector_of",
     "state_of_film",
-    "unbalanced",
-    "within_reach",
 ]
 
 Array = NDArray[np.float64]
@@ -34,7 +34,6 @@ LEAST_GAP = 0.05
 """Newton steps stop short of films thinner than this share of the height at the pivot."""
 FIRST_RISE = 0.35
 """First guess of the fall of the film from the pivot to the trailing edge, over the height."""
-DEGREE = 8
 
 
 class UnbalancedPadError(InputError):
@@ -49,8 +48,9 @@ def pad_state(
     guess: tuple[float, float] | None = None,
     intervals: int | None = None,
     degree: int = DEGREE,
+    lean: Lean = LEVEL,
 ) -> PadState:
-    """Film of a pad whose pivot stands at a height and whose tilts are free.
+    """Film of a pad whose pivot stands at a height, at the tilts at which free moments vanish.
 
     Newton's method with the stiffness of the film.
 
@@ -65,18 +65,20 @@ def pad_state(
         Slopes from which to start.
     intervals, degree : int
         Mesh along and across; see `ThrustPad.intervals`.
+    lean : tuple of float
+        Slopes of the gap that the pivot holds; those of free tilts count for nothing.
 
     Raises
     ------
     InputError
-        E201 if the height is not positive; E202 if no tilt balances the pad.
+        E201 if the height is not positive; E202 if no tilt balances the pad, or it leans into the runner.
     """
     if not (np.isfinite(height) and height > 0.0):
         raise InputError("E201", f"film at the pivot is {height:g} m; it must be positive.")
     sector = sector_of(pad, viscosity, angular_speed)
     mesh = (intervals or pad.intervals, degree)
     free = list(pad.free_tilts)
-    motion = np.array([height, *(guess or first_slopes(pad, height))])
+    motion = first_motion(pad, height, guess or first_slopes(pad, height), lean)
     to_film = pad.from_pivot()
     film = _film(sector, to_film @ motion, mesh)
     for _ in range(MOST_STEPS):
@@ -88,13 +90,13 @@ def pad_state(
         stiffness = to_film.T @ film.stiffness @ to_film
         step = np.zeros(3)
         step[free] = np.linalg.solve(stiffness[np.ix_(free, free)], forces[free])
-        step = within_reach(pad, motion, step)
+        step = _within_reach(pad, motion, step)
         motion = motion + step
         film = _film(sector, to_film @ motion, mesh)
-    raise unbalanced(pad)
+    raise _unbalanced(pad)
 
 
-def unbalanced(pad: ThrustPad) -> UnbalancedPadError:
+def _unbalanced(pad: ThrustPad) -> UnbalancedPadError:
     """What to say of a pad that no tilt balances."""
     return UnbalancedPadError(
         "E202",
@@ -125,13 +127,33 @@ def first_slopes(pad: ThrustPad, height: float) -> tuple[float, float]:
     return (0.0, -FIRST_RISE * height / behind) if 2 in pad.free_tilts else (0.0, 0.0)
 
 
+def first_motion(pad: ThrustPad, height: float, slopes: tuple[float, float], lean: Lean) -> Array:
+    """Where a pad is moved from, (height, slope_x, slope_y): held slopes stay, free ones such that it clears.
+
+    Raises
+    ------
+    UnbalancedPadError
+        If the pad leans into the runner.
+    """
+    basis, face = pad.watched()
+    free = np.array([False, *(tilt in pad.free_tilts for tilt in (1, 2))])
+    motion = np.where(free, [height, *slopes], [height, *lean])
+    for _ in range(MOST_STEPS):
+        if (basis @ motion + face).min() > (LEAST_GAP * height if free.any() else 0.0):
+            return motion
+        motion = np.where(free, 0.5 * motion, motion)
+    if (basis @ motion + face).min() > 0.0:
+        return motion
+    raise UnbalancedPadError("E202", f"at a film of {height * 1e6:.2f} µm the pad leans into the collar.")
+
+
 def _film(sector: SectorPad, motion: Array, mesh: tuple[int, int]) -> SectorFilm:
     from babbitt.film.sector import PlaneMotion, sector_film
 
     return sector_film(sector, PlaneMotion(*(float(part) for part in motion)), intervals=mesh[0], degree=mesh[1])
 
 
-def within_reach(pad: ThrustPad, motion: Array, step: Array) -> Array:
+def _within_reach(pad: ThrustPad, motion: Array, step: Array) -> Array:
     """The step, halved until the thinnest film keeps its share of the height.
 
     The face counts: a crowned pad may lean until its plane would cut the runner at a corner.
@@ -151,6 +173,7 @@ def state_of_film(
     to_film = pad.from_pivot()
     basis, face = pad.watched()
     thinnest = float((basis @ motion + face).min())
+    _, along_radius, along_motion = (float(force) for force in to_film.T @ film.forces)
     return PadState(
         pad=pad,
         film=film,
@@ -161,6 +184,7 @@ def state_of_film(
         viscosity=viscosity,
         angular_speed=angular_speed,
         load=film.load,
+        moments=(along_radius, along_motion),
         stiffness=to_film.T @ film.stiffness @ to_film,
         damping=to_film.T @ film.damping @ to_film,
         minimum_film_thickness=thinnest,

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from babbitt.results import Outcome
 
-__all__ = ["NoPadFilmError", "OverloadedPadsError", "PadsTouchError", "ThermalRunawayError", "UnsettledPadError"]
+__all__ = [
+    "LeaningPadError",
+    "LeaningPadsTouchError",
+    "NoPadFilmError",
+    "OverloadedPadsError",
+    "PadsTouchError",
+    "ThermalRunawayError",
+    "UnsettledPadError",
+]
 
 
 class NoPadFilmError(Exception):
@@ -58,5 +66,38 @@ class PadsTouchError(NoPadFilmError):
             f"tilt and heights bring pad {pad} {nearer * 1e6:.1f} µm nearer to the collar than the mean film of "
             f"{film * 1e6:.1f} µm: it stands in the collar; a thicker film, a ring that gives way, or the "
             "thrust in place of the film"
+        )
+        super().__init__(self.said)
+
+
+class LeaningPadsTouchError(NoPadFilmError):
+    """Faces that are held at a slope touch the collar before the pads carry the thrust."""
+
+    outcome = Outcome.OVERLOADED
+
+    def __init__(self, pad: int, carried: float) -> None:
+        self.said = (
+            f"the face of pad {pad} leans with the housing and touches the collar while the pads carry "
+            f"{carried / 1e3:.4g} kN; a straighter housing, less thrust, a ring that gives way, or pads on point "
+            "pivots"
+        )
+        super().__init__(self.said)
+
+
+class LeaningPadError(NoPadFilmError):
+    """A pad whose face is held at a slope does not come to rest.
+
+    Attributes
+    ----------
+    pad : int or None
+        From 1; None: all.
+    """
+
+    def __init__(self, pad: int | None = None) -> None:
+        self.pad = pad
+        which = "the pads do" if pad is None else f"pad {pad} does"
+        self.said = (
+            f"{which} not come to rest under the thrust with faces that lean with the housing; a straighter "
+            "housing, less thrust, a ring that gives way, or pads on point pivots"
         )
         super().__init__(self.said)

@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 
 from babbitt.notices import InputError
 from babbitt.thrust.carrying import Carrying, SimilarFilms
-from babbitt.thrust.equilibrium import DEGREE
-from babbitt.thrust.pad import ThrustPad
+from babbitt.thrust.pad import DEGREE, ThrustPad
 
 __all__ = ["FilmTable", "film_table"]
 

@@ -17,8 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.thrust.bearing import ThrustBearing
+from babbitt.thrust.equilibrium import UnbalancedPadError
 from babbitt.thrust.failures import UnsettledPadError
 from babbitt.thrust.sharing import Share
+from babbitt.thrust.standing import standing_at_rest
 from babbitt.thrust.state import PadState, condensed
 from babbitt.thrust.warm import PadOil, WarmStart, warm_pad
 from babbitt.thrust.warm_films import WarmFilms
@@ -57,14 +59,19 @@ def share_with_neighbours(films: WarmFilms, share: Share, mean_film: float | Non
         If the pads go on to change each other.
     """
     bearing, oil = share.bearing, films.oil
+    stands = standing_at_rest(bearing)
+    leans = [stands.lean(place) for place in range(bearing.number)]
     pads = [_first(films, state) for state in share.states]
     inlets = _inlets(oil, [pad.state for pad in pads], bearing.sense)
     heights = share.heights.copy()
     for _ in range(MOST_ROUNDS):
-        pads = [
-            warm_pad(films.pad, _fed_at(oil, inlet), films.angular_speed, float(height), None, pad)
-            for inlet, height, pad in zip(inlets, heights, pads, strict=True)
-        ]
+        try:
+            pads = [
+                warm_pad(films.pad, _fed_at(oil, inlet), films.angular_speed, float(height), None, pad, lean=lean)
+                for inlet, height, pad, lean in zip(inlets, heights, pads, leans, strict=True)
+            ]
+        except UnbalancedPadError:
+            raise UnsettledPadError from None
         states = tuple(pad.state for pad in pads)
         loads = np.array([state.load for state in states])
         stiffness = FOLLOWING * np.array([condensed(one, 0.0).real for one in states])

@@ -3,30 +3,28 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.design.roots import bracketed_root
 from babbitt.notices import InputError
 from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.carrying import Carrying
 from babbitt.thrust.face import SteppedFace
 from babbitt.thrust.failures import OverloadedPadsError, PadsTouchError
+from babbitt.thrust.leaning import settled, states_at
+from babbitt.thrust.placing import THINNEST, LoadLaw, approach_at_film, approach_under, heights_at
+from babbitt.thrust.standing import Standing, standing_at_rest
 from babbitt.thrust.state import PadState
 
 __all__ = ["Share", "share_at_film", "share_of"]
 
 Array = NDArray[np.float64]
 
-NEWTON_STEPS = 80
-SETTLED = 1e-12
-"""Of a film; the step after it would change nothing, since Newton's method squares the error."""
 CARRIED = 2e-3
 """Of the thrust: what tables of films may miss."""
-THINNEST = 1e-9
-"""Least film of the search, m."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,10 +57,21 @@ class Share:
         return self.thrust / self.bearing.number
 
     @property
+    def moment(self) -> complex:
+        """Sum of the pressures times their levers, N m: real part along the radius of pad 1, imaginary along 90°.
+
+        sum (W_i r_p + M_x,i + j M_y,i) exp(j gamma_i), with the moments of the pads about their pivots, M_y in the
+        sense of rotation.
+        """
+        bearing = self.bearing
+        moments = np.array([state.moments for state in self.states])
+        levers = self.loads * bearing.pad.pivot_radius + moments @ np.array([1.0, 1j * bearing.sense])
+        return complex((levers * np.exp(1j * bearing.angles)).sum())
+
+    @property
     def collar_moment(self) -> float:
-        """Moment of uneven pad loads on the collar, N m: size of the sum of W_i r_p exp(j gamma_i)."""
-        turned = self.loads * np.exp(1j * self.bearing.angles)
-        return float(self.bearing.pad.pivot_radius * abs(turned.sum()))
+        """Moment of uneven pads on the collar, N m, the size of `moment`."""
+        return abs(self.moment)
 
     @property
     def largest_over_mean(self) -> float:
@@ -70,32 +79,7 @@ class Share:
         return float(self.loads.max() / self.mean_load)
 
 
-def heights_at(films: Carrying, ring_stiffness: float, positions: Array) -> Array:
-    """Films of pads over a ring: the roots of h - W(h)/c = position (S2), one each since W falls with h.
-
-    Newton's method on ln h, kept between bounds.
-    """
-    if math.isinf(ring_stiffness):
-        return np.maximum(positions, THINNEST)
-    reach = np.cbrt(float(films.load(np.array(1e-4))) * 1e-8 / ring_stiffness)
-    low = np.full(positions.shape, THINNEST)
-    high = np.maximum(positions, 0.0) + reach + THINNEST
-    while np.any(short := high - films.load(high) / ring_stiffness < positions):
-        high = np.where(short, 2.0 * high, high)
-    height = np.sqrt(low * high)
-    height = np.where(positions > 0.3 * reach, high, np.maximum(height, 0.5 * reach))
-    for _ in range(NEWTON_STEPS):
-        miss = height - films.load(height) / ring_stiffness - positions
-        high, low = np.where(miss > 0.0, height, high), np.where(miss > 0.0, low, height)
-        new = height - miss / (1.0 - films.slope(height) / ring_stiffness)
-        new = np.where((new >= low) & (new <= high), new, 0.5 * (low + high))
-        if np.all(np.abs(new - height) <= SETTLED * new):
-            return np.asarray(new)
-        height = new
-    return np.asarray(height)
-
-
-def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, departures: Array | None = None) -> Share:
+def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, standing: Standing | None = None) -> Share:
     """Position of the collar at which the pads together carry the thrust (S3).
 
     Parameters
@@ -105,8 +89,8 @@ def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, departures:
     bearing : ThrustBearing
     thrust : float
         F0, N, positive.
-    departures : ndarray, optional
-        What is added to the film under each pad, m; those of the bearing when omitted.
+    standing : Standing, optional
+        How the pads stand to the collar; as the bearing has it at rest when omitted.
 
     Raises
     ------
@@ -114,36 +98,28 @@ def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, departures:
         E201 if the thrust is not positive.
     OverloadedPadsError
         If the pads carry less, however thin their films.
+    LeaningPadsTouchError, LeaningPadError
+        See `babbitt.thrust.leaning.settled`.
     """
     if not (math.isfinite(thrust) and thrust > 0.0):
         raise InputError("E201", f"thrust is {thrust:g} N; it must be positive.")
-    away = bearing.departures() if departures is None else departures
-    c = bearing.ring_stiffness
-    if float(np.ptp(away)) == 0.0:
+    stands = standing_at_rest(bearing) if standing is None else standing
+    away, c = stands.departures, bearing.ring_stiffness
+    if stands.is_even:
         return _evenly(films, bearing, thrust, float(away[0]))
-    most = float(films.load(np.full(bearing.number, THINNEST)).sum())
-    _require_carried(films, thrust, most)
+    thinnest = np.full(bearing.number, THINNEST)
+    _require_carried(films, thrust, float(films.load(thinnest).sum()))
     mean = films.height_for(thrust / bearing.number)
 
-    def excess(approach: float) -> float:
-        heights = heights_at(films, c, approach + away)
-        return math.log(float(films.load(heights).sum()) / thrust)
+    def place(law: LoadLaw) -> Array:
+        if not float(law.load(thinnest).sum()) > thrust:
+            return thinnest
+        return heights_at(law, c, approach_under(law, c, away, thrust, mean) + away)
 
-    yielding = 0.0 if math.isinf(c) else thrust / c
-    low, high = -float(away.max()) - yielding - mean, mean - float(away.min())
-    if math.isinf(c):  # the closest pad alone carries all at sqrt(A/F0)
-        low = -float(away.min()) + 0.5 * films.height_for(thrust)
-        low = min(low, high)
-    while excess(low) < 0.0:
-        low -= mean + yielding
-    while excess(high) > 0.0:
-        high += mean + yielding
-    approach = bracketed_root(excess, low, high)
-    heights = heights_at(films, c, approach + away)
-    states = _states(films, heights)
+    heights, states = _found(films, stands, place(films), place)
     loads = np.array([state.load for state in states])
     _require_carried(films, thrust, float(loads.sum()))
-    return Share(bearing, thrust, approach, heights, loads, states)
+    return Share(bearing, thrust, _approach(heights, loads, bearing, away), heights, loads, states)
 
 
 def share_at_film(films: Carrying, bearing: ThrustBearing, film: float) -> Share:
@@ -161,28 +137,37 @@ def share_at_film(films: Carrying, bearing: ThrustBearing, film: float) -> Share
     ------
     PadsTouchError
         If tilt and heights bring a pad on a rigid ring nearer than the mean film.
+    LeaningPadsTouchError, LeaningPadError
+        See `babbitt.thrust.leaning.settled`.
     """
-    away, c = bearing.departures(), bearing.ring_stiffness
-    if float(np.ptp(away)) == 0.0:
-        heights = np.full(bearing.number, film)
-    elif math.isinf(c):
-        heights = film + away - away.mean()
-        if not float(heights.min()) > 0.0:
-            raise PadsTouchError(film, film - float(heights.min()), 1 + int(heights.argmin()))
-    else:
-        low = -float(away.max())
-        high = film - float(away.min())  # there every pad stands farther than the mean film
+    stands = standing_at_rest(bearing)
+    away, c = stands.departures, bearing.ring_stiffness
 
-        def excess(approach: float) -> float:
-            return float(heights_at(films, c, approach + away).mean()) - film
+    def place(law: LoadLaw) -> Array:
+        if math.isinf(c):
+            return np.asarray(film + away - away.mean())
+        return heights_at(law, c, approach_at_film(law, c, away, film) + away)
 
-        while excess(low) > 0.0:
-            low -= film + float(films.load(np.array(film))) / c
-        heights = heights_at(films, c, bracketed_root(excess, low, high) + away)
-    states = _states(films, heights)
+    heights = np.full(bearing.number, film) if stands.is_even else place(films)
+    if not float(heights.min()) > 0.0:
+        raise PadsTouchError(film, film - float(heights.min()), 1 + int(heights.argmin()))
+    heights, states = _found(films, stands, heights, place)
     loads = np.array([state.load for state in states])
-    approach = float((heights - loads / c - away).mean())
-    return Share(bearing, float(loads.sum()), approach, heights, loads, states)
+    return Share(bearing, float(loads.sum()), _approach(heights, loads, bearing, away), heights, loads, states)
+
+
+def _found(
+    films: Carrying, stands: Standing, heights: Array, place: Callable[[LoadLaw], Array]
+) -> tuple[Array, tuple[PadState, ...]]:
+    """Heights and films of the pads, from the heights at which level ones share."""
+    if stands.is_leaning:
+        return settled(films, stands, heights, place)
+    return heights, states_at(films, heights, stands)
+
+
+def _approach(heights: Array, loads: Array, bearing: ThrustBearing, away: Array) -> float:
+    """s of h_i - W_i/c = s + e_i, m."""
+    return float((heights - loads / bearing.ring_stiffness - away).mean())
 
 
 def _require_carried(films: Carrying, thrust: float, carried: float) -> None:
@@ -200,15 +185,3 @@ def _evenly(films: Carrying, bearing: ThrustBearing, thrust: float, away: float)
     even = np.ones(bearing.number)
     approach = height - yielding - away
     return Share(bearing, thrust, approach, height * even, state.load * even, (state,) * bearing.number)
-
-
-def _states(films: Carrying, heights: Array) -> tuple[PadState, ...]:
-    """Films at the heights; pads at the same height share one."""
-    found: dict[float, PadState] = {}
-    states = []
-    for height in heights:
-        key = float(f"{height:.12e}")
-        if key not in found:
-            found[key] = films.state(float(height))
-        states.append(found[key])
-    return tuple(states)

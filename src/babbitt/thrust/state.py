@@ -33,7 +33,7 @@ class TiltInertia:
 
 @dataclass(frozen=True, eq=False)
 class PadState:
-    """A pad whose moments about its pivot balance.
+    """A pad at rest: moments about the axes of its free tilts vanish.
 
     Motions are (h_p, alpha_x, alpha_y), h = h_p + alpha_x X + alpha_y Y (`ThrustPad.from_pivot`).
 
@@ -50,6 +50,8 @@ class PadState:
         Pa s, rad/s.
     load : float
         N.
+    moments : tuple of float
+        About the pivot, of p X and of p Y, N m; zero for free tilts.
     stiffness, damping : ndarray, shape (3, 3)
         Forces on the motions change by -(K a + C a').
     minimum_film_thickness : float
@@ -73,6 +75,7 @@ class PadState:
     viscosity: float
     angular_speed: float
     load: float
+    moments: tuple[float, float]
     stiffness: Array
     damping: Array
     minimum_film_thickness: float
@@ -127,6 +130,7 @@ class PadState:
             viscosity=viscosity,
             angular_speed=angular_speed,
             load=self.load * mu * omega / h**2,
+            moments=(self.moments[0] * mu * omega / h**2, self.moments[1] * mu * omega / h**2),
             stiffness=self.stiffness * mu * omega / h**3,
             damping=self.damping * mu / h**3,
             minimum_film_thickness=self.minimum_film_thickness * h,

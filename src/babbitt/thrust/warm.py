@@ -19,13 +19,15 @@ from babbitt.notices import InputError
 from babbitt.thrust.equilibrium import (
     MOMENT_TOLERANCE,
     UnbalancedPadError,
+    first_motion,
     first_slopes,
     pad_state,
     sector_of,
     state_of_film,
 )
 from babbitt.thrust.failures import ThermalRunawayError, UnsettledPadError
-from babbitt.thrust.pad import ThrustPad
+from babbitt.thrust.pad import DEGREE, ThrustPad
+from babbitt.thrust.standing import LEVEL, Lean
 from babbitt.thrust.state import PadState
 
 if TYPE_CHECKING:
@@ -53,7 +55,6 @@ FARTHEST = 1e3
 """Height over that of the start from which a pad has flown away."""
 CALM, LEAST_SHARE = 40, 0.05
 """Passes after which steps that go to and fro are shortened, and their least share."""
-DEGREE = 8
 
 
 @dataclass(frozen=True)
@@ -118,6 +119,7 @@ def warm_pad(
     start: WarmStart | None = None,
     intervals: int | None = None,
     degree: int = DEGREE,
+    lean: Lean = LEVEL,
 ) -> WarmStart:
     """Film of a pad with its own temperatures, at a height of its pivot or under a load.
 
@@ -133,13 +135,13 @@ def warm_pad(
         N.
     start : WarmStart, optional
         A pad nearby, with the same mesh.
-    intervals, degree : int
+    intervals, degree, lean
         As `babbitt.thrust.equilibrium.pad_state`.
 
     Raises
     ------
     InputError
-        E201 if the height is not positive.
+        E201 if the height is not positive, E202 if the pad leans into the runner.
     ThermalRunawayError
         If the film has no temperature below the highest for which the oil has data, at most 300 °C.
     UnsettledPadError
@@ -156,10 +158,11 @@ def warm_pad(
         share = height / start.state.height
         slopes = (start.state.slope_x * share, start.state.slope_y * share)
     else:
-        slopes = _cold_slopes(pad, oil, angular_speed, height)
+        slopes = _cold_slopes(pad, oil, angular_speed, height, lean)
+    first = first_motion(pad, height, slopes, lean)
     try:
         hottest = highest_usable(oil.lubricant)
-        motion = _at_rest(pad, sector, np.array([height, *slopes]), load)
+        motion = _at_rest(pad, sector, first, load)
     except NoFilmError:
         raise ThermalRunawayError from None
     except UnsettledPadError:
@@ -175,10 +178,12 @@ def warm_pad(
     return WarmStart(oil, replace(state, heat=heat), sector)
 
 
-def _cold_slopes(pad: ThrustPad, oil: PadOil, angular_speed: float, height: float) -> tuple[float, float]:
+def _cold_slopes(
+    pad: ThrustPad, oil: PadOil, angular_speed: float, height: float, lean: Lean
+) -> tuple[float, float]:
     """Slopes of the pad in fresh oil, from which a search begins."""
     try:
-        cold = pad_state(pad, height, oil.fresh_viscosity, angular_speed)
+        cold = pad_state(pad, height, oil.fresh_viscosity, angular_speed, lean=lean)
     except UnbalancedPadError:
         return first_slopes(pad, height)
     return cold.slope_x, cold.slope_y

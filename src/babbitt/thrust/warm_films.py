@@ -14,6 +14,7 @@ from babbitt.thrust.carrying import TabulatedFilms
 from babbitt.thrust.failures import NoPadFilmError, ThermalRunawayError
 from babbitt.thrust.heat import Temperatures
 from babbitt.thrust.pad import ThrustPad
+from babbitt.thrust.standing import LEVEL, Lean
 from babbitt.thrust.state import PadState
 from babbitt.thrust.warm import PadOil, WarmStart, warm_pad
 
@@ -102,12 +103,12 @@ class WarmFilms:
         except (InputError, NoPadFilmError):
             return begin
 
-    def state(self, height: float) -> PadState:
+    def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
         """The film at a height, solved."""
-        if abs(height / self.middle.state.height - 1.0) < SAME:
+        if abs(height / self.middle.state.height - 1.0) < SAME and not any(lean):
             return self.middle.state
-        near = min(self.starts, key=lambda start: abs(np.log(start.state.height / height)))
-        return warm_pad(self.pad, self.oil, self.angular_speed, height, None, near).state
+        start = min(self.starts, key=lambda start: abs(np.log(start.state.height / height)))
+        return warm_pad(self.pad, self.oil, self.angular_speed, height, None, start, lean=lean).state
 
     def at(self, viscosity: float, angular_speed: float) -> WarmFilms:
         """The same films at another speed; viscosity is their own."""

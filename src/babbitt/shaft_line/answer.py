@@ -1,0 +1,98 @@
+"""All that is computed of a shaft line."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+from babbitt.shaft_line.damped import DampedMode, damped_modes
+from babbitt.shaft_line.design import LineDesign
+from babbitt.shaft_line.inverse import Admissible, admissible, ring_for_loss
+from babbitt.shaft_line.losses import separation
+from babbitt.shaft_line.model import LineState, state_of
+from babbitt.shaft_line.natural import Mode, modes, undamped_frequencies
+from babbitt.shaft_line.stages import Attribution, attribution
+from babbitt.shaft_line.sweeps import CampbellPoint, RingPoint, ring_sweep, speed_sweep, usual_rings
+from babbitt.shaft_line.transient import Transient, transient
+from babbitt.thrust.design import ThrustState, operating_state
+
+__all__ = ["MODES", "RINGS", "LineAnswer", "line_answer"]
+
+MODES = 4
+RINGS = 40
+
+
+@dataclass(frozen=True, eq=False)
+class LineAnswer:
+    """All that is computed of a line.
+
+    Attributes
+    ----------
+    static : ThrustState
+    state : LineState
+    modes : tuple of Mode
+    damped : tuple of DampedMode
+    causes : Attribution
+    bearable : Admissible
+    rings : tuple of RingPoint
+        From soft to stiff.
+    half : RingPoint or None
+        The stiffest ring that halves the dynamic load.
+    campbell : tuple of CampbellPoint
+    nonlinear : Transient or None
+    """
+
+    static: ThrustState
+    state: LineState
+    modes: tuple[Mode, ...]
+    damped: tuple[DampedMode, ...]
+    causes: Attribution
+    bearable: Admissible
+    rings: tuple[RingPoint, ...]
+    half: RingPoint | None
+    campbell: tuple[CampbellPoint, ...]
+    nonlinear: Transient | None
+
+    @property
+    def best(self) -> RingPoint:
+        """The ring with the least dynamic load of the sweep."""
+        return min(self.rings, key=lambda point: point.bound)
+
+    @property
+    def separation(self) -> float:
+        """Least relative distance of an excitation from a natural frequency."""
+        pairs = ((nu, mode.frequency) for nu in self.state.frequencies for mode in self.modes)
+        return min((separation(nu, natural) for nu, natural in pairs), default=math.inf)
+
+
+@lru_cache(maxsize=4)
+def line_answer(design: LineDesign) -> LineAnswer:
+    """Solve a line with all that its report says.
+
+    Raises
+    ------
+    InputError
+        E202, E203, E204: see `state_of`.
+    NoPadFilmError
+    """
+    static = operating_state(design.thrust)
+    duty, films = design.duty, static.films
+    state = state_of(duty, films, static.share)
+    highest = max(state.frequencies, default=0.0)
+    known = max(
+        MODES, len(undamped_frequencies(design.line, state.pads, highest=1.25 * highest)) if highest else 0
+    )
+    rings = usual_rings(duty, state, RINGS)
+    return LineAnswer(
+        static=static,
+        state=state,
+        modes=modes(design.line, state.pads, min(known, 12)),
+        damped=damped_modes(design.line, state.pads, MODES),
+        causes=attribution(state),
+        bearable=admissible(duty, films, design.loss_limit),
+        rings=ring_sweep(duty, films, rings),
+        half=ring_for_loss(duty, films, 0.5 * state.losses.mean_bound, rings[::3]),
+        campbell=speed_sweep(duty, design.films_at, design.speeds),
+        nonlinear=transient(state) if design.nonlinear else None,
+    )

@@ -1,0 +1,69 @@
+"""What is doubtful about the motion of a shaft line."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from babbitt.notices import Notice
+from babbitt.shaft_line.answer import RINGS, LineAnswer
+from babbitt.shaft_line.design import LineDesign
+from babbitt.shaft_line.losses import LINEAR_UP_TO, separation
+
+__all__ = ["NEAR", "line_doubts"]
+
+NEAR = 0.2
+"""Relative distance from a natural frequency that is advised, as for other shaft vibration."""
+
+
+def line_doubts(design: LineDesign, answer: LineAnswer) -> Iterator[Notice]:
+    """Doubts about the motion; those about the static share are `babbitt.thrust.doubts.share_doubts`."""
+    yield from _about_the_motion(answer)
+    yield from _about_the_sweeps(design, answer)
+
+
+def _about_the_motion(answer: LineAnswer) -> Iterator[Notice]:
+    state = answer.state
+    relative = float(state.film.relative.max())
+    if relative > LINEAR_UP_TO:
+        yield Notice(
+            "W202",
+            f"film amplitude {relative:.2f} of the static film at pad "
+            f"{1 + int(state.film.relative.argmax())} > {LINEAR_UP_TO:g}",
+        )
+    for nu in state.frequencies:
+        for place, mode in enumerate(answer.modes, start=1):
+            away = separation(nu, mode.frequency)
+            if away < NEAR:
+                yield Notice(
+                    "W203",
+                    f"excitation {nu / math.tau:.2f} Hz is {away:.0%} away from undamped natural frequency "
+                    f"{place}, {mode.frequency / math.tau:.2f} Hz",
+                )
+    moved = answer.nonlinear
+    if moved is not None:
+        unloaded, closest = 1 + int(moved.lifted.argmax()), 1 + int(moved.thinnest.argmin())
+        for happens, said in (
+            (
+                moved.lifts_off,
+                f"pad {unloaded} carries nothing during {moved.lifted.max():.0%} of the revolution at most; from "
+                f"one revolution to the next loads differ by {moved.steady:.1%} of the largest dynamic one",
+            ),
+            (moved.touches, f"a corner of pad {closest} comes as close as {moved.thinnest.min() * 1e6:.2f} µm"),
+            (moved.outside, "tilts leave the tabulated films"),
+        ):
+            if happens:
+                yield Notice("W205", said)
+
+
+def _about_the_sweeps(design: LineDesign, answer: LineAnswer) -> Iterator[Notice]:
+    speeds, speed = design.speeds, design.thrust.speed
+    if speeds and not min(speeds) <= speed <= max(speeds):
+        low, at, high = (one * 30.0 / math.pi for one in (min(speeds), speed, max(speeds)))
+        yield Notice("W206", f"speed {at:.0f} rpm, map from {low:.0f} to {high:.0f} rpm")
+    for what, wanted, found in (
+        ("speeds of the map", len(speeds), len(answer.campbell)),
+        ("backing rings", RINGS, len(answer.rings)),
+    ):
+        if found < wanted:
+            yield Notice("W208", f"{wanted - found} of {wanted} {what}")

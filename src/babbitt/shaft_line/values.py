@@ -1,0 +1,93 @@
+"""Values of a shaft line, and its tables."""
+
+from __future__ import annotations
+
+import math
+
+from babbitt.results import Matrix
+from babbitt.shaft_line.answer import MODES, LineAnswer
+from babbitt.shaft_line.design import LineDesign
+from babbitt.shaft_line.sweeps import barred_ranges
+from babbitt.thrust.values import pad_arrays, share_values
+
+__all__ = ["line_arrays", "line_values"]
+
+
+def line_values(design: LineDesign, answer: LineAnswer) -> dict[str, float]:
+    """Named values in SI; those of the static share among them."""
+    state, losses = answer.state, answer.state.losses
+    values = share_values(design.thrust, answer.static)
+    values |= {
+        "loss_mean_bound": losses.mean_bound,
+        "loss_mean_peak": losses.mean_peak,
+        "loss_mean_worst_turn": state.worst_turn_loss,
+        "loss_own_bound": losses.own_bound,
+        "loss_own_peak": losses.own_peak,
+        "unload_margin_bound": losses.margin_bound,
+        "unload_margin_peak": losses.margin_peak,
+        "dynamic_minimum_film": float(state.film.thinnest_bound.min()),
+        "dynamic_minimum_film_peak": float(state.film.thinnest.min()),
+        "relative_film_amplitude": float(state.film.relative.max()),
+        "collar_moment_amplitude": state.moment_amplitude,
+        "runout_share": answer.causes.runout,
+        "ripple_share": answer.causes.ripple,
+        "tilt_share": answer.causes.tilt,
+        "elasticity_share": answer.causes.elasticity,
+        **{f"natural_frequency_{n}": mode.frequency for n, mode in enumerate(answer.modes[:MODES], start=1)},
+    }
+    if answer.damped:
+        values["damping_ratio_1"] = answer.damped[0].damping_ratio
+    if math.isfinite(answer.separation):
+        values["frequency_separation"] = answer.separation
+    bearable = {
+        "admissible_runout": answer.bearable.runout,
+        "admissible_tilt": answer.bearable.tilt,
+        "admissible_ripple": answer.bearable.ripple,
+    }
+    values |= {name: value for name, value in bearable.items() if value is not None}
+    if answer.half is not None:
+        values["half_load_ring_stiffness"] = answer.half.stiffness
+    values |= {"best_ring_stiffness": answer.best.stiffness, "best_ring_loss": answer.best.bound}
+    if answer.nonlinear is not None:
+        moved = answer.nonlinear
+        values |= {
+            "nonlinear_load_peak": float(moved.load_peaks.max()),
+            "nonlinear_unload_peak": float(moved.unload_peaks.max()),
+            "nonlinear_minimum_film": float(moved.thinnest.min()),
+            "mean_film_shift": float(moved.film_shift.max()),
+        }
+    return values
+
+
+def line_arrays(design: LineDesign, answer: LineAnswer) -> dict[str, Matrix]:
+    """Rows of one number per pad, modes and sweeps."""
+    state = answer.state
+    forced = state.forced
+    arrays = pad_arrays(state.share, design.thrust.speed)
+    rows = {
+        "runout_force": forced.bounds_of(runout=True),
+        "ripple_force": forced.bounds_of(runout=False),
+        "dynamic_peak": forced.peaks(),
+        "dynamic_bound": forced.bounds(),
+        "pad_dynamic_film": state.film.thinnest_bound,
+    }
+    arrays |= {name: (tuple(float(one) for one in row),) for name, row in rows.items()}
+    arrays["damped_modes"] = tuple((mode.frequency, mode.damping_ratio) for mode in answer.damped)
+    arrays["ring_sweep"] = tuple(
+        (
+            p.stiffness,
+            p.runout,
+            p.ripple,
+            p.bound,
+            p.film_amplitude,
+            p.thinnest_film,
+            p.first_frequency,
+            p.largest_over_mean,
+        )
+        for p in answer.rings
+    )
+    if answer.campbell:
+        arrays["campbell"] = tuple((p.speed, p.state.losses.mean_bound, *p.frequencies) for p in answer.campbell)
+        if barred := barred_ranges(answer.campbell):
+            arrays["barred_ranges"] = barred
+    return arrays

@@ -1,0 +1,122 @@
+"""Values of the static share of a thrust bearing, and a row of numbers per pad."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from babbitt.results import Matrix
+from babbitt.thrust.design import ThrustDesign, ThrustState
+from babbitt.thrust.heat import Temperatures
+from babbitt.thrust.sharing import Share
+from babbitt.thrust.state import condensed
+
+__all__ = ["effective_viscosity", "hottest_oil", "pad_arrays", "reynolds_number", "share_values"]
+
+
+def share_values(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
+    """Values of the static share."""
+    share, bearing = state.share, design.bearing
+    worst = share.states[int(share.loads.argmax())]
+    viscosity = effective_viscosity(design, state)
+    values = {
+        "load": share.thrust,
+        "pad_number": float(bearing.number),
+        "specific_load": share.thrust / bearing.area,
+        "angular_speed": design.speed,
+        "surface_speed": design.speed * 0.5 * (bearing.pad.inner_radius + bearing.pad.outer_radius),
+        "ring_stiffness": bearing.ring_stiffness,
+        "pivot_film_thickness": worst.height,
+        "minimum_film_thickness": min(pad.minimum_film_thickness for pad in share.states),
+        "maximum_pressure": max(pad.maximum_pressure for pad in share.states),
+        "largest_pad_load": float(share.loads.max()),
+        "smallest_pad_load": float(share.loads.min()),
+        "pad_load_ratio": share.largest_over_mean,
+        "collar_moment": share.collar_moment,
+        "friction_torque": sum(pad.friction_torque for pad in share.states),
+        "friction_power": sum(pad.friction_power for pad in share.states),
+        "side_flow": sum(pad.side_flow for pad in share.states),
+        **_temperatures(design, state.temperatures, share),
+        **hottest_oil(share),
+        "effective_viscosity": viscosity,
+        "film_reynolds_number": reynolds_number(design, share, viscosity, state.temperatures),
+        "axial_stiffness": float(sum(condensed(pad, 0.0).real for pad in share.states)),
+        "axial_damping": float(
+            sum(condensed(pad, design.speed, bearing.inertia).imag for pad in share.states) / design.speed
+        ),
+    }
+    return {name: value for name, value in values.items() if np.isfinite(value)}
+
+
+def effective_viscosity(design: ThrustDesign, state: ThrustState) -> float:
+    """Of the films, Pa s: theirs, or that at the effective temperature where each has its own."""
+    if design.oil.warm is None or state.temperatures is None:
+        return state.films.viscosity
+    return float(design.lubricant.dynamic_viscosity(state.temperatures.effective))
+
+
+def hottest_oil(share: Share) -> dict[str, float]:
+    """Highest temperature of films that have their own, K; nothing of others."""
+    found = [pad.heat.maximum for pad in share.states if pad.heat is not None]
+    return {"maximum_temperature": max(found)} if found else {}
+
+
+def _temperatures(design: ThrustDesign, found: Temperatures | None, share: Share) -> dict[str, float]:
+    if found is None:
+        prescribed = design.oil.effective_temperature
+        capacity = float(
+            design.lubricant.volumetric_heat_capacity(prescribed if prescribed is not None else 323.15)
+        )
+        power = sum(pad.friction_power for pad in share.states)
+        own = {} if prescribed is None else {"effective_temperature": prescribed}
+        passing = sum(pad.trailing_flow + pad.side_flow for pad in share.states)
+        return {**own, "passing_flow": passing, "temperature_rise": power / (capacity * passing)}
+    return {
+        "total_flow": found.fresh_flow,
+        "supply_temperature": found.supply,
+        "pad_inlet_temperature": found.inlet,
+        "trailing_temperature": found.trailing,
+        "effective_temperature": found.effective,
+        "outlet_temperature": found.drain,
+        "energy_balance_error": abs(found.error),
+    }
+
+
+def reynolds_number(design: ThrustDesign, share: Share, viscosity: float, found: Temperatures | None) -> float:
+    """Of the thickest pivot film at the mean radius."""
+    pad = design.bearing.pad
+    at = found.effective if found is not None else design.oil.effective_temperature
+    density = float(design.lubricant.density(at if at is not None else 323.15))
+    surface = design.speed * 0.5 * (pad.inner_radius + pad.outer_radius)
+    return density * surface * float(share.heights.max()) / viscosity
+
+
+def pad_arrays(share: Share, speed: float) -> dict[str, Matrix]:
+    """One row with a number per pad for each quantity, and the full coefficients of the pad loaded most."""
+    inertia = share.bearing.inertia
+    rows: dict[str, Iterable[float]] = {
+        "pad_load": share.loads,
+        "pad_film_thickness": share.heights,
+        "pad_minimum_film_thickness": [pad.minimum_film_thickness for pad in share.states],
+        "pad_maximum_pressure": [pad.maximum_pressure for pad in share.states],
+        "pad_leading_flow": [pad.leading_flow for pad in share.states],
+        "pad_trailing_flow": [pad.trailing_flow for pad in share.states],
+        "pad_inner_flow": [pad.inner_flow for pad in share.states],
+        "pad_outer_flow": [pad.outer_flow for pad in share.states],
+        "pad_friction_power": [pad.friction_power for pad in share.states],
+        "pad_slope_radial": [pad.slope_x for pad in share.states],
+        "pad_slope_along": [pad.slope_y for pad in share.states],
+        "pad_stiffness": [condensed(pad, 0.0).real for pad in share.states],
+        "pad_damping": [condensed(pad, speed, inertia).imag / speed for pad in share.states],
+    }
+    heats = [pad.heat for pad in share.states if pad.heat is not None]
+    if heats:
+        rows["pad_mixed_temperature"] = [heat.inlet for heat in heats]
+        rows["pad_trailing_temperature"] = [heat.trailing for heat in heats]
+        rows["pad_maximum_temperature"] = [heat.maximum for heat in heats]
+    worst = share.states[int(share.loads.argmax())]
+    arrays: dict[str, Matrix] = {name: (tuple(float(one) for one in row),) for name, row in rows.items()}
+    for name, matrix in (("full_stiffness", worst.stiffness), ("full_damping", worst.damping)):
+        arrays[name] = tuple(tuple(float(one) for one in row) for row in matrix)
+    return arrays
