@@ -21,9 +21,11 @@ from babbitt.film.ring_solution import drained_edges, fed_lines
 __all__ = ["WarmRing", "columns_of"]
 
 Array = NDArray[np.float64]
-FILM_CONDUCTANCE, UNIFORM_SHARE = 2.5, 1.5
+FILM_CONDUCTANCE, UNIFORM_SHARE, PASSED_ON = 1.5, 1.5, 2.5
 """Guess of what a film gives less to a place of the wall that is 1 K warmer: k/h times the first, and the second
-times what it gives less to a bush warmer all around. Only the number of passes depends on it."""
+times what it gives less to a bush warmer all around; and of what it gives more to the journal: k/h times the
+third. Only the number of passes depends on them. Without the third the walls of a slow film, which conducts far
+more than its oil carries, are thrown to and fro: the journal goes with the warm place of the bush."""
 RELAX, CALM, LEAST_RELAX = 0.65, 12, 0.05
 """Share of a new viscosity field that a pass takes, passes after which a swinging film takes less, the least."""
 TURBULENT_PRANDTL = 0.9
@@ -163,6 +165,8 @@ class WarmRing:
         local = FILM_CONDUCTANCE * film + UNIFORM_SHARE * np.abs(answers[0][0])
         matrix = np.zeros((modes + 1, modes + 1))
         matrix[:modes, :modes] = np.diag(walls.admittance) + (walls.analysis * local) @ walls.synthesis
+        weight = film * walls.width / max(float(film @ walls.width), 1e-300)
+        matrix[modes, :modes] = -PASSED_ON * answers[0][1] * weight @ walls.synthesis
         for m, (flux, journal) in answers.items():
             matrix[:modes, m] = -walls.analysis @ flux
             matrix[modes, m] = -journal
