@@ -173,15 +173,12 @@ def test_a_film_hotter_than_oil_can_be_is_a_runaway():
     assert again.maximum_temperature == pytest.approx(found.maximum_temperature, abs=25.0)  # its clearance grows
 
 
-@pytest.mark.parametrize(("load", "speed", "outcome", "words"), [
-    ("5000 kN", "1000 rpm", Outcome.OVERLOADED, "its thinnest place closes"),
-    ("80 kN", "8 rpm", Outcome.NOT_CONVERGED, "did not come to rest together"),
-])  # fmt: skip
-def test_a_load_above_capacity_tells_the_largest_load_with_a_film(load, speed, outcome, words):
+@pytest.mark.parametrize(("load", "speed"), [("5000 kN", "1000 rpm"), ("120 kN", "8 rpm")])
+def test_a_load_above_capacity_tells_the_largest_load_with_a_film(load, speed):
     bare = TEXT.replace(TEXT[TEXT.index("walls:") : TEXT.index("load:")], "")
     found = film_check(design(bare.replace("12 kN", load).replace("3000 rpm", speed)))
-    assert found.outcome is outcome
-    assert words in found.message
+    assert found.outcome is Outcome.OVERLOADED
+    assert "its thinnest place closes" in found.message
     assert "less load" in found.message
     assert 0.2 * float(load.split()[0]) < found.load / 1e3 < float(load.split()[0])
     assert found.checks == ()

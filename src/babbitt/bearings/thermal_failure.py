@@ -9,13 +9,17 @@ from babbitt.bearings.model import Accuracy, FilmCase
 from babbitt.bearings.warm_film import FilmState
 from babbitt.design.conditions import GivenLoad
 from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
+from babbitt.design.oil import highest_usable
 from babbitt.notices import EXPLANATIONS
 from babbitt.results import Outcome
 
-__all__ = ["last_film", "thermal_failure"]
+__all__ = ["last_film", "thermal_failure", "what_gave_way"]
 
 HALVINGS, BISECTIONS = 10, 3
 """Of the load until a film is found, and then between the last two."""
+
+HOT = 0.5
+"""Share of the way from fresh oil to the end of the oil's laws that a film must have gone to be called hot."""
 
 ZERO_CELSIUS = 273.15
 
@@ -55,6 +59,28 @@ def last_film(case: FilmCase, film_at: Callable[[FilmCase], FilmState]) -> FilmS
         better = under(middle)
         low, high, found = (low, middle, found) if better is None else (middle, high, better)
     return found
+
+
+def what_gave_way(case: FilmCase, outcome: Outcome, last: FilmState | None) -> Outcome:
+    """Overload where a film seems to run away although the last one that there was, is cool.
+
+    A gap that closes grows hot at its thinnest place without bound, whatever closed it: a tilted journal that
+    touches at an edge is no matter of heat.
+
+    Parameters
+    ----------
+    case : FilmCase
+    outcome : Outcome
+        Of the search under the whole load.
+    last : FilmState or None
+        Of `last_film`.
+    """
+    hot = outcome in (Outcome.THERMAL_RUNAWAY, Outcome.NO_LUBRICANT_DATA)
+    if not hot or last is None or last.thermal is None or case.oil_supply is None:
+        return outcome
+    fresh = case.oil_supply.temperature
+    risen = last.thermal.maximum_temperature - fresh
+    return outcome if risen > HOT * (highest_usable(case.lubricant) - fresh) else Outcome.OVERLOADED
 
 
 def thermal_failure(case: FilmCase, found: Equilibrium[FilmState]) -> str:

@@ -7,7 +7,7 @@ settle around the thermal film.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING
 from babbitt.bearings.heat_model import AxialTemperature
 from babbitt.bearings.layout import film_of, load_vector
 from babbitt.bearings.model import FilmCase
-from babbitt.bearings.thermal_failure import last_film
+from babbitt.bearings.thermal_failure import last_film, what_gave_way
+from babbitt.bearings.thermal_search import CLOSER, ThermalSearch
 from babbitt.bearings.warm_film import FilmState, operating_film
 from babbitt.design.conditions import GivenEccentricity, GivenPosition
 from babbitt.design.feeding import arrival
@@ -44,6 +45,8 @@ SAME_CLEARANCE = 1e-5
 """Share of the clearance by which thermal growth may still change it when the film counts as settled."""
 SAME_TEMPERATURE = 0.05
 """Change of the effective temperature in K at which the heat capacity counts as settled."""
+CLOSER_FROM = 5
+"""Round from which on films stay on the same lines and settle closer."""
 PUSH = 0.02
 """Share of the least gap by which the journal is moved to see the stiffness while temperatures follow."""
 
@@ -67,27 +70,31 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
     cold = case.oil_supply.temperature
     bearing = case.bearing
     state: FilmState | None = None
-    at, last = cold, None
+    at, before = cold, None
     psi = operating_relative_clearance(
         bearing.relative_clearance, bearing.expansion_bearing, bearing.expansion_journal, cold
     )
-    attitude = _AttitudeSearch()
+    sought = ThermalSearch()
     try:
         for rounds in range(1, MOST_ROUNDS + 1):
             if psi <= 0.0:
                 raise NoFilmError(Outcome.NO_CLEARANCE)
-            state = _warm_state(case, psi, at, attitude)
+            if rounds == CLOSER_FROM:
+                sought.hold(state)
+            state = _warm_state(case, psi, at, sought)
             grown = _grown_clearance(case, state)
             if abs(grown - psi) <= SAME_CLEARANCE * psi and abs(state.temperature - at) <= SAME_TEMPERATURE:
                 return Equilibrium(Outcome.CONVERGED, state, rounds, state.temperature)
             here, at = (psi, grown - psi), state.temperature
-            psi = _secant(last, here)
-            last = here
+            psi = _secant(before, here)
+            before = here
     except NoFilmError as failure:
+        outcome = failure.outcome
         if psi > 0.0:
-            state = last_film(case, lambda lighter: _warm_state(lighter, psi, at, _AttitudeSearch())) or state
+            last = last_film(case, lambda lighter: _warm_state(lighter, psi, at, ThermalSearch()))
+            state, outcome = last or state, what_gave_way(case, outcome, last)
         reached = state.temperature if state else cold
-        return Equilibrium(failure.outcome, state, 0, reached, failure.capacity, failure.least_flow)
+        return Equilibrium(outcome, state, 0, reached, failure.capacity, failure.least_flow)
     return Equilibrium(Outcome.NOT_CONVERGED, state, MOST_ROUNDS, at)
 
 
@@ -119,14 +126,7 @@ def _grown_clearance(case: FilmCase, state: FilmState) -> float:
     )
 
 
-@dataclass
-class _AttitudeSearch:
-    """Attitude of the last film, from which the next one is sought."""
-
-    attitude: float | None = None
-
-
-def _warm_state(case: FilmCase, psi: float, temperature: float, search: _AttitudeSearch) -> FilmState:
+def _warm_state(case: FilmCase, psi: float, temperature: float, search: ThermalSearch) -> FilmState:
     """Thermal film at a clearance; heat capacity and density at a temperature in K.
 
     Raises
@@ -165,7 +165,7 @@ def _warm_state(case: FilmCase, psi: float, temperature: float, search: _Attitud
     )
 
 
-def _in_its_bore(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: _AttitudeSearch) -> ThermalFilm:
+def _in_its_bore(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalSearch) -> ThermalFilm:
     """Film at its load or position, in a bore that gives way and is distorted by heat where the case has one."""
     if not case.bearing.compliance:
         return _settled(case, film, heat, search)
@@ -208,19 +208,24 @@ def thermal_resolution(case: FilmCase) -> Resolution:
     return grids[case.accuracy.resolution]
 
 
-def _settled(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: _AttitudeSearch) -> ThermalFilm:
+def _settled(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalSearch) -> ThermalFilm:
     from babbitt.film.thermal import solve_thermal_journal, thermal_film_at
 
     grid = thermal_resolution(case)
     if isinstance(case.duty, GivenPosition):
-        return _inside(thermal_film_at(film, heat, (case.duty.x, case.duty.y), grid))
+        return _inside(thermal_film_at(film, heat, (case.duty.x, case.duty.y), grid, search.settled))
     if isinstance(case.duty, GivenEccentricity):
         return _at_eccentricity(case, case.duty, film, heat, search)
-    return solve_thermal_journal(film, heat, load_vector(case, case.duty.load), grid)
+    load = load_vector(case, case.duty.load)
+    if search.place is None:
+        return solve_thermal_journal(film, heat, load, grid)
+    from babbitt.film.thermal_recovery import thermal_journal_near
+
+    return thermal_journal_near(film, heat, load, search.place, grid, CLOSER)
 
 
 def _at_eccentricity(
-    case: FilmCase, duty: GivenEccentricity, film: JournalFilm, heat: FilmHeat, search: _AttitudeSearch
+    case: FilmCase, duty: GivenEccentricity, film: JournalFilm, heat: FilmHeat, search: ThermalSearch
 ) -> ThermalFilm:
     """At the given attitude, or at the one for which the film force opposes the direction of the load."""
     from babbitt.film.thermal import thermal_film_at
@@ -231,7 +236,7 @@ def _at_eccentricity(
     def at(attitude: float) -> ThermalFilm:
         angle = case.load_angle + case.rotation.sense * attitude
         position = (eccentricity * math.cos(angle), eccentricity * math.sin(angle))
-        return _inside(thermal_film_at(film, heat, position, thermal_resolution(case)))
+        return _inside(thermal_film_at(film, heat, position, thermal_resolution(case), search.settled))
 
     if duty.attitude_angle is not None:
         return at(duty.attitude_angle)

@@ -32,6 +32,7 @@ What a film has besides:
 
 - ``turbulence``, ``piezoviscosity``: laws of the oil.
 - ``starved``: supplies that deliver a given flow.
+- ``thermal``, ``warm_ring``: temperatures of their own; ``thermal_recovery``: films that the usual search loses.
 - ``stability``: critical mass and whirl.
 - ``_compiling``: how kernels are compiled and where their machine code is kept.
 """

@@ -65,6 +65,8 @@ USUAL_ROUNDS = 2
 MOST_PASSES = 120
 STUBBORN = 4
 """Passes at rest after which nodes that change sides for ever are let be."""
+SUNK = 12
+"""Passes in a row with a gap that counts as none, after which the film is given up."""
 PATIENT_FROM, ROUNDS = 8, 8
 """Pass from which on the wet set is let settle at every position, and in how many rounds."""
 
@@ -129,8 +131,12 @@ def thermal_film_at(
     heat: FilmHeat,
     position: tuple[float, float],
     resolution: Resolution = THERMAL_ENGINEERING,
+    settled: float = SETTLED,
 ) -> ThermalFilm:
-    """Film with its own temperatures at a prescribed position (m) of the journal; see `solve_thermal_journal`."""
+    """Film with its own temperatures at a prescribed position (m) of the journal; see `solve_thermal_journal`.
+
+    ``settled`` is the change of temperature in a pass, K, at which film and temperature rest beside each other.
+    """
     begun = time.perf_counter()
     scales = Scales.of(film, abs(film.angular_speed))
     seen = mirrored(film) if film.angular_speed < 0.0 else film
@@ -143,13 +149,18 @@ def thermal_film_at(
     while passes < MOST_PASSES and status != CONVERGED:
         passes += 1
         changed, change = warm.advance(at, SWEEPS)
-        if changed == 0 and change < SETTLED:
+        if changed == 0 and change < settled:
             status = CONVERGED
-    return answer(film, seen, scales, WarmRest(warm, at, status, passes, gap), begun)
+    found = WarmRest(warm, at, status, passes, gap)
+    if status != CONVERGED:
+        from babbitt.film.thermal_recovery import mixed_rest
+
+        found = mixed_rest(warm, None, at, resolution.tolerance, settled)
+    return answer(film, seen, scales, found, begun)
 
 
 def search(film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution) -> WarmRest:
-    """On the fine ring at once where the film stays thick, else after a coarse one; last with a growing load."""
+    """On the fine ring at once where the film stays thick, else after a coarse one; then with a growing load."""
     size = math.hypot(*load)
     found = on_usual_lines(film, heat, scales, load, resolution) if size <= COLD_LOAD else None
     if found is not None and found.status == CONVERGED and found.gap > THICK:
@@ -157,6 +168,10 @@ def search(film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resol
     found = attempt(film, heat, scales, load, resolution, 1.0)
     if found.status != CONVERGED:
         found = attempt(film, heat, scales, load, resolution, min(1.0, 0.1 * MODERATE_LOAD / max(size, 1e-300)))
+    if found.status != CONVERGED:
+        from babbitt.film.thermal_recovery import recovered
+
+        found = recovered(film, heat, scales, load, resolution, found)
     return replace(found, status=NO_FILM) if found.gap < THINNEST else found
 
 
@@ -227,7 +242,7 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
     """Let film, temperature and journal come to rest on one ring."""
     size_of_load = math.hypot(*load)
     floor = tolerance * size_of_load + 1e-13
-    step_time, last, calm = 0.0, 0.0, 0
+    step_time, last, calm, sunk = 0.0, 0.0, 0, 0
     gap = warm.sample.gap(at)
     if not gap > 0.0:
         return WarmRest(warm, at, NO_FILM, 0, gap)
@@ -252,7 +267,10 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
         if not new_gap > CONTACT:
             return WarmRest(warm, at, NO_FILM, passes, gap)
         at, gap = at + move, new_gap
-    return WarmRest(warm, at, TOO_MANY_STEPS, MOST_PASSES, gap)
+        sunk = sunk + 1 if gap < THINNEST else 0
+        if sunk > SUNK:
+            return WarmRest(warm, at, NO_FILM, passes, gap)
+    return WarmRest(warm, at, TOO_MANY_STEPS, MOST_PASSES, gap, load)
 
 
 def polished(found: WarmRest) -> WarmRest:

@@ -191,8 +191,10 @@ class WarmRing:
         energy equation is linear, and solved once for each with that wall at 1 K and all else at zero. The
         others get a guess: around the bore it goes with k/h and its mean, its size is that of the first
         harmonics, and it grows with the cube root of the order, as the conductance of the thin boundary layer
-        does that a warm place of this length makes in a shear flow (Leveque, Ann. des Mines 13 (1928)). The
-        temperatures found do not depend on it.
+        does that a warm place of this length makes in a shear flow (Leveque, Ann. des Mines 13 (1928)). What
+        the journal gets of them passes straight through the gap; without it the walls of a slow film, which
+        conducts far more than its oil carries, would be thrown to and fro. The temperatures found do not depend
+        on these guesses.
         """
         walls, flows, columns = self.walls, self.flows, self.columns
         note_film(columns, flows, walls)
@@ -209,6 +211,8 @@ class WarmRing:
         order = np.concatenate(([1.0], np.arange(1, half + 1), np.arange(1, half + 1)))
         matrix = np.zeros((modes + 1, modes + 1))
         matrix[:modes, :modes] = guess * (known / max(guessed, 1e-300) * np.cbrt(order))
+        passing = film * walls.width / max(float(film @ walls.width), 1e-300)
+        matrix[modes, :modes] = -heats[0] * passing @ walls.synthesis
         matrix[:modes, exact] = answers
         matrix[modes, exact] = -heats
         matrix[np.arange(modes), np.arange(modes)] += walls.admittance

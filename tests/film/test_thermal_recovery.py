@@ -1,0 +1,142 @@
+"""Other ways to the rest of a film with its own temperatures: they lead to the same place."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from babbitt.film._equilibrium import CONVERGED
+from babbitt.film.heat import THERMAL_ENGINEERING, BushRing, ConductingWalls, FilmHeat, JournalHeat
+from babbitt.film.model import FilmStart, JournalFilm, Land, Pocket, grooved_bore
+from babbitt.film.scales import Scales
+from babbitt.film.thermal import CLOSED, CLOSING, OPEN, cold_start, fresh_ring, rest, solve_thermal_journal
+from babbitt.film.thermal_recovery import Mixing, mixed_rest, recovered, thermal_journal_near
+
+COLD = 323.15
+
+
+def iso_vg_32(temperature):
+    """A Vogel law through 0.0275 Pa s at 40 degC and 0.0046 Pa s at 100 degC."""
+    return 4.0e-5 * np.exp(1000.0 / (np.asarray(temperature) - 160.02))
+
+
+BEARING = JournalFilm(0.1, 0.06, 75e-6, float(iso_vg_32(COLD)), 200.0, grooved_bore((0.0, math.pi), 0.3))
+POCKETS = replace(
+    BEARING, lands=(Land(0.0, 2.0 * math.pi),), film_start=FilmStart.PERIODIC,
+    pockets=(Pocket(0.0, 0.35, 0.04, pressure=5e4), Pocket(math.pi, 0.35, 0.04, pressure=5e4)),
+)  # fmt: skip
+ADIABATIC = FilmHeat(iso_vg_32, 1.72e6, 0.13, COLD)
+WALLS = ConductingWalls(BushRing((0.05, 0.06, 0.09), (50.0, 45.0), 20.0, 293.15), JournalHeat())
+FULL = replace(ADIABATIC, walls=WALLS)
+LOAD = (0.0, -6e3)
+
+
+def ring_for(film, heat, load=LOAD):
+    """Fine ring, dimensionless load, and where fresh oil carries it."""
+    scales = Scales.of(film, film.angular_speed)
+    warm = fresh_ring(film, heat, scales, 2 * THERMAL_ENGINEERING.intervals, THERMAL_ENGINEERING, None)
+    force = np.asarray(load) / scales.force
+    return warm, force, cold_start(warm.sample, force)
+
+
+@pytest.mark.parametrize("film", [BEARING, POCKETS], ids=["grooves", "pockets"])
+@pytest.mark.parametrize("heat", [ADIABATIC, FULL], ids=["adiabatic", "full"])
+def test_mixed_passes_lead_to_the_same_rest(film, heat):
+    plain, load, at = ring_for(film, heat)
+    found = rest(plain, load, at, 1e-5, 1e-3)
+    other, load, at = ring_for(film, heat)
+    mixed = mixed_rest(other, load, at, 1e-5, 1e-3)
+    assert found.status == mixed.status == CONVERGED
+    assert mixed.position == pytest.approx(found.position, abs=2e-4)
+    assert other.temperature == pytest.approx(plain.temperature, abs=0.05)
+    assert mixed.warm.sample.force == pytest.approx(-load, abs=1e-5 * np.hypot(*load))
+
+
+def test_mixed_passes_at_a_given_place_do_not_move_the_journal():
+    warm, _, _ = ring_for(BEARING, FULL)
+    found = mixed_rest(warm, None, np.array([0.2, -0.5]), 1e-5, 1e-3)
+    assert found.status == CONVERGED
+    assert found.position.tolist() == [0.2, -0.5]
+
+
+def test_mixing_solves_a_linear_map_that_plain_passes_do_not():
+    """x -> A x + b with |lambda| > 1: of n unknowns n + 1 passes know everything."""
+    angle, wild = 0.7, 1.3
+    turn = wild * np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+    at, goal = np.array([3.0, -1.0]), np.linalg.solve(np.eye(2) - turn, [1.0, 2.0])
+    mixing, plain = Mixing(np.ones(2)), at.copy()
+    for _ in range(6):
+        start, move = mixing.move(at, turn @ at + [1.0, 2.0])
+        at, plain = start + move, turn @ plain + [1.0, 2.0]
+    assert at == pytest.approx(goal, abs=1e-8)
+    assert np.linalg.norm(plain - goal) > 1.0
+
+
+def test_mixing_goes_back_to_the_best_pass_when_it_went_astray():
+    mixing = Mixing(np.ones(1))
+    mixing.move(np.array([0.0]), np.array([1.0]))
+    mixing.move(np.array([0.3]), np.array([0.8]))
+    start, move = mixing.move(np.array([5.0]), np.array([100.0]))
+    assert start == pytest.approx([0.3])
+    assert 0.0 < move[0] < 0.3
+
+
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+def test_lines_drawn_for_a_place_near_by_change_the_film_by_no_more_than_the_grid(sense):
+    film = replace(BEARING, angular_speed=sense * BEARING.angular_speed)
+    usual = solve_thermal_journal(film, FULL, LOAD)
+    x, y = usual.film.position / film.clearance
+    place = (float(x) + 0.02, float(y) + 0.02, usual.film.minimum_film_thickness / film.clearance)
+    near = thermal_journal_near(film, FULL, LOAD, place, THERMAL_ENGINEERING, 1e-3)
+    assert near.film.outcome.solved
+    assert near.film.force == pytest.approx((0.0, 6e3), abs=6e3 * 1e-8)
+    assert near.heat.balance_error < 1e-7
+    assert near.film.minimum_film_thickness == pytest.approx(usual.film.minimum_film_thickness, rel=0.005)
+    assert near.maximum_temperature == pytest.approx(usual.maximum_temperature, abs=0.2)
+
+
+def test_on_lines_that_stay_the_film_changes_as_smoothly_as_its_clearance():
+    """Second differences of the temperature over the clearance are of second order: no jumps of the grid."""
+    usual = solve_thermal_journal(BEARING, FULL, LOAD)
+    x, y = usual.film.position / BEARING.clearance
+    place = (float(x), float(y), usual.film.minimum_film_thickness / BEARING.clearance)
+    hot = [
+        thermal_journal_near(
+            replace(BEARING, clearance=BEARING.clearance * (1.0 + 1e-3 * step)),
+            FULL, LOAD, place, THERMAL_ENGINEERING, 1e-5,
+        ).bush_temperature.mean()
+        for step in (-1, 0, 1)
+    ]  # fmt: skip
+    first, second = hot[2] - hot[0], hot[2] - 2.0 * hot[1] + hot[0]
+    assert abs(first) > 1e-3
+    assert abs(second) < 0.05 * abs(first)
+
+
+def test_a_film_that_was_lost_is_found_from_the_film_of_one_temperature():
+    warm, load, at = ring_for(BEARING, FULL)
+    lost = replace(rest(warm, load, at, 1e-5, 1e-3), status=2, load=None)
+    scales = Scales.of(BEARING, BEARING.angular_speed)
+    found = recovered(BEARING, FULL, scales, load, THERMAL_ENGINEERING, lost)
+    assert found.status == CONVERGED
+    assert found.position == pytest.approx(lost.position, abs=5e-3)
+
+
+@pytest.mark.parametrize("film", [BEARING, POCKETS], ids=["grooves", "pockets"])
+def test_walls_come_back_to_their_temperatures_however_far_they_were_thrown(film):
+    """A creeping film conducts far more than its oil carries; closing its heat still takes few rounds."""
+    film = replace(film, angular_speed=5.0, clearance=40e-6)
+    warm, load, at = ring_for(film, FULL, (0.0, -60e3))
+    found = rest(warm, load, at, 1e-3, 1e-2)
+    assert found.status == CONVERGED
+    assert warm.close(CLOSING, CLOSED) < OPEN
+    journal, bush = float(warm.walls.journal[0]), warm.walls.bush.copy()
+    walls, gap = warm.walls, FULL.conductivity / warm.walls.conductance.max()
+    conducted = FULL.conductivity / gap * math.pi * film.diameter  # W/(m K), over what one turn carries
+    assert conducted > 50.0 * FULL.volumetric_heat_capacity * 0.25 * film.angular_speed * film.diameter * gap
+    walls.journal[0] += 15.0
+    walls.harmonics[:] += np.where(np.arange(walls.harmonics.size) % 2, 6.0, -4.0)
+    walls.bush[:] = walls.ambient + walls.synthesis @ walls.harmonics
+    assert warm.close(60, 1e-6) < 1e-6
+    assert walls.journal[0] == pytest.approx(journal, abs=1e-4)
+    assert walls.bush == pytest.approx(bush, abs=1e-4)
