@@ -105,6 +105,5 @@ def warm_pass(
     if not walls.insulated:
         stale = stale_walls(columns, flows, walls)
         if not stale:
-            answered = ask_walls(surface, columns, flows, cells, walls, temperature, groove, pace.walls)
-            change = max(change, answered)
+            change = ask_walls(surface, columns, flows, cells, walls, temperature, groove, pace.walls, change)
     return changed, change, along, dissipation, friction, stale

@@ -132,11 +132,15 @@ def move_walls(walls, step, part):
 
 
 @compiled
-def ask_walls(surface, columns, flows, cells, walls, temperature, groove, part):
-    """Let the walls answer and the film follow by one sweep: else they chase each other from pass to pass."""
-    change = move_walls(walls, wall_step(columns, flows, walls, temperature), part)
-    sweep_energy(surface, columns, flows, cells, 1.0, walls, temperature, groove, 1, 0.0)
-    return change
+def ask_walls(surface, columns, flows, cells, walls, temperature, groove, part, change):
+    """Let the walls answer and the film follow by one sweep: else they chase each other from pass to pass.
+
+    A film that was held back, ``change`` being more than ``MOST_RISE``, does not follow. Returns the larger change.
+    """
+    answered = move_walls(walls, wall_step(columns, flows, walls, temperature), part)
+    if change <= MOST_RISE:
+        sweep_energy(surface, columns, flows, cells, 1.0, walls, temperature, groove, 1, 0.0)
+    return max(change, answered)
 
 
 MOST_RISE = 20.0  # K: change of a temperature in one pass; what a film that leaks nothing would reach has no bound

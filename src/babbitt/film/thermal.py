@@ -40,7 +40,7 @@ __all__ = ["solve_thermal_journal", "thermal_film_at"]
 
 Array = NDArray[np.float64]
 
-SWEEPS = 2
+SWEEPS = 3
 """Of the energy equation in a pass, before the walls answer; one more follows them."""
 COARSE, COARSELY_SETTLED = 1e-2, 2.0
 """Residual force over load, and change of temperature in a pass (K), at which a coarse ring has done its part."""

@@ -140,9 +140,8 @@ class WarmRing:
         if stale:
             self.prepare_bush()
             self.asked = self.passes
-            answered = ask_walls(sample.ring.surface, self.columns, self.flows, self.cells, walls,
-                                 self.temperature, self.groove, part)  # fmt: skip
-            change = max(change, float(answered))
+            change = ask_walls(sample.ring.surface, self.columns, self.flows, self.cells, walls,
+                               self.temperature, self.groove, part, change)  # fmt: skip
         if self.passes - self.asked >= TRIED and change > SLOW * self.last_change:
             walls.conductance[:] = 0.0  # forgets the film of the derivatives: the next pass makes new ones
         self.passes, self.last_change = self.passes + 1, float(change)
@@ -189,10 +188,10 @@ class WarmRing:
 
         What the film gives less to a warmer wall is exact for the journal and the first harmonics of the bush: the
         energy equation is linear, and solved once for each with that wall at 1 K and all else at zero. The
-        others get a guess: around the bore it goes with k/h and its mean, its size is that of the first
-        harmonics, and it grows with the cube root of the order, as the conductance of the thin boundary layer
-        does that a warm place of this length makes in a shear flow (Leveque, Ann. des Mines 13 (1928)). What
-        the journal gets of them passes straight through the gap; without it the walls of a slow film, which
+        others get a guess: k/h, what passes through the gap, and what the oil carries off, which for the first
+        harmonics is the rest and grows with the cube root of the order, as the conductance of the thin
+        boundary layer does that a warm place of this length makes in a shear flow (Leveque, Ann. des Mines 13
+        (1928)). What the journal gets of them passes straight through the gap; without it the walls of a slow film, which
         conducts far more than its oil carries, would be thrown to and fro. The temperatures found do not depend
         on these guesses.
         """
@@ -206,11 +205,11 @@ class WarmRing:
         answers_of_film(self.sample.ring.surface, columns, flows, self.cells, walls, exact, fluxes, heats,
                         ANSWER_SWEEPS, ANSWERED)  # fmt: skip
         answers = -walls.analysis @ fluxes.T
-        guess = (walls.analysis * (film + film.mean())) @ walls.synthesis
-        known, guessed = sum(answers[m, n] for n, m in enumerate(first, 1)), sum(guess[m, m] for m in first)
+        guess = (walls.analysis * film) @ walls.synthesis
+        layer = max(sum(answers[m, n] - guess[m, m] for n, m in enumerate(first, 1)) / max(len(first), 1), 0.0)
         order = np.concatenate(([1.0], np.arange(1, half + 1), np.arange(1, half + 1)))
         matrix = np.zeros((modes + 1, modes + 1))
-        matrix[:modes, :modes] = guess * (known / max(guessed, 1e-300) * np.cbrt(order))
+        matrix[:modes, :modes] = guess + np.diag(layer * np.cbrt(order))
         passing = film * walls.width / max(float(film @ walls.width), 1e-300)
         matrix[modes, :modes] = -heats[0] * passing @ walls.synthesis
         matrix[:modes, exact] = answers
