@@ -135,7 +135,7 @@ def move_walls(walls, step, part):
 def ask_walls(surface, columns, flows, cells, walls, temperature, groove, part, change):
     """Let the walls answer and the film follow by one sweep: else they chase each other from pass to pass.
 
-    A film that was held back, ``change`` being more than ``MOST_RISE``, does not follow. Returns the larger change.
+    A film that was held back, its ``change`` being more than ``MOST_RISE``, does not. Returns the larger change.
     """
     answered = move_walls(walls, wall_step(columns, flows, walls, temperature), part)
     if change <= MOST_RISE:

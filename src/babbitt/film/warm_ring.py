@@ -191,9 +191,9 @@ class WarmRing:
         others get a guess: k/h, what passes through the gap, and what the oil carries off, which for the first
         harmonics is the rest and grows with the cube root of the order, as the conductance of the thin
         boundary layer does that a warm place of this length makes in a shear flow (Leveque, Ann. des Mines 13
-        (1928)). What the journal gets of them passes straight through the gap; without it the walls of a slow film, which
-        conducts far more than its oil carries, would be thrown to and fro. The temperatures found do not depend
-        on these guesses.
+        (1928)). What the journal gets of them passes straight through the gap; without it the walls of a slow
+        film, which conducts far more than its oil carries, would be thrown to and fro. The temperatures found do
+        not depend on these guesses.
         """
         walls, flows, columns = self.walls, self.flows, self.columns
         note_film(columns, flows, walls)
