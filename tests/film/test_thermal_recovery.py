@@ -12,6 +12,7 @@ from babbitt.film.model import FilmStart, JournalFilm, Land, Pocket, grooved_bor
 from babbitt.film.scales import Scales
 from babbitt.film.thermal import CLOSED, CLOSING, OPEN, cold_start, fresh_ring, rest, solve_thermal_journal
 from babbitt.film.thermal_recovery import Mixing, mixed_rest, recovered, thermal_journal_near
+from babbitt.film.warm_ring import GUESSED_SHARE
 
 COLD = 323.15
 
@@ -38,6 +39,20 @@ def ring_for(film, heat, load=LOAD):
     warm = fresh_ring(film, heat, scales, 2 * THERMAL_ENGINEERING.intervals, THERMAL_ENGINEERING, None)
     force = np.asarray(load) / scales.force
     return warm, force, cold_start(warm.sample, force)
+
+
+def test_a_film_starts_where_what_leaves_would_carry_its_heat_off():
+    warm, _, at = ring_for(BEARING, FULL)
+    thinner = warm.guess(at)
+    risen = warm.temperature - COLD
+    leaving = np.maximum(warm.flows.leak, 0.0).sum()
+    assert np.ptp(risen) == 0.0
+    assert risen.max() > 2.0
+    assert thinner == pytest.approx(iso_vg_32(COLD + risen.max()) / iso_vg_32(COLD), rel=1e-3)
+    assert risen.max() * leaving == pytest.approx(GUESSED_SHARE * warm.dissipation * warm.rise * thinner, rel=0.01)
+    walls = warm.walls
+    assert walls.bush == pytest.approx(walls.ambient + walls.synthesis @ walls.harmonics, abs=1e-9)
+    assert walls.journal[0] == pytest.approx(warm.temperature.max(), abs=1e-9)
 
 
 @pytest.mark.parametrize("film", [BEARING, POCKETS], ids=["grooves", "pockets"])

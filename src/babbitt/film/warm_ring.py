@@ -41,7 +41,8 @@ them, over that of the wall."""
 FEW_ROUNDS = 40
 """That close the heat balance with the derivatives of the walls as they are, before they are made anew."""
 MOST_HARMONICS = 16
-"""Of the temperature around the bore: twice as many change the hottest place of our reference by 0.02 K."""
+"""Of the temperature around the bore: twice as many change the hottest place of our reference by 0.02 K in the
+film and 0.05 K in the bush, and both by 0.06 K under four times the load."""
 USUAL_LAYERS = 8
 """Number of layers that the compiler knows."""
 
