@@ -30,9 +30,9 @@ RELAX, CALM, LEAST_RELAX = 0.65, 12, 0.05
 """Share of a new viscosity field that a pass takes, passes after which a swinging film takes less, the least."""
 TURBULENT_PRANDTL = 0.9
 """Eddy viscosity over eddy diffusivity of heat; textbook value of turbulent boundary layers."""
-TRIED, SLOW, RESTLESS = 3, 0.7, 0.5
+TRIED, SLOW = 3, 0.7
 """Passes with the same derivatives of the walls, after which they are made anew where a pass changes more than
-this share of what the last one did, and more than this many K."""
+this share of what the last one did."""
 FLICKER = 30
 """Passes after which a few nodes that still change sides are let be, as ``_equilibrium.CYCLING``."""
 ANSWER_SWEEPS, ANSWERED = 12, 1e-2
@@ -143,7 +143,7 @@ class WarmRing:
             self.asked = self.passes
             change = ask_walls(sample.ring.surface, self.columns, self.flows, self.cells, walls,
                                self.temperature, self.groove, part, change)  # fmt: skip
-        if self.passes - self.asked >= TRIED and change > max(SLOW * self.last_change, RESTLESS):
+        if self.passes - self.asked >= TRIED and change > SLOW * self.last_change:
             walls.conductance[:] = 0.0  # forgets the film of the derivatives: the next pass makes new ones
         self.passes, self.last_change = self.passes + 1, float(change)
         if self.passes > CALM:
