@@ -22,6 +22,7 @@ class Outcome(Enum):
     NO_CLEARANCE = "the clearance closes at operating temperature"
     NO_LUBRICANT_DATA = "the lubricant data do not reach the temperature of the film"
     NO_STEADY_STATE = "no steady state exists"
+    LIFTED_OFF = "the load is too light: the supply lifts it off"
     UNSTABLE_NETWORK = "the flow network of the recesses has no stable state"
     STARVED_RECESS = "a recess is starved of oil"
     NOT_CONVERGED = "the iteration ended without meeting its tolerance"
@@ -52,6 +53,7 @@ _OUTCOME_CODES = {
     "NO_STEADY_STATE": "S020",
     "UNSTABLE_NETWORK": "S301",
     "STARVED_RECESS": "S302",
+    "LIFTED_OFF": "S303",
 }
 
 

@@ -50,8 +50,40 @@ def test_few_steps_from_a_usual_gap():
 
 
 def test_no_gap_between_the_bounds():
-    assert math.isnan(gap_for_load(capillary_pad, 2.0, BOUNDS, 30e-6, 1e-12))
-    assert math.isnan(gap_for_load(capillary_pad, 0.5, (1e-7, 20e-6), 10e-6, 1e-12))
+    """Too heavy for the least gap, too light for the widest, and nothing to carry at all."""
+    assert gap_for_load(capillary_pad, 2.0, BOUNDS, 30e-6, 1e-12) == 0.0
+    for load in (0.5, 0.0, -1.0):
+        assert gap_for_load(capillary_pad, load, (1e-7, 20e-6), 10e-6, 1e-12) == math.inf
+
+
+@pytest.mark.parametrize("method", ["quick", "film"])
+@pytest.mark.parametrize("load", [0.05, 0.0])
+def test_a_ring_lighter_than_the_widest_gap_carries_is_lifted_off(load, method):
+    result = hydrostatic_check(case(RING, Duty(load), method, "hydrostatic_thrust_ring", RING_FEEDING))
+    assert result.outcome is Outcome.LIFTED_OFF
+    assert result.outcome.code == "S303"
+    widest = answer_at(case(RING, Duty(load), "quick", "hydrostatic_thrust_ring", RING_FEEDING), np.zeros(3), 2e-3)
+    pressed = float(widest.response.force[0])
+    assert pressed > load
+    assert (
+        f"a gap of 2 mm, the widest that is searched, the recesses still press with {pressed:.4g} N"
+        in result.message
+    )
+    just = hydrostatic_check(case(RING, Duty(1.1 * pressed), "quick", "hydrostatic_thrust_ring", RING_FEEDING))
+    assert just.outcome is Outcome.CONVERGED
+
+
+def test_a_ring_heavier_than_the_least_gap_carries_is_overloaded():
+    result = hydrostatic_check(case(RING, Duty(1e6), "quick", "hydrostatic_thrust_ring", RING_FEEDING))
+    assert result.outcome is Outcome.OVERLOADED
+    assert "1000 kN" in result.message
+
+
+@pytest.mark.parametrize("method", ["quick", "film"])
+def test_a_pad_without_load_is_lifted_off(method):
+    fed = Feeding((CIRCULAR_CAPILLARY,), FixedPressure(5e6))
+    result = hydrostatic_check(case(CIRCULAR, Duty(0.0), method, "hydrostatic_pad", fed, Oil(0.03, 870.0, 2000.0)))
+    assert result.outcome is Outcome.LIFTED_OFF
 
 
 def test_slopes_that_mislead_are_bisected():

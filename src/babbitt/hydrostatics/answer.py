@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -17,7 +17,7 @@ from babbitt.hydrostatics.lumped import level_under, lumped_at, lumped_under
 from babbitt.hydrostatics.lumps import Lumps, journal_lumps, ring_lumps
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.hydrostatics.network import NetworkState
-from babbitt.hydrostatics.single_recess import gap_under, pad_at
+from babbitt.hydrostatics.single_recess import WIDEST, gap_under, pad_at
 from babbitt.hydrostatics.state import Ending, RecessState, ending_of, rest_under, state_at
 from babbitt.hydrostatics.surfaces import FilmOil, journal_surface, pad_surface, ring_surface
 
@@ -107,7 +107,10 @@ def answer(case: HydrostaticCase) -> Answer:
     gap = case.rest_gap
     start = np.zeros(load_vector(case).size)
     if not case.is_journal:
-        gap = quick_gap(case) or case.rest_gap
+        found = quick_gap(case)
+        if math.isinf(found):
+            return without_gap(case, found)
+        gap = found if found > 0.0 else case.rest_gap
     state = rest_under(
         builder(case, gap), case.feeding, load_vector(case), start, GRIDS[case.accuracy], THINNEST * gap
     )
@@ -155,15 +158,15 @@ def lumps_of(case: HydrostaticCase, gap: float) -> Lumps:
 
 
 def quick_gap(case: HydrostaticCase) -> float:
-    """Gap under the load by closed forms, of a ring nearly and as if level; zero where there is none."""
+    """Gap under the load by closed forms, of a ring nearly and as if level.
+
+    As of `babbitt.hydrostatics.gap_search.gap_for_load`: 0, infinite or nan where there is none.
+    """
     shape, load = case.shape, case.duty.load or 0.0
     assert not isinstance(shape, RecessedJournal)
     if not isinstance(shape, ThrustRing):
-        found = gap_under(lands_of(shape), case.feeding, case.oil.viscosity, load, LEAST_OPEN)
-        return 0.0 if math.isnan(found) else found
-
-    level = level_under(lumps_of(case, case.rest_gap), case.feeding, load, (LEAST_OPEN, MOST_OPEN), 1e-3)
-    return 0.0 if level is None else case.rest_gap + float(level.at[0])
+        return gap_under(lands_of(shape), case.feeding, case.oil.viscosity, load, LEAST_OPEN)
+    return level_under(lumps_of(case, case.rest_gap), case.feeding, load, (LEAST_OPEN, MOST_OPEN), 1e-3)[0]
 
 
 def quick_under(case: HydrostaticCase) -> Answer:
@@ -176,26 +179,30 @@ def quick_under(case: HydrostaticCase) -> Answer:
     if isinstance(case.shape, ThrustRing):
         return quick_ring(case)
     gap = quick_gap(case)
-    return answer_at(case, np.zeros(3), gap) if gap else quick_overload(case)
+    return answer_at(case, np.zeros(3), gap) if 0.0 < gap < math.inf else without_gap(case, gap)
 
 
 def quick_ring(case: HydrostaticCase) -> Answer:
     """Equilibrium of a ring by lumped lands, from near the gap at which it carries the load level."""
     lumps = lumps_of(case, case.rest_gap)
-    level = level_under(lumps, case.feeding, case.duty.load or 0.0, (LEAST_OPEN, MOST_OPEN), NEAR)
-    if level is None:
-        return quick_overload(case)
+    near, level = level_under(lumps, case.feeding, case.duty.load or 0.0, (LEAST_OPEN, MOST_OPEN), NEAR)
+    if not 0.0 < near < math.inf:
+        return without_gap(case, near)
     state = lumped_under(lumps, case.feeding, load_vector(case), level)
     gap, tilts = lumps.gap + float(state.at[0]), state.at * (0.0, 1.0, 1.0)
     return Answer(state.response, state.network, tilts, gap, state.ending, lumps.thinnest(state.at), 1,
                   state.carried)  # fmt: skip
 
 
-def quick_overload(case: HydrostaticCase) -> Answer:
-    """A pad or ring at the least gap of the search, which carries less than the load."""
-    least = answer_at(case, np.zeros(load_vector(case).size), LEAST_OPEN)
-    share = float(least.response.force[0]) / (case.duty.load or 1.0)
-    return Answer(least.response, least.network, least.at, LEAST_OPEN, Ending.OVERLOADED, LEAST_OPEN, 1, share)
+def without_gap(case: HydrostaticCase, found: float) -> Answer:
+    """A pad or ring that no gap of the search holds, where the search gave up: see `quick_gap`."""
+    widest = MOST_OPEN if isinstance(case.shape, ThrustRing) else WIDEST
+    gap, ending = {0.0: (LEAST_OPEN, Ending.OVERLOADED), math.inf: (widest, Ending.LIFTED_OFF)}.get(
+        found, (case.rest_gap, Ending.NOT_CONVERGED)
+    )
+    last = answer_at(replace(case, method="quick"), np.zeros(load_vector(case).size), gap)
+    share = 0.0 if ending is Ending.LIFTED_OFF else float(last.response.force[0]) / (case.duty.load or 1.0)
+    return replace(last, ending=ending, minimum_gap=gap, carried=share)
 
 
 def coarser(case: HydrostaticCase, found: Answer) -> RecessState:

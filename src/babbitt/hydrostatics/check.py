@@ -26,6 +26,7 @@ __all__ = ["hydrostatic_check", "warmed"]
 OUTCOMES = {
     Ending.SOLVED: Outcome.CONVERGED,
     Ending.OVERLOADED: Outcome.OVERLOADED,
+    Ending.LIFTED_OFF: Outcome.LIFTED_OFF,
     Ending.UNSTABLE_NETWORK: Outcome.UNSTABLE_NETWORK,
     Ending.NOT_CONVERGED: Outcome.NOT_CONVERGED,
 }
@@ -133,6 +134,12 @@ def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
         return Outcome.CONVERGED, ""
     if found.ending is Ending.OVERLOADED:
         return Outcome.OVERLOADED, overloaded(case, found)
+    if found.ending is Ending.LIFTED_OFF:
+        return Outcome.LIFTED_OFF, (
+            f"the load is {case.duty.load or 0.0:.4g} N; at a gap of {1e3 * found.rest_gap:.4g} mm, the widest that "
+            f"is searched, the recesses still press with {float(found.response.force[0]):.4g} N. Raise the load, "
+            "lower the supply pressure, or take smaller restrictors"
+        )
     if found.ending is Ending.UNSTABLE_NETWORK:
         return Outcome.UNSTABLE_NETWORK, (
             "the least eigenvalue of the recess network is "

@@ -44,7 +44,8 @@ def gap_for_load(
     Returns
     -------
     float
-        m; nan where the load is not carried at the least gap, or carried at the widest.
+        m; 0 where the load is too heavy for the least gap, infinite where it is too light for the widest, nan
+        where the search does not end.
     """
     low, high = math.log(bounds[0]), math.log(bounds[1])
     tried_low = tried_high = False
@@ -52,7 +53,7 @@ def gap_for_load(
     for count in range(MOST_STEPS):
         gap = math.exp(place)
         found, stiffness = carried(gap)
-        excess = math.log(found / load) if found > 0.0 else -math.inf
+        excess = _excess(found, load)
         if abs(excess) < tolerance or (tried_low and tried_high and high - low < NARROWEST):
             return gap
         if excess > 0.0:
@@ -60,7 +61,7 @@ def gap_for_load(
         else:
             high, tried_high = place, True
         if low >= high:  # still too much at the widest gap, or too little at the least
-            return math.nan
+            return math.inf if excess > 0.0 else 0.0
         step = math.copysign(LONGEST, excess)
         if found > 0.0 and stiffness > 0.0:
             step = min(max(excess * found / (stiffness * gap), -LONGEST), LONGEST)
@@ -69,3 +70,10 @@ def gap_for_load(
             end, tried = (high, tried_high) if step > 0.0 else (low, tried_low)
             place = 0.5 * (low + high) if tried else end
     return math.nan
+
+
+def _excess(found: float, load: float) -> float:
+    """Logarithm of what is carried over the load; no load is too light for every gap."""
+    if not load > 0.0:
+        return math.inf
+    return math.log(found / load) if found > 0.0 else -math.inf

@@ -80,8 +80,11 @@ def lumped_at(lumps: Lumps, feeding: Feeding, at: Array, guess: NetworkState | N
 
 def level_under(
     lumps: Lumps, feeding: Feeding, load: float, bounds: tuple[float, float], tolerance: float
-) -> LumpedState | None:
-    """A level ring at the gap under a load (N), to a relative tolerance; None where no gap carries it."""
+) -> tuple[float, LumpedState]:
+    """Gap (m) of a level ring under a load (N), to a relative tolerance, and the ring as it was tried last.
+
+    The gap is as of `babbitt.hydrostatics.gap_search.gap_for_load`: 0, infinite or nan where there is none.
+    """
     state: LumpedState | None = None
 
     def carried(gap: float) -> tuple[float, float]:
@@ -92,7 +95,8 @@ def level_under(
         return float(state.response.force[0]), float(stiffness[0, 0])
 
     found = gap_for_load(carried, load, bounds, lumps.gap, tolerance)
-    return None if math.isnan(found) else state
+    assert state is not None  # the search begins with a gap
+    return found, state
 
 
 def lumped_under(lumps: Lumps, feeding: Feeding, load: Array, state: LumpedState) -> LumpedState:

@@ -15,7 +15,7 @@ from babbitt.hydrostatics.gap_search import gap_for_load
 from babbitt.hydrostatics.impedance import static_coefficients
 from babbitt.hydrostatics.network import Feeding, NetworkState, solve_network
 
-__all__ = ["PadState", "gap_under", "least_power_recess", "pad_at"]
+__all__ = ["WIDEST", "PadState", "gap_under", "least_power_recess", "pad_at"]
 
 Array = NDArray[np.float64]
 TYPICAL, WIDEST = 3e-5, 1.0
@@ -92,7 +92,7 @@ def pad_at(lands: Lands, feeding: Feeding, viscosity: float, gap: float) -> PadS
 
 
 def gap_under(lands: Lands, feeding: Feeding, viscosity: float, load: float, thinnest: float) -> float:
-    """Gap under a load, m; nan where the load is beyond what the thinnest gap carries.
+    """Gap under a load, m; 0 where the load is beyond what the thinnest gap carries, infinite below the widest.
 
     The load falls as the gap grows wherever the network is stable.
     """

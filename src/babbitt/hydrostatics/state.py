@@ -27,6 +27,7 @@ class Ending(Enum):
 
     SOLVED = "solved"
     OVERLOADED = "no gap is left under this load"
+    LIFTED_OFF = "the load is too light for the widest gap"
     UNSTABLE_NETWORK = "the flow network of the recesses has no stable state"
     NOT_CONVERGED = "the iteration ended without meeting its tolerance"
 

@@ -42,8 +42,10 @@ NO_SOLUTION: dict[str, Explanation] = {
     ),
     "S006": Explanation(
         "Position outside the clearance",
-        "At the prescribed position the journal touches or cuts the bore: there is no film.",
-        "A position nearer to the centre, or a larger clearance; both count at operating temperature.",
+        "At the prescribed position the journal touches or cuts the bore: there is no film. Of a thrust bearing: "
+        "at the prescribed mean film a pad touches the collar.",
+        "A position nearer to the centre, or a larger clearance; both count at operating temperature. Of a thrust "
+        "bearing less tilt, or a thicker film.",
     ),
     "S007": Explanation(
         "The film is squeezed out",
@@ -76,5 +78,11 @@ NO_SOLUTION: dict[str, Explanation] = {
         "A recess would stand below the pressure at which oil cavitates: the film drags out more oil than "
         "the restrictor lets in.",
         "A wider restrictor, more supply pressure, less speed or eccentricity.",
+    ),
+    "S303": Explanation(
+        "Lifted off",
+        "Even at the widest gap that is searched, far beyond that of a bearing, the recesses press with more than "
+        "the load: the supply lifts the moving part off.",
+        "More load, as by a second pad that presses against it, less supply pressure, or smaller restrictors.",
     ),
 }
