@@ -151,12 +151,7 @@ def solve_network(feeding: Feeding, conductance: Array, outflow: Array, at: Arra
         return state
     relieved = attempts(feeding, conductance, outflow, at, given.relief_pressure, None)
     spare = given.delivers(given.relief_pressure) - float(relieved.flows.sum())
-    return relieved if spare < 0.0 else with_overflow(relieved, spare)
-
-
-def with_overflow(state: NetworkState, overflow: float) -> NetworkState:
-    """The same state with what runs through the relief valve."""
-    return replace(state, overflow=overflow)
+    return relieved if spare < 0.0 else replace(relieved, overflow=spare)
 
 
 def attempts(

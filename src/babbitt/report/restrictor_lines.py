@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from babbitt.hydrostatics.pumping import law_of
 from babbitt.hydrostatics.restrictors import (
+    SMOOTHING,
     Capillary,
     CheckValve,
     ConstantFlow,
@@ -21,8 +22,8 @@ from babbitt.report.worksheet import Worksheet
 __all__ = ["is_linear", "restrictor_lines"]
 
 DROP = "(supply_pressure - one_recess_pressure)"
-SMOOTHED = 0.01
-"""Share of the supply pressure below which the root of an orifice is smoothed."""
+PLAIN_ROOT_FROM = 100.0 * SMOOTHING
+"""Share of the supply pressure from which the smoothed law of an orifice is the plain root to 3e-5."""
 
 
 def is_linear(restrictor: Restrictor) -> bool:
@@ -80,7 +81,7 @@ def _flow(sheet: Worksheet, law: Restrictor, drop: float) -> str:
                 orifice_discharge=law.discharge, orifice_diameter=law.diameter, restrictor_density=law.density
             )
             root = f"sqrt(2 * {DROP} / restrictor_density)"
-            smoothed = drop < SMOOTHED * sheet["supply_pressure"]
+            smoothed = drop < PLAIN_ROOT_FROM * sheet["supply_pressure"]
             return "" if smoothed else f"orifice_discharge * pi * orifice_diameter**2 / 4 * {root}"
         case ConstantFlow():
             sheet.note(stage_flow=law.flow, stage_leakage=law.leakage)

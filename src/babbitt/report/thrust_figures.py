@@ -107,13 +107,14 @@ def _of_line(design: LineDesign) -> Iterator[Painted]:
         line_painters.mode_shapes(answer),
         False,
     )
-    yield (
-        "ring-sweep",
-        "Dynamic load over the stiffness of the backing ring (above), and the first natural frequency "
-        "(below). Filled: the ring of this line; ring: the stiffest that halves the load.",
-        line_painters.ring_sweep(answer, design.loss_limit),
-        False,
-    )
+    if answer.rings:
+        yield (
+            "ring-sweep",
+            "Dynamic load over the stiffness of the backing ring (above), and the first natural frequency "
+            "(below). Filled: the ring of this line; ring: the stiffest that halves the load.",
+            line_painters.ring_sweep(answer, design.loss_limit),
+            False,
+        )
     if answer.campbell:
         yield (
             "campbell",

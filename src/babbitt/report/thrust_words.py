@@ -122,6 +122,8 @@ def _damping(v: Mapping[str, float]) -> str:
 
 def _ring(result: Result) -> str:
     v = result.values
+    if "best_ring_loss" not in v:
+        return "On no ring of the sweep do the pads find a film."
     best = (
         f"the least of the sweep is {_percent(v['best_ring_loss'])} on a ring of {_giga(v['best_ring_stiffness'])}"
     )

@@ -55,9 +55,9 @@ class LineAnswer:
     nonlinear: Transient | None
 
     @property
-    def best(self) -> RingPoint:
-        """The ring with the least dynamic load of the sweep."""
-        return min(self.rings, key=lambda point: point.bound)
+    def best(self) -> RingPoint | None:
+        """The ring with the least dynamic load of the sweep; None where the pads find a film on none."""
+        return min(self.rings, key=lambda point: point.bound, default=None)
 
     @property
     def separation(self) -> float:

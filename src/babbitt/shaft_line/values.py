@@ -47,7 +47,8 @@ def line_values(design: LineDesign, answer: LineAnswer) -> dict[str, float]:
     values |= {name: value for name, value in bearable.items() if value is not None}
     if answer.half is not None:
         values["half_load_ring_stiffness"] = answer.half.stiffness
-    values |= {"best_ring_stiffness": answer.best.stiffness, "best_ring_loss": answer.best.bound}
+    if answer.best is not None:
+        values |= {"best_ring_stiffness": answer.best.stiffness, "best_ring_loss": answer.best.bound}
     if answer.nonlinear is not None:
         moved = answer.nonlinear
         values |= {

@@ -34,7 +34,7 @@ class LoadLaw(Protocol):
 def heights_at(law: LoadLaw, ring_stiffness: float, positions: Array) -> Array:
     """Films of pads over a ring: the roots of h - W(h)/c = position (S2), one each since W falls with h.
 
-    Newton's method on ln h, kept between bounds.
+    Newton's method on h, kept between bounds that it halves where a step would leave them.
     """
     if math.isinf(ring_stiffness):
         return np.maximum(positions, THINNEST)

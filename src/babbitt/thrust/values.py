@@ -14,6 +14,9 @@ from babbitt.thrust.state import condensed
 
 __all__ = ["effective_viscosity", "hottest_oil", "pad_arrays", "reynolds_number", "share_values"]
 
+UNKNOWN = 323.15
+"""Temperature of oil of which only the viscosity is given, K; an assumption."""
+
 
 def share_values(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
     """Values of the static share."""
@@ -65,9 +68,7 @@ def hottest_oil(share: Share) -> dict[str, float]:
 def _temperatures(design: ThrustDesign, found: Temperatures | None, share: Share) -> dict[str, float]:
     if found is None:
         prescribed = design.oil.effective_temperature
-        capacity = float(
-            design.lubricant.volumetric_heat_capacity(prescribed if prescribed is not None else 323.15)
-        )
+        capacity = float(design.lubricant.volumetric_heat_capacity(_property_temperature(design, None)))
         power = sum(pad.friction_power for pad in share.states)
         own = {} if prescribed is None else {"effective_temperature": prescribed}
         passing = sum(pad.trailing_flow + pad.side_flow for pad in share.states)
@@ -86,10 +87,15 @@ def _temperatures(design: ThrustDesign, found: Temperatures | None, share: Share
 def reynolds_number(design: ThrustDesign, share: Share, viscosity: float, found: Temperatures | None) -> float:
     """Of the thickest pivot film at the mean radius."""
     pad = design.bearing.pad
-    at = found.effective if found is not None else design.oil.effective_temperature
-    density = float(design.lubricant.density(at if at is not None else 323.15))
+    density = float(design.lubricant.density(_property_temperature(design, found)))
     surface = design.speed * 0.5 * (pad.inner_radius + pad.outer_radius)
     return density * surface * float(share.heights.max()) / viscosity
+
+
+def _property_temperature(design: ThrustDesign, found: Temperatures | None) -> float:
+    """K, at which density and heat capacity are taken; where only a viscosity is known, they hardly vary."""
+    known = found.effective if found is not None else design.oil.effective_temperature
+    return UNKNOWN if known is None else known
 
 
 def pad_arrays(share: Share, speed: float) -> dict[str, Matrix]:
