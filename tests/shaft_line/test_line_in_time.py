@@ -8,6 +8,7 @@ import pytest
 from trawler_line import RIPPLE, RUNOUT, duty, given_pads, line
 from trawler_pads import INERTIA, PAD, SPEED, VISCOSITY
 
+from babbitt.notices import InputError
 from babbitt.shaft_line.forced import forced
 from babbitt.shaft_line.march import march
 from babbitt.shaft_line.model import state_of
@@ -97,6 +98,17 @@ def test_small_nonlinear_motion_is_the_linear_one(pivot):
     assert not found.outside
     assert not found.lifts_off
     assert not found.touches
+
+
+def test_pads_that_cannot_follow_a_leaning_collar_have_no_nonlinear_motion():
+    """Runout of two lobes, whose height alone counts, is marched; of one lobe it would be wrong."""
+    of = replace(duty(), bearing=replace(duty().bearing, pad=replace(PAD, pivot=Pivot.LINE))).with_tilt(10e-6)
+    films = carrying(of.bearing.pad, VISCOSITY, SPEED)
+    with pytest.raises(InputError, match="line pivot holds the tilt") as told:
+        transient(state_of(of, films))
+    assert told.value.code == "E101"
+    waves = state_of(replace(of, runouts=(replace(RUNOUT, order=2.0),)), films)
+    assert transient(waves, 0.05, revolutions=1).loads.max() > waves.share.loads.max()
 
 
 def test_golden_nonlinear_motion():

@@ -15,7 +15,7 @@ from babbitt.cases.runout import RUNOUT, RunoutGiven
 from babbitt.cases.thrust import Thrust, ThrustBearingInputs, written
 from babbitt.cases.thrust_pads import Damping, PartMass, Stiffness
 from babbitt.shaft_line.design import LineDesign
-from babbitt.shaft_line.excitation import ThrustHarmonic
+from babbitt.shaft_line.excitation import WITHOUT_WOBBLE, WOBBLE_LEFT_OUT, ThrustHarmonic
 from babbitt.shaft_line.line import Rod, Seating, ShaftLine
 from babbitt.thrust.design import GivenThrust
 from babbitt.units import si
@@ -172,9 +172,8 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
         if self.nonlinear and leans and self.pads.pivot.kind == "line":
             yield Complaint(
                 ("nonlinear",),
-                "a line pivot holds the tilt along the radius against a collar face that leans, which the "
-                "nonlinear motion leaves out and the linear answer counts",
-                "false, or a point pivot, or runout of 2 lobes or more",
+                WOBBLE_LEFT_OUT,
+                f"false, or {WITHOUT_WOBBLE}",
             )
 
     def designs(self) -> tuple[LineDesign, ...]:

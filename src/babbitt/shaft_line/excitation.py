@@ -8,7 +8,15 @@ from dataclasses import dataclass, replace
 from babbitt.notices import InputError
 from babbitt.thrust.runout import RunoutHarmonic
 
-__all__ = ["RunoutHarmonic", "ThrustHarmonic"]
+__all__ = ["WITHOUT_WOBBLE", "WOBBLE_LEFT_OUT", "RunoutHarmonic", "ThrustHarmonic"]
+
+WOBBLE_LEFT_OUT = (
+    "a line pivot holds the tilt along the radius against a collar face that leans, which the nonlinear motion "
+    "leaves out and the linear answer counts"
+)
+"""Why runout of one lobe and pads with a held tilt have no nonlinear motion."""
+WITHOUT_WOBBLE = "a point pivot, or runout of 2 lobes or more"
+"""What has one."""
 
 
 @dataclass(frozen=True)

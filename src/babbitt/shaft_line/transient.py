@@ -8,7 +8,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.notices import InputError
 from babbitt.shaft_line.elements import shaft_elements
+from babbitt.shaft_line.excitation import WITHOUT_WOBBLE, WOBBLE_LEFT_OUT
 from babbitt.shaft_line.model import LineState
 from babbitt.thrust.film_table import FilmTable, film_table
 from babbitt.thrust.state import CONTACT, tilt_answer
@@ -189,10 +191,11 @@ def transient(state: LineState, amplitude: float = 1.0, revolutions: int = 2) ->
     Raises
     ------
     InputError
-        E201 for pads whose films are not similar.
+        E101 for a collar face that leans over pads with a held tilt; E201 for pads whose films are not similar.
     """
     from scipy.integrate import solve_ivp
 
+    _require_followed(state)
     shaken = replace(state, duty=state.duty.with_runout(amplitude).with_ripple(amplitude))
     motion = Motion(shaken, film_table(state.films))
     speed = state.duty.speed
@@ -228,6 +231,12 @@ def transient(state: LineState, amplitude: float = 1.0, revolutions: int = 2) ->
         outside=motion.outside,
         steady=float(np.abs(array[-1] - array[0]).max() / max(moved, 1e-300)),
     )
+
+
+def _require_followed(state: LineState) -> None:
+    leans = any(one.leans and one.amplitude > 0.0 for one in state.duty.runouts)
+    if leans and len(state.duty.bearing.pad.free_tilts) < 2:
+        raise InputError("E101", f"nonlinear motion: {WOBBLE_LEFT_OUT}. Allowed is {WITHOUT_WOBBLE}.")
 
 
 def _linear_start(state: LineState, motion: Motion, amplitude: float) -> Array:
