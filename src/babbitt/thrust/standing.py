@@ -23,6 +23,8 @@ Array = NDArray[np.float64]
 Lean = tuple[float, float]
 """Parts of alpha_x and alpha_y that a pad which does not follow keeps."""
 LEVEL: Lean = (0.0, 0.0)
+DIGITS = 12
+"""Of a slope over the steepest: by round-off pads that lean alike would differ, and level ones lean."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +61,7 @@ def standing_at_rest(bearing: ThrustBearing) -> Standing:
     """Under the tilt of the housing, on a collar that is square to the shaft."""
     away = bearing.angles - bearing.tilt.direction
     steep = bearing.tilt.offset / bearing.pad.outer_radius
-    slopes = steep * np.column_stack([-np.cos(away), bearing.sense * np.sin(away)])
+    slopes = steep * _rounded(-np.cos(away), bearing.sense * np.sin(away))
     return Standing(bearing.departures(), _held(bearing.pad, slopes))
 
 
@@ -84,8 +86,12 @@ def standing_on_runout(bearing: ThrustBearing, runouts: Sequence[RunoutHarmonic]
         departures -= one.amplitude * np.cos(passed)
         if one.leans:
             steep = -one.amplitude / bearing.pad.pivot_radius
-            leans += _held(bearing.pad, steep * np.column_stack([np.cos(passed), np.sin(passed)]))
+            leans += _held(bearing.pad, steep * _rounded(np.cos(passed), np.sin(passed)))
     return Standing(departures, leans)
+
+
+def _rounded(x: Array, y: Array) -> Array:
+    return np.column_stack([x, y]).round(DIGITS)
 
 
 def _held(pad: ThrustPad, slopes: Array) -> Array:
