@@ -8,11 +8,13 @@ import pytest
 from trawler_pads import PAD, SPEED, THRUST, VISCOSITY, bearing
 
 from babbitt.film.sector import PlaneMotion, sector_film
+from babbitt.results import Outcome
 from babbitt.thrust.bearing import HousingTilt
 from babbitt.thrust.carrying import carrying
 from babbitt.thrust.equilibrium import sector_of
 from babbitt.thrust.face import SteppedFace, TaperedFace
-from babbitt.thrust.failures import LeaningPadsTouchError, PadsTouchError
+from babbitt.thrust.failures import LeaningPadsTouchAtFilmError, LeaningPadsTouchError, PadsTouchError
+from babbitt.thrust.leaning import states_at
 from babbitt.thrust.pad import Pivot
 from babbitt.thrust.runout import RunoutHarmonic
 from babbitt.thrust.sharing import share_at_film, share_of
@@ -205,5 +207,33 @@ def test_faces_that_touch_before_the_thrust_is_carried_have_no_film():
         share_of(FILMS[TAPER], tilted(TAPER, 400e-6, 0.0, math.inf), 20e6)
     with pytest.raises(PadsTouchError):
         share_at_film(FILMS[TAPER], tilted(TAPER, 80e-6, 0.0, math.inf), 50e-6)
-    with pytest.raises(LeaningPadsTouchError):  # pivots clear, outer edges do not
+    with pytest.raises(LeaningPadsTouchAtFilmError, match=r"mean film of 50\.0 µm; less tilt.*thicker") as told:
+        # pivots clear, outer edges do not
         share_at_film(FILMS[TAPER], tilted(TAPER, 60e-6, 0.0, math.inf), 50e-6)
+    assert told.value.outcome is Outcome.OUTSIDE_CLEARANCE
+    assert "thrust" not in told.value.said
+
+
+@pytest.mark.parametrize(("direction", "solved"), [(0.0, 5), (math.pi / 8, 4)])
+def test_pads_that_lean_alike_share_a_film(direction, solved):
+    """About a tilt towards a pad, or between two: line pivots that face each other across it lean alike."""
+    of, asked = tilted(LINE, 20e-6, direction), []
+
+    class Counted:
+        pad = LINE
+
+        def state(self, *given):
+            asked.append(given)
+            return FILMS[LINE].state(*given)
+
+    stands = standing_at_rest(of)
+    states = states_at(Counted(), 60e-6 + stands.departures, stands)
+    assert len(states) == 8
+    assert len(asked) == solved
+
+
+def test_line_pivots_across_the_tilt_are_level():
+    """The radius at a right angle to the tilt stays level, to the last digit."""
+    leans = standing_at_rest(tilted(LINE, direction=0.0)).leans
+    assert not leans[[2, 6]].any()
+    assert np.abs(leans[[0, 1, 3, 4, 5, 7], 0]).min() > 1e-5

@@ -294,3 +294,30 @@ def test_taper_pads_under_a_tilt_tell_the_films_of_leaning_faces():
     stuck = result(pads=pads, tilt="{offset: 200 um}", ring_stiffness=None)
     assert stuck.outcome is Outcome.OVERLOADED
     assert "leans with the housing" in stuck.message
+
+
+def test_runout_that_leaves_no_film_is_told_beside_the_film_at_rest():
+    pads = (
+        "{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, "
+        "pivot: {kind: line, fraction: 0.6}}"
+    )
+    given = {"pads": pads, "thrust": "400 kN", "ring_stiffness": "1e6 GN/m", "tilt": None}
+    found, still = result(**given, runout="100 um"), result(**given)
+    assert found.outcome.solved
+    assert found.values["minimum_film_thickness"] == still.values["minimum_film_thickness"]
+    assert "quasi_static_load_ratio" not in found.values
+    [notice] = [one for one in found.warnings if one.code == "W209"]
+    assert "quasi_static_load_ratio" in notice.message
+    slight = result(**given, runout="1 um")
+    assert slight.values["quasi_static_load_ratio"] > 1.0
+    assert "W209" not in {one.code for one in slight.warnings}
+
+
+def test_leaning_pads_at_a_given_film_speak_of_the_film():
+    pads = (
+        "{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, pivot: {kind: fixed}, "
+        "face: {kind: taper, depth: 40 um, fraction: 0.7}}"
+    )
+    found = result(pads=pads, thrust=None, film="50 um", tilt="{offset: 60 um}", ring_stiffness=None)
+    assert found.outcome is Outcome.OUTSIDE_CLEARANCE
+    assert "mean film of 50.0 µm; less tilt" in found.message

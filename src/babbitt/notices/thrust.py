@@ -58,4 +58,12 @@ THRUST: dict[str, Explanation] = {
         "tables and figures.",
         "Align the housing, or read the sweep only where it has points.",
     ),
+    "W209": Explanation(
+        "No film while the runout passes slowly",
+        "The film is solved for a collar without runout. With its runout, turned so slowly that nothing swings, "
+        "the pads find no film at some position: faces that lean touch the collar or do not come to rest. The "
+        "largest pad load over the mean is not given.",
+        "Less runout, a ring that gives way, pads on point pivots, or a case of kind thrust_line, which counts "
+        "how line and pads move with the runout.",
+    ),
 }

@@ -7,6 +7,7 @@ from time import perf_counter
 
 import numpy as np
 
+from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Outcome, Result
 from babbitt.thrust.assumed import oil_assumptions
 from babbitt.thrust.design import ThrustDesign, ThrustState, bearing_state
@@ -51,8 +52,12 @@ def thrust_check(design: ThrustDesign) -> Result:
             assumptions=_assumptions(design),
         )
     values = share_values(design, state)
+    of_runout: list[Notice] = []
     if any(one.amplitude > 0.0 for one in design.runouts):
-        values["quasi_static_load_ratio"] = _turned(design, state)
+        try:
+            values["quasi_static_load_ratio"] = _turned(design, state)
+        except NoPadFilmError as failure:
+            of_runout.append(Notice("W209", f"no quasi_static_load_ratio is given: {failure.said}"))
     values["wall_time"] = perf_counter() - start
     limit = Check(
         "C202",
@@ -69,7 +74,7 @@ def thrust_check(design: ThrustDesign) -> Result:
         Outcome.CONVERGED,
         values,
         (limit,),
-        (*design.doubts, *share_doubts(design, state)),
+        (*design.doubts, *share_doubts(design, state), *of_runout),
         (temperature_not_checked(values),),
         (*design.lubricant.assumptions, *design.assumptions, *_assumptions(design)),
         settings={"lubricant": design.lubricant.name, "pivot": design.bearing.pad.pivot.value},
@@ -78,7 +83,13 @@ def thrust_check(design: ThrustDesign) -> Result:
 
 
 def _turned(design: ThrustDesign, state: ThrustState) -> float:
-    """Largest pad load over the mean while the collar turns so slowly that nothing swings."""
+    """Largest pad load over the mean while the collar turns so slowly that nothing swings.
+
+    Raises
+    ------
+    NoPadFilmError
+        If the pads find no film at a position of the collar, though they have one on a collar without runout.
+    """
     largest = 0.0
     count = TURNS * math.ceil(max(one.order for one in design.runouts) / WAVES)
     for turned in 2.0 * np.pi * np.arange(count) / count:

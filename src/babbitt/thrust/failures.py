@@ -5,7 +5,9 @@ from __future__ import annotations
 from babbitt.results import Outcome
 
 __all__ = [
+    "LeaningPadAtFilmError",
     "LeaningPadError",
+    "LeaningPadsTouchAtFilmError",
     "LeaningPadsTouchError",
     "NoPadFilmError",
     "OverloadedPadsError",
@@ -71,15 +73,35 @@ class PadsTouchError(NoPadFilmError):
 
 
 class LeaningPadsTouchError(NoPadFilmError):
-    """Faces that are held at a slope touch the collar before the pads carry the thrust."""
+    """Faces that are held at a slope touch the collar before the pads carry the thrust.
+
+    Attributes
+    ----------
+    pad : int
+        From 1.
+    """
 
     outcome = Outcome.OVERLOADED
 
     def __init__(self, pad: int, carried: float) -> None:
+        self.pad = pad
         self.said = (
             f"the face of pad {pad} leans with the housing and touches the collar while the pads carry "
             f"{carried / 1e3:.4g} kN; a straighter housing, less thrust, a ring that gives way, or pads on point "
             "pivots"
+        )
+        super().__init__(self.said)
+
+
+class LeaningPadsTouchAtFilmError(NoPadFilmError):
+    """Faces that are held at a slope touch the collar at the mean film that is given."""
+
+    outcome = Outcome.OUTSIDE_CLEARANCE
+
+    def __init__(self, pad: int, film: float) -> None:
+        self.said = (
+            f"the face of pad {pad} leans with the housing and touches the collar at the mean film of "
+            f"{film * 1e6:.1f} µm; less tilt of the housing, a thicker film, or pads on point pivots"
         )
         super().__init__(self.said)
 
@@ -95,9 +117,23 @@ class LeaningPadError(NoPadFilmError):
 
     def __init__(self, pad: int | None = None) -> None:
         self.pad = pad
-        which = "the pads do" if pad is None else f"pad {pad} does"
         self.said = (
-            f"{which} not come to rest under the thrust with faces that lean with the housing; a straighter "
+            f"{_does(pad)} not come to rest under the thrust with faces that lean with the housing; a straighter "
             "housing, less thrust, a ring that gives way, or pads on point pivots"
         )
         super().__init__(self.said)
+
+
+class LeaningPadAtFilmError(NoPadFilmError):
+    """A pad whose face is held at a slope does not come to rest at the mean film that is given."""
+
+    def __init__(self, pad: int | None, film: float) -> None:
+        self.said = (
+            f"{_does(pad)} not come to rest at the mean film of {film * 1e6:.1f} µm with faces that lean with the "
+            "housing; less tilt of the housing, a thicker film, or pads on point pivots"
+        )
+        super().__init__(self.said)
+
+
+def _does(pad: int | None) -> str:
+    return "the pads do" if pad is None else f"pad {pad} does"

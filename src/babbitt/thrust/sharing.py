@@ -13,7 +13,14 @@ from babbitt.notices import InputError
 from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.carrying import Carrying
 from babbitt.thrust.face import SteppedFace
-from babbitt.thrust.failures import OverloadedPadsError, PadsTouchError
+from babbitt.thrust.failures import (
+    LeaningPadAtFilmError,
+    LeaningPadError,
+    LeaningPadsTouchAtFilmError,
+    LeaningPadsTouchError,
+    OverloadedPadsError,
+    PadsTouchError,
+)
 from babbitt.thrust.leaning import settled, states_at
 from babbitt.thrust.placing import THINNEST, LoadLaw, approach_at_film, approach_under, heights_at
 from babbitt.thrust.standing import Standing, standing_at_rest
@@ -137,8 +144,8 @@ def share_at_film(films: Carrying, bearing: ThrustBearing, film: float) -> Share
     ------
     PadsTouchError
         If tilt and heights bring a pad on a rigid ring nearer than the mean film.
-    LeaningPadsTouchError, LeaningPadError
-        See `babbitt.thrust.leaning.settled`.
+    LeaningPadsTouchAtFilmError, LeaningPadAtFilmError
+        If faces that lean touch the collar, or a pad does not come to rest.
     """
     stands = standing_at_rest(bearing)
     away, c = stands.departures, bearing.ring_stiffness
@@ -151,7 +158,12 @@ def share_at_film(films: Carrying, bearing: ThrustBearing, film: float) -> Share
     heights = np.full(bearing.number, film) if stands.is_even else place(films)
     if not float(heights.min()) > 0.0:
         raise PadsTouchError(film, film - float(heights.min()), 1 + int(heights.argmin()))
-    heights, states = _found(films, stands, heights, place)
+    try:
+        heights, states = _found(films, stands, heights, place)
+    except LeaningPadsTouchError as touching:
+        raise LeaningPadsTouchAtFilmError(touching.pad, film) from None
+    except LeaningPadError as restless:
+        raise LeaningPadAtFilmError(restless.pad, film) from None
     loads = np.array([state.load for state in states])
     return Share(bearing, float(loads.sum()), _approach(heights, loads, bearing, away), heights, loads, states)
 
