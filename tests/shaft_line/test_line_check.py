@@ -1,6 +1,7 @@
 """A shaft line from case to result: values, verdicts, doubts, answers in sentences."""
 
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -8,6 +9,8 @@ from babbitt import parse_case
 from babbitt.cases import template
 from babbitt.notices import InputError
 from babbitt.report.thrust_words import answers
+from babbitt.shaft_line.answer import line_answer
+from babbitt.shaft_line.values import line_values
 from babbitt.solving import solve
 
 BASE = template("thrust_line").replace("amplitude: 4 um", "amplitude: 5 um")
@@ -47,6 +50,16 @@ def test_what_a_surveyor_asks_is_answered(base):
         "runout up to 4.5 µm",
     ):
         assert words in said
+
+
+def test_a_sweep_without_rings_has_no_best_one(base):
+    design = parse_case(BASE).line_design()
+    answer = replace(line_answer(design), rings=(), half=None)
+    assert answer.best is None
+    found = line_values(design, answer)
+    assert not {"best_ring_stiffness", "best_ring_loss", "half_load_ring_stiffness"} & found.keys()
+    assert line_values(design, line_answer(design))["best_ring_loss"] == base.best_ring_loss
+    assert "On no ring of the sweep do the pads find a film" in " ".join(answers(replace(base, values=found)))
 
 
 def test_a_film_that_does_not_survive_says_so():

@@ -299,7 +299,7 @@ def test_taper_pads_under_a_tilt_tell_the_films_of_leaning_faces():
 def test_runout_that_leaves_no_film_is_told_beside_the_film_at_rest():
     pads = (
         "{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, "
-        "pivot: {kind: line, fraction: 0.6}}"
+        "pivot: {kind: line, radius: 290 mm, fraction: 0.6}}"
     )
     given = {"pads": pads, "thrust": "400 kN", "ring_stiffness": "1e6 GN/m", "tilt": None}
     found, still = result(**given, runout="100 um"), result(**given)

@@ -136,9 +136,10 @@ def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
         return Outcome.OVERLOADED, overloaded(case, found)
     if found.ending is Ending.LIFTED_OFF:
         return Outcome.LIFTED_OFF, (
-            f"the load is {case.duty.load or 0.0:.4g} N; at a gap of {1e3 * found.rest_gap:.4g} mm, the widest that "
-            f"is searched, the recesses still press with {float(found.response.force[0]):.4g} N. Raise the load, "
-            "lower the supply pressure, or take smaller restrictors"
+            f"the load is {case.duty.load or 0.0:.4g} N; at a gap of {1e3 * found.rest_gap:.4g} mm, the widest "
+            "that is searched, the recesses still press with "
+            f"{float(found.response.force[0]):.4g} N. Raise the load, lower the supply pressure, or take smaller "
+            "restrictors"
         )
     if found.ending is Ending.UNSTABLE_NETWORK:
         return Outcome.UNSTABLE_NETWORK, (
