@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 from rich.console import Console
 
+from babbitt.bearings import thermal_film as thermal_film_module
 from babbitt.bearings.check import film_check
 from babbitt.bearings.field import field_of
 from babbitt.bearings.heat_model import HeatModel, TemperatureCoefficients
 from babbitt.bearings.temperature_field import bush_temperature, centre_line, temperature_over
-from babbitt.bearings.thermal_film import thermal_operating_film
+from babbitt.bearings.thermal_film import following_stiffness, thermal_operating_film
 from babbitt.cases import design_cases, parse_case
 from babbitt.fits import operating_relative_clearance
 from babbitt.quantities import QUANTITIES
@@ -145,6 +146,13 @@ def test_temperatures_that_follow_soften_or_stiffen_but_keep_the_sign(full):
     assert result.settings["stiffness_temperatures"] == "frozen"
     assert np.array(found.damping) == pytest.approx(np.array(result.damping), rel=1e-12)
     assert any("(frozen)" in said for said in result.assumptions)
+
+
+def test_stiffness_while_temperatures_follow_does_not_depend_on_the_push(full, monkeypatch):
+    case, _, state = full
+    usual = following_stiffness(case, state)
+    monkeypatch.setattr(thermal_film_module, "PUSH", 0.5 * thermal_film_module.PUSH)
+    assert following_stiffness(case, state) == pytest.approx(usual, abs=0.01 * np.abs(usual).max())
 
 
 def test_what_is_not_given_is_assumed_and_told():

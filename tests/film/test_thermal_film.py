@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from babbitt.film.heat import BushRing, ConductingWalls, FilmHeat, HeatGrid, JournalHeat
+from babbitt.film.heat import BushRing, ConductingWalls, FilmHeat, HeatGrid, JournalHeat, mean_over_layers
 from babbitt.film.model import Cavitation, FilmStart, JournalFilm, Land, Pocket, Resolution, grooved_bore
 from babbitt.film.piezoviscosity import Barus
 from babbitt.film.solve import solve_journal
@@ -53,6 +53,15 @@ def test_mass_and_energy_are_conserved(film, heat):
     assert found.film.mass_balance_error < 1e-10
     assert found.heat.balance_error < 1e-8
     assert found.film.force == pytest.approx((0.0, 112.8e3), abs=112.8e3 * 1e-8)
+
+
+@pytest.mark.parametrize("layers", [4, 8, 13])
+def test_mean_over_the_gap_weighs_the_layers(layers):
+    thick = HeatGrid(layers=layers).thicknesses()
+    edges = np.concatenate(([0.0], np.cumsum(thick)))
+    middle = 0.5 * (edges[1:] + edges[:-1])
+    for k in range(layers):
+        assert mean_over_layers(np.eye(layers)[k], middle) == pytest.approx(thick[k], abs=1e-12)
 
 
 def test_friction_power_is_what_is_dissipated_where_nothing_is_pumped():

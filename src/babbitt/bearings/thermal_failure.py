@@ -12,6 +12,7 @@ from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
 from babbitt.design.oil import highest_usable
 from babbitt.notices import EXPLANATIONS
 from babbitt.results import Outcome
+from babbitt.units import ZERO_CELSIUS
 
 __all__ = ["last_film", "thermal_failure", "what_gave_way"]
 
@@ -19,15 +20,17 @@ HALVINGS, BISECTIONS = 10, 3
 """Of the load until a film is found, and then between the last two."""
 
 HOT = 0.5
-"""Share of the way from fresh oil to the end of the oil's laws that a film must have gone to be called hot."""
+"""Share of the way from fresh oil to the end of the oil's laws that a film must have gone to be called hot.
 
-ZERO_CELSIUS = 273.15
+An assumption: no source draws this line.
+"""
 
 
 def last_film(case: FilmCase, film_at: Callable[[FilmCase], FilmState]) -> FilmState | None:
     """Film under the largest load, to some percent, below one that has none; None where there is none at all.
 
-    On a draft grid: it only tells how far the bearing is from carrying its load.
+    On a draft grid, and with the clearance and the oil's properties of the round that had no film: it only tells
+    how far the bearing is from carrying its load.
 
     Parameters
     ----------

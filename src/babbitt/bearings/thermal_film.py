@@ -47,8 +47,9 @@ SAME_TEMPERATURE = 0.05
 """Change of the effective temperature in K at which the heat capacity counts as settled."""
 CLOSER_FROM = 5
 """Round from which on films stay on the same lines and settle closer."""
-PUSH = 0.02
-"""Share of the least gap by which the journal is moved to see the stiffness while temperatures follow."""
+PUSH, FOLLOWED = 0.02, 1e-4
+"""Share of the least gap by which the journal is moved to see the stiffness while temperatures follow, and the
+change of temperatures in a pass, K, at which they have: a difference of two films wants them closely settled."""
 
 
 def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
@@ -303,7 +304,7 @@ def following_stiffness(case: FilmCase, state: FilmState) -> Array | None:
         forces = []
         for sign in (1.0, -1.0):
             x, y = film.position + sign * push * np.asarray(direction)
-            found = thermal_film_at(film.film, heat, (float(x), float(y)), grid).film
+            found = thermal_film_at(film.film, heat, (float(x), float(y)), grid, FOLLOWED).film
             if not found.outcome.solved:
                 return None
             forces.append(found.force)

@@ -29,7 +29,7 @@ DIGEST = hashlib.sha256(b"".join(path.read_bytes() for path in SOURCES)).hexdige
 
 KINDS = {
     "Axial": "films of grooved and lobed bores, once: about 15 s",
-    "Surface": "films that differ across the width, once: about 15 s, with temperatures 40 s",
+    "Surface": "films that differ across the width, once: about 15 s, with temperatures a minute",
 }
 
 

@@ -135,7 +135,9 @@ class HeatGrid:
 
 def mean_over_layers(temperature: Array, layers: Array) -> Array:
     """Mean over the gap of temperatures (..., layers) in the middle of layers, from 0 to 1 between the walls."""
-    edges = np.concatenate(([0.0], 0.5 * (layers[1:] + layers[:-1]), [1.0]))
+    edges = [0.0]
+    for middle in layers:
+        edges.append(2.0 * float(middle) - edges[-1])
     return np.asarray(temperature @ np.diff(edges))
 
 

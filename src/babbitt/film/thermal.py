@@ -165,9 +165,9 @@ def search(film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resol
     found = on_usual_lines(film, heat, scales, load, resolution) if size <= COLD_LOAD else None
     if found is not None and found.status == CONVERGED and found.gap > THICK:
         return found
-    found = attempt(film, heat, scales, load, resolution, 1.0)
-    if found.status != CONVERGED:
-        found = attempt(film, heat, scales, load, resolution, min(1.0, 0.1 * MODERATE_LOAD / max(size, 1e-300)))
+    found, share = attempt(film, heat, scales, load, resolution, 1.0), 0.1 * MODERATE_LOAD / max(size, 1e-300)
+    if found.status != CONVERGED and share < 1.0:
+        found = attempt(film, heat, scales, load, resolution, share)
     if found.status != CONVERGED:
         from babbitt.film.thermal_recovery import recovered
 

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film._equilibrium import CONTACT, CONVERGED, NO_FILM, THINNEST, TOO_MANY_STEPS
+from babbitt.film._heat_walls import MOST_RISE
 from babbitt.film.general import line_density, rest_ring
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm, Resolution
@@ -49,8 +50,6 @@ ASTRAY, LEAST_MIXED, SAME = 5.0, 0.05, 1e-6
 that differ by less are one."""
 SHRINK = 0.6
 """Share of the least gap that a step of the journal leaves."""
-MOST_RISE = 20.0
-"""Change of a temperature from pass to pass, K."""
 GAP_IN_KELVIN = 50.0
 """Change of all temperatures that counts as much as a journal that moves by the least gap."""
 

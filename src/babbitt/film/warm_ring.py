@@ -126,7 +126,11 @@ class WarmRing:
         return np.asarray(self.heat.viscosity(self.temperature)) / self.reference_viscosity
 
     def advance(self, at: Array, sweeps: int, rounds: int = 1) -> tuple[int, float]:
-        """One pass at a journal position: number of nodes that changed sides, largest change of temperature, K."""
+        """One pass at a journal position: number of nodes that changed sides, largest change of temperature, K.
+
+        The change is that of a pass as long as passes usually are: one that takes less of the new viscosity and
+        of the steps of the walls changes less without being nearer.
+        """
         sample, walls = self.sample, self.walls
         fresh = self.relative_viscosity()
         if self.passes == 0:
@@ -146,6 +150,7 @@ class WarmRing:
         if self.passes - self.asked >= TRIED and change > SLOW * self.last_change:
             walls.conductance[:] = 0.0  # forgets the film of the derivatives: the next pass makes new ones
         self.passes, self.last_change = self.passes + 1, float(change)
+        change *= max(1.0, RELAX / self.relaxation)
         if self.passes > CALM:
             self.relaxation = (
                 max(0.7 * self.relaxation, LEAST_RELAX) if along < 0.0 else min(1.1 * self.relaxation, RELAX)

@@ -71,8 +71,8 @@ class JackingCase:
         if not any(math.sin(angle) < 0.0 for angle in self.bearing.recess_angles):
             raise InputError("E101", "no pocket lies in the lower half; the load acts downwards (-90 deg).")
         if not self.projected_area > LEAST_SHARE * self.bearing.recess_length * self.bearing.radius:
-            raise InputError("E101", "pockets: those above push the shaft down as much as those below lift it; "
-                             "place all of them in the lower half by their angles.")  # fmt: skip
+            raise InputError("E101", "those above push the shaft down as much as those below lift it; place all "
+                             "of them in the lower half by `angles`.")  # fmt: skip
 
     @property
     def projected_area(self) -> float:

@@ -8,7 +8,7 @@ from html import escape
 from pathlib import Path
 
 from babbitt.notices import InputError
-from babbitt.report.comparison_table import compared_rows
+from babbitt.report.comparison_table import compared_rows, objected
 from babbitt.report.document import TEMPLATES
 from babbitt.report.drawing import rendered, style
 from babbitt.report.text import plain_text
@@ -103,6 +103,8 @@ def _remarks(variants: Sequence[Variant]) -> Iterator[str]:
         said = f"<b>{_text(one.label)}</b>: {_text(one.remark)}."
         if not one.result.outcome.solved:
             said += f" No solution: {_text(one.result.outcome.value)}; {_text(one.result.message)}"
+        if objections := objected(one.result):
+            said += f" This result {_text(objections)}."
         yield f'<p class="finding">{said}</p>'
 
 

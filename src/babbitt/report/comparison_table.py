@@ -113,6 +113,14 @@ def print_comparison(comparisons: Sequence[Comparison]) -> bool:
     return all(comparison.variants[0].result.outcome.solved for comparison in comparisons)
 
 
+def objected(result: Result) -> str:
+    """Limits that a result misses, and codes of its warnings; empty where there are none."""
+    missed = [one.code for one in result.checks if not one.ok and not one.advisory]
+    codes = list(dict.fromkeys(one.code for one in result.warnings))
+    said = [f"misses {', '.join(missed)}"] if missed else []
+    return "; ".join(said + ([f"warns {', '.join(codes)}"] if codes else []))
+
+
 def _table(title: Text, variants: Sequence[Variant]) -> Table:
     table = Table(title=title, title_justify="left")
     table.add_column("quantity")
@@ -161,3 +169,5 @@ def _print_remarks(to: Console, variants: Sequence[Variant]) -> None:
         result = variant.result
         if not result.outcome.solved:
             to.print(f"  {variant.label}: {result.outcome.value}; {result.message}", markup=False)
+        if objections := objected(result):
+            to.print(f"  {variant.label}: {objections}", markup=False)

@@ -47,13 +47,15 @@ def write_whole(path: Path, content: bytes) -> None:
 
 
 def write_into(folder: Path, files: Mapping[str, bytes]) -> tuple[Path, ...]:
-    """Write files into a folder, which is made if it does not exist; where they are now.
+    """Write files into a folder, which is made if it does not exist and there are any; where they are now.
 
     Raises
     ------
     InputError
         E007 if the folder cannot be made or a file not be written.
     """
+    if not files:
+        return ()
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:

@@ -8,9 +8,10 @@ from functools import lru_cache
 
 from babbitt.footstep.model import Footstep, HeelGeometry, HeelOil, ScrewGroove
 from babbitt.footstep.states import Method, SteadyState, steady_states
+from babbitt.units import ZERO_CELSIUS
 from babbitt.validation.reference_data import reference_data
 
-MICRO, CUBIC_MILLIMETRE, MEGA, ZERO_CELSIUS = 1e-6, 1e-9, 1e6, 273.15
+MICRO, CUBIC_MILLIMETRE, MEGA = 1e-6, 1e-9, 1e6
 
 SOURCE = (
     "A. S. Kirichenko, *Problems of Tribology* (2011), footstep of the three-screw pump 3V 63/25-1-45/6,3B: "

@@ -14,6 +14,7 @@ from babbitt.footstep.model import Wall
 from babbitt.footstep.narrow_groove import NarrowGrooveAnnulus
 from babbitt.footstep.states import Method, NoSteadyStateError, StateName, SteadyState, steady_states
 from babbitt.footstep.superposition import GrooveChannel
+from babbitt.units import ZERO_CELSIUS
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.published.screw_heel_common import (
@@ -21,7 +22,6 @@ from babbitt.validation.published.screw_heel_common import (
     MEGA,
     MICRO,
     SOURCE,
-    ZERO_CELSIUS,
     footstep,
     smooth,
     states,
