@@ -257,6 +257,19 @@ def test_runout_of_a_wrong_kind_is_told_what_would_do():
             parse_case(text(runout=wrong))
 
 
+def test_the_limit_of_the_film_holds_while_the_runout_passes():
+    still, turning = result(tilt=None), result(tilt=None, runout="20 um")
+    (limit,) = [one for one in turning.checks if one.code == "C202"]
+    assert turning.values["minimum_film_thickness"] == still.values["minimum_film_thickness"]
+    thin = turning.values["quasi_static_minimum_film_thickness"]
+    assert limit.quantity == "quasi_static_minimum_film_thickness"
+    assert limit.value == thin < still.values["minimum_film_thickness"]
+    # the pad that carries most holds its load by the film of a pad under this load alone
+    ratio = turning.values["quasi_static_load_ratio"]
+    alike = result(tilt=None, thrust=f"{500.0 * ratio:.6f} kN").values["minimum_film_thickness"]
+    assert thin == pytest.approx(alike, rel=5e-3)
+
+
 def test_two_lobes_load_pads_by_their_height_only():
     """Of waves the share knows the height: with as many lobes as pads all pads stand alike."""
     ratio = result(tilt=None, runout="[{amplitude: 5 um, lobes: 8}]").values["quasi_static_load_ratio"]
@@ -308,6 +321,7 @@ def test_runout_that_leaves_no_film_is_told_beside_the_film_at_rest():
     assert "quasi_static_load_ratio" not in found.values
     [notice] = [one for one in found.warnings if one.code == "W209"]
     assert "quasi_static_load_ratio" in notice.message
+    assert not found.within_limits  # no film is counted on
     slight = result(**given, runout="1 um")
     assert slight.values["quasi_static_load_ratio"] > 1.0
     assert "W209" not in {one.code for one in slight.warnings}

@@ -21,6 +21,14 @@ THRUST: tuple[Quantity, ...] = (
         "Largest over mean pad load while the collar turns slowly",
     ),
     quantity(
+        "quasi_static_minimum_film_thickness",
+        "h_turn",
+        "m",
+        "um",
+        3,
+        "Thinnest film while the collar turns slowly with its runout",
+    ),
+    quantity(
         "pad_inlet_temperature", "T_in", "K", "degC", 4, "Oil temperature at the leading edges, after mixing"
     ),
     quantity("trailing_temperature", "T_tr", "K", "degC", 4, "Oil temperature at the trailing edges"),
