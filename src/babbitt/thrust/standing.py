@@ -16,7 +16,7 @@ from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.pad import ThrustPad
 from babbitt.thrust.runout import RunoutHarmonic
 
-__all__ = ["LEVEL", "Lean", "Standing", "standing_at_rest", "standing_on_runout"]
+__all__ = ["LEVEL", "Standing", "standing_at_rest", "standing_on_runout"]
 
 Array = NDArray[np.float64]
 
