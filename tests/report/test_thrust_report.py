@@ -1,6 +1,7 @@
 """Report, table and figures of thrust bearings and shaft lines hold what was computed."""
 
 import json
+from dataclasses import replace
 
 import pytest
 
@@ -11,6 +12,7 @@ from babbitt.report.export import to_json
 from babbitt.report.figures import write_plots
 from babbitt.report.table import render
 from babbitt.report.thrust_tables import tables
+from babbitt.report.thrust_words import answers as thrust_answers
 from babbitt.solving import solve
 
 LINE = template("thrust_line").replace("# speeds:", "speeds:").replace("number: 21", "number: 4")
@@ -42,6 +44,15 @@ def test_the_report_answers_and_tabulates(line):
     titles = [group["title"] for group in chapter["inputs"]]
     assert titles == ["As given", "Lubricant"]
     json.dumps(chapter)
+
+
+def test_where_pads_touch_no_ring_is_advised(line):
+    (result,) = line.results
+    closed = tuple(replace(one, value=-1e-6) if one.code == "C202" else one for one in result.checks)
+    said = thrust_answers(replace(result, checks=closed))
+    assert "touches the collar" in said[0]
+    assert "halve" in " ".join(thrust_answers(result))
+    assert "halve" not in " ".join(said)
 
 
 def test_tables_have_a_row_a_pad_with_the_loads_of_the_result(bearing):

@@ -55,7 +55,7 @@ def _of_line(result: Result) -> Iterator[str]:
     yield _survival(result, checks)
     yield _loss(result, checks["C201"])
     yield _causes(result)
-    if result.values["loss_mean_bound"] > 0.0:
+    if result.values["loss_mean_bound"] > 0.0 and checks["C202"].value > 0.0:
         yield _ring(result)
     if bearable := _bearable(result, checks["C201"].limit):
         yield bearable
@@ -77,6 +77,12 @@ def _survival(result: Result, checks: dict[str, Check]) -> str:
     left = f"pad {unloaded}, which is unloaded most, keeps {_percent(margin.value)} of the mean load"
     if margin.value <= 0.0:
         left = f"pad {unloaded} leaves the collar (margin {_percent(margin.value)} of the mean load)"
+    if film.value <= 0.0:
+        return (
+            f"{word}: pad {thinnest} touches the collar at the worst phases, and {left}. "
+            "The figures suppose films that move less than they are thick: they say that pads touch, "
+            "not how hard, nor what a ring would do."
+        )
     sign = "≥" if film.ok else "<"
     return (
         f"{word}: thinnest film {_micro(film.value)} {sign} {_micro(film.limit)} at pad {thinnest}, and {left}, "
