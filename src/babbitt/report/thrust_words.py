@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
+from babbitt.report.verdict import governing
 from babbitt.results import Bound, Check, Result
+from babbitt.thrust.temperature_limits import hottest_of_pads
 from babbitt.units import ZERO_CELSIUS
 
 __all__ = ["answers"]
@@ -199,6 +201,12 @@ def _oil(result: Result) -> str:
         hottest = ""
         if "maximum_temperature" in v:
             hottest = f", at most {_celsius(v['maximum_temperature'])} in a film"
+        name = hottest_of_pads(v)
+        if name is not None and (limit := governing(result, name)) is not None:
+            word = "within" if limit.ok else "beyond"
+            hottest += (
+                f"; the hottest known, {_celsius(limit.value)}, is {word} the limit of {_celsius(limit.limit)}"
+            )
         return (
             f"Oil: {v['friction_power'] / 1e3:.2f} kW of friction warm {6e4 * v['total_flow']:.1f} L/min of "
             "fresh oil "
