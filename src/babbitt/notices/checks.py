@@ -45,8 +45,8 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C108": Explanation(
         "Limiting temperature of the metal",
-        "The hottest known temperature is compared with that at which the metal loses its hardness. Of thrust pads "
-        "it is that of the oil, and the metal is B83 where none is given.",
+        "The hottest known temperature is compared with that at which the metal loses its hardness. Of thrust "
+        "pads it is that of the oil, and the metal is B83 where none is given.",
         "More or cooler oil, or another metal.",
     ),
     "C109": Explanation(
