@@ -32,6 +32,10 @@ MOMENT_TOLERANCE = 1e-10
 MOST_STEPS = 25
 LEAST_GAP = 0.05
 """Newton steps stop short of films thinner than this share of the height at the pivot."""
+LEANING_GAP = 0.01
+"""The same of pads that lean, whose balance may leave little at a corner."""
+STUCK = 1e-3
+"""Share of Newton's step, halved before the runner, at which it leads nowhere."""
 FIRST_RISE = 0.35
 """First guess of the fall of the film from the pivot to the trailing edge, over the height."""
 
@@ -90,7 +94,9 @@ def pad_state(
         stiffness = to_film.T @ film.stiffness @ to_film
         step = np.zeros(3)
         step[free] = np.linalg.solve(stiffness[np.ix_(free, free)], forces[free])
-        step = _within_reach(pad, motion, step)
+        wanted, step = step, _within_reach(pad, motion, step, LEANING_GAP if any(lean) else LEAST_GAP)
+        if np.abs(step).max() < STUCK * np.abs(wanted).max():
+            break  # balance lies beyond the runner
         motion = motion + step
         film = _film(sector, to_film @ motion, mesh)
     raise _unbalanced(pad)
@@ -153,14 +159,14 @@ def _film(sector: SectorPad, motion: Array, mesh: tuple[int, int]) -> SectorFilm
     return sector_film(sector, PlaneMotion(*(float(part) for part in motion)), intervals=mesh[0], degree=mesh[1])
 
 
-def _within_reach(pad: ThrustPad, motion: Array, step: Array) -> Array:
-    """The step, halved until the thinnest film keeps its share of the height.
+def _within_reach(pad: ThrustPad, motion: Array, step: Array, share: float) -> Array:
+    """The step, halved until the thinnest film keeps a share of the height.
 
     The face counts: a crowned pad may lean until its plane would cut the runner at a corner.
     """
     basis, face = pad.watched()
     for _ in range(MOST_STEPS):
-        if (basis @ (motion + step) + face).min() > LEAST_GAP * motion[0]:
+        if (basis @ (motion + step) + face).min() > share * motion[0]:
             return step
         step = 0.5 * step
     return step
