@@ -287,6 +287,28 @@ def test_oil_hotter_at_the_trailing_edges_than_its_data_is_told():
     assert f"{hottest:.1f} °C" in {one.code: one.message for one in found.warnings}["W145"]
 
 
+LINE_PIVOTS = (
+    "{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, "
+    "pivot: {kind: line, radius: 290 mm, fraction: 0.6}}"
+)
+
+
+@pytest.mark.parametrize("thermal", ["global", "adiabatic"])
+def test_the_heat_of_pads_that_lean_ever_more_is_balanced_until_one_touches(thermal):
+    """Oil that would be too thin for a film bounds the search for its temperature, and does not end it."""
+    tilts = {"global": (60, 80, 100, 150), "adiabatic": (40, 50, 55, 80)}[thermal]
+    *borne, touching = (
+        result(pads=LINE_PIVOTS, tilt=f"{{offset: {tilt} um}}", thermal=thermal, **WARM) for tilt in tilts
+    )
+    thinnest = [found.minimum_film_thickness for found in borne]
+    assert thinnest == sorted(thinnest, reverse=True)
+    assert 0.0 < thinnest[-1] < 3e-6
+    assert max(found.energy_balance_error for found in borne) < 1e-7
+    assert touching.outcome is Outcome.OVERLOADED
+    assert "pad 1 leans with the housing and touches" in touching.message
+    assert "a straighter housing" in touching.message
+
+
 @pytest.mark.parametrize("runout", ["5 um", "[5 um]", "{amplitude: 5 um}", "[{amplitude: 5 um, lobes: 1}]"])
 def test_runout_is_one_thing_however_it_is_written(runout):
     given, plain = parse_case(text(runout=runout)), parse_case(text(runout="5 um"))

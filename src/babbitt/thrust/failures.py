@@ -35,13 +35,19 @@ class ThermalRunawayError(NoPadFilmError):
     """No balance up to the highest temperature."""
 
     outcome = Outcome.THERMAL_RUNAWAY
-    said = "friction outruns the oil up to 300 °C; less thrust, cooler or thinner oil, less of it carried over"
+    said = (
+        "friction outruns the oil up to 300 °C; less thrust, cooler or thinner oil, less of it carried over, or a "
+        "straighter housing where one leans"
+    )
 
 
 class UnsettledPadError(NoPadFilmError):
     """Film, temperatures and tilt of a pad went on to change each other."""
 
-    said = "film, temperatures and tilt of a pad did not come to rest; thermal: global has an answer"
+    said = (
+        "film, temperatures and tilt of a pad did not come to rest; less thrust or a straighter housing; thermal: "
+        "global may have an answer"
+    )
 
 
 class OverloadedPadsError(NoPadFilmError):

@@ -15,7 +15,12 @@ from numpy.typing import NDArray
 
 from babbitt.notices import InputError
 from babbitt.thrust.carrying import Carrying
-from babbitt.thrust.failures import LeaningPadError, LeaningPadsTouchError
+from babbitt.thrust.failures import (
+    LeaningPadError,
+    LeaningPadsTouchError,
+    ThermalRunawayError,
+    UnsettledPadError,
+)
 from babbitt.thrust.pad import ThrustPad
 from babbitt.thrust.standing import Lean, Standing
 from babbitt.thrust.state import PadState, condensed
@@ -151,7 +156,8 @@ def states_at(
         if key not in found:
             try:
                 found[key] = films.state(float(height), lean, near[place] if near else None)
-            except InputError:  # no balance, or a place between the watched ones touches
+            except (InputError, ThermalRunawayError, UnsettledPadError):
+                # no balance, a place between the watched ones touches, or a thin film runs too hot
                 if not any(lean):
                     raise
                 raise LeaningPadError(1 + place) from None
