@@ -20,6 +20,7 @@ __all__ = [
     "UnbalancedPadError",
     "first_motion",
     "first_slopes",
+    "leaning_state",
     "pad_state",
     "sector_of",
     "state_of_film",
@@ -32,6 +33,8 @@ MOMENT_TOLERANCE = 1e-10
 MOST_STEPS = 25
 LEAST_GAP = 0.05
 """Newton steps stop short of films thinner than this share of the height at the pivot."""
+PARTS = (1.0, 0.6, 0.35, 0.2)
+"""Of the slope of a level pad, from which that of a leaning one is sought."""
 LEANING_GAP = 0.01
 """The same of pads that lean, whose balance may leave little at a corner."""
 STUCK = 1e-3
@@ -100,6 +103,45 @@ def pad_state(
         motion = motion + step
         film = _film(sector, to_film @ motion, mesh)
     raise _unbalanced(pad)
+
+
+def leaning_state(
+    pad: ThrustPad, height: float, viscosity: float, angular_speed: float, along: float, lean: Lean
+) -> PadState:
+    """A film that leans; a line pivot that leans much tilts less than a level one, so less is tried in turn.
+
+    Beyond its balance such a pad falls over into a gap that diverges, where nothing moves it any more.
+
+    Parameters
+    ----------
+    pad : ThrustPad
+    height : float
+        Film at the pivot, m.
+    viscosity, angular_speed : float
+        Pa s, rad/s, positive.
+    along : float
+        Slope along the motion of a level pad, from parts of which that of this one is sought.
+    lean : tuple of float
+        Slopes of the gap that the pivot holds.
+
+    Raises
+    ------
+    UnbalancedPadError
+        E202 if no tilt balances the pad, or it leans into the runner.
+    """
+    for part in PARTS[:-1] if pad.free_tilts else ():
+        try:
+            state = pad_state(pad, height, viscosity, angular_speed, (0.0, part * along), lean=lean)
+        except UnbalancedPadError:
+            continue
+        if state.load > 0.0:
+            return state
+    state = pad_state(pad, height, viscosity, angular_speed, (0.0, PARTS[-1] * along), lean=lean)
+    if pad.free_tilts and not state.load > 0.0:
+        raise UnbalancedPadError(
+            "E202", f"at a film of {height * 1e6:.2f} µm no tilt balances the pad that leans."
+        )
+    return state
 
 
 def _unbalanced(pad: ThrustPad) -> UnbalancedPadError:
