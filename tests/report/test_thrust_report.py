@@ -159,7 +159,7 @@ def test_the_metal_of_the_pads_is_told(bearing):
     named = solve(parse_case(template("thrust") + "\nmaterials: {bearing_metal: B83}\n"))
     assert given(named)["Bearing metal"] == "B83"
     assert "Bearing metal" not in given(bearing)
-    assert "is within the limit of 115.0 °C" in thrust_answers(bearing.results[0])[-1]
+    assert "at the trailing edges, within the limit of 115.0 °C" in thrust_answers(bearing.results[0])[-1]
 
 
 def test_no_journal_is_spoken_of():
