@@ -142,13 +142,13 @@ def test_pads_of_their_own_temperatures_share_the_thrust(tilt):
 
 
 def test_heat_evens_out_what_a_tilt_does():
+    """A pad pressed closer runs hotter and gives way, whether its film has one temperature or many."""
+    of_balance, varied = (Oil(VG_100, None, 318.15, 0.75, own_temperatures=own) for own in (False, True))
     loads = [
-        operating_state(
-            design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=own), tilt=30e-6)
-        ).share.largest_over_mean
-        for own in (True, False)
+        operating_state(design(oil, tilt=30e-6)).share.largest_over_mean
+        for oil in (of_balance, varied, Oil(VG_100, 326.0))
     ]
-    assert 1.0 < loads[0] < loads[1]
+    assert 1.0 < max(loads[:2]) < 0.95 * loads[2]
 
 
 def test_a_given_film_and_its_thrust_are_one_answer():
@@ -258,5 +258,5 @@ def test_the_heat_balance_of_leaning_pads_is_closed():
     of = design(Oil(VG_100, None, 318.15, 0.75), tilt=30e-6)
     found = operating_state(replace(of, bearing=replace(of.bearing, pad=TAPER)))
     assert standing_at_rest(found.share.bearing).is_leaning
-    assert found.share.loads.sum() == pytest.approx(500e3, rel=1e-8)
+    assert found.share.loads.sum() == pytest.approx(500e3, rel=1e-5)
     assert abs(found.temperatures.error) < 1e-9

@@ -45,7 +45,7 @@ class ThrustBearingInputs(Part):
     thermal: Literal["isothermal", "global", "adiabatic"] | None = Field(
         None,
         description="Temperature of the films: one that is given (isothermal, with oil of kind viscosity or "
-        "temperature), one from the heat balance of all pads (global), or one that varies along the pads and "
+        "temperature), one per pad from its own heat balance (global), or one that varies along the pads and "
         "across "
         "the gap with no heat to pads and collar (adiabatic), the two with oil of kind heat_balance. None: global "
         "where the oil is of that kind, else isothermal.",

@@ -51,7 +51,7 @@ class OilAtTemperature(Part):
 class OilByBalance(Part):
     """The effective temperature follows from friction and flow."""
 
-    kind: Literal["heat_balance"] = Field(description="Temperature by the heat balance of all pads.")
+    kind: Literal["heat_balance"] = Field(description="Temperature of each pad by its heat balance.")
     lubricant: LubricantGiven = Field(description="The lubricant.")
     supply_temperature: OilTemperature = Field(description="Temperature of the fresh oil.")
     carry_over: Annotated[float, si("1", "0", "0.99")] = Field(

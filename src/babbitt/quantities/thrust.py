@@ -32,6 +32,9 @@ THRUST: tuple[Quantity, ...] = (
         "pad_inlet_temperature", "T_in", "K", "degC", 4, "Oil temperature at the leading edges, after mixing"
     ),
     quantity("trailing_temperature", "T_tr", "K", "degC", 4, "Oil temperature at the trailing edges"),
+    quantity(
+        "hottest_trailing_temperature", "T_tr,max", "K", "degC", 4, "Oil temperature at the hottest trailing edge"
+    ),
     quantity("axial_stiffness", "K_ax", "N/m", "GN/m", 4, "Stiffness of all films at rest, tilts free"),
     quantity("axial_damping", "C_ax", "N s/m", "MNs/m", 4, "Damping of all films at the frequency of the shaft"),
     quantity("ring_stiffness", "c", "N/m", "GN/m", 4, "Stiffness of the backing ring per pad"),
@@ -46,6 +49,7 @@ THRUST: tuple[Quantity, ...] = (
     quantity("pad_outer_flow", "Q_o,i", "m3/s", "L/min", 3, "Oil out over the outer edge of each pad"),
     quantity("pad_friction_power", "P_f,i", "W", "kW", 4, "Friction power under each pad"),
     quantity("pad_mixed_temperature", "T_in,i", "K", "degC", 4, "Oil temperature at the leading edge of each pad"),
+    quantity("pad_effective_temperature", "T_eff,i", "K", "degC", 4, "Effective temperature of each film"),
     quantity(
         "pad_trailing_temperature", "T_tr,i", "K", "degC", 4, "Oil temperature at the trailing edges, each pad"
     ),

@@ -121,6 +121,7 @@ THRUST_COLUMNS = (
     column_of("pad_load_ratio", 5),
     Column("T_en → T_ex", "°C", (_reading("supply_temperature"), _reading("outlet_temperature")), 3, " → "),
     _judged("maximum_temperature", "T_lim", 2),
+    _judged("hottest_trailing_temperature", "T_lim", 2),
     _judged("trailing_temperature", "T_lim", 2),
     _judged("effective_temperature", "T_lim", 2),
     _unjudged("minimum_film_thickness", 1),

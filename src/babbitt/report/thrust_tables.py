@@ -24,6 +24,12 @@ PAD_COLUMNS = (
 )
 FLOW_COLUMNS = ("pad_leading_flow", "pad_trailing_flow", "pad_inner_flow", "pad_outer_flow", "pad_friction_power")
 WARM_COLUMNS = ("pad_load", "pad_mixed_temperature", "pad_trailing_temperature", "pad_maximum_temperature")
+BALANCE_COLUMNS = (
+    "pad_load",
+    "pad_mixed_temperature",
+    "pad_effective_temperature",
+    "pad_trailing_temperature",
+)
 DYNAMIC_COLUMNS = ("pad_load", "runout_force", "ripple_force", "dynamic_peak", "dynamic_bound", "pad_dynamic_film")
 RINGS_SHOWN = 10
 
@@ -51,6 +57,13 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
     if "pad_maximum_temperature" in result.arrays:
         yield _by_pad(
             result, "Temperatures of the pads", WARM_COLUMNS, "After mixing; mean over the flow; highest."
+        )
+    if "pad_effective_temperature" in result.arrays:
+        yield _by_pad(
+            result,
+            "Temperatures of the pads",
+            BALANCE_COLUMNS,
+            "After mixing; of the film, by its own heat balance; at the trailing edge.",
         )
     if result.kind != "thrust_line":
         return

@@ -214,7 +214,11 @@ def _oil(result: Result) -> str:
 def _hottest(result: Result) -> str:
     """The hottest oil known, with its limit where it has one."""
     name = hottest_of_pads(result.values) or "outlet_temperature"
-    where = {"maximum_temperature": "in a film", "trailing_temperature": "at the trailing edges"}
+    where = {
+        "maximum_temperature": "in a film",
+        "trailing_temperature": "at the trailing edges",
+        "hottest_trailing_temperature": "at the hottest trailing edge",
+    }
     said = f"it is at most {_celsius(result.values[name])} {where.get(name, '')}".rstrip()
     limit = governing(result, name)
     if limit is None:

@@ -111,7 +111,7 @@ def _not_checked(design: LineDesign) -> tuple[Notice, ...]:
 def _assumptions(design: LineDesign) -> Iterator[str]:
     yield "Linear films about the static share, tilts of the pads free and with their inertia; axial motion only."
     yield from oil_assumptions(design.thrust.oil)
-    if design.thrust.oil.warm is not None:
+    if design.thrust.oil.supply_temperature is not None:
         yield "Each pad takes in what a pad under its own load sends off, mixed with fresh oil."
     if design.line.seating is None:
         yield "The seating is rigid: a flexible one lowers the first frequency, typically by a fifth at 2 GN/m."

@@ -28,7 +28,8 @@ class Motion:
     def __init__(self, state: LineState, table: FilmTable) -> None:
         duty, bearing = state.duty, state.duty.bearing
         self.duty, self.bearing, self.table = duty, bearing, table
-        self.viscosity, self.c = state.films.viscosity, bearing.ring_stiffness
+        self.c = bearing.ring_stiffness
+        self.viscosity = np.array([pad.viscosity for pad in state.share.states])
         self.rigid = math.isinf(self.c)
         shaft = shaft_elements(duty.line, RODS)
         self.n, self.z = shaft.mass.shape[0], bearing.number
@@ -63,8 +64,8 @@ class Motion:
         gaps = np.maximum(self.base + x - u[-1] - xi, 1e-9)
         wedge, squeeze, outside = self.table.forces(gaps, slopes)
         self.outside = self.outside or bool(outside.any())
-        right = wedge * (self.viscosity * self.duty.speed)
-        matrix = squeeze * self.viscosity
+        right = wedge * (self.viscosity[:, None] * self.duty.speed)
+        matrix = squeeze * self.viscosity[:, None, None]
         for tilt in self.held:
             matrix = matrix.copy()
             matrix[:, tilt, :], matrix[:, :, tilt] = 0.0, 0.0

@@ -12,9 +12,9 @@ __all__ = ["oil_assumptions"]
 def oil_assumptions(oil: Oil) -> Iterator[str]:
     """What is assumed of the temperature of the films."""
     if oil.warm is None:
+        which = "all films" if oil.balance is None else "the film of each pad"
         yield (
-            "One viscosity for all films, that at the effective temperature; rigid pads; frictionless pivots; "
-            "oil at "
+            f"One viscosity for {which}, that at the effective temperature; rigid pads; frictionless pivots; oil at "
             "ambient pressure around each pad."
         )
     else:

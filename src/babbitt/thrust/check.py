@@ -105,7 +105,7 @@ def _turned(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
 
 def _assumptions(design: ThrustDesign) -> tuple[str, ...]:
     said = list(oil_assumptions(design.oil))
-    if design.oil.warm is not None:
+    if design.oil.supply_temperature is not None:
         said.append("Each pad takes in what the pad before it sends off, mixed with fresh oil.")
     if design.turbulence is not None:
         said.append(f"Turbulence by {design.turbulence.name}: {design.turbulence.source}.")

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from babbitt.film.turbulence import TurbulenceLaw
 from babbitt.lubricants import Lubricant
 from babbitt.notices import Notice
-from babbitt.thrust.bearing import ThrustBearing
+from babbitt.thrust.balanced_films import BalancedFilms, temperatures_together
+from babbitt.thrust.bearing import HousingTilt, ThrustBearing
 from babbitt.thrust.carrying import Carrying, carrying
+from babbitt.thrust.fed_pads import share_of_fed_pads
 from babbitt.thrust.heat import HeatBalance, Temperatures, balanced
 from babbitt.thrust.neighbours import share_with_neighbours
 from babbitt.thrust.runout import RunoutHarmonic
 from babbitt.thrust.sharing import Share, share_at_film, share_of
 from babbitt.thrust.standing import standing_at_rest
-from babbitt.thrust.state import PadState
+from babbitt.thrust.state import PadState, PadTemperatures
 from babbitt.thrust.temperature_limits import TemperatureLimits
 from babbitt.thrust.warm import PadOil
 from babbitt.thrust.warm_films import WarmFilms, own_temperatures, warm_carrying
@@ -160,11 +162,13 @@ def operating_state(design: ThrustDesign) -> ThrustState:
     share = _share(films, design.bearing, design.duty)
     if isinstance(films, WarmFilms):
         temperatures = own_temperatures(films.oil, share.states)
+    if isinstance(films, BalancedFilms) and not standing_at_rest(design.bearing).is_even:
+        temperatures = temperatures_together(films, share.states)
     return ThrustState(films, share, temperatures)
 
 
 def bearing_state(design: ThrustDesign) -> ThrustState:
-    """As `operating_state`; pads with their own temperatures that differ take in the oil of their neighbour.
+    """As `operating_state`; pads with temperatures that differ take in the oil of their neighbour.
 
     Raises
     ------
@@ -174,17 +178,23 @@ def bearing_state(design: ThrustDesign) -> ThrustState:
     """
     state = operating_state(design)
     bearing = state.share.bearing
-    if not isinstance(state.films, WarmFilms) or standing_at_rest(bearing).is_even:
+    films = state.films
+    if standing_at_rest(bearing).is_even:
         return state
     film = design.duty.film if isinstance(design.duty, GivenFilm) else None
-    share = share_with_neighbours(state.films, state.share, film)
-    return ThrustState(state.films, share, own_temperatures(state.films.oil, share.states, bearing.sense))
+    if isinstance(films, WarmFilms):
+        share = share_with_neighbours(films, state.share, film)
+        return ThrustState(films, share, own_temperatures(films.oil, share.states, bearing.sense))
+    if isinstance(films, BalancedFilms):
+        share = share_of_fed_pads(films, state.share, film)
+        return ThrustState(films, share, temperatures_together(films, share.states, bearing.sense))
+    return state
 
 
 def warm_films(
     design: ThrustDesign, bearing: ThrustBearing, speed: float, duty: GivenThrust | GivenFilm
 ) -> tuple[Carrying, Temperatures | None]:
-    """Films of one pad in the oil of the design at a speed and a duty."""
+    """Films of one pad in the oil of the design at a speed and a duty, and temperatures of pads that share evenly."""
     if (warm := design.oil.warm) is not None:
         begin = carrying(bearing.pad, warm.fresh_viscosity, speed)
         if isinstance(duty, GivenFilm):
@@ -196,10 +206,17 @@ def warm_films(
     if balance is None:
         return films, None
 
-    def pads_on(in_oil: Carrying) -> tuple[PadState, ...]:
-        return _share(in_oil, bearing, duty).states
+    even = replace(bearing, tilt=HousingTilt(), height_errors=())
 
-    return balanced(balance, films, speed, pads_on)
+    def pads_on(in_oil: Carrying) -> tuple[PadState, ...]:
+        return _share(in_oil, even, duty).states
+
+    found, together = balanced(balance, films, speed, pads_on)
+    middle = replace(
+        pads_on(found)[0], balance=PadTemperatures(together.inlet, together.trailing - together.inlet)
+    )
+    capacity = float(design.lubricant.volumetric_heat_capacity(together.effective))
+    return BalancedFilms(found, balance, middle, capacity), together
 
 
 def _share(films: Carrying, bearing: ThrustBearing, duty: GivenThrust | GivenFilm) -> Share:

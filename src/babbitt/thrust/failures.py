@@ -13,6 +13,7 @@ __all__ = [
     "OverloadedPadsError",
     "PadsTouchError",
     "ThermalRunawayError",
+    "UnsettledFeedError",
     "UnsettledPadError",
 ]
 
@@ -47,6 +48,15 @@ class UnsettledPadError(NoPadFilmError):
     said = (
         "film, temperatures and tilt of a pad did not come to rest; less thrust or a straighter housing; thermal: "
         "global may have an answer"
+    )
+
+
+class UnsettledFeedError(NoPadFilmError):
+    """Pads that take in the hot oil of their neighbour went on to change each other."""
+
+    said = (
+        "films and temperatures of pads that take in the hot oil of the pad before did not come to rest; less "
+        "thrust, or a straighter housing"
     )
 
 

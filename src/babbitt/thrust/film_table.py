@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.notices import InputError
+from babbitt.thrust.balanced_films import BalancedFilms
 from babbitt.thrust.carrying import Carrying, SimilarFilms
 from babbitt.thrust.pad import DEGREE, ThrustPad
 
@@ -85,6 +86,7 @@ def film_table(films: Carrying) -> FilmTable:
     from babbitt.film.sector import STILL, PlaneMotion, SectorPad, sector_film
 
     pad = films.pad
+    films = films.films if isinstance(films, BalancedFilms) else films
     if not isinstance(films, SimilarFilms):
         raise InputError(
             "E201",

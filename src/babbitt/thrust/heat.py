@@ -1,4 +1,4 @@
-"""The effective temperature of the pads: heat balance of all pads with mixing in the grooves between them.
+"""The effective temperature of pads that share evenly, with mixing in the grooves between them.
 
 Of the oil that leaves a pad over its trailing edge the share ``carry_over`` enters the next pad, mixed with fresh
 oil of the supply to what the leading edge draws in:

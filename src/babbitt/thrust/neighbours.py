@@ -25,7 +25,7 @@ from babbitt.thrust.state import PadState, condensed
 from babbitt.thrust.warm import PadOil, WarmStart, warm_pad
 from babbitt.thrust.warm_films import WarmFilms
 
-__all__ = ["share_with_neighbours"]
+__all__ = ["common_heights", "share_with_neighbours"]
 
 Array = NDArray[np.float64]
 
@@ -76,7 +76,7 @@ def share_with_neighbours(films: WarmFilms, share: Share, mean_film: float | Non
         loads = np.array([state.load for state in states])
         stiffness = FOLLOWING * np.array([condensed(one, 0.0).real for one in states])
         thrust = share.thrust if mean_film is None else float(loads.sum())
-        approach, new = _common(bearing, thrust, mean_film, heights, loads, stiffness)
+        approach, new = common_heights(bearing, thrust, mean_film, heights, loads, stiffness)
         wanted = _inlets(oil, list(states), bearing.sense)
         moved = max(float(np.abs(new / heights - 1.0).max()), 1e-3 * float(np.abs(wanted - inlets).max()))
         if moved < SETTLED:
@@ -123,7 +123,7 @@ def _inlets(oil: PadOil, states: list[PadState], sense: float) -> Array:
     return np.asarray(cold + kept * (np.roll(sent, step) - cold) / entering)
 
 
-def _common(
+def common_heights(
     bearing: ThrustBearing,
     thrust: float,
     mean_film: float | None,
@@ -134,6 +134,16 @@ def _common(
     """Position of the collar and heights at which pads of given stiffness share the thrust.
 
     From h_i + dh_i - (W_i - k_i dh_i)/c = s + e_i and sum (W_i - k_i dh_i) = F_0, or the mean of h_i + dh_i given.
+
+    Parameters
+    ----------
+    bearing : ThrustBearing
+    thrust : float
+        F_0, N.
+    mean_film : float or None
+        Given in place of the thrust, m.
+    heights, loads, stiffness : ndarray, shape (z,)
+        h_i m, W_i N, k_i N/m.
     """
     giving = 1.0 + stiffness / bearing.ring_stiffness
     at_rest = heights - loads / bearing.ring_stiffness - bearing.departures()

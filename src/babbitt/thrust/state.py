@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from babbitt.film.sector import SectorFilm
     from babbitt.film.warm_sector import SectorHeat
 
-__all__ = ["PadState", "TiltInertia", "condensed", "tilt_answer", "wobble_answer"]
+__all__ = ["PadState", "PadTemperatures", "TiltInertia", "condensed", "tilt_answer", "wobble_answer"]
 
 Array = NDArray[np.float64]
 ComplexArray = NDArray[np.complex128]
@@ -29,6 +29,32 @@ class TiltInertia:
 
     radial: float = 0.0
     along: float = 0.0
+
+
+@dataclass(frozen=True)
+class PadTemperatures:
+    """Temperatures of a pad whose film has one, by its own heat balance, K.
+
+    Attributes
+    ----------
+    inlet : float
+        T_in of the mixture that the pad takes in.
+    rise : float
+        dT of the oil along the pad.
+    """
+
+    inlet: float
+    rise: float
+
+    @property
+    def trailing(self) -> float:
+        """T_t = T_in + dT."""
+        return self.inlet + self.rise
+
+    @property
+    def effective(self) -> float:
+        """T_eff = T_in + dT/2, also of the oil that leaves at the sides."""
+        return self.inlet + 0.5 * self.rise
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,6 +90,8 @@ class PadState:
         On the runner, N m.
     heat : SectorHeat or None
         Temperatures of a film that has its own; its coefficients hold for frozen ones.
+    balance : PadTemperatures or None
+        Temperatures of a film that has one, of its own heat balance.
     """
 
     pad: ThrustPad
@@ -86,6 +114,7 @@ class PadState:
     outer_flow: float
     friction_torque: float
     heat: SectorHeat | None = None
+    balance: PadTemperatures | None = None
 
     @property
     def friction_power(self) -> float:

@@ -90,5 +90,10 @@ def hottest_of_pads(values: Mapping[str, float]) -> str | None:
 
     Pads and collar take no heat, so that the hottest oil is at least as hot as the metal under it.
     """
-    names = ("maximum_temperature", "trailing_temperature", "effective_temperature")
+    names = (
+        "maximum_temperature",
+        "hottest_trailing_temperature",
+        "trailing_temperature",
+        "effective_temperature",
+    )
     return next((name for name in names if name in values), None)

@@ -10,7 +10,7 @@ from babbitt.results import Matrix
 from babbitt.thrust.design import ThrustDesign, ThrustState
 from babbitt.thrust.heat import Temperatures
 from babbitt.thrust.sharing import Share
-from babbitt.thrust.state import condensed
+from babbitt.thrust.state import PadTemperatures, condensed
 
 __all__ = ["effective_viscosity", "hottest_oil", "pad_arrays", "reynolds_number", "share_values"]
 
@@ -54,15 +54,24 @@ def share_values(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
 
 def effective_viscosity(design: ThrustDesign, state: ThrustState) -> float:
     """Of the films, Pa s: theirs, or that at the effective temperature where each has its own."""
-    if design.oil.warm is None or state.temperatures is None:
+    if state.temperatures is None or (design.oil.warm is None and not _own_balances(state.share)):
         return state.films.viscosity
     return float(design.lubricant.dynamic_viscosity(state.temperatures.effective))
 
 
 def hottest_oil(share: Share) -> dict[str, float]:
-    """Highest temperature of films that have their own, K; nothing of others."""
+    """Highest temperature of films that have their own, K, or that of the hottest trailing edge; nothing of others."""
     found = [pad.heat.maximum for pad in share.states if pad.heat is not None]
-    return {"maximum_temperature": max(found)} if found else {}
+    if found:
+        return {"maximum_temperature": max(found)}
+    trailing = [pad.trailing for pad in _own_balances(share)]
+    return {"hottest_trailing_temperature": max(trailing)} if trailing else {}
+
+
+def _own_balances(share: Share) -> list[PadTemperatures]:
+    """Temperatures of pads each of which has its own; nothing where they share evenly, and have the same."""
+    found = [pad.balance for pad in share.states if pad.balance is not None]
+    return found if len(set(found)) > 1 else []
 
 
 def _temperatures(design: ThrustDesign, found: Temperatures | None, share: Share) -> dict[str, float]:
@@ -121,6 +130,10 @@ def pad_arrays(share: Share, speed: float) -> dict[str, Matrix]:
         rows["pad_mixed_temperature"] = [heat.inlet for heat in heats]
         rows["pad_trailing_temperature"] = [heat.trailing for heat in heats]
         rows["pad_maximum_temperature"] = [heat.maximum for heat in heats]
+    if balances := _own_balances(share):
+        rows["pad_mixed_temperature"] = [pad.inlet for pad in balances]
+        rows["pad_effective_temperature"] = [pad.effective for pad in balances]
+        rows["pad_trailing_temperature"] = [pad.trailing for pad in balances]
     worst = share.states[int(share.loads.argmax())]
     arrays: dict[str, Matrix] = {name: (tuple(float(one) for one in row),) for name, row in rows.items()}
     for name, matrix in (("full_stiffness", worst.stiffness), ("full_damping", worst.damping)):

@@ -1,0 +1,79 @@
+"""Pads with one temperature each that take in the hot oil of their neighbour.
+
+    Q_in,i T_in,i = lambda Q_t,i-1 T_t,i-1 + (Q_in,i - lambda Q_t,i-1) T_s.
+
+Of a neighbour that sends off more than the leading edge draws in, only as much as it draws in is taken. Heights and
+temperatures are found together, as `babbitt.thrust.neighbours` does for films whose temperature varies.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.notices import InputError
+from babbitt.thrust.balanced_films import BalancedFilms
+from babbitt.thrust.failures import UnsettledFeedError
+from babbitt.thrust.neighbours import FOLLOWING, MOST_ROUNDS, SETTLED, STEP, common_heights
+from babbitt.thrust.sharing import Share
+from babbitt.thrust.standing import standing_at_rest
+from babbitt.thrust.state import PadState, condensed
+
+__all__ = ["share_of_fed_pads"]
+
+Array = NDArray[np.float64]
+
+
+def share_of_fed_pads(films: BalancedFilms, share: Share, mean_film: float | None = None) -> Share:
+    """The share of pads that take in the oil of the pad before.
+
+    Parameters
+    ----------
+    films : BalancedFilms
+    share : Share
+        Of pads that take in that of their like, from which the search begins.
+    mean_film : float, optional
+        Mean film at the pivots that is kept, m, in place of the thrust.
+
+    Raises
+    ------
+    UnsettledFeedError
+        If the pads go on to change each other.
+    ThermalRunawayError
+    """
+    bearing, states, heights = share.bearing, share.states, share.heights.copy()
+    stands = standing_at_rest(bearing)
+    inlets, known = _inlets(films, states, bearing.sense), heights
+    for _ in range(MOST_ROUNDS):
+        try:
+            states = tuple(
+                films.fed(float(height), float(inlet), stands.lean(place), states[place])
+                for place, (height, inlet) in enumerate(zip(heights, inlets, strict=True))
+            )
+        except InputError:  # a pad that leans has no balance so near
+            if np.array_equal(heights, known):
+                break
+            heights = 0.5 * (heights + known)
+            continue
+        known = heights
+        loads = np.array([state.load for state in states])
+        stiffness = FOLLOWING * np.array([condensed(one, 0.0).real if one.load > 0.0 else 0.0 for one in states])
+        thrust = share.thrust if mean_film is None else float(loads.sum())
+        approach, new = common_heights(bearing, thrust, mean_film, heights, loads, stiffness)
+        wanted = _inlets(films, states, bearing.sense)
+        moved = max(float(np.abs(new / heights - 1.0).max()), 1e-3 * float(np.abs(wanted - inlets).max()))
+        if moved < SETTLED:
+            return Share(bearing, thrust, approach, heights, loads, states)
+        heights, inlets = new, inlets + STEP * (wanted - inlets)
+    raise UnsettledFeedError
+
+
+def _inlets(films: BalancedFilms, states: tuple[PadState, ...], sense: float) -> Array:
+    """Temperatures of the mixtures that the pads take in, K."""
+    step = 1 if sense > 0.0 else -1
+    leaving = np.array([state.trailing_flow for state in states])
+    entering = leaving + np.array([state.side_flow for state in states])
+    sent = np.array([state.balance.trailing for state in states if state.balance is not None])
+    kept = np.minimum(np.roll(films.balance.carry_over * leaving, step), entering)
+    cold = films.balance.supply_temperature
+    return np.asarray(cold + kept * (np.roll(sent, step) - cold) / entering)
