@@ -92,7 +92,7 @@ def test_both_senses_of_rotation_are_mirror_images():
 
 
 def test_a_film_given_and_its_thrust_are_one_answer():
-    """But for the heat capacity, which is taken at the temperature of the mean film here, of the mean load there."""
+    """But for the heat capacity: at the temperature of the mean film here, at that of the mean load there."""
     given = bearing_state(replace(design(60e-6), duty=GivenFilm(50e-6)))
     assert given.share.heights.mean() == pytest.approx(50e-6, rel=1e-6)
     again = bearing_state(design(60e-6, thrust=given.share.thrust))

@@ -14,8 +14,8 @@ def oil_assumptions(oil: Oil) -> Iterator[str]:
     if oil.warm is None:
         which = "all films" if oil.balance is None else "the film of each pad"
         yield (
-            f"One viscosity for {which}, that at the effective temperature; rigid pads; frictionless pivots; oil at "
-            "ambient pressure around each pad."
+            f"One viscosity for {which}, that at the effective temperature; rigid pads; frictionless pivots; "
+            "oil at ambient pressure around each pad."
         )
     else:
         across = "and across the pads" if oil.resolved else "means over the width of the pads"

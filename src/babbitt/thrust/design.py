@@ -194,7 +194,7 @@ def bearing_state(design: ThrustDesign) -> ThrustState:
 def warm_films(
     design: ThrustDesign, bearing: ThrustBearing, speed: float, duty: GivenThrust | GivenFilm
 ) -> tuple[Carrying, Temperatures | None]:
-    """Films of one pad in the oil of the design at a speed and a duty, and temperatures of pads that share evenly."""
+    """Films of one pad in the oil of the design at a speed and a duty; temperatures of pads that share evenly."""
     if (warm := design.oil.warm) is not None:
         begin = carrying(bearing.pad, warm.fresh_viscosity, speed)
         if isinstance(duty, GivenFilm):

@@ -2,8 +2,8 @@
 
     Q_in,i T_in,i = lambda Q_t,i-1 T_t,i-1 + (Q_in,i - lambda Q_t,i-1) T_s.
 
-Of a neighbour that sends off more than the leading edge draws in, only as much as it draws in is taken. Heights and
-temperatures are found together, as `babbitt.thrust.neighbours` does for films whose temperature varies.
+Of a neighbour that sends off more than the leading edge draws in, only as much as it draws in is taken. Heights
+and temperatures are found together, as `babbitt.thrust.neighbours` does for films whose temperature varies.
 """
 
 from __future__ import annotations

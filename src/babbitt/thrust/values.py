@@ -60,7 +60,7 @@ def effective_viscosity(design: ThrustDesign, state: ThrustState) -> float:
 
 
 def hottest_oil(share: Share) -> dict[str, float]:
-    """Highest temperature of films that have their own, K, or that of the hottest trailing edge; nothing of others."""
+    """Highest temperature of films that vary, K, or that of the hottest trailing edge; nothing of others."""
     found = [pad.heat.maximum for pad in share.states if pad.heat is not None]
     if found:
         return {"maximum_temperature": max(found)}
