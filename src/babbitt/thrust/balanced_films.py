@@ -10,8 +10,8 @@ and takes in what the pad before it sends off (`babbitt.thrust.fed_pads`), or wh
 
     Q_in T_in = lambda Q_t (T_in + dT) + (Q_in - lambda Q_t) T_s.
 
-The heat capacity is that at the effective temperature of a pad under the mean load: pads that share evenly have the
-balance of all of them together, and what one pad sends off is what the next takes in.
+The heat capacity is that at the effective temperature of a pad under the mean load: pads that share evenly have
+the balance of all of them together, and what one pad sends off is what the next takes in.
 """
 
 from __future__ import annotations
