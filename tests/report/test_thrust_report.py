@@ -117,7 +117,7 @@ def test_the_first_page_shows_what_is_judged_with_its_limit(line, bearing):
     for machine in (line, bearing, solve(parse_case(template("thrust") + "\nthermal: adiabatic\n"))):
         (result,) = machine.results
         shown = first_page(machine)
-        judged = {QUANTITIES[check.quantity].symbol for check in result.checks if check.code != "C204"}
+        judged = {QUANTITIES[check.quantity].symbol for check in result.checks if not check.advisory}
         assert {heading.split(" / ")[0] for heading in shown if " / " in heading} == judged - {"T_ex"}
         assert "–" not in " ".join(shown.values())
         for check in result.checks:
@@ -127,6 +127,11 @@ def test_the_first_page_shows_what_is_judged_with_its_limit(line, bearing):
                     assert cell == f"{quantity.format(check.value)} / {quantity.format(check.limit)}"
     assert {"h_min", "h_dyn / h_lim", "L_1 / L_lim"} <= first_page(line).keys()
     assert "h_min / h_lim" not in first_page(line)
+
+
+def test_the_pressure_on_a_pad_stands_beside_the_limit_of_a_metal_that_is_named():
+    named = first_page(solve(parse_case(template("thrust") + "\nmaterials: {bearing_metal: B83}\n")))
+    assert named["p̄_max / p_lim"].endswith(" / 5.00")
 
 
 def test_a_film_that_is_judged_itself_stands_beside_its_limit():

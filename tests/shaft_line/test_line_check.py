@@ -8,6 +8,7 @@ import pytest
 from babbitt import parse_case
 from babbitt.cases import template
 from babbitt.notices import InputError
+from babbitt.quantities import QUANTITIES
 from babbitt.report.thrust_words import answers
 from babbitt.shaft_line.answer import line_answer
 from babbitt.shaft_line.values import line_values
@@ -36,7 +37,7 @@ def test_the_base_case(base):
     assert base.natural_frequency_1 / math.tau == pytest.approx(27.24, rel=1e-3)
     assert not base.within_limits
     codes = {check.code: check.ok for check in base.checks}
-    assert codes == {"C201": False, "C202": True, "C203": True, "C204": True}
+    assert codes == {"C201": False, "C202": True, "C203": True, "C103": True, "C105": True, "C204": True}
     assert not base.warnings
 
 
@@ -47,9 +48,48 @@ def test_what_a_surveyor_asks_is_answered(base):
         "beyond the limit of 50.0 %",
         "What dominates: the runout of the collar",
         "would halve the dynamic load",
-        "runout up to 4.5 µm",
+        "runout up to 4.5 µm, indicator 9.0 µm (then the dynamic load misses its limit)",
+        "tilt up to ",
     ):
         assert words in said
+
+
+def test_what_is_told_as_admissible_keeps_every_limit_when_it_is_given(base):
+    """The film ends the runout here, the load left on a pad the ripple: C201 alone would let both through."""
+    loose = (("loss_limit: 50 %", "loss_limit: 500 %"), ("film_limit: 10 um", "film_limit: 17 um"))
+    found = result(*loose)
+    said = " ".join(answers(found))
+    for name, old, new in (
+        ("admissible_runout", "amplitude: 5 um", "amplitude: {:.1f} um"),
+        ("admissible_tilt", "offset: 30 um", "offset: {:.1f} um"),
+        ("admissible_ripple", "share: 10 %", "amplitude: {:.2f} kN"),
+    ):
+        shown = QUANTITIES[name].format(found.values[name])
+        assert f"up to {shown}" in said
+        given = float(shown)
+        again = result(*loose, (old, new.format(given)))
+        assert again.within_limits, name
+        more = given * 1.01 + 0.1
+        assert not result(*loose, (old, new.format(more))).within_limits, name
+    assert found.settings["admissible_runout_ends"] == "C202"
+    assert found.settings["admissible_ripple_ends"] in ("C202", "C203")
+
+
+def test_a_cause_without_a_limit_is_told_as_one():
+    """All load on one pad with this oil leaves 5 µm: nothing but the film would end the tilt."""
+    found = result(
+        ("loss_limit: 50 %", "loss_limit: 500 %"),
+        ("film_limit: 10 um", "film_limit: 1 um"),
+        ("share: 10 %", "share: 0.001 %"),
+        ("amplitude: 5 um", "amplitude: 0.001 um"),
+    )
+    assert "admissible_tilt" not in found.values
+    assert "tilt: no limit below 122880.0 µm" in " ".join(answers(found))
+
+
+def test_without_a_cause_the_limit_is_missed_already():
+    said = " ".join(answers(result(("film_limit: 10 um", "film_limit: 40 um"))))
+    assert "runout: none, since without any the film misses its limit" in said
 
 
 def test_a_sweep_without_rings_has_no_best_one(base):

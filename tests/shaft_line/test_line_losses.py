@@ -104,23 +104,40 @@ def test_attribution_names_the_runout_first(base):
     assert found.elasticity == pytest.approx(0.022, abs=0.003)
 
 
-def test_inverse_tools_meet_the_loss(base):
-    found = admissible(base.duty, FILMS, 0.5)
-    assert found.runout is not None
-    assert found.tilt is not None
-    assert found.ripple is not None
-    for changed in (
-        base.duty.with_runout(found.runout / 5e-6),
-        base.duty.with_tilt(found.tilt),
-        base.duty.with_ripple(found.ripple / 50e3),
+def within(loss, film=0.0):
+    """Judge of L1 and of the thinnest dynamic film."""
+    return lambda state: max(
+        (state.losses.mean_bound / loss - 1.0, "C201"), (film - float(state.film.thinnest_bound.min()), "C202")
+    )
+
+
+@pytest.mark.parametrize(("judge", "code"), [(within(0.5), "C201"), (within(9.0, 17e-6), "C202")])
+def test_inverse_tools_meet_the_limit_that_ends_first(base, judge, code):
+    """What is told keeps all limits, one step of what is told more misses the one that is named."""
+    found, duty = admissible(base.duty, FILMS, judge), base.duty
+    for one, step, at in (
+        (found.runout, 1e-7, lambda a: duty.with_runout(a / 5e-6)),
+        (found.tilt, 1e-7, duty.with_tilt),
+        (found.ripple, 100.0, lambda a: duty.with_ripple(a / 50e3)),
     ):
-        assert state_of(changed, FILMS).losses.mean_bound == pytest.approx(0.5, rel=1e-6)
-    assert found.runout < 5e-6
+        assert judge(state_of(at(one.largest), FILMS))[0] <= 0.0
+        missed, by = judge(state_of(at(one.largest + step), FILMS))
+        assert missed > 0.0
+        assert by == one.code == code
+        assert one.largest / step == pytest.approx(round(one.largest / step), abs=1e-6)
+    assert code == "C202" or found.runout.largest < 5e-6
 
 
 def test_a_limit_below_what_remains_has_no_answer(base):
-    found = admissible(base.duty, FILMS, 0.05)
-    assert (found.runout, found.tilt, found.ripple) == (None, None, None)
+    found = admissible(base.duty, FILMS, within(0.05))
+    assert [one.largest for one in (found.runout, found.tilt, found.ripple)] == [0.0, 0.0, 0.0]
+    assert {one.code for one in (found.runout, found.tilt, found.ripple)} == {"C201"}
+
+
+def test_what_nothing_limits_is_told_as_far_as_it_was_sought(base):
+    found = admissible(base.duty, FILMS, lambda state: (-1.0, "C201"))
+    assert found.runout.largest == found.tilt.largest == math.inf
+    assert found.runout.sought > 1000.0 * 5e-6
 
 
 def test_rings_for_half_the_load_and_for_a_film(base):

@@ -407,3 +407,24 @@ def test_leaning_pads_at_a_given_film_speak_of_the_film():
     found = result(pads=pads, thrust=None, film="50 um", tilt="{offset: 60 um}", ring_stiffness=None)
     assert found.outcome is Outcome.OUTSIDE_CLEARANCE
     assert "mean film of 50.0 µm; less tilt" in found.message
+
+
+def test_the_pressure_on_the_pad_that_carries_most_is_held_against_the_metal():
+    """W_max over the area of a pad, C103 by experience and C105 of B83; advice where no metal is named."""
+    named = result(materials=METAL, thrust="900 kN")
+    pad = 0.5 * math.radians(36.0) * (0.375**2 - 0.190**2)
+    checks = {check.code: check for check in named.checks}
+    for code, limit in (("C103", 5e6), ("C105", 15e6)):
+        assert checks[code].quantity == "largest_specific_load"
+        assert checks[code].value == pytest.approx(named.largest_pad_load / pad)
+        assert checks[code].limit == limit
+        assert not checks[code].advisory
+    assert not checks["C103"].ok
+    assert not named.within_limits
+    advised = {check.code: check for check in result(thrust="900 kN").checks}
+    assert advised["C103"].advisory
+    assert advised["C105"].advisory
+    assert advised["C103"].source.startswith("assumption: B83; experience values")
+    assert advised["C103"].source.endswith("of journal bearings")
+    slow = result(materials=METAL, speed="20 rpm", film_limit="1 um")
+    assert {check.code: check.limit for check in slow.checks}["C103"] == 15e6

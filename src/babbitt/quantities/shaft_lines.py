@@ -41,9 +41,9 @@ SHAFT_LINES: tuple[Quantity, ...] = (
     quantity(
         "frequency_separation", "δ_f", "1", "%", 3, "Least distance of an excitation from a natural frequency"
     ),
-    quantity("admissible_runout", "A_adm", "m", "um", 3, "Largest runout amplitude within the limit of loss"),
-    quantity("admissible_tilt", "e_adm", "m", "um", 3, "Largest tilt of the housing within the limit of loss"),
-    quantity("admissible_ripple", "Q_adm", "N", "kN", 4, "Largest thrust ripple within the limit of loss"),
+    quantity("admissible_runout", "A_adm", "m", "um", 3, "Largest runout amplitude within all limits"),
+    quantity("admissible_tilt", "e_adm", "m", "um", 3, "Largest tilt of the housing within all limits"),
+    quantity("admissible_ripple", "Q_adm", "N", "kN", 4, "Largest thrust ripple within all limits"),
     quantity(
         "half_load_ring_stiffness",
         "c_half",

@@ -8,6 +8,7 @@ THRUST: tuple[Quantity, ...] = (
     quantity("pad_number", "z", "1", "count", 3, "Number of pads"),
     quantity("pivot_film_thickness", "h_p", "m", "um", 3, "Film at the pivot of the pad that carries most"),
     quantity("largest_pad_load", "W_max", "N", "kN", 4, "Load of the pad that carries most"),
+    quantity("largest_specific_load", "p̄_max", "Pa", "MPa", 3, "Mean pressure of the pad that carries most"),
     quantity("smallest_pad_load", "W_least", "N", "kN", 4, "Load of the pad that carries least"),
     quantity("pad_load_ratio", "W_max*", "1", "", 3, "Largest over mean pad load"),
     quantity("collar_moment", "M_c", "N m", "kNm", 4, "Static moment of uneven pad loads on the collar"),

@@ -117,6 +117,7 @@ HEEL_COLUMNS = (
 
 THRUST_COLUMNS = (
     column_of("specific_load", 4),
+    _judged("largest_specific_load", "p_lim", 3),
     column_of("surface_speed", 7),
     column_of("pad_load_ratio", 5),
     Column("T_en → T_ex", "°C", (_reading("supply_temperature"), _reading("outlet_temperature")), 3, " → "),

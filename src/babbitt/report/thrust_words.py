@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from babbitt.report.verdict import governing
+from babbitt.report.verdict import governing, written
 from babbitt.results import Bound, Check, Result
 from babbitt.thrust.temperature_limits import hottest_of_pads
 from babbitt.units import ZERO_CELSIUS
@@ -59,7 +59,7 @@ def _of_line(result: Result) -> Iterator[str]:
     yield _causes(result)
     if result.values["loss_mean_bound"] > 0.0 and checks["C202"].value > 0.0:
         yield _ring(result)
-    if bearable := _bearable(result, checks["C201"].limit):
+    if bearable := _bearable(result):
         yield bearable
     yield _frequencies(result)
     if "nonlinear_load_peak" in result.values:
@@ -143,21 +143,44 @@ def _ring(result: Result) -> str:
     return f"{said}. A soft ring evens out the tilt and keeps runout away, but lets the first frequency fall."
 
 
-def _bearable(result: Result, limit: float) -> str:
-    v = result.values
-    parts = []
-    if "admissible_runout" in v:
-        parts.append(
-            f"runout up to {_micro(v['admissible_runout'])} (indicator {_micro(2.0 * v['admissible_runout'])})"
-        )
-    if "admissible_tilt" in v:
-        parts.append(f"tilt up to {_micro(v['admissible_tilt'])}")
-    if "admissible_ripple" in v:
-        share = _percent(v["admissible_ripple"] / v["load"])
-        parts.append(f"thrust ripple up to {v['admissible_ripple'] / 1e3:.1f} kN, {share} of the thrust")
+ENDS = {
+    "C201": "the dynamic load",
+    "C202": "the film",
+    "C203": "the load left on a pad",
+    "C103": "the pressure on a pad",
+    "C105": "the pressure on a pad",
+    "C104": "the oil temperature",
+    "C108": "the oil temperature",
+}
+
+
+def _bearable(result: Result) -> str:
+    """How large each cause may be, and what ends it."""
+    parts = [
+        said
+        for name, cause in (("runout", "runout"), ("tilt", "tilt"), ("ripple", "thrust ripple"))
+        if (said := _largest(result, f"admissible_{name}", cause))
+    ]
     if not parts:
         return ""
-    return f"Each alone, the others unchanged, keeps {_percent(limit)}: {'; '.join(parts)}."
+    return f"Each alone, the others unchanged, within all limits: {'; '.join(parts)}."
+
+
+def _largest(result: Result, name: str, cause: str) -> str:
+    end = result.settings.get(f"{name}_ends", "")
+    if name not in result.values:
+        return f"{cause}: {end}" if end else ""
+    value = result.values[name]
+    by = ENDS.get(end, f"check {end}")
+    if not value > 0.0:
+        return f"{cause}: none, since without any {by} misses its limit"
+    more = ""
+    if cause == "runout":
+        more = f", indicator {written(name, 2.0 * value)}"
+    if cause == "thrust ripple":  # rounded down like the force
+        more = f", {math.floor(1000.0 * value / result.values['load'] + 1e-9) / 10.0:.1f} % of the thrust"
+    then = "then the pads find no film" if end == "no film" else f"then {by} misses its limit"
+    return f"{cause} up to {written(name, value)}{more} ({then})"
 
 
 def _frequencies(result: Result) -> str:

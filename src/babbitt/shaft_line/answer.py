@@ -9,6 +9,7 @@ from functools import lru_cache
 from babbitt.shaft_line.damped import DampedMode, damped_modes
 from babbitt.shaft_line.design import LineDesign
 from babbitt.shaft_line.inverse import Admissible, admissible, ring_for_loss
+from babbitt.shaft_line.judged import excess_of
 from babbitt.shaft_line.losses import separation
 from babbitt.shaft_line.model import LineState, state_of
 from babbitt.shaft_line.natural import Mode, modes, undamped_frequencies
@@ -90,7 +91,7 @@ def line_answer(design: LineDesign) -> LineAnswer:
         modes=modes(design.line, state.pads, min(known, 12)),
         damped=damped_modes(design.line, state.pads, MODES),
         causes=attribution(state),
-        bearable=admissible(duty, films, design.loss_limit),
+        bearable=admissible(duty, films, excess_of(design)),
         rings=ring_sweep(duty, films, rings),
         half=ring_for_loss(duty, films, 0.5 * state.losses.mean_bound, rings[::3]),
         campbell=speed_sweep(duty, design.films_at, design.speeds),

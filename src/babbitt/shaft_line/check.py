@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from time import perf_counter
 
 from babbitt.notices import Notice
+from babbitt.quantities import QUANTITIES
 from babbitt.results import Bound, Check, Outcome, Result
 from babbitt.shaft_line.answer import line_answer
 from babbitt.shaft_line.design import LineDesign
 from babbitt.shaft_line.doubts import NEAR, line_doubts
-from babbitt.shaft_line.values import line_arrays, line_values
+from babbitt.shaft_line.inverse import Bearable
+from babbitt.shaft_line.judged import limits_of
+from babbitt.shaft_line.values import bearables, line_arrays, line_values
 from babbitt.thrust.assumed import oil_assumptions
 from babbitt.thrust.doubts import share_doubts
 from babbitt.thrust.failures import NoPadFilmError
@@ -47,7 +51,7 @@ def line_check(design: LineDesign) -> Result:
         METHOD,
         Outcome.CONVERGED,
         values,
-        (*_checks(design, values), *thrust.temperatures.checks(values)),
+        tuple(_checks(design, values)),
         (*thrust.doubts, *share_doubts(thrust, answer.static), *line_doubts(design, answer)),
         (*_not_checked(design), *thrust.temperatures.not_checked(values)),
         (
@@ -60,36 +64,22 @@ def line_check(design: LineDesign) -> Result:
             "lubricant": design.lubricant.name,
             "pivot": thrust.bearing.pad.pivot.value,
             "rods": str(len(design.line.rods)),
+            **{f"{name}_ends": _end(name, one) for name, one in bearables(answer).items()},
         },
         arrays=line_arrays(design, answer),
     )
 
 
+def _end(name: str, bearable: Bearable) -> str:
+    """What an admissible amplitude ends with: a code, "no film", or "no limit below" where it was sought."""
+    if math.isfinite(bearable.largest):
+        return bearable.code or "no film"
+    quantity = QUANTITIES[name]
+    return f"no limit below {quantity.format(bearable.sought)} {quantity.display.label}"
+
+
 def _checks(design: LineDesign, values: dict[str, float]) -> Iterator[Check]:
-    yield Check(
-        "C201",
-        "loss_mean_bound",
-        values["loss_mean_bound"],
-        design.loss_limit,
-        Bound.AT_MOST,
-        design.loss_limit_source,
-    )
-    yield Check(
-        "C202",
-        "dynamic_minimum_film",
-        values["dynamic_minimum_film"],
-        design.thrust.film_limit,
-        Bound.AT_LEAST,
-        design.thrust.film_limit_source,
-    )
-    yield Check(
-        "C203",
-        "unload_margin_bound",
-        values["unload_margin_bound"],
-        0.0,
-        Bound.AT_LEAST,
-        "a film cannot pull: below zero the pad leaves the collar",
-    )
+    yield from limits_of(design, values)
     if "frequency_separation" in values:
         yield Check(
             "C204",

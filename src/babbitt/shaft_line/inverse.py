@@ -1,12 +1,14 @@
-"""What a line can bear: the largest runout, tilt and ripple within a loss, the ring for a wanted film or load."""
+"""What a line can bear: the largest runout, tilt and ripple within all limits, the ring for a film or a load."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
 from babbitt.design.roots import bracketed_root
-from babbitt.shaft_line.model import LineDuty, state_of
+from babbitt.shaft_line.judged import Excess
+from babbitt.shaft_line.model import LineDuty, LineState, state_of
 from babbitt.shaft_line.sweeps import RingPoint, ring_point
 from babbitt.thrust.carrying import Carrying
 from babbitt.thrust.failures import NoPadFilmError
@@ -14,90 +16,131 @@ from babbitt.thrust.sharing import share_of
 
 __all__ = [
     "Admissible",
+    "Bearable",
     "admissible",
-    "largest_ripple",
-    "largest_runout",
-    "largest_tilt",
     "ring_for_film_amplitude",
     "ring_for_loss",
 ]
 
-WIDEST = 2.0**12
-"""Factor up to which a root is sought."""
-RELATIVE = 1e-9
-BEYOND = 1e6
-"""Loss that stands for a bearing without a film."""
+FIRST, WIDEST = 0.25, 2.0**12
+"""Factors from which and up to which a limit is sought, each twice the one before."""
+RELATIVE = 1e-6
+NO_FILM: Excess = (1e6, "")
+"""Stands for a bearing without a film."""
+SHOWN_LENGTH, SHOWN_FORCE = 1e-7, 100.0
+"""Steps in which amplitudes are told, m and N: what is found is rounded down, so that all limits are kept."""
+SHORTER = 50
+"""Steps by which what is found is lowered at most, until it keeps them."""
+
+Judge = Callable[[LineState], Excess]
+
+
+@dataclass(frozen=True)
+class Bearable:
+    """How large one cause may be with the others as they are.
+
+    Attributes
+    ----------
+    largest : float
+        Largest amplitude that keeps all limits, rounded down; 0 where none does, infinite where no amplitude was
+        found that misses one.
+    code : str
+        Of the check that is missed first beyond it; empty where the pads find no film, or nothing is missed.
+    sought : float
+        Amplitude up to which a limit was sought.
+    """
+
+    largest: float
+    code: str
+    sought: float
 
 
 @dataclass(frozen=True)
 class Admissible:
-    """Largest amplitudes that keep a loss, each with the others as they are; None where none does.
+    """Largest amplitudes within all limits, each with the others as they are.
 
     Attributes
     ----------
-    runout : float or None
-        Of the face at the pivot radius, m.
-    tilt : float or None
+    runout : Bearable or None
+        Of the face at the pivot radius, m; of several waves the first, all in proportion. None without runout.
+    tilt : Bearable
         Of the housing at the outer radius of the pads, m.
-    ripple : float or None
-        Of the thrust, N.
+    ripple : Bearable or None
+        Of the thrust, N, as the runout. None without ripple.
     """
 
-    runout: float | None
-    tilt: float | None
-    ripple: float | None
+    runout: Bearable | None
+    tilt: Bearable
+    ripple: Bearable | None
 
 
-def admissible(duty: LineDuty, films: Carrying, loss: float) -> Admissible:
-    """Largest runout, tilt and ripple that keep L1 (bound) at or below ``loss``."""
+def admissible(duty: LineDuty, films: Carrying, judge: Judge) -> Admissible:
+    """Largest runout, tilt and ripple that keep all limits.
+
+    Parameters
+    ----------
+    duty : LineDuty
+    films : Carrying
+    judge : callable
+        Says by how much a state misses its worst check, see `babbitt.shaft_line.judged.excess_of`.
+    """
+    share = share_of(films, duty.bearing, duty.thrust)
+    tilt = duty.bearing.tilt.offset or films.height_for(duty.thrust / duty.bearing.number)
+    runout = ripple = None
+    if duty.runout:
+        runout = _largest(
+            lambda a: judge(state_of(duty.with_runout(a / duty.runout), films, share)), duty.runout, SHOWN_LENGTH
+        )
+    if duty.ripple:
+        ripple = _largest(
+            lambda a: judge(state_of(duty.with_ripple(a / duty.ripple), films, share)), duty.ripple, SHOWN_FORCE
+        )
     return Admissible(
-        largest_runout(duty, films, loss), largest_tilt(duty, films, loss), largest_ripple(duty, films, loss)
+        runout, _largest(lambda e: _judged(duty.with_tilt(e), films, judge), tilt, SHOWN_LENGTH), ripple
     )
 
 
-def largest_runout(duty: LineDuty, films: Carrying, loss: float) -> float | None:
-    """Amplitude of the first runout harmonic, m; None without runout or where even none is too much."""
-    if not duty.runout:
-        return None
-    share = share_of(films, duty.bearing, duty.thrust)
-    factor = _largest(lambda f: state_of(duty.with_runout(f), films, share).losses.mean_bound, loss)
-    return None if factor is None else factor * duty.runout
-
-
-def largest_ripple(duty: LineDuty, films: Carrying, loss: float) -> float | None:
-    """Amplitude of the first thrust harmonic, N."""
-    if not duty.ripple:
-        return None
-    share = share_of(films, duty.bearing, duty.thrust)
-    factor = _largest(lambda f: state_of(duty.with_ripple(f), films, share).losses.mean_bound, loss)
-    return None if factor is None else factor * duty.ripple
-
-
-def largest_tilt(duty: LineDuty, films: Carrying, loss: float) -> float | None:
-    """Offset of the housing at the outer radius, m."""
-    scale = duty.bearing.tilt.offset or films.height_for(duty.thrust / duty.bearing.number)
-    factor = _largest(lambda f: _loss_at(duty.with_tilt(f * scale), films), loss)
-    return None if factor is None else factor * scale
-
-
-def _loss_at(duty: LineDuty, films: Carrying) -> float:
-    """L1 (bound); without a film more than any limit, so that what is admissible ends there."""
+def _judged(duty: LineDuty, films: Carrying, judge: Judge) -> Excess:
     try:
-        return state_of(duty, films).losses.mean_bound
+        return judge(state_of(duty, films))
     except NoPadFilmError:
-        return BEYOND
+        return NO_FILM
 
 
-def _largest(of: Callable[[float], float], limit: float) -> float | None:
-    """Largest factor from 0 up to which a growing loss keeps its limit."""
-    if of(0.0) > limit:
-        return None
-    high = 1.0
-    while of(high) <= limit:
-        high *= 2.0
-        if high > WIDEST:
-            return None
-    return bracketed_root(lambda f: of(f) - limit, 0.0, high, relative=RELATIVE)
+def _largest(of: Callable[[float], Excess], scale: float, shown: float) -> Bearable:
+    """Largest amplitude from 0 up to which all limits are kept, sought from a scale."""
+    missed, code = of(0.0)
+    if missed > 0.0:
+        return Bearable(0.0, code, 0.0)
+    low, high = 0.0, FIRST * scale
+    while (found := of(high))[0] <= 0.0:
+        low, high = high, 2.0 * high
+        if high > WIDEST * scale:
+            return Bearable(math.inf, "", low)
+    edge = bracketed_root(lambda a: of(a)[0], low, high, relative=RELATIVE)
+    largest = rounded_down(edge, shown)
+    for _ in range(SHORTER):
+        if of(largest)[0] <= 0.0:
+            break
+        largest = rounded_down(largest * (1.0 - 2.0 * RELATIVE), shown)
+    return Bearable(largest, _beyond(of, edge, found), high)
+
+
+def _beyond(of: Callable[[float], Excess], edge: float, found: Excess) -> str:
+    """Code of the check that is missed a little beyond the edge."""
+    missed, code = of(edge * (1.0 + 10.0 * RELATIVE))
+    return code if missed > 0.0 else found[1]
+
+
+def rounded_down(value: float, step: float) -> float:
+    """A positive number rounded down to a step; below one to two digits.
+
+    >>> rounded_down(2.46, 0.1) < 2.4001, rounded_down(0.0129, 1.0)
+    (True, 0.012)
+    """
+    if value < 10.0 * step:
+        step = 10.0 ** (math.floor(math.log10(value)) - 1) if value > 0.0 else step
+    return float(f"{math.floor(value / step * (1.0 + 1e-12)) * step:.12g}")
 
 
 def ring_for_loss(duty: LineDuty, films: Carrying, loss: float, rings: tuple[float, ...]) -> RingPoint | None:

@@ -7,10 +7,12 @@ import math
 from babbitt.results import Matrix
 from babbitt.shaft_line.answer import MODES, LineAnswer
 from babbitt.shaft_line.design import LineDesign
+from babbitt.shaft_line.inverse import Bearable
+from babbitt.shaft_line.judged import motion_values
 from babbitt.shaft_line.sweeps import barred_ranges
 from babbitt.thrust.values import pad_arrays, share_values
 
-__all__ = ["line_arrays", "line_values"]
+__all__ = ["bearables", "line_arrays", "line_values"]
 
 
 def line_values(design: LineDesign, answer: LineAnswer) -> dict[str, float]:
@@ -18,14 +20,12 @@ def line_values(design: LineDesign, answer: LineAnswer) -> dict[str, float]:
     state, losses = answer.state, answer.state.losses
     values = share_values(design.thrust, answer.static)
     values |= {
-        "loss_mean_bound": losses.mean_bound,
+        **motion_values(state),
         "loss_mean_peak": losses.mean_peak,
         "loss_mean_worst_turn": state.worst_turn_loss,
         "loss_own_bound": losses.own_bound,
         "loss_own_peak": losses.own_peak,
-        "unload_margin_bound": losses.margin_bound,
         "unload_margin_peak": losses.margin_peak,
-        "dynamic_minimum_film": float(state.film.thinnest_bound.min()),
         "dynamic_minimum_film_peak": float(state.film.thinnest.min()),
         "relative_film_amplitude": float(state.film.relative.max()),
         "collar_moment_amplitude": state.moment_amplitude,
@@ -39,12 +39,7 @@ def line_values(design: LineDesign, answer: LineAnswer) -> dict[str, float]:
         values["damping_ratio_1"] = answer.damped[0].damping_ratio
     if math.isfinite(answer.separation):
         values["frequency_separation"] = answer.separation
-    bearable = {
-        "admissible_runout": answer.bearable.runout,
-        "admissible_tilt": answer.bearable.tilt,
-        "admissible_ripple": answer.bearable.ripple,
-    }
-    values |= {name: value for name, value in bearable.items() if value is not None}
+    values |= {name: one.largest for name, one in bearables(answer).items() if math.isfinite(one.largest)}
     if answer.half is not None:
         values["half_load_ring_stiffness"] = answer.half.stiffness
     if answer.best is not None:
@@ -58,6 +53,17 @@ def line_values(design: LineDesign, answer: LineAnswer) -> dict[str, float]:
             "mean_film_shift": float(moved.film_shift.max()),
         }
     return values
+
+
+def bearables(answer: LineAnswer) -> dict[str, Bearable]:
+    """What the line can bear, by the names of its results."""
+    found = answer.bearable
+    each = {
+        "admissible_runout": found.runout,
+        "admissible_tilt": found.tilt,
+        "admissible_ripple": found.ripple,
+    }
+    return {name: one for name, one in each.items() if one is not None}
 
 
 def line_arrays(design: LineDesign, answer: LineAnswer) -> dict[str, Matrix]:

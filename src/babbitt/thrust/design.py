@@ -29,6 +29,7 @@ __all__ = [
     "ThrustState",
     "bearing_state",
     "operating_state",
+    "temperatures_of_share",
     "warm_films",
 ]
 
@@ -158,13 +159,20 @@ def operating_state(design: ThrustDesign) -> ThrustState:
         E202 where the pads do not balance.
     ThermalRunawayError
     """
-    films, temperatures = warm_films(design, design.bearing, design.speed, design.duty)
+    films, together = warm_films(design, design.bearing, design.speed, design.duty)
     share = _share(films, design.bearing, design.duty)
+    if together is not None and standing_at_rest(design.bearing).is_even:
+        return ThrustState(films, share, together)
+    return ThrustState(films, share, temperatures_of_share(films, share))
+
+
+def temperatures_of_share(films: Carrying, share: Share) -> Temperatures | None:
+    """Temperatures of pads that take in what their like sends off; None where the viscosity is fixed."""
     if isinstance(films, WarmFilms):
-        temperatures = own_temperatures(films.oil, share.states)
-    if isinstance(films, BalancedFilms) and not standing_at_rest(design.bearing).is_even:
-        temperatures = temperatures_together(films, share.states)
-    return ThrustState(films, share, temperatures)
+        return own_temperatures(films.oil, share.states)
+    if isinstance(films, BalancedFilms):
+        return temperatures_together(films, share.states)
+    return None
 
 
 def bearing_state(design: ThrustDesign) -> ThrustState:

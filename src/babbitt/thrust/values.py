@@ -34,6 +34,7 @@ def share_values(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
         "minimum_film_thickness": min(pad.minimum_film_thickness for pad in share.states),
         "maximum_pressure": max(pad.maximum_pressure for pad in share.states),
         "largest_pad_load": float(share.loads.max()),
+        "largest_specific_load": float(share.loads.max()) / bearing.pad.area,
         "smallest_pad_load": float(share.loads.min()),
         "pad_load_ratio": share.largest_over_mean,
         "collar_moment": share.collar_moment,
