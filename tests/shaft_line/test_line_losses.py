@@ -17,6 +17,7 @@ from babbitt.shaft_line.natural import modes, undamped_frequencies
 from babbitt.shaft_line.stages import attribution, stages
 from babbitt.shaft_line.sweeps import barred_ranges, ring_sweep, speed_sweep, usual_rings
 from babbitt.thrust.carrying import carrying
+from babbitt.thrust.state import TiltInertia
 
 FILMS = carrying(PAD, VISCOSITY, SPEED)
 GOLDEN_RINGS = {  # c: runout %, ripple %, bound %, film amplitude um, first frequency Hz
@@ -164,7 +165,8 @@ def test_ripple_far_above_every_frequency_reaches_no_pad(base):
 
 
 def test_damped_frequencies_lie_by_the_undamped(base):
-    damped = damped_modes(base.duty.line, base.pads, 3)
+    damped = damped_modes(base.duty.line, base.pads, modes(base.duty.line, base.pads, 3))
+    assert [mode.order for mode in damped] == [1, 2, 3]
     natural = undamped_frequencies(base.duty.line, base.pads, 3)
     assert damped[0].frequency == pytest.approx(natural[0], rel=0.05)
     assert all(0.0 < mode.damping_ratio < 0.9 for mode in damped)
@@ -188,3 +190,27 @@ def test_speed_sweep_and_barred_range():
     assert 4.0 in ranges
     low, high = ranges[4.0]
     assert low < points[-1].frequencies[0] / 4.0 < high
+
+
+@pytest.mark.parametrize("inertia", [True, False])
+def test_the_first_damped_mode_is_that_of_the_line_and_not_of_idle_pads(inertia):
+    """Under 1 mm of tilt idle pads swing slowly by themselves: 5 Hz with a ratio of 0.87 is not the line."""
+    tilted = duty(tilt=1e-3)
+    if not inertia:
+        tilted = replace(tilted, bearing=replace(tilted.bearing, inertia=TiltInertia()))
+    pads = state_of(tilted, FILMS).pads
+    natural = modes(tilted.line, pads, 4)
+    damped = damped_modes(tilted.line, pads, natural)
+    assert [mode.order for mode in damped] == [1, 2, 3, 4]
+    for mode, undamped in zip(damped, natural, strict=True):
+        assert mode.frequency == pytest.approx(undamped.frequency, rel=0.1)
+    assert damped[0].damping_ratio < 0.02
+
+
+def test_a_first_mode_that_creeps_is_not_told_as_the_second(base):
+    """A propeller held by its damping: the first mode of the free line is gone, its order with it."""
+    held = replace(base.duty.line, propeller_damping=3e7)
+    free = modes(held, base.pads, 3)
+    found = damped_modes(held, base.pads, free)
+    for mode in found:
+        assert mode.frequency == pytest.approx(free[mode.order - 1].frequency, rel=0.4)

@@ -9,6 +9,7 @@ import pytest
 from babbitt import parse_case
 from babbitt.cases import template
 from babbitt.notices import InputError
+from babbitt.report.thrust_words import answers
 from babbitt.results import Outcome
 from babbitt.solving import solve
 from babbitt.studies.comparison import compare_methods
@@ -428,3 +429,50 @@ def test_the_pressure_on_the_pad_that_carries_most_is_held_against_the_metal():
     assert advised["C103"].source.endswith("of journal bearings")
     slow = result(materials=METAL, speed="20 rpm", film_limit="1 um")
     assert {check.code: check.limit for check in slow.checks}["C103"] == 15e6
+
+
+def test_what_the_runout_does_is_said_and_doubted():
+    still, turning = result(tilt=None), result(tilt=None, runout="20 um")
+    said = answers(turning)[0]
+    assert "While the collar turns slowly" not in answers(still)[0]
+    ratio, film = turning.quasi_static_load_ratio, 1e6 * turning.quasi_static_minimum_film_thickness
+    assert f"a pad carries up to {ratio:.2f} times the mean, on {film:.1f} µm at the thinnest" in said
+    assert "the limit of 10.0 µm" in said
+    assert not [one for one in turning.warnings if one.code == "W201"]
+    tilted = result(tilt="{offset: 30 um}", runout="35 um", ring_stiffness=None)
+    [doubt] = [one.message for one in tilted.warnings if one.code == "W201"]
+    assert "tilt, heights and a runout of 35.0 µm bring a pad up to 58.2 µm nearer" in doubt
+    even = still.pivot_film_thickness * 1e6
+    assert f"the film of {even:.1f} µm that an even share has" in doubt
+
+
+@pytest.mark.parametrize("oil", ["{kind: viscosity, viscosity: 50 mPa s}", f"{BALANCE}}}"])
+def test_hollow_pads_tell_their_crown_and_the_largest_load_they_carry(oil):
+    """The same end at any thrust beyond; at a little less than the load that is told they have a film."""
+    said = {overloaded_hollow(f"{thrust} kN", oil) for thrust in (400, 500, 2000)}
+    [most] = {words.split("at most ")[1].split(" kN")[0] for words in said}
+    assert all("hollow (crown -5 µm)" in words for words in said)
+    assert not any("-0" in words for words in said)
+    assert solve(parse_case(hollow(f"{0.998 * float(most)} kN", oil))).results[0].outcome.solved
+    assert "the pads carry at most" in overloaded_hollow(f"{1.002 * float(most)} kN", oil)
+
+
+def test_a_hollow_pad_that_a_tilt_overloads_is_told_alike():
+    tilted = hollow("340 kN", "{kind: viscosity, viscosity: 50 mPa s}") + "\ntilt: {offset: 30 um}\n"
+    found = solve(parse_case(tilted)).results[0]
+    assert found.outcome is Outcome.OVERLOADED
+    assert "a pad carries at most 43.19 kN: the pads are hollow (crown -5 µm)" in found.message
+
+
+def hollow(thrust, oil):
+    return (
+        f"babbitt: 1\nkind: thrust\nname: hollow\nthrust: {thrust}\nspeed: 120 rpm\noil: {oil}\n"
+        "pads: {number: 8, inner_radius: 220 mm, outer_radius: 420 mm, extent: 35 deg, crown: -5 um, "
+        "pivot: {kind: point, radius: 325 mm, fraction: 0.6}}\n"
+    )
+
+
+def overloaded_hollow(thrust, oil):
+    found = solve(parse_case(hollow(thrust, oil))).results[0]
+    assert found.outcome is Outcome.OVERLOADED
+    return found.message

@@ -7,9 +7,9 @@ from babbitt.notices.explanation import Explanation
 THRUST: dict[str, Explanation] = {
     "W201": Explanation(
         "Pads share the load very unevenly",
-        "The tilt of the housing, or a pad height, is as large as the film that an even share would have, or "
-        "a pad "
-        "carries less than 1 % of the mean. Such a pad flutters or runs dry on another day of another alignment.",
+        "The tilt of the housing, or a pad height, with the runout, is as large as the film that an even share "
+        "would have, or a pad carries less than 1 % of the mean. Such a pad flutters or runs dry on "
+        "another day of another alignment.",
         "Align the housing, adjust the heights of the pads, or give the ring more compliance.",
     ),
     "W202": Explanation(

@@ -70,7 +70,7 @@ SHAFT_LINES: tuple[Quantity, ...] = (
     quantity("dynamic_peak", "N_peak,i", "N", "kN", 4, "Largest dynamic force of each pad, phases as given"),
     quantity("dynamic_bound", "N_bound,i", "N", "kN", 4, "Largest dynamic force of each pad, any phases"),
     quantity("pad_dynamic_film", "h_dyn,i", "m", "um", 3, "Thinnest dynamic film of each pad, any phases"),
-    quantity("damped_modes", "D", "1", "", 4, "Damped frequency (rad/s) and damping ratio of each mode"),
+    quantity("damped_modes", "D", "1", "", 4, "Damped frequency (rad/s), damping ratio and number of each mode"),
     quantity(
         "ring_sweep",
         "c_sweep",

@@ -79,7 +79,7 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
             "Damped modes",
             ("Mode", "Damped frequency", "Damping ratio"),
             ("", "Hz", "%"),
-            [(str(n), f"{f / math.tau:.2f}", f"{100.0 * d:.2f}") for n, (f, d) in enumerate(modes, start=1)],
+            [(f"{n:.0f}", f"{f / math.tau:.2f}", f"{100.0 * d:.2f}") for f, d, n in modes],
             "Of the free motion that decays. Undamped frequencies, against which excitations are held, take the "
             "stiffness of the films at rest; moving films are stiffer.",
         )

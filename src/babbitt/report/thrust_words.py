@@ -44,11 +44,28 @@ def _share(result: Result) -> str:
     loads, films = (result.arrays[name][0] for name in ("pad_load", "pad_minimum_film_thickness"))
     most, thinnest = 1 + loads.index(max(loads)), 1 + films.index(min(films))
     if max(loads) < 1.000001 * min(loads):
-        return f"All pads carry {max(loads) / 1e3:.1f} kN on a film of {_micro(min(films))} at its thinnest place."
-    return (
+        said = f"All pads carry {max(loads) / 1e3:.1f} kN on a film of {_micro(min(films))} at its thinnest place."
+        return f"{said}{_turning(result)}"
+    said = (
         f"Pad {most} carries most, {max(loads) / 1e3:.1f} kN, {result.values['pad_load_ratio']:.2f} times the "
         "mean; "
         f"the thinnest film is {_micro(min(films))}, at pad {thinnest}."
+    )
+    return f"{said}{_turning(result)}"
+
+
+def _turning(result: Result) -> str:
+    """What the runout does while the collar turns slowly; nothing without one."""
+    v = result.values
+    if "quasi_static_load_ratio" not in v:
+        without = any(notice.code == "W209" for notice in result.warnings)
+        return " While the collar turns slowly with its runout, the pads find no film." if without else ""
+    ratio, film = v["quasi_static_load_ratio"], v["quasi_static_minimum_film_thickness"]
+    limit = governing(result, "quasi_static_minimum_film_thickness")
+    held = "" if limit is None else f", {'within' if limit.ok else 'beyond'} the limit of {_micro(limit.limit)}"
+    return (
+        f" While the collar turns slowly with its runout, a pad carries up to {ratio:.2f} times the mean, on "
+        f"{_micro(film)} at the thinnest{held}."
     )
 
 
@@ -191,7 +208,10 @@ def _frequencies(result: Result) -> str:
         said += (
             f"; the nearest excitation is {_percent(v['frequency_separation'])} away from an undamped frequency"
         )
-    if damped := result.arrays.get("damped_modes", ()):
+    damped = result.arrays.get("damped_modes", ())
+    if not any(order == 1 for _, _, order in damped):
+        said += ". Let go, the line creeps back in its first mode and does not swing"
+    else:
         frequency, ratio = damped[0][0] / math.tau, damped[0][1]
         why = ", higher as films stiffen with frequency" if frequency > first else ""
         said += (

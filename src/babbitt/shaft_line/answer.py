@@ -84,12 +84,13 @@ def line_answer(design: LineDesign) -> LineAnswer:
     known = max(
         MODES, len(undamped_frequencies(design.line, state.pads, highest=1.25 * highest)) if highest else 0
     )
+    natural = modes(design.line, state.pads, min(known, 12))
     rings = usual_rings(duty, state, RINGS)
     return LineAnswer(
         static=static,
         state=state,
-        modes=modes(design.line, state.pads, min(known, 12)),
-        damped=damped_modes(design.line, state.pads, MODES),
+        modes=natural,
+        damped=damped_modes(design.line, state.pads, natural[:MODES]),
         causes=attribution(state),
         bearable=admissible(duty, films, excess_of(design)),
         rings=ring_sweep(duty, films, rings),

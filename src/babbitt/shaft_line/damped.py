@@ -1,48 +1,70 @@
-"""Damped modes of the line: complex eigenvalues of its finite elements."""
+"""Damped modes of the line: complex eigenvalues of its finite elements, told by the undamped modes they belong to.
+
+Idle pads swing, too, slowly and by themselves. A damped mode belongs to the undamped one with which it overlaps
+most along the shaft (modal assurance), and as far as it is the line that moves and not the tilts of pads,
+
+    |phi^T M v|^2 / ((phi^T M phi) (v* M v)) * (1 - share of the tilts).
+"""
 
 from __future__ import annotations
 
-import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from babbitt.shaft_line.elements import element_line
+from babbitt.shaft_line.elements import ElementLine, element_line, joint_places
 from babbitt.shaft_line.line import ShaftLine
-from babbitt.shaft_line.pads import DynamicPads
+from babbitt.shaft_line.natural import Mode
+from babbitt.shaft_line.pads import DynamicPads, FilmPads
 
 __all__ = ["DampedMode", "damped_modes"]
+
+Array = NDArray[np.float64]
 
 FINEST = 1e9
 """Eigenvalues beyond this (rad/s) belong to unknowns without mass."""
 SWINGS = 0.3
 """Frequency over ``|eigenvalue|`` of a mode that swings; pads that creep back to their tilt do not."""
 ELEMENTS = 24
+BELONGS = 0.5
+"""Overlap from which a damped mode belongs to an undamped one."""
+TILTS = 1e-3
+"""Mass that tilts count for, times the width of a pad squared, over that of the line; of their own inertia they
+would hardly count, and those of massless pads not at all."""
 
 
 @dataclass(frozen=True)
 class DampedMode:
-    """A mode that decays: frequency of its swing (rad/s) and damping ratio ``-Re(lambda)/|lambda|``."""
+    """A mode that decays.
 
+    Attributes
+    ----------
+    order : int
+        Number of the undamped mode that it belongs to, from 1.
+    frequency : float
+        Of its swing, rad/s.
+    damping_ratio : float
+        ``-Re(lambda)/|lambda|``.
+    """
+
+    order: int
     frequency: float
     damping_ratio: float
 
 
-def damped_modes(
-    line: ShaftLine, pads: DynamicPads, number: int, highest: float = math.inf
-) -> tuple[DampedMode, ...]:
-    """The lowest modes that swing, by frequency.
+def damped_modes(line: ShaftLine, pads: DynamicPads, undamped: Sequence[Mode]) -> tuple[DampedMode, ...]:
+    """The damped modes that belong to undamped ones, in their order; without those that creep back.
 
     Parameters
     ----------
     line : ShaftLine
     pads : DynamicPads
-    number : int
-        How many at most.
-    highest : float
-        Frequency up to which they are wanted, rad/s.
+    undamped : sequence of Mode
+        The lowest of `babbitt.shaft_line.natural.modes`.
     """
-    from scipy.linalg import eigvals
+    from scipy.linalg import eig
 
     model = element_line(line, pads, ELEMENTS)
     n = model.mass.shape[0]
@@ -55,9 +77,38 @@ def damped_modes(
     left[n:] *= scale[:, None]
     right[n:] *= scale[:, None]
     with np.errstate(divide="ignore", invalid="ignore"):
-        values = eigvals(left, right) * rate
-    values = values[np.isfinite(values)]
-    swinging = values[(values.imag > SWINGS * np.abs(values)) & (np.abs(values) < FINEST)]
-    swinging = swinging[np.argsort(swinging.imag)]
-    modes = [DampedMode(float(value.imag), float(-value.real / abs(value))) for value in swinging]
-    return tuple(mode for mode in modes if mode.frequency <= highest)[:number]
+        values, vectors = eig(left, right)
+        values = values * rate
+        swings = np.isfinite(values) & (values.imag > SWINGS * np.abs(values)) & (np.abs(values) < FINEST)
+    values, vectors = values[swings], vectors[:n, swings]
+    overlaps = _overlaps(line, pads, model, vectors, undamped)
+    found = []
+    for order, row in enumerate(overlaps, start=1):
+        if row.size and row.max() > BELONGS:
+            value = values[int(row.argmax())]
+            found.append(DampedMode(order, float(value.imag), float(-value.real / abs(value))))
+    return tuple(found)
+
+
+def _overlaps(
+    line: ShaftLine,
+    pads: DynamicPads,
+    model: ElementLine,
+    vectors: NDArray[np.complex128],
+    undamped: Sequence[Mode],
+) -> Array:
+    """Overlap of every undamped mode (rows) with every damped one."""
+    joints = model.collar + 1
+    mass, along = model.mass[:joints, :joints], joint_places(line, ELEMENTS)
+    shapes = np.array([np.interp(along, mode.places, mode.shape) for mode in undamped])
+    moving = vectors[:joints]
+    of_line = np.einsum("jk,jl,lk->k", moving.conj(), mass, moving).real
+    of_shapes = np.einsum("ij,jl,il->i", shapes, mass, shapes)
+    both = np.abs(shapes @ mass @ moving) ** 2 / np.maximum(np.outer(of_shapes, of_line), 1e-300)
+    tilting = np.zeros(vectors.shape[1])
+    if isinstance(pads, FilmPads) and model.tilts:
+        width = pads.bearing.pad.outer_radius - pads.bearing.pad.inner_radius
+        weight = TILTS * float(mass.sum()) * width**2
+        tilting = weight * (np.abs(vectors[list(model.tilts)]) ** 2).sum(axis=0)
+    whole = np.einsum("jk,jl,lk->k", vectors.conj(), model.mass, vectors).real + tilting
+    return np.asarray(both * (1.0 - tilting / np.maximum(whole, 1e-300)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 from babbitt.shaft_line.line import ShaftLine
 from babbitt.shaft_line.pads import DynamicPads, FilmPads
 
-__all__ = ["ElementLine", "ShaftElements", "element_line", "shaft_elements"]
+__all__ = ["ElementLine", "ShaftElements", "element_line", "joint_places", "shaft_elements"]
 
 Array = NDArray[np.float64]
 
@@ -36,6 +37,8 @@ class ElementLine:
         Rows that give N_i = -(forces_stiffness u + forces_damping u') + own_stiffness xi_i + own_damping xi_i'.
     own_stiffness, own_damping : ndarray, shape (z,)
         K_11 and C_11 of the pads.
+    tilts : tuple of int
+        Places of the tilts of the pads.
     """
 
     mass: Array
@@ -49,6 +52,7 @@ class ElementLine:
     forces_damping: Array
     own_stiffness: Array
     own_damping: Array
+    tilts: tuple[int, ...]
 
 
 def element_line(line: ShaftLine, pads: DynamicPads, elements: int = ELEMENTS) -> ElementLine:
@@ -109,7 +113,7 @@ def element_line(line: ShaftLine, pads: DynamicPads, elements: int = ELEMENTS) -
         stiffness[housing, housing] += line.seating.stiffness
         damping[housing, housing] += line.seating.damping
     own = np.array([block[0][0, 0] for block in blocks]), np.array([block[1][0, 0] for block in blocks])
-    return ElementLine(mass, damping, stiffness, collar, rs, rd, gaps, fs, fd, *own)
+    return ElementLine(mass, damping, stiffness, collar, rs, rd, gaps, fs, fd, *own, tuple(chain(*tilt_places)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,6 +142,13 @@ def shaft_elements(line: ShaftLine, elements: int) -> ShaftElements:
     mass[ends, ends] += np.array(line.masses)
     damping[0, 0] = line.propeller_damping
     return ShaftElements(mass, damping, stiffness)
+
+
+def joint_places(line: ShaftLine, elements: int) -> Array:
+    """Distances of the joints from the propeller, m."""
+    shares = _shared_out(line, elements)
+    steps = [rod.length / count for rod, count in zip(line.rods, shares, strict=True) for _ in range(count)]
+    return np.concatenate([[0.0], np.cumsum(steps)])
 
 
 def _shared_out(line: ShaftLine, elements: int) -> list[int]:

@@ -8,7 +8,6 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
-from babbitt.shaft_line.damped import DampedMode, damped_modes
 from babbitt.shaft_line.model import LineDuty, LineState, state_of
 from babbitt.shaft_line.natural import undamped_frequencies
 from babbitt.thrust.carrying import Carrying
@@ -86,13 +85,11 @@ class CampbellPoint:
         rad/s.
     frequencies : tuple of float
         Undamped, rad/s.
-    damped : tuple of DampedMode
     state : LineState
     """
 
     speed: float
     frequencies: tuple[float, ...]
-    damped: tuple[DampedMode, ...]
     state: LineState
 
 
@@ -121,7 +118,6 @@ def speed_sweep(
                 CampbellPoint(
                     speed,
                     undamped_frequencies(duty.line, state.pads, MODES),
-                    damped_modes(duty.line, state.pads, MODES),
                     state,
                 )
             )

@@ -35,7 +35,7 @@ def line_values(design: LineDesign, answer: LineAnswer) -> dict[str, float]:
         "elasticity_share": answer.causes.elasticity,
         **{f"natural_frequency_{n}": mode.frequency for n, mode in enumerate(answer.modes[:MODES], start=1)},
     }
-    if answer.damped:
+    if answer.damped and answer.damped[0].order == 1:
         values["damping_ratio_1"] = answer.damped[0].damping_ratio
     if math.isfinite(answer.separation):
         values["frequency_separation"] = answer.separation
@@ -79,7 +79,7 @@ def line_arrays(design: LineDesign, answer: LineAnswer) -> dict[str, Matrix]:
         "pad_dynamic_film": state.film.thinnest_bound,
     }
     arrays |= {name: (tuple(float(one) for one in row),) for name, row in rows.items()}
-    arrays["damped_modes"] = tuple((mode.frequency, mode.damping_ratio) for mode in answer.damped)
+    arrays["damped_modes"] = tuple((mode.frequency, mode.damping_ratio, mode.order) for mode in answer.damped)
     arrays["ring_sweep"] = tuple(
         (
             p.stiffness,

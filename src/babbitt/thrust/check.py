@@ -11,7 +11,7 @@ from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Outcome, Result
 from babbitt.thrust.assumed import oil_assumptions
 from babbitt.thrust.design import ThrustDesign, ThrustState, bearing_state
-from babbitt.thrust.doubts import share_doubts
+from babbitt.thrust.doubts import LEAST_SHARE, share_doubts
 from babbitt.thrust.failures import NoPadFilmError
 from babbitt.thrust.pressure_limits import pressure_checks
 from babbitt.thrust.sharing import share_of
@@ -57,12 +57,16 @@ def thrust_check(design: ThrustDesign) -> Result:
     of_runout: list[Notice] = []
     if any(one.amplitude > 0.0 for one in design.runouts):
         try:
-            values |= _turned(design, state)
+            of_turning, least_load = _turned(design, state)
+            values |= of_turning
+            if least_load < LEAST_SHARE <= values["smallest_pad_load"] / state.share.mean_load:
+                said = f"while the collar turns, a pad carries {least_load:.2%} of the mean load"
+                of_runout.append(Notice("W201", said))
         except NoPadFilmError as failure:
             of_runout.append(Notice("W209", f"no quasi_static_load_ratio is given: {failure.said}"))
     values["wall_time"] = perf_counter() - start
     least, thinnest = "minimum_film_thickness", values["minimum_film_thickness"]
-    if "quasi_static_load_ratio" in values or of_runout:
+    if any(one.amplitude > 0.0 for one in design.runouts):
         turning = values.get(TURNING_FILM, 0.0)  # where none was found, none can be counted on
         least, thinnest = (TURNING_FILM, turning) if turning < thinnest else (least, thinnest)
     limit = Check("C202", least, thinnest, design.film_limit, Bound.AT_LEAST, design.film_limit_source)
@@ -86,22 +90,23 @@ def thrust_check(design: ThrustDesign) -> Result:
     )
 
 
-def _turned(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
-    """Largest pad load over the mean, and thinnest film, while the collar turns so slowly that nothing swings.
+def _turned(design: ThrustDesign, state: ThrustState) -> tuple[dict[str, float], float]:
+    """Of a collar that turns so slowly that nothing swings: largest load ratio and thinnest film, and least ratio.
 
     Raises
     ------
     NoPadFilmError
         If the pads find no film at a position of the collar, though they have one on a collar without runout.
     """
-    largest, thinnest = 0.0, math.inf
+    largest, least, thinnest = 0.0, math.inf, math.inf
     count = TURNS * math.ceil(max(one.order for one in design.runouts) / WAVES)
     for turned in 2.0 * np.pi * np.arange(count) / count:
         stands = standing_on_runout(design.bearing, design.runouts, float(turned))
         share = share_of(state.films, design.bearing, state.share.thrust, stands)
         largest = max(largest, share.largest_over_mean)
+        least = min(least, float(share.loads.min()) / share.mean_load)
         thinnest = min(thinnest, *(pad.minimum_film_thickness for pad in share.states))
-    return {"quasi_static_load_ratio": largest, TURNING_FILM: thinnest}
+    return {"quasi_static_load_ratio": largest, TURNING_FILM: thinnest}, least
 
 
 def _assumptions(design: ThrustDesign) -> tuple[str, ...]:

@@ -10,6 +10,7 @@ from babbitt.notices import Notice
 from babbitt.thrust.balanced_films import BalancedFilms, temperatures_together
 from babbitt.thrust.bearing import HousingTilt, ThrustBearing
 from babbitt.thrust.carrying import Carrying, carrying
+from babbitt.thrust.failures import HollowPadError
 from babbitt.thrust.fed_pads import share_of_fed_pads
 from babbitt.thrust.heat import HeatBalance, Temperatures, balanced
 from babbitt.thrust.neighbours import share_with_neighbours
@@ -17,6 +18,7 @@ from babbitt.thrust.runout import RunoutHarmonic
 from babbitt.thrust.sharing import Share, share_at_film, share_of
 from babbitt.thrust.standing import standing_at_rest
 from babbitt.thrust.state import PadState, PadTemperatures
+from babbitt.thrust.tabulated import TabulatedFilms
 from babbitt.thrust.temperature_limits import TemperatureLimits
 from babbitt.thrust.warm import PadOil
 from babbitt.thrust.warm_films import WarmFilms, own_temperatures, warm_carrying
@@ -219,12 +221,27 @@ def warm_films(
     def pads_on(in_oil: Carrying) -> tuple[PadState, ...]:
         return _share(in_oil, even, duty).states
 
-    found, together = balanced(balance, films, speed, pads_on)
+    try:
+        found, together = balanced(balance, films, speed, pads_on)
+    except HollowPadError as failure:
+        raise _hollow(balance, films, bearing, speed, duty) or failure from None
     middle = replace(
         pads_on(found)[0], balance=PadTemperatures(together.inlet, together.trailing - together.inlet)
     )
     capacity = float(design.lubricant.volumetric_heat_capacity(together.effective))
     return BalancedFilms(found, balance, middle, capacity), together
+
+
+def _hollow(
+    balance: HeatBalance, films: Carrying, bearing: ThrustBearing, speed: float, duty: GivenThrust | GivenFilm
+) -> HollowPadError | None:
+    """What hollow pads carry at most, at the temperature of the thinnest film on which they balance."""
+    if not isinstance(films, TabulatedFilms) or not isinstance(duty, GivenThrust):
+        return None
+    thinnest, _ = films.thinnest
+    at_most, _ = balanced(balance, films, speed, lambda in_oil: (in_oil.state(thinnest),))
+    load = at_most.state(thinnest).load
+    return HollowPadError(bearing.pad.crown, load, duty.thrust, bearing.number)
 
 
 def _share(films: Carrying, bearing: ThrustBearing, duty: GivenThrust | GivenFilm) -> Share:

@@ -11,7 +11,7 @@ from babbitt.thrust.state import CONTACT
 from babbitt.thrust.values import effective_viscosity, hottest_oil, reynolds_number
 from babbitt.units import ZERO_CELSIUS
 
-__all__ = ["share_doubts"]
+__all__ = ["LEAST_SHARE", "share_doubts"]
 
 LEAST_SHARE = 0.01
 """Pad load over the mean below which a pad is as good as unloaded."""
@@ -24,12 +24,20 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
     share, bearing = state.share, design.bearing
     even = state.films.height_for(share.mean_load)
     nearest = -float(bearing.departures().min())
+    runout = sum(one.amplitude for one in design.runouts)
     if nearest >= even:
         yield Notice(
             "W201",
             f"tilt and heights bring pad {1 + int(bearing.departures().argmin())} {nearest * 1e6:.1f} µm "
             "nearer to the collar, more than the "
             f"film of {even * 1e6:.1f} µm that an even share has",
+        )
+    elif runout > 0.0 and nearest + runout >= even:
+        yield Notice(
+            "W201",
+            f"tilt, heights and a runout of {runout * 1e6:.1f} µm bring a pad up to "
+            f"{(nearest + runout) * 1e6:.1f} µm nearer to the collar, more than "
+            f"the film of {even * 1e6:.1f} µm that an even share has",
         )
     least = float(share.loads.min() / share.mean_load)
     if least < LEAST_SHARE:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from babbitt.results import Outcome
 
 __all__ = [
+    "HollowPadError",
     "LeaningPadAtFilmError",
     "LeaningPadError",
     "LeaningPadsTouchAtFilmError",
@@ -70,6 +71,31 @@ class OverloadedPadsError(NoPadFilmError):
         self.said = (
             f"the pads carry at most {carried / 1e3:.4g} kN of {thrust / 1e3:.4g} kN: {bound}less thrust, more "
             "viscous oil, more speed, or larger pads"
+        )
+        super().__init__(self.said)
+
+
+class HollowPadError(NoPadFilmError):
+    """A hollow pad has no balance on a film so thin.
+
+    Attributes
+    ----------
+    crown : float
+        Of the pad, m, negative.
+    most : float
+        Largest load that it carries, N.
+    """
+
+    outcome = Outcome.OVERLOADED
+
+    def __init__(self, crown: float, most: float, thrust: float = 0.0, number: int = 0) -> None:
+        self.crown, self.most = crown, most
+        carried = f"a pad carries at most {most / 1e3:.4g} kN"
+        if number:
+            carried = f"the pads carry at most {number * most / 1e3:.4g} kN of {thrust / 1e3:.4g} kN"
+        self.said = (
+            f"{carried}: the pads are hollow (crown {crown * 1e6:g} µm), and on a thinner film no tilt balances a hollow "
+            "pad on its pivot; plane or crowned pads, less thrust, more viscous oil, more speed, or larger pads"
         )
         super().__init__(self.said)
 

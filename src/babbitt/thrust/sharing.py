@@ -14,6 +14,7 @@ from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.carrying import Carrying
 from babbitt.thrust.face import SteppedFace
 from babbitt.thrust.failures import (
+    HollowPadError,
     LeaningPadAtFilmError,
     LeaningPadError,
     LeaningPadsTouchAtFilmError,
@@ -190,8 +191,11 @@ def _require_carried(films: Carrying, thrust: float, carried: float) -> None:
 
 def _evenly(films: Carrying, bearing: ThrustBearing, thrust: float, away: float) -> Share:
     """Pads that all stand alike carry alike."""
-    height = films.height_for(thrust / bearing.number)
-    state = films.state(height)
+    try:
+        height = films.height_for(thrust / bearing.number)
+        state = films.state(height)
+    except HollowPadError as failure:
+        raise HollowPadError(failure.crown, failure.most, thrust, bearing.number) from None
     _require_carried(films, thrust, bearing.number * state.load)
     yielding = 0.0 if math.isinf(bearing.ring_stiffness) else state.load / bearing.ring_stiffness
     even = np.ones(bearing.number)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from babbitt.notices import InputError
 from babbitt.thrust.equilibrium import UnbalancedPadError, leaning_state, pad_state
+from babbitt.thrust.failures import HollowPadError
 from babbitt.thrust.pad import ThrustPad
 from babbitt.thrust.standing import LEVEL, Lean
 from babbitt.thrust.state import PadState
@@ -19,6 +20,9 @@ __all__ = ["TabulatedFilms", "require_load", "tabulated"]
 
 Array = NDArray[np.float64]
 
+SAME = 1e-9
+HALVINGS = 12
+"""Of the interval between films on which a hollow pad balances and those on which it does not."""
 TABLE = (2e-6, 1e-3, 28)
 """Films at which pads are tabulated: thinnest and thickest over the outer radius, and how many."""
 
@@ -79,10 +83,32 @@ class TabulatedFilms:
             along = slopes[1] * share if near is None else near.slope_y
             return leaning_state(self.pad, height, self.viscosity, self.angular_speed, along, lean)
         guess = (slopes[0] * share, slopes[1] * share)
+        hollow = self.pad.crown < 0.0 and self.pad.free_tilts
+        if hollow and height < self.heights[0] * (1.0 - SAME) and height < self.thinnest[0]:
+            raise HollowPadError(self.pad.crown, self.thinnest[1])
         try:
             return pad_state(self.pad, height, self.viscosity, self.angular_speed, guess)
         except UnbalancedPadError:
             return pad_state(self.pad, height, self.viscosity, self.angular_speed)
+
+    @cached_property
+    def thinnest(self) -> tuple[float, float]:
+        """Thinnest film on which the pad balances, m, and its load, N: between the table and films without one."""
+        low, high, most = self.heights[0] * self.heights[0] / self.heights[1], self.heights[0], self.loads[0]
+        slopes, at = self.slopes[0], self.heights[0]
+        for _ in range(HALVINGS):
+            middle = 0.5 * (low + high)
+            guess = (slopes[0] * middle / at, slopes[1] * middle / at)
+            try:
+                state = pad_state(self.pad, middle, self.viscosity, self.angular_speed, guess)
+            except InputError:
+                low = middle
+                continue
+            if state.load > most:
+                high, most, slopes, at = middle, state.load, (state.slope_x, state.slope_y), middle
+            else:
+                low = middle
+        return float(high), float(most)
 
     def at(self, viscosity: float, angular_speed: float) -> TabulatedFilms:
         """Loads grow with viscosity and speed; a turbulent film is tabulated anew."""
