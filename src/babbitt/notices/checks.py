@@ -31,7 +31,7 @@ CHECKS: dict[str, Explanation] = {
     "C105": Explanation(
         "Specific load of the metal",
         "The specific load is compared with the limit of the bearing metal for the character of the load. Of "
-        "thrust pads it is the mean pressure of the one that carries most; advice for B83 where no metal is given.",
+        "thrust pads it is the mean pressure of the one that carries most, advice for B83 if no metal is given.",
         "A larger bearing or a stronger metal.",
     ),
     "C106": Explanation(

@@ -90,12 +90,12 @@ class HollowPadError(NoPadFilmError):
 
     def __init__(self, crown: float, most: float, thrust: float = 0.0, number: int = 0) -> None:
         self.crown, self.most = crown, most
-        carried = f"a pad carries at most {most / 1e3:.4g} kN"
+        carried = f"a pad carries at most {most / 1e3:.3g} kN"
         if number:
-            carried = f"the pads carry at most {number * most / 1e3:.4g} kN of {thrust / 1e3:.4g} kN"
+            carried = f"the pads carry at most {number * most / 1e3:.3g} kN of {thrust / 1e3:.4g} kN"
         self.said = (
-            f"{carried}: the pads are hollow (crown {crown * 1e6:g} µm), and on a thinner film no tilt balances a hollow "
-            "pad on its pivot; plane or crowned pads, less thrust, more viscous oil, more speed, or larger pads"
+            f"{carried}: the pads are hollow (crown {crown * 1e6:g} µm), and on a thinner film no tilt balances a "
+            "hollow pad on its pivot; plane or crowned pads, or less thrust, more viscous oil, or more speed"
         )
         super().__init__(self.said)
 

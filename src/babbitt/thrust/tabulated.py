@@ -21,8 +21,8 @@ __all__ = ["TabulatedFilms", "require_load", "tabulated"]
 Array = NDArray[np.float64]
 
 SAME = 1e-9
-HALVINGS = 12
-"""Of the interval between films on which a hollow pad balances and those on which it does not."""
+NARROW = 1e-5
+"""Of the film: how well that on which a hollow pad carries most is known."""
 TABLE = (2e-6, 1e-3, 28)
 """Films at which pads are tabulated: thinnest and thickest over the outer radius, and how many."""
 
@@ -84,7 +84,7 @@ class TabulatedFilms:
             return leaning_state(self.pad, height, self.viscosity, self.angular_speed, along, lean)
         guess = (slopes[0] * share, slopes[1] * share)
         hollow = self.pad.crown < 0.0 and self.pad.free_tilts
-        if hollow and height < self.heights[0] * (1.0 - SAME) and height < self.thinnest[0]:
+        if hollow and height < self.heights[1] * (1.0 - SAME) and height < self.thinnest[0] * (1.0 - NARROW):
             raise HollowPadError(self.pad.crown, self.thinnest[1])
         try:
             return pad_state(self.pad, height, self.viscosity, self.angular_speed, guess)
@@ -93,22 +93,21 @@ class TabulatedFilms:
 
     @cached_property
     def thinnest(self) -> tuple[float, float]:
-        """Thinnest film on which the pad balances, m, and its load, N: between the table and films without one."""
-        low, high, most = self.heights[0] * self.heights[0] / self.heights[1], self.heights[0], self.loads[0]
+        """Film on which a hollow pad carries most, m, and its load, N; on thinner ones less, or none balances."""
+        from scipy.optimize import minimize_scalar
+
         slopes, at = self.slopes[0], self.heights[0]
-        for _ in range(HALVINGS):
-            middle = 0.5 * (low + high)
-            guess = (slopes[0] * middle / at, slopes[1] * middle / at)
+
+        def less(height: float) -> float:
+            guess = (slopes[0] * height / at, slopes[1] * height / at)
             try:
-                state = pad_state(self.pad, middle, self.viscosity, self.angular_speed, guess)
+                return -pad_state(self.pad, height, self.viscosity, self.angular_speed, guess).load
             except InputError:
-                low = middle
-                continue
-            if state.load > most:
-                high, most, slopes, at = middle, state.load, (state.slope_x, state.slope_y), middle
-            else:
-                low = middle
-        return float(high), float(most)
+                return 0.0
+
+        bounds = (at * at / self.heights[1], self.heights[1])
+        found = minimize_scalar(less, bounds=bounds, method="bounded", options={"xatol": NARROW * at})
+        return float(found.x), float(-found.fun)
 
     def at(self, viscosity: float, angular_speed: float) -> TabulatedFilms:
         """Loads grow with viscosity and speed; a turbulent film is tabulated anew."""
