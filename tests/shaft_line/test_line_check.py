@@ -193,3 +193,58 @@ def test_own_temperatures_reach_the_line():
     assert found.energy_balance_error < 1e-8
     assert "°C in a film" in answers(found)[-1]
     assert len(found.arrays["pad_maximum_temperature"][0]) == 8
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        (
+            "viscosity: 45 mPa s",
+            "viscosity: 45",
+            "oil.viscosity: 45 without unit was read as 45 Pa s; write '45 mPa s'",
+        ),
+        ("mass: 14 t", "mass: 14", "propeller.mass: 14 without unit was read as 14 kg; write '14 t'"),
+        ("collar_mass: 8 t", "collar_mass: 8", "collar_mass: 8 without unit was read as 8 kg; write '8 t'"),
+        (
+            "damping: 80 kN s/m",
+            "damping: 80",
+            "propeller.damping: 80 without unit was read as 80 N s/m; write '80 kN",
+        ),
+        (
+            "inertia_radial: 0.06 kg m2",
+            "inertia_radial: 600",
+            "pads.inertia_radial: 600 without unit was read as 600 kg m2; write '600 kg cm2'",
+        ),
+    ],
+)
+def test_numbers_without_unit_that_no_drawing_gives_in_si_are_doubted(old, new, said):
+    case = parse_case(BASE.replace(old, new))
+    [doubt] = [one for one in case.line_design().doubts if one.code == "W117"]
+    assert doubt.message.startswith(said)
+    assert parse_case(BASE.replace(old, f"{new} {said.split(' read as ')[1].split(';')[0].split(' ', 1)[1]}"))
+    assert not parse_case(BASE).line_design().doubts
+
+
+def test_a_barred_range_that_the_map_cuts_is_told_to_go_on():
+    """Blade frequency meets the first natural one, 27.2 Hz, at 409 rpm: barred from 327 to 490 rpm."""
+    slow = (
+        "# speeds: {lowest: 60 rpm, highest: 140 rpm, number: 21}",
+        "speeds: {lowest: 100 rpm, highest: 400 rpm, number: 7}",
+    )
+    said = " ".join(answers(result(slow)))
+    assert " to the end of the map at 400 rpm (order 4)" in said
+    whole = (slow[0], "speeds: {lowest: 100 rpm, highest: 600 rpm, number: 11}")
+    assert "end of the map" not in " ".join(answers(result(whole)))
+
+
+def test_what_swings_alike_is_given_once():
+    """Two waves of one high spot are one, the sum of both vectors: 3 and 4 µm at a right angle are 5 µm at 53°."""
+    waves = "runout:\n  - {amplitude: 3 um}\n  - {amplitude: 4 um, phase: 90 deg}\n"
+    twice = BASE.replace("runout:\n", waves.replace("  - {amplitude: 3 um}", "  - {amplitude: 3 um, lobes: 1}"))
+    twice = twice.replace("  - {amplitude: 5 um}", "#")
+    with pytest.raises(InputError, match=r"a second wave of 1 lobes.*amplitude 5 um, phase 53.13 deg"):
+        parse_case(twice)
+    ripple = BASE.replace("  - {share: 10 %}", "  - {share: 10 %}\n  - {share: 10 %, order: 4, phase: 120 deg}")
+    with pytest.raises(InputError, match=r"a second harmonic of 4 times.*amplitude 50 kN, phase 60 deg"):
+        parse_case(ripple)
+    assert parse_case(BASE.replace("  - {share: 10 %}", "  - {share: 10 %}\n  - {share: 10 %, blade_multiple: 2}"))

@@ -8,13 +8,30 @@ from babbitt.cases.part import Part, is_bare
 from babbitt.notices import Notice
 from babbitt.units import KINDS
 
-__all__ = ["about_frequencies", "about_load", "about_speed"]
+__all__ = [
+    "about_damping",
+    "about_frequencies",
+    "about_heavy_mass",
+    "about_inertia",
+    "about_load",
+    "about_speed",
+    "about_viscosity",
+]
 
 SUSPICIOUS_SPEED = 100.0
 """Assumption: a whole number from here on is how people write rpm; speeds in rad/s seldom come out whole."""
 
 SUSPICIOUS_LOAD = 1000.0
 """N. Assumption: people write a load below it in kN."""
+
+SUSPICIOUS_VISCOSITY = 1.0
+"""Pa s. Assumption: no bearing oil is so viscous where it carries; people write mPa s from here on."""
+
+SUSPICIOUS_MASS = 100.0
+"""kg. Assumption: propellers, collars and housings below it are written in t."""
+
+SUSPICIOUS_DAMPING = 1000.0
+"""N s/m. Assumption: the damping of a propeller or a seating below it is written in kN s/m."""
 
 WRITTEN_DIGITS = 4
 """Assumption: a number of more significant digits was written by a program, which knows its units."""
@@ -60,3 +77,49 @@ def about_load(part: Part, name: str = "load") -> Iterator[Notice]:
             f"{name}: {load:.12g} without unit was read as {load:.12g} N; "
             f"write '{load:.12g} kN' if that was meant",
         )
+
+
+def about_viscosity(part: Part, name: str = "viscosity", path: str = "oil.viscosity") -> Iterator[Notice]:
+    """Doubt a viscosity that no oil has, which was meant in mPa s."""
+    value: float = getattr(part, name)
+    if is_bare(part, name) and value >= SUSPICIOUS_VISCOSITY:
+        yield _read_as(path, value, "Pa s", "mPa s")
+
+
+def about_heavy_mass(part: Part, name: str, path: str) -> Iterator[Notice]:
+    """Doubt a propeller, collar or housing of a few kilograms, which was meant in tonnes."""
+    value: float = getattr(part, name)
+    if is_bare(part, name) and 0.0 < value < SUSPICIOUS_MASS:
+        yield _read_as(path, value, "kg", "t")
+
+
+def about_damping(part: Part, name: str, path: str) -> Iterator[Notice]:
+    """Doubt a damping of a few newton seconds over a metre, which was meant in kN s/m."""
+    value: float = getattr(part, name)
+    if is_bare(part, name) and 0.0 < value < SUSPICIOUS_DAMPING:
+        yield _read_as(path, value, "N s/m", "kN s/m")
+
+
+def about_inertia(part: Part, name: str, path: str, mass: float, reach: float) -> Iterator[Notice]:
+    """Doubt an inertia larger than that of all the mass at the farthest point of the part.
+
+    Parameters
+    ----------
+    part : Part
+    name, path : str
+    mass : float
+        kg; 0 for one that is not given, which tells nothing.
+    reach : float
+        Distance of the farthest point from the axis, m.
+    """
+    value: float = getattr(part, name)
+    if is_bare(part, name) and mass > 0.0 and value > mass * reach**2:
+        yield _read_as(path, value, "kg m2", "kg cm2")
+
+
+def _read_as(path: str, value: float, unit: str, meant: str) -> Notice:
+    return Notice(
+        "W117",
+        f"{path}: {value:.12g} without unit was read as {value:.12g} {unit}; "
+        f"write '{value:.12g} {meant}' if that was meant",
+    )

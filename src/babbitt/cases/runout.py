@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import Field
 
 from babbitt.cases.fields import WholeNumber
-from babbitt.cases.part import Part
+from babbitt.cases.part import Complaint, Part
 from babbitt.cases.shorthand import Shorthand
 from babbitt.thrust.runout import RunoutHarmonic
 from babbitt.units import si, written
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
     from pydantic import GetJsonSchemaHandler
     from pydantic.json_schema import JsonSchemaValue
     from pydantic_core import CoreSchema
 
-__all__ = ["RUNOUT", "Runout", "RunoutGiven", "said_of_runout"]
+__all__ = ["RUNOUT", "Runout", "RunoutGiven", "given_twice", "said_of_runout", "waves_given_twice"]
 
 RUNOUT = (
     "Runout of the collar face at the pivot radius: an amplitude, half the indicator reading, for a face with one "
@@ -65,3 +67,40 @@ def said_of_runout(runouts: tuple[Runout, ...]) -> Iterator[tuple[str, str]]:
     for face in runouts:
         waves = "" if face.lobes == 1 else f", {face.lobes} waves"
         yield "Runout of the collar", f"amplitude {written(face.amplitude, 'um').replace(' um', ' µm')}{waves}"
+
+
+def waves_given_twice(runouts: tuple[Runout, ...]) -> Iterator[Complaint]:
+    """Complain of two waves with the same number of lobes."""
+    waves = [(float(one.lobes), cmath.rect(one.amplitude, one.phase)) for one in runouts]
+    yield from given_twice("runout", "wave", "lobes", waves, "um")
+
+
+def given_twice(
+    field: str, what: str, of: str, parts: Sequence[tuple[float, complex]], unit: str
+) -> Iterator[Complaint]:
+    """Complain of two entries that swing alike: they are one, the sum of both with their phases.
+
+    Parameters
+    ----------
+    field : str
+    what, of : str
+        What an entry is, and what tells one from the other.
+    parts : sequence of (float, complex)
+        That number and the amplitude with its phase, in SI.
+    unit : str
+        In which amplitudes are told.
+    """
+    first: dict[float, int] = {}
+    for place, (order, amplitude) in enumerate(parts):
+        if order in first:
+            together = parts[first[order]][1] + amplitude
+            phase = math.degrees(cmath.phase(together)) if abs(together) > 0.0 else 0.0
+            yield Complaint(
+                (field, place),
+                f"a second {what} of {order:g} {of}",
+                f"one {what} of each number of {of}" if of == "lobes" else f"one {what} of each order",
+                f"write both as one, their sum with the phases given: amplitude {written(abs(together), unit)}, "
+                f"phase {phase:.4g} deg",
+            )
+        else:
+            first[order] = place

@@ -20,6 +20,7 @@ CAUSES = {
 }
 
 
+ROUND_OFF = 1.0 + 1e-9
 NEAR = 0.2
 """Relative distance from a natural frequency below which a line is near resonance, as check C204 has it."""
 
@@ -219,12 +220,20 @@ def _frequencies(result: Result) -> str:
             f"{_percent(ratio)}; near there its response peaks"
         )
     barred = result.arrays.get("barred_ranges", ())
-    spans = [f"{_rpm(low)} to {_rpm(high)} rpm (order {order:g})" for low, high, order in barred]
+    map_ends = [row[0] for row in result.arrays.get("campbell", ())]
+    spans = [_span(low, high, order, map_ends) for low, high, order in barred]
     if spans:
         said += f". Within 20 % of the undamped frequency and to be barred or passed quickly: {', '.join(spans)}"
     elif "campbell" in result.arrays:
         said += ". No speed of the map comes within 20 % of the undamped frequency"
     return f"{said}."
+
+
+def _span(low: float, high: float, order: float, speeds: list[float]) -> str:
+    """A barred range; one that the map cuts goes on beyond it."""
+    begins = f"{_rpm(low)}" if low > min(speeds) * ROUND_OFF else f"the beginning of the map at {_rpm(low)}"
+    ends = f"{_rpm(high)} rpm" if high * ROUND_OFF < max(speeds) else f"the end of the map at {_rpm(high)} rpm"
+    return f"{begins} to {ends} (order {order:g})"
 
 
 def _nonlinear(result: Result) -> str:

@@ -223,7 +223,9 @@ _ALL = (
     # Not a temperature: 10 K and 10 degC are the same difference, and no offset may creep in.
     Kind("K", "a temperature difference", "900 K", {"K": 1.0}, open_to_pint=False, name="K difference"),
     Kind("N s/m", "a damping", "80 kN s/m", {"kN s/m": 1e3, "N s/m": 1.0, "MN s/m": 1e6}),
-    Kind("kg m2", "a moment of inertia", "0.06 kg m2", {"kg m2": 1.0, "g m2": 1e-3}),
+    Kind(
+        "kg m2", "a moment of inertia", "0.06 kg m2", {"kg m2": 1.0, "g m2": 1e-3, "kg cm2": 1e-4, "kg mm2": 1e-6}
+    ),
     Kind("N m", "a moment", "200 N m", {"N m": 1.0, "kN m": 1e3}),
     Kind(
         "m3/(s Pa)",
