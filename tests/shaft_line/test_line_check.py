@@ -248,3 +248,18 @@ def test_what_swings_alike_is_given_once():
     with pytest.raises(InputError, match=r"a second harmonic of 4 times.*amplitude 50 kN, phase 60 deg"):
         parse_case(ripple)
     assert parse_case(BASE.replace("  - {share: 10 %}", "  - {share: 10 %}\n  - {share: 10 %, blade_multiple: 2}"))
+
+
+def test_the_shaft_as_one_mapping_is_shown_a_list():
+    one = BASE.replace("  - {length: 30 m, diameter: 360 mm}", "  {length: 30 m, diameter: 360 mm}")
+    with pytest.raises(
+        InputError, match=r"shaft: a mapping is not allowed; allowed: a list; put it into brackets"
+    ):
+        parse_case(one)
+
+
+def test_on_which_pad_each_cause_is_largest_is_said(base):
+    said = " ".join(answers(base))
+    for name in ("runout_force", "ripple_force", "dynamic_bound"):
+        forces = base.arrays[name][0]
+        assert f" (pad {1 + forces.index(max(forces))})" in said

@@ -476,3 +476,41 @@ def overloaded_hollow(thrust, oil):
     found = solve(parse_case(hollow(thrust, oil))).results[0]
     assert found.outcome is Outcome.OVERLOADED
     return found.message
+
+
+def test_backward_runs_at_a_negative_speed():
+    """A crowned pad on a middle pivot runs both ways; the surface speed has no sense."""
+    pads = (
+        "{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, crown: 20 um, "
+        "pivot: {kind: point, radius: 287 mm, fraction: 0.5}}"
+    )
+    ahead, astern = (result(pads=pads, speed=speed, thrust="100 kN") for speed in ("125 rpm", "-125 rpm"))
+    assert astern.angular_speed == -ahead.angular_speed < 0.0
+    assert astern.surface_speed == ahead.surface_speed > 0.0
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ({"runout": "5"}, "runout: 5 without unit is 5 m; allowed: 0 um to 5 mm; write '5 um'"),
+        ({"ring_stiffness": "20"}, "allowed: 1 kN/m to 1e18 N/m; write '20 GN/m'"),
+        ({"tilt": "{offset: 30}"}, "write '30 um'"),
+        (
+            {
+                "pads": "{number: eight, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, pivot: {kind: fixed}}"
+            },
+            "pads.number: 'eight' is not a quantity; allowed: a whole number from 2 to 100",
+        ),
+        (
+            {
+                "pads": "{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, "
+                "pivot: {kind: point, radius: 192 mm, fraction: 0.6}}"
+            },
+            "pads.pivot: at 0.6 of the extent and radius 192 mm no tilt balances the pad",
+        ),
+    ],
+)
+def test_messages_say_what_a_drawing_would_have(changed, said):
+    with pytest.raises(InputError) as told:
+        result(**changed)
+    assert said in str(told.value)

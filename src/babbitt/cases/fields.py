@@ -31,7 +31,10 @@ class WholeNumber:
         12
         """
         allowed = f"a whole number from {self.lowest} to {self.highest}"
-        value = read(given, "1")
+        try:
+            value = read(given, "1")
+        except QuantityError as error:
+            raise QuantityError(error.says, allowed) from None
         if not (value.is_integer() and self.lowest <= value <= self.highest):
             raise QuantityError(f"{given} is not allowed", allowed)
         return int(value)

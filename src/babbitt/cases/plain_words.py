@@ -160,6 +160,8 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
     if expected is None:
         return f"{shown(given)} is not usable", details["msg"], ""
     allowed = expected.format(**context).replace("'", "").replace(" or ", ", ")
+    if expected == "a list" and isinstance(given, Mapping):
+        return f"{shown(given)} is not allowed", allowed, f"put it into brackets, {name}: [{{...}}], or after '- '"
     hint = nearest(given, allowed.split(", ")) if isinstance(given, str) else ""
     return f"{shown(given)} is not allowed", allowed, hint
 

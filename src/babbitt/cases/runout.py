@@ -32,7 +32,7 @@ RUNOUT = (
 class Runout(Part):
     """Runout or waviness of the collar face."""
 
-    amplitude: Annotated[float, si("m", "0 um", "5 mm")] = Field(
+    amplitude: Annotated[float, si("m", "0 um", "5 mm", "um")] = Field(
         description="Amplitude at the pivot radius, A_R: half the indicator reading."
     )
     lobes: Annotated[int, WholeNumber(1, 50)] = Field(1, description="Waves around the face. 1 is runout.")

@@ -65,7 +65,7 @@ class ThrustBearingInputs(Part):
         description="Greatest permissible temperature of the hottest oil known. None: what experience allows at "
         "the outlet, and the limit of the bearing metal.",
     )
-    film_limit: Annotated[float, si("m", "0.1 um", "1 mm")] | None = Field(
+    film_limit: Annotated[float, si("m", "0.1 um", "1 mm", "um")] | None = Field(
         None, description="Least film permitted. None: 10 um, an assumption."
     )
     assumptions: tuple[Prose, ...] = Field(
@@ -183,7 +183,7 @@ class ThrustCase(ThrustBearingInputs, CaseFile):
     kind: Literal["thrust"] = Field(description="One thrust bearing.")
     name: Name = Field(description="Name of the bearing.")
     thrust: Thrust | None = Field(None, description="Thrust F_0, in place of the film.")
-    film: Annotated[float, si("m", "0.1 um", "5 mm")] | None = Field(
+    film: Annotated[float, si("m", "0.1 um", "5 mm", "um")] | None = Field(
         None, description="Mean film at the pivots, in place of the thrust, which is then found."
     )
     runout: RunoutGiven = Field((), max_length=20, description=RUNOUT)

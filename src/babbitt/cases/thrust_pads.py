@@ -16,9 +16,9 @@ from babbitt.units import si, written
 
 Radius = Annotated[float, si("m", "1 mm", "10 m")]
 Share = Annotated[float, si("1", "0.01", "0.99")]
-Depth = Annotated[float, si("m", "0.1 um", "10 mm")]
+Depth = Annotated[float, si("m", "0.1 um", "10 mm", "um")]
 Inertia = Annotated[float, si("kg m2", "0 kg m2", "1e6 kg m2")]
-Stiffness = Annotated[float, si("N/m", "1 kN/m", "1e18 N/m")]
+Stiffness = Annotated[float, si("N/m", "1 kN/m", "1e18 N/m", "GN/m")]
 Damping = Annotated[float, si("N s/m", "0 N s/m", "1e12 N s/m")]
 PartMass = Annotated[float, si("kg", "0 kg", "10000 t")]
 
@@ -78,7 +78,7 @@ class ThrustPads(Part):
     extent: Annotated[float, si("rad", "1 deg", "179 deg")] = Field(description="Angle of one pad.")
     pivot: PivotGiven = Field(description="How a pad may move.")
     face: FaceGiven | None = Field(None, description="What is taken off the face. None: plane.")
-    crown: Annotated[float, si("m", "-1 mm", "1 mm")] = Field(
+    crown: Annotated[float, si("m", "-1 mm", "1 mm", "um")] = Field(
         0.0,
         description="Spherical crown: how much farther from the collar the middle of each edge is than the "
         "middle of "
@@ -87,7 +87,7 @@ class ThrustPads(Part):
     mass: PartMass = Field(0.0, description="Mass of one pad.")
     inertia_radial: Inertia = Field(0.0, description="Moment of inertia of a pad for tilting along the radius.")
     inertia_along: Inertia = Field(0.0, description="Moment of inertia of a pad for tilting along the motion.")
-    heights: tuple[Annotated[float, si("m", "-5 mm", "5 mm")], ...] = Field(
+    heights: tuple[Annotated[float, si("m", "-5 mm", "5 mm", "um")], ...] = Field(
         (), max_length=100, description="How much each pad stands higher than the mean, pad 1 first. Empty: none."
     )
 
@@ -170,7 +170,7 @@ class PadMaterials(Part):
 class Tilt(Part):
     """Tilt of the housing against the collar."""
 
-    offset: Annotated[float, si("m", "0 um", "10 mm")] = Field(
+    offset: Annotated[float, si("m", "0 um", "10 mm", "um")] = Field(
         description="Axial departure at the outer radius of the pads, e_o: half the difference across the "
         "diameter."
     )

@@ -83,7 +83,7 @@ def mode_shapes(answer: LineAnswer) -> Figure:
 
 def ring_sweep(answer: LineAnswer, limit: float) -> Figure:
     """Dynamic load and first frequency over the ring stiffness."""
-    figure, ((above,), (below,)) = Sheet(81.0, 84.0, rows=2, left=12.0, between=5.0).panels(sharex=True)
+    figure, ((above,), (below,)) = Sheet(81.0, 84.0, rows=2, left=15.0, between=5.0).panels(sharex=True)
     rings = answer.rings
     c = np.array([point.stiffness for point in rings]) / 1e9
     for name, dashes in (("bound", "-"), ("runout", "--"), ("ripple", ":")):
@@ -108,7 +108,7 @@ def ring_sweep(answer: LineAnswer, limit: float) -> Figure:
     above.set_ylim(0.0, None)
     below.set_ylim(0.0, None)
     above.set_ylabel("dynamic load in %")
-    below.set_ylabel("first frequency,\nundamped, in Hz")
+    below.set_ylabel("first frequency in Hz")
     below.set_xlabel("ring stiffness per pad in GN/m")
     above.legend(frameon=False, fontsize=7, loc="upper left", handlelength=2.4, bbox_to_anchor=(0.0, 0.70))
     return figure

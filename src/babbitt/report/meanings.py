@@ -24,7 +24,7 @@ OF_THRUST = {
     "total_flow": "Fresh oil, what is not carried over",
     "outlet_temperature": "Mean temperature of the oil that leaves",
     "supply_temperature": "Temperature of the fresh oil",
-    "temperature_rise": "Rise of the oil through a film",
+    "temperature_rise": "Mean rise of all oil that passes the films",
     "film_reynolds_number": "Reynolds number of the thickest pivot film",
     "effective_viscosity": "Dynamic viscosity of the films",
 }

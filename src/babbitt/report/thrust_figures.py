@@ -111,7 +111,7 @@ def _of_line(design: LineDesign) -> Iterator[Painted]:
         yield (
             "ring-sweep",
             "Dynamic load over the stiffness of the backing ring (above), and the first natural frequency "
-            "(below). Filled: the ring of this line; ring: the stiffest that halves the load.",
+            "(below, undamped). Filled: the ring of this line; ring: the stiffest that halves the load.",
             line_painters.ring_sweep(answer, design.loss_limit),
             False,
         )

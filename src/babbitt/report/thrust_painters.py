@@ -38,9 +38,11 @@ def pads_polar(share: Share, dynamic: Array | None) -> Figure:
     panel.plot(around, np.full(181, base + share.mean_load / 1e3), color=GREY, linewidth=0.7)
     panel.plot(around, np.full(181, base), color=INK, linewidth=0.7)
     for number, angle in enumerate(bearing.angles, start=1):
-        panel.annotate(f"{number}", (angle, 0.87 * base), ha="center", va="center", fontsize=7)
+        # one above the other, since side by side they read as one number on the horizontal
+        place, ink = (angle, 0.73 * base), {"ha": "center", "textcoords": "offset points"}
+        panel.annotate(f"{number}", place, xytext=(0, 0.5), va="bottom", fontsize=7, **ink)
         panel.annotate(
-            f"{loads[number - 1]:.3g}", (angle, 0.62 * base), ha="center", va="center", fontsize=6, color="0.3"
+            f"{loads[number - 1]:.3g}", place, xytext=(0, -0.5), va="top", fontsize=6, color="0.3", **ink
         )
     panel.annotate("kN", (0.0, 0.0), ha="center", va="center", fontsize=6, color="0.3")
     turn = bearing.sense * np.linspace(0.3, 1.2, 30) + math.pi / 2

@@ -46,7 +46,9 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
         result,
         "Pads at rest",
         PAD_COLUMNS,
-        "Stiffness at rest and damping at the frequency of the shaft, tilts free.",
+        "Load, film at the pivot and thinnest, largest pressure, stiffness at rest and damping at the frequency of "
+        "the shaft with tilts free. Slopes of the gap along the radius (α_x, positive: wider outside) and along the "
+        "motion (α_y, negative: narrower towards the trailing edge).",
     )
     yield _by_pad(
         result,
@@ -71,7 +73,8 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
         result,
         "Pads in motion",
         DYNAMIC_COLUMNS,
-        "Amplitudes by runout and by thrust ripple; peak with the phases given, bound for any.",
+        "Static load; amplitudes by runout and by thrust ripple; both, as peak with the phases given and as bound "
+        "for any; thinnest film with the bound.",
     )
     modes = result.arrays["damped_modes"]
     if modes:
@@ -99,7 +102,8 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
         ),
         ("GN/m", "%", "%", "%", "µm", "µm", "Hz", ""),
         [_ring(row) for row in rings[::step]],
-        "Dynamic over mean static pad load for any phases; film amplitude by runout at a pivot.",
+        "Dynamic over mean static pad load for any phases, each on the pad where it is largest; film amplitude by "
+        "runout at a pivot.",
     )
 
 

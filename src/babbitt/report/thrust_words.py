@@ -130,14 +130,22 @@ def _causes(result: Result) -> str:
     if not v["loss_mean_bound"] > 0.0:
         return "Nothing shakes the line: neither thrust ripple nor runout has an amplitude."
     first = max(CAUSES, key=lambda name: v[name])
+    alone, ripple, both = (_most(result, name) for name in ("runout_force", "ripple_force", "dynamic_bound"))
     return (
-        f"What dominates: {CAUSES[first]}. Runout alone gives {_percent(v['runout_share'])}, thrust ripple alone "
-        f"{_percent(v['ripple_share'])} of the mean static pad load, both {_percent(v['loss_mean_bound'])}. "
+        f"What dominates: {CAUSES[first]}. Runout alone gives {_percent(v['runout_share'])}{alone}, thrust ripple alone "
+        f"{_percent(v['ripple_share'])}{ripple} of the mean static pad load, both "
+        f"{_percent(v['loss_mean_bound'])}{both}. "
         "Without "
         f"tilt and pad heights both would give {_percent(v['loss_mean_bound'] - v['tilt_share'])}, with a "
         "rigid shaft "
         f"{_percent(v['loss_mean_bound'] - v['elasticity_share'])}. {_damping(v)}"
     )
+
+
+def _most(result: Result, name: str) -> str:
+    """On which pad a force is largest; nothing where there is none."""
+    forces = result.arrays[name][0]
+    return f" (pad {1 + forces.index(max(forces))})" if max(forces) > 0.0 else ""
 
 
 def _damping(v: Mapping[str, float]) -> str:
@@ -242,8 +250,15 @@ def _nonlinear(result: Result) -> str:
         f"Nonlinear motion: largest load {v['nonlinear_load_peak'] / 1e3:.1f} kN above and "
         f"{v['nonlinear_unload_peak'] / 1e3:.1f} kN below the static one, thinnest film "
         f"{_micro(v['nonlinear_minimum_film'])}, mean films up to {_micro(v['mean_film_shift'])} thicker than "
-        f"at rest."
+        f"at rest.{_flight(result)}"
     )
+
+
+def _flight(result: Result) -> str:
+    """That what follows a moment without load or film is no result to rely on."""
+    if not any(notice.code == "W205" for notice in result.warnings):
+        return ""
+    return " A pad leaves the collar or touches it (W205): these figures show that it does, not how hard."
 
 
 def _oil(result: Result) -> str:
@@ -259,7 +274,7 @@ def _oil(result: Result) -> str:
     return (
         f"Oil: {v['friction_power'] / 1e3:.2f} kW of friction warm the {6e4 * v['passing_flow']:.1f} L/min "
         "that pass "
-        f"the pads by {v['temperature_rise']:.1f} K; the viscosity was given and does not follow."
+        f"the pads by {v['temperature_rise']:.1f} K on the mean; the viscosity was given and does not follow."
     )
 
 

@@ -21,6 +21,12 @@ def chosen_film(designs: Sequence[EveryDesign], file: Path, name: str | None) ->
         E004 when no bearing names the film method or several could be meant, E005 for an unknown name.
     """
     films = {design.name: design for design in designs if isinstance(design, FilmCase)}
+    if not films and any(getattr(design, "kind", "").startswith("thrust") for design in designs):
+        raise InputError(
+            "E004",
+            f"{file}: coefficients of thrust bearings are not exported; those of each pad are in the results: "
+            "babbitt solve FILE --json OUT",
+        )
     if not films:
         raise InputError(
             "E004", f"{file}: no bearing names the film method, which alone has coefficients; write method: film"

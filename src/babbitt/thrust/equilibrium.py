@@ -148,9 +148,9 @@ def _unbalanced(pad: ThrustPad) -> UnbalancedPadError:
     """What to say of a pad that no tilt balances."""
     return UnbalancedPadError(
         "E202",
-        f"pivot at {pad.pivot_fraction:g} of the extent and radius {pad.pivot_radius:g} m: no tilt balances "
-        f"the pad. "
-        "A flat pad needs a pivot behind its middle, 0.5 of the extent, and near the mean radius.",
+        f"pads.pivot: at {pad.pivot_fraction:g} of the extent and radius {1e3 * pad.pivot_radius:g} mm no tilt "
+        "balances the pad; allowed for a flat pad: a fraction behind its middle, more than 0.5, and a radius near "
+        f"the mean one, {500.0 * (pad.inner_radius + pad.outer_radius):g} mm",
     )
 
 

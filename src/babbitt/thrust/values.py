@@ -27,7 +27,7 @@ def share_values(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
         "load": share.thrust,
         "pad_number": float(bearing.number),
         "specific_load": share.thrust / bearing.area,
-        "angular_speed": design.speed,
+        "angular_speed": bearing.sense * design.speed,
         "surface_speed": design.speed * 0.5 * (bearing.pad.inner_radius + bearing.pad.outer_radius),
         "ring_stiffness": bearing.ring_stiffness,
         "pivot_film_thickness": worst.height,

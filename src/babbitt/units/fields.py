@@ -25,11 +25,14 @@ class SiField:
         A key of `babbitt.units.KINDS`: the SI unit, or the name of a kind that shares it.
     lowest, highest : str
         Inclusive range as the engineer writes it, such as ``"1 mm"``; messages show it so. Both or none.
+    usual : str
+        Unit that a number which is out of range without one was meant in, as drawings have it; empty: any in range.
     """
 
     unit: str
     lowest: str = ""
     highest: str = ""
+    usual: str = ""
 
     @property
     def kind(self) -> Kind:
@@ -72,6 +75,8 @@ class SiField:
             return value
         bare = bare_number(given)
         meant = None if bare is None else plausible_unit(self.ranged(bare), self.kind, *self.bounds)
+        if bare is not None and self.usual and self.holds(read(f"{bare:.12g} {self.usual}", self.unit)):
+            meant = self.usual
         if self.unit == "1" and meant != self.highest.partition(" ")[2]:
             meant = None  # 500 is no eccentricity of 500 permille; a clearance, whose range is in permille, may be
         hint = f"write '{bare:.12g} {meant}'" if meant else ""
@@ -129,9 +134,14 @@ class EitherSense(SiField):
         return [counter_clockwise, {"type": "number", "minimum": -highest, "maximum": -lowest}]
 
 
-def si(unit: str, lowest: str = "", highest: str = "") -> SiField:
-    """Make the metadata of a quantity field: ``Annotated[float, si("m", "1 mm", "3 m")]``."""
-    return SiField(unit, lowest, highest)
+def si(unit: str, lowest: str = "", highest: str = "", usual: str = "") -> SiField:
+    """Make the metadata of a quantity field: ``Annotated[float, si("m", "1 mm", "3 m")]``.
+
+    >>> si("m", "0 um", "5 mm", "um")(5)
+    Traceback (most recent call last):
+    babbitt.units.reading.QuantityError: 5 without unit is 5 m; allowed: 0 um to 5 mm; write '5 um'
+    """
+    return SiField(unit, lowest, highest, usual)
 
 
 def either_sense(unit: str, lowest: str, highest: str) -> EitherSense:
