@@ -231,26 +231,34 @@ def extrapolate(temperature, before, last, columns, groove):
 @inner
 def mix(surface, columns, flows, sources, walls, temperature, groove, s):
     """Mixing temperature of a supply: what is carried over of the oil that the film brings, and fresh oil for
-    the rest.
+    the rest. Returns its change.
 
     Oil that is not carried over leaves the supply as it came.
     """
-    brought, enthalpy, taken = groove_balance(surface, columns, flows, sources, temperature, s)
+    enthalpy = np.zeros(1)
+    brought, taken = groove_balance(
+        surface, columns, flows, sources, temperature.reshape((*temperature.shape, 1)), s, enthalpy
+    )
     kept = walls.carry_over * brought
     added = max(taken - kept, 0.0)
     if kept + added <= 0.0:
         return 0.0
     before = groove[s]
-    groove[s] = (walls.carry_over * enthalpy + added * sources * walls.fresh) / (kept + added)
+    groove[s] = (walls.carry_over * enthalpy[0] + added * sources * walls.fresh) / (kept + added)
     return abs(groove[s] - before)
 
 
 @compiled
-def groove_balance(surface, columns, flows, sources, temperature, s):
-    """Flow that the film brings to a supply, its enthalpy with the heat born there, and the flow that it takes."""
-    lines, n, layers = temperature.shape[0], surface.step.size, len(columns.layers)
+def groove_balance(surface, columns, flows, sources, temperatures, s, enthalpy):
+    """Flow that the film brings to a supply, and the flow that it takes.
+
+    ``enthalpy`` (states,) is filled with that of the flow brought and the heat born in the supply, for every one of
+    the ``temperatures`` (lines, columns, layers, states).
+    """
+    lines, n, layers, states = temperatures.shape[0], surface.step.size, len(columns.layers), enthalpy.size
     count = columns.size.size
-    brought, enthalpy, taken = 0.0, 0.0, 0.0
+    brought, taken = 0.0, 0.0
+    enthalpy[:] = 0.0
     for i in range(n):
         after = (i + 1) % lines
         for c in range(count):
@@ -264,14 +272,16 @@ def groove_balance(surface, columns, flows, sources, temperature, s):
                     phi = -phi  # now positive into the supply
                 if phi > 0.0:
                     brought += phi
-                    enthalpy += phi * temperature[after if own else i, c, k]
+                    for m in range(states):
+                        enthalpy[m] += phi * temperatures[after if own else i, c, k, m]
                 else:
                     taken -= phi
     for i in range(lines):
         for c in range(count):
             own = columns.supply[i, c] == s
             if own:
-                enthalpy += sources * flows.heat[i, c]
+                for m in range(states):
+                    enthalpy[m] += sources * flows.heat[i, c]
             if c < count - 1 and own != (columns.supply[i, c + 1] == s):
                 phi = -flows.axial[i, c] if own else flows.axial[i, c]
                 if phi <= 0.0:
@@ -279,6 +289,7 @@ def groove_balance(surface, columns, flows, sources, temperature, s):
                     continue
                 brought += phi
                 for k in range(layers):
-                    value = temperature[i, c + 1 if own else c, k]
-                    enthalpy += phi * flows.pressure_profile[i % n, c, k] * value
-    return brought, enthalpy, taken
+                    part = phi * flows.pressure_profile[i % n, c, k]
+                    for m in range(states):
+                        enthalpy[m] += part * temperatures[i, c + 1 if own else c, k, m]
+    return brought, taken

@@ -143,7 +143,7 @@ class WarmRing:
             sample.force, sample.stiffness, sample.damping,
         )  # fmt: skip
         if stale:
-            self.prepare_bush()
+            self.prepare_walls()
             self.asked = self.passes
             change = ask_walls(sample.ring.surface, self.columns, self.flows, self.cells, walls,
                                self.temperature, self.groove, part, change)  # fmt: skip
@@ -189,39 +189,15 @@ class WarmRing:
         fill_cells(self.sample.ring.surface, self.columns, self.flows, walls.conduction, self.stirred,
                    walls.insulated, walls.fresh, viscosity, self.cells)  # fmt: skip
 
-    def prepare_bush(self) -> None:
-        """Derivatives of the balance of the walls, for the film as it is.
-
-        What the film gives less to a warmer wall is exact for the journal and the first harmonics of the bush: the
-        energy equation is linear, and solved once for each with that wall at 1 K and all else at zero. The
-        others get a guess: k/h, what passes through the gap, and what the oil carries off, which for the first
-        harmonics is the rest and grows with the cube root of the order, as the conductance of the thin
-        boundary layer does that a warm place of this length makes in a shear flow (Leveque, Ann. des Mines 13
-        (1928)). What the journal gets of them passes straight through the gap; without it the walls of a slow
-        film, which conducts far more than its oil carries, would be thrown to and fro. The temperatures found do
-        not depend on these guesses.
-        """
-        walls, flows, columns = self.walls, self.flows, self.columns
-        note_film(columns, flows, walls)
-        film = walls.conductance
-        modes, half = walls.analysis.shape[0], walls.analysis.shape[0] // 2
-        first = [1, half + 1][: 2 * half]
-        exact = np.array([0, *first, modes])
-        fluxes, heats = np.zeros((exact.size, film.size)), np.zeros(exact.size)
-        answers_of_film(self.sample.ring.surface, columns, flows, self.cells, walls, exact, fluxes, heats,
+    def prepare_walls(self) -> None:
+        """Derivatives of the balance of the walls, for the film as it is."""
+        walls, modes = self.walls, self.walls.admittance.size
+        note_film(self.columns, self.flows, walls)
+        fluxes, heats = np.empty((walls.bush.size, modes + 1)), np.empty(modes + 1)
+        answers_of_film(self.sample.ring.surface, self.columns, self.flows, self.cells, walls, fluxes, heats,
                         ANSWER_SWEEPS, ANSWERED)  # fmt: skip
-        answers = -walls.analysis @ fluxes.T
-        guess = (walls.analysis * film) @ walls.synthesis
-        layer = max(sum(answers[m, n] - guess[m, m] for n, m in enumerate(first, 1)) / max(len(first), 1), 0.0)
-        order = np.concatenate(([1.0], np.arange(1, half + 1), np.arange(1, half + 1)))
-        matrix = np.zeros((modes + 1, modes + 1))
-        matrix[:modes, :modes] = guess + np.diag(layer * np.cbrt(order))
-        passing = film * walls.width / max(float(film @ walls.width), 1e-300)
-        matrix[modes, :modes] = -heats[0] * passing @ walls.synthesis
-        matrix[:modes, exact] = answers
-        matrix[modes, exact] = -heats
-        matrix[np.arange(modes), np.arange(modes)] += walls.admittance
-        matrix[modes, modes] += walls.journal[2]
+        matrix = np.concatenate((-walls.analysis @ fluxes, -heats[None]))
+        matrix.ravel()[:: modes + 2] += np.append(walls.admittance, walls.journal[2])
         if walls.journal_given:
             matrix[modes], matrix[:, modes] = 0.0, 0.0
             matrix[modes, modes] = 1.0
@@ -253,14 +229,14 @@ class WarmRing:
         self.fill(self.viscosity if self.passes else self.relative_viscosity())
         conducting, change = not self.walls.insulated, math.inf
         if conducting and stale_walls(self.columns, self.flows, self.walls):
-            self.prepare_bush()
+            self.prepare_walls()
         for rounds in (min(FEW_ROUNDS, most), most):
             change = close_energy(self.sample.ring.surface, self.columns, self.flows, self.cells, self.walls,
                                   self.temperature, self.groove, rounds, tolerance)  # fmt: skip
             if change < tolerance:
                 break
             if conducting:
-                self.prepare_bush()
+                self.prepare_walls()
         return float(change)
 
     def unit_friction(self) -> float:
