@@ -8,8 +8,8 @@ import numpy as np
 from numpy import float64
 from numpy.typing import NDArray
 
-from babbitt.film._compiling import compiled, inner
-from babbitt.film._heat_cells import AT_REST, groove_balance, sweep_energy
+from babbitt.film._compiling import compiled, inlined, inner
+from babbitt.film._heat_cells import groove_balance, sweep_energy
 
 Array = NDArray[float64]
 
@@ -163,7 +163,7 @@ def answers_of_film(surface, columns, flows, cells, walls, fluxes, heats, most, 
 
     For every harmonic of the bush, and last for the journal: flux into the bush (W/m2), ``fluxes`` (lines,
     modes + 1), and heat into the journal (W), ``heats`` (modes + 1,). The energy equation is linear, so that they are
-    exact but for what sweeps leave over, ``tolerance`` in K.
+    exact but for what sweeps leave over, ``tolerance`` in K (root mean square of the last changes).
     """
     lines, count, last = cells.bush.shape[0], cells.bush.shape[1], len(columns.layers) - 1
     journal = heats.size - 1
@@ -186,8 +186,8 @@ def answers_of_film(surface, columns, flows, cells, walls, fluxes, heats, most, 
                             groove[s] = walls.carry_over / max(kept, taken) * enthalpy
                     temperatures[i, c] = groove[s]
                 elif flows.gap[i, c] > 0.0:
-                    change = max(change, solve_cells(columns, cells, walls, mine, temperatures, i, c, right))
-        if change < tolerance:
+                    change += solve_cells(columns, cells, walls, mine, temperatures, i, c, right)
+        if change < temperatures.size * tolerance**2:
             break
     heats[:] = 0.0
     fluxes[:] = 0.0
@@ -201,27 +201,27 @@ def answers_of_film(surface, columns, flows, cells, walls, fluxes, heats, most, 
     heats *= walls.flow_heat
 
 
-@inner
+@inlined
 def solve_cells(columns, cells, walls, mine, temperatures, i, c, right):
-    """As ``solve_cell``, for all walls that are at 1 K one by one: the innermost loops are vectors."""
-    lines, count, layers = temperatures.shape[0], temperatures.shape[1], len(columns.layers)
+    """As ``solve_cell``, for all walls that are at 1 K one by one: the innermost loops are vectors.
+
+    Returns the sum of the squares of all changes.
+    """
+    lines, count, layers, states = temperatures.shape
     before, after = i - 1 if i > 0 else lines - 1, i + 1 if i < lines - 1 else 0
-    states = mine.size
     for k in range(layers):
         west, east = cells.west[i, c, k], cells.east[i, c, k]
         for m in range(states):
-            right[k, m] = AT_REST * temperatures[i, c, k, m] + west * temperatures[before, c, k, m]
-            right[k, m] += east * temperatures[after, c, k, m]
-    if c > 0:
-        for k in range(layers):
-            near = cells.inner[i, c, k]
+            right[k, m] = west * temperatures[before, c, k, m]
+        if east > 0.0:
             for m in range(states):
-                right[k, m] += near * temperatures[i, c - 1, k, m]
-    if c < count - 1:
-        for k in range(layers):
-            far = cells.outer[i, c, k]
+                right[k, m] += east * temperatures[after, c, k, m]
+        if c > 0:
             for m in range(states):
-                right[k, m] += far * temperatures[i, c + 1, k, m]
+                right[k, m] += cells.inner[i, c, k] * temperatures[i, c - 1, k, m]
+        if c < count - 1:
+            for m in range(states):
+                right[k, m] += cells.outer[i, c, k] * temperatures[i, c + 1, k, m]
     for m in range(states - 1):
         right[0, m] += cells.bush[i, c] * walls.synthesis[i, m]
     right[layers - 1, states - 1] += cells.journal[i, c]
@@ -231,11 +231,10 @@ def solve_cells(columns, cells, walls, mine, temperatures, i, c, right):
             right[k, m] -= factor * right[k - 1, m]
     change = 0.0
     for k in range(layers - 1, -1, -1):
-        pivot = cells.pivot[i, c, k]
+        pivot, above = cells.pivot[i, c, k], min(k + 1, layers - 1)
         high = cells.high[i, c, k] if k < layers - 1 else 0.0
-        above = k + 1 if k < layers - 1 else k
         for m in range(states):
             value = pivot * right[k, m] - high * temperatures[i, c, above, m]
-            change = max(change, abs(value - temperatures[i, c, k, m]))
+            change += (value - temperatures[i, c, k, m]) ** 2
             temperatures[i, c, k, m] = value
     return change

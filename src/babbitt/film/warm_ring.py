@@ -30,14 +30,11 @@ RELAX, CALM, LEAST_RELAX = 0.65, 12, 0.05
 """Share of a new viscosity field that a pass takes, passes after which a swinging film takes less, the least."""
 TURBULENT_PRANDTL = 0.9
 """Eddy viscosity over eddy diffusivity of heat; textbook value of turbulent boundary layers."""
-TRIED, SLOW = 3, 0.7
-"""Passes with the same derivatives of the walls, after which they are made anew where a pass changes more than
-this share of what the last one did."""
 FLICKER = 30
 """Passes after which a few nodes that still change sides are let be, as ``_equilibrium.CYCLING``."""
-ANSWER_SWEEPS, ANSWERED = 12, 1e-2
-"""Of the energy equation that gives the film's answer to a warmer wall, at most, and their last change that ends
-them, over that of the wall."""
+ANSWER_SWEEPS, ANSWERED = 30, 0.1
+"""Of the energy equation that gives the film's answer to a warmer wall, at most, and the root mean square of their
+last change that ends them, over that of the wall."""
 FEW_ROUNDS = 40
 """That close the heat balance with the derivatives of the walls as they are, before they are made anew."""
 MOST_HARMONICS = 16
@@ -79,10 +76,8 @@ class WarmRing:
     relaxation : float
         Share of (the logarithm of) a new viscosity field that a pass takes: load, position and heat answer each
         other with a swing.
-    passes, asked : int
-        So far, and that in which the derivatives of the walls were made.
-    last_change : float
-        Of a temperature in the last pass, K.
+    passes : int
+        So far.
     """
 
     sample: Sample
@@ -103,8 +98,6 @@ class WarmRing:
     friction: float = 0.0
     relaxation: float = RELAX
     passes: int = 0
-    asked: int = 0
-    last_change: float = math.inf
 
     @classmethod
     def of(cls, sample: Sample, heat: FilmHeat, film: JournalFilm, speed: float) -> WarmRing:
@@ -144,12 +137,9 @@ class WarmRing:
         )  # fmt: skip
         if stale:
             self.prepare_walls()
-            self.asked = self.passes
             change = ask_walls(sample.ring.surface, self.columns, self.flows, self.cells, walls,
                                self.temperature, self.groove, part, change)  # fmt: skip
-        if self.passes - self.asked >= TRIED and change > SLOW * self.last_change:
-            walls.conductance[:] = 0.0  # forgets the film of the derivatives: the next pass makes new ones
-        self.passes, self.last_change = self.passes + 1, float(change)
+        self.passes += 1
         change *= max(1.0, RELAX / self.relaxation)
         if self.passes > CALM:
             self.relaxation = (
