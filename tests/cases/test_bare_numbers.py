@@ -43,3 +43,14 @@ def test_a_whole_speed(case):
 def test_a_load_of_a_few_newtons():
     assert told(PAD, load=11) == [["load: 11"]]
     assert told(PAD, load=11000) == [[]]
+
+
+def test_whole_frequencies():
+    """100 in a list of frequencies is meant in Hz, not as 15.9 Hz; hydrostatic bearings alone have such a list."""
+    (notices,) = (one.doubts for one in design_cases(case_from_dict(PAD | {"frequencies": [10, 100]})))
+    assert "100 rad/s = 15.92 Hz; write '100 Hz'" in notices[0].message
+    assert told(PAD, frequencies=["10 Hz", "100 Hz"]) == [[]]
+    assert told(PAD, frequencies=[62.83, 628.3]) == [[]]
+    assert told(PAD, frequencies=[0, 10]) == [["frequencies: 10"]]
+    assert told(PAD, frequencies=[0]) == [[]]
+    assert told(PAD, frequencies=[]) == [[]]

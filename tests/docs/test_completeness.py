@@ -116,7 +116,7 @@ def test_every_field_of_a_case_is_described(part: type[Part]) -> None:
 
 def test_every_kind_of_quantity_and_its_units_are_listed() -> None:
     for kind in UNIT_KINDS.values():
-        row = next(line for line in units.page().splitlines() if f"| `{kind.unit}` |" in line)
+        row = next(line for line in units.page().splitlines() if f"| {kind.phrase} | `{kind.unit}` |" in line)
         assert all(f"`{unit}`" in row for unit in kind.everyday if unit)
 
 

@@ -7,6 +7,8 @@ import pytest
 
 from babbitt import parse_case
 from babbitt.cases import template
+from babbitt.quantities import QUANTITIES
+from babbitt.report.columns import columns_of
 from babbitt.report.content import content
 from babbitt.report.export import to_json
 from babbitt.report.figures import write_plots
@@ -102,6 +104,62 @@ def test_a_bearing_with_its_own_temperatures_draws_and_tabulates_them(tmp_path):
     (chapter,) = content(solved)["bearings"]
     assert any("adiabatic" in str(row) for group in chapter["inputs"] for row in group["rows"])
     assert "°C in a film" in chapter["answers"][-1]
+
+
+def first_page(machine):
+    """Cells of the only bearing under their headings, as text."""
+    columns = columns_of(machine.results)
+    return {column.heading: column.cells(machine.results)[0] for column in columns}
+
+
+def test_the_first_page_shows_what_is_judged_with_its_limit(line, bearing):
+    """Every limit stands beside the value that its check compares; the static film of a line has none."""
+    for machine in (line, bearing, solve(parse_case(template("thrust") + "\nthermal: adiabatic\n"))):
+        (result,) = machine.results
+        shown = first_page(machine)
+        judged = {QUANTITIES[check.quantity].symbol for check in result.checks if check.code != "C204"}
+        assert {heading.split(" / ")[0] for heading in shown if " / " in heading} == judged - {"T_ex"}
+        assert "–" not in " ".join(shown.values())
+        for check in result.checks:
+            quantity = QUANTITIES[check.quantity]
+            for heading, cell in shown.items():
+                if heading.startswith(f"{quantity.symbol} / "):
+                    assert cell == f"{quantity.format(check.value)} / {quantity.format(check.limit)}"
+    assert {"h_min", "h_dyn / h_lim", "L_1 / L_lim"} <= first_page(line).keys()
+    assert "h_min / h_lim" not in first_page(line)
+
+
+def test_a_film_that_is_judged_itself_stands_beside_its_limit():
+    still = solve(parse_case(template("thrust").replace("runout: 5 um", "runout: 0 um")))
+    assert first_page(still)["h_min / h_lim"].endswith(" / 10.0")
+    assert "h_min" not in first_page(still)
+
+
+def given(machine):
+    (chapter,) = content(machine)["bearings"]
+    return {row["label"]: row["value"] for group in chapter["inputs"] for row in group["rows"]}
+
+
+def test_no_runout_and_no_ripple_are_told():
+    start, end = LINE.index("ripple:"), LINE.index("film_limit:")
+    none = solve(parse_case(LINE[:start] + "ripple: []\nrunout: []\n" + LINE[end:]))
+    assert given(none)["Runout of the collar"] == given(none)["Thrust ripple"] == "none"
+    assert none.results[0].loss_mean_bound == 0.0
+
+
+def test_a_constant_viscosity_is_told_once_and_does_not_rise(line, bearing):
+    said = given(line)
+    assert said["Dynamic viscosity"] == "45"
+    assert not [label for label in said if "Kinematic" in label]
+    cold, warm = (float(given(bearing)[f"Kinematic viscosity at {t} °C"]) for t in (40, 100))
+    assert cold > warm
+
+
+def test_the_metal_of_the_pads_is_told(bearing):
+    named = solve(parse_case(template("thrust") + "\nmaterials: {bearing_metal: B83}\n"))
+    assert given(named)["Bearing metal"] == "B83"
+    assert "Bearing metal" not in given(bearing)
+    assert "at the trailing edges, within the limit of 115.0 °C" in thrust_answers(bearing.results[0])[-1]
 
 
 def test_no_journal_is_spoken_of():

@@ -31,28 +31,39 @@ def on(pad, inertia=INERTIA):
     return state_of(replace(duty(), bearing=replace(duty().bearing, pad=pad, inertia=inertia)), films)
 
 
-def test_a_face_that_leans_presses_a_fixed_pad_as_its_film_displaced():
-    """Forces of the film under the plane of the wobbling face at its high spot, and a quarter of a turn later.
-
-    Coefficients of a film that ruptures askew to its lines are known to 2e-4.
-    """
-    state = on(TAPER)
-    pad = state.share.states[0]
-    to_film, amplitude = TAPER.from_pivot(), 1e-8
-    motion = np.array([pad.height, pad.slope_x, pad.slope_y])
-    sector = sector_of(TAPER, VISCOSITY, SPEED)
-    slope = {}
-    for phase, shape in (("high", (1.0, 1.0 / 0.29, 0.0)), ("later", (0.0, 0.0, 1.0 / 0.29))):
-        loads = [
+def pressed(pad, amplitude):
+    """Load gained per height of a leaning face, N/m: high spot under the pad, and a quarter of a turn later."""
+    to_film, sector = TAPER.from_pivot(), sector_of(TAPER, VISCOSITY, SPEED)
+    at = np.array([pad.height, pad.slope_x, pad.slope_y])
+    slopes = []
+    for shape in ((1.0, 1.0 / 0.29, 0.0), (0.0, 0.0, 1.0 / 0.29)):
+        near, far = (
             sector_film(
-                sector, PlaneMotion(*(to_film @ (motion - side * amplitude * np.array(shape)))), intervals=64
+                sector,
+                PlaneMotion(*(to_film @ (at - side * amplitude * np.array(shape)))),
+                intervals=TAPER.intervals,
             ).load
             for side in (1.0, -1.0)
-        ]
-        slope[phase] = (loads[0] - loads[1]) / (2.0 * amplitude)
-    felt = (state.pads.film(1e-3) * (1.0 + state.pads.wobble(1e-3)))[0]
-    assert felt.real == pytest.approx(slope["high"], rel=3e-4)
-    assert felt.imag == pytest.approx(-slope["later"], rel=1e-3)
+        )
+        slopes.append((near - far) / (2.0 * amplitude))
+    return complex(slopes[0], -slopes[1])
+
+
+def test_a_face_that_leans_presses_a_fixed_pad_as_its_film_displaced():
+    """What the line feels of a pad at rest is the film of the same mesh displaced as a plane that wobbles.
+
+    To 1e-6 where the film is whole. Where it ruptures askew to its lines, coefficients count it to its end between
+    two lines and not to the last wet one, so that they do not jump from node to node (`babbitt.film._endings`);
+    the load displaced does jump, by 4e-4 of the worst pad here, on 240 and 480 intervals by 1e-4 and 1.6e-4.
+    """
+    state = on(TAPER)
+    felt = state.pads.film(1e-6) * (1.0 + state.pads.wobble(1e-6))
+    ruptured = []
+    for pad, answer in zip(state.share.states, felt, strict=True):
+        inner = pad.film.pressure[1:-1, 1:-1]
+        ruptured.append(bool((inner <= 0.0).any()))
+        assert abs(answer - pressed(pad, 1e-8)) < (5e-4 if ruptured[-1] else 1e-6) * abs(answer)
+    assert ruptured == [False, True, True, True, False, False, False, False]
 
 
 def test_a_free_pad_follows_a_face_that_leans_and_a_heavy_one_does_not():

@@ -46,7 +46,7 @@ def test_the_march_meets_the_frequency_domain():
 
 
 def test_the_march_converges_with_the_square_of_its_step():
-    """Rods fine enough that only the step is left: 1440 steps of B5 leave 1.2e-5 on the gaps, 2880 a quarter."""
+    """Rods fine enough that only the step is left: 1440 steps of B5 leave 2.0e-5 on the gaps, 2880 a quarter."""
     state = state_of(duty(), FILMS)
     coarse, fine = (
         max(

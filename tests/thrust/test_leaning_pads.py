@@ -13,7 +13,12 @@ from babbitt.thrust.bearing import HousingTilt
 from babbitt.thrust.carrying import carrying
 from babbitt.thrust.equilibrium import sector_of
 from babbitt.thrust.face import SteppedFace, TaperedFace
-from babbitt.thrust.failures import LeaningPadsTouchAtFilmError, LeaningPadsTouchError, PadsTouchError
+from babbitt.thrust.failures import (
+    LeaningPadError,
+    LeaningPadsTouchAtFilmError,
+    LeaningPadsTouchError,
+    PadsTouchError,
+)
 from babbitt.thrust.leaning import states_at
 from babbitt.thrust.pad import Pivot
 from babbitt.thrust.runout import RunoutHarmonic
@@ -212,6 +217,53 @@ def test_faces_that_touch_before_the_thrust_is_carried_have_no_film():
         share_at_film(FILMS[TAPER], tilted(TAPER, 60e-6, 0.0, math.inf), 50e-6)
     assert told.value.outcome is Outcome.OUTSIDE_CLEARANCE
     assert "thrust" not in told.value.said
+
+
+def balances(of, place, height):
+    """Moments about the radius through the pivot over every slope at which the pad clears, over load and width."""
+    lean, sector = standing_at_rest(of).leans[place, 0], sector_of(LINE, VISCOSITY, SPEED)
+    basis, _ = LINE.watched()
+    moments = []
+    for slope in -np.geomspace(2e-6, 5e-4, 60)[::-1]:
+        motion = np.array([height, lean, slope])
+        if (basis @ motion).min() > 2e-7:
+            film = sector_film(sector, PlaneMotion(*(LINE.from_pivot() @ motion)), intervals=LINE.intervals)
+            moments.append(float((LINE.from_pivot().T @ film.forces)[2] / film.load / 0.185))
+    return np.array(moments)
+
+
+@pytest.mark.parametrize(("ring", "borne", "unborne"), [(math.inf, 100, 110), (2e10, 100, 110), (1e9, 150, 165)])
+def test_line_pivots_settle_until_a_corner_touches(ring, borne, unborne):
+    """More tilt thins the film steadily to a micrometre or two; beyond, the corner touches before it balances."""
+    thinnest = []
+    for tilt in (0.6 * borne, 0.8 * borne, borne):
+        share = share_of(FILMS[LINE], tilted(LINE, 1e-6 * tilt, ring=ring), THRUST)
+        assert share.loads.sum() == pytest.approx(THRUST, rel=1e-5)
+        assert max(abs(state.moments[1]) / state.load for state in share.states) < 1e-9 * 0.185
+        thinnest.append(min(state.minimum_film_thickness for state in share.states))
+    assert thinnest == sorted(thinnest, reverse=True)
+    assert 0.0 < thinnest[-1] < 2e-6
+    with pytest.raises(LeaningPadsTouchError) as told:
+        share_of(FILMS[LINE], tilted(LINE, 1e-6 * unborne, ring=ring), THRUST)
+    assert told.value.pad == 2
+
+
+def test_a_leaning_line_pivot_falls_over_below_a_film():
+    """On a soft ring far pads lean their inner edges in; below a film no slope balances, above one does."""
+    of = tilted(LINE, 110e-6, ring=1e9)
+    with pytest.raises(LeaningPadError, match=r"pad 6 leans.* the pad falls over.* straighter housing") as told:
+        share_of(FILMS[LINE], of, 1e6)
+    film = told.value.thinnest
+    assert balances(of, 5, 0.98 * film).min() > 0.0
+    assert balances(of, 5, 1.02 * film).min() < 0.0
+
+
+def test_however_far_the_housing_tilts_the_end_is_told():
+    """No tilt ends in a search without result: a film, a corner that touches, or a pad that falls over."""
+    for tilt in (200e-6, 400e-6, 1e-3):
+        for ring in (math.inf, 1e9):
+            with pytest.raises(LeaningPadsTouchError, match="touches the collar while the pads carry"):
+                share_of(FILMS[LINE], tilted(LINE, tilt, ring=ring), THRUST)
 
 
 @pytest.mark.parametrize(("direction", "solved"), [(0.0, 5), (math.pi / 8, 4)])

@@ -219,25 +219,94 @@ def test_a_step_carries_no_more_than_its_bound(tilt):
     assert "deep step" in found.message
 
 
+WARM = {"oil": f"{BALANCE}}}"}
+METAL = "{bearing_metal: B83}"
+
+
+def of_temperature(found):
+    return {check.code: check for check in found.checks if check.code in ("C104", "C108", "C109")}
+
+
 @pytest.mark.parametrize(
-    ("changed", "says"),
+    ("changed", "hottest"),
     [
-        ({}, "not known"),
-        ({"oil": f"{BALANCE}}}"}, "hottest oil known"),
-        ({"oil": f"{BALANCE}}}", "thermal": "adiabatic"}, "hottest oil known"),
+        ({"oil": "{kind: temperature, lubricant: ISO VG 100, temperature: 53 degC}"}, "effective_temperature"),
+        (WARM, "trailing_temperature"),
+        (WARM | {"thermal": "adiabatic"}, "maximum_temperature"),
     ],
 )
-def test_no_temperature_is_passed_over_in_silence(changed, says):
-    [notice] = result(**changed).not_checked
+def test_the_hottest_oil_known_is_held_against_the_metal(changed, hottest):
+    """Without a metal tin Babbitt, 115 °C, and this is said; of all temperatures none known is hotter."""
+    found = result(**changed)
+    checks = of_temperature(found)
+    assert set(checks) == {"C104", "C108"}
+    assert checks["C108"].quantity == hottest
+    assert checks["C108"].value == found.values[hottest]
+    assert checks["C108"].value == max(v for name, v in found.values.items() if name.endswith("_temperature"))
+    assert checks["C108"].limit == pytest.approx(115.0 + 273.15)
+    assert checks["C104"].limit == pytest.approx(100.0 + 273.15)
+    assert "assumption: B83" in checks["C108"].source
+    assert "no bearing metal is given" in " ".join(found.assumptions)
+    assert not found.not_checked
+    assert "W145" not in {one.code for one in found.warnings}
+
+
+def test_no_temperature_is_passed_over_in_silence():
+    [notice] = result().not_checked
     assert notice.code == "C104"
-    assert says in notice.message
-    assert "W145" not in {one.code for one in result(**changed).warnings}
+    assert "not known" in notice.message
+    assert [one.code for one in result(materials=METAL).not_checked] == ["C104", "C108"]
+
+
+def test_a_metal_and_a_limit_of_the_case_take_the_place_of_the_assumed():
+    hottest = result(**WARM).trailing_temperature - 273.15
+    limited = result(**WARM, temperature_limit=f"{hottest - 1.0} degC")
+    assert set(of_temperature(limited)) == {"C104"}
+    assert not limited.within_limits
+    assert of_temperature(limited)["C104"].quantity == "trailing_temperature"
+    assert result(**WARM, temperature_limit=f"{hottest + 1.0} degC").within_limits
+    named = result(**WARM, materials=METAL)
+    assert set(of_temperature(named)) == {"C104", "C108", "C109"}
+    assert "assumption" not in of_temperature(named)["C108"].source
+    assert of_temperature(named)["C109"].advisory
+    soft = result(**WARM, materials="{bearing_metal: SnSb8Cu4}")
+    assert "SnSb8Cu4" in {one.code: one.message for one in soft.not_checked}["C108"]
+
+
+def test_babbitt_that_softens_is_beyond_its_limit():
+    """Oil fed at 90 °C, all hot oil but a tenth carried over, a pad of 900 kN: beyond 115 °C."""
+    found = result(oil=BALANCE.replace("45 degC", "90 degC") + ", carry_over: 0.9}", thrust="900 kN", tilt=None)
+    assert found.trailing_temperature > 115.0 + 273.15
+    assert not of_temperature(found)["C108"].ok
+    assert not found.within_limits
 
 
 def test_oil_hotter_at_the_trailing_edges_than_its_data_is_told():
     found = result(oil=BALANCE.replace("45 degC", "95 degC") + "}", thrust="900 kN", tilt=None)
     hottest = found.trailing_temperature - 273.15
     assert f"{hottest:.1f} °C" in {one.code: one.message for one in found.warnings}["W145"]
+
+
+LINE_PIVOTS = (
+    "{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, "
+    "pivot: {kind: line, radius: 290 mm, fraction: 0.6}}"
+)
+
+
+@pytest.mark.parametrize("thermal", ["global", "adiabatic"])
+def test_the_heat_of_pads_that_lean_ever_more_is_balanced_until_one_touches(thermal):
+    """Oil that would be too thin for a film bounds the search for its temperature, and does not end it."""
+    tilts = {"global": (60, 80, 100, 150), "adiabatic": (40, 50, 55, 80)}[thermal]
+    *borne, touching = (
+        result(pads=LINE_PIVOTS, tilt=f"{{offset: {tilt} um}}", thermal=thermal, **WARM) for tilt in tilts
+    )
+    thinnest = [found.minimum_film_thickness for found in borne]
+    assert thinnest == sorted(thinnest, reverse=True)
+    assert 0.0 < thinnest[-1] < 3e-6
+    assert max(found.energy_balance_error for found in borne) < 1e-7
+    assert touching.outcome is Outcome.OVERLOADED
+    assert "pad 1 leans with the housing and touches" in touching.message
+    assert "a straighter housing" in touching.message
 
 
 @pytest.mark.parametrize("runout", ["5 um", "[5 um]", "{amplitude: 5 um}", "[{amplitude: 5 um, lobes: 1}]"])

@@ -10,7 +10,7 @@ from pydantic import TypeAdapter
 
 from babbitt.cases.every_kind import AnyCase
 from babbitt.cases.part import Part
-from babbitt.units import KINDS, written
+from babbitt.units import KINDS, Kind, written
 from babbitt_pages.markdown import anchor, code, table, text
 
 Schema = dict[str, Any]
@@ -207,11 +207,14 @@ def _type(described: Schema, known: dict[str, Section]) -> str:
 
 
 def _quantity(described: Schema) -> str:
-    unit = described["x-unit"]
-    if unit == "1":
+    kind = _kind(described)
+    if kind.unit == "1":
         return "number"
-    example = described.get("x-example", KINDS[unit].example)
-    return f"{_kind_noun(unit)}, such as {code(example)}"
+    return f"{kind.phrase.split(' ', 1)[1]}, such as {code(described.get('x-example', kind.example))}"
+
+
+def _kind(described: Schema) -> Kind:
+    return KINDS[described.get("x-kind", described.get("x-unit", "1"))]
 
 
 def _alternatives(branches: list[Schema], known: dict[str, Section]) -> str:
@@ -226,10 +229,6 @@ def _alternatives(branches: list[Schema], known: dict[str, Section]) -> str:
     if len(mappings) > 1:
         return " or ".join([*others, f"mapping with `kind` {', '.join(linked)}"])
     return " or ".join([*others, *(_link(section) for section in mappings)])
-
-
-def _kind_noun(unit: str) -> str:
-    return KINDS[unit].phrase.split(" ", 1)[1]
 
 
 def _link(section: Section) -> str:
@@ -267,7 +266,7 @@ def _default(name: str, described: Schema, required: list[str]) -> str:
         return "–"
     if isinstance(default, dict):
         return "its defaults"
-    unit = _core(described).get("x-unit", "1")
-    if isinstance(default, int | float) and unit != "1":
-        return code(written(float(default), next(iter(KINDS[unit].everyday))))
+    kind = _kind(_core(described))
+    if isinstance(default, int | float) and kind.unit != "1":
+        return code(written(float(default), next(iter(kind.everyday))))
     return code(f"{default:g}" if isinstance(default, float) else default)

@@ -8,7 +8,7 @@ from babbitt.cases.part import Part, is_bare
 from babbitt.notices import Notice
 from babbitt.units import KINDS
 
-__all__ = ["about_load", "about_speed"]
+__all__ = ["about_frequencies", "about_load", "about_speed"]
 
 SUSPICIOUS_SPEED = 100.0
 """Assumption: a whole number from here on is how people write rpm; speeds in rad/s seldom come out whole."""
@@ -32,6 +32,20 @@ def about_speed(part: Part, name: str) -> Iterator[Notice]:
             f"{name}: {speed:.12g} without unit was read as {speed:.12g} rad/s = {turns:.0f} rpm; "
             f"write '{speed:.12g} rpm' if that was meant",
         )
+
+
+def about_frequencies(part: Part, name: str = "frequencies") -> Iterator[Notice]:
+    """Doubt whole numbers of swings per second that were read as rad/s."""
+    given: tuple[float, ...] = getattr(part, name)
+    largest = max(given, default=0.0)
+    if largest == 0.0 or not is_bare(part, name) or not all(one.is_integer() for one in given):
+        return
+    hertz = KINDS["frequency"].from_si(largest, "Hz")
+    yield Notice(
+        "W117",
+        f"{name}: {largest:.12g} without unit was read as {largest:.12g} rad/s = {hertz:.4g} Hz; "
+        f"write '{largest:.12g} Hz' if that was meant",
+    )
 
 
 def about_load(part: Part, name: str = "load") -> Iterator[Notice]:

@@ -132,7 +132,7 @@ def is_given(part: Part, name: str) -> bool:
 
 
 def is_bare(part: Part, name: str) -> bool:
-    """Whether a field was written as a number without unit."""
+    """Whether a field was written as a number without unit, or as a list of such numbers."""
     return name in part._bare
 
 
@@ -188,7 +188,8 @@ def _usable(cls: type[Part], given: Mapping[str, Any], misspelt: frozenset[str] 
 
 
 def _without_unit(given: Mapping[str, Any]) -> frozenset[str]:
-    return frozenset(name for name, value in given.items() if bare_number(value) is not None)
+    lists = {name: value if isinstance(value, list | tuple) else [value] for name, value in given.items()}
+    return frozenset(name for name, of in lists.items() if of and None not in map(bare_number, of))
 
 
 @cache

@@ -22,7 +22,7 @@ Angle = Annotated[float, si("rad", "-360 deg", "360 deg")]
 Extent = Annotated[float, si("rad", "0.5 deg", "359 deg")]
 Groove = Annotated[float, si("rad", "0 deg", "180 deg")]
 Speed = Annotated[float, either_sense("rad/s", "0 rpm", "200000 rpm")]
-Frequency = Annotated[float, si("rad/s", "0 Hz", "100 kHz")]
+Frequency = Annotated[float, si("frequency", "0 Hz", "100 kHz")]
 
 
 class HydrostaticOil(Part):

@@ -10,14 +10,16 @@ from babbitt.cases.fields import WholeNumber
 from babbitt.cases.part import Part
 from babbitt.cases.shorthand import Shorthand
 from babbitt.thrust.runout import RunoutHarmonic
-from babbitt.units import si
+from babbitt.units import si, written
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from pydantic import GetJsonSchemaHandler
     from pydantic.json_schema import JsonSchemaValue
     from pydantic_core import CoreSchema
 
-__all__ = ["RUNOUT", "Runout", "RunoutGiven"]
+__all__ = ["RUNOUT", "Runout", "RunoutGiven", "said_of_runout"]
 
 RUNOUT = (
     "Runout of the collar face at the pivot radius: an amplitude, half the indicator reading, for a face with one "
@@ -54,3 +56,12 @@ def _waves(given: Any) -> Any:
 
 
 RunoutGiven = Annotated[tuple[Runout, ...], _OneLength(_waves, "an amplitude such as '5 um', or a list of waves")]
+
+
+def said_of_runout(runouts: tuple[Runout, ...]) -> Iterator[tuple[str, str]]:
+    """Tell how a case gave its runout, also that it gave none."""
+    if not runouts:
+        yield "Runout of the collar", "none"
+    for face in runouts:
+        waves = "" if face.lobes == 1 else f", {face.lobes} waves"
+        yield "Runout of the collar", f"amplitude {written(face.amplitude, 'um').replace(' um', ' µm')}{waves}"

@@ -16,7 +16,8 @@ def case_schema() -> dict[str, Any]:
     -------
     dict
         JSON Schema, draft 2020-12. A quantity is a number in SI or text with a unit; ``x-unit`` is its SI unit,
-        ``x-allowed`` its range, ``x-example`` how an engineer writes one.
+        ``x-kind`` its kind where two share a unit, ``x-allowed`` its range, ``x-example`` how an engineer writes
+        one.
     """
     from pydantic import TypeAdapter
     from pydantic.json_schema import GenerateJsonSchema

@@ -13,14 +13,15 @@ from babbitt.cases.bare_numbers import about_load, about_speed
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose
 from babbitt.cases.part import Complaint, Part, exactly_one, rule
-from babbitt.cases.runout import RUNOUT, Runout, RunoutGiven
+from babbitt.cases.runout import RUNOUT, Runout, RunoutGiven, said_of_runout
 from babbitt.cases.thrust_oil import OilByBalance, ThrustOil
-from babbitt.cases.thrust_pads import Stiffness, ThrustPads, Tilt, TiltingPivot
+from babbitt.cases.thrust_pads import PadMaterials, Stiffness, ThrustPads, Tilt, TiltingPivot
 from babbitt.film.turbulence import CONSTANTINESCU, NG_PAN, FilmTurbulence, TurbulenceLaw
 from babbitt.thrust.bearing import HousingTilt, ThrustBearing
 from babbitt.thrust.design import GivenFilm, GivenThrust, ThrustDesign
 from babbitt.thrust.pad import Pivot, ThrustPad
 from babbitt.thrust.state import TiltInertia
+from babbitt.thrust.temperature_limits import TemperatureLimits
 from babbitt.units import either_sense, si
 from babbitt.units import written as written_plainly
 
@@ -57,6 +58,12 @@ class ThrustBearingInputs(Part):
     )
     tilt: Tilt | None = Field(None, description="Tilt of the housing against the collar.")
     turbulence: Literal["none", "ng_pan", "constantinescu"] = Field("none", description="Turbulence of the films.")
+    materials: PadMaterials | None = Field(None, description="Materials of the pads.")
+    temperature_limit: Annotated[float, si("K", "20 degC", "250 degC")] | None = Field(
+        None,
+        description="Greatest permissible temperature of the hottest oil known. None: what experience allows at "
+        "the outlet, and the limit of the bearing metal.",
+    )
     film_limit: Annotated[float, si("m", "0.1 um", "1 mm")] | None = Field(
         None, description="Least film permitted. None: 10 um, an assumption."
     )
@@ -153,8 +160,9 @@ class ThrustBearingInputs(Part):
             tuple(one.harmonic() for one in runouts),
             USUAL_FILM_LIMIT if self.film_limit is None else self.film_limit,
             "assumption: 10 µm" if self.film_limit is None else "given in the case",
+            TemperatureLimits(self.temperature_limit, None if self.materials is None else self.materials.metal()),
             law,
-            tuple(words_of(self)),
+            (*words_of(self), *said_of_runout(runouts)),
             self.assumptions,
             (*about_speed(self, "speed"), *about_load(self, "thrust")),
         )

@@ -128,7 +128,9 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
     )
     collar_mass: Weight = Field(description="Mass of the collar with all that is axially rigid to it, m_2.")
     seating: SeatingGiven | None = Field(None, description="What carries the housing. None: rigid.")
-    ripple: tuple[ThrustRipple, ...] = Field((), max_length=20, description="Harmonics of the thrust.")
+    ripple: tuple[ThrustRipple, ...] = Field(
+        (), max_length=20, description="Harmonics of the thrust. Empty: none."
+    )
     runout: RunoutGiven = Field((), max_length=20, description=RUNOUT)
     loss_limit: Annotated[float, si("1", "0.01", "5")] | None = Field(
         None, description="Limit of dynamic over mean static pad load. None: 50 %, usual in industry."
@@ -235,14 +237,11 @@ def _words(case: ThrustLineCase) -> Iterator[tuple[str, str]]:
             "Seating",
             f"{written(case.seating.stiffness, 'GN/m')}, housing {written(case.seating.housing_mass, 't')}",
         )
+    if not case.ripple:
+        yield "Thrust ripple", "none"
     for one in case.ripple:
         harmonic = case._thrust_harmonic(one)
         yield (
             "Thrust ripple",
             f"{written(harmonic.amplitude, 'kN')} at {harmonic.order:g} times the shaft frequency",
-        )
-    for face in case.runout:
-        yield (
-            "Runout of the collar",
-            f"amplitude {written(face.amplitude, 'um')}" + ("" if face.lobes == 1 else f", {face.lobes} waves"),
         )

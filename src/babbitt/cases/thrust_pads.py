@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.cases.fields import WholeNumber
-from babbitt.cases.part import Complaint, Part, rule
+from babbitt.cases.fields import Name, WholeNumber
+from babbitt.cases.part import Complaint, Part, refused, rule
+from babbitt.materials import BearingMetal, bearing_metal
 from babbitt.thrust.bearing import HousingTilt
 from babbitt.thrust.face import PlaneFace, SteppedFace, TaperedFace
 from babbitt.units import si, written
@@ -144,6 +145,26 @@ class ThrustPads(Part):
     def plane_or_face(self) -> PlaneFace | TaperedFace | SteppedFace:
         """Give the face of the calculation."""
         return PlaneFace() if self.face is None else self.face.face()
+
+
+class PadMaterials(Part):
+    """What the pads are made of."""
+
+    example: ClassVar[str] = "{bearing_metal: B83}"
+
+    bearing_metal: Name | None = Field(
+        None,
+        description="Bearing metal of the faces, a name of the catalogue. None: B83, an assumption, unless "
+        "temperature_limit is given.",
+    )
+
+    @rule
+    def _metal_is_known(self) -> Iterator[Complaint]:
+        yield from refused(("bearing_metal",), self.metal)
+
+    def metal(self) -> BearingMetal | None:
+        """Give the bearing metal; None where it is not named."""
+        return None if self.bearing_metal is None else bearing_metal(self.bearing_metal)
 
 
 class Tilt(Part):

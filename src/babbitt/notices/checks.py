@@ -25,7 +25,7 @@ CHECKS: dict[str, Explanation] = {
     "C104": Explanation(
         "Temperature",
         "The oil outlet temperature (pressure fed) or the bearing temperature (self-cooled) is compared with the "
-        "value by experience or with the limit that the case sets.",
+        "value by experience or with the limit that the case sets; that of the case holds for the hottest known.",
         "More oil, a cooler supply, a larger clearance, or a thinner oil.",
     ),
     "C105": Explanation(
@@ -45,7 +45,8 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C108": Explanation(
         "Limiting temperature of the metal",
-        "The hottest known temperature is compared with that at which the metal loses its hardness.",
+        "The hottest known temperature is compared with that at which the metal loses its hardness. Of thrust "
+        "pads it is that of the oil, and the metal is B83 where none is given.",
         "More or cooler oil, or another metal.",
     ),
     "C109": Explanation(

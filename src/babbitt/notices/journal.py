@@ -99,9 +99,9 @@ JOURNAL: dict[str, Explanation] = {
     ),
     "W117": Explanation(
         "Number without unit",
-        "A number without unit is in SI: a speed in rad/s, a load in N. This one looks as if another unit was "
-        "meant.",
-        "Write the unit: '3000 rpm', '6 kN'; '3000 rad/s' or '6 N' if the number is meant as it stands.",
+        "A number without unit is in SI: a speed or a frequency in rad/s, a load in N. This one looks as if "
+        "another unit was meant.",
+        "Write the unit: '3000 rpm', '50 Hz', '6 kN'; '3000 rad/s' or '6 N' if the number is meant as it stands.",
     ),
     "W118": Explanation(
         "Oil leaves colder than it enters",

@@ -46,9 +46,33 @@ def _reading(name: str) -> Reading:
     return lambda result: _number(name, result.values.get(name, math.nan))
 
 
-def _film_limit(result: Result) -> str:
-    check = governing(result, "minimum_film_thickness")
-    return _number("minimum_film_thickness", check.limit) if check else ABSENT
+def _limit(name: str) -> Reading:
+    def reading(result: Result) -> str:
+        check = governing(result, name)
+        return _number(name, check.limit) if check else ABSENT
+
+    return reading
+
+
+def _judged(name: str, limit: str, rank: int) -> Column:
+    """The column of a quantity beside its limit, with those results in it that have one."""
+    quantity, value = QUANTITIES[name], _reading(name)
+
+    def reading(result: Result) -> str:
+        return value(result) if governing(result, name) else ABSENT
+
+    heading = f"{quantity.symbol} / {limit}"
+    return Column(heading, quantity.display.label, (reading, _limit(name)), rank, " / ")
+
+
+def _unjudged(name: str, rank: int) -> Column:
+    """The column of a quantity that is not held against a limit here."""
+    quantity, value = QUANTITIES[name], _reading(name)
+
+    def reading(result: Result) -> str:
+        return ABSENT if governing(result, name) else value(result)
+
+    return Column(quantity.symbol, quantity.display.label, (reading,), rank)
 
 
 def _supply_flow(result: Result) -> str:
@@ -69,7 +93,9 @@ COLUMNS = (
     Column("T_en → T_ex", "°C", (_reading("supply_temperature"), _reading("outlet_temperature")), 1, " → "),
     column_of("bearing_temperature", 1),
     column_of("eccentricity_ratio", 3),
-    Column("h_min / h_lim", "µm", (_reading("minimum_film_thickness"), _film_limit), 0, " / "),
+    Column(
+        "h_min / h_lim", "µm", (_reading("minimum_film_thickness"), _limit("minimum_film_thickness")), 0, " / "
+    ),
     column_of("friction_power", 4),
     column_of("side_flow", 5),
     Column(QUANTITIES["supply_flow"].symbol, QUANTITIES["supply_flow"].display.label, (_supply_flow,), 6),
@@ -89,12 +115,34 @@ HEEL_COLUMNS = (
 )
 """Of the states of footsteps."""
 
+THRUST_COLUMNS = (
+    column_of("specific_load", 4),
+    column_of("surface_speed", 7),
+    column_of("pad_load_ratio", 5),
+    Column("T_en → T_ex", "°C", (_reading("supply_temperature"), _reading("outlet_temperature")), 3, " → "),
+    _judged("maximum_temperature", "T_lim", 2),
+    _judged("trailing_temperature", "T_lim", 2),
+    _judged("effective_temperature", "T_lim", 2),
+    _unjudged("minimum_film_thickness", 1),
+    _judged("minimum_film_thickness", "h_lim", 0),
+    _judged("quasi_static_minimum_film_thickness", "h_lim", 0),
+    _judged("dynamic_minimum_film", "h_lim", 0),
+    _judged("loss_mean_bound", "L_lim", 0),
+    _judged("unload_margin_bound", "L_lim", 3),
+    column_of("natural_frequency_1", 6),
+    column_of("friction_power", 8),
+    column_of("total_flow", 9),
+)
+"""Of thrust bearings and shaft lines: each film, load and temperature that is judged with its limit."""
+
 PUMPED_COLUMNS = (
     column_of("load", 3),
     column_of("specific_load", 7),
     column_of("gap", 1),
     column_of("eccentricity_ratio", 2),
-    Column("h_min / h_lim", "µm", (_reading("minimum_film_thickness"), _film_limit), 0, " / "),
+    Column(
+        "h_min / h_lim", "µm", (_reading("minimum_film_thickness"), _limit("minimum_film_thickness")), 0, " / "
+    ),
     column_of("mean_pressure_ratio", 1),
     column_of("pocket_pressure", 1),
     column_of("total_flow", 2),
@@ -116,6 +164,8 @@ def columns_of(results: Sequence[Result]) -> tuple[Column, ...]:
     among: tuple[Column, ...] = COLUMNS
     if kinds == {"screw_heel"}:
         among = HEEL_COLUMNS
+    elif kinds and kinds <= {"thrust", "thrust_line"}:
+        among = THRUST_COLUMNS
     elif kinds and all(kind == "jacking_pocket" or kind.startswith("hydrostatic_") for kind in kinds):
         among = PUMPED_COLUMNS
     return filled(among, results)

@@ -14,7 +14,17 @@ from babbitt.footstep.case import HeelCase
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
-from babbitt.lubricants import AstmD341, ConstantViscosity, Exponential, Lubricant, PowerLaw, Vogel, Walther
+from babbitt.lubricants import (
+    AstmD341,
+    ConstantViscosity,
+    Exponential,
+    Lubricant,
+    PowerLaw,
+    ViscosityKind,
+    Vogel,
+    Walther,
+)
+from babbitt.materials import BearingMetal
 from babbitt.report.expression import Node, number_node, text
 from babbitt.report.film_inputs import (
     CAVITATION,
@@ -145,6 +155,8 @@ def _as_given(case: EveryDesign) -> InputGroup:
 def _thrust(case: ThrustDesign | LineDesign) -> Iterator[InputGroup]:
     """Of a thrust bearing or a shaft line: its oil; the case file says the rest."""
     yield InputGroup("Lubricant", (*_oil_rows(case.lubricant), *_thrust_oil(case)))
+    limits = (case.thrust if isinstance(case, LineDesign) else case).temperatures
+    yield InputGroup("Material", tuple(_metal(limits.given_metal)))
 
 
 def _thrust_oil(case: ThrustDesign | LineDesign) -> Iterator[Row]:
@@ -295,11 +307,15 @@ def _operation(case: JournalDesign) -> Iterator[Row]:
 def _oil_rows(oil: Lubricant) -> Iterator[Row]:
     yield Row("Name", plain_text(oil.name))
     yield Row("Viscosity law", LAWS.get(type(oil.viscosity_law), type(oil.viscosity_law).__name__))
-    for celsius in (40, 100):
-        kelvin = celsius + ZERO_CELSIUS
-        if oil.covers(kelvin):
-            viscosity = f"{1e6 * oil.kinematic_viscosity(kelvin):.4g}"
-            yield Row(f"Kinematic viscosity at {celsius} °C", viscosity, None, "mm²/s")
+    law = oil.viscosity_law
+    if isinstance(law, ConstantViscosity):
+        yield _constant(law)
+    else:
+        for celsius in (40, 100):
+            kelvin = celsius + ZERO_CELSIUS
+            if oil.covers(kelvin):
+                viscosity = f"{1e6 * oil.kinematic_viscosity(kelvin):.4g}"
+                yield Row(f"Kinematic viscosity at {celsius} °C", viscosity, None, "mm²/s")
     if oil.covers(293.15):
         yield Row("Density at 20 °C", f"{oil.density(293.15):.4g}", None, "kg/m³")
     if oil.fixed_volumetric_heat_capacity is not None:
@@ -307,6 +323,13 @@ def _oil_rows(oil: Lubricant) -> Iterator[Row]:
     else:
         yield Row("Specific heat at 50 °C", f"{oil.heat_capacity(323.15):.4g}", None, "J/(kg K)")
     yield Row("Source", plain_text(oil.source))
+
+
+def _constant(law: ConstantViscosity) -> Row:
+    """What is constant, once: over a density that falls with temperature the other one would seem to rise."""
+    if law.kind is ViscosityKind.DYNAMIC:
+        return Row("Dynamic viscosity", f"{1e3 * law.viscosity:.4g}", None, "mPa s")
+    return Row("Kinematic viscosity", f"{1e6 * law.viscosity:.4g}", None, "mm²/s")
 
 
 def _supply(case: JournalDesign) -> Iterator[Row]:
@@ -344,11 +367,15 @@ def _surfaces(case: JournalDesign) -> Iterator[Row]:
             yield _named(name, value)
 
 
-def _material(case: JournalDesign) -> Iterator[Row]:
-    metal = case.bearing.metal
+def _metal(metal: BearingMetal | None) -> Iterator[Row]:
     if metal is not None:
         yield Row("Bearing metal", plain_text(metal.name))
         yield Row("Specified in", plain_text(metal.standard))
+
+
+def _material(case: JournalDesign) -> Iterator[Row]:
+    yield from _metal(case.bearing.metal)
+    if case.bearing.metal is not None:
         yield Row("Character of the load", case.bearing.load_character.value)
 
 

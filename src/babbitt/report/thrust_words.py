@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
+from babbitt.report.verdict import governing
 from babbitt.results import Bound, Check, Result
+from babbitt.thrust.temperature_limits import hottest_of_pads
 from babbitt.units import ZERO_CELSIUS
 
 __all__ = ["answers"]
@@ -196,13 +198,10 @@ def _oil(result: Result) -> str:
     v = result.values
     if "outlet_temperature" in v:
         rise = v["outlet_temperature"] - v["supply_temperature"]
-        hottest = ""
-        if "maximum_temperature" in v:
-            hottest = f", at most {_celsius(v['maximum_temperature'])} in a film"
         return (
             f"Oil: {v['friction_power'] / 1e3:.2f} kW of friction warm {6e4 * v['total_flow']:.1f} L/min of "
             "fresh oil "
-            f"by {rise:.1f} K to {_celsius(v['outlet_temperature'])}{hottest}."
+            f"by {rise:.1f} K to {_celsius(v['outlet_temperature'])}; {_hottest(result)}."
         )
     # of a given viscosity: what the friction would do to the oil that leaves the pads
     return (
@@ -210,6 +209,17 @@ def _oil(result: Result) -> str:
         "that pass "
         f"the pads by {v['temperature_rise']:.1f} K; the viscosity was given and does not follow."
     )
+
+
+def _hottest(result: Result) -> str:
+    """The hottest oil known, with its limit where it has one."""
+    name = hottest_of_pads(result.values) or "outlet_temperature"
+    where = {"maximum_temperature": "in a film", "trailing_temperature": "at the trailing edges"}
+    said = f"it is at most {_celsius(result.values[name])} {where.get(name, '')}".rstrip()
+    limit = governing(result, name)
+    if limit is None:
+        return said
+    return f"{said}, {'within' if limit.ok else 'beyond'} the limit of {_celsius(limit.limit)}"
 
 
 def _celsius(kelvin: float) -> str:

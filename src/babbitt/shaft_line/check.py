@@ -12,7 +12,7 @@ from babbitt.shaft_line.design import LineDesign
 from babbitt.shaft_line.doubts import NEAR, line_doubts
 from babbitt.shaft_line.values import line_arrays, line_values
 from babbitt.thrust.assumed import oil_assumptions
-from babbitt.thrust.doubts import share_doubts, temperature_not_checked
+from babbitt.thrust.doubts import share_doubts
 from babbitt.thrust.failures import NoPadFilmError
 
 __all__ = ["line_check"]
@@ -47,10 +47,15 @@ def line_check(design: LineDesign) -> Result:
         METHOD,
         Outcome.CONVERGED,
         values,
-        tuple(_checks(design, values)),
+        (*_checks(design, values), *thrust.temperatures.checks(values)),
         (*thrust.doubts, *share_doubts(thrust, answer.static), *line_doubts(design, answer)),
-        (*_not_checked(design), temperature_not_checked(values)),
-        (*design.lubricant.assumptions, *thrust.assumptions, *_assumptions(design)),
+        (*_not_checked(design), *thrust.temperatures.not_checked(values)),
+        (
+            *design.lubricant.assumptions,
+            *thrust.assumptions,
+            *_assumptions(design),
+            *thrust.temperatures.assumptions(values),
+        ),
         settings={
             "lubricant": design.lubricant.name,
             "pivot": thrust.bearing.pad.pivot.value,

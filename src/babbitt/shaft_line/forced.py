@@ -16,7 +16,7 @@ from babbitt.shaft_line.line import ShaftLine
 from babbitt.shaft_line.natural import undamped_frequencies
 from babbitt.shaft_line.pads import DynamicPads
 
-__all__ = ["Forced", "Part", "forced"]
+__all__ = ["Forced", "Part", "crests", "forced"]
 
 Array = NDArray[np.float64]
 ComplexArray = NDArray[np.complex128]
@@ -112,7 +112,8 @@ class Forced:
         """Largest ``|N_i|`` over a revolution, N, shape (z,); the bound where harmonics do not repeat together."""
         if not self.commensurate:
             return self.bounds()
-        return np.asarray(np.abs(self.force_history(turned)).max(axis=1))
+        history = self.force_history(turned)
+        return np.maximum(crests(history), crests(-history))
 
     def worst_turn(self) -> tuple[float, float]:
         """Angle of the propeller on the shaft, rad, at which the largest pad force is largest, and that force,
@@ -126,6 +127,22 @@ class Forced:
         largest = [float(self.peaks(turned).max()) for turned in turns]
         place = int(np.argmax(largest))
         return turns[place], largest[place]
+
+
+def crests(history: Array) -> Array:
+    """Highest values over a revolution, shape (...), of even samples of it, shape (..., angles).
+
+    The top of the parabola through the highest sample and its neighbours: 1440 samples alone would miss up to 4e-5
+    of a blade frequency of order 4, and 3e-4 of order 12.
+    """
+    top = history.argmax(axis=-1)[..., None]
+    before, at, after = (
+        np.take_along_axis(history, (top + shift) % history.shape[-1], axis=-1)[..., 0] for shift in (-1, 0, 1)
+    )
+    bend = 2.0 * at - before - after
+    return np.asarray(
+        at + np.where(bend > 0.0, (after - before) ** 2 / (8.0 * np.where(bend > 0.0, bend, 1.0)), 0.0)
+    )
 
 
 def forced(

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.shaft_line.forced import Forced, Part
+from babbitt.shaft_line.forced import Forced, Part, crests
 from babbitt.thrust.sharing import Share
 from babbitt.thrust.state import tilt_answer, wobble_answer
 
@@ -54,8 +54,7 @@ def losses_of(share: Share, forced: Forced) -> Losses:
     mean, own = share.mean_load, share.loads
     bounds = forced.bounds()
     if forced.commensurate:
-        history = forced.force_history()
-        peaks, lowest = np.abs(history).max(axis=1), history.min(axis=1)
+        peaks, lowest = forced.peaks(), -crests(-forced.force_history())
     else:
         peaks, lowest = bounds, -bounds
     bears = own > 0.0  # a face that leans away with the housing may carry nothing

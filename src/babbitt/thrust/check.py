@@ -11,7 +11,7 @@ from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Outcome, Result
 from babbitt.thrust.assumed import oil_assumptions
 from babbitt.thrust.design import ThrustDesign, ThrustState, bearing_state
-from babbitt.thrust.doubts import share_doubts, temperature_not_checked
+from babbitt.thrust.doubts import share_doubts
 from babbitt.thrust.failures import NoPadFilmError
 from babbitt.thrust.sharing import share_of
 from babbitt.thrust.standing import standing_on_runout
@@ -71,10 +71,15 @@ def thrust_check(design: ThrustDesign) -> Result:
         METHOD,
         Outcome.CONVERGED,
         values,
-        (limit,),
+        (limit, *design.temperatures.checks(values)),
         (*design.doubts, *share_doubts(design, state), *of_runout),
-        (temperature_not_checked(values),),
-        (*design.lubricant.assumptions, *design.assumptions, *_assumptions(design)),
+        tuple(design.temperatures.not_checked(values)),
+        (
+            *design.lubricant.assumptions,
+            *design.assumptions,
+            *_assumptions(design),
+            *design.temperatures.assumptions(values),
+        ),
         settings={"lubricant": design.lubricant.name, "pivot": design.bearing.pad.pivot.value},
         arrays=pad_arrays(state.share, design.speed),
     )

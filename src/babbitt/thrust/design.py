@@ -15,6 +15,7 @@ from babbitt.thrust.runout import RunoutHarmonic
 from babbitt.thrust.sharing import Share, share_at_film, share_of
 from babbitt.thrust.standing import standing_at_rest
 from babbitt.thrust.state import PadState
+from babbitt.thrust.temperature_limits import TemperatureLimits
 from babbitt.thrust.warm import PadOil
 from babbitt.thrust.warm_films import WarmFilms, own_temperatures, warm_carrying
 
@@ -110,6 +111,7 @@ class ThrustDesign:
     film_limit : float
         Least film permitted, m.
     film_limit_source : str
+    temperatures : TemperatureLimits
     turbulence : TurbulenceLaw or None
     given, assumptions, doubts
         As of `babbitt.bearings.model.FilmCase`.
@@ -123,6 +125,7 @@ class ThrustDesign:
     runouts: tuple[RunoutHarmonic, ...] = ()
     film_limit: float = 10e-6
     film_limit_source: str = ""
+    temperatures: TemperatureLimits = TemperatureLimits()  # noqa: RUF009
     turbulence: TurbulenceLaw | None = None
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()

@@ -1,4 +1,4 @@
-"""What is doubtful about the films of a thrust bearing, and what is not checked."""
+"""What is doubtful about the films of a thrust bearing."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from babbitt.thrust.state import CONTACT
 from babbitt.thrust.values import effective_viscosity, hottest_oil, reynolds_number
 from babbitt.units import ZERO_CELSIUS
 
-__all__ = ["share_doubts", "temperature_not_checked"]
+__all__ = ["share_doubts"]
 
 LEAST_SHARE = 0.01
 """Pad load over the mean below which a pad is as good as unloaded."""
@@ -51,14 +51,3 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
     if hottest is not None and not design.lubricant.covers(hottest):
         low, high = (kelvin - ZERO_CELSIUS for kelvin in design.lubricant.temperature_range)
         yield Notice("W145", f"film up to {hottest - ZERO_CELSIUS:.1f} °C, data from {low:.4g} to {high:.4g} °C")
-
-
-def temperature_not_checked(values: dict[str, float]) -> Notice:
-    """That no temperature is held against a limit, and the hottest one that is known."""
-    names = ("maximum_temperature", "trailing_temperature", "effective_temperature")
-    known = next((values[name] for name in names if name in values), None)
-    if known is None:
-        return Notice("C104", "the viscosity of the films is given, their temperature is not known")
-    return Notice(
-        "C104", f"no limit belongs to a thrust case; the hottest oil known is at {known - ZERO_CELSIUS:.1f} °C"
-    )

@@ -20,6 +20,7 @@ __all__ = [
     "UnbalancedPadError",
     "first_motion",
     "first_slopes",
+    "leaning_state",
     "pad_state",
     "sector_of",
     "state_of_film",
@@ -32,6 +33,12 @@ MOMENT_TOLERANCE = 1e-10
 MOST_STEPS = 25
 LEAST_GAP = 0.05
 """Newton steps stop short of films thinner than this share of the height at the pivot."""
+PARTS = (1.0, 0.6, 0.35, 0.2)
+"""Of the slope of a level pad, from which that of a leaning one is sought."""
+LEANING_GAP = 0.01
+"""The same of pads that lean, whose balance may leave little at a corner."""
+STUCK = 1e-3
+"""Share of Newton's step, halved before the runner, at which it leads nowhere."""
 FIRST_RISE = 0.35
 """First guess of the fall of the film from the pivot to the trailing edge, over the height."""
 
@@ -90,10 +97,51 @@ def pad_state(
         stiffness = to_film.T @ film.stiffness @ to_film
         step = np.zeros(3)
         step[free] = np.linalg.solve(stiffness[np.ix_(free, free)], forces[free])
-        step = _within_reach(pad, motion, step)
+        wanted, step = step, _within_reach(pad, motion, step, LEANING_GAP if any(lean) else LEAST_GAP)
+        if np.abs(step).max() < STUCK * np.abs(wanted).max():
+            break  # balance lies beyond the runner
         motion = motion + step
         film = _film(sector, to_film @ motion, mesh)
     raise _unbalanced(pad)
+
+
+def leaning_state(
+    pad: ThrustPad, height: float, viscosity: float, angular_speed: float, along: float, lean: Lean
+) -> PadState:
+    """A film that leans; a line pivot that leans much tilts less than a level one, so less is tried in turn.
+
+    Beyond its balance such a pad falls over into a gap that diverges, where nothing moves it any more.
+
+    Parameters
+    ----------
+    pad : ThrustPad
+    height : float
+        Film at the pivot, m.
+    viscosity, angular_speed : float
+        Pa s, rad/s, positive.
+    along : float
+        Slope along the motion of a level pad, from parts of which that of this one is sought.
+    lean : tuple of float
+        Slopes of the gap that the pivot holds.
+
+    Raises
+    ------
+    UnbalancedPadError
+        E202 if no tilt balances the pad, or it leans into the runner.
+    """
+    for part in PARTS[:-1] if pad.free_tilts else ():
+        try:
+            state = pad_state(pad, height, viscosity, angular_speed, (0.0, part * along), lean=lean)
+        except UnbalancedPadError:
+            continue
+        if state.load > 0.0:
+            return state
+    state = pad_state(pad, height, viscosity, angular_speed, (0.0, PARTS[-1] * along), lean=lean)
+    if pad.free_tilts and not state.load > 0.0:
+        raise UnbalancedPadError(
+            "E202", f"at a film of {height * 1e6:.2f} µm no tilt balances the pad that leans."
+        )
+    return state
 
 
 def _unbalanced(pad: ThrustPad) -> UnbalancedPadError:
@@ -153,14 +201,14 @@ def _film(sector: SectorPad, motion: Array, mesh: tuple[int, int]) -> SectorFilm
     return sector_film(sector, PlaneMotion(*(float(part) for part in motion)), intervals=mesh[0], degree=mesh[1])
 
 
-def _within_reach(pad: ThrustPad, motion: Array, step: Array) -> Array:
-    """The step, halved until the thinnest film keeps its share of the height.
+def _within_reach(pad: ThrustPad, motion: Array, step: Array, share: float) -> Array:
+    """The step, halved until the thinnest film keeps a share of the height.
 
     The face counts: a crowned pad may lean until its plane would cut the runner at a corner.
     """
     basis, face = pad.watched()
     for _ in range(MOST_STEPS):
-        if (basis @ (motion + step) + face).min() > LEAST_GAP * motion[0]:
+        if (basis @ (motion + step) + face).min() > share * motion[0]:
             return step
         step = 0.5 * step
     return step

@@ -35,13 +35,19 @@ class ThermalRunawayError(NoPadFilmError):
     """No balance up to the highest temperature."""
 
     outcome = Outcome.THERMAL_RUNAWAY
-    said = "friction outruns the oil up to 300 °C; less thrust, cooler or thinner oil, less of it carried over"
+    said = (
+        "friction outruns the oil up to 300 °C; less thrust, cooler or thinner oil, less of it carried over, or a "
+        "straighter housing where one leans"
+    )
 
 
 class UnsettledPadError(NoPadFilmError):
     """Film, temperatures and tilt of a pad went on to change each other."""
 
-    said = "film, temperatures and tilt of a pad did not come to rest; thermal: global has an answer"
+    said = (
+        "film, temperatures and tilt of a pad did not come to rest; less thrust or a straighter housing; thermal: "
+        "global may have an answer"
+    )
 
 
 class OverloadedPadsError(NoPadFilmError):
@@ -113,13 +119,15 @@ class LeaningPadError(NoPadFilmError):
     ----------
     pad : int or None
         From 1; None: all.
+    thinnest : float or None
+        Film at its pivot below which no tilt balances it, m, where that is known.
     """
 
-    def __init__(self, pad: int | None = None) -> None:
-        self.pad = pad
+    def __init__(self, pad: int | None = None, thinnest: float | None = None) -> None:
+        self.pad, self.thinnest = pad, thinnest
         self.said = (
-            f"{_does(pad)} not come to rest under the thrust with faces that lean with the housing; a straighter "
-            "housing, less thrust, a ring that gives way, or pads on point pivots"
+            f"{_restless(pad, thinnest)}, and the thrust asks for less film; a straighter housing, less thrust, a "
+            "ring that gives way, or pads on point pivots"
         )
         super().__init__(self.said)
 
@@ -127,13 +135,20 @@ class LeaningPadError(NoPadFilmError):
 class LeaningPadAtFilmError(NoPadFilmError):
     """A pad whose face is held at a slope does not come to rest at the mean film that is given."""
 
-    def __init__(self, pad: int | None, film: float) -> None:
+    def __init__(self, pad: int | None, film: float, thinnest: float | None = None) -> None:
         self.said = (
-            f"{_does(pad)} not come to rest at the mean film of {film * 1e6:.1f} µm with faces that lean with the "
-            "housing; less tilt of the housing, a thicker film, or pads on point pivots"
+            f"{_restless(pad, thinnest)}, at a mean film of {film * 1e6:.1f} µm; less tilt of the housing, a "
+            "thicker film, or pads on point pivots"
         )
         super().__init__(self.said)
 
 
-def _does(pad: int | None) -> str:
-    return "the pads do" if pad is None else f"pad {pad} does"
+def _restless(pad: int | None, thinnest: float | None) -> str:
+    if pad is None:
+        return "the pads do not come to rest with faces that lean with the housing"
+    if thinnest is None:
+        return f"pad {pad} does not come to rest with a face that leans with the housing"
+    return (
+        f"the face of pad {pad} leans with the housing, and where the film at its pivot is thinner than "
+        f"{thinnest * 1e6:.1f} µm the pad falls over: no tilt balances it"
+    )

@@ -14,12 +14,13 @@ T_s).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
 from babbitt.lubricants import Lubricant
 from babbitt.thrust.carrying import Carrying
-from babbitt.thrust.failures import ThermalRunawayError
+from babbitt.thrust.failures import NoPadFilmError, ThermalRunawayError
 from babbitt.thrust.state import PadState
 
 __all__ = [
@@ -35,6 +36,8 @@ USUAL_CARRY_OVER = 0.75
 HOTTEST = 573.15
 """Effective temperature up to which a balance is sought, K."""
 STEPS = 60
+THIN_WITHIN = 0.05
+"""Between a temperature at which pads have a film and one at which they have none, K, where the search ends."""
 TOLERANCE = 1e-7
 """Of the effective temperature, K."""
 
@@ -129,11 +132,26 @@ def balanced(
     def excess(temperature: float) -> float:
         return temperatures_of(balance, pads_on(at(temperature)), temperature).effective - temperature
 
-    low, high = balance.supply_temperature, balance.supply_temperature + 10.0
-    while excess(high) > 0.0:
-        low, high = high, high + 2.0 * (high - balance.supply_temperature)
-        if low >= HOTTEST:
-            raise ThermalRunawayError
-    effective = bracketed_root(excess, low, min(high, HOTTEST + 60.0), absolute=TOLERANCE)
+    low, high = _bracket(excess, balance.supply_temperature)
+    effective = bracketed_root(excess, low, high, absolute=TOLERANCE)
     found = at(effective)
     return found, temperatures_of(balance, pads_on(found), effective)
+
+
+def _bracket(excess: Callable[[float], float], supply: float) -> tuple[float, float]:
+    """Temperatures between which friction stops to outrun the oil, K, sought upward from the supply.
+
+    Oil too thin for any film bounds the search from above: the balance may lie before it.
+    """
+    low, high, thin = supply, supply + 10.0, math.inf
+    without_film: NoPadFilmError = ThermalRunawayError()
+    while low < HOTTEST and thin - low > THIN_WITHIN:
+        try:
+            if excess(high) <= 0.0:
+                return low, min(high, HOTTEST + 60.0)
+            low, high = high, high + 2.0 * (high - supply)
+        except NoPadFilmError as failure:
+            thin, without_film = high, failure
+        if high >= thin:
+            high = 0.5 * (low + thin)
+    raise without_film

@@ -15,7 +15,12 @@ from numpy.typing import NDArray
 
 from babbitt.notices import InputError
 from babbitt.thrust.carrying import Carrying
-from babbitt.thrust.failures import LeaningPadError, LeaningPadsTouchError
+from babbitt.thrust.failures import (
+    LeaningPadError,
+    LeaningPadsTouchError,
+    ThermalRunawayError,
+    UnsettledPadError,
+)
 from babbitt.thrust.pad import ThrustPad
 from babbitt.thrust.standing import Lean, Standing
 from babbitt.thrust.state import PadState, condensed
@@ -24,17 +29,17 @@ __all__ = ["PowerLaws", "settled", "states_at"]
 
 Array = NDArray[np.float64]
 
-MOST_ROUNDS = 40
+MOST_ROUNDS = 60
 SETTLED = 1e-6
 """Change of a height, over it, that ends the search: loads are then known to a few millionths."""
 KEPT = 0.3
 """Share of its thinnest film that a pad keeps in a step."""
 ROOM = 5e-6
 """Thinnest film, m, that every pad has at the begin of the search."""
-LIFTED = 4
-"""How often a pad that finds no balance is moved to twice its clearance."""
 GONE = 1e-8
 """Thinnest film, m, below which surfaces touch and the load has no film."""
+TOUCHING = 0.1
+"""Thinnest film over that at the pivot of a pad which finds no balance any nearer, as its edge touches first."""
 BENT = 1e-5
 """Change of the logarithm of a height from which the load itself tells its power."""
 IDLE = 1e-9
@@ -89,18 +94,25 @@ def settled(
     LeaningPadError
         If a pad does not balance, or the heights do not settle.
     """
-    nearest = _nearest(films.pad, standing)
+    touching = nearest = _nearest(films.pad, standing)
     heights = np.maximum(first, nearest + np.maximum(KEPT * first, ROOM))
-    laws, lifted = None, 0
+    laws: PowerLaws | None = None
     states: tuple[PadState, ...] = ()
     for _ in range(MOST_ROUNDS):
         try:
             states = states_at(films, heights, standing, states)
         except LeaningPadError as failure:
-            if failure.pad is None or lifted == LIFTED:
+            if failure.pad is None:
                 raise
-            heights[failure.pad - 1] += heights[failure.pad - 1] - nearest[failure.pad - 1]
-            lifted += 1
+            pad = failure.pad - 1
+            alike = (standing.leans == standing.leans[pad]).all(axis=1)
+            known = heights if laws is None else laws.heights
+            above = np.where(known > heights, known, heights + 2.0 * (heights - touching))
+            # here an edge touches before the moments balance, so that no film is sought at this height or below
+            nearest, heights = (
+                np.where(alike, np.maximum(nearest, heights), nearest),
+                np.where(alike, 0.5 * (heights + above), heights),
+            )
             continue
         laws = _laws(heights, states, laws)
         wanted = place(laws)
@@ -109,7 +121,10 @@ def settled(
         if moved < SETTLED:
             return heights, states
         if float((new - nearest).min()) < GONE:
-            raise LeaningPadsTouchError(1 + int((new - nearest).argmin()), float(laws.loads.sum()))
+            pad = int((new - nearest).argmin())
+            if states[pad].minimum_film_thickness > TOUCHING * heights[pad]:
+                raise LeaningPadError(1 + pad, float(nearest[pad]))
+            raise LeaningPadsTouchError(1 + pad, float(laws.loads.sum()))
         heights = new
     raise LeaningPadError
 
@@ -141,7 +156,8 @@ def states_at(
         if key not in found:
             try:
                 found[key] = films.state(float(height), lean, near[place] if near else None)
-            except InputError:  # no balance, or a place between the watched ones touches
+            except (InputError, ThermalRunawayError, UnsettledPadError):
+                # no balance, a place between the watched ones touches, or a thin film runs too hot
                 if not any(lean):
                     raise
                 raise LeaningPadError(1 + place) from None

@@ -163,7 +163,7 @@ def share_at_film(films: Carrying, bearing: ThrustBearing, film: float) -> Share
     except LeaningPadsTouchError as touching:
         raise LeaningPadsTouchAtFilmError(touching.pad, film) from None
     except LeaningPadError as restless:
-        raise LeaningPadAtFilmError(restless.pad, film) from None
+        raise LeaningPadAtFilmError(restless.pad, film, restless.thinnest) from None
     loads = np.array([state.load for state in states])
     return Share(bearing, float(loads.sum()), _approach(heights, loads, bearing, away), heights, loads, states)
 

@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.notices import InputError
-from babbitt.thrust.carrying import TabulatedFilms
 from babbitt.thrust.failures import NoPadFilmError, ThermalRunawayError
 from babbitt.thrust.heat import Temperatures
 from babbitt.thrust.pad import ThrustPad
 from babbitt.thrust.standing import LEVEL, Lean
 from babbitt.thrust.state import PadState
+from babbitt.thrust.tabulated import TabulatedFilms
 from babbitt.thrust.warm import PadOil, WarmStart, warm_pad
 
 __all__ = ["WarmFilms", "own_temperatures", "warm_carrying"]

@@ -22,7 +22,7 @@ class SiField:
     Attributes
     ----------
     unit : str
-        SI unit, a key of `babbitt.units.KINDS`.
+        A key of `babbitt.units.KINDS`: the SI unit, or the name of a kind that shares it.
     lowest, highest : str
         Inclusive range as the engineer writes it, such as ``"1 mm"``; messages show it so. Both or none.
     """
@@ -79,7 +79,7 @@ class SiField:
             side = "too small" if self.ranged(value) < self.bounds[0] else "too large"
             shown = given if bare is not None else f"'{str(given).strip()}'"
             raise QuantityError(f"{shown} is {side}", self.allowed, hint)
-        raise QuantityError(f"{bare:.12g} without unit is {bare:.12g} {self.unit}", self.allowed, hint)
+        raise QuantityError(f"{bare:.12g} without unit is {bare:.12g} {self.kind.unit}", self.allowed, hint)
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Read before pydantic's own float check."""
@@ -95,7 +95,9 @@ class SiField:
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
         """Tell editors: a number in SI, or text with a unit."""
-        described: JsonSchemaValue = {"anyOf": [*self.numbers(), {"type": "string"}], "x-unit": self.unit}
+        described: JsonSchemaValue = {"anyOf": [*self.numbers(), {"type": "string"}], "x-unit": self.kind.unit}
+        if self.kind.name:
+            described["x-kind"] = self.kind.name
         if self.unit != "1":
             described["x-example"] = self.kind.example
         if self.allowed:

@@ -24,7 +24,7 @@ class Kind:
     Attributes
     ----------
     unit : str
-        SI unit: what a bare number is in. It names the kind.
+        SI unit: what a bare number is in.
     phrase : str
         With its article, for messages.
     example : str
@@ -36,6 +36,8 @@ class Kind:
     open_to_pint : bool
         Whether units outside `everyday` are tried with pint. Not where pint cannot tell kinds apart: it
         takes 1 Hz for 1 rad/s.
+    name : str
+        Of a kind that shares its unit with another one; else the unit names it.
     """
 
     unit: str
@@ -44,6 +46,12 @@ class Kind:
     everyday: Mapping[str, float]
     offsets: Mapping[str, float] = field(default_factory=dict)
     open_to_pint: bool = True
+    name: str = ""
+
+    @property
+    def key(self) -> str:
+        """Under which `KINDS` holds it."""
+        return self.name or self.unit
 
     def to_si(self, number: float, unit: str) -> float:
         """Convert from an everyday unit.
@@ -117,6 +125,15 @@ _ALL = (
         | {"rad/s": 1.0, "Hz": TURN, "kHz": 1e3 * TURN, "1/s": TURN, "s-1": TURN, "/s": TURN, "r/s": TURN}
         | {"rev/s": TURN, "rps": TURN, "turn/s": TURN, "rad/min": 1.0 / 60.0, "deg/s": TURN / 360.0},
         open_to_pint=False,
+    ),
+    Kind(
+        "rad/s",
+        "a frequency",
+        "100 Hz",
+        {"Hz": TURN, "kHz": 1e3 * TURN, "rad/s": 1.0, "MHz": 1e6 * TURN, "1/s": TURN, "s-1": TURN, "/s": TURN}
+        | {"rpm": TURN / 60.0, "1/min": TURN / 60.0, "min-1": TURN / 60.0, "/min": TURN / 60.0},
+        open_to_pint=False,
+        name="frequency",
     ),
     Kind(
         "m/s",
@@ -204,7 +221,7 @@ _ALL = (
         {"J/(kg K2)": 1.0, "J/kg/K2": 1.0},
     ),
     # Not a temperature: 10 K and 10 degC are the same difference, and no offset may creep in.
-    Kind("K difference", "a temperature difference", "900 K", {"K": 1.0}, open_to_pint=False),
+    Kind("K", "a temperature difference", "900 K", {"K": 1.0}, open_to_pint=False, name="K difference"),
     Kind("N s/m", "a damping", "80 kN s/m", {"kN s/m": 1e3, "N s/m": 1.0, "MN s/m": 1e6}),
     Kind("kg m2", "a moment of inertia", "0.06 kg m2", {"kg m2": 1.0, "g m2": 1e-3}),
     Kind("N m", "a moment", "200 N m", {"N m": 1.0, "kN m": 1e3}),
@@ -224,8 +241,8 @@ _ALL = (
     ),
 )
 
-KINDS: dict[str, Kind] = {kind.unit: kind for kind in _ALL}
-"""All kinds by their SI unit."""
+KINDS: dict[str, Kind] = {kind.key: kind for kind in _ALL}
+"""All kinds by their SI unit, or by their name where two share one."""
 
 
 def kind_of(unit: str) -> Kind | None:

@@ -54,7 +54,7 @@ def read(given: object, unit: str) -> float:
     given : object
         A number in SI, or text with a number and a unit.
     unit : str
-        SI unit of the kind wanted, a key of `babbitt.units.KINDS`.
+        Of the kind wanted, a key of `babbitt.units.KINDS`.
 
     Returns
     -------

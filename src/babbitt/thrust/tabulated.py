@@ -1,0 +1,153 @@
+"""Films of a pad with a face, a crown or turbulence over their thickness: none is similar to another."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.notices import InputError
+from babbitt.thrust.equilibrium import UnbalancedPadError, leaning_state, pad_state
+from babbitt.thrust.pad import ThrustPad
+from babbitt.thrust.standing import LEVEL, Lean
+from babbitt.thrust.state import PadState
+
+__all__ = ["TabulatedFilms", "require_load", "tabulated"]
+
+Array = NDArray[np.float64]
+
+TABLE = (2e-6, 1e-3, 28)
+"""Films at which pads are tabulated: thinnest and thickest over the outer radius, and how many."""
+
+
+@dataclass(frozen=True, eq=False)
+class TabulatedFilms:
+    """Films of a pad with a face, a crown or turbulence: solved at many heights, a spline of ln W over ln h."""
+
+    pad: ThrustPad
+    heights: Array
+    loads: Array
+    slopes: tuple[tuple[float, float], ...]
+    viscosity: float
+    angular_speed: float
+
+    @cached_property
+    def spline(self) -> Any:
+        """ln W over ln h; beyond its ends straight."""
+        from scipy.interpolate import CubicSpline
+
+        return CubicSpline(np.log(self.heights), np.log(self.loads), bc_type="natural")
+
+    def load(self, height: Array) -> Array:
+        """W by the spline, continued with its end slopes."""
+        return np.exp(self._logarithm(np.log(height))[0])
+
+    def slope(self, height: Array) -> Array:
+        """dW/dh."""
+        value, slope = self._logarithm(np.log(height))
+        return np.exp(value) * slope / height
+
+    def _logarithm(self, at: Array) -> tuple[Array, Array]:
+        inside = np.clip(at, np.log(self.heights[0]), np.log(self.heights[-1]))
+        slope = self.spline(inside, 1)
+        return self.spline(inside) + slope * (at - inside), slope
+
+    def height_for(self, load: float) -> float:
+        """Height at a load, exact: Newton on films, from the table."""
+        height = float(np.exp(np.interp(-np.log(load), -np.log(self.loads), np.log(self.heights))))
+        for _ in range(40):
+            state = self.state(height)
+            if not state.load > 0.0:
+                return height
+            change = np.log(state.load / load)
+            if abs(change) < 1e-10:
+                return height
+            height *= float(
+                np.exp(np.clip(-change * state.load / (height * float(self.slope(np.array(height)))), -0.5, 0.5))
+            )
+        return height
+
+    def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
+        """The film at a height, solved."""
+        place = int(np.argmin(np.abs(np.log(self.heights / height))))
+        slopes = self.slopes[place]
+        share = height / self.heights[place]
+        if any(lean):
+            along = slopes[1] * share if near is None else near.slope_y
+            return leaning_state(self.pad, height, self.viscosity, self.angular_speed, along, lean)
+        guess = (slopes[0] * share, slopes[1] * share)
+        try:
+            return pad_state(self.pad, height, self.viscosity, self.angular_speed, guess)
+        except UnbalancedPadError:
+            return pad_state(self.pad, height, self.viscosity, self.angular_speed)
+
+    def at(self, viscosity: float, angular_speed: float) -> TabulatedFilms:
+        """Loads grow with viscosity and speed; a turbulent film is tabulated anew."""
+        if self.pad.turbulence is not None:
+            return tabulated(self.pad, viscosity, angular_speed)
+        factor = viscosity * angular_speed / (self.viscosity * self.angular_speed)
+        return TabulatedFilms(self.pad, self.heights, self.loads * factor, self.slopes, viscosity, angular_speed)
+
+
+def tabulated(pad: ThrustPad, viscosity: float, angular_speed: float) -> TabulatedFilms:
+    """Films from thick to thin, each from the tilt of the one before, as far as the pad balances.
+
+    Parameters
+    ----------
+    pad : ThrustPad
+    viscosity, angular_speed : float
+        Pa s and rad/s, positive.
+
+    Raises
+    ------
+    InputError
+        E202 if no tilt balances the pad, or it carries nothing.
+    """
+    thinnest, thickest, count = TABLE
+    heights: list[float] = []
+    loads: list[float] = []
+    slopes: list[tuple[float, float]] = []
+    guess: tuple[float, float] | None = None
+    for height in np.geomspace(thickest, thinnest, count) * pad.outer_radius:
+        try:
+            state = pad_state(pad, float(height), viscosity, angular_speed, guess)
+        except InputError:
+            if guess is None:
+                continue
+            break
+        if not state.load > 0.0 or (loads and state.load <= loads[-1]):
+            if loads:
+                break
+            continue
+        heights.append(float(height))
+        loads.append(state.load)
+        slopes.append((state.slope_x, state.slope_y))
+        share = (thinnest / thickest) ** (1.0 / (count - 1))
+        guess = (state.slope_x * share, state.slope_y * share)
+    if len(loads) < 4:
+        pad_state(pad, 1e-4 * pad.outer_radius, viscosity, angular_speed)  # says why it does not balance
+        require_load(pad, 0.0, 1e-4 * pad.outer_radius)
+    order = slice(None, None, -1)
+    return TabulatedFilms(
+        pad, np.array(heights[order]), np.array(loads[order]), tuple(slopes[order]), viscosity, angular_speed
+    )
+
+
+def require_load(pad: ThrustPad, load: float, height: float) -> None:
+    """Refuse a pad that carries nothing (load in N) at a height (m).
+
+    Raises
+    ------
+    UnbalancedPadError
+        E202.
+    """
+    if not load > 0.0:
+        raise UnbalancedPadError(
+            "E202",
+            f"the pad carries nothing at a film of {height * 1e6:.0f} µm: a plane pad that cannot tilt, or "
+            "stands on a pivot at its middle, has no converging film; give it a taper, a step, or a pivot "
+            "farther back.",
+        )
