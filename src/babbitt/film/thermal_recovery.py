@@ -203,9 +203,12 @@ class Mixing:
         last = self.residuals[-1]
         if len(self.states) == 1:
             return before, self.share * last
-        steps, gains = np.diff(np.array(self.states), axis=0).T, np.diff(np.array(self.residuals), axis=0).T
-        part = np.linalg.lstsq(gains * self.scale[:, None], last * self.scale, rcond=SAME)[0]
-        return before, np.asarray(self.share * last - (steps + self.share * gains) @ part)
+        steps, gains = np.diff(np.array(self.states), axis=0), np.diff(np.array(self.residuals), axis=0)
+        # a few long vectors: threads of a BLAS would wait for each other longer than they work, einsum has none
+        weighted = gains * self.scale**2
+        normal, right = np.einsum("ik,jk->ij", weighted, gains), np.einsum("ik,k->i", weighted, last)
+        part = np.linalg.lstsq(normal, right, rcond=SAME**2)[0]
+        return before, self.share * last - np.einsum("ik,i->k", steps + self.share * gains, part)
 
     def norm(self, residual: Array) -> float:
         """Weighted size of a residual."""
