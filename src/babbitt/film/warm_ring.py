@@ -16,6 +16,7 @@ from babbitt.film.general import Sample
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm
 from babbitt.film.ring import TURN, Ring
+from babbitt.film.ring_mesh import Density
 from babbitt.film.ring_solution import drained_edges, fed_lines
 
 __all__ = ["WarmRing", "columns_of"]
@@ -83,6 +84,8 @@ class WarmRing:
         So far, and that in which the derivatives of the walls were made.
     last_change : float
         Of a temperature in the last pass, K.
+    density : callable or None
+        That of the lines; None where they stand evenly.
     """
 
     sample: Sample
@@ -105,6 +108,7 @@ class WarmRing:
     passes: int = 0
     asked: int = 0
     last_change: float = math.inf
+    density: Density | None = None
 
     @classmethod
     def of(cls, sample: Sample, heat: FilmHeat, film: JournalFilm, speed: float) -> WarmRing:

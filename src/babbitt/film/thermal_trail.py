@@ -1,0 +1,84 @@
+"""Films that differ little, one after the other: each is sought where the last one came to rest.
+
+As where clearance, supply pressure or bore settle with the temperatures: every film is close to the last one, and
+stands on the same lines, so that it changes as smoothly as what it is asked for. On lines drawn anew it would jump
+by the error of the grid.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+
+from babbitt.film._equilibrium import CONVERGED, THINNEST, TOO_MANY_STEPS
+from babbitt.film.heat import THERMAL_ENGINEERING, FilmHeat
+from babbitt.film.model import JournalFilm, Resolution
+from babbitt.film.thermal import SETTLED, Posed, WarmRest, answer, continued, fresh_ring, posed, rest, search
+from babbitt.film.thermal_recovery import calmed
+from babbitt.film.thermal_solution import ThermalFilm
+
+__all__ = ["CLOSER", "ThermalTrail"]
+
+CLOSER = 1e-3
+"""Change of temperature in a pass, K, at which a film that goes on from the last one rests: such films are compared
+with each other, and this close a pass more is cheap."""
+
+
+@dataclass
+class ThermalTrail:
+    """Films under a load that change from one to the next.
+
+    Attributes
+    ----------
+    last : WarmRest or None
+        Where the last film that was found came to rest.
+    """
+
+    last: WarmRest | None = None
+
+    def solve(
+        self,
+        film: JournalFilm,
+        heat: FilmHeat,
+        load: tuple[float, float],
+        resolution: Resolution = THERMAL_ENGINEERING,
+    ) -> ThermalFilm:
+        """Film under a load, as `babbitt.film.thermal.solve_thermal_journal` finds it, but from the last one."""
+        begun, asked = time.perf_counter(), posed(film, load)
+        found = self._followed(asked, heat, resolution)
+        if found is None or found.status != CONVERGED:
+            found = search(asked.seen, heat, asked.scales, asked.load, resolution)
+        return self._noted(asked, found, begun)
+
+    def follow(
+        self,
+        film: JournalFilm,
+        heat: FilmHeat,
+        load: tuple[float, float],
+        resolution: Resolution = THERMAL_ENGINEERING,
+    ) -> ThermalFilm:
+        """Film under a load as far as it is found from the last one; as `solve` where there is no last one."""
+        if self.last is None:
+            return self.solve(film, heat, load, resolution)
+        begun, asked = time.perf_counter(), posed(film, load)
+        found = self._followed(asked, heat, resolution)
+        assert found is not None
+        return self._noted(asked, found, begun)
+
+    def _followed(self, asked: Posed, heat: FilmHeat, resolution: Resolution) -> WarmRest | None:
+        """Where the film rests on the lines of the last one; None where there is no last one."""
+        if self.last is None:
+            return None
+        before = self.last.warm
+        lines = fresh_ring(asked.seen, heat, asked.scales, 2 * resolution.intervals, resolution, before.density)
+        warm = continued(lines, before)
+        found = rest(warm, asked.load, self.last.position, resolution.tolerance, CLOSER)
+        if found.status == TOO_MANY_STEPS:  # as streamers that flicker for ever: it may rest less closely
+            found = rest(warm, asked.load, found.position, resolution.tolerance, SETTLED)
+        found = calmed(found, resolution, SETTLED)
+        return found if found.gap > THINNEST else None
+
+    def _noted(self, asked: Posed, found: WarmRest, begun: float) -> ThermalFilm:
+        if found.status == CONVERGED:
+            self.last = found
+        return answer(asked.film, asked.seen, asked.scales, found, begun)
