@@ -249,7 +249,10 @@ class WarmRing:
             self.walls.inverse[:] = coarse.walls.inverse
             known = coarse.walls.conductance
             self.walls.conductance[:] = (1.0 - flat) * known[rows[after - 1]] + flat * known[rows[after]]
-        self.walls.harmonics[:] = self.walls.analysis @ (self.walls.bush - self.walls.ambient)
+        if self.walls.harmonics.shape == coarse.walls.harmonics.shape:
+            self.walls.harmonics[:] = coarse.walls.harmonics
+        else:  # on uneven lines the one is not quite the inverse of the other
+            self.walls.harmonics[:] = self.walls.analysis @ (self.walls.bush - self.walls.ambient)
         self.walls.bush[:] = self.walls.ambient + self.walls.synthesis @ self.walls.harmonics
 
     def close(self, most: int, tolerance: float) -> float:
