@@ -72,6 +72,7 @@ class ThermalTrail:
         before = self.last.warm
         lines = fresh_ring(asked.seen, heat, asked.scales, 2 * resolution.intervals, resolution, before.density)
         warm = continued(lines, before)
+        warm.relaxation = before.relaxation  # it swings as the last one did
         found = rest(warm, asked.load, self.last.position, resolution.tolerance, CLOSER)
         if found.status == TOO_MANY_STEPS:  # as streamers that flicker for ever: it may rest less closely
             found = rest(warm, asked.load, found.position, resolution.tolerance, SETTLED)
