@@ -92,7 +92,7 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
     except NoFilmError as failure:
         outcome = failure.outcome
         if psi > 0.0:
-            last = last_film(case, lambda lighter: _warm_state(lighter, psi, at, ThermalSearch()))
+            last = last_film(case, lambda lighter, search: _warm_state(lighter, psi, at, search))
             state, outcome = last or state, what_gave_way(case, outcome, last)
         reached = state.temperature if state else cold
         return Equilibrium(outcome, state, 0, reached, failure.capacity, failure.least_flow)
@@ -218,7 +218,8 @@ def _settled(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalS
     if isinstance(case.duty, GivenEccentricity):
         return _at_eccentricity(case, case.duty, film, heat, search)
     load = load_vector(case, case.duty.load)
-    return search.trail.solve(film, heat, load, grid)
+    find = search.trail.climb if search.climbs else search.trail.solve
+    return find(film, heat, load, grid)
 
 
 def _at_eccentricity(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -22,10 +22,13 @@ class ThermalSearch:
     closer : bool
         Whether films at a given place settle closer: films that still warm would make the clearance wander for
         ever.
+    climbs : bool
+        Whether films are sought from the last one alone, see `babbitt.film.thermal_trail.ThermalTrail.climb`.
     """
 
     attitude: float | None = None
     closer: bool = False
+    climbs: bool = False
     _trail: ThermalTrail | None = None
 
     @property
@@ -36,6 +39,10 @@ class ThermalSearch:
 
             self._trail = ThermalTrail()
         return self._trail
+
+    def climbing(self) -> ThermalSearch:
+        """Another search, which climbs from the last film of this one."""
+        return replace(self, climbs=True, _trail=replace(self.trail))
 
     @property
     def settled(self) -> float:

@@ -8,11 +8,13 @@ by the error of the grid.
 from __future__ import annotations
 
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from babbitt.film._equilibrium import CONVERGED, THINNEST, TOO_MANY_STEPS
+from babbitt.film._equilibrium import CONVERGED, NO_FILM, THINNEST, TOO_MANY_STEPS
+from babbitt.film.general import line_density
 from babbitt.film.heat import THERMAL_ENGINEERING, FilmHeat
 from babbitt.film.model import JournalFilm, Resolution
+from babbitt.film.ring_mesh import Density
 from babbitt.film.thermal import SETTLED, Posed, WarmRest, answer, continued, fresh_ring, posed, rest, search
 from babbitt.film.thermal_recovery import calmed
 from babbitt.film.thermal_solution import ThermalFilm
@@ -45,41 +47,45 @@ class ThermalTrail:
     ) -> ThermalFilm:
         """Film under a load, as `babbitt.film.thermal.solve_thermal_journal` finds it, but from the last one."""
         begun, asked = time.perf_counter(), posed(film, load)
-        found = self._followed(asked, heat, resolution)
+        found = None
+        if self.last is not None:
+            found = followed(self.last, asked, heat, resolution, self.last.warm.density)
         if found is None or found.status != CONVERGED:
             found = search(asked.seen, heat, asked.scales, asked.load, resolution)
         return self._noted(asked, found, begun)
 
-    def follow(
+    def climb(
         self,
         film: JournalFilm,
         heat: FilmHeat,
         load: tuple[float, float],
         resolution: Resolution = THERMAL_ENGINEERING,
     ) -> ThermalFilm:
-        """Film under a load as far as it is found from the last one; as `solve` where there is no last one."""
+        """Film under a load that differs more, on lines drawn for the last one; unsolved where the way is lost.
+
+        It tells how far a bearing can be loaded without the long search that a film which is not there takes.
+        """
         if self.last is None:
             return self.solve(film, heat, load, resolution)
         begun, asked = time.perf_counter(), posed(film, load)
-        found = self._followed(asked, heat, resolution)
-        assert found is not None
-        return self._noted(asked, found, begun)
-
-    def _followed(self, asked: Posed, heat: FilmHeat, resolution: Resolution) -> WarmRest | None:
-        """Where the film rests on the lines of the last one; None where there is no last one."""
-        if self.last is None:
-            return None
-        before = self.last.warm
-        lines = fresh_ring(asked.seen, heat, asked.scales, 2 * resolution.intervals, resolution, before.density)
-        warm = continued(lines, before)
-        warm.relaxation = before.relaxation  # it swings as the last one did
-        found = rest(warm, asked.load, self.last.position, resolution.tolerance, CLOSER)
-        if found.status == TOO_MANY_STEPS:  # as streamers that flicker for ever: it may rest less closely
-            found = rest(warm, asked.load, found.position, resolution.tolerance, SETTLED)
-        found = calmed(found, resolution, SETTLED)
-        return found if found.gap > THINNEST else None
+        density = line_density(asked.seen, self.last.position, self.last.gap)
+        return self._noted(asked, followed(self.last, asked, heat, resolution, density), begun)
 
     def _noted(self, asked: Posed, found: WarmRest, begun: float) -> ThermalFilm:
         if found.status == CONVERGED:
             self.last = found
         return answer(asked.film, asked.seen, asked.scales, found, begun)
+
+
+def followed(
+    last: WarmRest, asked: Posed, heat: FilmHeat, resolution: Resolution, density: Density | None
+) -> WarmRest:
+    """Where a film rests that starts from the last one."""
+    lines = fresh_ring(asked.seen, heat, asked.scales, 2 * resolution.intervals, resolution, density)
+    warm = continued(lines, last.warm)
+    warm.relaxation = last.warm.relaxation  # it swings as the last one did
+    found = rest(warm, asked.load, last.position, resolution.tolerance, CLOSER)
+    if found.status == TOO_MANY_STEPS:  # as streamers that flicker for ever: it may rest less closely
+        found = rest(warm, asked.load, found.position, resolution.tolerance, SETTLED)
+    found = calmed(found, resolution, SETTLED)
+    return replace(found, status=NO_FILM) if found.gap < THINNEST else found
