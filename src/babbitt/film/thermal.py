@@ -76,7 +76,7 @@ PATIENT_FROM, ROUNDS = 8, 8
 
 @dataclass(frozen=True, eq=False)
 class WarmRest:
-    """Where a search ended."""
+    """Where a search ended; ``mixed`` where only passes that remember each other brought the film to rest."""
 
     warm: WarmRing
     position: Array
@@ -84,6 +84,7 @@ class WarmRest:
     passes: int
     gap: float
     load: Array | None = None
+    mixed: bool = False
 
 
 @dataclass(frozen=True, eq=False)

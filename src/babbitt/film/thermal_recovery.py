@@ -127,7 +127,7 @@ def mixed_rest(warm: WarmRing, load: Array | None, at: Array, tolerance: float, 
         if change < settled and size <= floor:
             calm += 1
             if changed == 0 or calm > STUBBORN:
-                return WarmRest(warm, at, CONVERGED, passes, gap, load)
+                return WarmRest(warm, at, CONVERGED, passes, gap, load, mixed=True)
         step = np.linalg.solve(warm.sample.stiffness, left) if size > 0.0 else left
         start, move = mixing.move(before, np.concatenate((_packed(warm), at + step)))
         move *= min(1.0, MOST_RISE / max(float(np.abs(move[:-2]).max()), 1e-300))

@@ -16,7 +16,7 @@ from babbitt.film.heat import THERMAL_ENGINEERING, FilmHeat
 from babbitt.film.model import JournalFilm, Resolution
 from babbitt.film.ring_mesh import Density
 from babbitt.film.thermal import SETTLED, Posed, WarmRest, answer, continued, fresh_ring, posed, rest, search
-from babbitt.film.thermal_recovery import calmed
+from babbitt.film.thermal_recovery import calmed, mixed_rest
 from babbitt.film.thermal_solution import ThermalFilm
 
 __all__ = ["CLOSER", "ThermalTrail"]
@@ -84,8 +84,11 @@ def followed(
     lines = fresh_ring(asked.seen, heat, asked.scales, 2 * resolution.intervals, resolution, density)
     warm = continued(lines, last.warm)
     warm.relaxation = last.warm.relaxation  # it swings as the last one did
-    found = rest(warm, asked.load, last.position, resolution.tolerance, CLOSER)
-    if found.status == TOO_MANY_STEPS:  # as streamers that flicker for ever: it may rest less closely
-        found = rest(warm, asked.load, found.position, resolution.tolerance, SETTLED)
-    found = calmed(found, resolution, SETTLED)
+    if last.mixed:
+        found = mixed_rest(warm, asked.load, last.position, resolution.tolerance, SETTLED)
+    else:
+        found = rest(warm, asked.load, last.position, resolution.tolerance, CLOSER)
+        if found.status == TOO_MANY_STEPS:  # as streamers that flicker for ever: it may rest less closely
+            found = rest(warm, asked.load, found.position, resolution.tolerance, SETTLED)
+        found = calmed(found, resolution, SETTLED)
     return replace(found, status=NO_FILM) if found.gap < THINNEST else found
