@@ -18,6 +18,7 @@ from babbitt.film.ring_mesh import Density
 from babbitt.film.thermal import SETTLED, Posed, WarmRest, answer, continued, fresh_ring, posed, rest, search
 from babbitt.film.thermal_recovery import calmed, mixed_rest
 from babbitt.film.thermal_solution import ThermalFilm
+from babbitt.film.warm_ring import WarmRing
 
 __all__ = ["CLOSER", "ThermalTrail"]
 
@@ -47,9 +48,7 @@ class ThermalTrail:
     ) -> ThermalFilm:
         """Film under a load, as `babbitt.film.thermal.solve_thermal_journal` finds it, but from the last one."""
         begun, asked = time.perf_counter(), posed(film, load)
-        found = None
-        if self.last is not None:
-            found = followed(self.last, asked, heat, resolution, self.last.warm.density)
+        found = None if self.last is None else _beside(self.last, asked, heat, resolution)
         if found is None or found.status != CONVERGED:
             found = search(asked.seen, heat, asked.scales, asked.load, resolution)
         return self._noted(asked, found, begun)
@@ -69,7 +68,9 @@ class ThermalTrail:
             return self.solve(film, heat, load, resolution)
         begun, asked = time.perf_counter(), posed(film, load)
         density = line_density(asked.seen, self.last.position, self.last.gap)
-        return self._noted(asked, followed(self.last, asked, heat, resolution, density), begun)
+        warm = _continued(self.last, asked, heat, resolution, density)
+        found = rest(warm, asked.load, self.last.position, resolution.tolerance, SETTLED)
+        return self._noted(asked, _with_a_gap(calmed(found, resolution, SETTLED)), begun)
 
     def _noted(self, asked: Posed, found: WarmRest, begun: float) -> ThermalFilm:
         if found.status == CONVERGED:
@@ -77,18 +78,26 @@ class ThermalTrail:
         return answer(asked.film, asked.seen, asked.scales, found, begun)
 
 
-def followed(
+def _beside(last: WarmRest, asked: Posed, heat: FilmHeat, resolution: Resolution) -> WarmRest:
+    """Where a film rests that is close to the last one, on its lines."""
+    warm = _continued(last, asked, heat, resolution, last.warm.density)
+    if last.mixed:
+        return _with_a_gap(mixed_rest(warm, asked.load, last.position, resolution.tolerance, SETTLED))
+    found = rest(warm, asked.load, last.position, resolution.tolerance, CLOSER)
+    if found.status == TOO_MANY_STEPS:  # as streamers that flicker for ever: it may rest less closely
+        found = rest(warm, asked.load, found.position, resolution.tolerance, SETTLED)
+    return _with_a_gap(calmed(found, resolution, SETTLED))
+
+
+def _continued(
     last: WarmRest, asked: Posed, heat: FilmHeat, resolution: Resolution, density: Density | None
-) -> WarmRest:
-    """Where a film rests that starts from the last one."""
+) -> WarmRing:
+    """Ring with the temperatures of the last film."""
     lines = fresh_ring(asked.seen, heat, asked.scales, 2 * resolution.intervals, resolution, density)
     warm = continued(lines, last.warm)
     warm.relaxation = last.warm.relaxation  # it swings as the last one did
-    if last.mixed:
-        found = mixed_rest(warm, asked.load, last.position, resolution.tolerance, SETTLED)
-    else:
-        found = rest(warm, asked.load, last.position, resolution.tolerance, CLOSER)
-        if found.status == TOO_MANY_STEPS:  # as streamers that flicker for ever: it may rest less closely
-            found = rest(warm, asked.load, found.position, resolution.tolerance, SETTLED)
-        found = calmed(found, resolution, SETTLED)
+    return warm
+
+
+def _with_a_gap(found: WarmRest) -> WarmRest:
     return replace(found, status=NO_FILM) if found.gap < THINNEST else found
