@@ -51,7 +51,7 @@ COLD_LOAD = 2.0
 nothing and would have no bound to its temperature."""
 COLDLY_CARRIED = 0.2
 """Residual force over load of this start: the first heat moves the journal by more."""
-CLOSING, CLOSED, OPEN = 400, 1e-7, 1e-4
+CLOSING, CLOSED, OPEN = 400, 1e-8, 1e-4
 """Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from
 which the film counts as not converged."""
 POLISH, POLISHED = 8, 1e-9
@@ -64,8 +64,8 @@ USUAL_ROUNDS = 2
 """Updates of the wet set there before the film tells how warm it gets."""
 MOST_PASSES = 120
 NEARER, IN_VAIN = 0.8, 40
-"""Share of the least distance from rest that counts as nearer, and passes in a row without one, after which the film
-is thrown about: the passes bring it no nearer."""
+"""Share of the least distance from rest that counts as nearer, and passes in a row that bring the film no nearer,
+after which it counts as thrown about."""
 STUBBORN = 4
 """Passes at rest after which nodes that change sides for ever are let be."""
 SUNK = 12

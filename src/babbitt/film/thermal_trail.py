@@ -23,8 +23,8 @@ from babbitt.film.warm_ring import WarmRing
 __all__ = ["CLOSER", "ThermalTrail"]
 
 CLOSER = 1e-3
-"""Change of temperature in a pass, K, at which a film that goes on from the last one rests: such films are compared
-with each other, and this close a pass more is cheap."""
+"""Change of temperature in a pass, K, at which a film that goes on from the last one rests: such films are
+compared with each other, and this close a pass more is cheap."""
 
 
 @dataclass
