@@ -150,12 +150,13 @@ def sweep_energy(surface, columns, flows, cells, sources, walls, temperature, gr
 
     ``sources`` is 1, or 0 for a film without heat of its own and fresh oil at zero. Oil that goes round many times
     before it leaves warms slowly, and in one pattern: of two sweeps the changes d_1, d_2 tell its share
-    lambda = d_1 d_2 / d_1^2, and lambda / (1 - lambda) d_2 is what is still to come (Aitken).
+    lambda = d_1 d_2 / d_1^2, and lambda / (1 - lambda) d_2 is what is still to come (Aitken). Only after sweeps
+    that change less than before the last such step: oil with more than one pattern would be thrown ever further.
     """
     lines, count, layers = temperature.shape[0], temperature.shape[1], len(columns.layers)
     right = np.empty(layers)
     before, last = np.empty(temperature.shape), np.empty(temperature.shape)
-    change = 0.0
+    change, trusted = 0.0, np.inf
     for turn in range(most):
         change = 0.0
         before[:] = temperature
@@ -174,7 +175,8 @@ def sweep_energy(surface, columns, flows, cells, sources, walls, temperature, gr
             break
         if turn % 3 == 0:
             last[:] = temperature - before
-        elif turn % 3 == 1 and turn < most - 1:
+        elif turn % 3 == 1 and turn < most - 1 and change < trusted:
+            trusted = change
             extrapolate(temperature, before, last, columns, groove)
     return change
 

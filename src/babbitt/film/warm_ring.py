@@ -16,6 +16,7 @@ from babbitt.film.general import Sample
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm
 from babbitt.film.ring import TURN, Ring
+from babbitt.film.ring_mesh import Density
 from babbitt.film.ring_solution import drained_edges, fed_lines
 
 __all__ = ["WarmRing", "columns_of"]
@@ -78,6 +79,8 @@ class WarmRing:
         other with a swing.
     passes : int
         So far.
+    density : callable or None
+        That of the lines; None where they stand evenly.
     """
 
     sample: Sample
@@ -98,6 +101,7 @@ class WarmRing:
     friction: float = 0.0
     relaxation: float = RELAX
     passes: int = 0
+    density: Density | None = None
 
     @classmethod
     def of(cls, sample: Sample, heat: FilmHeat, film: JournalFilm, speed: float) -> WarmRing:
@@ -211,7 +215,10 @@ class WarmRing:
             self.walls.inverse[:] = coarse.walls.inverse
             known = coarse.walls.conductance
             self.walls.conductance[:] = (1.0 - flat) * known[rows[after - 1]] + flat * known[rows[after]]
-        self.walls.harmonics[:] = self.walls.analysis @ (self.walls.bush - self.walls.ambient)
+        if self.walls.harmonics.shape == coarse.walls.harmonics.shape:
+            self.walls.harmonics[:] = coarse.walls.harmonics
+        else:  # on uneven lines the one is not quite the inverse of the other
+            self.walls.harmonics[:] = self.walls.analysis @ (self.walls.bush - self.walls.ambient)
         self.walls.bush[:] = self.walls.ambient + self.walls.synthesis @ self.walls.harmonics
 
     def close(self, most: int, tolerance: float) -> float:
