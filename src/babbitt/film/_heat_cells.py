@@ -88,7 +88,9 @@ def fill_cells(surface, columns, flows, conduction, stirred, insulated, fresh, v
                 spread[k] = columns.layer[k] * stress * stress / viscosity[i, c, k]
                 total += spread[k]
                 eta += columns.layer[k]
-            across = 0.0
+            for k in range(layers):
+                spread[k] = spread[k] / total if total > 0.0 else columns.layer[k]
+            stirring, across = conduct * (1.0 + stirred * (flows.stir[i, c] - 1.0)), 0.0
             for k in range(layers):
                 diagonal[k] = AT_REST
                 low[k] = 0.0
@@ -110,12 +112,10 @@ def fill_cells(surface, columns, flows, conduction, stirred, insulated, fresh, v
                 diagonal[k] += max(-arrives, 0.0) + max(leaves, 0.0) + max(-behind, 0.0) + max(ahead, 0.0)
                 born = made * flows.shear_profile[east, c, k]
                 diagonal[k] += max(aside, 0.0) - born
-                share = spread[k] / total if total > 0.0 else columns.layer[k]
-                cells.heat[i, c, k] = flows.heat[i, c] * share + max(-aside, 0.0) * fresh
+                cells.heat[i, c, k] = flows.heat[i, c] * spread[k] + max(-aside, 0.0) * fresh
                 across -= leaves - arrives + ahead + aside - behind - born
                 if k < layers - 1:
-                    between = conduct * (1.0 + stirred * (flows.stir[i, c] - 1.0))
-                    between /= 0.5 * (columns.layer[k] + columns.layer[k + 1])
+                    between = 2.0 * stirring / (columns.layer[k] + columns.layer[k + 1])
                     if between > 0.0:
                         down = between * bernoulli(across / between)
                         up = down + across

@@ -283,8 +283,9 @@ def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines:
     cold, given = heat.supply_temperature, heat.walls
     radius, width = 0.5 * film.diameter, line_widths(ring, lines)
     order = np.arange(0 if given is None else min(lines // 3, MOST_HARMONICS) + 1)
-    phase = np.outer(ring.theta[:lines], order)
-    synthesis = np.concatenate((np.cos(phase), np.sin(phase[:, 1:])), axis=1)
+    first = np.exp(1j * ring.theta[:lines, None])
+    harmonic = np.multiply.accumulate(np.repeat(first, order.size - 1, axis=1), axis=1)  # its powers: quick
+    synthesis = np.concatenate((np.ones_like(first.real), harmonic.real, harmonic.imag), axis=1)
     weight = np.full(synthesis.shape[1], 1.0 / math.pi)
     weight[:1] = 1.0 / TURN
     journal = np.array([cold, 0.0, 0.0, cold])
