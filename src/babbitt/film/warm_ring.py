@@ -282,10 +282,7 @@ def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines:
     """Walls at the supply temperature, and the harmonics of the bush."""
     cold, given = heat.supply_temperature, heat.walls
     radius, width = 0.5 * film.diameter, line_widths(ring, lines)
-    order = np.arange(0 if given is None else min(lines // 3, MOST_HARMONICS) + 1)
-    first = np.exp(1j * ring.theta[:lines, None])
-    harmonic = np.multiply.accumulate(np.repeat(first, order.size - 1, axis=1), axis=1)  # its powers: quick
-    synthesis = np.concatenate((np.ones_like(first.real), harmonic.real, harmonic.imag), axis=1)
+    synthesis = np.zeros((lines, 0)) if given is None else harmonics_of(ring.theta[:lines])
     weight = np.full(synthesis.shape[1], 1.0 / math.pi)
     weight[:1] = 1.0 / TURN
     journal = np.array([cold, 0.0, 0.0, cold])
@@ -295,7 +292,7 @@ def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines:
         journal = np.array([start, 0.0, shaft.shaft_conductance, shaft.ambient_temperature])
     admittance, harmonics = np.zeros(weight.size), np.zeros(weight.size)
     if given is not None:
-        own = 1.0 / given.bush.impedances(order[-1])
+        own = 1.0 / given.bush.impedances(weight.size // 2)
         admittance = np.concatenate((own, own[1:]))
         harmonics[0] = cold - given.bush.ambient_temperature
     return Walls(
@@ -310,6 +307,13 @@ def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines:
         admittance=admittance, harmonics=harmonics, inverse=np.zeros((weight.size + 1, weight.size + 1)),
         conductance=np.zeros(lines), fresh=cold, carry_over=heat.carry_over,
     )  # fmt: skip
+
+
+def harmonics_of(theta: Array) -> Array:
+    """1, cos(m theta) and sin(m theta), m = 1 .. n, shape (lines, 2 n + 1); powers of exp(i theta), which is quick."""
+    number = min(theta.size // 3, MOST_HARMONICS)
+    powers = np.multiply.accumulate(np.repeat(np.exp(1j * theta[:, None]), number, axis=1), axis=1)
+    return np.concatenate((np.ones((theta.size, 1)), powers.real, powers.imag), axis=1)
 
 
 def stirring_of(film: JournalFilm, heat: FilmHeat) -> float:
