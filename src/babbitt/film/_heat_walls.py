@@ -78,13 +78,6 @@ def stale_walls(columns, flows, walls):
     return change > ALIKE * most
 
 
-@compiled
-def note_film(columns, flows, walls):
-    """Remember the film for which derivatives of the walls are made."""
-    for i in range(walls.conductance.size):
-        walls.conductance[i] = film_conductance(columns, flows, walls, i)
-
-
 @inner
 def wall_step(columns, cells, walls, temperature):
     """Newton step of the walls, harmonic by harmonic and the journal last, (modes + 1,); fills what they take.
@@ -159,7 +152,7 @@ def close_energy(surface, columns, flows, cells, walls, temperature, groove, mos
 
 @compiled
 def answers_of_film(surface, columns, flows, cells, walls, fluxes, heats, most, tolerance):
-    """What the film gives to the walls with one of them at 1 K and all else at zero.
+    """What the film gives to the walls with one of them at 1 K and all else at zero; the film is remembered.
 
     For every harmonic of the bush, and last for the journal: flux into the bush (W/m2), ``fluxes`` (lines,
     modes + 1), and heat into the journal (W), ``heats`` (modes + 1,). The energy equation is linear, so that they are
@@ -171,6 +164,8 @@ def answers_of_film(surface, columns, flows, cells, walls, fluxes, heats, most, 
     groove, enthalpy = np.zeros((columns.supply.max() + 1, heats.size)), np.empty(heats.size)
     right, mine = np.empty((last + 1, heats.size)), np.zeros(heats.size)
     mine[journal] = 1.0
+    for i in range(lines):
+        walls.conductance[i] = film_conductance(columns, flows, walls, i)
     for _ in range(most):
         change = 0.0
         for i in range(lines):

@@ -54,13 +54,14 @@ COLDLY_CARRIED = 0.2
 CLOSING, CLOSED, OPEN = 400, 1e-8, 1e-4
 """Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from
 which the film counts as not converged."""
-POLISH, POLISHED = 8, 1e-9
-"""Last steps of the journal at frozen temperatures, at most, and the residual force over load that ends them."""
+POLISH, POLISHED, NEARLY = 8, 1e-9, 1e-5
+"""Last steps of the journal at frozen temperatures, at most, the residual force over load that ends them, and that
+from which one step does."""
 THICK = 0.3
 """Gap, in clearances, down to which lines may stand as for a journal at the usual place."""
 USUAL_PLACE, USUAL_ATTITUDE = 0.6, math.radians(45.0)
 """Of the journal: relative eccentricity, and angle ahead of the load."""
-USUAL_ROUNDS = 2
+USUAL_ROUNDS = 1
 """Updates of the wet set there before the film tells how warm it gets."""
 MOST_PASSES = 120
 NEARER, IN_VAIN = 0.8, 40
@@ -299,18 +300,24 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
 
 
 def polished(found: WarmRest) -> WarmRest:
-    """Let the film carry the load exactly, its temperatures as they are: Newton steps from the last pass."""
-    if found.load is None:
-        return found
-    sample, at = found.warm.sample, found.position
-    for _ in range(POLISH):
+    """Let the film carry the load exactly, its temperatures as they are: Newton steps from the last pass.
+
+    The film is left with the coefficients of its answer (``smooth``); a step from ``NEARLY`` there is the last one.
+    """
+    sample, at, smooth = found.warm.sample, found.position, False
+    for _ in range(POLISH if found.load is not None else 0):
         residual = sample.force + found.load
-        if math.hypot(*residual) <= POLISHED * math.hypot(*found.load) + 1e-14:
+        size, whole = math.hypot(*residual), math.hypot(*found.load)
+        if size <= POLISHED * whole + 1e-14:
             break
-        at = at + np.linalg.solve(sample.stiffness, residual)
-        sample.evaluate(at)
+        at, smooth = at + np.linalg.solve(sample.stiffness, residual), size <= NEARLY * whole
+        sample.evaluate(at, smooth=smooth)
     gap = sample.gap(at)
-    return replace(found, position=at, gap=gap) if gap > CONTACT else found
+    if not gap > CONTACT:
+        at, gap, smooth = found.position, found.gap, False
+    if not smooth:
+        sample.evaluate(at, smooth=True)
+    return replace(found, position=at, gap=gap)
 
 
 def answer(film: JournalFilm, seen: JournalFilm, scales: Scales, found: WarmRest, begun: float) -> ThermalFilm:
@@ -318,7 +325,6 @@ def answer(film: JournalFilm, seen: JournalFilm, scales: Scales, found: WarmRest
     warm = found.warm
     if found.status == CONVERGED:
         found = polished(found)
-        warm.sample.evaluate(found.position, smooth=True)
         warm.gather(found.position)
         if not warm.close(CLOSING, CLOSED) < OPEN:
             found = replace(found, status=TOO_MANY_STEPS)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from babbitt.film._heat_cells import Cells, fill_cells, new_cells
 from babbitt.film._heat_flows import Columns, Flows, new_flows, spread_viscosity
 from babbitt.film._heat_pass import Drains, Pace, gather_heat, warm_pass
-from babbitt.film._heat_walls import Walls, answers_of_film, ask_walls, close_energy, note_film, stale_walls
+from babbitt.film._heat_walls import Walls, answers_of_film, ask_walls, close_energy, stale_walls
 from babbitt.film.general import Sample
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm
@@ -186,7 +186,6 @@ class WarmRing:
     def prepare_walls(self) -> None:
         """Derivatives of the balance of the walls, for the film as it is."""
         walls, modes = self.walls, self.walls.admittance.size
-        note_film(self.columns, self.flows, walls)
         fluxes, heats = np.empty((walls.bush.size, modes + 1)), np.empty(modes + 1)
         answers_of_film(self.sample.ring.surface, self.columns, self.flows, self.cells, walls, fluxes, heats,
                         ANSWER_SWEEPS, ANSWERED)  # fmt: skip
