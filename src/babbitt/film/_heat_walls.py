@@ -156,7 +156,7 @@ def answers_of_film(surface, columns, flows, cells, walls, fluxes, heats, most, 
 
     For every harmonic of the bush, and last for the journal: flux into the bush (W/m2), ``fluxes`` (lines,
     modes + 1), and heat into the journal (W), ``heats`` (modes + 1,). The energy equation is linear, so that they are
-    exact but for what sweeps leave over, ``tolerance`` in K (root mean square of the last changes).
+    exact but for what sweeps leave over, ``tolerance`` in K (root mean square of the last changes beside the bush).
     """
     lines, count, last = cells.bush.shape[0], cells.bush.shape[1], len(columns.layers) - 1
     journal = heats.size - 1
@@ -182,7 +182,7 @@ def answers_of_film(surface, columns, flows, cells, walls, fluxes, heats, most, 
                     temperatures[i, c] = groove[s]
                 elif flows.gap[i, c] > 0.0:
                     change += solve_cells(columns, cells, walls, mine, temperatures, i, c, right)
-        if change < temperatures.size * tolerance**2:
+        if change < fluxes.size * count * tolerance**2:
             break
     heats[:] = 0.0
     fluxes[:] = 0.0
@@ -200,7 +200,7 @@ def answers_of_film(surface, columns, flows, cells, walls, fluxes, heats, most, 
 def solve_cells(columns, cells, walls, mine, temperatures, i, c, right):
     """As ``solve_cell``, for all walls that are at 1 K one by one: the innermost loops are vectors.
 
-    Returns the sum of the squares of all changes.
+    Returns the sum of the squares of the changes beside the bush.
     """
     lines, count, layers, states = temperatures.shape
     before, after = i - 1 if i > 0 else lines - 1, i + 1 if i < lines - 1 else 0
@@ -224,12 +224,15 @@ def solve_cells(columns, cells, walls, mine, temperatures, i, c, right):
         factor = cells.factor[i, c, k]
         for m in range(states):
             right[k, m] -= factor * right[k - 1, m]
-    change = 0.0
     for k in range(layers - 1, -1, -1):
         pivot, above = cells.pivot[i, c, k], min(k + 1, layers - 1)
         high = cells.high[i, c, k] if k < layers - 1 else 0.0
         for m in range(states):
-            value = pivot * right[k, m] - high * temperatures[i, c, above, m]
-            change += (value - temperatures[i, c, k, m]) ** 2
-            temperatures[i, c, k, m] = value
+            right[k, m] = pivot * right[k, m] - high * right[above, m]
+    change = 0.0
+    for m in range(states):
+        change += (right[0, m] - temperatures[i, c, 0, m]) ** 2
+    for k in range(layers):
+        for m in range(states):
+            temperatures[i, c, k, m] = right[k, m]
     return change

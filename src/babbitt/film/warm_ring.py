@@ -33,7 +33,7 @@ TURBULENT_PRANDTL = 0.9
 """Eddy viscosity over eddy diffusivity of heat; textbook value of turbulent boundary layers."""
 FLICKER = 30
 """Passes after which a few nodes that still change sides are let be, as ``_equilibrium.CYCLING``."""
-ANSWER_SWEEPS, ANSWERED = 30, 0.1
+ANSWER_SWEEPS, ANSWERED = 30, 0.01
 """Of the energy equation that gives the film's answer to a warmer wall, at most, and the root mean square of their
 last change that ends them, over that of the wall."""
 FEW_ROUNDS = 40
