@@ -202,10 +202,9 @@ def film_heat(case: FilmCase, heat_capacity: float, temperature: float) -> FilmH
 
 def thermal_resolution(case: FilmCase) -> Resolution:
     """Grid of a thermal film by the accuracy of the case."""
-    from babbitt.film.heat import THERMAL_ENGINEERING, THERMAL_REFERENCE
+    from babbitt.film.heat import THERMAL_DRAFT, THERMAL_ENGINEERING, THERMAL_REFERENCE
 
-    draft = replace(THERMAL_ENGINEERING, intervals=32, coarse_intervals=16)
-    grids = {DRAFT: draft, ENGINEERING: THERMAL_ENGINEERING, REFERENCE: THERMAL_REFERENCE}
+    grids = {DRAFT: THERMAL_DRAFT, ENGINEERING: THERMAL_ENGINEERING, REFERENCE: THERMAL_REFERENCE}
     return grids[case.accuracy.resolution]
 
 

@@ -254,8 +254,8 @@ def mix(surface, columns, flows, sources, walls, temperature, groove, s):
 def groove_balance(surface, columns, flows, sources, temperatures, s, enthalpy):
     """Flow that the film brings to a supply, and the flow that it takes.
 
-    ``enthalpy`` (states,) is filled with that of the flow brought and the heat born in the supply, for every one of
-    the ``temperatures`` (lines, columns, layers, states).
+    ``enthalpy`` (states,) is filled with that of the flow brought and the heat born in the supply, for every one
+    of the ``temperatures`` (lines, columns, layers, states).
     """
     lines, n, layers, states = temperatures.shape[0], surface.step.size, len(columns.layers), enthalpy.size
     count = columns.size.size

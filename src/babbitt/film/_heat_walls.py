@@ -155,8 +155,9 @@ def answers_of_film(surface, columns, flows, cells, walls, fluxes, heats, most, 
     """What the film gives to the walls with one of them at 1 K and all else at zero; the film is remembered.
 
     For every harmonic of the bush, and last for the journal: flux into the bush (W/m2), ``fluxes`` (lines,
-    modes + 1), and heat into the journal (W), ``heats`` (modes + 1,). The energy equation is linear, so that they are
-    exact but for what sweeps leave over, ``tolerance`` in K (root mean square of the last changes beside the bush).
+    modes + 1), and heat into the journal (W), ``heats`` (modes + 1,). The energy equation is linear, so that they
+    are exact but for what sweeps leave over, ``tolerance`` in K (root mean square of the last changes beside the
+    bush).
     """
     lines, count, last = cells.bush.shape[0], cells.bush.shape[1], len(columns.layers) - 1
     journal = heats.size - 1
@@ -173,9 +174,7 @@ def answers_of_film(surface, columns, flows, cells, walls, fluxes, heats, most, 
                 s = columns.supply[i, c]
                 if s >= 0:
                     if (i == 0 or columns.supply[i - 1, c] != s) and (c == 0 or columns.supply[i, c - 1] != s):
-                        brought, taken = groove_balance(
-                            surface, columns, flows, 0.0, temperatures, s, enthalpy
-                        )
+                        brought, taken = groove_balance(surface, columns, flows, 0.0, temperatures, s, enthalpy)
                         kept = walls.carry_over * brought
                         if max(kept, taken) > 0.0:
                             groove[s] = walls.carry_over / max(kept, taken) * enthalpy

@@ -302,12 +302,13 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
 def polished(found: WarmRest) -> WarmRest:
     """Let the film carry the load exactly, its temperatures as they are: Newton steps from the last pass.
 
-    The film is left with the coefficients of its answer (``smooth``); a step from ``NEARLY`` there is the last one.
+    The film is left with the coefficients of its answer (``smooth``); a step from ``NEARLY`` there is the last.
     """
-    sample, at, smooth = found.warm.sample, found.position, False
-    for _ in range(POLISH if found.load is not None else 0):
-        residual = sample.force + found.load
-        size, whole = math.hypot(*residual), math.hypot(*found.load)
+    sample, at, load, smooth = found.warm.sample, found.position, found.load, False
+    whole = 0.0 if load is None else math.hypot(*load)
+    for _ in range(POLISH):
+        residual = np.zeros(2) if load is None else sample.force + load
+        size = math.hypot(*residual)
         if size <= POLISHED * whole + 1e-14:
             break
         at, smooth = at + np.linalg.solve(sample.stiffness, residual), size <= NEARLY * whole

@@ -309,7 +309,7 @@ def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines:
 
 
 def harmonics_of(theta: Array) -> Array:
-    """1, cos(m theta) and sin(m theta), m = 1 .. n, shape (lines, 2 n + 1); powers of exp(i theta), which is quick."""
+    """1, cos(m theta) and sin(m theta), m = 1 .. n, shape (lines, 2 n + 1), quickly: powers of exp(i theta)."""
     number = min(theta.size // 3, MOST_HARMONICS)
     powers = np.multiply.accumulate(np.repeat(np.exp(1j * theta[:, None]), number, axis=1), axis=1)
     return np.concatenate((np.ones((theta.size, 1)), powers.real, powers.imag), axis=1)
