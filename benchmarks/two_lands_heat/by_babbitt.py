@@ -13,7 +13,16 @@ import numpy as np
 from case import CLEARANCE, DIAMETER, LAND, LOAD, SPEED, WIDTH, answer, row, timed
 
 import babbitt
-from babbitt.film.heat import THERMAL_REFERENCE, BushRing, ConductingWalls, FilmHeat, HeatGrid, JournalHeat
+from babbitt.film.heat import (
+    THERMAL_DRAFT,
+    THERMAL_ENGINEERING,
+    THERMAL_REFERENCE,
+    BushRing,
+    ConductingWalls,
+    FilmHeat,
+    HeatGrid,
+    JournalHeat,
+)
 from babbitt.film.model import JournalFilm, grooved_bore
 from babbitt.film.thermal import solve_thermal_journal
 
@@ -30,17 +39,19 @@ def main() -> None:
     lands = grooved_bore((0.0, pi), pi - LAND)
     film = JournalFilm(DIAMETER, WIDTH, CLEARANCE, float(viscosity(np.array(COLD))), SPEED, lands)
     rows = []
-    for name, walls, grid in (
-        ("adiabatic", None, HeatGrid()),
-        ("full", WALLS, HeatGrid()),
-        ("full, resolved along the width", WALLS, HeatGrid(resolved=True)),
+    for name, walls, grid, lines in (
+        ("adiabatic", None, HeatGrid(), THERMAL_ENGINEERING),
+        ("adiabatic, draft grid", None, HeatGrid(), THERMAL_DRAFT),
+        ("full", WALLS, HeatGrid(), THERMAL_ENGINEERING),
+        ("full, draft grid", WALLS, HeatGrid(), THERMAL_DRAFT),
+        ("full, resolved along the width", WALLS, HeatGrid(resolved=True), THERMAL_ENGINEERING),
     ):
         heat = FilmHeat(viscosity, 1.72e6, 0.13, COLD, walls, grid)
-        found = solve_thermal_journal(film, heat, (0.0, -LOAD))
+        found = solve_thermal_journal(film, heat, (0.0, -LOAD), lines)
         fine = solve_thermal_journal(film, heat, (0.0, -LOAD), THERMAL_REFERENCE)
-        times = timed(partial(solve_thermal_journal, film, heat, (0.0, -LOAD)), 1.0)
+        times = timed(partial(solve_thermal_journal, film, heat, (0.0, -LOAD), lines), 1.0)
         rows.append(
-            row("Babbitt", name, "4 x 48", times, eccentricity=found.film.eccentricity_ratio,
+            row("Babbitt", name, f"4 x {lines.intervals}", times, eccentricity=found.film.eccentricity_ratio,
                 maximum=found.maximum_temperature, balance=found.heat.balance_error,
                 film_error=found.film.minimum_film_thickness / fine.film.minimum_film_thickness - 1.0,
                 temperature_error=found.maximum_temperature - fine.maximum_temperature)

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from babbitt.bearings.model import Accuracy, FilmCase
+from babbitt.bearings.thermal_search import ThermalSearch
 from babbitt.bearings.warm_film import FilmState
 from babbitt.design.conditions import GivenLoad
 from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
@@ -26,41 +27,44 @@ An assumption: no source draws this line.
 """
 
 
-def last_film(case: FilmCase, film_at: Callable[[FilmCase], FilmState]) -> FilmState | None:
+def last_film(case: FilmCase, film_at: Callable[[FilmCase, ThermalSearch], FilmState]) -> FilmState | None:
     """Film under the largest load, to some percent, below one that has none; None where there is none at all.
 
     On a draft grid, and with the clearance and the oil's properties of the round that had no film: it only tells
-    how far the bearing is from carrying its load.
+    how far the bearing is from carrying its load. Once a film is found, heavier ones climb from there.
 
     Parameters
     ----------
     case : FilmCase
         Its load has no film.
     film_at : callable
-        Film of a case; may raise `NoFilmError`.
+        Film of a case by a search; may raise `NoFilmError`.
     """
     if not isinstance(case.duty, GivenLoad):
         return None
     whole = case.duty.load
 
-    def under(share: float) -> FilmState | None:
+    def under(share: float, search: ThermalSearch) -> FilmState | None:
         try:
-            return film_at(replace(case, duty=GivenLoad(share * whole), accuracy=Accuracy.DRAFT))
+            return film_at(replace(case, duty=GivenLoad(share * whole), accuracy=Accuracy.DRAFT), search)
         except NoFilmError:
             return None
 
-    high, low, found = 1.0, 1.0, None
+    high, low, found, sought = 1.0, 1.0, None, ThermalSearch()
     for _ in range(HALVINGS):
-        high, low = low, 0.5 * low
-        found = under(low)
+        high, low, sought = low, 0.5 * low, ThermalSearch()
+        found = under(low, sought)
         if found is not None:
             break
     if found is None:
         return None
     for _ in range(BISECTIONS):
-        middle = 0.5 * (low + high)
-        better = under(middle)
-        low, high, found = (low, middle, found) if better is None else (middle, high, better)
+        middle, climbing = 0.5 * (low + high), sought.climbing()
+        better = under(middle, climbing)
+        if better is None:
+            high = middle
+        else:
+            low, found, sought = middle, better, climbing
     return found
 
 

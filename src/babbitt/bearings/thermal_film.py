@@ -16,7 +16,7 @@ from babbitt.bearings.heat_model import AxialTemperature
 from babbitt.bearings.layout import film_of, load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.thermal_failure import last_film, what_gave_way
-from babbitt.bearings.thermal_search import CLOSER, ThermalSearch
+from babbitt.bearings.thermal_search import ThermalSearch
 from babbitt.bearings.warm_film import FilmState, operating_film
 from babbitt.design.conditions import GivenEccentricity, GivenPosition
 from babbitt.design.feeding import arrival
@@ -46,7 +46,7 @@ SAME_CLEARANCE = 1e-5
 SAME_TEMPERATURE = 0.05
 """Change of the effective temperature in K at which the heat capacity counts as settled."""
 CLOSER_FROM = 5
-"""Round from which on films stay on the same lines and settle closer."""
+"""Round from which on films at a given place settle closer."""
 PUSH, FOLLOWED = 0.02, 1e-4
 """Share of the least gap by which the journal is moved to see the stiffness while temperatures follow, and the
 change of temperatures in a pass, K, at which they have: a difference of two films wants them closely settled."""
@@ -81,7 +81,7 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
             if psi <= 0.0:
                 raise NoFilmError(Outcome.NO_CLEARANCE)
             if rounds == CLOSER_FROM:
-                sought.hold(state)
+                sought.closer = True
             state = _warm_state(case, psi, at, sought)
             grown = _grown_clearance(case, state)
             if abs(grown - psi) <= SAME_CLEARANCE * psi and abs(state.temperature - at) <= SAME_TEMPERATURE:
@@ -92,7 +92,7 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
     except NoFilmError as failure:
         outcome = failure.outcome
         if psi > 0.0:
-            last = last_film(case, lambda lighter: _warm_state(lighter, psi, at, ThermalSearch()))
+            last = last_film(case, lambda lighter, search: _warm_state(lighter, psi, at, search))
             state, outcome = last or state, what_gave_way(case, outcome, last)
         reached = state.temperature if state else cold
         return Equilibrium(outcome, state, 0, reached, failure.capacity, failure.least_flow)
@@ -202,15 +202,14 @@ def film_heat(case: FilmCase, heat_capacity: float, temperature: float) -> FilmH
 
 def thermal_resolution(case: FilmCase) -> Resolution:
     """Grid of a thermal film by the accuracy of the case."""
-    from babbitt.film.heat import THERMAL_ENGINEERING, THERMAL_REFERENCE
+    from babbitt.film.heat import THERMAL_DRAFT, THERMAL_ENGINEERING, THERMAL_REFERENCE
 
-    draft = replace(THERMAL_ENGINEERING, intervals=32, coarse_intervals=16)
-    grids = {DRAFT: draft, ENGINEERING: THERMAL_ENGINEERING, REFERENCE: THERMAL_REFERENCE}
+    grids = {DRAFT: THERMAL_DRAFT, ENGINEERING: THERMAL_ENGINEERING, REFERENCE: THERMAL_REFERENCE}
     return grids[case.accuracy.resolution]
 
 
 def _settled(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalSearch) -> ThermalFilm:
-    from babbitt.film.thermal import solve_thermal_journal, thermal_film_at
+    from babbitt.film.thermal import thermal_film_at
 
     grid = thermal_resolution(case)
     if isinstance(case.duty, GivenPosition):
@@ -218,11 +217,8 @@ def _settled(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalS
     if isinstance(case.duty, GivenEccentricity):
         return _at_eccentricity(case, case.duty, film, heat, search)
     load = load_vector(case, case.duty.load)
-    if search.place is None:
-        return solve_thermal_journal(film, heat, load, grid)
-    from babbitt.film.thermal_recovery import thermal_journal_near
-
-    return thermal_journal_near(film, heat, load, search.place, grid, CLOSER)
+    find = search.trail.climb if search.climbs else search.trail.solve
+    return find(film, heat, load, grid)
 
 
 def _at_eccentricity(

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
-from babbitt.bearings.warm_film import FilmState
+if TYPE_CHECKING:
+    from babbitt.film.thermal_trail import ThermalTrail
 
-__all__ = ["CLOSER", "ThermalSearch"]
-
-CLOSER = 1e-3
-"""Change of temperature in a pass, K, at which films on lines that stay have settled."""
+__all__ = ["ThermalSearch"]
 
 
 @dataclass
@@ -20,26 +19,35 @@ class ThermalSearch:
     ----------
     attitude : float or None
         Attitude angle, rad, near which the next one is sought.
-    place : tuple of float or None
-        x and y of the journal and least gap in clearances, for which all further films draw their lines.
+    closer : bool
+        Whether films at a given place settle closer: films that still warm would make the clearance wander for
+        ever.
+    climbs : bool
+        Whether films are sought from the last one alone, see `babbitt.film.thermal_trail.ThermalTrail.climb`.
     """
 
     attitude: float | None = None
-    place: tuple[float, float, float] | None = None
+    closer: bool = False
+    climbs: bool = False
+    _trail: ThermalTrail | None = None
 
-    def hold(self, state: FilmState | None) -> None:
-        """Draw lines for this film from now on, and let films settle closer.
+    @property
+    def trail(self) -> ThermalTrail:
+        """Of the films under a load so far."""
+        if self._trail is None:
+            from babbitt.film.thermal_trail import ThermalTrail
 
-        Errors of the grid, and films that still warm, would make the clearance wander for ever.
-        """
-        if state is not None:
-            solution = state.solution
-            x, y = solution.position / solution.film.clearance
-            self.place = (float(x), float(y), solution.minimum_film_thickness / solution.film.clearance)
+            self._trail = ThermalTrail()
+        return self._trail
+
+    def climbing(self) -> ThermalSearch:
+        """Another search, which climbs from the last film of this one."""
+        return replace(self, climbs=True, _trail=replace(self.trail))
 
     @property
     def settled(self) -> float:
-        """Change of temperature in a pass, K, at which a film has settled."""
+        """Change of temperature in a pass, K, at which a film at a given place has settled."""
         from babbitt.film.thermal import SETTLED
+        from babbitt.film.thermal_trail import CLOSER
 
-        return SETTLED if self.place is None else CLOSER
+        return CLOSER if self.closer else SETTLED

@@ -32,7 +32,8 @@ What a film has besides:
 
 - ``turbulence``, ``piezoviscosity``: laws of the oil.
 - ``starved``: supplies that deliver a given flow.
-- ``thermal``, ``warm_ring``: temperatures of their own; ``thermal_recovery``: films that the usual search loses.
+- ``thermal``, ``warm_ring``: temperatures of their own; ``thermal_recovery``: films that the usual search loses;
+  ``thermal_trail``: films that follow each other.
 - ``stability``: critical mass and whirl.
 - ``_compiling``: how kernels are compiled and where their machine code is kept.
 """

@@ -88,7 +88,9 @@ def fill_cells(surface, columns, flows, conduction, stirred, insulated, fresh, v
                 spread[k] = columns.layer[k] * stress * stress / viscosity[i, c, k]
                 total += spread[k]
                 eta += columns.layer[k]
-            across = 0.0
+            for k in range(layers):
+                spread[k] = spread[k] / total if total > 0.0 else columns.layer[k]
+            stirring, across = conduct * (1.0 + stirred * (flows.stir[i, c] - 1.0)), 0.0
             for k in range(layers):
                 diagonal[k] = AT_REST
                 low[k] = 0.0
@@ -110,12 +112,10 @@ def fill_cells(surface, columns, flows, conduction, stirred, insulated, fresh, v
                 diagonal[k] += max(-arrives, 0.0) + max(leaves, 0.0) + max(-behind, 0.0) + max(ahead, 0.0)
                 born = made * flows.shear_profile[east, c, k]
                 diagonal[k] += max(aside, 0.0) - born
-                share = spread[k] / total if total > 0.0 else columns.layer[k]
-                cells.heat[i, c, k] = flows.heat[i, c] * share + max(-aside, 0.0) * fresh
+                cells.heat[i, c, k] = flows.heat[i, c] * spread[k] + max(-aside, 0.0) * fresh
                 across -= leaves - arrives + ahead + aside - behind - born
                 if k < layers - 1:
-                    between = conduct * (1.0 + stirred * (flows.stir[i, c] - 1.0))
-                    between /= 0.5 * (columns.layer[k] + columns.layer[k + 1])
+                    between = 2.0 * stirring / (columns.layer[k] + columns.layer[k + 1])
                     if between > 0.0:
                         down = between * bernoulli(across / between)
                         up = down + across
@@ -150,12 +150,13 @@ def sweep_energy(surface, columns, flows, cells, sources, walls, temperature, gr
 
     ``sources`` is 1, or 0 for a film without heat of its own and fresh oil at zero. Oil that goes round many times
     before it leaves warms slowly, and in one pattern: of two sweeps the changes d_1, d_2 tell its share
-    lambda = d_1 d_2 / d_1^2, and lambda / (1 - lambda) d_2 is what is still to come (Aitken).
+    lambda = d_1 d_2 / d_1^2, and lambda / (1 - lambda) d_2 is what is still to come (Aitken). Only after sweeps
+    that change less than before the last such step: oil with more than one pattern would be thrown ever further.
     """
     lines, count, layers = temperature.shape[0], temperature.shape[1], len(columns.layers)
     right = np.empty(layers)
     before, last = np.empty(temperature.shape), np.empty(temperature.shape)
-    change = 0.0
+    change, trusted = 0.0, np.inf
     for turn in range(most):
         change = 0.0
         before[:] = temperature
@@ -174,7 +175,8 @@ def sweep_energy(surface, columns, flows, cells, sources, walls, temperature, gr
             break
         if turn % 3 == 0:
             last[:] = temperature - before
-        elif turn % 3 == 1 and turn < most - 1:
+        elif turn % 3 == 1 and turn < most - 1 and change < trusted:
+            trusted = change
             extrapolate(temperature, before, last, columns, groove)
     return change
 
@@ -231,26 +233,34 @@ def extrapolate(temperature, before, last, columns, groove):
 @inner
 def mix(surface, columns, flows, sources, walls, temperature, groove, s):
     """Mixing temperature of a supply: what is carried over of the oil that the film brings, and fresh oil for
-    the rest.
+    the rest. Returns its change.
 
     Oil that is not carried over leaves the supply as it came.
     """
-    brought, enthalpy, taken = groove_balance(surface, columns, flows, sources, temperature, s)
+    enthalpy = np.zeros(1)
+    brought, taken = groove_balance(
+        surface, columns, flows, sources, temperature.reshape((*temperature.shape, 1)), s, enthalpy
+    )
     kept = walls.carry_over * brought
     added = max(taken - kept, 0.0)
     if kept + added <= 0.0:
         return 0.0
     before = groove[s]
-    groove[s] = (walls.carry_over * enthalpy + added * sources * walls.fresh) / (kept + added)
+    groove[s] = (walls.carry_over * enthalpy[0] + added * sources * walls.fresh) / (kept + added)
     return abs(groove[s] - before)
 
 
 @compiled
-def groove_balance(surface, columns, flows, sources, temperature, s):
-    """Flow that the film brings to a supply, its enthalpy with the heat born there, and the flow that it takes."""
-    lines, n, layers = temperature.shape[0], surface.step.size, len(columns.layers)
+def groove_balance(surface, columns, flows, sources, temperatures, s, enthalpy):
+    """Flow that the film brings to a supply, and the flow that it takes.
+
+    ``enthalpy`` (states,) is filled with that of the flow brought and the heat born in the supply, for every one
+    of the ``temperatures`` (lines, columns, layers, states).
+    """
+    lines, n, layers, states = temperatures.shape[0], surface.step.size, len(columns.layers), enthalpy.size
     count = columns.size.size
-    brought, enthalpy, taken = 0.0, 0.0, 0.0
+    brought, taken = 0.0, 0.0
+    enthalpy[:] = 0.0
     for i in range(n):
         after = (i + 1) % lines
         for c in range(count):
@@ -264,14 +274,16 @@ def groove_balance(surface, columns, flows, sources, temperature, s):
                     phi = -phi  # now positive into the supply
                 if phi > 0.0:
                     brought += phi
-                    enthalpy += phi * temperature[after if own else i, c, k]
+                    for m in range(states):
+                        enthalpy[m] += phi * temperatures[after if own else i, c, k, m]
                 else:
                     taken -= phi
     for i in range(lines):
         for c in range(count):
             own = columns.supply[i, c] == s
             if own:
-                enthalpy += sources * flows.heat[i, c]
+                for m in range(states):
+                    enthalpy[m] += sources * flows.heat[i, c]
             if c < count - 1 and own != (columns.supply[i, c + 1] == s):
                 phi = -flows.axial[i, c] if own else flows.axial[i, c]
                 if phi <= 0.0:
@@ -279,6 +291,7 @@ def groove_balance(surface, columns, flows, sources, temperature, s):
                     continue
                 brought += phi
                 for k in range(layers):
-                    value = temperature[i, c + 1 if own else c, k]
-                    enthalpy += phi * flows.pressure_profile[i % n, c, k] * value
-    return brought, enthalpy, taken
+                    part = phi * flows.pressure_profile[i % n, c, k]
+                    for m in range(states):
+                        enthalpy[m] += part * temperatures[i, c + 1 if own else c, k, m]
+    return brought, taken

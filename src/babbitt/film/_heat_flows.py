@@ -71,38 +71,41 @@ def spread_viscosity(surface, columns, viscosity, flows):
     n, layers = surface.step.size, len(columns.layers)
     lines = viscosity.shape[0]
     effective, drag = np.empty(columns.size.size), np.empty(columns.size.size)
+    fluid = np.empty(layers)
     for i in range(n):
         after = (i + 1) % lines
         for c in range(columns.size.size):
             j0, j1, j2, low = 0.0, 0.0, 0.0, 0.0
             for k in range(layers):
-                fluid = 2.0 / (viscosity[i, c, k] + viscosity[after, c, k])
+                fluid[k] = 2.0 / (viscosity[i, c, k] + viscosity[after, c, k])
                 high = low + columns.layer[k]
-                j0 += fluid * (high - low)
-                j1 += fluid * 0.5 * (high * high - low * low)
-                j2 += fluid * (high * high * high - low * low * low) / 3.0
+                j0 += fluid[k] * (high - low)
+                j1 += fluid[k] * 0.5 * (high * high - low * low)
+                j2 += fluid[k] * (high * high * high - low * low * low) * (1.0 / 3.0)
                 low = high
-            share, flow = 1.0 - j1 / j0, j2 - j1 * j1 / j0
-            effective[c], drag[c] = 1.0 / (12.0 * flow), 2.0 * share
-            flows.shear_viscosity[i, c], flows.balance[i, c] = 1.0 / j0, j1 / j0
-            flows.stress[i, c] = -1.0 / flow
+            level = 1.0 / j0
+            balance = j1 * level
+            steeper = 1.0 / (j2 - j1 * balance)
+            effective[c], drag[c] = steeper * (1.0 / 12.0), 2.0 * (1.0 - balance)
+            flows.shear_viscosity[i, c], flows.balance[i, c] = level, balance
+            flows.stress[i, c] = -steeper
             # profiles: the mean over a layer of J_0(eta) / J_0 and J_1(eta) - (J_1/J_0) J_0(eta), by Simpson
             s0, s1, low, total_s, total_p = 0.0, 0.0, 0.0, 0.0, 0.0
             for k in range(layers):
                 d = columns.layer[k]
-                fluid = 2.0 / (viscosity[i, c, k] + viscosity[after, c, k])
-                mean0 = s0 + fluid * 0.5 * d
-                mean1 = s1 + fluid * (0.5 * low * d + d * d / 6.0)
+                mean0 = s0 + fluid[k] * 0.5 * d
+                mean1 = s1 + fluid[k] * d * (0.5 * low + d * (1.0 / 6.0))
                 flows.shear_profile[i, c, k] = d * mean0
-                flows.pressure_profile[i, c, k] = d * (j1 / j0 * mean0 - mean1)
+                flows.pressure_profile[i, c, k] = d * (balance * mean0 - mean1)
                 total_s += flows.shear_profile[i, c, k]
                 total_p += flows.pressure_profile[i, c, k]
-                s0 += fluid * d
-                s1 += fluid * (low * d + 0.5 * d * d)
+                s0 += fluid[k] * d
+                s1 += fluid[k] * d * (low + 0.5 * d)
                 low += d
+            total_s, total_p = 1.0 / total_s, 1.0 / total_p
             for k in range(layers):
-                flows.shear_profile[i, c, k] /= total_s
-                flows.pressure_profile[i, c, k] /= total_p
+                flows.shear_profile[i, c, k] *= total_s
+                flows.pressure_profile[i, c, k] *= total_p
         for q in range(len(surface.points)):
             c = columns.column[surface.node[q]]
             if surface.viscosity[i, q] < 1e9:  # grooves are plugged

@@ -61,7 +61,8 @@ def warm_pass(
 
     Returns the number of nodes that changed sides, the largest change of temperature (K), how far this change goes
     along with that of the last pass (``rises``, replaced), dissipation and friction power, and whether the
-    walls wait for new derivatives before they answer.
+    walls wait for new derivatives before they answer. A change counts by the share of the width that oil fills:
+    a few streamers may have any temperature, and nothing comes to rest sooner or later for it.
     """
     for i in range(fresh.shape[0]):
         for c in range(fresh.shape[1]):
@@ -88,19 +89,19 @@ def warm_pass(
         surface, columns, flows, walls.conduction, pace.stirred, walls.insulated, walls.fresh, viscosity, cells
     )
     sweep_energy(surface, columns, flows, cells, 1.0, walls, temperature, groove, pace.sweeps, 1e-9)
-    change, along = 0.0, 0.0
+    most, change, along = 0.0, 0.0, 0.0
     for i in range(fresh.shape[0]):
         for c in range(fresh.shape[1]):
             for k in range(len(columns.layers)):
                 rise = temperature[i, c, k] - before[i, c, k]
-                change = max(change, abs(rise))
+                most, change = max(most, abs(rise)), max(change, abs(rise) * flows.fill[i, c])
                 along += rise * rises[i, c, k]
                 rises[i, c, k] = rise
-    if change > MOST_RISE:
+    if most > MOST_RISE:
         for i in range(fresh.shape[0]):
             for c in range(fresh.shape[1]):
                 for k in range(len(columns.layers)):
-                    temperature[i, c, k] = before[i, c, k] + rises[i, c, k] * (MOST_RISE / change)
+                    temperature[i, c, k] = before[i, c, k] + rises[i, c, k] * (MOST_RISE / most)
     stale = False
     if not walls.insulated:
         stale = stale_walls(columns, flows, walls)

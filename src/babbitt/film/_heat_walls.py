@@ -8,8 +8,8 @@ import numpy as np
 from numpy import float64
 from numpy.typing import NDArray
 
-from babbitt.film._compiling import compiled, inner
-from babbitt.film._heat_cells import sweep_energy
+from babbitt.film._compiling import compiled, inlined, inner
+from babbitt.film._heat_cells import groove_balance, sweep_energy
 
 Array = NDArray[float64]
 
@@ -41,20 +41,17 @@ class Walls(NamedTuple):
     carry_over: float  # share of the oil brought to a supply that goes on with the film
 
 
-@compiled
-def wall_fluxes(columns, flows, walls, temperature, flux):
+@inner
+def wall_fluxes(columns, cells, walls, temperature, flux):
     """Fill the heat flux into the bush at every line (W/m2); returns the heat that the journal takes, W."""
-    last, journal = columns.layer.size - 1, 0.0
+    last, journal = len(columns.layers) - 1, 0.0
     for i in range(temperature.shape[0]):
         bush = 0.0
         for c in range(columns.size.size):
-            if columns.supply[i, c] < 0:
-                film = walls.conduction * walls.flow_heat * walls.width[i]
-                film *= flows.fill[i, c] * columns.size[c] / flows.gap[i, c]
-                bush += film * 2.0 / columns.layer[0] * (temperature[i, c, 0] - walls.bush[i])
-                journal += film * 2.0 / columns.layer[last] * (temperature[i, c, last] - walls.journal[0])
-        flux[i] = bush / (walls.area * walls.width[i])
-    return journal
+            bush += cells.bush[i, c] * (temperature[i, c, 0] - walls.bush[i])
+            journal += cells.journal[i, c] * (temperature[i, c, last] - walls.journal[0])
+        flux[i] = bush * walls.flow_heat / (walls.area * walls.width[i])
+    return journal * walls.flow_heat
 
 
 ALIKE = 0.5
@@ -81,22 +78,15 @@ def stale_walls(columns, flows, walls):
     return change > ALIKE * most
 
 
-@compiled
-def note_film(columns, flows, walls):
-    """Remember the film for which derivatives of the walls are made."""
-    for i in range(walls.conductance.size):
-        walls.conductance[i] = film_conductance(columns, flows, walls, i)
-
-
 @inner
-def wall_step(columns, flows, walls, temperature):
+def wall_step(columns, cells, walls, temperature):
     """Newton step of the walls, harmonic by harmonic and the journal last, (modes + 1,); fills what they take.
 
     To zero goes what the walls take less what they pass on; ``inverse`` is of the derivatives, the answer of the
     film to a warmer wall among them.
     """
     modes = walls.analysis.shape[0]
-    walls.journal[1] = wall_fluxes(columns, flows, walls, temperature, walls.bush_flux)
+    walls.journal[1] = wall_fluxes(columns, cells, walls, temperature, walls.bush_flux)
     left = np.zeros(modes + 1)
     left[modes] = walls.journal[1] - walls.journal[2] * (walls.journal[0] - walls.journal[3])
     for m in range(modes):
@@ -137,7 +127,7 @@ def ask_walls(surface, columns, flows, cells, walls, temperature, groove, part, 
 
     A film that was held back, its ``change`` being more than ``MOST_RISE``, does not. Returns the larger change.
     """
-    answered = move_walls(walls, wall_step(columns, flows, walls, temperature), part)
+    answered = move_walls(walls, wall_step(columns, cells, walls, temperature), part)
     if change <= MOST_RISE:
         sweep_energy(surface, columns, flows, cells, 1.0, walls, temperature, groove, 1, 0.0)
     return max(change, answered)
@@ -154,30 +144,94 @@ def close_energy(surface, columns, flows, cells, walls, temperature, groove, mos
         enough = max(tolerance, 0.02 * change)  # walls that answer to a film on its way are thrown off theirs
         change = sweep_energy(surface, columns, flows, cells, 1.0, walls, temperature, groove, 16, enough)
         if not walls.insulated:
-            change = max(change, move_walls(walls, wall_step(columns, flows, walls, temperature), 1.0))
+            change = max(change, move_walls(walls, wall_step(columns, cells, walls, temperature), 1.0))
         if change < tolerance:
             break
     return change
 
 
 @compiled
-def answers_of_film(surface, columns, flows, cells, walls, modes, fluxes, heats, most, tolerance):
-    """What the film gives to the walls with one of them at 1 K and all else at zero.
+def answers_of_film(surface, columns, flows, cells, walls, fluxes, heats, most, tolerance):
+    """What the film gives to the walls with one of them at 1 K and all else at zero; the film is remembered.
 
-    For every mode the flux into the bush (W/m2), into a row of ``fluxes``, and the heat into the journal (W), into
-    ``heats``; the mode behind the harmonics is the journal.
+    For every harmonic of the bush, and last for the journal: flux into the bush (W/m2), ``fluxes`` (lines,
+    modes + 1), and heat into the journal (W), ``heats`` (modes + 1,). The energy equation is linear, so that they
+    are exact but for what sweeps leave over, ``tolerance`` in K (root mean square of the last changes beside the
+    bush).
     """
-    harmonics, lines = walls.analysis.shape[0], walls.bush.size
-    temperature = np.empty((lines, columns.size.size, columns.layer.size))
-    groove = np.empty(columns.supply.max() + 1)
-    bush, journal = walls.bush.copy(), walls.journal.copy()
-    for row in range(modes.size):
-        temperature[:] = 0.0
-        groove[:] = 0.0
+    lines, count, last = cells.bush.shape[0], cells.bush.shape[1], len(columns.layers) - 1
+    journal = heats.size - 1
+    temperatures = np.zeros((lines, count, last + 1, heats.size))
+    groove, enthalpy = np.zeros((columns.supply.max() + 1, heats.size)), np.empty(heats.size)
+    right, mine = np.empty((last + 1, heats.size)), np.zeros(heats.size)
+    mine[journal] = 1.0
+    for i in range(lines):
+        walls.conductance[i] = film_conductance(columns, flows, walls, i)
+    for _ in range(most):
+        change = 0.0
         for i in range(lines):
-            walls.bush[i] = walls.synthesis[i, modes[row]] if modes[row] < harmonics else 0.0
-        walls.journal[0] = 0.0 if modes[row] < harmonics else 1.0
-        sweep_energy(surface, columns, flows, cells, 0.0, walls, temperature, groove, most, tolerance)
-        heats[row] = wall_fluxes(columns, flows, walls, temperature, fluxes[row])
-    walls.bush[:] = bush
-    walls.journal[:] = journal
+            for c in range(count):
+                s = columns.supply[i, c]
+                if s >= 0:
+                    if (i == 0 or columns.supply[i - 1, c] != s) and (c == 0 or columns.supply[i, c - 1] != s):
+                        brought, taken = groove_balance(surface, columns, flows, 0.0, temperatures, s, enthalpy)
+                        kept = walls.carry_over * brought
+                        if max(kept, taken) > 0.0:
+                            groove[s] = walls.carry_over / max(kept, taken) * enthalpy
+                    temperatures[i, c] = groove[s]
+                elif flows.gap[i, c] > 0.0:
+                    change += solve_cells(columns, cells, walls, mine, temperatures, i, c, right)
+        if change < fluxes.size * count * tolerance**2:
+            break
+    heats[:] = 0.0
+    fluxes[:] = 0.0
+    for i in range(lines):
+        for c in range(count):
+            for m in range(heats.size):
+                wall = walls.synthesis[i, m] if m < journal else 0.0
+                fluxes[i, m] += cells.bush[i, c] * (temperatures[i, c, 0, m] - wall)
+                heats[m] += cells.journal[i, c] * (temperatures[i, c, last, m] - mine[m])
+        fluxes[i] *= walls.flow_heat / (walls.area * walls.width[i])
+    heats *= walls.flow_heat
+
+
+@inlined
+def solve_cells(columns, cells, walls, mine, temperatures, i, c, right):
+    """As ``solve_cell``, for all walls that are at 1 K one by one: the innermost loops are vectors.
+
+    Returns the sum of the squares of the changes beside the bush.
+    """
+    lines, count, layers, states = temperatures.shape
+    before, after = i - 1 if i > 0 else lines - 1, i + 1 if i < lines - 1 else 0
+    for k in range(layers):
+        west, east = cells.west[i, c, k], cells.east[i, c, k]
+        for m in range(states):
+            right[k, m] = west * temperatures[before, c, k, m]
+        if east > 0.0:
+            for m in range(states):
+                right[k, m] += east * temperatures[after, c, k, m]
+        if c > 0:
+            for m in range(states):
+                right[k, m] += cells.inner[i, c, k] * temperatures[i, c - 1, k, m]
+        if c < count - 1:
+            for m in range(states):
+                right[k, m] += cells.outer[i, c, k] * temperatures[i, c + 1, k, m]
+    for m in range(states - 1):
+        right[0, m] += cells.bush[i, c] * walls.synthesis[i, m]
+    right[layers - 1, states - 1] += cells.journal[i, c]
+    for k in range(1, layers):
+        factor = cells.factor[i, c, k]
+        for m in range(states):
+            right[k, m] -= factor * right[k - 1, m]
+    for k in range(layers - 1, -1, -1):
+        pivot, above = cells.pivot[i, c, k], min(k + 1, layers - 1)
+        high = cells.high[i, c, k] if k < layers - 1 else 0.0
+        for m in range(states):
+            right[k, m] = pivot * right[k, m] - high * right[above, m]
+    change = 0.0
+    for m in range(states):
+        change += (right[0, m] - temperatures[i, c, 0, m]) ** 2
+    for k in range(layers):
+        for m in range(states):
+            temperatures[i, c, k, m] = right[k, m]
+    return change

@@ -88,9 +88,12 @@ class Sample:
         return float(smallest_surface_gap(self.ring.surface, at))
 
     def start_from(self, coarse: Sample) -> None:
-        """Take over the wet set of a coarser sample on the same axial mesh: wet if a line beside it is."""
+        """Take over the wet set of a sample on the same axial mesh; on other lines: wet if a line beside it is."""
         lines = self.work.wet.shape[0]
         old = coarse.ring.theta
+        if np.array_equal(old, self.ring.theta):
+            self.work.wet[:] = coarse.work.wet
+            return
         rows = coarse.work.wet.shape[0]
         behind = np.clip(np.searchsorted(old, self.ring.theta[:lines] - 1e-12), 1, old.size - 1)
         self.work.wet[:] = coarse.work.wet[(behind - 1) % rows] | coarse.work.wet[behind % rows]

@@ -196,12 +196,11 @@ def gaps(film: JournalFilm, theta: Array, mesh: AxialMesh) -> tuple[Array, Array
     z = mesh.points * (0.5 * film.width)
     deeper = step_depths(film, theta, mesh)
 
-    def gap(angle: Array) -> Array:
-        more = deeper if film.is_straight else deeper + axial_gain(film, angle, z)
-        return np.asarray(bore_gap(film, angle)[:, None] + more / film.clearance)
-
-    first, second = gauss_angles(theta)
-    return gap(first), gap(second)
+    angles = gauss_angles(theta)
+    bores = np.split(bore_gap(film, np.concatenate(angles)), 2)
+    more = [deeper if film.is_straight else deeper + axial_gain(film, angle, z) for angle in angles]
+    first, second = (bore[:, None] + part / film.clearance for bore, part in zip(bores, more, strict=True))
+    return first, second
 
 
 def axial_gain(film: JournalFilm, angle: Array, z: Array) -> Array:

@@ -71,7 +71,8 @@ def groove_arcs(film: JournalFilm) -> list[GrooveArc]:
 
 def within(angles: Array, first: float, last: float) -> NDArray[np.bool_]:
     """Which angles lie between first and last, edges included, whatever the turn."""
-    return np.asarray((angles - first + 1e-9) % TURN <= last - first + 2e-9)
+    turns = (angles - (first - 1e-9)) * (1.0 / TURN)
+    return np.asarray(turns - np.floor(turns) <= (last - first + 2e-9) / TURN)
 
 
 def ring_lines(film: JournalFilm, start: float, per_turn: int, density: Density | None) -> Array:

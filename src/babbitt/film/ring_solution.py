@@ -212,11 +212,11 @@ def friction(settled: SettledRing) -> tuple[float, float]:
     half = 0.5 * surface.step[:, None]
     ambient = surface.viscosity
     viscosity = ambient * (0.5 * (work.stiffening[:n] + work.stiffening[after]))[:, node]
-    factors = [np.ones_like(ha)] * 2
-    turbulence = settled.film.turbulence
+    thinness, turbulence = 1.0 / ha + 1.0 / hb, settled.film.turbulence
     if turbulence is not None:
-        factors = [turbulence.shear_factor(surface.turbulence[0] * gap / ambient) for gap in (ha, hb)]
-    shear = surface.speed * viscosity * half * (factors[0] / ha + factors[1] / hb) * work.fill[:n][:, node]
+        fa, fb = (turbulence.shear_factor(surface.turbulence[0] * gap / ambient) for gap in (ha, hb))
+        thinness = fa / ha + fb / hb
+    shear = surface.speed * viscosity * half * thinness * work.fill[:n][:, node]
     shear[_in_hollow(settled, after)] = 0.0
     pressure = true_pressures(surface, work.pressure)
     slope = 0.25 * (ha + hb) * (pressure[after] - pressure[:n])[:, node]

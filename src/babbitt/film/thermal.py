@@ -49,20 +49,24 @@ SETTLED = 5e-2
 COLD_LOAD = 2.0
 """Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks
 nothing and would have no bound to its temperature."""
-COLDLY_CARRIED = 0.2
+COLDLY_CARRIED = 0.5
 """Residual force over load of this start: the first heat moves the journal by more."""
-CLOSING, CLOSED, OPEN = 400, 1e-7, 1e-4
+CLOSING, CLOSED, OPEN = 400, 1e-8, 1e-4
 """Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from
 which the film counts as not converged."""
-POLISH, POLISHED = 8, 1e-9
-"""Last steps of the journal at frozen temperatures, at most, and the residual force over load that ends them."""
+POLISH, POLISHED, NEARLY = 8, 1e-9, 1e-5
+"""Last steps of the journal at frozen temperatures, at most, the residual force over load that ends them, and that
+from which one step does."""
 THICK = 0.3
 """Gap, in clearances, down to which lines may stand as for a journal at the usual place."""
 USUAL_PLACE, USUAL_ATTITUDE = 0.6, math.radians(45.0)
 """Of the journal: relative eccentricity, and angle ahead of the load."""
-USUAL_ROUNDS = 2
+USUAL_ROUNDS = 1
 """Updates of the wet set there before the film tells how warm it gets."""
 MOST_PASSES = 120
+NEARER, IN_VAIN = 0.8, 40
+"""Share of the least distance from rest that counts as nearer, and passes in a row that bring the film no nearer,
+after which it counts as thrown about."""
 STUBBORN = 4
 """Passes at rest after which nodes that change sides for ever are let be."""
 SUNK = 12
@@ -73,7 +77,7 @@ PATIENT_FROM, ROUNDS = 8, 8
 
 @dataclass(frozen=True, eq=False)
 class WarmRest:
-    """Where a search ended."""
+    """Where a search ended; ``mixed`` where only passes that remember each other brought the film to rest."""
 
     warm: WarmRing
     position: Array
@@ -81,6 +85,17 @@ class WarmRest:
     passes: int
     gap: float
     load: Array | None = None
+    mixed: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Posed:
+    """A film as it was given and as it is solved, turning forwards, with its dimensionless load."""
+
+    film: JournalFilm
+    seen: JournalFilm
+    scales: Scales
+    load: Array
 
 
 def solve_thermal_journal(
@@ -108,7 +123,13 @@ def solve_thermal_journal(
         E101 if the load is not finite, the journal stands still, the film does not conserve oil, or viscosity
         under pressure is asked for.
     """
-    begun = time.perf_counter()
+    begun, asked = time.perf_counter(), posed(film, load)
+    found = search(asked.seen, heat, asked.scales, asked.load, resolution)
+    return answer(film, asked.seen, asked.scales, found, begun)
+
+
+def posed(film: JournalFilm, load: tuple[float, float]) -> Posed:
+    """A film under a load, N, as it is solved; raises as `solve_thermal_journal`."""
     if not all(math.isfinite(part) for part in load):
         raise InputError("E101", f"load is {load}; both components must be finite, in N.")
     if film.cavitation is not Cavitation.MASS_CONSERVING:
@@ -122,8 +143,7 @@ def solve_thermal_journal(
         raise InputError("E101", "angular_speed is zero; a film at rest makes no heat and carries no steady load.")
     scales = Scales.of(film, abs(film.angular_speed))
     seen = mirrored(film) if film.angular_speed < 0.0 else film
-    found = search(seen, heat, scales, np.asarray(load) * scales.sense / scales.force, resolution)
-    return answer(film, seen, scales, found, begun)
+    return Posed(film, seen, scales, np.asarray(load) * scales.sense / scales.force)
 
 
 def thermal_film_at(
@@ -166,12 +186,10 @@ def search(film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resol
     if found is not None and found.status == CONVERGED and found.gap > THICK:
         return found
     found, share = attempt(film, heat, scales, load, resolution, 1.0), 0.1 * MODERATE_LOAD / max(size, 1e-300)
-    if found.status != CONVERGED and share < 1.0:
-        found = attempt(film, heat, scales, load, resolution, share)
     if found.status != CONVERGED:
         from babbitt.film.thermal_recovery import recovered
 
-        found = recovered(film, heat, scales, load, resolution, found)
+        found = recovered(film, heat, scales, load, resolution, found, min(share, 1.0))
     return replace(found, status=NO_FILM) if found.gap < THINNEST else found
 
 
@@ -228,7 +246,9 @@ def fresh_ring(
 ) -> WarmRing:  # fmt: skip
     """Ring at the supply temperature."""
     ring = build_ring(film, scales.pressure, per_turn, resolution.axial_unknowns, density)
-    return WarmRing.of(Sample.of(ring, Effort(math.inf)), heat, film, scales.rate)
+    warm = WarmRing.of(Sample.of(ring, Effort(math.inf)), heat, film, scales.rate)
+    warm.density = density
+    return warm
 
 
 def continued(warm: WarmRing, before: WarmRing) -> WarmRing:
@@ -243,6 +263,7 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
     size_of_load = math.hypot(*load)
     floor = tolerance * size_of_load + 1e-13
     step_time, last, calm, sunk = 0.0, 0.0, 0, 0
+    nearest, reached = math.inf, 0
     gap = warm.sample.gap(at)
     if not gap > 0.0:
         return WarmRest(warm, at, NO_FILM, 0, gap)
@@ -257,6 +278,11 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
             calm += 1
             if changed == 0 or calm > STUBBORN:
                 return WarmRest(warm, at, CONVERGED, passes, gap, load)
+        off = max(change / settled, size / floor)
+        if off < NEARER * nearest:
+            nearest, reached = off, passes
+        elif passes - reached > IN_VAIN:
+            return WarmRest(warm, at, TOO_MANY_STEPS, passes, gap, load)
         flat = np.concatenate((sample.force, sample.stiffness.ravel(), sample.damping.ravel()))
         dx, dy, step_time = damped_step(flat, residual[0], residual[1], size, last, size_of_load, gap, step_time)
         move, last, halvings = np.array([dx, dy]), size, 0
@@ -274,18 +300,25 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
 
 
 def polished(found: WarmRest) -> WarmRest:
-    """Let the film carry the load exactly, its temperatures as they are: Newton steps from the last pass."""
-    if found.load is None:
-        return found
-    sample, at = found.warm.sample, found.position
+    """Let the film carry the load exactly, its temperatures as they are: Newton steps from the last pass.
+
+    The film is left with the coefficients of its answer (``smooth``); a step from ``NEARLY`` there is the last.
+    """
+    sample, at, load, smooth = found.warm.sample, found.position, found.load, False
+    whole = 0.0 if load is None else math.hypot(*load)
     for _ in range(POLISH):
-        residual = sample.force + found.load
-        if math.hypot(*residual) <= POLISHED * math.hypot(*found.load) + 1e-14:
+        residual = np.zeros(2) if load is None else sample.force + load
+        size = math.hypot(*residual)
+        if size <= POLISHED * whole + 1e-14:
             break
-        at = at + np.linalg.solve(sample.stiffness, residual)
-        sample.evaluate(at)
+        at, smooth = at + np.linalg.solve(sample.stiffness, residual), size <= NEARLY * whole
+        sample.evaluate(at, smooth=smooth)
     gap = sample.gap(at)
-    return replace(found, position=at, gap=gap) if gap > CONTACT else found
+    if not gap > CONTACT:
+        at, gap, smooth = found.position, found.gap, False
+    if not smooth:
+        sample.evaluate(at, smooth=True)
+    return replace(found, position=at, gap=gap)
 
 
 def answer(film: JournalFilm, seen: JournalFilm, scales: Scales, found: WarmRest, begun: float) -> ThermalFilm:
@@ -293,7 +326,6 @@ def answer(film: JournalFilm, seen: JournalFilm, scales: Scales, found: WarmRest
     warm = found.warm
     if found.status == CONVERGED:
         found = polished(found)
-        warm.sample.evaluate(found.position, smooth=True)
         warm.gather(found.position)
         if not warm.close(CLOSING, CLOSED) < OPEN:
             found = replace(found, status=TOO_MANY_STEPS)

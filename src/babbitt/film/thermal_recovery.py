@@ -6,7 +6,6 @@ The place that is found meets the same tolerances; only the way there is another
 from __future__ import annotations
 
 import math
-import time
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -17,27 +16,22 @@ from babbitt.film._heat_walls import MOST_RISE
 from babbitt.film.general import line_density, rest_ring
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm, Resolution
-from babbitt.film.ring_solution import mirrored
 from babbitt.film.scales import Scales
 from babbitt.film.thermal import (
     ROUNDS,
     SETTLED,
     STUBBORN,
     WarmRest,
-    answer,
+    attempt,
     continued,
     fresh_ring,
     rest,
-    solve_thermal_journal,
 )
-from babbitt.film.thermal_solution import ThermalFilm
 from babbitt.film.warm_ring import WarmRing
 
-__all__ = ["Place", "mixed_rest", "recovered", "thermal_journal_near"]
+__all__ = ["calmed", "mixed_rest", "recovered"]
 
 Array = NDArray[np.float64]
-Place = tuple[float, float, float]
-"""x and y of the journal and its least gap, in clearances."""
 
 STEPS, NEAR = 100, 1e-2
 """Steps to the place of a film of one temperature on one grid, and the residual force over load that ends them."""
@@ -55,70 +49,48 @@ GAP_IN_KELVIN = 50.0
 
 
 def recovered(
-    film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution, lost: WarmRest
-) -> WarmRest:
-    """Where the film rests after all, or where the ordinary search ended (``lost``).
+    film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution, lost: WarmRest,
+    share: float,
+) -> WarmRest:  # fmt: skip
+    """Where the film rests after all, or where a search ended.
 
     A film that was thrown about under its whole load goes on, with passes that remember each other. What else was
-    lost starts anew where the film of one temperature, that of fresh oil, carries the load.
+    lost is sought under a load that grows from a ``share`` of it, and at last from where the film of one
+    temperature, that of fresh oil, carries the load.
     """
-    if _is_thrown_about(lost) and lost.load is not None and np.array_equal(lost.load, load):
-        warm = continued(_ring_at(film, heat, scales, lost.position, lost.gap, resolution), lost.warm)
-        found = mixed_rest(warm, load, lost.position, resolution.tolerance, SETTLED)
-        if found.status == CONVERGED:
-            return found
+    found = _gone_on(film, heat, scales, load, resolution, lost)
+    if found.status != CONVERGED and share < 1.0:
+        lost = attempt(film, heat, scales, load, resolution, share)
+        found = _gone_on(film, heat, scales, load, resolution, lost)
+    if found.status == CONVERGED:
+        return found
     cold = rest_ring(film, scales.pressure, load, replace(resolution, tolerance=NEAR), STEPS)
     if cold.status != CONVERGED:
         return lost
     warm = _ring_at(film, heat, scales, cold.position, cold.gap, resolution)
-    found = rest(warm, load, cold.position, resolution.tolerance, SETTLED)
-    if _is_thrown_about(found):
-        found = mixed_rest(warm, load, found.position, resolution.tolerance, SETTLED)
+    found = calmed(rest(warm, load, cold.position, resolution.tolerance, SETTLED), resolution, SETTLED)
     return found if found.status == CONVERGED else lost
+
+
+def _gone_on(
+    film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution, lost: WarmRest
+) -> WarmRest:
+    """Where passes that remember each other bring a film that was thrown about under its whole load."""
+    if not _is_thrown_about(lost) or lost.load is None or not np.array_equal(lost.load, load):
+        return lost
+    warm = continued(_ring_at(film, heat, scales, lost.position, lost.gap, resolution), lost.warm)
+    return mixed_rest(warm, load, lost.position, resolution.tolerance, SETTLED)
 
 
 def _is_thrown_about(found: WarmRest) -> bool:
     return found.status == TOO_MANY_STEPS and found.gap > THINNEST
 
 
-def thermal_journal_near(
-    film: JournalFilm,
-    heat: FilmHeat,
-    load: tuple[float, float],
-    place: Place,
-    resolution: Resolution,
-    settled: float,
-) -> ThermalFilm:
-    """Film that carries a load, on lines drawn for a given place and sought from there.
-
-    For films that are compared with each other: on lines drawn anew for every one of them the answer jumps by the
-    error of the grid, on these it changes as smoothly as the film.
-
-    Parameters
-    ----------
-    film, heat, load, resolution
-        As `babbitt.film.thermal.solve_thermal_journal` takes them.
-    place : tuple of float
-        x and y of the journal and its least gap, in clearances.
-    settled : float
-        Change of temperature in a pass, K, at which film and temperature rest beside each other.
-
-    Returns
-    -------
-    ThermalFilm
-        That of the ordinary search where none is found from there.
-    """
-    begun = time.perf_counter()
-    scales = Scales.of(film, abs(film.angular_speed))
-    seen = mirrored(film) if film.angular_speed < 0.0 else film
-    at, force = np.array(place[:2]) * scales.sense, np.asarray(load) * scales.sense / scales.force
-    warm = _ring_at(seen, heat, scales, at, place[2], resolution)
-    found = rest(warm, force, at, resolution.tolerance, settled)
-    if _is_thrown_about(found):
-        found = mixed_rest(warm, force, found.position, resolution.tolerance, settled)
-    if found.status != CONVERGED:
-        return solve_thermal_journal(film, heat, load, resolution)
-    return answer(film, seen, scales, found, begun)
+def calmed(found: WarmRest, resolution: Resolution, settled: float) -> WarmRest:
+    """Let a film that passes threw about come to rest after all, on the same lines."""
+    if found.load is None or not _is_thrown_about(found):
+        return found
+    return mixed_rest(found.warm, found.load, found.position, resolution.tolerance, settled)
 
 
 def _ring_at(
@@ -155,7 +127,7 @@ def mixed_rest(warm: WarmRing, load: Array | None, at: Array, tolerance: float, 
         if change < settled and size <= floor:
             calm += 1
             if changed == 0 or calm > STUBBORN:
-                return WarmRest(warm, at, CONVERGED, passes, gap, load)
+                return WarmRest(warm, at, CONVERGED, passes, gap, load, mixed=True)
         step = np.linalg.solve(warm.sample.stiffness, left) if size > 0.0 else left
         start, move = mixing.move(before, np.concatenate((_packed(warm), at + step)))
         move *= min(1.0, MOST_RISE / max(float(np.abs(move[:-2]).max()), 1e-300))
@@ -203,9 +175,12 @@ class Mixing:
         last = self.residuals[-1]
         if len(self.states) == 1:
             return before, self.share * last
-        steps, gains = np.diff(np.array(self.states), axis=0).T, np.diff(np.array(self.residuals), axis=0).T
-        part = np.linalg.lstsq(gains * self.scale[:, None], last * self.scale, rcond=SAME)[0]
-        return before, np.asarray(self.share * last - (steps + self.share * gains) @ part)
+        steps, gains = np.diff(np.array(self.states), axis=0), np.diff(np.array(self.residuals), axis=0)
+        # a few long vectors: threads of a BLAS would wait for each other longer than they work, einsum has none
+        weighted = gains * self.scale**2
+        normal, right = np.einsum("ik,jk->ij", weighted, gains), np.einsum("ik,k->i", weighted, last)
+        part = np.linalg.lstsq(normal, right, rcond=SAME**2)[0]
+        return before, self.share * last - np.einsum("ik,i->k", steps + self.share * gains, part)
 
     def norm(self, residual: Array) -> float:
         """Weighted size of a residual."""

@@ -200,12 +200,15 @@ def supply_exchange(film: FilmSolution, scales: Scales, warm: WarmRing, order: S
     """
     grooves, carried, cold = warm.groove.size, warm.heat.carry_over, warm.heat.supply_temperature
     surface, columns = warm.sample.ring.surface, warm.columns
-    rows = [groove_balance(surface, columns, warm.flows, 1.0, warm.temperature, s) for s in range(grooves)]
-    brought, enthalpy, taken = np.array(rows).reshape(grooves, 3).T
+    enthalpy, temperatures = np.empty((grooves, 1)), warm.temperature[..., None]
+    rows = [
+        groove_balance(surface, columns, warm.flows, 1.0, temperatures, s, enthalpy[s]) for s in range(grooves)
+    ]
+    brought, taken = np.array(rows).reshape(grooves, 2).T
     surplus = np.maximum(carried * brought - taken, 0.0)
     balance = np.array([
         (1.0 - carried) * brought + surplus,
-        (1.0 - carried) * (enthalpy - brought * cold) + surplus * (warm.groove - cold),
+        (1.0 - carried) * (enthalpy[:, 0] - brought * cold) + surplus * (warm.groove - cold),
         np.maximum(taken - carried * brought, 0.0),
         warm.groove,
     ])  # fmt: skip

@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 from babbitt.film._heat_cells import Cells, fill_cells, new_cells
 from babbitt.film._heat_flows import Columns, Flows, new_flows, spread_viscosity
 from babbitt.film._heat_pass import Drains, Pace, gather_heat, warm_pass
-from babbitt.film._heat_walls import Walls, answers_of_film, ask_walls, close_energy, note_film, stale_walls
+from babbitt.film._heat_walls import Walls, answers_of_film, ask_walls, close_energy, stale_walls
 from babbitt.film.general import Sample
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm
 from babbitt.film.ring import TURN, Ring
+from babbitt.film.ring_mesh import Density
 from babbitt.film.ring_solution import drained_edges, fed_lines
 
 __all__ = ["WarmRing", "columns_of"]
@@ -30,14 +31,11 @@ RELAX, CALM, LEAST_RELAX = 0.65, 12, 0.05
 """Share of a new viscosity field that a pass takes, passes after which a swinging film takes less, the least."""
 TURBULENT_PRANDTL = 0.9
 """Eddy viscosity over eddy diffusivity of heat; textbook value of turbulent boundary layers."""
-TRIED, SLOW = 3, 0.7
-"""Passes with the same derivatives of the walls, after which they are made anew where a pass changes more than
-this share of what the last one did."""
 FLICKER = 30
 """Passes after which a few nodes that still change sides are let be, as ``_equilibrium.CYCLING``."""
-ANSWER_SWEEPS, ANSWERED = 12, 1e-2
-"""Of the energy equation that gives the film's answer to a warmer wall, at most, and their last change that ends
-them, over that of the wall."""
+ANSWER_SWEEPS, ANSWERED = 30, 0.01
+"""Of the energy equation that gives the film's answer to a warmer wall, at most, and the root mean square of their
+last change that ends them, over that of the wall."""
 FEW_ROUNDS = 40
 """That close the heat balance with the derivatives of the walls as they are, before they are made anew."""
 MOST_HARMONICS = 16
@@ -79,10 +77,10 @@ class WarmRing:
     relaxation : float
         Share of (the logarithm of) a new viscosity field that a pass takes: load, position and heat answer each
         other with a swing.
-    passes, asked : int
-        So far, and that in which the derivatives of the walls were made.
-    last_change : float
-        Of a temperature in the last pass, K.
+    passes : int
+        So far.
+    density : callable or None
+        That of the lines; None where they stand evenly.
     """
 
     sample: Sample
@@ -103,8 +101,7 @@ class WarmRing:
     friction: float = 0.0
     relaxation: float = RELAX
     passes: int = 0
-    asked: int = 0
-    last_change: float = math.inf
+    density: Density | None = None
 
     @classmethod
     def of(cls, sample: Sample, heat: FilmHeat, film: JournalFilm, speed: float) -> WarmRing:
@@ -143,13 +140,10 @@ class WarmRing:
             sample.force, sample.stiffness, sample.damping,
         )  # fmt: skip
         if stale:
-            self.prepare_bush()
-            self.asked = self.passes
+            self.prepare_walls()
             change = ask_walls(sample.ring.surface, self.columns, self.flows, self.cells, walls,
                                self.temperature, self.groove, part, change)  # fmt: skip
-        if self.passes - self.asked >= TRIED and change > SLOW * self.last_change:
-            walls.conductance[:] = 0.0  # forgets the film of the derivatives: the next pass makes new ones
-        self.passes, self.last_change = self.passes + 1, float(change)
+        self.passes += 1
         change *= max(1.0, RELAX / self.relaxation)
         if self.passes > CALM:
             self.relaxation = (
@@ -189,39 +183,14 @@ class WarmRing:
         fill_cells(self.sample.ring.surface, self.columns, self.flows, walls.conduction, self.stirred,
                    walls.insulated, walls.fresh, viscosity, self.cells)  # fmt: skip
 
-    def prepare_bush(self) -> None:
-        """Derivatives of the balance of the walls, for the film as it is.
-
-        What the film gives less to a warmer wall is exact for the journal and the first harmonics of the bush: the
-        energy equation is linear, and solved once for each with that wall at 1 K and all else at zero. The
-        others get a guess: k/h, what passes through the gap, and what the oil carries off, which for the first
-        harmonics is the rest and grows with the cube root of the order, as the conductance of the thin
-        boundary layer does that a warm place of this length makes in a shear flow (Leveque, Ann. des Mines 13
-        (1928)). What the journal gets of them passes straight through the gap; without it the walls of a slow
-        film, which conducts far more than its oil carries, would be thrown to and fro. The temperatures found do
-        not depend on these guesses.
-        """
-        walls, flows, columns = self.walls, self.flows, self.columns
-        note_film(columns, flows, walls)
-        film = walls.conductance
-        modes, half = walls.analysis.shape[0], walls.analysis.shape[0] // 2
-        first = [1, half + 1][: 2 * half]
-        exact = np.array([0, *first, modes])
-        fluxes, heats = np.zeros((exact.size, film.size)), np.zeros(exact.size)
-        answers_of_film(self.sample.ring.surface, columns, flows, self.cells, walls, exact, fluxes, heats,
+    def prepare_walls(self) -> None:
+        """Derivatives of the balance of the walls, for the film as it is."""
+        walls, modes = self.walls, self.walls.admittance.size
+        fluxes, heats = np.empty((walls.bush.size, modes + 1)), np.empty(modes + 1)
+        answers_of_film(self.sample.ring.surface, self.columns, self.flows, self.cells, walls, fluxes, heats,
                         ANSWER_SWEEPS, ANSWERED)  # fmt: skip
-        answers = -walls.analysis @ fluxes.T
-        guess = (walls.analysis * film) @ walls.synthesis
-        layer = max(sum(answers[m, n] - guess[m, m] for n, m in enumerate(first, 1)) / max(len(first), 1), 0.0)
-        order = np.concatenate(([1.0], np.arange(1, half + 1), np.arange(1, half + 1)))
-        matrix = np.zeros((modes + 1, modes + 1))
-        matrix[:modes, :modes] = guess + np.diag(layer * np.cbrt(order))
-        passing = film * walls.width / max(float(film @ walls.width), 1e-300)
-        matrix[modes, :modes] = -heats[0] * passing @ walls.synthesis
-        matrix[:modes, exact] = answers
-        matrix[modes, exact] = -heats
-        matrix[np.arange(modes), np.arange(modes)] += walls.admittance
-        matrix[modes, modes] += walls.journal[2]
+        matrix = np.concatenate((-walls.analysis @ fluxes, -heats[None]))
+        matrix.ravel()[:: modes + 2] += np.append(walls.admittance, walls.journal[2])
         if walls.journal_given:
             matrix[modes], matrix[:, modes] = 0.0, 0.0
             matrix[modes, modes] = 1.0
@@ -245,7 +214,10 @@ class WarmRing:
             self.walls.inverse[:] = coarse.walls.inverse
             known = coarse.walls.conductance
             self.walls.conductance[:] = (1.0 - flat) * known[rows[after - 1]] + flat * known[rows[after]]
-        self.walls.harmonics[:] = self.walls.analysis @ (self.walls.bush - self.walls.ambient)
+        if self.walls.harmonics.shape == coarse.walls.harmonics.shape:
+            self.walls.harmonics[:] = coarse.walls.harmonics
+        else:  # on uneven lines the one is not quite the inverse of the other
+            self.walls.harmonics[:] = self.walls.analysis @ (self.walls.bush - self.walls.ambient)
         self.walls.bush[:] = self.walls.ambient + self.walls.synthesis @ self.walls.harmonics
 
     def close(self, most: int, tolerance: float) -> float:
@@ -253,14 +225,14 @@ class WarmRing:
         self.fill(self.viscosity if self.passes else self.relative_viscosity())
         conducting, change = not self.walls.insulated, math.inf
         if conducting and stale_walls(self.columns, self.flows, self.walls):
-            self.prepare_bush()
+            self.prepare_walls()
         for rounds in (min(FEW_ROUNDS, most), most):
             change = close_energy(self.sample.ring.surface, self.columns, self.flows, self.cells, self.walls,
                                   self.temperature, self.groove, rounds, tolerance)  # fmt: skip
             if change < tolerance:
                 break
             if conducting:
-                self.prepare_bush()
+                self.prepare_walls()
         return float(change)
 
     def unit_friction(self) -> float:
@@ -309,9 +281,7 @@ def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines:
     """Walls at the supply temperature, and the harmonics of the bush."""
     cold, given = heat.supply_temperature, heat.walls
     radius, width = 0.5 * film.diameter, line_widths(ring, lines)
-    order = np.arange(0 if given is None else min(lines // 3, MOST_HARMONICS) + 1)
-    phase = np.outer(ring.theta[:lines], order)
-    synthesis = np.concatenate((np.cos(phase), np.sin(phase[:, 1:])), axis=1)
+    synthesis = np.zeros((lines, 0)) if given is None else harmonics_of(ring.theta[:lines])
     weight = np.full(synthesis.shape[1], 1.0 / math.pi)
     weight[:1] = 1.0 / TURN
     journal = np.array([cold, 0.0, 0.0, cold])
@@ -321,7 +291,7 @@ def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines:
         journal = np.array([start, 0.0, shaft.shaft_conductance, shaft.ambient_temperature])
     admittance, harmonics = np.zeros(weight.size), np.zeros(weight.size)
     if given is not None:
-        own = 1.0 / given.bush.impedances(order[-1])
+        own = 1.0 / given.bush.impedances(weight.size // 2)
         admittance = np.concatenate((own, own[1:]))
         harmonics[0] = cold - given.bush.ambient_temperature
     return Walls(
@@ -336,6 +306,13 @@ def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines:
         admittance=admittance, harmonics=harmonics, inverse=np.zeros((weight.size + 1, weight.size + 1)),
         conductance=np.zeros(lines), fresh=cold, carry_over=heat.carry_over,
     )  # fmt: skip
+
+
+def harmonics_of(theta: Array) -> Array:
+    """1, cos(m theta) and sin(m theta), m = 1 .. n, shape (lines, 2 n + 1), quickly: powers of exp(i theta)."""
+    number = min(theta.size // 3, MOST_HARMONICS)
+    powers = np.multiply.accumulate(np.repeat(np.exp(1j * theta[:, None]), number, axis=1), axis=1)
+    return np.concatenate((np.ones((theta.size, 1)), powers.real, powers.imag), axis=1)
 
 
 def stirring_of(film: JournalFilm, heat: FilmHeat) -> float:

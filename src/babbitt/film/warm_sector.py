@@ -231,11 +231,12 @@ class WarmSector:
         warm, pad = self.warm, self.pad
         surface, columns = warm.sample.ring.surface, warm.columns
         leaving, own = side_oil(warm)
-        sent = groove_balance(surface, columns, warm.flows, 1.0, warm.temperature, GROOVE)[1]
-        brought, enthalpy, taken = groove_balance(surface, columns, warm.flows, 0.0, warm.temperature, GROOVE)
+        temperatures, sent, enthalpy = warm.temperature[..., None], np.empty(1), np.empty(1)
+        groove_balance(surface, columns, warm.flows, 1.0, temperatures, GROOVE, sent)
+        brought, taken = groove_balance(surface, columns, warm.flows, 0.0, temperatures, GROOVE, enthalpy)
         out = float(leaving.sum())
         cold, carried = warm.heat.supply_temperature, warm.heat.carry_over
-        drained = (1.0 - carried) * (sent - brought * cold)
+        drained = (1.0 - carried) * (sent[0] - brought * cold)
         drained += max(carried * brought - taken, 0.0) * (float(warm.groove[GROOVE]) - cold)
         carried_off = (float((leaving * (own - cold)).sum()) + drained) * warm.walls.flow_heat
         temperature = warm.temperature.copy()
@@ -248,9 +249,9 @@ class WarmSector:
             temperature=temperature,
             supply=cold,
             inlet=float(warm.groove[GROOVE]),
-            trailing=enthalpy / brought if brought > 0.0 else cold,
+            trailing=float(enthalpy[0]) / brought if brought > 0.0 else cold,
             side=float((leaving * own).sum()) / out if out > 0.0 else cold,
-            sent=sent / brought if brought > 0.0 else cold,
+            sent=float(sent[0]) / brought if brought > 0.0 else cold,
             heat=HeatSplit(warm.dissipation * warm.rise * warm.walls.flow_heat, carried_off, 0.0, 0.0),
             effective_viscosity=pad.viscosity * warm.friction / self._unit_friction(motion),
         )
