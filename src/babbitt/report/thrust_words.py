@@ -132,8 +132,8 @@ def _causes(result: Result) -> str:
     first = max(CAUSES, key=lambda name: v[name])
     alone, ripple, both = (_most(result, name) for name in ("runout_force", "ripple_force", "dynamic_bound"))
     return (
-        f"What dominates: {CAUSES[first]}. Runout alone gives {_percent(v['runout_share'])}{alone}, thrust ripple alone "
-        f"{_percent(v['ripple_share'])}{ripple} of the mean static pad load, both "
+        f"What dominates: {CAUSES[first]}. Runout alone gives {_percent(v['runout_share'])}{alone}, "
+        f"thrust ripple alone {_percent(v['ripple_share'])}{ripple} of the mean static pad load, both "
         f"{_percent(v['loss_mean_bound'])}{both}. "
         "Without "
         f"tilt and pad heights both would give {_percent(v['loss_mean_bound'] - v['tilt_share'])}, with a "

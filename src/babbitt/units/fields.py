@@ -26,7 +26,7 @@ class SiField:
     lowest, highest : str
         Inclusive range as the engineer writes it, such as ``"1 mm"``; messages show it so. Both or none.
     usual : str
-        Unit that a number which is out of range without one was meant in, as drawings have it; empty: any in range.
+        Unit that a number out of range without one was meant in, as drawings have it; empty: any in range.
     """
 
     unit: str
