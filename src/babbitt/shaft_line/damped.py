@@ -1,7 +1,7 @@
 """Damped modes of the line: complex eigenvalues of its finite elements, told by the undamped modes they belong to.
 
 Idle pads swing, too, slowly and by themselves. A damped mode belongs to the undamped one with which it overlaps
-most along the shaft (modal assurance), and as far as it is the line that moves and not the tilts of pads,
+most along the shaft (modal assurance), and as far as it is the line that moves and not the tilts of pads::
 
     |phi^T M v|^2 / ((phi^T M phi) (v* M v)) * (1 - share of the tilts).
 """
