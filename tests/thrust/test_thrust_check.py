@@ -497,7 +497,8 @@ def test_backward_runs_at_a_negative_speed():
         ({"tilt": "{offset: 30}"}, "write '30 um'"),
         (
             {
-                "pads": "{number: eight, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, pivot: {kind: fixed}}"
+                "pads": "{number: eight, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, "
+                "pivot: {kind: fixed}}"
             },
             "pads.number: 'eight' is not a quantity; allowed: a whole number from 2 to 100",
         ),

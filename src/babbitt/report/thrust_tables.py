@@ -47,8 +47,8 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
         "Pads at rest",
         PAD_COLUMNS,
         "Load, film at the pivot and thinnest, largest pressure, stiffness at rest and damping at the frequency "
-        "of the shaft with tilts free. Slopes of the gap along the radius (α_x, positive: wider outside) and along "
-        "the motion (α_y, negative: narrower towards the trailing edge).",
+        "of the shaft with tilts free. Slopes of the gap along the radius (α_x, positive: wider outside) and "
+        "along the motion (α_y, negative: narrower towards the trailing edge).",
     )
     yield _by_pad(
         result,
