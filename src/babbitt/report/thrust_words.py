@@ -119,8 +119,7 @@ def _loss(result: Result, check: Check) -> str:
         f"the limit of "
         f"{_percent(check.limit)}; {_percent(v['loss_mean_peak'])} with the phases given. Of the static load "
         f"of the pad "
-        f"itself it is {_percent(v['loss_own_bound'])}: tilt counts on the mean basis only, since the "
-        f"tightest pad carries "
+        f"itself it is at most {_percent(v['loss_own_bound'])}; the tightest pad carries "
         f"{v['pad_load_ratio']:.2f} times the mean."
     )
 
