@@ -49,7 +49,7 @@ SETTLED = 5e-2
 COLD_LOAD = 2.0
 """Dimensionless load up to which the journal starts where a film of fresh oil carries it: a centred one leaks
 nothing and would have no bound to its temperature."""
-COLDLY_CARRIED = 0.5
+COLDLY_CARRIED = 0.2
 """Residual force over load of this start: the first heat moves the journal by more."""
 CLOSING, CLOSED, OPEN = 400, 1e-8, 1e-4
 """Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from
