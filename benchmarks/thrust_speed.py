@@ -26,7 +26,7 @@ from collections.abc import Callable
 
 from babbitt.shaft_line.damped import damped_modes
 from babbitt.shaft_line.model import state_of
-from babbitt.shaft_line.natural import undamped_frequencies
+from babbitt.shaft_line.natural import modes
 from babbitt.shaft_line.sweeps import ring_sweep, usual_rings
 from babbitt.thrust.carrying import carrying
 from babbitt.thrust.equilibrium import pad_state
@@ -71,7 +71,7 @@ def base_case() -> object:
     films = carrying(PAD, VISCOSITY, SPEED)
     state = state_of(duty(), films)
     line = state.duty.line
-    return undamped_frequencies(line, state.pads, 4), damped_modes(line, state.pads, 4), state.losses
+    return damped_modes(line, state.pads, modes(line, state.pads, 4)), state.losses
 
 
 def seconds_of_ross() -> float | None:
