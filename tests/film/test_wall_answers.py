@@ -33,7 +33,7 @@ def given_to_walls(warm):
     """Harmonics of the flux into the bush and the heat into the journal, with the energy equation solved."""
     walls, cells = warm.walls, warm.cells
     surface = warm.sample.ring.surface
-    sweep_energy(surface, warm.columns, warm.flows, cells, 1.0, walls, warm.temperature, warm.groove, 600, 1e-12)
+    sweep_energy(surface, warm.columns, warm.flows, cells, walls, warm.temperature, warm.groove, 600, 1e-12)
     bush = (cells.bush * (warm.temperature[:, :, 0] - walls.bush[:, None])).sum(axis=1)
     journal = (cells.journal * (warm.temperature[:, :, -1] - walls.journal[0])).sum()
     flux = bush * walls.flow_heat / (walls.area * walls.width)

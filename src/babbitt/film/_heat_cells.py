@@ -145,13 +145,13 @@ MOST_SHARE = 0.97  # of a change that the next sweep repeats: more is not extrap
 
 
 @compiled
-def sweep_energy(surface, columns, flows, cells, sources, walls, temperature, groove, most, tolerance):
+def sweep_energy(surface, columns, flows, cells, walls, temperature, groove, most, tolerance):
     """March round the film until its temperatures, and those of the supplies, rest. Returns the last change.
 
-    ``sources`` is 1, or 0 for a film without heat of its own and fresh oil at zero. Oil that goes round many times
-    before it leaves warms slowly, and in one pattern: of two sweeps the changes d_1, d_2 tell its share
-    lambda = d_1 d_2 / d_1^2, and lambda / (1 - lambda) d_2 is what is still to come (Aitken). Only after sweeps
-    that change less than before the last such step: oil with more than one pattern would be thrown ever further.
+    Oil that goes round many times before it leaves warms slowly, and in one pattern: of two sweeps the changes
+    d_1, d_2 tell its share lambda = d_1 d_2 / d_1^2, and lambda / (1 - lambda) d_2 is what is still to come
+    (Aitken). Only after sweeps that change less than before the last such step: oil with more than one pattern
+    would be thrown ever further.
     """
     lines, count, layers = temperature.shape[0], temperature.shape[1], len(columns.layers)
     right = np.empty(layers)
@@ -165,12 +165,12 @@ def sweep_energy(surface, columns, flows, cells, sources, walls, temperature, gr
                 s = columns.supply[i, c]
                 if s >= 0:
                     if (i == 0 or columns.supply[i - 1, c] != s) and (c == 0 or columns.supply[i, c - 1] != s):
-                        moved = mix(surface, columns, flows, sources, walls, temperature, groove, s)
+                        moved = mix(surface, columns, flows, walls, temperature, groove, s)
                         change = max(change, moved)
                     for k in range(layers):
                         temperature[i, c, k] = groove[s]
                 elif flows.gap[i, c] > 0.0:
-                    change = max(change, solve_cell(columns, cells, sources, walls, temperature, i, c, right))
+                    change = max(change, solve_cell(columns, cells, walls, temperature, i, c, right))
         if change < tolerance:
             break
         if turn % 3 == 0:
@@ -182,12 +182,12 @@ def sweep_energy(surface, columns, flows, cells, sources, walls, temperature, gr
 
 
 @inlined
-def solve_cell(columns, cells, sources, walls, temperature, i, c, right):
+def solve_cell(columns, cells, walls, temperature, i, c, right):
     """Temperatures of one cell, its neighbours as they are; returns their largest change."""
     lines, count, layers = temperature.shape[0], temperature.shape[1], len(columns.layers)
     before, after = i - 1 if i > 0 else lines - 1, i + 1 if i < lines - 1 else 0
     for k in range(layers):
-        right[k] = sources * cells.heat[i, c, k] + AT_REST * temperature[i, c, k]
+        right[k] = cells.heat[i, c, k] + AT_REST * temperature[i, c, k]
         right[k] += cells.west[i, c, k] * temperature[before, c, k]
         right[k] += cells.east[i, c, k] * temperature[after, c, k]
     if c > 0:
@@ -231,7 +231,7 @@ def extrapolate(temperature, before, last, columns, groove):
 
 
 @inner
-def mix(surface, columns, flows, sources, walls, temperature, groove, s):
+def mix(surface, columns, flows, walls, temperature, groove, s):
     """Mixing temperature of a supply: what is carried over of the oil that the film brings, and fresh oil for
     the rest. Returns its change.
 
@@ -239,14 +239,14 @@ def mix(surface, columns, flows, sources, walls, temperature, groove, s):
     """
     enthalpy = np.zeros(1)
     brought, taken = groove_balance(
-        surface, columns, flows, sources, temperature.reshape((*temperature.shape, 1)), s, enthalpy
+        surface, columns, flows, 1.0, temperature.reshape((*temperature.shape, 1)), s, enthalpy
     )
     kept = walls.carry_over * brought
     added = max(taken - kept, 0.0)
     if kept + added <= 0.0:
         return 0.0
     before = groove[s]
-    groove[s] = (walls.carry_over * enthalpy[0] + added * sources * walls.fresh) / (kept + added)
+    groove[s] = (walls.carry_over * enthalpy[0] + added * walls.fresh) / (kept + added)
     return abs(groove[s] - before)
 
 

@@ -88,7 +88,7 @@ def warm_pass(
     fill_cells(
         surface, columns, flows, walls.conduction, pace.stirred, walls.insulated, walls.fresh, viscosity, cells
     )
-    sweep_energy(surface, columns, flows, cells, 1.0, walls, temperature, groove, pace.sweeps, 1e-9)
+    sweep_energy(surface, columns, flows, cells, walls, temperature, groove, pace.sweeps, 1e-9)
     most, change, along = 0.0, 0.0, 0.0
     for i in range(fresh.shape[0]):
         for c in range(fresh.shape[1]):

@@ -129,7 +129,7 @@ def ask_walls(surface, columns, flows, cells, walls, temperature, groove, part, 
     """
     answered = move_walls(walls, wall_step(columns, cells, walls, temperature), part)
     if change <= MOST_RISE:
-        sweep_energy(surface, columns, flows, cells, 1.0, walls, temperature, groove, 1, 0.0)
+        sweep_energy(surface, columns, flows, cells, walls, temperature, groove, 1, 0.0)
     return max(change, answered)
 
 
@@ -142,7 +142,7 @@ def close_energy(surface, columns, flows, cells, walls, temperature, groove, mos
     change = 0.0
     for _ in range(most):
         enough = max(tolerance, 0.02 * change)  # walls that answer to a film on its way are thrown off theirs
-        change = sweep_energy(surface, columns, flows, cells, 1.0, walls, temperature, groove, 16, enough)
+        change = sweep_energy(surface, columns, flows, cells, walls, temperature, groove, 16, enough)
         if not walls.insulated:
             change = max(change, move_walls(walls, wall_step(columns, cells, walls, temperature), 1.0))
         if change < tolerance:

@@ -16,6 +16,7 @@ the balance of all of them together, and what one pad sends off is what the next
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -33,7 +34,7 @@ from babbitt.thrust.heat import HeatBalance, Temperatures
 from babbitt.thrust.pad import ThrustPad
 from babbitt.thrust.standing import LEVEL, Lean
 from babbitt.thrust.state import PadState, PadTemperatures
-from babbitt.thrust.tabulated import TabulatedFilms
+from babbitt.thrust.tabulated import MOST_STEPS, TabulatedFilms
 
 __all__ = ["BalancedFilms", "temperatures_together"]
 
@@ -45,9 +46,6 @@ TOLERANCE = 1e-10
 """Of the effective temperature of a pad, K."""
 SAME = 1e-12
 """Of a height or load that is that of the pad under the mean load."""
-MOST_STEPS = 40
-EXACT = 1e-10
-"""Of a load that is sought."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,15 +109,7 @@ class BalancedFilms:
             found.append(state)
         if len(found) < 4:
             raise ThermalRunawayError
-        found.reverse()
-        return TabulatedFilms(
-            self.pad,
-            np.array([state.height for state in found]),
-            np.array([state.load for state in found]),
-            tuple((state.slope_x, state.slope_y) for state in found),
-            self.viscosity,
-            self.angular_speed,
-        )
+        return TabulatedFilms.of(found[::-1], self.viscosity, self.angular_speed)
 
     def load(self, height: Array) -> Array:
         """W by the table."""
@@ -133,17 +123,13 @@ class BalancedFilms:
         """Height at a load: exact, or by the table continued where no such film exists."""
         if abs(load / self.middle.load - 1.0) < SAME:
             return self.middle.height
-        table = self.table
-        height = float(np.exp(np.interp(-np.log(load), -np.log(table.loads), np.log(table.heights))))
-        try:
+        height = self.table.nearest(load)
+        with suppress(InputError, NoPadFilmError):
             for _ in range(MOST_STEPS):
-                change = np.log(self.state(height).load / load)
-                if abs(change) < EXACT:
+                following = self.table.improved(height, self.state(height).load, load)
+                if following is None:
                     break
-                power = height * float(table.slope(np.array(height))) / float(table.load(np.array(height)))
-                height *= float(np.exp(np.clip(-change / power, -0.5, 0.5)))
-        except (InputError, NoPadFilmError):
-            pass
+                height = following
         return height
 
     def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:

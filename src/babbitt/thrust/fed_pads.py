@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from babbitt.notices import InputError
 from babbitt.thrust.balanced_films import BalancedFilms
 from babbitt.thrust.failures import UnsettledFeedError
-from babbitt.thrust.neighbours import FOLLOWING, MOST_ROUNDS, SETTLED, STEP, common_heights
+from babbitt.thrust.neighbours import FOLLOWING, MOST_ROUNDS, SETTLED, STEP, common_heights, mixed_inlets
 from babbitt.thrust.sharing import Share
 from babbitt.thrust.standing import standing_at_rest
 from babbitt.thrust.state import PadState, condensed
@@ -70,10 +70,8 @@ def share_of_fed_pads(films: BalancedFilms, share: Share, mean_film: float | Non
 
 def _inlets(films: BalancedFilms, states: tuple[PadState, ...], sense: float) -> Array:
     """Temperatures of the mixtures that the pads take in, K."""
-    step = 1 if sense > 0.0 else -1
     leaving = np.array([state.trailing_flow for state in states])
     entering = leaving + np.array([state.side_flow for state in states])
     sent = np.array([state.balance.trailing for state in states if state.balance is not None])
-    kept = np.minimum(np.roll(films.balance.carry_over * leaving, step), entering)
-    cold = films.balance.supply_temperature
-    return np.asarray(cold + kept * (np.roll(sent, step) - cold) / entering)
+    balance = films.balance
+    return mixed_inlets(balance.carry_over * leaving, sent, entering, balance.supply_temperature, sense)

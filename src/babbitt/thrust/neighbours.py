@@ -25,7 +25,7 @@ from babbitt.thrust.state import PadState, condensed
 from babbitt.thrust.warm import PadOil, WarmStart, warm_pad
 from babbitt.thrust.warm_films import WarmFilms
 
-__all__ = ["common_heights", "share_with_neighbours"]
+__all__ = ["common_heights", "mixed_inlets", "share_with_neighbours"]
 
 Array = NDArray[np.float64]
 
@@ -116,10 +116,26 @@ def _inlets(oil: PadOil, states: list[PadState], sense: float) -> Array:
     """Temperatures of the mixtures that the pads take in, K."""
     carried = oil.carry_over * np.array([state.trailing_flow for state in states])
     sent = np.array([state.heat.sent if state.heat is not None else oil.supply_temperature for state in states])
-    step = 1 if sense > 0.0 else -1
     entering = np.array([state.leading_flow for state in states])
+    return mixed_inlets(carried, sent, entering, oil.supply_temperature, sense)
+
+
+def mixed_inlets(carried: Array, sent: Array, entering: Array, cold: float, sense: float) -> Array:
+    """Temperatures of mixtures of fresh oil and of what the pads before send on, K.
+
+    Parameters
+    ----------
+    carried, sent : ndarray, shape (z,)
+        Hot oil that every pad sends on, m3/s, and its temperature, K.
+    entering : ndarray, shape (z,)
+        What every pad takes in, m3/s: of hot oil not more than that.
+    cold : float
+        Temperature of the fresh oil, K.
+    sense : float
+        Positive where the pad before is that of the lower number.
+    """
+    step = 1 if sense > 0.0 else -1
     kept = np.minimum(np.roll(carried, step), entering)
-    cold = oil.supply_temperature
     return np.asarray(cold + kept * (np.roll(sent, step) - cold) / entering)
 
 

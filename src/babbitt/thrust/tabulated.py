@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -23,6 +24,8 @@ Array = NDArray[np.float64]
 SAME = 1e-9
 NARROW = 1e-5
 """Of the film: how well that on which a hollow pad carries most is known."""
+MOST_STEPS, EXACT = 40, 1e-10
+"""Of the search for a height, and the change of the load, over it, that ends it."""
 TABLE = (2e-6, 1e-3, 28)
 """Films at which pads are tabulated: thinnest and thickest over the outer radius, and how many."""
 
@@ -37,6 +40,18 @@ class TabulatedFilms:
     slopes: tuple[tuple[float, float], ...]
     viscosity: float
     angular_speed: float
+
+    @classmethod
+    def of(cls, states: Sequence[PadState], viscosity: float, angular_speed: float) -> TabulatedFilms:
+        """Table of solved films of one pad, thin ones first."""
+        return cls(
+            states[0].pad,
+            np.array([state.height for state in states]),
+            np.array([state.load for state in states]),
+            tuple((state.slope_x, state.slope_y) for state in states),
+            viscosity,
+            angular_speed,
+        )
 
     @cached_property
     def spline(self) -> Any:
@@ -61,18 +76,26 @@ class TabulatedFilms:
 
     def height_for(self, load: float) -> float:
         """Height at a load, exact: Newton on films, from the table."""
-        height = float(np.exp(np.interp(-np.log(load), -np.log(self.loads), np.log(self.heights))))
-        for _ in range(40):
-            state = self.state(height)
-            if not state.load > 0.0:
-                return height
-            change = np.log(state.load / load)
-            if abs(change) < 1e-10:
-                return height
-            height *= float(
-                np.exp(np.clip(-change * state.load / (height * float(self.slope(np.array(height)))), -0.5, 0.5))
-            )
+        height = self.nearest(load)
+        for _ in range(MOST_STEPS):
+            following = self.improved(height, self.state(height).load, load)
+            if following is None:
+                break
+            height = following
         return height
+
+    def nearest(self, load: float) -> float:
+        """Height at a load between those of the table, in logarithms."""
+        return float(np.exp(np.interp(-np.log(load), -np.log(self.loads), np.log(self.heights))))
+
+    def improved(self, height: float, found: float, load: float) -> float | None:
+        """Newton step in logarithms, where a film carries ``found``; None where that is the load, or nothing."""
+        change = np.log(found / load) if found > 0.0 else 0.0
+        if abs(change) < EXACT:
+            return None
+        at = np.array(height)
+        power = height * float(self.slope(at)) / float(self.load(at))
+        return height * float(np.exp(np.clip(-change / power, -0.5, 0.5)))
 
     def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
         """The film at a height, solved."""
@@ -132,9 +155,7 @@ def tabulated(pad: ThrustPad, viscosity: float, angular_speed: float) -> Tabulat
         E202 if no tilt balances the pad, or it carries nothing.
     """
     thinnest, thickest, count = TABLE
-    heights: list[float] = []
-    loads: list[float] = []
-    slopes: list[tuple[float, float]] = []
+    states: list[PadState] = []
     guess: tuple[float, float] | None = None
     for height in np.geomspace(thickest, thinnest, count) * pad.outer_radius:
         try:
@@ -143,22 +164,17 @@ def tabulated(pad: ThrustPad, viscosity: float, angular_speed: float) -> Tabulat
             if guess is None:
                 continue
             break
-        if not state.load > 0.0 or (loads and state.load <= loads[-1]):
-            if loads:
+        if not state.load > 0.0 or (states and state.load <= states[-1].load):
+            if states:
                 break
             continue
-        heights.append(float(height))
-        loads.append(state.load)
-        slopes.append((state.slope_x, state.slope_y))
+        states.append(state)
         share = (thinnest / thickest) ** (1.0 / (count - 1))
         guess = (state.slope_x * share, state.slope_y * share)
-    if len(loads) < 4:
+    if len(states) < 4:
         pad_state(pad, 1e-4 * pad.outer_radius, viscosity, angular_speed)  # says why it does not balance
         require_load(pad, 0.0, 1e-4 * pad.outer_radius)
-    order = slice(None, None, -1)
-    return TabulatedFilms(
-        pad, np.array(heights[order]), np.array(loads[order]), tuple(slopes[order]), viscosity, angular_speed
-    )
+    return TabulatedFilms.of(states[::-1], viscosity, angular_speed)
 
 
 def require_load(pad: ThrustPad, load: float, height: float) -> None:

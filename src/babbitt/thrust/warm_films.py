@@ -75,14 +75,7 @@ class WarmFilms:
         states = [start.state for start in self.starts]
         if len(states) < 4:
             raise ThermalRunawayError
-        return TabulatedFilms(
-            self.pad,
-            np.array([state.height for state in states]),
-            np.array([state.load for state in states]),
-            tuple((state.slope_x, state.slope_y) for state in states),
-            self.viscosity,
-            self.angular_speed,
-        )
+        return TabulatedFilms.of(states, self.viscosity, self.angular_speed)
 
     def load(self, height: Array) -> Array:
         """W by the table."""
