@@ -19,7 +19,7 @@ from babbitt.film.scales import Scales
 from babbitt.film.solution import FilmSolution
 from babbitt.results import Outcome
 
-__all__ = ["mirrored", "ring_solution"]
+__all__ = ["mirrored", "ring_solution", "solution_of"]
 
 Array = NDArray[np.float64]
 
@@ -54,18 +54,25 @@ def mirrored(film: JournalFilm) -> JournalFilm:
 
 
 def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun: float) -> FilmSolution:
-    """Everything in SI and in the fixed frame."""
+    """Everything in SI and in the fixed frame, once the streamers of the film are carried to its end."""
     sample, ring = settled.sample, settled.sample.ring
-    work = sample.work
     if not ring.surface.conserving and ring.surface.speed > 0.0:
-        carry_streamers(ring.surface, sample.film, work)
-    drain_sides(ring, sample.film, work)
-    flows = flows_of(settled)
+        carry_streamers(ring.surface, sample.film, sample.work)
+    drain_sides(ring, sample.film, sample.work)
+    return solution_of(film, scales, settled, friction(settled), begun)
+
+
+def solution_of(
+    film: JournalFilm, scales: Scales, settled: SettledRing, torques: tuple[float, float], begun: float
+) -> FilmSolution:
+    """Everything in SI and in the fixed frame; ``torques`` on journal and bearing, dimensionless."""
+    sample, ring = settled.sample, settled.sample.ring
+    work, along = sample.work, flux_along(settled)
+    flows = flows_of(settled, along)
     free = np.abs(work.row[ring.supply == -1])
     passing = max(np.maximum(flows.supplies, 0.0).sum(), float(np.abs(flows.entering).sum()))
     if ring.surface.cyclic:  # little may pass the seam
-        passing = max(passing, float(np.abs(flux_along(settled)).sum(axis=1).max()))
-    torque_journal, torque_bearing = friction(settled)
+        passing = max(passing, float(np.abs(along).sum(axis=1).max()))
     frame = np.diag(scales.sense)
     unit = scales.force / scales.length
     outcome = {CONVERGED: Outcome.CONVERGED, NO_FILM: Outcome.OVERLOADED}.get(
@@ -92,8 +99,8 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
         side_flow=np.array([flows.sides.sum() * scales.flow]),
         end_flows=flows.sides * scales.flow,
         side_inflow=flows.drawn * scales.flow,
-        friction_torque=torque_journal * scales.torque,
-        bearing_torque=torque_bearing * scales.torque,
+        friction_torque=torques[0] * scales.torque,
+        bearing_torque=torques[1] * scales.torque,
         mass_balance_error=float(free.sum() / max(passing, 1e-300)),
         iterations=settled.steps,
         wall_time=time.perf_counter() - begun,
@@ -112,16 +119,15 @@ class RingFlows:
     leaving: Array
 
 
-def flows_of(settled: SettledRing) -> RingFlows:
-    """Flows from the balances of the nodes that are held.
+def flows_of(settled: SettledRing, along: Array) -> RingFlows:
+    """Flows from the balances of the nodes that are held, and the flux ``along`` the film (``flux_along``).
 
     The nodes on the sides of a groove between lands are held by the surroundings; what they send along the film
     comes from the groove nevertheless, and only what crosses the side itself counts as side flow.
     """
     ring, work = settled.sample.ring, settled.sample.work
-    edges, along = list(ring.mesh.side_nodes), flux_along(settled)
-    count = len(ring.groove_lines) + len(settled.film.pockets)
-    supplies = np.array([work.row[ring.supply == number].sum() for number in range(count)])
+    edges, count = list(ring.mesh.side_nodes), len(ring.groove_lines) + len(settled.film.pockets)
+    supplies = np.bincount(ring.supply.ravel() + 2, work.row.ravel(), minlength=count + 2)[2:]
     if len(edges) == 1:  # a hole beyond the mid-plane is seen in its image on this side
         supplies = 0.5 * (supplies + supplies[twins(settled.film, len(ring.groove_lines))])
     outward = -work.row[:, edges]

@@ -30,7 +30,7 @@ from babbitt.film.heat import THERMAL_ENGINEERING, FilmHeat
 from babbitt.film.model import Cavitation, JournalFilm, Resolution
 from babbitt.film.ring import build_ring
 from babbitt.film.ring_mesh import Density
-from babbitt.film.ring_solution import mirrored, ring_solution, supply_order
+from babbitt.film.ring_solution import mirrored, solution_of, supply_order
 from babbitt.film.scales import Scales
 from babbitt.film.thermal_solution import ThermalFilm, thermal_film
 from babbitt.film.warm_ring import WarmRing
@@ -330,4 +330,8 @@ def answer(film: JournalFilm, seen: JournalFilm, scales: Scales, found: WarmRest
         if not warm.close(CLOSING, CLOSED) < OPEN:
             found = replace(found, status=TOO_MANY_STEPS)
     settled = SettledRing(seen, warm.sample, found.position, found.status, found.passes, found.gap)
-    return thermal_film(ring_solution(film, scales, settled, begun), scales, warm, supply_order(film, seen))
+    x, y = found.position
+    turning = float(x * warm.sample.force[1] - y * warm.sample.force[0])  # of load and reaction, e apart
+    torques = warm.friction, warm.friction - turning
+    solution = solution_of(film, scales, settled, torques, begun)
+    return thermal_film(solution, scales, warm, supply_order(film, seen))

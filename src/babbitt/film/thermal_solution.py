@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -143,7 +143,7 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
         touching = warm.temperature[:, :, [0, -1]].mean(axis=1)
         wall, shaft = touching[:, 0].copy(), float(touching[:, 1] @ warm.walls.width / warm.walls.width.sum())
     return ThermalFilm(
-        film=replace(film, friction_torque=warm.friction * scales.torque),
+        film=film,
         axial_positions=inner if resolved else np.zeros(1),
         layers=0.5 * (edges[1:] + edges[:-1]),
         temperature=warm.temperature.copy(),
