@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import accumulate, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -95,27 +95,32 @@ def ring_lines(film: JournalFilm, start: float, per_turn: int, density: Density 
     """
     grooves = [] if film.film_start is FilmStart.PERIODIC else groove_arcs(film)
     marks = marked_angles(start, [(arc.first, arc.last) for arc in grooves] + rectangles(film))
-    spans, rims = [], supply_rims(film)
+    rims = supply_rims(film)
+    per_turn_known = RIM_PLACES if rims else PLACES
+    places = []  # where the density is known, from mark to mark
     for left, right in pairwise(marks):
-        if any(arc.spans(0.5 * (left + right)) for arc in grooves):
-            fine = np.array([left, right])
-            wanted = np.zeros(2)
-        else:
-            fine = np.linspace(left, right, 8 + int((RIM_PLACES if rims else PLACES) * (right - left) / TURN))
-            wanted = np.ones(fine.size) if density is None else density(fine)
-        spans.append((fine, wanted))
-    masses = [cumulative_trapezoid(wanted, fine) for fine, wanted in spans]
-    per_mass = per_turn / sum(mass[-1] for mass in masses)
-    pieces = [marks[:1]]
-    for (fine, wanted), mass in zip(spans, masses, strict=True):
-        if mass[-1] > 0.0:
-            mass = per_mass * mass
-            if rims:
-                mass = cumulative_trapezoid(np.maximum(per_mass * wanted, rim_density(rims, fine, per_turn)), fine)
-            count = max(2, round(mass[-1]))
-            pieces.append(np.interp(mass[-1] * np.arange(1, count) / count, mass, fine))
-        pieces.append(fine[-1:])
-    return np.concatenate(pieces)
+        closed = any(arc.spans(0.5 * (left + right)) for arc in grooves)
+        known = 2 if closed else 8 + int(per_turn_known * (right - left) / TURN)
+        places.append(left + (right - left) / (known - 1) * np.arange(known))
+    ends = [0, *accumulate(part.size for part in places)]
+    fine = np.concatenate(places)
+    open_film = np.repeat([part.size > 2 for part in places], [part.size for part in places])
+    wanted = open_film * (1.0 if density is None else density(fine))
+    mass = cumulative_trapezoid(wanted, fine)
+    per_mass = per_turn / mass[-1]
+    if rims:
+        mass = cumulative_trapezoid(np.maximum(per_mass * wanted, open_film * rim_density(rims, fine, per_turn)), fine)
+    else:
+        mass *= per_mass
+    targets, starts = [], [0]
+    for first, last in pairwise(ends):
+        whole = mass[last - 1] - mass[first]
+        count = max(2, round(whole)) if whole > 0.0 else 1
+        targets.append(mass[first] + whole / count * np.arange(count))
+        starts.append(starts[-1] + count)
+    lines = np.interp(np.concatenate(targets + [mass[-1:]]), mass, fine)
+    lines[starts] = marks
+    return np.asarray(lines)
 
 
 def marked_angles(start: float, arcs: list[tuple[float, float]]) -> Array:
