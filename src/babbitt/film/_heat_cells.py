@@ -251,6 +251,16 @@ def mix(surface, columns, flows, walls, temperature, groove, s):
 
 
 @compiled
+def supply_balances(surface, columns, flows, temperature, supplies):
+    """Flow that the film brings to every supply, flow that it takes, and enthalpy (``groove_balance``)."""
+    brought, taken, enthalpy = np.empty(supplies), np.empty(supplies), np.empty((supplies, 1))
+    temperatures = temperature.reshape((*temperature.shape, 1))
+    for s in range(supplies):
+        brought[s], taken[s] = groove_balance(surface, columns, flows, 1.0, temperatures, s, enthalpy[s])
+    return brought, taken, enthalpy[:, 0]
+
+
+@compiled
 def groove_balance(surface, columns, flows, sources, temperatures, s, enthalpy):
     """Flow that the film brings to a supply, and the flow that it takes.
 

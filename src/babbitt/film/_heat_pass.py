@@ -9,9 +9,9 @@ from numpy import bool_, float64, int64
 from numpy.typing import NDArray
 
 from babbitt.film._compiling import compiled
-from babbitt.film._heat_cells import fill_cells, sweep_energy
+from babbitt.film._heat_cells import sweep_energy
 from babbitt.film._heat_flows import gather_flows, spread_viscosity
-from babbitt.film._heat_walls import MOST_RISE, ask_walls, stale_walls
+from babbitt.film._heat_walls import MOST_RISE, ask_walls, fill_film
 from babbitt.film._surface_forces import carry_streamers, drain_edge, evaluate_surface
 
 Array = NDArray[float64]
@@ -85,9 +85,7 @@ def warm_pass(
         changed = 0
     dissipation, friction = gather_heat(surface, film, work, columns, flows, drains, at, pace.rise)
     before = temperature.copy()
-    fill_cells(
-        surface, columns, flows, walls.conduction, pace.stirred, walls.insulated, walls.fresh, viscosity, cells
-    )
+    stale = fill_film(surface, columns, flows, pace.stirred, viscosity, cells, walls)
     sweep_energy(surface, columns, flows, cells, walls, temperature, groove, pace.sweeps, 1e-9)
     most, change, along = 0.0, 0.0, 0.0
     for i in range(fresh.shape[0]):
@@ -102,9 +100,6 @@ def warm_pass(
             for c in range(fresh.shape[1]):
                 for k in range(len(columns.layers)):
                     temperature[i, c, k] = before[i, c, k] + rises[i, c, k] * (MOST_RISE / most)
-    stale = False
-    if not walls.insulated:
-        stale = stale_walls(columns, flows, walls)
-        if not stale:
-            change = ask_walls(surface, columns, flows, cells, walls, temperature, groove, pace.walls, change)
+    if not (walls.insulated or stale):
+        change = ask_walls(surface, columns, flows, cells, walls, temperature, groove, pace.walls, change)
     return changed, change, along, dissipation, friction, stale

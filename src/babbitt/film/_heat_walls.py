@@ -9,7 +9,7 @@ from numpy import float64
 from numpy.typing import NDArray
 
 from babbitt.film._compiling import compiled, inlined, inner
-from babbitt.film._heat_cells import groove_balance, sweep_energy
+from babbitt.film._heat_cells import fill_cells, groove_balance, sweep_energy
 
 Array = NDArray[float64]
 
@@ -68,7 +68,7 @@ def film_conductance(columns, flows, walls, i):
     return walls.conduction * walls.flow_heat / walls.area * total
 
 
-@compiled
+@inner
 def stale_walls(columns, flows, walls):
     """Whether the film has become another one than that for which the derivatives of the walls were made."""
     most, change = 0.0, 0.0
@@ -76,6 +76,13 @@ def stale_walls(columns, flows, walls):
         film = film_conductance(columns, flows, walls, i)
         most, change = max(most, film), max(change, abs(film - walls.conductance[i]))
     return change > ALIKE * most
+
+
+@compiled
+def fill_film(surface, columns, flows, stirred, viscosity, cells, walls):
+    """Cells of the energy equation for the flows as they stand; whether the walls are stale (``stale_walls``)."""
+    fill_cells(surface, columns, flows, walls.conduction, stirred, walls.insulated, walls.fresh, viscosity, cells)
+    return not walls.insulated and stale_walls(columns, flows, walls)
 
 
 @inner

@@ -182,6 +182,16 @@ class AxialMesh:
     slope: Array
     side_nodes: tuple[int, ...]
 
+    @property
+    def between_sides(self) -> slice:
+        """All nodes but those on the side edges."""
+        return slice(len(self.side_nodes) - 1, -1)
+
+    @cached_property
+    def node_share(self) -> Array:
+        """Part of the width that a node stands for, shape (nodes,)."""
+        return np.bincount(self.node_of_point, self.share)
+
     @cached_property
     def element_starts(self) -> NDArray[np.int64]:
         """First point of every element, shape (elements,)."""

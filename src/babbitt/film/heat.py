@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -93,18 +94,24 @@ class BushRing:
 
         (q taken outwards, T = A r^m + B r^-m). Infinite for m = 0 with an insulated outside.
         """
-        order = np.arange(harmonics + 1, dtype=float)
-        with np.errstate(divide="ignore"):
-            outside = np.full(order.size, np.divide(1.0, self.heat_transfer_coefficient))
-        rings = list(zip(self.radii[:-1], self.radii[1:], self.conductivities, strict=True))
-        for inner, outer, conductivity in reversed(rings):
-            stretch, m = math.log(outer / inner), order[1:]
-            mean = inner * (outside[0] / outer + stretch / conductivity)
-            t, v = np.tanh(m * stretch), outside[1:] * conductivity * m / outer
-            with np.errstate(invalid="ignore"):
-                share = np.where(np.isinf(v), 1.0 / t, (t + v) / (1.0 + t * v))
-            outside = np.concatenate(([mean], inner / (conductivity * m) * share))
-        return outside
+        return _impedances(self, harmonics)
+
+
+@lru_cache(maxsize=64)
+def _impedances(bush: BushRing, harmonics: int) -> Array:
+    order = np.arange(harmonics + 1, dtype=float)
+    with np.errstate(divide="ignore"):
+        outside = np.full(order.size, np.divide(1.0, bush.heat_transfer_coefficient))
+    rings = list(zip(bush.radii[:-1], bush.radii[1:], bush.conductivities, strict=True))
+    for inner, outer, conductivity in reversed(rings):
+        stretch, m = math.log(outer / inner), order[1:]
+        mean = inner * (outside[0] / outer + stretch / conductivity)
+        t, v = np.tanh(m * stretch), outside[1:] * conductivity * m / outer
+        with np.errstate(invalid="ignore"):
+            share = np.where(np.isinf(v), 1.0 / t, (t + v) / (1.0 + t * v))
+        outside = np.concatenate(([mean], inner / (conductivity * m) * share))
+    outside.flags.writeable = False
+    return outside
 
 
 @dataclass(frozen=True)
@@ -131,9 +138,14 @@ class HeatGrid:
     resolved: bool = False
 
     def thicknesses(self) -> Array:
-        """Layers, thinner towards the walls (the squares of a half cosine), shape (layers,)."""
-        even = np.linspace(0.0, 1.0, self.layers + 1)
-        return np.diff(0.5 * (0.5 * (1.0 - np.cos(np.pi * even)) + even))
+        """Layers, thinner towards the walls (between even ones and those of a half cosine), shape (layers,)."""
+        return _thicknesses(self.layers).copy()
+
+
+@lru_cache(maxsize=16)
+def _thicknesses(layers: int) -> Array:
+    even = np.linspace(0.0, 1.0, layers + 1)
+    return np.diff(0.5 * (0.5 * (1.0 - np.cos(np.pi * even)) + even))
 
 
 def mean_over_layers(temperature: Array, layers: Array) -> Array:

@@ -8,6 +8,7 @@ every groove and pocket edge; axial elements end on every pocket edge, for the p
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -78,13 +79,14 @@ def build_ring(
     order = film.land_order
     start = film.lands[order[1 % len(order)]].start_angle  # behind the first groove, or the seam of a closed ring
     theta = ring_lines(film, start, per_turn, density)
+    ends = tuple(lines_of_groove(arc, theta) for arc in grooves)
     inside = np.zeros(theta.size - 1, dtype=bool)
-    for arc in grooves:
-        inside |= within(0.5 * (theta[1:] + theta[:-1]), arc.first, arc.last)
+    for first, last in ends:
+        inside[groove_lines(first, last, inside.size)[:-1]] = True
     base = -film.cavitation_pressure / pressure_unit  # ambient above cavitation
     table = piezo_table(film, pressure_unit, base)
     lines = theta.size if grooves else theta.size - 1
-    held = hold_nodes(film, theta[:lines], mesh, grooves)
+    held = hold_nodes(film, theta[:lines], mesh, grooves, ends)
     pressure = np.where(held.mask, held.pressure / pressure_unit + base, 0.0)
     gap_a, gap_b = gaps(film, theta, mesh)
     gap_a[inside], gap_b[inside] = GROOVE_GAP, GROOVE_GAP
@@ -103,7 +105,7 @@ def build_ring(
         kappa=(film.diameter / film.width) ** 2 / 12.0, speed=1.0 if film.angular_speed else 0.0,
         conserving=film.cavitation is Cavitation.MASS_CONSERVING,
     )  # fmt: skip
-    return Ring(surface, theta, mesh, held.supply, tuple(lines_of_groove(arc, theta) for arc in grooves))
+    return Ring(surface, theta, mesh, held.supply, ends)
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,8 +118,10 @@ class HeldNodes:
     supply: NDArray[np.int64]
 
 
-def hold_nodes(film: JournalFilm, theta: Array, mesh: AxialMesh, grooves: list[GrooveArc]) -> HeldNodes:
-    """Nodes held by grooves, pockets and sides.
+def hold_nodes(
+    film: JournalFilm, theta: Array, mesh: AxialMesh, grooves: list[GrooveArc], ends: Sequence[tuple[int, int]]
+) -> HeldNodes:
+    """Nodes held by grooves, whose first and last lines are ``ends``, pockets and sides.
 
     Where a groove as wide as the bearing is under pressure, its edge falls to that of the side over ``END_DAM``: a
     jump there would let out oil without bound, the more the finer the grid.
@@ -126,8 +130,8 @@ def hold_nodes(film: JournalFilm, theta: Array, mesh: AxialMesh, grooves: list[G
     held = HeldNodes(np.zeros(shape, dtype=bool), np.zeros(shape), np.ones(shape), np.full(shape, -1))
     sides = np.where(mesh.nodes < 0.0, film.side_pressures[0], film.side_pressures[1])
     share = np.clip((1.0 - np.abs(mesh.nodes)) / (2.0 * END_DAM), 0.0, 1.0)
-    for number, arc in enumerate(grooves):
-        at = within(theta, arc.first, arc.last)
+    for number, (arc, (first, last)) in enumerate(zip(grooves, ends, strict=True)):
+        at = groove_lines(first, last, theta.size)
         held.mask[at], held.fill[at], held.supply[at] = True, arc.fill, number
         held.pressure[at] = sides + share * (arc.pressure - sides)
     for number, pocket in enumerate(film.pockets, len(grooves)):
@@ -178,6 +182,11 @@ def lines_of_groove(arc: GrooveArc, theta: Array) -> tuple[int, int]:
     if first < 1e-7:
         first = TURN
     return int(np.abs(theta - theta[0] - first).argmin()), int(np.abs(theta - theta[0] - last).argmin())
+
+
+def groove_lines(first: int, last: int, lines: int) -> NDArray[np.int64]:
+    """Every line of a groove, that which closes the turn included."""
+    return np.arange(first, (last if last >= first else last + lines) + 1) % lines
 
 
 def gauss_angles(theta: Array) -> tuple[Array, Array]:

@@ -109,7 +109,8 @@ def ring_lines(film: JournalFilm, start: float, per_turn: int, density: Density 
     mass = cumulative_trapezoid(wanted, fine)
     per_mass = per_turn / mass[-1]
     if rims:
-        mass = cumulative_trapezoid(np.maximum(per_mass * wanted, open_film * rim_density(rims, fine, per_turn)), fine)
+        at_rims = open_film * rim_density(rims, fine, per_turn)
+        mass = cumulative_trapezoid(np.maximum(per_mass * wanted, at_rims), fine)
     else:
         mass *= per_mass
     targets, starts = [], [0]
@@ -118,7 +119,7 @@ def ring_lines(film: JournalFilm, start: float, per_turn: int, density: Density 
         count = max(2, round(whole)) if whole > 0.0 else 1
         targets.append(mass[first] + whole / count * np.arange(count))
         starts.append(starts[-1] + count)
-    lines = np.interp(np.concatenate(targets + [mass[-1:]]), mass, fine)
+    lines = np.interp(np.concatenate([*targets, mass[-1:]]), mass, fine)
     lines[starts] = marks
     return np.asarray(lines)
 

@@ -14,7 +14,7 @@ from babbitt.film._surface_forces import carry_streamers, drain_edge
 from babbitt.film.general import SettledRing
 from babbitt.film.model import Field, FilmStart, JournalFilm, Land
 from babbitt.film.piezoviscosity import pressure_of
-from babbitt.film.ring import Ring
+from babbitt.film.ring import Ring, groove_lines
 from babbitt.film.scales import Scales
 from babbitt.film.solution import FilmSolution
 from babbitt.results import Outcome
@@ -146,11 +146,6 @@ def flows_of(settled: SettledRing, along: Array) -> RingFlows:
     sides = outward.sum(axis=0)
     drawn = float(np.maximum(-outward, 0.0).sum())
     return RingFlows(supplies, sides if len(edges) == 2 else np.full(2, 0.5 * sides[0]), drawn, entering, leaving)
-
-
-def groove_lines(first: int, last: int, lines: int) -> NDArray[np.int64]:
-    """Every line of a groove, that which closes the turn included."""
-    return np.arange(first, (last if last >= first else last + lines) + 1) % lines
 
 
 def drain_sides(ring: Ring, film: SurfaceFilm, work: SurfaceWork) -> None:

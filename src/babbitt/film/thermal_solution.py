@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._heat_cells import groove_balance
+from babbitt.film._heat_cells import supply_balances
 from babbitt.film.heat import mean_over_layers
 from babbitt.film.ring_solution import twins
 from babbitt.film.scales import Scales
@@ -136,7 +136,7 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
     edges = np.concatenate(([0.0], np.cumsum(columns.layer)))
     half = 0.5 * film.film.width
     mesh = warm.sample.ring.mesh
-    inner = np.delete(mesh.nodes, list(mesh.side_nodes)) * half
+    inner = mesh.nodes[mesh.between_sides] * half
     resolved = columns.size.size > 1
     wall, shaft = warm.walls.bush.copy(), float(warm.walls.journal[0])
     if warm.walls.insulated:  # walls are as warm as the oil that touches them
@@ -200,15 +200,11 @@ def supply_exchange(film: FilmSolution, scales: Scales, warm: WarmRing, order: S
     """
     grooves, carried, cold = warm.groove.size, warm.heat.carry_over, warm.heat.supply_temperature
     surface, columns = warm.sample.ring.surface, warm.columns
-    enthalpy, temperatures = np.empty((grooves, 1)), warm.temperature[..., None]
-    rows = [
-        groove_balance(surface, columns, warm.flows, 1.0, temperatures, s, enthalpy[s]) for s in range(grooves)
-    ]
-    brought, taken = np.array(rows).reshape(grooves, 2).T
+    brought, taken, enthalpy = supply_balances(surface, columns, warm.flows, warm.temperature, grooves)
     surplus = np.maximum(carried * brought - taken, 0.0)
     balance = np.array([
         (1.0 - carried) * brought + surplus,
-        (1.0 - carried) * (enthalpy[:, 0] - brought * cold) + surplus * (warm.groove - cold),
+        (1.0 - carried) * (enthalpy - brought * cold) + surplus * (warm.groove - cold),
         np.maximum(taken - carried * brought, 0.0),
         warm.groove,
     ])  # fmt: skip

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._heat_cells import Cells, fill_cells, new_cells
+from babbitt.film._heat_cells import Cells, new_cells
 from babbitt.film._heat_flows import Columns, Flows, new_flows, spread_viscosity
 from babbitt.film._heat_pass import Drains, Pace, gather_heat, warm_pass
-from babbitt.film._heat_walls import Walls, answers_of_film, ask_walls, close_energy, stale_walls
+from babbitt.film._heat_walls import Walls, answers_of_film, ask_walls, close_energy, fill_film
 from babbitt.film.general import Sample
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm
@@ -177,11 +177,10 @@ class WarmRing:
             sample.ring.surface, sample.film, sample.work, self.columns, self.flows, self.drains, at, self.rise
         )
 
-    def fill(self, viscosity: Array) -> None:
-        """Cells of the energy equation for the flows as they stand."""
-        walls = self.walls
-        fill_cells(self.sample.ring.surface, self.columns, self.flows, walls.conduction, self.stirred,
-                   walls.insulated, walls.fresh, viscosity, self.cells)  # fmt: skip
+    def fill(self, viscosity: Array) -> bool:
+        """Cells of the energy equation for the flows as they stand; whether the walls are stale by now."""
+        surface = self.sample.ring.surface
+        return bool(fill_film(surface, self.columns, self.flows, self.stirred, viscosity, self.cells, self.walls))
 
     def prepare_walls(self) -> None:
         """Derivatives of the balance of the walls, for the film as it is."""
@@ -222,9 +221,9 @@ class WarmRing:
 
     def close(self, most: int, tolerance: float) -> float:
         """Solve energy and walls beside the film as it stands; largest change of the last round, K."""
-        self.fill(self.viscosity if self.passes else self.relative_viscosity())
+        stale = self.fill(self.viscosity if self.passes else self.relative_viscosity())
         conducting, change = not self.walls.insulated, math.inf
-        if conducting and stale_walls(self.columns, self.flows, self.walls):
+        if stale:
             self.prepare_walls()
         for rounds in (min(FEW_ROUNDS, most), most):
             change = close_energy(self.sample.ring.surface, self.columns, self.flows, self.cells, self.walls,
@@ -255,21 +254,18 @@ def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
 
     A node on a side goes with the one beside it: alone it would hold hardly any oil, and any temperature.
     """
-    supply, sides = ring.supply, list(ring.mesh.side_nodes)
-    inner = np.delete(np.arange(supply.shape[1]), sides)
-    whole = (supply[:, inner] == supply[:, inner[:1]]).all(axis=1)
-    resolved = heat.grid.resolved or not bool(whole.all())
-    node_share = np.bincount(ring.surface.node, ring.surface.share, minlength=supply.shape[1])
-    side = np.zeros(supply.shape[1], dtype=np.int64)
-    side[sides] = 1
-    layers = heat.grid.layers
+    mesh, layers = ring.mesh, heat.grid.layers
+    supply, nodes = ring.supply[:, mesh.between_sides], mesh.nodes.size
+    side = np.zeros(nodes, dtype=np.int64)
+    side[list(mesh.side_nodes)] = 1
     counted = (0,) * layers if layers == USUAL_LAYERS else np.zeros(layers, dtype=np.int64)
-    if not resolved:
-        return Columns(np.zeros(supply.shape[1], dtype=np.int64), supply[:, inner[:1]].copy(), side, counted,
-                       heat.grid.thicknesses(), np.array([node_share.sum()]))  # fmt: skip
-    column = np.searchsorted(inner, np.arange(supply.shape[1])).clip(0, inner.size - 1)
-    size = np.bincount(column, node_share).astype(float)
-    return Columns(column, supply[:, inner].copy(), side, counted, heat.grid.thicknesses(), size)
+    if heat.grid.resolved or bool((supply != supply[:, :1]).any()):
+        first, last = mesh.between_sides.start, nodes - 2
+        column = np.clip(np.arange(nodes), first, last) - first
+        size = np.bincount(column, mesh.node_share)
+    else:
+        supply, column, size = supply[:, :1], np.zeros(nodes, dtype=np.int64), mesh.share.sum(keepdims=True)
+    return Columns(column, supply.copy(), side, counted, heat.grid.thicknesses(), size)
 
 
 def drains_of(ring: Ring) -> Drains:

@@ -241,7 +241,7 @@ class WarmSector:
         carried_off = (float((leaving * (own - cold)).sum()) + drained) * warm.walls.flow_heat
         temperature = warm.temperature.copy()
         temperature[-1] = temperature[-2]
-        nodes = np.delete(warm.sample.ring.mesh.nodes, list(warm.sample.ring.mesh.side_nodes)) * pad.outer_radius
+        nodes = warm.sample.ring.mesh.nodes[warm.sample.ring.mesh.between_sides] * pad.outer_radius
         edges = np.concatenate(([0.0], np.cumsum(columns.layer)))
         return SectorHeat(
             layers=0.5 * (edges[1:] + edges[:-1]),
