@@ -29,7 +29,7 @@ from babbitt.film._surface_film import (
 )
 from babbitt.film._surface_forces import evaluate_surface
 from babbitt.film.model import JournalFilm, Resolution
-from babbitt.film.ring import Ring, axial_gain, bore_gap, build_ring
+from babbitt.film.ring import Ring, axial_gain, build_ring, gap_over_lands
 from babbitt.film.ring_mesh import Density
 
 __all__ = ["SettledRing", "rest_ring", "ring_at"]
@@ -118,7 +118,7 @@ def line_density(film: JournalFilm, at: Array, gap: float) -> Density:
     lowest = max(gap, 1e-6)
 
     def density(angle: Array) -> Array:
-        thickness = bore_gap(film, angle) - at[0] * np.cos(angle) - at[1] * np.sin(angle)
+        thickness = gap_over_lands(film, angle) - at[0] * np.cos(angle) - at[1] * np.sin(angle)
         if not film.is_straight:
             thickness += axial_gain(film, angle, sides).min(axis=1) / film.clearance
         return np.asarray(np.maximum(thickness, lowest) ** exponent)

@@ -259,6 +259,14 @@ class JournalFilm:
             or self.pressure_viscosity
         )
 
+    @cached_property
+    def is_round(self) -> bool:
+        """Whether all lands lie on one circle, about which positions count."""
+        return all(
+            land.clearance in (None, self.clearance) and land.centre == (0.0, 0.0) and not land.profile
+            for land in self.lands
+        )
+
     @property
     def is_straight(self) -> bool:
         """Whether the gap is the same all over the width, but for steps and pockets."""

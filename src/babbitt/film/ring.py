@@ -88,11 +88,12 @@ def build_ring(
     lines = theta.size if grooves else theta.size - 1
     held = hold_nodes(film, theta[:lines], mesh, grooves, ends)
     pressure = np.where(held.mask, held.pressure / pressure_unit + base, 0.0)
-    gap_a, gap_b = gaps(film, theta, mesh)
+    places = gauss_angles(theta)
+    gap_a, gap_b = gaps(film, theta, mesh, places)
     gap_a[inside], gap_b[inside] = GROOVE_GAP, GROOVE_GAP
     viscosity = viscosities(film, theta, mesh)
     viscosity[inside] = PLUG  # nothing flows in the groove itself: its ends are closed, and its nodes are held
-    shapes = [shape_of_motions(angles, motions) for angles in gauss_angles(theta)]
+    shapes = [shape_of_motions(angles, motions) for angles in places]
     levers = np.ones((motions, mesh.points.size))
     levers[2:] = mesh.points
     surface = Surface(
@@ -200,13 +201,14 @@ def shape_of_motions(angle: Array, motions: int) -> Array:
     return np.array([np.cos(angle), np.sin(angle)] * (motions // 2))
 
 
-def gaps(film: JournalFilm, theta: Array, mesh: AxialMesh) -> tuple[Array, Array]:
-    """Gap of the centred journal at both Gauss points of every interval and axial point, in clearances."""
+def gaps(film: JournalFilm, theta: Array, mesh: AxialMesh, angles: tuple[Array, Array]) -> tuple[Array, Array]:
+    """Gap of the centred journal at both Gauss points of every interval and axial point, in clearances.
+
+    Grooves are not told apart.
+    """
     z = mesh.points * (0.5 * film.width)
     deeper = step_depths(film, theta, mesh)
-
-    angles = gauss_angles(theta)
-    bores = np.split(bore_gap(film, np.concatenate(angles)), 2)
+    bores = np.split(gap_over_lands(film, np.concatenate(angles)), 2)
     more = [deeper if film.is_straight else deeper + axial_gain(film, angle, z) for angle in angles]
     first, second = (bore[:, None] + part / film.clearance for bore, part in zip(bores, more, strict=True))
     return first, second
@@ -259,6 +261,11 @@ def field_at(film: JournalFilm, field: Field, angle: Array, z: Array) -> Array:
     part = (share - np.floor(share))[:, None]
     around = (1.0 - part) * values[row] + part * values[(row + 1) % values.shape[0]]
     return np.array([np.interp(z, columns, line) for line in around])
+
+
+def gap_over_lands(film: JournalFilm, angle: Array) -> Array:
+    """As `bore_gap` where there is a land; over grooves what is least work."""
+    return np.ones(angle.size) if film.is_round else bore_gap(film, angle)
 
 
 def bore_gap(film: JournalFilm, angle: Array) -> Array:

@@ -41,6 +41,8 @@ FEW_ROUNDS = 40
 MOST_HARMONICS = 16
 """Of the temperature around the bore: twice as many change the hottest place of our reference by 0.02 K in the
 film and 0.05 K in the bush, and both by 0.06 K under four times the load."""
+LINES_PER_WAVE = 6
+"""Of the shortest harmonic, at least."""
 USUAL_LAYERS = 8
 """Number of layers that the compiler knows."""
 
@@ -306,7 +308,7 @@ def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines:
 
 def harmonics_of(theta: Array) -> Array:
     """1, cos(m theta) and sin(m theta), m = 1 .. n, shape (lines, 2 n + 1), quickly: powers of exp(i theta)."""
-    number = min(theta.size // 3, MOST_HARMONICS)
+    number = min(theta.size // LINES_PER_WAVE, MOST_HARMONICS)
     powers = np.multiply.accumulate(np.repeat(np.exp(1j * theta[:, None]), number, axis=1), axis=1)
     return np.concatenate((np.ones((theta.size, 1)), powers.real, powers.imag), axis=1)
 
