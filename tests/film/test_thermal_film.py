@@ -105,6 +105,16 @@ def test_an_adiabatic_film_of_one_viscosity_warms_its_oil_by_friction_over_flow(
     assert found.side_temperature - COLD == pytest.approx(rise, rel=0.02)
 
 
+@pytest.mark.parametrize("speed", [94.2478, -94.2478])
+def test_torque_on_the_bearing_of_one_viscosity_is_that_of_shear_and_pressure_on_its_bore(speed):
+    film = replace(BEARING, angular_speed=speed)
+    constant = replace(FULL, viscosity=lambda temperature: np.full_like(temperature, film.viscosity))
+    warm = solve_thermal_journal(film, constant, WEIGHT, Resolution(4, 96, 24, 1e-3)).film
+    bore = solve_journal(replace(film, axial_viscosity=(1.0, 1.0)), WEIGHT, Resolution(4, 96, 24, 1e-7))
+    assert warm.bearing_torque == pytest.approx(bore.bearing_torque, rel=1e-3)
+    assert warm.friction_torque == pytest.approx(bore.friction_torque, rel=1e-3)
+
+
 def test_reversal_mirrors_the_temperatures():
     here = solve_thermal_journal(BEARING, FULL, (20e3, -100e3))
     there = solve_thermal_journal(replace(BEARING, angular_speed=-BEARING.angular_speed), FULL, (20e3, 100e3))

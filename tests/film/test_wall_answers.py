@@ -45,7 +45,7 @@ def given_to_walls(warm):
     [(GROOVES, HeatGrid()), (POCKETS, HeatGrid()), (GROOVES, HeatGrid(resolved=True))],
     ids=["grooves", "pockets", "resolved"],
 )
-@pytest.mark.parametrize("mode", [0, 1, 5, 16, 20, 33])
+@pytest.mark.parametrize("mode", [0, 1, 5, 11, 15, -1])
 def test_every_wall_warmed_alone_gets_what_is_foretold(film, grid, mode):
     scales = Scales.of(film, film.angular_speed)
     warm = search(
@@ -54,14 +54,14 @@ def test_every_wall_warmed_alone_gets_what_is_foretold(film, grid, mode):
     warm.fill(warm.viscosity)
     warm.prepare_walls()
     walls = warm.walls
-    foretold = np.linalg.inv(walls.inverse)
-    foretold[np.diag_indices(34)] -= np.append(walls.admittance, walls.journal[2])
+    modes, foretold = walls.admittance.size, np.linalg.inv(walls.inverse)
+    foretold[np.diag_indices(modes + 1)] -= np.append(walls.admittance, walls.journal[2])
     before = given_to_walls(warm)
-    if mode < 33:
+    if mode >= 0:
         walls.bush[:] += walls.synthesis[:, mode]
     else:
         walls.journal[0] += 1.0
     change = given_to_walls(warm) - before
-    for part in (slice(0, 33), slice(33, 34)):  # W/m2 and W
+    for part in (slice(0, modes), slice(modes, None)):  # W/m2 and W
         largest = np.abs(foretold[part]).max()
         assert -change[part] == pytest.approx(foretold[part, mode], abs=2e-3 * largest)

@@ -30,8 +30,9 @@ Array = NDArray[np.float64]
 THERMAL_DRAFT = Resolution(4, 32, 16, 1e-3)
 THERMAL_ENGINEERING = Resolution(4, 48, 24, 1e-3)
 THERMAL_REFERENCE = Resolution(6, 192, 96, 1e-7)
-"""Grids of films with their own temperatures: the first two within 1 % of the film thickness and 1 K (0.5 % and
-0.4 K, 0.2 % and 0.3 K for two lands under a sixth to four times a usual load), the last within a tenth of that."""
+"""Grids of films with their own temperatures: the first two within about 1 % of the film thickness and 1 K (1.1 %
+and 0.6 K, 0.5 % and 0.5 K for two lands under a sixth to four times a usual load at 0.3 to 3 times the speed), the
+last within a tenth of that."""
 
 
 @dataclass(frozen=True)
