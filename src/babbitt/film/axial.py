@@ -190,7 +190,7 @@ class AxialMesh:
     @cached_property
     def node_share(self) -> Array:
         """Part of the width that a node stands for, shape (nodes,)."""
-        return np.bincount(self.node_of_point, self.share)
+        return np.bincount(self.node_of_point, self.share).astype(float)
 
     @cached_property
     def element_starts(self) -> NDArray[np.int64]:

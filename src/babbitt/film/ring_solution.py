@@ -127,7 +127,7 @@ def flows_of(settled: SettledRing, along: Array) -> RingFlows:
     """
     ring, work = settled.sample.ring, settled.sample.work
     edges, count = list(ring.mesh.side_nodes), len(ring.groove_lines) + len(settled.film.pockets)
-    supplies = np.bincount(ring.supply.ravel() + 2, work.row.ravel(), minlength=count + 2)[2:]
+    supplies = np.bincount(ring.supply.ravel() + 2, work.row.ravel(), minlength=count + 2)[2:].astype(float)
     if len(edges) == 1:  # a hole beyond the mid-plane is seen in its image on this side
         supplies = 0.5 * (supplies + supplies[twins(settled.film, len(ring.groove_lines))])
     outward = -work.row[:, edges]

@@ -264,7 +264,7 @@ def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
     if heat.grid.resolved or bool((supply != supply[:, :1]).any()):
         first, last = mesh.between_sides.start, nodes - 2
         column = np.clip(np.arange(nodes), first, last) - first
-        size = np.bincount(column, mesh.node_share)
+        size = np.bincount(column, mesh.node_share).astype(float)
     else:
         supply, column, size = supply[:, :1], np.zeros(nodes, dtype=np.int64), mesh.share.sum(keepdims=True)
     return Columns(column, supply.copy(), side, counted, heat.grid.thicknesses(), size)
