@@ -29,13 +29,14 @@ speed: 300 rpm
 
 def test_warnings_and_missed_limits_stand_below_the_columns(monkeypatch):
     (found,) = compare_methods(parse_case(OVERLOADED))
-    (film,) = [one.result for one in found.variants if one.label == "film"]
+    (film,) = [one.result for one in found.variants if one.label == "film, one temperature"]
     assert film.warnings
     assert not film.within_limits
     paper = io.StringIO()
     monkeypatch.setattr(comparison_table, "console", lambda: Console(file=paper, width=400))
     print_comparison([found])
-    (line,) = [said for said in paper.getvalue().splitlines() if said.startswith("  film: misses")]
+    said = "  film, one temperature: misses"
+    (line,) = [line for line in paper.getvalue().splitlines() if line.startswith(said)]
     for one in (*film.warnings, *(check for check in film.checks if not check.ok and not check.advisory)):
         assert one.code in line
     assert objected(replace(film, warnings=(), checks=())) == ""

@@ -157,8 +157,15 @@ def heat_goes_with_the_film(bearing: JournalBearing) -> Iterator[Complaint]:
 
 
 def unknown_to_own_temperatures(bearing: JournalBearing) -> str:
-    """What about a bearing keeps its film from having its own temperatures, in words; empty where nothing does."""
-    return next((one.says for one in _complaints_about_own_temperatures(bearing)), "")
+    """What about a bearing keeps its film from having its own temperatures, and what to do, in words; empty where
+    nothing does."""
+    return next(
+        (
+            f"{one.says}; take {'.'.join(map(str, one.path))} out of the case to see it"
+            for one in _complaints_about_own_temperatures(bearing)
+        ),
+        "",
+    )
 
 
 def _complaints_about_own_temperatures(bearing: JournalBearing) -> Iterator[Complaint]:

@@ -188,11 +188,6 @@ class AxialMesh:
         return slice(len(self.side_nodes) - 1, -1)
 
     @cached_property
-    def node_share(self) -> Array:
-        """Part of the width that a node stands for, shape (nodes,)."""
-        return np.bincount(self.node_of_point, self.share).astype(float)
-
-    @cached_property
     def element_starts(self) -> NDArray[np.int64]:
         """First point of every element, shape (elements,)."""
         return np.flatnonzero(np.concatenate(([True], np.diff(self.points) < 1e-9)))

@@ -256,7 +256,7 @@ def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
 
     A node on a side goes with the one beside it: alone it would hold hardly any oil, and any temperature.
     """
-    mesh, layers = ring.mesh, heat.grid.layers
+    mesh, surface, layers = ring.mesh, ring.surface, heat.grid.layers
     supply, nodes = ring.supply[:, mesh.between_sides], mesh.nodes.size
     side = np.zeros(nodes, dtype=np.int64)
     side[list(mesh.side_nodes)] = 1
@@ -264,9 +264,9 @@ def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
     if heat.grid.resolved or bool((supply != supply[:, :1]).any()):
         first, last = mesh.between_sides.start, nodes - 2
         column = np.clip(np.arange(nodes), first, last) - first
-        size = np.bincount(column, mesh.node_share).astype(float)
+        size = np.bincount(column[surface.node], surface.share).astype(float)
     else:
-        supply, column, size = supply[:, :1], np.zeros(nodes, dtype=np.int64), mesh.share.sum(keepdims=True)
+        supply, column, size = supply[:, :1], np.zeros(nodes, dtype=np.int64), surface.share.sum(keepdims=True)
     return Columns(column, supply.copy(), side, counted, heat.grid.thicknesses(), size)
 
 

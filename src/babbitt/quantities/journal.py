@@ -49,7 +49,7 @@ JOURNAL: tuple[Quantity, ...] = (
     quantity("friction_number", "f/ψ", "1", "", 4, "Friction coefficient over relative clearance"),
     quantity("friction_coefficient", "f", "1", "", 3, "Friction coefficient"),
     quantity("friction_torque", "M_f", "N m", "Nm", 4, "Friction torque on the journal"),
-    quantity("friction_power", "P_f", "W", "kW", 4, "Friction power, equal to the heat flow"),
+    quantity("friction_power", "P_f", "W", "kW", 4, "Friction power"),
     quantity("side_flow_number", "Q₃*", "1", "", 4, "Side flow Q3/(D³ ψ ω)"),
     quantity("side_flow", "Q₃", "m3/s", "L/min", 3, "Oil flow due to the film pressure"),
     quantity("supply_flow_number", "Q_p*", "1", "", 4, "Supply flow Qp η/(D³ ψ³ p_en)"),

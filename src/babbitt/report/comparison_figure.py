@@ -36,7 +36,7 @@ ZERO_CELSIUS = ZERO_CELSIUS
 
 def comparison_figure(comparison: Comparison) -> Figure:
     """Film, power, flow and temperatures by every method, and temperatures around the journal."""
-    solved = [one for one in comparison.variants if is_shown(one)]
+    solved = [one for one in comparison.methods if is_shown(one)]
     figure, axes = Sheet(166.0, 112.0, 2, 4, left=29.0, across=5.0, between=17.0).panels()
     for panel, name in zip(axes[0][:3], SHOWN, strict=True):
         _bars(panel, solved, name)

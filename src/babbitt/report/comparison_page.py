@@ -8,7 +8,7 @@ from html import escape
 from pathlib import Path
 
 from babbitt.notices import InputError
-from babbitt.report.comparison_table import compared_rows, objected
+from babbitt.report.comparison_table import compared_rows, head, objected
 from babbitt.report.document import TEMPLATES
 from babbitt.report.drawing import rendered, style
 from babbitt.report.text import plain_text
@@ -56,12 +56,11 @@ def comparison_page(comparisons: Sequence[Comparison]) -> str:
 
 
 def _bearing(comparison: Comparison) -> Iterator[str]:
-    methods = [one for one in comparison.variants if one.is_method]
-    others = [one for one in comparison.variants if not one.is_method]
+    methods, others, asked = comparison.methods, comparison.choices, comparison.asked
     yield f"<h1>{_text(comparison.name)}</h1>"
     yield (
-        f'<p class="method">The same bearing by {len(methods)} methods. The first, {_text(methods[0].label)}, is '
-        "the one that the case asks for. The methods differ in what they neglect: that is told for each below the "
+        f'<p class="method">The same bearing by {len(methods)} methods; the case asks for '
+        f"{_text(head(asked, asked))}. The methods differ in what they neglect: that is told for each below the "
         "figure.</p>"
     )
     costs = list(cost_of_one_temperature(comparison))
@@ -74,14 +73,19 @@ def _bearing(comparison: Comparison) -> Iterator[str]:
     for line in comparison.left_out.splitlines():
         yield f'<p class="note">{_text(line)}</p>'
     yield "<h3>Results side by side</h3>"
-    yield from _table(methods)
+    yield from _table(methods, asked)
     if others:
         yield "<h3>Other choices within a method</h3>"
         yield from _remarks(others)
-        yield from _table(others)
-    assumed = list(dict.fromkeys(said for one in methods[:1] for said in one.result.assumptions))
+        yield from _table(others, asked)
+    raised = [one for variant in comparison.variants for one in variant.result.warnings]
+    warned = {one.code: one.message for one in reversed(raised)}  # by the first that raises it
+    if warned:
+        yield "<h3>Warnings</h3>"
+        yield from (f'<p class="finding"><b>{code}</b>: {_text(warned[code])}</p>' for code in sorted(warned))
+    assumed = list(dict.fromkeys(asked.result.assumptions))
     if assumed:
-        yield f"<h3>What {_text(methods[0].label)} takes for granted</h3>"
+        yield f"<h3>What {_text(asked.label)} takes for granted</h3>"
         yield from (f'<p class="finding">{_text(said)}</p>' for said in assumed)
 
 
@@ -108,8 +112,8 @@ def _remarks(variants: Sequence[Variant]) -> Iterator[str]:
         yield f'<p class="finding">{said}</p>'
 
 
-def _table(variants: Sequence[Variant]) -> Iterator[str]:
-    heads = "".join(f'<th class="number">{_text(one.label)}</th>' for one in variants)
+def _table(variants: Sequence[Variant], asked: Variant) -> Iterator[str]:
+    heads = "".join(f'<th class="number">{_text(head(one, asked))}</th>' for one in variants)
     yield f'<div class="wide"><table class="sheet"><tr><th>quantity</th><th>unit</th>{heads}</tr>'
     for row in compared_rows(variants):
         cells = "".join(f'<td class="number">{escape(cell)}</td>' for cell in row.cells)

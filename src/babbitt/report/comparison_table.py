@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from textwrap import fill
 
 from rich.console import Console
 from rich.table import Table
@@ -30,7 +31,11 @@ COMPARED = (
     "journal_temperature",
     "bearing_temperature",
     "friction_power",
+    "film_dissipation",
+    "heat_to_oil",
     "heat_film_to_bush",
+    "heat_film_to_journal",
+    "heat_to_surroundings",
     "side_flow",
     "supply_flow",
     "total_flow",
@@ -43,6 +48,11 @@ COMPARED = (
     "threshold_speed",
 )
 """What is put side by side."""
+
+WIDEST_HEAD = 14
+"""Characters in a line of a head: words take the room, and numbers need little."""
+AS_ASKED = " *"
+"""Behind the name of the method that the case asks for."""
 
 COMPARED_HEELS = (
     "load",
@@ -97,9 +107,9 @@ def print_comparison(comparisons: Sequence[Comparison]) -> bool:
     to = console()
     for comparison in comparisons:
         title = Text(plain_text(comparison.name), style="bold")  # a name is never read as markup
-        methods = [variant for variant in comparison.variants if variant.is_method]
-        others = [variant for variant in comparison.variants if not variant.is_method]
-        to.print(_table(title, methods))
+        methods, others = comparison.methods, comparison.choices
+        to.print(_table(title, methods, comparison.asked))
+        to.print(f" {AS_ASKED} {comparison.asked.label}: what the case asks for", markup=False)
         _print_remarks(to, methods)
         for line in cost_of_one_temperature(comparison):
             to.print(f"  {line}", markup=False)
@@ -107,10 +117,15 @@ def print_comparison(comparisons: Sequence[Comparison]) -> bool:
             to.print(f"  {line}", markup=False)
         to.print()
         if others:
-            to.print(_table(Text("Other choices within a method", style="bold"), others))
+            to.print(_table(Text("Other choices within a method", style="bold"), others, comparison.asked))
             _print_remarks(to, others)
             to.print()
-    return all(comparison.variants[0].result.outcome.solved for comparison in comparisons)
+    return all(comparison.asked.result.outcome.solved for comparison in comparisons)
+
+
+def head(variant: Variant, asked: Variant) -> str:
+    """Head of the column of a variant."""
+    return f"{variant.label}{AS_ASKED}" if variant is asked else variant.label
 
 
 def objected(result: Result) -> str:
@@ -121,12 +136,12 @@ def objected(result: Result) -> str:
     return "; ".join(said + ([f"warns {', '.join(codes)}"] if codes else []))
 
 
-def _table(title: Text, variants: Sequence[Variant]) -> Table:
+def _table(title: Text, variants: Sequence[Variant], asked: Variant) -> Table:
     table = Table(title=title, title_justify="left")
     table.add_column("quantity")
     table.add_column("unit")
     for variant in variants:
-        table.add_column(variant.label, justify="right")
+        table.add_column(fill(head(variant, asked), WIDEST_HEAD), justify="right")
     for row in compared_rows(variants):
         table.add_row(row.meaning, row.unit, *row.cells)
     return table
@@ -144,23 +159,26 @@ class Row:
 def compared_rows(variants: Sequence[Variant]) -> Iterator[Row]:
     """What is put side by side of some variants."""
     for name in _compared(variants):
-        if not any(name in variant.result.values for variant in variants):
+        told = [_told(name, variant.result) for variant in variants]
+        nothing = {None, 0.0} if name in SILENT_AT_ZERO else {None}
+        if set(told) <= nothing:
             continue
         quantity = QUANTITIES[name]
-        cells = (
-            quantity.format(variant.result.values[name])
-            if name in variant.result.values and _counts(name, variant.result)
-            else "–"
-            for variant in variants
-        )
+        cells = ("–" if value is None else quantity.format(value) for value in told)
         said = meaning(name, variants[0].result.kind)
         yield Row(f"{said}, {quantity.symbol}", quantity.display.label, tuple(cells))
 
 
-def _counts(name: str, result: Result) -> bool:
-    """Whether a value is an answer, and not only a consequence of the temperature that was prescribed."""
-    prescribed = name == "outlet_temperature" and result.settings.get("thermal") == "isothermal"
-    return result.outcome.solved and not prescribed
+SILENT_AT_ZERO = ("heat_film_to_bush", "heat_film_to_journal", "heat_to_surroundings", "flow_inconsistency")
+"""What is left out where it is zero by every method."""
+BALANCED = ("outlet_temperature", "heat_to_oil", "heat_to_surroundings")
+"""What a prescribed temperature leaves open."""
+
+
+def _told(name: str, result: Result) -> float | None:
+    """Value that is an answer, and not only a consequence of a temperature that was prescribed."""
+    prescribed = name in BALANCED and result.settings.get("thermal") == "isothermal"
+    return result.values.get(name) if result.outcome.solved and not prescribed else None
 
 
 def _print_remarks(to: Console, variants: Sequence[Variant]) -> None:

@@ -8,7 +8,6 @@ __all__ = ["OF_THRUST", "meaning"]
 
 PUMPED = {
     "total_flow": "Oil through all restrictors",
-    "friction_power": "Friction power",
     "effective_viscosity": "Dynamic viscosity of the oil in the film",
     "supply_pressure": "Gauge pressure before the restrictors",
     "iterations": "Steps of the search",

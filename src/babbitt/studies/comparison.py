@@ -53,6 +53,8 @@ class Variant:
         What the result was computed from.
     is_method : bool
         False: differs from a method in one choice only, and is shown apart.
+    detail : int
+        Methods are shown in this order, from those that see least to those that see most.
     """
 
     label: str
@@ -60,6 +62,7 @@ class Variant:
     result: Result
     design: AnyDesign | None = None
     is_method: bool = True
+    detail: int = 0
 
 
 @dataclass(frozen=True)
@@ -70,6 +73,21 @@ class Comparison:
     name: str
     variants: tuple[Variant, ...]
     left_out: str = ""
+
+    @property
+    def asked(self) -> Variant:
+        """The method that the case asks for."""
+        return self.variants[0]
+
+    @property
+    def methods(self) -> list[Variant]:
+        """Methods of their own, from that which sees least to that which sees most."""
+        return sorted((one for one in self.variants if one.is_method), key=lambda one: one.detail)
+
+    @property
+    def choices(self) -> list[Variant]:
+        """What differs from a method in one choice only."""
+        return [one for one in self.variants if not one.is_method]
 
 
 FRICTION_LABELS = {
@@ -82,11 +100,11 @@ FRICTION_LABELS = {
 CAVITATION_LABELS = {
     Cavitation.MASS_CONSERVING: (
         "film",
-        "as film, but lets it begin again only where oil reaches it",
+        "as the film of one temperature, but lets it begin again only where oil reaches it",
     ),
     Cavitation.REYNOLDS: (
         "film, Reynolds",
-        "as film, but reforms the film without asking where the oil comes from",
+        "as the film of one temperature, but reforms it without asking where the oil comes from",
     ),
 }
 
@@ -174,7 +192,7 @@ def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
     for index, films in enumerate(thermal_variants(bearing, case)):
         by_standard = _variants(standard[index]) if standard else ()
         if long_films:
-            by_standard = (*by_standard, Variant(*LONG_FILM, long_film_check(long_films[index])))
+            by_standard = (*by_standard, Variant(*LONG_FILM, long_film_check(long_films[index]), detail=1))
         by_film = tuple(_film_variant(one) for one in films)
         ordered = (*by_film, *by_standard) if bearing.method == "film" else (*by_standard, *by_film)
         plain = next((one.case for one in films if one.label == GLOBAL), films[0].case)
@@ -200,7 +218,7 @@ def _film_variant(one: ThermalVariant) -> Variant:
         rupture, said = CAVITATION_LABELS.get(one.case.cavitation, HALF_SOMMERFELD)
         remark = said if label == GLOBAL else f"{remark}; {said}"
         label += rupture.removeprefix("film")
-    return Variant(label, remark, solve_design(one.case), one.case)
+    return Variant(label, remark, solve_design(one.case), one.case, detail=2 + one.detail)
 
 
 def _cavitation_variants(film: FilmCase) -> tuple[Variant, ...]:

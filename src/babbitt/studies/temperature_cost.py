@@ -7,11 +7,12 @@ from collections.abc import Iterator
 from babbitt.quantities import QUANTITIES
 from babbitt.results import Result
 from babbitt.studies.comparison import Comparison
+from babbitt.studies.thermal_variants import GLOBAL
 from babbitt.units import ZERO_CELSIUS
 
 __all__ = ["cost_of_one_temperature"]
 
-ONE_TEMPERATURE = ("ISO 7902", "film", "film, Reynolds")
+ONE_TEMPERATURE = ("ISO 7902", GLOBAL, f"{GLOBAL}, Reynolds")
 FULLEST = ("full thermal film", "adiabatic film")
 
 
@@ -38,7 +39,7 @@ def cost_of_one_temperature(comparison: Comparison) -> Iterator[str]:
 
 
 def _said(label: str, plain: Result, fullest: str, full: Result) -> str:
-    whom = "the film of one temperature" if label == "film" else label
+    whom = label.replace(GLOBAL, "the film of one temperature")
     thin = full.minimum_film_thickness / plain.minimum_film_thickness - 1.0
     less = full.friction_power / plain.friction_power - 1.0
     film = QUANTITIES["minimum_film_thickness"]

@@ -12,9 +12,9 @@ from babbitt.cases.film_heat import unknown_to_own_temperatures
 from babbitt.cases.journal import JournalBearing
 from babbitt.units import ZERO_CELSIUS
 
-__all__ = ["OWN", "ThermalVariant", "left_out_of_thermal_variants", "thermal_variants"]
+__all__ = ["GLOBAL", "OWN", "ThermalVariant", "left_out_of_thermal_variants", "thermal_variants"]
 
-GLOBAL = "film"
+GLOBAL = "film, one temperature"
 
 INLET = "inlet"
 PRESCRIBED = "prescribed"
@@ -35,18 +35,19 @@ REMARKS = {
         "pressure, and heat along the bush"
     ),
 }
-"""What each model of the temperature sees and neglects."""
+"""What each model of the temperature sees and neglects, from the simplest to the fullest."""
 
 OWN = {"adiabatic": "adiabatic film", "full": "full thermal film"}
 
 
 @dataclass(frozen=True)
 class ThermalVariant:
-    """A film with one model of its temperature."""
+    """A film with one model of its temperature; ``detail`` grows with what it sees."""
 
     label: str
     remark: str
     case: FilmCase
+    detail: int
 
 
 def thermal_variants(bearing: JournalBearing, case: Case) -> Iterator[tuple[ThermalVariant, ...]]:
@@ -77,7 +78,8 @@ def thermal_variants(bearing: JournalBearing, case: Case) -> Iterator[tuple[Ther
             found[GLOBAL] = with_balance[index]
         found |= {OWN[name]: films[index] for name, films in heated.items()}
         yield tuple(
-            ThermalVariant(_label(name, film), REMARKS[name], film) for name, film in _ordered(bearing, own, found)
+            ThermalVariant(_label(name, film), REMARKS[name], film, list(REMARKS).index(name))
+            for name, film in _ordered(bearing, own, found)
         )
 
 
