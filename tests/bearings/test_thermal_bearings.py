@@ -14,7 +14,7 @@ from babbitt.bearings import thermal_film as thermal_film_module
 from babbitt.bearings.check import film_check
 from babbitt.bearings.field import field_of
 from babbitt.bearings.heat_model import HeatModel, TemperatureCoefficients
-from babbitt.bearings.temperature_field import bush_temperature, centre_line, temperature_over
+from babbitt.bearings.temperature_field import bush_temperature, centre_line, temperature_over, temperature_through
 from babbitt.bearings.thermal_film import following_stiffness, thermal_operating_film
 from babbitt.cases import design_cases, parse_case
 from babbitt.fits import operating_relative_clearance
@@ -227,6 +227,15 @@ def test_fields_carry_the_temperature(full):
     assert isinstance(data, xarray.Dataset)
     assert data["temperature"].dims == ("theta", "z")
     assert float(data["temperature_through"].max()) == pytest.approx(result.maximum_temperature, abs=1e-6)
+
+
+def test_insulated_walls_are_as_warm_as_the_oil_that_touches_them():
+    text = re.sub(r"walls:.*?(?=load:)", "", TEXT.replace("thermal: full", "thermal: adiabatic"), flags=re.DOTALL)
+    thermal = thermal_operating_film(design(text)).film.thermal
+    through = temperature_through(thermal, np.linspace(0.0, 2.0 * math.pi, 91))
+    assert through[:, 0] == pytest.approx(through[:, 1])
+    assert through[:, -1] == pytest.approx(through[:, -2])
+    assert np.ptp(through[:, -1]) > 1.0  # the journal has no temperature of its own
 
 
 def test_comparison_tells_what_one_temperature_costs():

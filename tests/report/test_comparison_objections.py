@@ -2,14 +2,19 @@
 
 import io
 from dataclasses import replace
+from pathlib import Path
 
+import pytest
 from rich.console import Console
 
-from babbitt.cases import parse_case
+from babbitt.cases import load_case, parse_case
 from babbitt.report import comparison_table
+from babbitt.report.comparison_figure import write_comparison_plots
+from babbitt.report.comparison_page import write_comparison_page
 from babbitt.report.comparison_table import objected, print_comparison
 from babbitt.studies.comparison import compare_methods
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 OVERLOADED = """
 kind: journal
 name: Loaded
@@ -40,3 +45,28 @@ def test_warnings_and_missed_limits_stand_below_the_columns(monkeypatch):
     for one in (*film.warnings, *(check for check in film.checks if not check.ok and not check.advisory)):
         assert one.code in line
     assert objected(replace(film, warnings=(), checks=())) == ""
+
+
+@pytest.mark.parametrize("name", ["long_film", "grooved"])
+def test_methods_of_one_dimension_are_drawn_without_a_flow_or_a_field(name, tmp_path):
+    found = compare_methods(load_case(EXAMPLES / f"{name}.yaml"))
+    (plot,) = write_comparison_plots(found, tmp_path)
+    write_comparison_page(found, tmp_path / "page.html")
+    assert "counter-clockwise" not in plot.read_text(encoding="utf-8")
+    assert plot.stat().st_size > 5000
+
+
+def test_methods_stand_from_the_one_that_sees_least_with_the_one_asked_for_marked(monkeypatch):
+    (found,) = compare_methods(load_case(EXAMPLES / "input_pinion_heat.yaml"))
+    labels = [one.label for one in found.methods]
+    assert labels[0] == "ISO 7902"
+    assert labels[-2:] == ["adiabatic film", "full thermal film"]
+    assert found.asked.label == "full thermal film"
+    rows = {row.meaning: row.cells for row in comparison_table.compared_rows(found.methods)}
+    assert rows["Margin of the temperature to its limit"][0] == "+35.3 K"
+    assert rows["Oil temperature at the outlet, T_ex"][2] == "–"  # the temperature is prescribed
+    born, oil, bush, journal = (
+        found.asked.result.values[name]
+        for name in ("film_dissipation", "heat_to_oil", "heat_film_to_bush", "heat_film_to_journal")
+    )
+    assert born == pytest.approx(oil + bush + journal, rel=1e-8)

@@ -45,13 +45,14 @@ def temperature_over(thermal: ThermalFilm, field: FilmField) -> Array:
 def temperature_through(thermal: ThermalFilm, theta: Array, z: float = 0.0) -> Array:
     """Temperature from the bush to the journal, K, shape (theta, layers + 2), at the place of the width next to z.
 
-    Without ``z`` (m) in the middle of the width.
+    Without ``z`` (m) in the middle of the width. Insulated walls are as warm as the oil that touches them.
     """
     column = int(np.abs(thermal.axial_positions - z).argmin())
     lines = thermal.temperature[:, column, :]
-    shaft = np.full((lines.shape[0], 1), thermal.journal_temperature)
-    through = np.concatenate((thermal.bush_temperature[:, None], lines, shaft), axis=1)
-    return _around(thermal, theta, through)
+    bush, shaft = lines[:, :1], lines[:, -1:]
+    if not thermal.insulated:
+        bush, shaft = thermal.bush_temperature[:, None], np.full_like(shaft, thermal.journal_temperature)
+    return _around(thermal, theta, np.concatenate((bush, lines, shaft), axis=1))
 
 
 def bush_temperature(bush: BushRing, thermal: ThermalFilm, theta: Array, radii: Array) -> Array:

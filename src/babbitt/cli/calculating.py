@@ -92,7 +92,12 @@ def compare(
     from babbitt.report.comparison_table import print_comparison
     from babbitt.studies.comparison import compare_methods
 
-    found = compare_methods(load_case(file))
+    case = load_case(file)
+    if report is not None:
+        from babbitt.report.comparison_page import require_page
+
+        require_page(report)
+    found = compare_methods(case)
     solved = print_comparison(found)
     if plots is not None:
         from babbitt.report.comparison_figure import write_comparison_plots

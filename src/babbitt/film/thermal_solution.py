@@ -75,6 +75,9 @@ class ThermalFilm:
         Into the bush, W/m2.
     journal_temperature : float
         K.
+    insulated : bool
+        No wall takes heat: at every place it is as warm as the oil that touches it; the temperatures of bush and
+        journal are means of that.
     heat : HeatSplit
     effective_viscosity : float
         Uniform viscosity of the oil with the same friction power in the same gap by shear, at every place with the
@@ -93,6 +96,7 @@ class ThermalFilm:
     bush_temperature: Array
     bush_flux: Array
     journal_temperature: float
+    insulated: bool
     heat: HeatSplit
     effective_viscosity: float
 
@@ -157,6 +161,7 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
         bush_temperature=wall,
         bush_flux=warm.walls.bush_flux.copy(),
         journal_temperature=shaft,
+        insulated=warm.walls.insulated,
         heat=HeatSplit(dissipation, over_sides + back, bush, journal, returned),
         effective_viscosity=warm.reference_viscosity * warm.friction / max(warm.unit_friction(), 1e-300),
     )

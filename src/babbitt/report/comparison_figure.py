@@ -35,22 +35,31 @@ ZERO_CELSIUS = ZERO_CELSIUS
 
 
 def comparison_figure(comparison: Comparison) -> Figure:
-    """Film, power, flow and temperatures by every method, and temperatures around the journal."""
+    """Film, power, flow and temperatures by every method; below, temperatures around a journal where one of them
+    finds these."""
     solved = [one for one in comparison.methods if is_shown(one)]
-    figure, axes = Sheet(166.0, 112.0, 2, 4, left=29.0, across=5.0, between=17.0).panels()
-    for panel, name in zip(axes[0][:3], SHOWN, strict=True):
+    told = [name for name in SHOWN if any(name in one.result.values for one in solved)]
+    around = any(_has_own_temperatures(one) for one in solved)
+    rows, height = (2, 112.0) if around else (1, 60.0)
+    figure, axes = Sheet(166.0, height, rows, len(told) + 1, left=29.0, across=5.0, between=17.0).panels()
+    figure.subplots_adjust(top=1.0 - 7.0 / height)
+    for panel, name in zip(axes[0], told, strict=False):
         _bars(panel, solved, name)
-    _temperatures(axes[0][3], solved)
+    _temperatures(axes[0][-1], solved)
     for panel in axes[0][1:]:
         panel.set_yticklabels([])
-    figure.subplots_adjust(top=1.0 - 7.0 / 112.0)
-    for panel in axes[1][1:]:
-        panel.remove()
-    below = axes[1][0]
-    place, right = below.get_position(), axes[0][3].get_position()
-    below.set_position((12.0 / 166.0, place.y0, right.x1 - 12.0 / 166.0, place.height))
-    _around(below, solved)
+    if around:
+        for panel in axes[1][1:]:
+            panel.remove()
+        below = axes[1][0]
+        place, right = below.get_position(), axes[0][-1].get_position()
+        below.set_position((12.0 / 166.0, place.y0, right.x1 - 12.0 / 166.0, place.height))
+        _around(below, solved)
     return figure
+
+
+def _has_own_temperatures(variant: Variant) -> bool:
+    return isinstance(variant.design, FilmCase) and variant.design.heat is not None
 
 
 def is_shown(variant: Variant) -> bool:
@@ -103,7 +112,7 @@ def _around(panel: Axes, variants: Sequence[Variant]) -> None:
     """Temperature along the middle of the width: of the bore, or the single one of a method."""
     field, level, curve = None, 0, 0
     for one in variants:
-        if isinstance(one.design, FilmCase) and one.design.heat is not None:
+        if isinstance(one.design, FilmCase) and _has_own_temperatures(one):
             thermal = state_of(one.design, one.result).thermal
             assert thermal is not None
             field = field_of(thermal.film, one.design.load_angle - math.pi)

@@ -8,19 +8,27 @@ from html import escape
 from pathlib import Path
 
 from babbitt.notices import InputError
-from babbitt.report.comparison_table import compared_rows, head, objected
+from babbitt.report.comparison_table import AS_ASKED, compared_rows, head, objected
 from babbitt.report.document import TEMPLATES
 from babbitt.report.drawing import rendered, style
 from babbitt.report.text import plain_text
 from babbitt.report.writing import require_writable, write_whole
-from babbitt.studies.comparison import Comparison, Variant
+from babbitt.studies.comparison import ISO_LABEL, Comparison, Variant
 from babbitt.studies.temperature_cost import cost_of_one_temperature
+from babbitt.studies.thermal_variants import GLOBAL
 
-__all__ = ["comparison_page", "write_comparison_page"]
+__all__ = ["comparison_page", "require_page", "write_comparison_page"]
 
+FLOWS = (
+    "Q₃ and Q_p of the standard and of the film are not alike: the standard adds what the film pumps and what the "
+    "supply pressure presses through the bearing, the film tells what of its oil would flow without that pressure "
+    "and what more flows with it. Only their sum Q compares."
+)
+"""What one must know of the flows of standard and film."""
 CAPTION = (
-    "Least film thickness, friction power, oil flow and temperatures by every method that tells them; below, the "
-    "temperature along the middle of the width, hottest across the gap, beside the single temperatures."
+    "Least film thickness, friction power, oil flow and temperatures by every method that tells them; below, "
+    "where a method finds it, the temperature along the middle of the width, hottest across the gap, beside the "
+    "single temperatures."
 )
 
 
@@ -38,10 +46,15 @@ def write_comparison_page(comparisons: Sequence[Comparison], path: Path) -> None
     InputError
         E007 for another suffix, a path that cannot be written, or matplotlib that is not installed.
     """
+    require_page(path)
+    write_whole(path, comparison_page(comparisons).encode())
+
+
+def require_page(path: Path) -> None:
+    """Find out before any work is done whether a page can be written; raises as `write_comparison_page`."""
     if path.suffix.lower() != ".html":
         raise InputError("E007", f"cannot write {path}: the page of a comparison ends in .html")
     require_writable(path)
-    write_whole(path, comparison_page(comparisons).encode())
 
 
 def comparison_page(comparisons: Sequence[Comparison]) -> str:
@@ -60,8 +73,8 @@ def _bearing(comparison: Comparison) -> Iterator[str]:
     yield f"<h1>{_text(comparison.name)}</h1>"
     yield (
         f'<p class="method">The same bearing by {len(methods)} methods; the case asks for '
-        f"{_text(head(asked, asked))}. The methods differ in what they neglect: that is told for each below the "
-        "figure.</p>"
+        f"{_text(asked.label)} (marked{AS_ASKED}). The methods differ in what they neglect: that is told for each "
+        "below the figure.</p>"
     )
     costs = list(cost_of_one_temperature(comparison))
     if costs:
@@ -74,6 +87,8 @@ def _bearing(comparison: Comparison) -> Iterator[str]:
         yield f'<p class="note">{_text(line)}</p>'
     yield "<h3>Results side by side</h3>"
     yield from _table(methods, asked)
+    if {ISO_LABEL, GLOBAL} <= {one.label for one in methods}:
+        yield f'<p class="note">{_text(FLOWS)}</p>'
     if others:
         yield "<h3>Other choices within a method</h3>"
         yield from _remarks(others)

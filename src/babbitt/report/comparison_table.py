@@ -14,6 +14,7 @@ from babbitt.quantities import QUANTITIES
 from babbitt.report.meanings import meaning
 from babbitt.report.table import console
 from babbitt.report.text import plain_text
+from babbitt.report.verdict import governing, margin, verdict
 from babbitt.results import Result
 from babbitt.studies.comparison import Comparison, Variant
 from babbitt.studies.temperature_cost import cost_of_one_temperature
@@ -167,6 +168,30 @@ def compared_rows(variants: Sequence[Variant]) -> Iterator[Row]:
         cells = ("–" if value is None else quantity.format(value) for value in told)
         said = meaning(name, variants[0].result.kind)
         yield Row(f"{said}, {quantity.symbol}", quantity.display.label, tuple(cells))
+    for said, names in MARGINS.items():
+        margins = [_least_margin(variant.result, names) for variant in variants]
+        if set(margins) != {"–"}:
+            yield Row(said, "", tuple(margins))
+    yield Row("Verdict", "", tuple(verdict(variant.result).value for variant in variants))
+
+
+MARGINS = {
+    "Margin of the film thickness to its limit": ("minimum_film_thickness",),
+    "Margin of the temperature to its limit": (
+        "maximum_bush_temperature",
+        "maximum_wall_temperature",
+        "outlet_temperature",
+        "bearing_temperature",
+    ),
+}
+"""Limits whose margins are put side by side, by the quantities that they hold for."""
+
+
+def _least_margin(result: Result, names: Sequence[str]) -> str:
+    if not result.outcome.solved:
+        return "–"
+    found = [check for name in names if (check := governing(result, name)) is not None]
+    return margin(min(found, key=lambda check: check.margin)) if found else "–"
 
 
 SILENT_AT_ZERO = ("heat_film_to_bush", "heat_film_to_journal", "heat_to_surroundings", "flow_inconsistency")

@@ -28,11 +28,11 @@ REMARKS = {
     GLOBAL: "sees the feeding; conserves the oil; assumes one temperature for the whole film",
     "adiabatic film": (
         "finds the temperature at every place of the film, and what the grooves mix; neglects the heat that bush "
-        "and journal take"
+        "and journal take, and that they carry from hot places to cold ones"
     ),
     "full thermal film": (
-        "as adiabatic film, with bush, housing and journal that conduct heat and grow; neglects deformation by "
-        "pressure, and heat along the bush"
+        "as adiabatic film, with bush and housing that conduct heat and a journal of one temperature; neglects "
+        "deformation by pressure, and heat along the bush"
     ),
 }
 """What each model of the temperature sees and neglects, from the simplest to the fullest."""
