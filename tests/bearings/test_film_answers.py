@@ -68,7 +68,7 @@ def test_comparison_puts_the_named_method_first():
     given = {"grooves": None, "span": "180 deg", "supply_element": {"kind": "groove_180", "width": "10 mm"}}
     (by_film,), (by_standard,) = (compare_methods(case(**given, method=method)) for method in ("film", "iso7902"))
     labels = [variant.label for variant in by_film.variants]
-    assert labels[0] == "film"
+    assert labels[0] == "film, one temperature"
     assert labels.index("ISO 7902") < labels.index("film, Reynolds")  # methods first, then what varies one choice
     assert {"adiabatic film", "full thermal film"} < set(labels)
     assert by_standard.variants[0].label == "ISO 7902"

@@ -242,10 +242,12 @@ def test_comparison_tells_what_one_temperature_costs():
     (found,) = compare_methods(parse_case(TEXT))
     results = {one.label: one.result for one in found.variants}
     assert found.variants[0].label == "full thermal film"
-    assert results["film at 45 °C"].minimum_film_thickness > results["film"].minimum_film_thickness
+    assert (
+        results["film at 45 °C"].minimum_film_thickness > results["film, one temperature"].minimum_film_thickness
+    )
     (said,) = cost_of_one_temperature(found)
     assert said.startswith("Against the film of one temperature the full thermal film is")
-    thin, plain = (results[one].minimum_film_thickness for one in ("full thermal film", "film"))
+    thin, plain = (results[one].minimum_film_thickness for one in ("full thermal film", "film, one temperature"))
     assert f"{abs(thin / plain - 1.0):.0%} thinner" in said
 
 

@@ -26,6 +26,10 @@ HOT = 0.5
 An assumption: no source draws this line.
 """
 
+CLOSED = 3e-3
+"""Least gap of the last film, in clearances, up to which a heavier load closes it: three times what the film method
+takes for a film. An assumption, too."""
+
 
 def last_film(case: FilmCase, film_at: Callable[[FilmCase, ThermalSearch], FilmState]) -> FilmState | None:
     """Film under the largest load, to some percent, below one that has none; None where there is none at all.
@@ -69,10 +73,10 @@ def last_film(case: FilmCase, film_at: Callable[[FilmCase, ThermalSearch], FilmS
 
 
 def what_gave_way(case: FilmCase, outcome: Outcome, last: FilmState | None) -> Outcome:
-    """Overload where a film seems to run away although the last one that there was, is cool.
+    """Overload where a film seems to run away, or not to come to rest, although the last one that there was, is cool.
 
     A gap that closes grows hot at its thinnest place without bound, whatever closed it: a tilted journal that
-    touches at an edge is no matter of heat.
+    touches at an edge is no matter of heat. Nor does a film come to rest where the last one is as good as closed.
 
     Parameters
     ----------
@@ -82,8 +86,11 @@ def what_gave_way(case: FilmCase, outcome: Outcome, last: FilmState | None) -> O
     last : FilmState or None
         Of `last_film`.
     """
+    if last is None or last.thermal is None or case.oil_supply is None:
+        return outcome
+    thin = last.solution.minimum_film_thickness <= CLOSED * last.solution.film.clearance
     hot = outcome in (Outcome.THERMAL_RUNAWAY, Outcome.NO_LUBRICANT_DATA)
-    if not hot or last is None or last.thermal is None or case.oil_supply is None:
+    if not hot and not (thin and outcome is Outcome.NOT_CONVERGED):
         return outcome
     fresh = case.oil_supply.temperature
     risen = last.thermal.maximum_temperature - fresh
