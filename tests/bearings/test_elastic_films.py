@@ -8,7 +8,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from babbitt.bearings.elastic_film import ElasticFilm, bore_grid, elastic_film, elastic_thermal_film, joined_step
+from babbitt.bearings.elastic_film import (
+    ElasticFilm,
+    bore_grid,
+    distortion_by,
+    elastic_film,
+    elastic_thermal_film,
+    joined_step,
+    warm_displacement,
+)
 from babbitt.bearings.field import journal_gap, pressure_on
 from babbitt.film.elastic import ColumnLiner, Compliance, as_field, total_displacement
 from babbitt.film.elastic_ring import ElasticRing
@@ -160,7 +168,8 @@ def heat() -> FilmHeat:
 
 def test_warm_bush_is_distorted_by_its_temperature(heat: FilmHeat) -> None:
     grid = Resolution(3, 32, 16, 1e-5)
-    growth = RingGrowth(0.05, 0.08, 1.2e-5, 50.0)
+    assert heat.walls is not None
+    growth = RingGrowth(heat.walls.bush, 0, 1.2e-5)
     found = elastic_thermal_film(
         FILM, [ColumnLiner(1e-13)], lambda film: solve_thermal_journal(film, heat, LOAD, grid), growth
     )
@@ -176,3 +185,18 @@ def test_warm_bush_is_distorted_by_its_temperature(heat: FilmHeat) -> None:
         FILM, [ColumnLiner(1e-13)], lambda film: solve_thermal_journal(film, heat, LOAD, grid)
     )
     assert warm.film.minimum_film_thickness != pytest.approx(cold.solution.film.minimum_film_thickness, rel=1e-3)
+
+
+def test_heat_alone_distorts_a_bore_that_pressure_does_not_move(heat: FilmHeat) -> None:
+    grid = Resolution(3, 32, 16, 1e-5)
+    assert heat.walls is not None
+    growth = RingGrowth(heat.walls.bush, 0, 1.2e-5)
+    found, beside = (
+        elastic_thermal_film(FILM, parts, lambda film: solve_thermal_journal(film, heat, LOAD, grid), growth, 1e-4)
+        for parts in ((), (ColumnLiner(1e-18),))
+    )
+    assert found.outcome is Outcome.CONVERGED
+    own = distortion_by(growth, found.solution)
+    assert np.abs(own - found.displacement).max() < 1.1e-4 * found.solution.film.minimum_film_thickness
+    assert (warm_displacement((), growth, found.solution) == own).all()
+    assert beside.displacement == pytest.approx(found.displacement, abs=1e-9)

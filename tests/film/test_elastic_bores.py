@@ -13,6 +13,7 @@ from babbitt.film.compliance_matrix import ComplianceMatrix
 from babbitt.film.elastic import BoreGrid, ColumnLiner, as_field, total_displacement
 from babbitt.film.elastic_ring import ElasticRing, RingSupport
 from babbitt.film.half_space import HalfSpace, patch_displacement
+from babbitt.film.heat import BushRing
 from babbitt.film.model import JournalFilm, grooved_bore
 from babbitt.film.ring import field_at
 from babbitt.film.ring_growth import RingGrowth
@@ -199,21 +200,86 @@ def test_compliances_add_up() -> None:
     assert not total_displacement((), BORE, pressure).any()
 
 
-def test_warm_ring_grows_by_its_mean_temperature() -> None:
-    growth = RingGrowth(A, B, 1.2e-5, 50.0)
-    assert growth.mean_growth(40.0, 0.0) == pytest.approx(1.2e-5 * A * 40.0)
-    flux = 2e4
-    r = np.linspace(A, B, 20001)
-    profile = 40.0 - flux * A / 50.0 * np.log(r / A)
-    mean = np.trapezoid(profile * r, r) / np.trapezoid(r, r)
-    assert growth.mean_growth(40.0, flux) == pytest.approx(1.2e-5 * A * mean, rel=1e-7)
+BUSH = BushRing((A, B), (50.0,), 200.0, 293.15)
+UNEVEN = 80.0 + 30.0 * np.cos(BORE.theta) + 20.0 * np.cos(2 * BORE.theta) + 5.0 * np.sin(3 * BORE.theta + 0.4)
+
+
+def flux_into(walls: BushRing, temperature: np.ndarray) -> np.ndarray:
+    """Harmonics from 1 on of the heat flux into a bore, W/m2."""
+    harmonics = np.fft.rfft(temperature)
+    harmonics[0] = 0.0
+    harmonics[1:] /= walls.impedances(harmonics.size - 1)[1:]
+    return np.fft.irfft(harmonics, temperature.size)
+
+
+def curvature(u: np.ndarray) -> np.ndarray:
+    """Change of the curvature of a circle by u, times its radius squared."""
+    second = np.fft.irfft(-np.fft.rfft(u) * np.arange(u.size // 2 + 1) ** 2, u.size)
+    return u + second
+
+
+def above_first(values: np.ndarray) -> np.ndarray:
+    """Harmonics from 2 on."""
+    harmonics = np.fft.rfft(values)
+    harmonics[:2] = 0.0
+    return np.fft.irfft(harmonics, values.size)
 
 
 def test_free_ring_bends_by_its_temperature_gradient() -> None:
     """A strip without stress: its curvature changes by (u + u'') / a^2 = alpha (T / a - dT/dr)."""
-    growth = RingGrowth(A, B, 1.2e-5, 50.0)
-    hot = 20.0 * np.cos(2 * BORE.theta) + 5.0 * np.sin(3 * BORE.theta)
-    flux = 3e3 * np.cos(2 * BORE.theta - 0.3) + 1e3 * np.cos(5 * BORE.theta)
-    u = growth.distortion(BORE, 80.0 + 30.0 * np.cos(BORE.theta) + hot, flux)[:, 0]
-    second = np.fft.irfft(-np.fft.rfft(u) * np.arange(BORE.rows // 2 + 1) ** 2, BORE.rows)
-    assert (u + second) / A**2 == pytest.approx(1.2e-5 * (hot / A + flux / 50.0), abs=1e-12)
+    u = RingGrowth(BUSH, 0, 1.2e-5).distortion(BORE, UNEVEN)[:, 0]
+    bent = 1.2e-5 * (UNEVEN / A + flux_into(BUSH, UNEVEN) / 50.0)
+    assert curvature(u) / A**2 == pytest.approx(above_first(bent), abs=1e-10)
+    assert np.abs(np.fft.rfft(u)[:2]).max() < 1e-15  # neither mean nor shift
+
+
+def test_bush_behind_its_liner_bends_by_the_gradient_that_the_liner_leaves() -> None:
+    """Through the liner T = P r^m + Q r^-m from temperature and flux of the bore; the bush then as above."""
+    walls = BushRing((A, 0.052, B, 0.09), (12.0, 50.0, 15.0), 200.0, 293.15)
+    u = RingGrowth(walls, 1, 1.2e-5).distortion(BORE, UNEVEN)[:, 0]
+    hot, passing = np.fft.rfft(UNEVEN), np.fft.rfft(flux_into(walls, UNEVEN))
+    m = np.arange(1, 6)
+    s, a, k = m * math.log(0.052 / A), A, 12.0
+    behind, beyond = np.zeros_like(hot), np.zeros_like(hot)
+    behind[1:6] = hot[1:6] * np.cosh(s) - passing[1:6] * a / (k * m) * np.sinh(s)
+    beyond[1:6] = (passing[1:6] * a * np.cosh(s) - hot[1:6] * k * m * np.sinh(s)) / 0.052
+    inside, flux = (np.fft.irfft(one, BORE.rows) for one in (behind, beyond))
+    bent = 1.2e-5 * (inside / 0.052 + flux / 50.0)
+    assert curvature(u) / 0.052**2 == pytest.approx(above_first(bent), abs=1e-10)
+
+
+def test_rings_within_pass_on_what_conduction_leaves() -> None:
+    walls = BushRing((A, 0.052, B), (12.0, 50.0), 200.0, 293.15)
+    shares, impedances = walls.behind(1, 40)
+    assert impedances == pytest.approx(BushRing((0.052, B), (50.0,), 200.0, 293.15).impedances(40))
+    resistance = 0.052 * math.log(0.052 / A) / 12.0  # of the liner for the mean, over the flux behind it
+    assert shares[0] == pytest.approx(impedances[0] / (impedances[0] + resistance), rel=1e-12)
+    assert (np.diff(shares[1:]) < 0.0).all()
+    assert (BUSH.behind(0, 5)[0] == 1.0).all()
+    insulated = BushRing((A, 0.052, B), (12.0, 50.0), 0.0, 293.15)
+    assert insulated.behind(1, 3)[0][0] == 1.0  # no mean flux, no drop
+    thick = BushRing((1e-4, 0.2, 0.3), (1.0, 50.0), 200.0, 293.15).behind(1, 120)[0]
+    assert np.isfinite(thick).all()
+
+
+@pytest.mark.parametrize("conductivity", [1.0, 10.0, 400.0])
+def test_bush_is_bent_by_its_own_conductivity_and_hardly_by_a_skin(conductivity: float) -> None:
+    """A thin layer outside or inside: the distortion tends to that without it in proportion to its thickness."""
+    alone = RingGrowth(BUSH, 0, 1.2e-5).distortion(BORE, UNEVEN)
+    around, within = [], []
+    for skin in (5e-4, 5e-5, 5e-6):
+        housing = BushRing((A, B, B + skin), (50.0, conductivity), 200.0, 293.15)
+        liner = BushRing((A, A + skin, B), (conductivity, 50.0), 200.0, 293.15)
+        around.append(np.abs(RingGrowth(housing, 0, 1.2e-5).distortion(BORE, UNEVEN) - alone).max())
+        within.append(np.abs(RingGrowth(liner, 1, 1.2e-5).distortion(BORE, UNEVEN) - alone).max())
+    largest = np.abs(alone).max()
+    assert around[0] < 0.2 * largest
+    assert within[0] < 0.6 * largest  # 0.5 mm of 1 W/(m K) are 25 mm of the bush
+    for off in (around, within):
+        assert off[2] < 0.15 * off[1] < 0.15 * 0.2 * max(off[0], 1e-12)
+
+
+def test_unusable_growth() -> None:
+    for ring, expansion in ((1, 1e-5), (-1, 1e-5), (0, math.nan)):
+        with pytest.raises(InputError):
+            RingGrowth(BUSH, ring, expansion)

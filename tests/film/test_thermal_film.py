@@ -213,11 +213,6 @@ def test_a_turbulent_film_below_its_onset_is_the_laminar_one():
     assert asked.maximum_temperature == pytest.approx(laminar.maximum_temperature, abs=1e-3)
 
 
-def test_viscosity_under_pressure_is_refused():
-    with pytest.raises(InputError, match="pressure_viscosity"):
-        solve_thermal_journal(replace(BEARING, pressure_viscosity=Barus(2e-8)), FULL, WEIGHT)
-
-
 def test_a_film_that_makes_oil_is_refused():
     with pytest.raises(InputError, match="from nowhere"):
         solve_thermal_journal(replace(BEARING, cavitation=Cavitation.REYNOLDS), FULL, WEIGHT)
@@ -255,3 +250,20 @@ def test_oil_that_goes_back_is_as_warm_as_its_groove():
 def test_both_of_two_holes_alike_are_told_warm():
     found = solve_thermal_journal(TWINS, ADIABATIC, WEIGHT)
     assert found.groove_temperatures[0] == found.groove_temperatures[1] > COLD + 5.0
+
+
+@pytest.mark.parametrize(
+    ("film", "says"),
+    [(replace(BEARING, angular_speed=0.0), "angular_speed is zero"),
+     (replace(BEARING, pressure_viscosity=Barus(2e-8)), "pressure_viscosity")],
+)  # fmt: skip
+def test_films_without_an_answer_are_refused_under_a_load_and_at_a_position(film, says):
+    with pytest.raises(InputError, match=says):
+        solve_thermal_journal(film, FULL, WEIGHT)
+    with pytest.raises(InputError, match=says):
+        thermal_film_at(film, FULL, (3e-5, -9e-5))
+
+
+def test_a_film_without_load_is_refused():
+    with pytest.raises(InputError, match="without load"):
+        solve_thermal_journal(BEARING, FULL, (0.0, -0.0))

@@ -201,7 +201,9 @@ def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, fl
     if grooves and without_pressure(state.solution.film) != state.solution.film:
         flow = values["supply_flow"] * 6e4
         said = f"supply flow of {flow:.2g} L/min from grooves as wide as the bearing"
-        if flow < 0.0:
+        if math.isnan(flow):
+            said = "no film was found without the pressure of grooves as wide as the bearing; the whole flow"
+        elif flow < 0.0:
             said = (
                 f"under the pressure of grooves as wide as the bearing {-flow:.2g} L/min less leave by the sides"
             )

@@ -1,7 +1,7 @@
-"""The film in a bore that gives way: pressure and displacement settle beside each other.
+"""The film in a bore that gives way or is distorted by heat: film and displacement settle beside each other.
 
-The displacement is a fixed point: the film is solved with it, and its pressure gives the displacement again. A
-soft bore answers by more than it was moved, so plain repetition swings; the steps are damped, and joined after
+The displacement is a fixed point: the film is solved with it, and its pressure (and temperature) gives the
+displacement again. A soft bore answers by more than it was moved, so plain repetition swings; the steps are damped, and joined after
 Anderson (J. ACM 12 (1965) 547; as in Walker and Ni, SIAM J. Numer. Anal. 49 (2011) 1715, type II) to meet in few
 films.
 """
@@ -28,7 +28,16 @@ if TYPE_CHECKING:
     from babbitt.film.solution import FilmSolution
     from babbitt.film.thermal_solution import ThermalFilm
 
-__all__ = ["CLOSENESS", "ElasticFilm", "bore_grid", "displacement_under", "elastic_film", "elastic_thermal_film"]
+__all__ = [
+    "CLOSENESS",
+    "ElasticFilm",
+    "bore_grid",
+    "displacement_under",
+    "distortion_by",
+    "elastic_film",
+    "elastic_thermal_film",
+    "warm_displacement",
+]
 
 Array = NDArray[np.float64]
 SolutionT = TypeVar("SolutionT")
@@ -88,6 +97,19 @@ def displacement_under(compliances: Sequence[Compliance], found: FilmSolution) -
     return total_displacement(compliances, bore, pressure_on(found, bore.theta, bore.z))
 
 
+def distortion_by(growth: RingGrowth, found: ThermalFilm) -> Array:
+    """Gain of the gap by the uneven temperature of a film's bush, m, shape (rows, columns) of ``bore_grid``."""
+    bore, lines = bore_grid(found.film.film), found.film.angles.ravel()
+    around = np.interp(bore.theta, lines, found.bush_temperature[: lines.size], period=2.0 * np.pi)
+    return growth.distortion(bore, around)
+
+
+def warm_displacement(compliances: Sequence[Compliance], growth: RingGrowth | None, found: ThermalFilm) -> Array:
+    """Gain of the gap by pressure and uneven temperature of a film, m, shape (rows, columns) of ``bore_grid``."""
+    total = displacement_under(compliances, found.film)
+    return total if growth is None else total + distortion_by(growth, found)
+
+
 def elastic_film(
     film: JournalFilm,
     compliances: Sequence[Compliance],
@@ -127,25 +149,13 @@ def elastic_thermal_film(
     closeness: float = CLOSENESS,
     start: Array | None = None,
 ) -> ElasticFilm[ThermalFilm]:
-    """Thermal film in a bore that gives way under its pressure and is distorted by its temperature.
+    """Thermal film in a bore that gives way under its pressure, or is distorted by its temperature, or both.
 
-    Parameters are those of `elastic_film`; `growth` distorts the bore by the temperature around it. Its mean
-    growth belongs to the clearance and is not in the displacement.
+    Parameters are those of `elastic_film`, without compliances too; `growth` distorts the bore by the temperature
+    around it. Its mean growth belongs to the clearance and is not in the displacement.
     """
-    bore = bore_grid(film)
-
-    def displaced(found: ThermalFilm) -> Array:
-        total = displacement_under(compliances, found.film)
-        if growth is not None:
-            lines = found.film.angles.ravel()
-            hot, passing = (
-                np.interp(bore.theta, lines, values[: lines.size], period=2.0 * np.pi)
-                for values in (found.bush_temperature, found.bush_flux)
-            )
-            total = total + growth.distortion(bore, hot, passing)
-        return total
-
-    return _Settling(film, bore, displaced, solve, lambda found: found.film).run(closeness, start)
+    displaced = partial(warm_displacement, compliances, growth)
+    return _Settling(film, bore_grid(film), displaced, solve, lambda found: found.film).run(closeness, start)
 
 
 @dataclass(frozen=True, eq=False)

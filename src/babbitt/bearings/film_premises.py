@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from babbitt.bearings.layout import ALL_TURBULENT
-from babbitt.bearings.model import FilmBearing, FilmCase
+from babbitt.bearings.model import FilmCase
 from babbitt.bearings.orbit_answer import orbit_assumptions
 from babbitt.bearings.thermal_answer import coefficient_settings, thermal_assumptions, thermal_setting
 from babbitt.design.conditions import GivenEccentricity, GivenPosition
@@ -18,13 +18,12 @@ __all__ = ["film_assumptions", "film_settings"]
 def film_assumptions(case: FilmCase) -> Iterator[str]:
     """What the film method assumes for a case, in sentences for the report."""
     flow = "laminar film" if case.turbulence is None else f"turbulence after {case.turbulence.name}"
+    surfaces = surfaces_of(case)
     if case.heat is None:
-        surfaces = "a bore that gives way" if case.bearing.compliance else "rigid surfaces"
         yield f"One viscosity for the whole film, that at the effective temperature; {surfaces}; {flow}."
     else:
-        yield from thermal_assumptions(case, flow)
-    if case.bearing.compliance:
-        yield from compliance_assumptions(case.bearing)
+        yield from thermal_assumptions(case, surfaces, flow)
+    yield from displacement_assumptions(case)
     if case.turbulence is not None:
         yield (
             f"The film is laminar up to the local Reynolds number 41.3 sqrt(D/C) and fully turbulent from "
@@ -67,14 +66,27 @@ def film_assumptions(case: FilmCase) -> Iterator[str]:
         )
 
 
-def compliance_assumptions(bearing: FilmBearing) -> Iterator[str]:
-    """What is taken for granted about a bore that gives way."""
+def surfaces_of(case: FilmCase) -> str:
+    """What moves the bore of a film, in words."""
+    distorted = case.heat is not None and case.heat.growth is not None
+    if not case.bearing.compliance:
+        return "a stiff bore that heat distorts" if distorted else "rigid surfaces"
+    return "a bore that gives way and that heat distorts" if distorted else "a bore that gives way"
+
+
+def displacement_assumptions(case: FilmCase) -> Iterator[str]:
+    """What is taken for granted about a bore that gives way or is distorted by heat."""
+    growth = case.heat.growth if case.heat is not None else None
+    if not case.bearing.compliance and growth is None:
+        return
     yield (
         "Stiffness, damping, thresholds and transition hold for the displacement of the operating point (frozen); "
         "the journal is rigid."
     )
-    for one in bearing.compliance:
+    for one in case.bearing.compliance:
         yield one.premise
+    if growth is not None:
+        yield growth.premise
 
 
 def film_settings(case: FilmCase) -> dict[str, str]:

@@ -113,7 +113,10 @@ def _lobe_values(case: FilmCase, state: FilmState) -> dict[str, float]:
 
 
 def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
-    """Flow by film pressure and by supply pressure: the latter is what the supply adds at the same position."""
+    """Flow by film pressure and by supply pressure: the latter is what the supply adds at the same position.
+
+    Both NaN where the film without supply pressure is not found.
+    """
     flow, film = state.total_flow, state.solution.film
     if math.isnan(flow):
         return {}
@@ -124,20 +127,27 @@ def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
 
     x, y = state.solution.position
     if state.thermal is None:
-        alone = film_at_position(calm, (x, y), resolution=case.accuracy.resolution).leaving_flow
+        found = film_at_position(calm, (x, y), resolution=case.accuracy.resolution)
+        alone = found.leaving_flow if found.outcome.solved else math.nan
     else:
         alone = flow_without_pressure(case, state, calm)
     return {"side_flow": alone, "supply_flow": flow - alone, "total_flow": flow}
 
 
 def _displacement_values(case: FilmCase, state: FilmState) -> dict[str, float]:
-    """Largest displacement of a bore that gives way, against the pressure or with it."""
-    if not case.bearing.compliance:
+    """Largest displacement of a bore by all that moves it, against the pressure or with it; and by heat alone."""
+    compliance, growth = case.bearing.compliance, case.heat.growth if case.heat is not None else None
+    if not compliance and growth is None:
         return {}
-    from babbitt.bearings.elastic_film import displacement_under
+    from babbitt.bearings.elastic_film import displacement_under, distortion_by, warm_displacement
 
-    displaced = displacement_under(case.bearing.compliance, state.solution)
-    return {"maximum_displacement": float(np.abs(displaced).max())}
+    if growth is None or state.thermal is None:
+        displaced = displacement_under(compliance, state.solution)
+        return {"maximum_displacement": float(np.abs(displaced).max())}
+    return {
+        "maximum_displacement": float(np.abs(warm_displacement(compliance, growth, state.thermal)).max()),
+        "thermal_distortion": float(np.abs(distortion_by(growth, state.thermal)).max()),
+    }
 
 
 def _extent_values(state: FilmState) -> dict[str, float]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from babbitt.film.heat import ConductingWalls
+    from babbitt.film.ring_growth import RingGrowth
 
 __all__ = ["AxialTemperature", "HeatModel", "TemperatureCoefficients"]
 
@@ -38,12 +39,15 @@ class HeatModel:
     coefficients : TemperatureCoefficients
     carry_over : float
         Share of the oil brought to a supply that goes on with the next film, see `babbitt.film.heat.FilmHeat`.
+    growth : RingGrowth or None
+        What distorts the bore by the uneven temperature of its bush; None: the bore keeps its form.
     """
 
     walls: ConductingWalls | None = None
     axial_temperature: AxialTemperature = AxialTemperature.MEAN
     coefficients: TemperatureCoefficients = TemperatureCoefficients.FROZEN
     carry_over: float = 1.0
+    growth: RingGrowth | None = None
 
     @property
     def name(self) -> str:

@@ -120,12 +120,13 @@ def stiffness_values(state: FilmState) -> dict[str, float]:
 
 
 def flow_without_pressure(case: FilmCase, state: FilmState, calm: JournalFilm) -> float:
-    """Flow of the same journal position without supply pressure, m3/s."""
+    """Flow of the same journal position without supply pressure, m3/s; NaN where there is no such film."""
     from babbitt.film.thermal import thermal_film_at
 
     x, y = state.solution.position
     heat = film_heat(case, state.volumetric_heat_capacity, state.temperature)
-    return thermal_film_at(calm, heat, (float(x), float(y)), thermal_resolution(case)).film.leaving_flow
+    found = thermal_film_at(calm, heat, (float(x), float(y)), thermal_resolution(case)).film
+    return found.leaving_flow if found.outcome.solved else math.nan
 
 
 def doubts_about_heat(
@@ -158,14 +159,14 @@ def doubts_about_heat(
         yield Notice("W147", "a displaced film did not settle; stiffness is that of frozen temperatures")
 
 
-def thermal_assumptions(case: FilmCase, flow: str) -> Iterator[str]:
-    """What the model of a film with its own temperatures assumes."""
+def thermal_assumptions(case: FilmCase, surfaces: str, flow: str) -> Iterator[str]:
+    """What the model of a film with its own temperatures assumes; its surfaces and its flow come in words."""
     heat = case.heat
     assert heat is not None
     along = "" if heat.axial_temperature is AxialTemperature.MEAN else "over the width, "
     yield (
-        f"Temperature and viscosity of the film vary around the journal, {along}and across the gap; rigid "
-        f"surfaces; {flow}."
+        f"Temperature and viscosity of the film vary around the journal, {along}and across the gap; "
+        f"{surfaces}; {flow}."
     )
     if heat.axial_temperature is AxialTemperature.MEAN and all(one.width is None for one in case.bearing.hollows):
         yield "One profile of temperature across the gap for the whole width."

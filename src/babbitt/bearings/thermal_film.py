@@ -167,19 +167,14 @@ def _warm_state(case: FilmCase, psi: float, temperature: float, search: ThermalS
 
 
 def _in_its_bore(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalSearch) -> ThermalFilm:
-    """Film at its load or position, in a bore that gives way and is distorted by heat where the case has one."""
-    if not case.bearing.compliance:
+    """Film at its load or position, in a bore that gives way or is distorted by heat where the case has one."""
+    assert case.heat is not None
+    compliance, growth = case.bearing.compliance, case.heat.growth
+    if not compliance and growth is None:
         return _settled(case, film, heat, search)
     from babbitt.bearings.elastic_film import elastic_thermal_film
-    from babbitt.film.ring_growth import RingGrowth
 
-    growth = None
-    if heat.walls is not None:
-        bush = heat.walls.bush
-        growth = RingGrowth(bush.radii[0], bush.radii[-1], case.bearing.expansion_bearing, bush.conductivities[-1])
-    found = elastic_thermal_film(
-        film, case.bearing.compliance, lambda one: _settled(case, one, heat, search), growth
-    )
+    found = elastic_thermal_film(film, compliance, lambda one: _settled(case, one, heat, search), growth)
     return replace(found.solution, film=replace(found.solution.film, outcome=found.outcome))
 
 

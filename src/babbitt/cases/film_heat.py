@@ -37,6 +37,8 @@ BUSH_OVER_BORE = 1.25
 """Outside diameter of the bush over that of the bore where it is not given: an assumption."""
 HOUSING_OVER_BUSH = 1.6
 """Outside diameter of the housing over that of the bush where it is not given: an assumption (twice the bore)."""
+CONTACT_THICKNESS = 1e-5
+"""Of the layer that stands for the contact between bush and housing, m; its conductivity makes the coefficient."""
 
 
 class LinerGiven(Part):
@@ -114,6 +116,11 @@ class WallsGiven(Part):
     bush: ConductingBushGiven = Field(ConductingBushGiven(), description="The bush.")
     housing: ConductingHousingGiven = Field(ConductingHousingGiven(), description="The housing around it.")
     journal: ConductingJournalGiven = Field(ConductingJournalGiven(), description="The journal.")
+    thermal_distortion: bool = Field(
+        False,
+        description="Whether the uneven temperature of the bush distorts the bore, as that of a free ring of one "
+        "material. Its mean temperature widens the bore either way.",
+    )
 
 
 OWN_TEMPERATURES = ("adiabatic", "full")
@@ -206,6 +213,14 @@ def _complaints_about_sizes(bearing: JournalBearing, walls: WallsGiven) -> Itera
         )
         yield Complaint(("walls", "bush", "liner", "thickness"), says, "a thinner liner, or outer_diameter")
     inner = outside if outside is not None else BUSH_OVER_BORE * bearing.diameter
-    if housing.outer_diameter is not None and housing.outer_diameter <= inner:
+    if housing.outer_diameter is None:
+        return
+    touching = inner + 2.0 * CONTACT_THICKNESS
+    if housing.outer_diameter <= inner:
         says = f"the housing, {written(housing.outer_diameter, 'mm')}, is not larger than the bush"
         yield Complaint(("walls", "housing", "outer_diameter"), says, f"more than {written(inner, 'mm')}")
+    elif housing.contact_coefficient is not None and housing.outer_diameter <= touching:
+        wall = written(0.5 * (housing.outer_diameter - inner), "um")
+        says = f"the housing is {wall} thick, no more than the contact with its contact_coefficient"
+        allowed = f"a wall of more than {written(CONTACT_THICKNESS, 'um')}, or no contact_coefficient"
+        yield Complaint(("walls", "housing", "outer_diameter"), says, allowed)

@@ -7,10 +7,17 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from babbitt.bearings.heat_model import AxialTemperature, HeatModel, TemperatureCoefficients
-from babbitt.cases.film_heat import BUSH_OVER_BORE, HOUSING_OVER_BUSH, OWN_TEMPERATURES, WallsGiven
+from babbitt.cases.film_heat import (
+    BUSH_OVER_BORE,
+    CONTACT_THICKNESS,
+    HOUSING_OVER_BUSH,
+    OWN_TEMPERATURES,
+    WallsGiven,
+)
 from babbitt.cases.joined_inputs import Inputs, housing_cooling
 from babbitt.design.cooling import STILL_AIR_COEFFICIENT
 from babbitt.film.heat import BushRing, ConductingWalls, JournalHeat
+from babbitt.film.ring_growth import RingGrowth
 from babbitt.materials import structural_material
 from babbitt.units import written
 
@@ -20,8 +27,6 @@ STEEL_CONDUCTIVITY = 45.0
 """W/(m K), where the material of the bearing is given by its expansion only: an assumption."""
 ROOM = 293.15
 """Temperature of the surroundings in K where none is given: an assumption."""
-CONTACT_THICKNESS = 1e-5
-"""Of the layer that stands for the contact between bush and housing, m; its conductivity makes the coefficient."""
 
 
 @dataclass(frozen=True)
@@ -46,11 +51,13 @@ def heat_model(inputs: Inputs, thermal: str | None = None) -> HeatModel | None:
     chosen = thermal or bearing.thermal
     if chosen not in OWN_TEMPERATURES:
         return None
+    walls = _walls(inputs) if chosen == "full" else None
     return HeatModel(
-        _walls(inputs) if chosen == "full" else None,
+        walls,
         AxialTemperature(bearing.axial_temperature),
         TemperatureCoefficients(bearing.temperature_coefficients),
         bearing.carry_over,
+        _growth(inputs, walls),
     )
 
 
@@ -80,6 +87,16 @@ def _walls(inputs: Inputs) -> ConductingWalls:
     ring = BushRing(tuple(radii), tuple(conductivities), outside.coefficient, outside.ambient)
     around = journal.ambient_temperature if journal.ambient_temperature is not None else outside.ambient
     return ConductingWalls(ring, JournalHeat(journal.temperature, journal.shaft_conductance, around))
+
+
+def _growth(inputs: Inputs, walls: ConductingWalls | None) -> RingGrowth | None:
+    """The bush behind its liner, where its heat is to distort the bore."""
+    given, material = inputs.bearing.walls, inputs.materials.bearing
+    if walls is None or given is None or not given.thermal_distortion:
+        return None
+    if material is None:
+        raise ValueError("a case that was not validated: the bearing has no material")
+    return RingGrowth(walls.bush, 0 if given.bush.liner is None else 1, material.expansion())
 
 
 def _radii(inputs: Inputs) -> tuple[float, float]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -96,6 +96,43 @@ class BushRing:
         (q taken outwards, T = A r^m + B r^-m). Infinite for m = 0 with an insulated outside.
         """
         return _impedances(self, harmonics)
+
+    def behind(self, ring: int, harmonics: int) -> tuple[Array, Array]:
+        """Temperature at the inner radius of a ring over that of the bore, and over the flux into it (K m2/W).
+
+        For cos(m theta), m = 0 .. harmonics, above ambient. Through each ring further in, from its radius a to b,
+
+            T_b / T_a = 1 / (cosh s + sinh s / v),   s = m ln(b/a),  v = z_b k m / b
+
+        with the impedance z_b of all that follows; m = 0: T_b / T_a = z_b / (z_b + b ln(b/a) / k).
+
+        Parameters
+        ----------
+        ring : int
+            From 0, at the bore.
+        harmonics : int
+
+        Returns
+        -------
+        shares, impedances : ndarray, shape (harmonics + 1,)
+        """
+        order, shares = np.arange(harmonics + 1, dtype=float), np.ones(harmonics + 1)
+        impedance = self._from(ring).impedances(harmonics)
+        for inner in reversed(range(ring)):
+            (a, b), k = self.radii[inner : inner + 2], self.conductivities[inner]
+            stretch = math.log(b / a)
+            beyond = self._from(inner + 1).impedances(harmonics)
+            step, over = order[1:] * stretch, b / (k * order[1:] * beyond[1:])
+            decay = np.exp(-2.0 * step)  # cosh and sinh of a thick ring would overflow
+            shares[1:] *= 2.0 * np.exp(-step) / ((1.0 + decay) + (1.0 - decay) * over)
+            shares[0] /= 1.0 + b * stretch / (k * beyond[0])
+        return shares, impedance
+
+    def _from(self, ring: int) -> BushRing:
+        """The rings from one on."""
+        if ring == 0:
+            return self
+        return replace(self, radii=self.radii[ring:], conductivities=self.conductivities[ring:])
 
 
 @lru_cache(maxsize=64)

@@ -120,8 +120,8 @@ def solve_thermal_journal(
     Raises
     ------
     InputError
-        E101 if the load is not finite, the journal stands still, the film does not conserve oil, or viscosity
-        under pressure is asked for.
+        E101 if the load is zero or not finite, the journal stands still, the film does not conserve oil, or
+        viscosity under pressure is asked for.
     """
     begun, asked = time.perf_counter(), posed(film, load)
     found = search(asked.seen, heat, asked.scales, asked.load, resolution)
@@ -132,18 +132,25 @@ def posed(film: JournalFilm, load: tuple[float, float]) -> Posed:
     """A film under a load, N, as it is solved; raises as `solve_thermal_journal`."""
     if not all(math.isfinite(part) for part in load):
         raise InputError("E101", f"load is {load}; both components must be finite, in N.")
+    if not any(load):
+        raise InputError("E101", f"load is {load}; without load a film need not hold the journal anywhere, nor "
+                         "carry its heat off. Give a load, or a position to thermal_film_at.")  # fmt: skip
     if film.cavitation is not Cavitation.MASS_CONSERVING:
         raise InputError("E101", f"cavitation is {film.cavitation.name.lower()}; oil that comes from nowhere, "
                          "where a film forms anew, has no temperature. Choose mass_conserving.")  # fmt: skip
+    seen, scales = turning_forwards(film)
+    return Posed(film, seen, scales, np.asarray(load) * scales.sense / scales.force)
+
+
+def turning_forwards(film: JournalFilm) -> tuple[JournalFilm, Scales]:
+    """A film as it is solved, and its scales; raises where it is not sheared, or knows viscosity under pressure."""
     if film.pressure_viscosity is not None:
         raise InputError(
             "E101", "pressure_viscosity is given; a film with its own temperatures does not count it."
         )
     if film.angular_speed == 0.0:
         raise InputError("E101", "angular_speed is zero; a film at rest makes no heat and carries no steady load.")
-    scales = Scales.of(film, abs(film.angular_speed))
-    seen = mirrored(film) if film.angular_speed < 0.0 else film
-    return Posed(film, seen, scales, np.asarray(load) * scales.sense / scales.force)
+    return mirrored(film) if film.angular_speed < 0.0 else film, Scales.of(film, abs(film.angular_speed))
 
 
 def thermal_film_at(
@@ -156,10 +163,14 @@ def thermal_film_at(
     """Film with its own temperatures at a prescribed position (m) of the journal; see `solve_thermal_journal`.
 
     ``settled`` is the change of temperature in a pass, K, at which film and temperature rest beside each other.
+
+    Raises
+    ------
+    InputError
+        E101 if the journal stands still or viscosity under pressure is asked for.
     """
     begun = time.perf_counter()
-    scales = Scales.of(film, abs(film.angular_speed))
-    seen = mirrored(film) if film.angular_speed < 0.0 else film
+    seen, scales = turning_forwards(film)
     at = np.asarray(position) * scales.sense / scales.length
     warm = fresh_ring(seen, heat, scales, 2 * resolution.intervals, resolution, None)
     gap = warm.sample.gap(at)

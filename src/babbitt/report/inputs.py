@@ -267,6 +267,8 @@ def _film_method(case: FilmCase) -> Iterator[Row]:
     if case.heat is not None and case.heat.walls is not None:
         yield Row("Bush and housing", said_of_bush(case.heat.walls))
         yield Row("Journal", said_of_journal(case.heat.walls))
+    if case.heat is not None and case.heat.growth is not None:
+        yield Row("Distortion by heat", case.heat.growth.premise)
     yield Row("Where the film breaks up", CAVITATION[case.cavitation])
     yield Row("Where the film begins", said_of_start(case.bearing))
     yield Row("Grid", case.accuracy.value)

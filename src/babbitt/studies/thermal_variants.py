@@ -32,10 +32,11 @@ REMARKS = {
     ),
     "full thermal film": (
         "as adiabatic film, with bush and housing that conduct heat and a journal of one temperature; neglects "
-        "deformation by pressure, and heat along the bush"
+        "heat along the bush"
     ),
 }
-"""What each model of the temperature sees and neglects, from the simplest to the fullest."""
+"""What each model of the temperature sees and neglects, from the simplest to the fullest; of the bore see
+`_remark`."""
 
 OWN = {"adiabatic": "adiabatic film", "full": "full thermal film"}
 
@@ -78,7 +79,7 @@ def thermal_variants(bearing: JournalBearing, case: Case) -> Iterator[tuple[Ther
             found[GLOBAL] = with_balance[index]
         found |= {OWN[name]: films[index] for name, films in heated.items()}
         yield tuple(
-            ThermalVariant(_label(name, film), REMARKS[name], film, list(REMARKS).index(name))
+            ThermalVariant(_label(name, film), _remark(name, film), film, list(REMARKS).index(name))
             for name, film in _ordered(bearing, own, found)
         )
 
@@ -98,6 +99,19 @@ def _label(name: str, film: FilmCase) -> str:
     if film.effective_temperature is None:
         return name
     return f"film at {film.effective_temperature - ZERO_CELSIUS:.4g} °C"
+
+
+def _remark(name: str, film: FilmCase) -> str:
+    """What a model sees and neglects, deformation of the bore by pressure and by heat among it."""
+    if film.heat is None or film.heat.walls is None:
+        return REMARKS[name]
+    neglected = [
+        cause
+        for cause, counted in (("pressure", film.bearing.compliance), ("uneven heat", film.heat.growth))
+        if not counted
+    ]
+    also = f", and deformation by {' or by '.join(neglected)}" if neglected else ""
+    return f"{REMARKS[name]}{also}"
 
 
 def _ordered(bearing: JournalBearing, own: FilmCase, found: dict[str, FilmCase]) -> Iterator[tuple[str, FilmCase]]:
