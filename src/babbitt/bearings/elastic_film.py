@@ -1,9 +1,9 @@
 """The film in a bore that gives way or is distorted by heat: film and displacement settle beside each other.
 
 The displacement is a fixed point: the film is solved with it, and its pressure (and temperature) gives the
-displacement again. A soft bore answers by more than it was moved, so plain repetition swings; the steps are damped, and joined after
-Anderson (J. ACM 12 (1965) 547; as in Walker and Ni, SIAM J. Numer. Anal. 49 (2011) 1715, type II) to meet in few
-films.
+displacement again. A soft bore answers by more than it was moved, so plain repetition swings; the steps are
+damped, and joined after Anderson (J. ACM 12 (1965) 547; as in Walker and Ni, SIAM J. Numer. Anal. 49 (2011) 1715, type II)
+to meet in few films.
 """
 
 from __future__ import annotations

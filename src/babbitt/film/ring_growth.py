@@ -2,9 +2,9 @@
 
 Steady conduction without sources leaves a free ring of one material without stress in all harmonics but 0 and 1
 (Boley and Weiner, Theory of Thermal Stresses, 1960, section 4.7): with z = r exp(i theta) and T = Re f(z), the
-displacement is alpha times the integral of f. The mean (n = 0) is left to the growth of the clearance; n = 1 shifts
-the bore as a whole. The rest depends on temperature and flux at the inner surface of the ring alone, wherever the
-heat goes outside; f is that of one conductivity, so that no other ring may count as part of the body.
+displacement is alpha times the integral of f. The mean (n = 0) is left to the growth of the clearance; n = 1
+shifts the bore as a whole. The rest depends on temperature and flux at the inner surface of the ring alone,
+wherever the heat goes outside; f is that of one conductivity, so that no other ring may count as part of the body.
 """
 
 from __future__ import annotations
@@ -59,9 +59,9 @@ class RingGrowth:
         """What is taken for granted, a sentence for the report."""
         outside = 2e3 * self.walls.radii[self.ring + 1]
         return (
-            f"The uneven temperature of the bush distorts the bore as that of a free ring of one material, up to "
-            f"{outside:.5g} mm, in plane stress: a liner follows it, the housing does not hold it; positions of the "
-            "journal count from the shifted centre of its bore."
+            "The uneven temperature of the bush distorts the bore as that of a free ring of one material, up to "
+            f"{outside:.5g} mm, in plane stress: a liner follows it, the housing does not hold it; positions of "
+            "the journal count from the shifted centre of its bore."
         )
 
     def distortion(self, bore: BoreGrid, temperature: Array) -> Array:

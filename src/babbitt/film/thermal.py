@@ -143,7 +143,7 @@ def posed(film: JournalFilm, load: tuple[float, float]) -> Posed:
 
 
 def turning_forwards(film: JournalFilm) -> tuple[JournalFilm, Scales]:
-    """A film as it is solved, and its scales; raises where it is not sheared, or knows viscosity under pressure."""
+    """A film as it is solved, and its scales; raises if it is not sheared or knows viscosity under pressure."""
     if film.pressure_viscosity is not None:
         raise InputError(
             "E101", "pressure_viscosity is given; a film with its own temperatures does not count it."
