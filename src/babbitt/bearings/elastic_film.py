@@ -2,8 +2,8 @@
 
 The displacement is a fixed point: the film is solved with it, and its pressure (and temperature) gives the
 displacement again. A soft bore answers by more than it was moved, so plain repetition swings; the steps are
-damped, and joined after Anderson (J. ACM 12 (1965) 547; as in Walker and Ni, SIAM J. Numer. Anal. 49 (2011) 1715, type II)
-to meet in few films.
+damped, and joined after Anderson (J. ACM 12 (1965) 547; as in Walker and Ni, SIAM J. Numer. Anal. 49 (2011) 1715,
+type II) to meet in few films.
 """
 
 from __future__ import annotations

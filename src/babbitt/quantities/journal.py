@@ -43,17 +43,8 @@ JOURNAL: tuple[Quantity, ...] = (
     quantity("sommerfeld_number", "So", "1", "", 4, "Sommerfeld number F ψ²/(B D η ω) of ISO 7902"),
     quantity("american_sommerfeld_number", "S", "1", "", 4, "American Sommerfeld number η N L D (R/c)²/F"),
     quantity("maximum_pressure", "p_max", "Pa", "MPa", 3, "Maximum film pressure"),
-    quantity(
-        "maximum_displacement",
-        "u_max",
-        "m",
-        "um",
-        3,
-        "Largest displacement of the bore by pressure, and by uneven temperature where it is counted",
-    ),
-    quantity(
-        "thermal_distortion", "u_T", "m", "um", 3, "Largest displacement of the bore by uneven temperature alone"
-    ),
+    quantity("maximum_displacement", "u_max", "m", "um", 3, "Largest displacement of the bore by the film"),
+    quantity("thermal_distortion", "u_T", "m", "um", 3, "Largest displacement by uneven heat alone"),
     quantity("friction_number", "f/ψ", "1", "", 4, "Friction coefficient over relative clearance"),
     quantity("friction_coefficient", "f", "1", "", 3, "Friction coefficient"),
     quantity("friction_torque", "M_f", "N m", "Nm", 4, "Friction torque on the journal"),
