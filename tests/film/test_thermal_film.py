@@ -255,3 +255,33 @@ def test_oil_that_goes_back_is_as_warm_as_its_groove():
 def test_both_of_two_holes_alike_are_told_warm():
     found = solve_thermal_journal(TWINS, ADIABATIC, WEIGHT)
     assert found.groove_temperatures[0] == found.groove_temperatures[1] > COLD + 5.0
+
+
+def test_one_viscosity_is_its_own_effective_viscosity():
+    """At large eccentricity a quarter of the friction is that of the flow by pressure, which shears no thicker oil."""
+    heat = replace(FULL, viscosity=lambda temperature: np.full_like(temperature, BEARING.viscosity))
+    for load in (20e3, 300e3):
+        found = solve_thermal_journal(BEARING, heat, (0.0, -load))
+        assert found.effective_viscosity == pytest.approx(BEARING.viscosity, rel=1e-9)
+
+
+def test_tilt_mirrored_across_the_middle_mirrors_a_turbulent_film():
+    law = FilmTurbulence(NG_PAN, density=860.0, onset=600.0, end=1200.0)
+    fast = replace(BEARING, angular_speed=600.0, turbulence=law)
+    here, there = (
+        solve_thermal_journal(replace(fast, misalignment=tilt), ADIABATIC, WEIGHT, Resolution(4, 48, 24, 1e-9))
+        for tilt in ((4e-4, 3e-4), (-4e-4, -3e-4))
+    )
+    assert there.film.position == pytest.approx(here.film.position, rel=1e-6)
+    assert there.maximum_temperature == pytest.approx(here.maximum_temperature, abs=1e-3)
+
+
+def test_grooves_under_pressure_have_one_film_whatever_the_grid():
+    """A line behind a fed groove that is dry once must not stay dry because it is."""
+    fed = replace(BEARING, lands=grooved_bore((0.0, math.pi), 0.35, 3e5))
+    found = [solve_thermal_journal(fed, FULL, (0.0, -30e3), Resolution(4, n, n // 2, 1e-6)) for n in (48, 96, 192)]
+    flows = np.array([one.fresh_flow for one in found])
+    assert np.abs(flows[1] / flows[2] - 1.0).max() < 0.04
+    assert np.abs(flows[0] / flows[2] - 1.0).max() < 0.08
+    assert abs(found[1].maximum_temperature - found[2].maximum_temperature) < 0.4
+    assert abs(found[0].maximum_temperature - found[2].maximum_temperature) < 0.8
