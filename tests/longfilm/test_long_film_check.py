@@ -273,13 +273,9 @@ def judged(result):
 def test_a_film_without_sides_is_never_judged_thick_enough():
     """It carries more than a bearing with sides: at B/D 0.1 and the same load the latter is many times thinner."""
     result = solved(NARROW)
-    fed = "method: film
-span: 360 deg
-supply_element: {kind: hole, diameter: 3 mm, place: opposite}"
-    more = "effective_temperature: 60 degC
-materials: {bearing: C45, journal: C45}"
-    text = NARROW.replace("method: long_film", f"{fed}
-{more}")
+    fed = "method: film\nspan: 360 deg\nsupply_element: {kind: hole, diameter: 3 mm, place: opposite}"
+    more = "effective_temperature: 60 degC\nmaterials: {bearing: C45, journal: C45}"
+    text = NARROW.replace("method: long_film", f"{fed}\n{more}")
     finite = solved(text.replace("temperature: 60 degC}", "temperature: 60 degC, pressure: 0.1 MPa}"))
     assert result.minimum_film_thickness > 5.0 * finite.minimum_film_thickness
     assert result.minimum_film_thickness > result.empirical_film_limit > finite.minimum_film_thickness
@@ -323,7 +319,6 @@ def test_a_narrow_bearing_is_doubted(width, duty, words):
     assert ("W158" in warnings) is (words is not None)
     if words:
         assert words in warnings["W158"]
-
 
 
 def test_shares_of_the_load_of_a_wide_film_that_the_doubt_tells():
