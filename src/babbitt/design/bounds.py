@@ -19,7 +19,7 @@ TEMPERATURE_CHECKS = ("C104", "C108", "C109")
 """Limits of the temperature: of the oil, and of the bearing metal."""
 
 
-def bounds_of(case: Designed) -> dict[str, str]:
+def bounds_of(case: Designed) -> Bounds:
     """Bounds of every method: where the temperature is prescribed, the hottest place is at least that warm."""
     if case.effective_temperature is None:
         return {}

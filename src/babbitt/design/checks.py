@@ -38,12 +38,12 @@ def limit_checks(case: Designed, values: Mapping[str, float], bounds: Bounds = N
     bounds : Bounds
         Checks whose value flatters the bearing, by the method: only a miss is one (`babbitt.design.bounds`).
     """
-    return certain(_every_check(case, values), bounds_of(case) | bounds)
+    return certain(_every_check(case, values), {**bounds_of(case), **bounds})
 
 
 def checks_not_made(case: Designed, values: Mapping[str, float], bounds: Bounds = NO_BOUNDS) -> tuple[Notice, ...]:
     """The checks of the design that lack data or a value to judge, each with what is missing."""
-    return (*_not_made(case, values), *unjudged(_every_check(case, values), bounds_of(case) | bounds))
+    return (*_not_made(case, values), *unjudged(_every_check(case, values), {**bounds_of(case), **bounds}))
 
 
 def _every_check(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:
