@@ -258,7 +258,7 @@ def test_both_of_two_holes_alike_are_told_warm():
 
 
 def test_one_viscosity_is_its_own_effective_viscosity():
-    """At large eccentricity a quarter of the friction is that of the flow by pressure, which shears no thicker oil."""
+    """Friction of the flow by pressure, much of all under a high load, is no sign of thicker oil."""
     heat = replace(FULL, viscosity=lambda temperature: np.full_like(temperature, BEARING.viscosity))
     for load in (20e3, 300e3):
         found = solve_thermal_journal(BEARING, heat, (0.0, -load))
