@@ -146,6 +146,13 @@ def test_temperatures_that_follow_soften_or_stiffen_but_keep_the_sign(full):
     assert result.settings["stiffness_temperatures"] == "frozen"
     assert np.array(found.damping) == pytest.approx(np.array(result.damping), rel=1e-12)
     assert any("(frozen)" in said for said in result.assumptions)
+    assert found.frozen_stiffness == result.stiffness
+    assert "frozen_stiffness" not in result.arrays
+    for kind, one in (("following", found), ("frozen", result)):
+        shown = drawn(one)
+        assert f"force in x over move in x, temperatures {kind}" in shown
+        assert "force in y over speed in x, temperatures frozen" in shown
+        assert "rigid rotor whirls, temperatures frozen" in shown
 
 
 def test_stiffness_while_temperatures_follow_does_not_depend_on_the_push(full, monkeypatch):
