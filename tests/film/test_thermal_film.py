@@ -180,6 +180,23 @@ def test_temperature_converges_with_the_first_power_of_the_step():
     assert 1.5 < (values[1] - values[0]) / (values[2] - values[1]) < 4.5
 
 
+@pytest.mark.parametrize(
+    ("film", "heat"),
+    [
+        (BEARING, ADIABATIC),
+        (BEARING, FULL),
+        (replace(BEARING, lands=grooved_bore((0.0, math.pi), 0.35, 3e5)), FULL),
+    ],
+    ids=["adiabatic", "full", "pressure"],
+)
+def test_the_hottest_place_converges_with_the_first_power_of_the_step(film, heat):
+    values = [
+        solve_thermal_journal(film, heat, WEIGHT, Resolution(4, n, n // 2, 1e-9)).maximum_temperature
+        for n in (48, 96, 192)
+    ]
+    assert 1.4 < (values[1] - values[0]) / (values[2] - values[1]) < 2.6
+
+
 def test_a_line_of_supply_of_no_width_at_the_widest_gap_changes_little():
     """One groove at the top, 0 and 2 degrees wide: the film between has the same temperatures."""
     results = []
