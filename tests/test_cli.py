@@ -250,6 +250,28 @@ def test_export_writes_every_format_and_declares_the_frame(run, tmp_path, format
     assert table.damping[-1] == pytest.approx(np.array(film.damping), rel=1e-6)
 
 
+@pytest.mark.parametrize("kind", ["frozen", "following"])
+def test_export_says_for_which_temperatures_its_coefficients_hold(run, tmp_path, kind):
+    text = film_journal(thermal="full", temperature_coefficients=kind)
+    (tmp_path / "case.yaml").write_text(text)
+    status, _, err = run("export", "case.yaml", "--format", "csv", "--speeds", "3000 rpm", "-o", "table.csv")
+    assert status == 0, err
+    assert ("for whirl and vibration export" in err) is (kind == "following")
+    (table,) = read_csv(tmp_path / "table.csv")
+    assert f"temperatures: {table.temperatures}" in err
+    assert kind in table.temperatures
+    assert table.stiffness[0] == pytest.approx(np.array(solve(parse_case(text))["Pump"].stiffness), rel=1e-9)
+
+
+def test_export_without_a_following_stiffness_writes_nothing(run, tmp_path, monkeypatch):
+    monkeypatch.setattr("babbitt.bearings.thermal_answer.following_stiffness", lambda *_: None)
+    (tmp_path / "case.yaml").write_text(film_journal(thermal="full", temperature_coefficients="following"))
+    status, _, err = run("export", "case.yaml", "--format", "csv", "--speeds", "3000 rpm", "-o", "table.csv")
+    assert status == 3
+    assert "no stiffness with following temperatures at 3000 rpm" in err
+    assert not (tmp_path / "table.csv").exists()
+
+
 def test_export_of_a_clockwise_bearing_needs_a_decision(run, tmp_path):
     (tmp_path / "case.yaml").write_text(film_journal(speed="-3000 rpm"))
     common = ("export", "case.yaml", "--speeds", "2000 rpm")

@@ -109,7 +109,8 @@ def test_methods_that_do_not_apply_are_told_with_the_reason():
     (found,) = compare_methods(case(**turbulent))
     told = dict(line.split(" left out: ") for line in found.left_out.splitlines())
     assert told == {
-        "adiabatic film and full thermal film are": "coefficients of tilt are those of a film of one temperature",
+        "adiabatic film and full thermal film are": "coefficients of tilt are those of a film of one "
+        "temperature; take tilt_coefficients out of the case to see it",
         "long film is": "it knows laminar films only",
     }
     labels = {variant.label for variant in found.variants}

@@ -46,3 +46,35 @@ def test_a_supply_flow_from_the_side_is_not_called_a_flow_from_the_grooves():
     assert pressed.supply_flow < 0.0
     assert "less leave by the sides, as oil flows from a side into them" in said(pressed)["W121"]
     assert "supply flow of" in said(answer(**QUICK))["W121"]
+
+
+@pytest.mark.parametrize(
+    ("given", "missed", "cold"), [("20 degC", False, True), ("60 degC", False, False), ("120 degC", True, False)]
+)
+def test_a_prescribed_temperature_tells_no_heat(given, missed, cold):
+    """The oil of a film at 120 °C, fed at 45 °C, does not leave at 195 °C: its friction would never warm it so."""
+    result = answer(accuracy="draft", effective_temperature=given, load="5 kN")
+    assert result.friction_power > 0.0
+    assert not {"outlet_temperature", "heat_to_oil", "heat_to_surroundings", "energy_balance_error"} & set(
+        result.values
+    )
+    limits = [check for check in result.checks if check.code == "C104"]
+    unmade = {notice.code: notice.message for notice in result.not_checked}
+    if missed:
+        assert [(one.quantity, one.ok) for one in limits] == [("effective_temperature", False)]
+    else:
+        assert limits == []
+        assert "no heat balance" in unmade["C104"]
+    assert ("W149" in said(result)) is cold
+    if cold:
+        assert "20.0 °C < supply temperature of 45.0 °C" in said(result)["W149"]
+
+
+def test_a_given_film_colder_than_oil_that_is_too_hot_misses_the_limit_by_the_supply():
+    hot = answer(
+        accuracy="draft",
+        effective_temperature="60 degC",
+        supply={"temperature": "110 degC", "pressure": "0.1 MPa"},
+    )
+    (check,) = (one for one in hot.checks if one.code == "C104")
+    assert (check.quantity, check.ok) == ("supply_temperature", False)

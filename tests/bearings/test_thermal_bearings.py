@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from rich.console import Console
 
+from babbitt.bearings import thermal_answer
 from babbitt.bearings import thermal_film as thermal_film_module
 from babbitt.bearings.check import film_check
 from babbitt.bearings.field import field_of
@@ -17,9 +18,11 @@ from babbitt.bearings.heat_model import HeatModel, TemperatureCoefficients
 from babbitt.bearings.temperature_field import bush_temperature, centre_line, temperature_over, temperature_through
 from babbitt.bearings.thermal_film import following_stiffness, thermal_operating_film
 from babbitt.cases import design_cases, parse_case
+from babbitt.film.stability import critical_mass
 from babbitt.fits import operating_relative_clearance
 from babbitt.quantities import QUANTITIES
 from babbitt.report.bearing_table import bearing_table
+from babbitt.report.coefficient_temperatures import beside_coefficient
 from babbitt.results import Outcome
 from babbitt.studies.comparison import compare_methods
 from babbitt.studies.temperature_cost import cost_of_one_temperature
@@ -146,6 +149,40 @@ def test_temperatures_that_follow_soften_or_stiffen_but_keep_the_sign(full):
     assert result.settings["stiffness_temperatures"] == "frozen"
     assert np.array(found.damping) == pytest.approx(np.array(result.damping), rel=1e-12)
     assert any("(frozen)" in said for said in result.assumptions)
+    assert found.frozen_stiffness == result.stiffness
+    assert "frozen_stiffness" not in result.arrays
+    for kind, one in (("following", found), ("frozen", result)):
+        console = Console(width=140, file=io.StringIO())
+        console.print(bearing_table(one))
+        shown = console.file.getvalue()
+        assert f"force in x over move in x, temperatures {kind}" in shown
+        assert "force in y over speed in x, temperatures frozen" in shown
+        assert "rigid rotor whirls, temperatures frozen" in shown
+        assert beside_coefficient("stiffness_xx", one) == f", temperatures {kind}"
+    assert beside_coefficient("load", found) == ""
+
+
+def test_whirl_leaves_the_temperatures_no_time(full):
+    case, result, _ = full
+    found = film_check(replace(case, heat=replace(case.heat, coefficients=TemperatureCoefficients.FOLLOWING)))
+    for name in ("critical_mass", "whirl_frequency_ratio", "threshold_speed"):
+        assert found.values[name] == pytest.approx(result.values[name], rel=1e-12)
+    quick, slow = np.array(found.frozen_stiffness), np.array(found.stiffness)
+    damping = np.array(found.damping)
+    assert found.critical_mass == pytest.approx(critical_mass(quick, damping), rel=1e-12)
+    assert abs(critical_mass(slow, damping) / found.critical_mass - 1.0) > 0.02  # so that it matters
+    limit, other = ({one.code: one for one in them.checks}["C115"] for them in (found, result))
+    assert limit.value == pytest.approx(other.value, rel=1e-12)
+    assert found.settings["stability_temperatures"] == "frozen"
+
+
+def test_a_following_stiffness_that_was_not_found_is_not_named(full, monkeypatch):
+    case, result, _ = full
+    monkeypatch.setattr(thermal_answer, "following_stiffness", lambda *_: None)
+    found = film_check(replace(case, heat=replace(case.heat, coefficients=TemperatureCoefficients.FOLLOWING)))
+    assert "W147" in {one.code for one in found.warnings}
+    assert found.settings["stiffness_temperatures"] == "frozen"
+    assert found.stiffness == result.stiffness
 
 
 def test_stiffness_while_temperatures_follow_does_not_depend_on_the_push(full, monkeypatch):

@@ -180,6 +180,23 @@ def test_temperature_converges_with_the_first_power_of_the_step():
     assert 1.5 < (values[1] - values[0]) / (values[2] - values[1]) < 4.5
 
 
+@pytest.mark.parametrize(
+    ("film", "heat"),
+    [
+        (BEARING, ADIABATIC),
+        (BEARING, FULL),
+        (replace(BEARING, lands=grooved_bore((0.0, math.pi), 0.35, 3e5)), FULL),
+    ],
+    ids=["adiabatic", "full", "pressure"],
+)
+def test_the_hottest_place_converges_with_the_first_power_of_the_step(film, heat):
+    values = [
+        solve_thermal_journal(film, heat, WEIGHT, Resolution(4, n, n // 2, 1e-9)).maximum_temperature
+        for n in (48, 96, 192)
+    ]
+    assert 1.4 < (values[1] - values[0]) / (values[2] - values[1]) < 2.6
+
+
 def test_a_line_of_supply_of_no_width_at_the_widest_gap_changes_little():
     """One groove at the top, 0 and 2 degrees wide: the film between has the same temperatures."""
     results = []
@@ -267,3 +284,33 @@ def test_films_without_an_answer_are_refused_under_a_load_and_at_a_position(film
 def test_a_film_without_load_is_refused():
     with pytest.raises(InputError, match="without load"):
         solve_thermal_journal(BEARING, FULL, (0.0, -0.0))
+
+
+def test_one_viscosity_is_its_own_effective_viscosity():
+    """Friction of the flow by pressure, much of all under a high load, is no sign of thicker oil."""
+    heat = replace(FULL, viscosity=lambda temperature: np.full_like(temperature, BEARING.viscosity))
+    for load in (20e3, 300e3):
+        found = solve_thermal_journal(BEARING, heat, (0.0, -load))
+        assert found.effective_viscosity == pytest.approx(BEARING.viscosity, rel=1e-9)
+
+
+def test_tilt_mirrored_across_the_middle_mirrors_a_turbulent_film():
+    law = FilmTurbulence(NG_PAN, density=860.0, onset=600.0, end=1200.0)
+    fast = replace(BEARING, angular_speed=600.0, turbulence=law)
+    here, there = (
+        solve_thermal_journal(replace(fast, misalignment=tilt), ADIABATIC, WEIGHT, Resolution(4, 48, 24, 1e-9))
+        for tilt in ((4e-4, 3e-4), (-4e-4, -3e-4))
+    )
+    assert there.film.position == pytest.approx(here.film.position, rel=1e-6)
+    assert there.maximum_temperature == pytest.approx(here.maximum_temperature, abs=1e-3)
+
+
+def test_grooves_under_pressure_have_one_film_whatever_the_grid():
+    """A line behind a fed groove that is dry once must not stay dry because it is."""
+    fed = replace(BEARING, lands=grooved_bore((0.0, math.pi), 0.35, 3e5))
+    found = [solve_thermal_journal(fed, FULL, (0.0, -30e3), Resolution(4, n, n // 2, 1e-6)) for n in (48, 96, 192)]
+    flows = np.array([one.fresh_flow for one in found])
+    assert np.abs(flows[1] / flows[2] - 1.0).max() < 0.04
+    assert np.abs(flows[0] / flows[2] - 1.0).max() < 0.08
+    assert abs(found[1].maximum_temperature - found[2].maximum_temperature) < 0.4
+    assert abs(found[0].maximum_temperature - found[2].maximum_temperature) < 0.8

@@ -27,6 +27,7 @@ def assert_same(one, other, rtol=0.0, static=True):
     """Equal to the last digit, or to a relative tolerance where a format has fewer digits."""
     assert one.name == other.name
     assert one.method == other.method
+    assert one.temperatures == other.temperatures
     assert one.frame.rotation is other.frame.rotation
     for angle in ("load_angle", "x_axis_angle"):
         mine, theirs = getattr(one.frame, angle), getattr(other.frame, angle)

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,7 @@ from babbitt.interop import (
     read_ansys,
     read_csv,
     read_json,
+    read_ross,
     read_xltrc2,
     rotated,
     write_ansys,
@@ -243,6 +245,38 @@ def test_every_format_by_its_name(tmp_path, name):
     with pytest.raises(InputError) as refused:
         export(table(), Path(tmp_path, "no folder", path.name), name)
     assert refused.value.code == "E007"
+
+
+FOLLOWING = "stiffness following, damping frozen"
+READERS = {
+    "ross2": partial(read_ross, version=2),
+    "ross3": partial(read_ross, version=3),
+    "xltrc2": read_xltrc2,
+    "ansys": read_ansys,
+    "csv": lambda path: read_csv(path)[0],
+    "json": lambda path: read_json(path)[0],
+}
+
+
+@pytest.mark.parametrize("name", FORMATS)
+@pytest.mark.parametrize("said", ["frozen", FOLLOWING, ""])
+def test_every_file_says_for_which_temperatures_it_holds(tmp_path, name, said):
+    for suffix in FORMATS[name].suffixes:
+        if suffix == ".xlsx":
+            pytest.importorskip("openpyxl")
+        path = tmp_path / f"table{suffix}"
+        export(table(temperatures=said), path, name)
+        assert_same(READERS[name](path), table(temperatures=said), rtol=1e-6, static=False)
+        text = path.read_text() if suffix != ".xlsx" else said
+        assert ("emperatures" in text and said in text) if said else "emperatures" not in text or suffix == ".xlsx"
+
+
+def test_an_ansys_title_cuts_the_method_between_its_parts_and_keeps_the_temperatures(tmp_path):
+    method = "Babbitt film, mass conserving cavitation, heat balance at each speed"
+    for said, left in (("frozen", method.rpartition(", ")[0]), (FOLLOWING, "Babbitt film"), ("", method)):
+        write_ansys(table(temperatures=said, method=method), tmp_path / "t.txt")
+        back = read_ansys(tmp_path / "t.txt")
+        assert (back.temperatures, back.method) == (said, left)
 
 
 def test_an_unknown_format_names_the_known(tmp_path):

@@ -3,10 +3,12 @@
 import math
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 import babbitt
 from babbitt.cases import CaseError, design_cases, parse_case
+from babbitt.characteristics import curves
 from babbitt.design.conditions import GivenEccentricity, GivenLoad, OilSupply
 from babbitt.longfilm.check import long_film_check
 from babbitt.longfilm.model import (
@@ -18,9 +20,10 @@ from babbitt.longfilm.model import (
     LongFilmCase,
     NusseltLaw,
 )
+from babbitt.longfilm.pressure import Gap, divergence_form
 from babbitt.longfilm.solve import film_at_eccentricity, film_under_load
 from babbitt.lubricants import Walther
-from babbitt.notices import InputError
+from babbitt.notices import EXPLANATIONS, InputError
 from babbitt.results import Outcome
 from babbitt.validation.published.long_film_bearing import film, oil
 
@@ -252,3 +255,79 @@ def test_reversed_rotation_mirrors_the_film_about_the_load():
             sum(p * turn(a) for p, a in zip(pressure, angle, strict=True)) * area for turn in (math.cos, math.sin)
         )
         assert (fx, fy) == pytest.approx((0.0, -result.load), abs=1e-6 * result.load)
+
+
+def solved(text):
+    (result,) = babbitt.solve(parse_case(text)).results
+    assert result.outcome is Outcome.CONVERGED, result.message
+    return result
+
+
+NARROW = TEXT.replace("width: 105 mm", "width: 8 mm").replace("load: 15 kN", "load: 0.5 kN")
+
+
+def judged(result):
+    return {check.code: check.ok for check in result.checks}, {one.code: one.message for one in result.not_checked}
+
+
+def test_a_film_without_sides_is_never_judged_thick_enough():
+    """It carries more than a bearing with sides: at B/D 0.1 and the same load the latter is many times thinner."""
+    result = solved(NARROW)
+    fed = "method: film\nspan: 360 deg\nsupply_element: {kind: hole, diameter: 3 mm, place: opposite}"
+    more = "effective_temperature: 60 degC\nmaterials: {bearing: C45, journal: C45}"
+    text = NARROW.replace("method: long_film", f"{fed}\n{more}")
+    finite = solved(text.replace("temperature: 60 degC}", "temperature: 60 degC, pressure: 0.1 MPa}"))
+    assert result.minimum_film_thickness > 5.0 * finite.minimum_film_thickness
+    assert result.minimum_film_thickness > result.empirical_film_limit > finite.minimum_film_thickness
+    made, unmade = judged(result)
+    assert "C101" not in made
+    assert "B/D = 0.1" in unmade["C101"]
+    assert f"{result.minimum_film_thickness * 1e6:.3g} µm" in unmade["C101"]
+    assert judged(finite)[0]["C101"] is False
+
+
+def test_a_film_too_thin_even_without_sides_fails():
+    made, unmade = judged(solved(TEXT + "limits: {minimum_film_thickness: 100 um}"))
+    assert made["C101"] is False
+    assert "C101" not in unmade
+
+
+def test_a_given_gap_is_judged():
+    made, unmade = judged(solved(TEXT.replace("load: 15 kN", "eccentricity_ratio: 0.5")))
+    assert made["C101"] is True
+    assert "C101" not in unmade
+
+
+def test_the_surfaces_are_no_more_kept_apart_for_sure():
+    surfaces = "surfaces: {kind: direct, roughness_bearing: 2 um, roughness_journal: 1 um}"
+    made, unmade = judged(solved(TEXT + surfaces))
+    assert "C102" not in made
+    assert "infinitely wide" in unmade["C102"]
+
+
+@pytest.mark.parametrize(
+    ("width", "duty", "words"),
+    [
+        (0.008, GivenLoad(500.0), "B/D = 0.1 < 2: the film shown is thicker"),
+        (0.105, GivenEccentricity(0.5), "B/D = 1.31 < 2: the load shown is larger"),
+        (0.17, GivenLoad(15e3), None),
+    ],
+)
+def test_a_narrow_bearing_is_doubted(width, duty, words):
+    found = long_film_check(replace(CASE, bearing=LongFilmBearing(0.08, width, 1.408e-3), duty=duty))
+    warnings = {one.code: one.message for one in found.warnings}
+    assert ("W158" in warnings) is (words is not None)
+    if words:
+        assert words in warnings["W158"]
+
+
+def test_shares_of_the_load_of_a_wide_film_that_the_doubt_tells():
+    """Full bearings of one viscosity at an eccentricity of 0.8 against the film of infinite width."""
+    told = EXPLANATIONS["W158"].meaning
+    gap = Gap.of(0.8, 720)
+    wide = math.hypot(*divergence_form(gap, np.ones(721)).load(gap.step)) / 2.0
+    for ratio in (1.5, 1.0, 0.5, 0.125):
+        share = float(curves(360, ratio).sommerfeld_number(0.8)) / wide
+        assert f"{share:.0%}".replace("%", f" % at {'B/D ' if ratio == 1.5 else ''}{ratio:g}") in told.replace(
+            "% of its load at", "% at"
+        )

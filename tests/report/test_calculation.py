@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import gear_cases
 import pytest
@@ -55,6 +56,16 @@ def test_the_order_is_that_of_the_standard():
         "Screening for whirl and clearance",
         "Pressure losses in the supply",
     ]
+
+
+def test_a_prescribed_temperature_leaves_the_heat_balance_out():
+    case = replace(CASES["losses"], effective_temperature=330.0)
+    titles = [section.title for section in calculation(case, check(case))]
+    assert "Heat balance" not in titles
+    assert "Oil flow" in titles
+    told = {name for line in lines_of(case) for name in (line.name, *line.numbers)}
+    assert "friction_power" in told
+    assert not told & {"outlet_temperature", "heat_to_oil"}
 
 
 def test_a_line_reads_formula_numbers_result_unit():

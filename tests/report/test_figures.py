@@ -40,6 +40,15 @@ def test_every_case_has_its_four_figures(name):
         assert drawing.caption.endswith(".")
 
 
+def test_figures_of_a_prescribed_temperature_speak_of_no_heat_balance():
+    case = replace(CASES["full"], effective_temperature=330.0)
+    drawings = draw(case, check(case), clearance_range(case))
+    assert [drawing.name for drawing in drawings] == NAMES
+    assert "effective temperature prescribed" in drawings[0].caption
+    assert "own heat balance" in draw(CASES["full"], check(CASES["full"]), SUPPOSED)[0].caption
+    assert not any("heat balance" in drawing.caption for drawing in drawings)
+
+
 def test_equal_input_gives_equal_bytes_in_every_format():
     case = CASES["full"]
     for image_format, magic in (("svg", b"<?xml"), ("pdf", b"%PDF"), ("png", b"\x89PNG")):

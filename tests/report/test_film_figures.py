@@ -221,7 +221,7 @@ def test_the_locus_ends_inside_the_bore_and_marks_the_operating_point():
 def test_coefficients_pass_through_those_of_the_result():
     case, result, state = bearing("two")
     with style():
-        figure = film_curves.coefficients(state, locus_over_speed(case, state))
+        figure = film_curves.coefficients(state, result, locus_over_speed(case, state))
     assert [panel.get_xlabel() for panel in figure.axes] == ["$N$ in rpm", "$N$ in rpm", *2 * ["$\\mathrm{So}$"]]
     assert figure.axes[0].get_ylabel().endswith("in MN/m")
     assert figure.axes[1].get_ylabel().endswith("in kN s/m")

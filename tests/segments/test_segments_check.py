@@ -7,7 +7,7 @@ import pytest
 
 import babbitt
 from babbitt.cases import CaseError, parse_case
-from babbitt.design.conditions import GivenEccentricity, GivenLoad, OilSupply
+from babbitt.design.conditions import GivenEccentricity, GivenLoad, Limits, OilSupply
 from babbitt.lubricants import PowerLaw, ViscosityKind
 from babbitt.notices import InputError
 from babbitt.results import Outcome
@@ -284,3 +284,37 @@ def test_statements_on_grooves_hold_for_turbine_oils_not_for_all(nu50, exponent,
     gain, apart = outlet["none"] - outlet["through"], abs(outlet["none"] - outlet["blind"])
     assert (gain >= 15.0 and apart <= 6.0) is holds
     assert gain > 8.0 > 0.8 * apart
+
+
+def judged(result):
+    return {check.code: check.ok for check in result.checks}, {one.code: one.message for one in result.not_checked}
+
+
+def test_segments_without_sides_are_never_judged_thick_enough():
+    """A film found from its load is thinner in a bearing with sides, and so is a wall's that yields."""
+    loaded = segments_check(replace(PLAIN, duty=GivenLoad(5e3)))
+    soft = segments_check(replace(PLAIN, duty=GivenEccentricity(0.5), compliance=1e-13))
+    given = segments_check(replace(PLAIN, duty=GivenEccentricity(0.5)))
+    for result in (loaded, soft, given):
+        assert result.minimum_film_thickness > result.empirical_film_limit
+    for result in (loaded, soft):
+        made, unmade = judged(result)
+        assert "C101" not in made
+        assert "B/D = 0.7" in unmade["C101"]
+    assert judged(given)[0]["C101"] is True
+
+
+def test_segments_too_thin_even_without_sides_fail():
+    result = segments_check(replace(PLAIN, duty=GivenLoad(5e3), limits=Limits(minimum_film_thickness=1e-4)))
+    assert judged(result)[0]["C101"] is False
+
+
+def test_segments_of_a_narrow_bearing_are_doubted():
+    wide = replace(PLAIN, bearing=SegmentBearing(0.1, 0.25, 1.53e-3))
+    said = {one.code: one.message for one in segments_check(PLAIN).warnings}
+    assert said["W158"] == "B/D = 0.7 < 2: the load shown is larger than that of the bearing"
+    assert (
+        "thicker"
+        in {one.code: one.message for one in segments_check(replace(PLAIN, duty=GivenLoad(5e3))).warnings}["W158"]
+    )
+    assert "W158" not in codes(segments_check(wide))

@@ -7,7 +7,8 @@ import pytest
 from film_bearings import answer, film
 from numpy.testing import assert_allclose
 
-from babbitt.interop import Rotation, mirrored
+from babbitt.bearings import thermal_answer
+from babbitt.interop import FORMATS, Rotation, export, mirrored, write_ross
 from babbitt.notices import InputError
 from babbitt.studies.coefficients import run_over_speed
 from babbitt.studies.speed_range import MOST_SPEEDS, speeds_of
@@ -27,6 +28,35 @@ def test_each_row_is_the_bearing_at_its_speed():
     assert table.static["effective_temperature"][1] > table.static["effective_temperature"][0]  # closed anew
     assert table.frame.rotation is Rotation.COUNTER_CLOCKWISE
     assert table.frame.load_angle == pytest.approx(-math.pi / 2.0)
+
+
+def test_a_film_with_its_own_temperatures_gives_the_stiffness_that_the_case_asks_for(tmp_path):
+    tables = {}
+    for kind, said in (("frozen", "frozen"), ("following", "stiffness following, damping frozen")):
+        fields = {"thermal": "full", "temperature_coefficients": kind}
+        table = tables[kind] = run_over_speed(film(**fields), [3000.0 * RPM]).table()
+        alone = answer(**fields)
+        assert_allclose(table.stiffness[0], alone.stiffness, rtol=1e-9)
+        assert_allclose(table.damping[0], alone.damping, rtol=1e-9)
+        assert table.temperatures == mirrored(table).temperatures == said
+        for name, one in FORMATS.items():
+            path = tmp_path / f"{name}{one.suffixes[0]}"
+            if name.startswith("ross"):
+                write_ross(table, path, version=int(name[-1]), minimum_speeds=1)
+            else:
+                export(table, path, name)
+            assert said in path.read_text()
+    assert_allclose(tables["following"].damping, tables["frozen"].damping, rtol=1e-12)
+    assert not np.allclose(tables["following"].stiffness, tables["frozen"].stiffness, rtol=1e-2)
+    assert run_over_speed(film(), [200.0]).table().temperatures == "frozen"  # one temperature, kept
+
+
+def test_a_following_stiffness_that_was_not_found_makes_no_table(monkeypatch):
+    monkeypatch.setattr(thermal_answer, "following_stiffness", lambda *_: None)
+    run = run_over_speed(film(thermal="full", temperature_coefficients="following"), [300.0])
+    assert (run.unsolved, run.unfollowed) == ((), (300.0,))
+    with pytest.raises(InputError, match="no stiffness with following temperatures at 2865 rpm"):
+        run.table()
 
 
 def test_the_sense_of_rotation_is_that_of_the_case():

@@ -22,6 +22,7 @@ from babbitt.bearings.orbit_answer import (
 from babbitt.bearings.resting import doubts_about_rest, resting_places
 from babbitt.bearings.thermal_answer import (
     doubts_about_heat,
+    settings_found,
     stiffness_values,
     thermal_rows,
     with_own_coefficients,
@@ -87,10 +88,10 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
     checks: tuple[Check, ...] = ()
     warnings = case.doubts
     not_made: tuple[Notice, ...] = ()
-    arrays = {}
+    arrays, settings = {}, film_settings(case)
     if found.film is not None:
         state = found.film
-        values, followed = film_values(case, state), True
+        frozen, values, followed = state, film_values(case, state), True
         if case.cavitation is not Cavitation.HALF_SOMMERFELD:
             arrays = {"stiffness": rows_of(state.solution.stiffness), "damping": rows_of(state.solution.damping)}
         if state.fed is not None:
@@ -106,8 +107,11 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
                 arrays |= thermal_rows(case, state.thermal)
                 state, followed = with_own_coefficients(case, state)
                 arrays["stiffness"] = rows_of(state.solution.stiffness)
+                settings |= settings_found(case, followed)
+                if state is not frozen:
+                    arrays["frozen_stiffness"] = rows_of(frozen.solution.stiffness)
             loaded = under_found_load(case, state)
-            whirl = whirl_of(loaded, state) if case.cavitation is not Cavitation.HALF_SOMMERFELD else None
+            whirl = whirl_of(loaded, frozen) if case.cavitation is not Cavitation.HALF_SOMMERFELD else None
             values |= _running_values(loaded, state, whirl)
             values |= grid_errors(case, state) if case.error_estimate else {}
             checks = (*_limit_checks(case, values), *whirl_checks(case, whirl), clearance_check(case, values))
@@ -142,7 +146,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
         not_made,
         (*case.lubricant.assumptions, *case.assumptions, *film_assumptions(case)),
         message,
-        film_settings(case),
+        settings,
         arrays,
     )
 

@@ -24,7 +24,9 @@ __all__ = [
     "coefficient_settings",
     "doubts_about_heat",
     "flow_without_pressure",
+    "settings_found",
     "stiffness_values",
+    "temperatures_of_coefficients",
     "thermal_assumptions",
     "thermal_rows",
     "thermal_setting",
@@ -50,12 +52,35 @@ def thermal_setting(case: FilmCase) -> str:
 
 
 def coefficient_settings(heat: HeatModel) -> dict[str, str]:
-    """Which temperatures stiffness and damping stand for: the damping is always that of frozen ones."""
+    """Which temperatures stiffness, damping and stability stand for: only the stiffness may have following ones.
+
+    A whirl near half the speed leaves bush and journal no time, and takes about as long as the oil stays in the
+    film: stability is that of frozen temperatures.
+    """
+    frozen = TemperatureCoefficients.FROZEN.value
     return {
         "stiffness_temperatures": heat.coefficients.value,
-        "damping_temperatures": TemperatureCoefficients.FROZEN.value,
+        "damping_temperatures": frozen,
+        "stability_temperatures": frozen,
         "carry_over": f"{heat.carry_over:g}",
     }
+
+
+def settings_found(case: FilmCase, followed: bool) -> dict[str, str]:
+    """Those settings after the search: stiffness is that of frozen temperatures where no other was found."""
+    assert case.heat is not None
+    return coefficient_settings(
+        case.heat if followed else replace(case.heat, coefficients=TemperatureCoefficients.FROZEN)
+    )
+
+
+def temperatures_of_coefficients(case: FilmCase) -> str:
+    """Temperatures for which stiffness and damping hold, in few words; one for the whole film is frozen, too."""
+    if case.heat is None:
+        return TemperatureCoefficients.FROZEN.value
+    said = coefficient_settings(case.heat)
+    stiffness, damping = said["stiffness_temperatures"], said["damping_temperatures"]
+    return damping if stiffness == damping else f"stiffness {stiffness}, damping {damping}"
 
 
 def thermal_values(case: FilmCase, state: FilmState) -> dict[str, float]:
@@ -181,7 +206,10 @@ def thermal_assumptions(case: FilmCase, surfaces: str, flow: str) -> Iterator[st
     if heat.coefficients is TemperatureCoefficients.FROZEN:
         yield "Stiffness and damping at temperatures that do not follow the motion (frozen)."
     else:
-        yield "Stiffness with temperatures that follow every displacement (following); damping at frozen ones."
+        yield (
+            "Stiffness with temperatures that follow every displacement (following), for slow changes; damping "
+            "and stability at frozen ones."
+        )
     yield "Thresholds of whirl and of mixed friction at other speeds keep the effective viscosity."
 
 

@@ -27,8 +27,8 @@ An assumption: no source draws this line.
 """
 
 CLOSED = 3e-3
-"""Least gap of the last film, in clearances, up to which a heavier load closes it: three times what the film method
-takes for a film. An assumption, too."""
+"""Least gap of the last film, in clearances, up to which a heavier load closes it: three times what the film
+method takes for a film. An assumption, too."""
 
 
 def last_film(case: FilmCase, film_at: Callable[[FilmCase, ThermalSearch], FilmState]) -> FilmState | None:
@@ -73,7 +73,7 @@ def last_film(case: FilmCase, film_at: Callable[[FilmCase, ThermalSearch], FilmS
 
 
 def what_gave_way(case: FilmCase, outcome: Outcome, last: FilmState | None) -> Outcome:
-    """Overload where a film seems to run away, or not to come to rest, although the last one that there was, is cool.
+    """Overload where a film seems to run away, or does not come to rest, although the last one there was, is cool.
 
     A gap that closes grows hot at its thinnest place without bound, whatever closed it: a tilted journal that
     touches at an edge is no matter of heat. Nor does a film come to rest where the last one is as good as closed.

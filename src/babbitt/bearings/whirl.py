@@ -54,6 +54,7 @@ class ElasticWhirl:
 def whirl_of(case: FilmCase, state: FilmState) -> Whirl:
     """Stability at the operating point, and the speed at which the rotor begins to whirl.
 
+    The coefficients of `state` are those of a quick motion: temperatures, if the film has its own, are frozen.
     The threshold keeps load, viscosity and clearance of the operating point. Without a mass of the rotor, the
     load is taken as its weight.
     """

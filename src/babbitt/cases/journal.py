@@ -163,7 +163,9 @@ class JournalBearing(Duty, SharedInputs):
         "given.",
     )
     effective_temperature: Annotated[float, si("K", "-30 degC", "290 degC")] | None = Field(
-        None, description="Effective temperature of the film, in place of a heat balance."
+        None,
+        description="Effective temperature of the film, in place of a heat balance: no outlet temperature and no "
+        "heat to the oil is then told.",
     )
     operating_points: tuple[OperatingPoint, ...] = Field(
         (), max_length=200, description="Operating points, each with what differs from the bearing."

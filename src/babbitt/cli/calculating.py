@@ -191,11 +191,23 @@ def export(
     taken = speeds_of(speeds)
     require_target(format_name, film, file, output, other_end, taken)
     run = run_over_speed(film, taken)
-    if run.unsolved:
-        for speed, outcome in run.unsolved:
-            print(f"{film.name}: {outcome.value} at {speed * 30.0 / math.pi:.0f} rpm", file=sys.stderr)
+    failed = [(speed, outcome.value) for speed, outcome in run.unsolved]
+    failed += [(speed, "no stiffness with following temperatures") for speed in run.unfollowed]
+    if failed:
+        for speed, why in failed:
+            print(f"{film.name}: {why} at {speed * 30.0 / math.pi:.0f} rpm", file=sys.stderr)
         print("nothing was written; leave these speeds out", file=sys.stderr)
         raise typer.Exit(NO_SOLUTION)
     table = mirrored(run.table()) if other_end else run.table()
     write_table(table, output, format_name)
-    print(f"wrote {output}: {table.speeds.size} speeds; {declaration(table.frame)}", file=sys.stderr)
+    print(
+        f"wrote {output}: {table.speeds.size} speeds; {declaration(table.frame)}; "
+        f"temperatures: {table.temperatures}",
+        file=sys.stderr,
+    )
+    if "following" in table.temperatures:
+        print(
+            "the stiffness holds for slow changes; for whirl and vibration export with "
+            "temperature_coefficients: frozen",
+            file=sys.stderr,
+        )

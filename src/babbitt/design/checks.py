@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from babbitt.design.bounds import NO_BOUNDS, Bounds, bounds_of, certain, unjudged
 from babbitt.design.conditions import Designed, surface_speed
 from babbitt.materials import (
     ExperienceLimit,
@@ -26,7 +27,7 @@ METAL_CHECKS = ("C105", "C106", "C107", "C108")
 """Limits of the bearing metal: specific load, speed, their product, temperature."""
 
 
-def limit_checks(case: Designed, values: Mapping[str, float]) -> tuple[Check, ...]:
+def limit_checks(case: Designed, values: Mapping[str, float], bounds: Bounds = NO_BOUNDS) -> tuple[Check, ...]:
     """Checks of film thickness, load, temperature and metal that the data of the case allow.
 
     Parameters
@@ -34,18 +35,22 @@ def limit_checks(case: Designed, values: Mapping[str, float]) -> tuple[Check, ..
     case : Designed
     values : Mapping[str, float]
         Named results in SI, with the limits among them.
+    bounds : Bounds
+        Checks whose value flatters the bearing, by the method: only a miss is one (`babbitt.design.bounds`).
     """
-    return (
-        *film_checks(case, values),
-        *load_and_temperature_checks(case, values),
-        *metal_checks(case, values),
-        *validity_checks(values),
-    )
+    return certain(_every_check(case, values), {**bounds_of(case), **bounds})
 
 
-def checks_not_made(case: Designed, values: Mapping[str, float]) -> tuple[Notice, ...]:
-    """The checks of the design that lack data, each with what is missing."""
-    return tuple(_not_made(case, values))
+def checks_not_made(case: Designed, values: Mapping[str, float], bounds: Bounds = NO_BOUNDS) -> tuple[Notice, ...]:
+    """The checks of the design that lack data or a value to judge, each with what is missing."""
+    return (*_not_made(case, values), *unjudged(_every_check(case, values), {**bounds_of(case), **bounds}))
+
+
+def _every_check(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:
+    yield from film_checks(case, values)
+    yield from load_and_temperature_checks(case, values)
+    yield from metal_checks(case, values)
+    yield from validity_checks(values)
 
 
 def _not_made(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
@@ -85,10 +90,15 @@ def temperature_limit(case: Designed) -> ExperienceLimit:
 
 
 def limited_temperature(values: Mapping[str, float]) -> str:
-    """Name of the hottest temperature known of oil and bearing, for which the limits hold."""
+    """Name of the hottest temperature known of oil and bearing, for which the limits hold.
+
+    The mean one of the film counts where no outlet is known that would be hotter.
+    """
     names = ("outlet_temperature", "bearing_temperature", "supply_temperature")
     known = [name for name in names if name in values]
-    return max(known, key=lambda name: values[name], default="effective_temperature")
+    if "outlet_temperature" not in known:
+        known.append("effective_temperature")
+    return max(known, key=lambda name: values[name])
 
 
 def hottest_place(values: Mapping[str, float]) -> str:

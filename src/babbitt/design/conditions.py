@@ -174,6 +174,8 @@ class Designed(Protocol):
     def duty(self) -> Duty | None: ...  # noqa: D102
     @property
     def bearing_speed(self) -> float: ...  # noqa: D102
+    @property
+    def effective_temperature(self) -> float | None: ...  # noqa: D102
 
 
 Values = Mapping[str, float]

@@ -40,18 +40,32 @@ def doubts_about_film(case: Designed, values: Mapping[str, float]) -> Iterator[N
             f"T_eff = {temperature - ZERO_CELSIUS:.1f} °C lies outside {coldest - ZERO_CELSIUS:.0f} to "
             f"{hottest - ZERO_CELSIUS:.0f} °C, for which {case.lubricant.name} is described",
         )
-    leaving = values.get("outlet_temperature", temperature)
-    if case.oil_supply is not None and leaving < case.oil_supply.temperature - 1e-6:
-        colder = case.oil_supply.temperature - leaving
-        yield Notice(
-            "W118", f"the oil leaves at {leaving - ZERO_CELSIUS:.1f} °C, {colder:.1f} K colder than it enters"
-        )
+    yield from _doubts_about_cold_oil(case, values)
     clearance = 0.5 * values["operating_relative_clearance"] * case.bearing.diameter
     depth, eccentricity = 1.0 - values["minimum_film_thickness"] / clearance, values["eccentricity_ratio"]
     if depth > RIGID_FILM_UP_TO:
         round_bore = abs(depth - eccentricity) < 1e-3
         said = f"ε = {depth:.3f}" if round_bore else f"1 - h_min/c = {depth:.3f}"
         yield Notice("W116", f"{said} > {RIGID_FILM_UP_TO:g}, end of the rigid film")
+
+
+def _doubts_about_cold_oil(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
+    """Oil that leaves colder than it enters, and a film prescribed colder than its oil."""
+    if case.oil_supply is None:
+        return
+    entering, given = case.oil_supply.temperature, case.effective_temperature
+    leaving = values.get("outlet_temperature", entering)
+    if leaving < entering - 1e-6:
+        yield Notice(
+            "W118",
+            f"the oil leaves at {leaving - ZERO_CELSIUS:.1f} °C, {entering - leaving:.1f} K colder than it enters",
+        )
+    if given is not None and given < entering - 1e-6:
+        yield Notice(
+            "W149",
+            f"effective_temperature of {given - ZERO_CELSIUS:.1f} °C < supply temperature of "
+            f"{entering - ZERO_CELSIUS:.1f} °C",
+        )
 
 
 def doubt_about_supply(starved: bool) -> Iterator[Notice]:
@@ -68,7 +82,8 @@ def doubts_about_running(
     if speed > ROTORDYNAMIC_CHECK_ABOVE:
         yield Notice("W109", f"surface speed {speed:.1f} m/s > {ROTORDYNAMIC_CHECK_ABOVE:g} m/s")
     too_hot = any(check.code == "C104" and not check.ok for check in checks)
-    if case.oil_supply is None and case.cooling is not None and too_hot:
+    balanced = case.cooling is not None and case.effective_temperature is None
+    if case.oil_supply is None and balanced and too_hot:
         yield Notice("W110", f"T_B = {values['bearing_temperature'] - ZERO_CELSIUS:.0f} °C without pressure feed")
     if "transition_film_thickness" in values and "transition_speed" not in values:
         yield Notice("W112", "the film limit of the surfaces exceeds the radial clearance: no transition speed")

@@ -58,9 +58,9 @@ def oil_values(case: Designed, film: DesignFilm) -> Named:
 
 
 def heat_values(case: Designed, film: DesignFilm) -> Named:
-    """The temperature and where the heat goes."""
+    """The temperature and where the heat goes; the latter is unknown at a temperature that is prescribed."""
     values = {"effective_temperature": film.temperature}
-    if case.oil_supply is None and case.cooling is None:
+    if case.effective_temperature is not None or (case.oil_supply is None and case.cooling is None):
         return values
     to_oil, to_surroundings = heat_paths(film, case)
     open_balance = film.friction_power - to_oil - to_surroundings
@@ -72,11 +72,17 @@ def heat_values(case: Designed, film: DesignFilm) -> Named:
 
 
 def supply_values(case: Designed, film: DesignFilm) -> Named:
-    """Oil that comes and goes; empty without a supply."""
+    """Oil that comes and goes; empty without a supply.
+
+    The temperature of the oil that goes follows from the heat balance: none is told at a temperature that is
+    prescribed, at which the film makes another heat than the oil would carry away.
+    """
     leaving = outlet_temperature(film.temperature, case)
     if case.oil_supply is None or leaving is None:
         return {}
-    values = {"supply_temperature": case.oil_supply.temperature, "outlet_temperature": leaving}
+    values = {"supply_temperature": case.oil_supply.temperature}
+    if case.effective_temperature is None:
+        values["outlet_temperature"] = leaving
     if case.oil_supply.flow is None:
         values["supply_pressure"] = case.oil_supply.pressure
     return values

@@ -225,12 +225,11 @@ def growth_to_rupture(gap, rise, resistance):
     """Growth of the gap from a flooded line to where the film ruptures, and its derivatives in gap and rise.
 
     A supply at pressure p_s before a diverging gap h_0 + g t keeps the film full up to the length l with
-    p_s = 3 mu r^2 g l^2 / h_0^3 at unit speed (first order in l). ``rise`` is g times the interval s, in which the
-    rupture stays; ``resistance`` is 3 mu r^2 s over p_s. Returns g l.
+    p_s = 3 mu r^2 g l^2 / h_0^3 at unit speed (first order in l). ``rise`` is g times the interval s;
+    ``resistance`` is 3 mu r^2 s over p_s. Returns g l. Where this is more than ``rise``, the next line receives
+    more than its gap carries, and is filled: held back to ``rise`` it would stay dry, whatever the pressure.
     """
     growth = math.sqrt(gap**3 * rise / resistance)
-    if growth > rise:
-        return rise, 0.0, 1.0
     return growth, 1.5 * growth / gap, 0.5 * growth / rise
 
 

@@ -114,22 +114,25 @@ def spread_viscosity(surface, columns, viscosity, flows):
 
 @compiled
 def gather_flows(surface, film, work, at, columns, flows):
-    """Flows, gaps and dissipation of the cells; returns dissipation and friction power of the whole film.
+    """Flows, gaps and dissipation of the cells; returns dissipation and friction power of the whole film, and the
+    one viscosity that would be sheared with the same power.
 
     Dissipation of an interval with Q its flux by shear, T its conductance, j_n = int h^-n over it, f and g the
     effective viscosity and drag:   shear + 3 f g^2 (j_1 - j_2^2/j_3) + T (p - p')^2,   and along the line p^T K p;
     friction power, from the stress on the journal: shear + 3 f g^2 (j_1 - j_2^2/j_3) - Q (p - p').
-    Their difference is the work of the flow, which vanishes but for supplies under pressure.
+    Their difference is the work of the flow, which vanishes but for supplies under pressure. That of shear is
+    U^2 int dx / (J_0 h), where 1/J_0 is the viscosity of the layers in series.
     """
     lines, nodes, n = surface.held.shape[0], len(surface.nodes), surface.step.size
     turbulent = surface.turbulence.size > 0
     for array in (flows.shear, flows.pressure, flows.axial, flows.leak, flows.heat, flows.gap, flows.fill):
         array[:] = 0.0
     warmth = np.zeros((lines, nodes))
-    friction = 0.0
+    friction, drawn, unit = 0.0, 0.0, 0.0
     weight = np.zeros((lines, columns.size.size))
     for i in range(n):
         after = i + 1 if i + 1 < lines else 0
+        flows.stir[i] = 0.0
         for q in range(len(surface.points)):
             j = surface.node[q]
             c, share = columns.column[j], surface.share[q]
@@ -145,7 +148,7 @@ def gather_flows(surface, film, work, at, columns, flows):
             stir_a, stir_b = 1.0, 1.0
             if turbulent:
                 stir_a, stir_b = stirring(surface, i, q, ha), stirring(surface, i, q, hb)
-            flows.stir[i, c] = stir_a
+            flows.stir[i, c] += share * stir_a / columns.size[c]
             plugged = surface.viscosity[i, q] > 1e9 or (
                 surface.held[i, j] and surface.held[after, j] and columns.side[j] == 0
             )
@@ -155,7 +158,10 @@ def gather_flows(surface, film, work, at, columns, flows):
             a, b = 1.0 / ha, 1.0 / hb
             j1 = half * (a + b)
             churned = half * (a * stir_a + b * stir_b)
-            sheared = share * speed * speed * flows.shear_viscosity[i, c] * churned * work.fill[i, j]
+            one = share * speed * speed * churned * work.fill[i, j]
+            sheared = one * flows.shear_viscosity[i, c]
+            drawn += sheared
+            unit += one
             if work.holds[i, j] and work.fill[i, j] == 1.0:
                 f, g = surface.viscosity[i, q], speed * surface.drag[i, q]
                 j2, j3 = half * (a * a + b * b), half * (a * a * a + b * b * b)
@@ -203,7 +209,7 @@ def gather_flows(surface, film, work, at, columns, flows):
             if columns.side[j] == 1 and columns.supply[i, c] < 0:
                 flows.leak[i, c] -= work.row[i, j]
             flows.fill[i, c] += min(max(work.fill[i, j], 0.0), 1.0) * part[j] / columns.size[c]
-    return flows.heat.sum(), friction
+    return flows.heat.sum(), friction, drawn / unit if unit > 0.0 else 1.0
 
 
 @inlined

@@ -42,14 +42,14 @@ SMALL_GAIN = 0.05  # of the viscosity, up to which two terms of the power series
 
 @compiled
 def gather_heat(surface, film, work, columns, flows, drains, at, rise):
-    """Flows and heat of the Reynolds solution; dissipation and friction power of the whole film."""
+    """Flows and heat of the Reynolds solution; returns what ``gather_flows`` does."""
     if not surface.conserving:
         carry_streamers(surface, film, work)
     for edge in drains.edges:
         drain_edge(surface, film, work, edge, drains.fed)
-    dissipation, friction = gather_flows(surface, film, work, at, columns, flows)
+    powers = gather_flows(surface, film, work, at, columns, flows)
     flows.heat[:] *= rise
-    return dissipation, friction
+    return powers
 
 
 @compiled
@@ -60,8 +60,8 @@ def warm_pass(
     """One pass at a journal position; ``fresh`` is the viscosity at the temperatures as they are.
 
     Returns the number of nodes that changed sides, the largest change of temperature (K), how far this change goes
-    along with that of the last pass (``rises``, replaced), dissipation and friction power, and whether the
-    walls wait for new derivatives before they answer. A change counts by the share of the width that oil fills:
+    along with that of the last pass (``rises``, replaced), what ``gather_flows`` does, and whether the walls wait
+    for new derivatives before they answer. A change counts by the share of the width that oil fills:
     a few streamers may have any temperature, and nothing comes to rest sooner or later for it.
     """
     for i in range(fresh.shape[0]):
@@ -83,7 +83,7 @@ def warm_pass(
     if pace.flickering and changed <= FEW * known.size:
         work.wet[:] = known
         changed = 0
-    dissipation, friction = gather_heat(surface, film, work, columns, flows, drains, at, pace.rise)
+    powers = gather_heat(surface, film, work, columns, flows, drains, at, pace.rise)
     before = temperature.copy()
     stale = fill_film(surface, columns, flows, pace.stirred, viscosity, cells, walls)
     sweep_energy(surface, columns, flows, cells, walls, temperature, groove, pace.sweeps, 1e-9)
@@ -102,4 +102,4 @@ def warm_pass(
                     temperature[i, c, k] = before[i, c, k] + rises[i, c, k] * (MOST_RISE / most)
     if not (walls.insulated or stale):
         change = ask_walls(surface, columns, flows, cells, walls, temperature, groove, pace.walls, change)
-    return changed, change, along, dissipation, friction, stale
+    return changed, change, along, powers, stale

@@ -372,7 +372,8 @@ def check_pockets(film: JournalFilm) -> None:
         if pocket.pressure < film.cavitation_pressure:
             raise InputError("E101", f"a pocket has {pocket.pressure} Pa, less than the cavitation pressure.")
     if film.film_start is FilmStart.PERIODIC:
-        if len(film.lands) > 1:
+        extent = film.lands[0].end_angle - film.lands[0].start_angle
+        if len(film.lands) > 1 or not math.isclose(extent, 2.0 * math.pi, rel_tol=1e-9):
             raise InputError("E101", "film_start is periodic; that needs one land of 360 degrees.")
         if film.cavitation is Cavitation.MASS_CONSERVING and not film.pockets:
             raise InputError("E101", "nothing feeds this closed ring: a mass-conserving film would run dry. Give "

@@ -163,7 +163,7 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
         journal_temperature=shaft,
         insulated=warm.walls.insulated,
         heat=HeatSplit(dissipation, over_sides + back, bush, journal, returned),
-        effective_viscosity=warm.reference_viscosity * warm.friction / max(warm.unit_friction(), 1e-300),
+        effective_viscosity=warm.reference_viscosity * warm.effective_viscosity,
     )
 
 

@@ -71,6 +71,9 @@ class WarmRing:
         Prandtl number of the oil over that of turbulence; zero where the film is laminar.
     dissipation, friction : float
         Of the last pass, in units of mu omega^2 R^3 B / c.
+    effective_viscosity : float
+        One viscosity with the same friction by shear in the same gap, with the turbulence that the film has at
+        every place, over the reference.
     drains : Drains
     viscosity : ndarray, shape (lines, columns, layers)
         Of the last pass over the reference.
@@ -101,6 +104,7 @@ class WarmRing:
     last_rise: Array
     dissipation: float = 0.0
     friction: float = 0.0
+    effective_viscosity: float = 1.0
     relaxation: float = RELAX
     passes: int = 0
     density: Density | None = None
@@ -136,11 +140,12 @@ class WarmRing:
             self.viscosity[:] = fresh
         part = min(1.0, self.relaxation / RELAX)
         pace = Pace(rounds, self.passes > FLICKER, sweeps, self.relaxation, self.rise, self.stirred, part)
-        changed, change, along, self.dissipation, self.friction, stale = warm_pass(
+        changed, change, along, powers, stale = warm_pass(
             sample.ring.surface, sample.film, sample.work, self.columns, self.flows, self.cells, walls,
             self.drains, pace, fresh, self.viscosity, self.temperature, self.groove, self.last_rise, at,
             sample.force, sample.stiffness, sample.damping,
         )  # fmt: skip
+        self.dissipation, self.friction, self.effective_viscosity = powers
         if stale:
             self.prepare_walls()
             change = ask_walls(sample.ring.surface, self.columns, self.flows, self.cells, walls,
@@ -175,7 +180,7 @@ class WarmRing:
     def gather(self, at: Array) -> None:
         """Flows and heat of the Reynolds solution."""
         sample = self.sample
-        self.dissipation, self.friction = gather_heat(
+        self.dissipation, self.friction, self.effective_viscosity = gather_heat(
             sample.ring.surface, sample.film, sample.work, self.columns, self.flows, self.drains, at, self.rise
         )
 
@@ -235,16 +240,6 @@ class WarmRing:
             if conducting:
                 self.prepare_walls()
         return float(change)
-
-    def unit_friction(self) -> float:
-        """Friction power of the same film by shear at the reference viscosity, with its turbulence.
-
-        Laminar shear would let turbulence count as viscosity of the oil, and again wherever that enters a Reynolds
-        number.
-        """
-        flows, columns = self.flows, self.columns
-        over_gap = np.where(columns.supply < 0, flows.fill * columns.size / np.maximum(flows.gap, 1e-12), 0.0)
-        return float((self.walls.width[:, None] * over_gap * flows.stir).sum())
 
     def bush_heat(self) -> float:
         """Heat that the bush takes, W."""

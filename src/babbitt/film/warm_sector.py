@@ -217,17 +217,17 @@ class WarmSector:
         torque = warm.friction * power / pad.angular_speed
         lowest = sample.gap(at)
         film = sector_answer(pad, ring.surface, sample.work, answers, scales, lowest, torque, bool(change < 1e-4))
-        return film, self._heat_of(motion), change
+        return film, self._heat_of(), change
 
-    def refed(self, motion: Array, supply: float) -> SectorHeat:
+    def refed(self, supply: float) -> SectorHeat:
         """Temperatures of the film as it flows, fed with oil of another temperature, K; a small change."""
         warm = self.warm
         warm.heat = replace(warm.heat, supply_temperature=supply)
         warm.walls = warm.walls._replace(fresh=supply)
         warm.close(CLOSING, CLOSED)
-        return self._heat_of(motion)
+        return self._heat_of()
 
-    def _heat_of(self, motion: Array) -> SectorHeat:
+    def _heat_of(self) -> SectorHeat:
         warm, pad = self.warm, self.pad
         surface, columns = warm.sample.ring.surface, warm.columns
         leaving, own = side_oil(warm)
@@ -253,18 +253,8 @@ class WarmSector:
             side=float((leaving * own).sum()) / out if out > 0.0 else cold,
             sent=float(sent[0]) / brought if brought > 0.0 else cold,
             heat=HeatSplit(warm.dissipation * warm.rise * warm.walls.flow_heat, carried_off, 0.0, 0.0),
-            effective_viscosity=pad.viscosity * warm.friction / self._unit_friction(motion),
+            effective_viscosity=pad.viscosity * warm.effective_viscosity,
         )
-
-    def _unit_friction(self, motion: Array) -> float:
-        """Friction by shear of the same film at the reference viscosity, dimensionless: r^2 / h over the pad."""
-        surface, at = self.warm.sample.ring.surface, self.place(motion)
-        lift = at[:, None] * surface.lever
-        gaps = (surface.gap_a - surface.shape_a.T @ lift, surface.gap_b - surface.shape_b.T @ lift)
-        half = 0.5 * surface.step[:, None]
-        fill = self.warm.sample.work.fill[:-1][:, surface.node]
-        sheared = half * (1.0 / gaps[0] + 1.0 / gaps[1]) * fill * surface.radius**2
-        return float((sheared @ surface.share).sum())
 
 
 def _lines(pad: SectorPad, intervals: int) -> Array:

@@ -28,12 +28,18 @@ from babbitt.interop.frames import for_rotor_programs
 from babbitt.interop.numbers import POUND_PER_INCH, RPM, number
 from babbitt.notices import InputError
 
+TITLE = 80
+"""Columns of a title line."""
+
+_TEMPERATURES = "temperatures: "
+
 
 def ansys_text(table: CoefficientTable) -> str:
     """Write a table in SI units, axes 1 and 2 being x right and y up; added mass has no place in the layout.
 
-    Coefficients keep eight digits. The speed is written with as many decimals as its ten columns hold: Fortran
-    takes the decimal point that it finds before the two decimals of the format.
+    The third title tells the temperatures for which the coefficients hold and how they were obtained, as far as it
+    has room. Coefficients keep eight digits. The speed is written with as many decimals as its ten columns hold:
+    Fortran takes the decimal point that it finds before the two decimals of the format.
 
     Raises
     ------
@@ -41,8 +47,8 @@ def ansys_text(table: CoefficientTable) -> str:
         E003 for a clockwise table or a speed too high for its columns.
     """
     table = for_rotor_programs(table)
-    titles = (table.name, declaration(table.frame), table.method)
-    lines = [*(title[:80] for title in titles), f"{table.speeds.size:10d}{0:10d}{0:10d}"]
+    titles = (table.name, declaration(table.frame), _origin(table))
+    lines = [*(title[:TITLE] for title in titles), f"{table.speeds.size:10d}{0:10d}{0:10d}"]
     for step, (speed, stiffness, damping) in enumerate(
         zip(table.speeds, table.stiffness, table.damping, strict=True), 1
     ):
@@ -102,14 +108,41 @@ def read_ansys(path: str | Path, *, frame: Frame | None = None) -> CoefficientTa
     if any(None in row for row in [*stiffness, *damping]):
         raise InputError("E003", f"{path}: four coefficients of 15 columns are due on each line")
     scale = POUND_PER_INCH if pounds else 1.0
+    temperatures, method = _origin_read(lines[2].strip())
     return CoefficientTable(
         name=lines[0].strip() or Path(path).stem,
         speeds=np.array(speeds) * (RPM if rpm else 1.0),
         stiffness=np.array(stiffness, dtype=np.float64).reshape(-1, 2, 2) * scale,
         damping=np.array(damping, dtype=np.float64).reshape(-1, 2, 2) * scale,
         frame=settled(str(path), declared(lines[1]), frame),
-        method=lines[2].strip(),
+        method=method,
+        temperatures=temperatures,
     )
+
+
+def _origin(table: CoefficientTable) -> str:
+    """The third title: temperatures, then as many parts of the method as its columns hold."""
+    if not table.temperatures:
+        return table.method
+    title = f"{_TEMPERATURES}{table.temperatures}"
+    for place, part in enumerate(filter(None, table.method.split(", "))):
+        longer = f"{title}{', ' if place else '; '}{part}"
+        if len(longer) > TITLE:
+            break
+        title = longer
+    return title
+
+
+def _origin_read(title: str) -> tuple[str, str]:
+    """Temperatures and method of a third title.
+
+    >>> _origin_read("temperatures: frozen; Babbitt film"), _origin_read("closed form")
+    (('frozen', 'Babbitt film'), ('', 'closed form'))
+    """
+    if not title.startswith(_TEMPERATURES):
+        return "", title
+    temperatures, _, method = title.removeprefix(_TEMPERATURES).partition("; ")
+    return temperatures, method
 
 
 def _speed_field(speed: float) -> str:

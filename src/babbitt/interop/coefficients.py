@@ -46,6 +46,9 @@ class CoefficientTable:
         ``eccentricity_ratio``, in SI.
     method : str
         How the numbers were obtained, or where they come from; one line.
+    temperatures : str
+        Whether the temperatures of the film are ``frozen`` while the journal moves or follow it, as in ``stiffness
+        following, damping frozen``; one line, empty where it is not known.
 
     Raises
     ------
@@ -65,9 +68,10 @@ class CoefficientTable:
     frame: Frame = field(default_factory=Frame)
     static: Mapping[str, Array] = field(default_factory=dict)
     method: str = ""
+    temperatures: str = ""
 
     def __post_init__(self) -> None:
-        for attribute in ("name", "method"):
+        for attribute in ("name", "method", "temperatures"):
             if any(ord(letter) < 32 for letter in getattr(self, attribute)):
                 raise InputError("E003", f"coefficients: {attribute} must be one line of text")
         if not self.name.strip():

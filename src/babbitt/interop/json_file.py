@@ -59,6 +59,11 @@ def static_record(table: CoefficientTable) -> dict[str, list[float]]:
     return {static_column(name): values.tolist() for name, values in table.static.items()}
 
 
+def temperatures_record(table: CoefficientTable) -> dict[str, str]:
+    """The temperatures for which the coefficients of a table hold, where that is known."""
+    return {"temperatures": table.temperatures} if table.temperatures else {}
+
+
 def static_from(record: Mapping[str, Any]) -> dict[str, Any]:
     """The static data that `static_record` wrote; other keys are passed over."""
     return {quantity: values for column, values in record.items() if (quantity := static_quantity(column))}
@@ -72,6 +77,7 @@ def json_text(tables: CoefficientTable | Iterable[CoefficientTable]) -> str:
         record: dict[str, Any] = {
             "name": table.name,
             "method": table.method,
+            **temperatures_record(table),
             "frame": frame_record(table.frame),
             _SPEED: table.speeds.tolist(),
         }
@@ -138,6 +144,7 @@ def _table(where: str, record: Any) -> CoefficientTable:
         frame=frame_from(where, record["frame"]),
         static=static_from(static),
         method=str(record.get("method", "")),
+        temperatures=str(record.get("temperatures", "")),
     )
 
 

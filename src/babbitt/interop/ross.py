@@ -22,7 +22,7 @@ import numpy as np
 from babbitt.interop.coefficients import NAMES, Array, CoefficientTable
 from babbitt.interop.frame import Frame, declaration
 from babbitt.interop.frames import for_rotor_programs
-from babbitt.interop.json_file import frame_from, frame_record, static_from, static_record
+from babbitt.interop.json_file import frame_from, frame_record, static_from, static_record, temperatures_record
 from babbitt.interop.ross_file import read_blocks, write_blocks
 from babbitt.notices import InputError
 
@@ -143,6 +143,7 @@ def read_ross(
         frame=frame_from(where, origin) if origin else Frame(load_angle=load_angle),
         static=static_from(origin.get("static", {})),
         method=str(origin.get("method", "")),
+        temperatures=str(origin.get("temperatures", "")),
     )
 
 
@@ -168,6 +169,7 @@ def _element(table: CoefficientTable, version: RossVersion, node: int) -> dict[s
         "frame": declaration(table.frame),
         **{key: value for key, value in frame_record(table.frame).items() if value is not None},
         "method": table.method,
+        **temperatures_record(table),
         "static": static_record(table),
     }
     return element

@@ -20,7 +20,7 @@ from babbitt.interop.numbers import number
 from babbitt.interop.unit_names import static_column, static_quantity
 from babbitt.notices import InputError
 
-_TEXT = ("bearing", "method", "rotation")
+_TEXT = ("bearing", "method", "temperatures", "rotation")
 _FRAME = ("x_axis_angle_rad", "load_angle_rad")
 _SPEED = "speed_rad_per_s"
 _MATRICES = {"stiffness": ("k", "N_per_m"), "damping": ("c", "N_s_per_m"), "mass": ("m", "kg")}
@@ -105,6 +105,7 @@ def _rows(table: CoefficientTable) -> Iterable[dict[str, str]]:
     shared = {
         "bearing": table.name,
         "method": table.method,
+        **({"temperatures": table.temperatures} if table.temperatures else {}),
         "rotation": table.frame.rotation.value,
         "x_axis_angle_rad": repr(table.frame.x_axis_angle),
         "load_angle_rad": "" if load is None else repr(load),
@@ -155,4 +156,5 @@ def _table(where: str, name: str, rows: list[dict[str, str]]) -> CoefficientTabl
         frame=frame,
         static={quantity: np.array(numbers(title)) for title, quantity in known.items() if first[title]},
         method=first.get("method") or "",
+        temperatures=first.get("temperatures") or "",
     )

@@ -47,6 +47,8 @@ def write_xltrc2(table: CoefficientTable, path: str | Path) -> None:
     path = Path(path)
     table = for_rotor_programs(table)
     notes = [["Bearing", table.name], ["Frame", declaration(table.frame)], ["Method", table.method]]
+    if table.temperatures:
+        notes.append(["Temperatures", table.temperatures])
     if path.suffix.lower() == ".csv":
         stream = io.StringIO()
         csv.writer(stream, lineterminator="\n").writerows([*notes, *_grid(table)])
@@ -102,6 +104,7 @@ def read_xltrc2(path: str | Path, *, name: str | None = None, frame: Frame | Non
         mass=matrix("m", per_length) if all("m" + entry in data for entry in NAMES) else None,
         frame=settled(str(path), declared(said.get("frame", "")), frame),
         method=said.get("method", ""),
+        temperatures=said.get("temperatures", ""),
     )
 
 

@@ -8,12 +8,14 @@ from time import perf_counter
 
 import numpy as np
 
+from babbitt.design.bounds import NO_BOUNDS
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import GivenEccentricity, GivenLoad
 from babbitt.design.directions import directions_of, narrowest_direction
 from babbitt.design.doubts import doubts_about_film, doubts_about_running
 from babbitt.design.effective import EffectiveFilm
 from babbitt.design.heat_balance import NoFilmError
+from babbitt.design.infinite_width import doubt_about_width, flattered_films
 from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import duty_values, limit_values, oil_values
 from babbitt.longfilm.mean_temperature import mean_temperature_film
@@ -61,8 +63,9 @@ def long_film_check(case: LongFilmCase) -> Result:
         around = directions_of(case, state.attitude_angle, circle(case.cells)[0])
         arrays["film_direction"] = (tuple(float(one) for one in around),)
         if outcome.solved:
-            checks = (*limit_checks(case, values), clearance_check(case, values))
-            not_made = checks_not_made(case, values)
+            bounds = flattered_films(values) if isinstance(case.duty, GivenLoad) else NO_BOUNDS
+            checks = (*limit_checks(case, values, bounds), clearance_check(case, values))
+            not_made = checks_not_made(case, values, bounds)
             warnings = tuple(_doubts(case, state, values, checks))
         values["iterations"] = float(state.iterations)
     values = {name: float(value) for name, value in values.items()} | {"wall_time": perf_counter() - start}
@@ -181,6 +184,7 @@ def _doubts(
     case: LongFilmCase, state: LongFilmState, values: dict[str, float], checks: tuple[Check, ...]
 ) -> Iterator[Notice]:
     yield from case.doubts
+    yield from doubt_about_width(case, values)
     if not case.discretisation.conserves_flow:
         spread = values["flow_inconsistency"]
         yield Notice(

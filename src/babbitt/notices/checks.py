@@ -7,7 +7,8 @@ from babbitt.notices.explanation import Explanation
 CHECKS: dict[str, Explanation] = {
     "C101": Explanation(
         "Film thickness by experience",
-        "The minimum film thickness is compared with a value by experience for diameter and surface speed.",
+        "The minimum film thickness is compared with a value by experience for diameter and surface speed. Found "
+        "from the load by a film of one dimension it is too thick: it can miss the limit, but not keep it.",
         "A more viscous or cooler oil, a larger bearing, less load.",
     ),
     "C102": Explanation(
@@ -25,7 +26,8 @@ CHECKS: dict[str, Explanation] = {
     "C104": Explanation(
         "Temperature",
         "The oil outlet temperature (pressure fed) or the bearing temperature (self-cooled) is compared with the "
-        "value by experience or with the limit that the case sets; that of the case holds for the hottest known.",
+        "value by experience or with the limit that the case sets; that of the case holds for the hottest known. "
+        "A prescribed effective temperature can miss the limit, not keep it: no heat balance tells the hottest.",
         "More oil, a cooler supply, a larger clearance, or a thinner oil.",
     ),
     "C105": Explanation(

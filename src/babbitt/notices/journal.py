@@ -170,6 +170,14 @@ JOURNAL: dict[str, Explanation] = {
         "Move the groove or pocket out of the loaded zone, or count on warmer supply oil; with `carry_over`, let "
         "the supply line take that oil away.",
     ),
+    "W149": Explanation(
+        "Film prescribed colder than its oil",
+        "The effective temperature that the case prescribes lies below that of the oil supplied. A film warms its "
+        "oil, unless a housing cools it strongly: film and friction are computed all the same, for an oil more "
+        "viscous than the bearing can have.",
+        "Prescribe a temperature above that of the supply, correct one of the two, or leave "
+        "`effective_temperature` out: the heat balance then finds it (film method: `thermal: global`).",
+    ),
     "W142": Explanation(
         "Pressure beyond plain bearings",
         "The film pressure exceeds 100 MPa. There soft bearing metals yield, surfaces deform by more than the "

@@ -53,4 +53,14 @@ ONE_DIMENSION: dict[str, Explanation] = {
         "The oil that the loaded film warms is told as `segment_1_outlet_temperature`; limits hold for that.",
         "Leave the groove out, or place it before the narrowest gap.",
     ),
+    "W158": Explanation(
+        "Too narrow for an infinitely wide film",
+        "The film has no sides by which oil leaves, and so carries more than that of the bearing: textbooks take "
+        "it for a fair model above B/D of about 2 (A. Z. Szeri, Fluid Film Lubrication, 1998; B. J. Hamrock, "
+        "Fundamentals of Fluid Film Lubrication, 1994). At an eccentricity of 0.8 and one viscosity a full "
+        "bearing carries 62 % of its load at B/D 1.5, 47 % at 1, 23 % at 0.5, 2 % at 0.125. Under a given load "
+        "the film is thicker than the real one, and a limit of its thickness can be missed for sure, but not "
+        "kept; at a given eccentricity the load is larger than the real one.",
+        "Judge the film thickness by `method: film`, or `iso7902`; take this method for where the heat goes.",
+    ),
 }

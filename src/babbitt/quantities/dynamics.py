@@ -17,6 +17,7 @@ DYNAMICS: tuple[Quantity, ...] = (
         )
         for axes, row, column in (("xx", "x", "x"), ("xy", "x", "y"), ("yx", "y", "x"), ("yy", "y", "y"))
     ),
+    quantity("frozen_stiffness", "K_fr", "N/m", "MN/m", 4, "Film stiffness at frozen temperatures, for stability"),
     quantity("damping", "C", "N s/m", "kNs/m", 4, "Film damping, dF = -C dx', [[xx, xy], [yx, yy]]"),
     *(
         quantity(

@@ -20,6 +20,7 @@ from babbitt.report.bearing_table import matrix_entries, matrix_unit
 from babbitt.report.calculation import Section, calculation
 from babbitt.report.chapters import Chapter, Member
 from babbitt.report.check_content import check_content, compared_checks, solved_checks, sources_of
+from babbitt.report.coefficient_temperatures import beside_coefficient
 from babbitt.report.columns import ABSENT, is_fed, is_film
 from babbitt.report.drawing import Drawing
 from babbitt.report.expression import text
@@ -261,7 +262,7 @@ def _key_results(chapter: Chapter) -> list[Data]:
             quantity = QUANTITIES[name]
             rows.append(
                 {
-                    "label": label(name, result.kind),
+                    "label": label(name, result.kind) + beside_coefficient(name, result),
                     "symbol": symbol_node(quantity.symbol),
                     "values": [quantity.format(value) if math.isfinite(value) else ABSENT for value in values],
                     "unit": quantity.display.label,

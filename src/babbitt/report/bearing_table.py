@@ -14,6 +14,7 @@ from rich.text import Text
 
 from babbitt.quantities import QUANTITIES, Quantity
 from babbitt.report import verdict as judge
+from babbitt.report.coefficient_temperatures import beside_coefficient
 from babbitt.report.meanings import meaning
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import Verdict
@@ -44,7 +45,7 @@ def bearing_table(result: Result) -> RenderableType:
     for name, value in result.values.items():
         quantity = QUANTITIES.get(name)
         if quantity is not None and math.isfinite(value) and name != "wall_time":
-            said = meaning(name, result.kind)
+            said = meaning(name, result.kind) + beside_coefficient(name, result)
             table.add_row(said, quantity.symbol, quantity.format(value), quantity.display.label)
     return Group(
         heading,

@@ -156,6 +156,8 @@ def _side_flow(sheet: Worksheet) -> Iterator[Line]:
 
 
 def _heat(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
+    if case.effective_temperature is not None:
+        return
     if case.oil_supply is not None:
         outlet, inlet = sheet["outlet_temperature"], sheet["supply_temperature"]
         if math.isclose(sheet["effective_temperature"], (inlet + outlet) / 2.0, abs_tol=1e-6):

@@ -89,10 +89,7 @@ def _temperatures(panel: Axes, variants: Sequence[Variant]) -> None:
     places = np.arange(len(variants))[::-1]
     for name in TEMPERATURES:
         at = [
-            one.result.values[name] - ZERO_CELSIUS
-            if name in one.result.values and not (name == "outlet_temperature" and _is_isothermal(one))
-            else math.nan
-            for one in variants
+            one.result.values[name] - ZERO_CELSIUS if name in one.result.values else math.nan for one in variants
         ]
         panel.plot(at, places, MARKS[name], color=INK, markersize=4.5, fillstyle="none", markeredgewidth=0.9,
                    label=mathematics(QUANTITIES[name].symbol))  # fmt: skip
@@ -102,10 +99,6 @@ def _temperatures(panel: Axes, variants: Sequence[Variant]) -> None:
     panel.set_xlabel("temperatures in °C")
     panel.legend(frameon=False, fontsize=7, ncols=4, loc="lower right", bbox_to_anchor=(1.05, 0.98), borderpad=0.0,
                  handletextpad=0.0, columnspacing=0.4)  # fmt: skip
-
-
-def _is_isothermal(variant: Variant) -> bool:
-    return variant.result.settings.get("thermal") == "isothermal"
 
 
 def _around(panel: Axes, variants: Sequence[Variant]) -> None:

@@ -160,7 +160,8 @@ class Row:
 def compared_rows(variants: Sequence[Variant]) -> Iterator[Row]:
     """What is put side by side of some variants."""
     for name in _compared(variants):
-        told = [_told(name, variant.result) for variant in variants]
+        results = [variant.result for variant in variants]
+        told = [result.values.get(name) if result.outcome.solved else None for result in results]
         nothing = {None, 0.0} if name in SILENT_AT_ZERO else {None}
         if set(told) <= nothing:
             continue
@@ -196,14 +197,6 @@ def _least_margin(result: Result, names: Sequence[str]) -> str:
 
 SILENT_AT_ZERO = ("heat_film_to_bush", "heat_film_to_journal", "heat_to_surroundings", "flow_inconsistency")
 """What is left out where it is zero by every method."""
-BALANCED = ("outlet_temperature", "heat_to_oil", "heat_to_surroundings")
-"""What a prescribed temperature leaves open."""
-
-
-def _told(name: str, result: Result) -> float | None:
-    """Value that is an answer, and not only a consequence of a temperature that was prescribed."""
-    prescribed = name in BALANCED and result.settings.get("thermal") == "isothermal"
-    return result.values.get(name) if result.outcome.solved and not prescribed else None
 
 
 def _print_remarks(to: Console, variants: Sequence[Variant]) -> None:

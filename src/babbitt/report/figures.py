@@ -78,7 +78,7 @@ def draw(
         return ()
     loaded = replace(case, duty=GivenLoad(result.load))
     figures: tuple[tuple[str, str, Callable[[], Figure]], ...] = (
-        ("speed-and-load", _speed_and_load_caption(result), lambda: painters.speed_and_load(loaded, result)),
+        ("speed-and-load", _speed_and_load_caption(case, result), lambda: painters.speed_and_load(loaded, result)),
         (
             "load-capacity",
             "Sommerfeld number over eccentricity for the span of this bearing and, paler, for the others of the "
@@ -104,10 +104,12 @@ def draw(
         )
 
 
-def _speed_and_load_caption(result: Result) -> str:
+def _speed_and_load_caption(case: DesignCase, result: Result) -> str:
+    balanced = case.effective_temperature is None
+    heat = "each point with its own heat balance" if balanced else "all at the effective temperature prescribed"
     text = (
         "Friction coefficient and minimum film thickness over speed at the given load, and over load at the given "
-        "speed, each point with its own heat balance. Filled: the operating point."
+        f"speed, {heat}. Filled: the operating point."
     )
     if "transition_speed" in result.values:
         text += " Dotted: transition to mixed friction at the viscosity of the operating point."

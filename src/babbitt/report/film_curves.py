@@ -13,6 +13,7 @@ from babbitt.bearings.warm_film import FilmState
 from babbitt.quantities import QUANTITIES
 from babbitt.report.drawing import GREY, INK, PALE, Array, Sheet, arrow, axis_label, mark, mathematics
 from babbitt.report.painters import plain_ticks
+from babbitt.results import Result
 from babbitt.studies.film_points import FilmPoints
 
 if TYPE_CHECKING:
@@ -107,7 +108,7 @@ def _aside(shares: Array, centres: Array, share: float) -> Array:
     return np.asarray(across if across[0] > 0.0 else -across)
 
 
-def coefficients(state: FilmState, by_speed: FilmPoints) -> Figure:
+def coefficients(state: FilmState, result: Result, by_speed: FilmPoints) -> Figure:
     """Stiffness and damping over the speed, and without dimension over the load number."""
     figure, axes = Sheet(166.0, 94.0, 2, 2, across=15.0, between=11.0).panels()
     film, load = state.solution.film, state.load
@@ -116,7 +117,7 @@ def coefficients(state: FilmState, by_speed: FilmPoints) -> Figure:
     for column, (name, symbol) in enumerate((("stiffness", "K"), ("damping", "C"))):
         shown = QUANTITIES[name]
         values: Array = getattr(by_speed, name)
-        here = getattr(state.solution, name)
+        here = result.arrays[name]
         top, bottom = axes[0][column], axes[1][column]
         _family(top, rpm * by_speed.speeds, values * shown.display.scale, symbol)
         unit = np.broadcast_to(units[column], by_speed.speeds.shape)[:, None, None]

@@ -56,7 +56,7 @@ def report_figures(case: FilmCase, result: Result, image_format: str = "svg") ->
             *_at_rest(case, state),
             *_temperatures(case, state),
             *_moving(state, result),
-            *_swept(case, state),
+            *_swept(case, state, result),
         )
         return _drawn(painted, image_format)
 
@@ -83,7 +83,7 @@ def all_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tu
     case = under_found_load(case, state)
     with style():
         at_rest = (*_at_rest(case, state), *_temperatures(case, state), *_surface(case, state))
-        return _drawn((*at_rest, *_moving(state, result), *_swept(case, state)), image_format)
+        return _drawn((*at_rest, *_moving(state, result), *_swept(case, state, result)), image_format)
 
 
 def _drawn(painted: Iterator[Painted] | tuple[Painted, ...], image_format: str) -> tuple[Drawing, ...]:
@@ -173,7 +173,7 @@ def _moving(state: FilmState, result: Result) -> Iterator[Painted]:
         )
 
 
-def _swept(case: FilmCase, state: FilmState) -> Iterator[Painted]:
+def _swept(case: FilmCase, state: FilmState, result: Result) -> Iterator[Painted]:
     from babbitt.report import film_curves, film_stability
     from babbitt.report.progress import shown
     from babbitt.studies.locus import locus_over_load, locus_over_speed
@@ -199,7 +199,7 @@ def _swept(case: FilmCase, state: FilmState) -> Iterator[Painted]:
         "coefficients",
         f"Stiffness and damping over the speed at the given load, {KEPT}; below, the same films without dimension "
         "over the Sommerfeld number. Filled: the operating point" + beside,
-        film_curves.coefficients(state, by_speed),
+        film_curves.coefficients(state, result, by_speed),
         True,
     )
     whose = "of the given mass" if case.rotor_mass is not None else "whose weight is the load"

@@ -173,7 +173,8 @@ def spans(case: DesignCase, result: Result) -> Figure:
     """Film thickness, temperature, power and flow of the same bearing with other angular spans."""
     tried = [span for span in TABULATED_SPANS if case.curves is Curves.COMPUTED or span == case.bearing.span]
     swept = sweep(case, "bearing.span", [float(span) for span in tried])
-    temperature = "outlet_temperature" if case.oil_supply is not None else "bearing_temperature"
+    known = ("outlet_temperature", "bearing_temperature", "effective_temperature")
+    temperature = next(name for name in known if name in result.values)
     names = ("minimum_film_thickness", temperature, "friction_power", "total_flow")
     figure, axes = Sheet(166.0, 42.0, 1, 4, across=15.5).panels()
     places = np.arange(len(tried))

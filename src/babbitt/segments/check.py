@@ -7,11 +7,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 from time import perf_counter
 
+from babbitt.design.bounds import NO_BOUNDS, Bounds
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import GivenLoad
 from babbitt.design.directions import directions_of, narrowest_direction
 from babbitt.design.effective import EffectiveFilm
 from babbitt.design.heat_balance import NoFilmError
+from babbitt.design.infinite_width import flattered_films
 from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import duty_values, limit_values, oil_values
 from babbitt.lubricants import PowerLaw
@@ -57,8 +59,10 @@ def segments_check(case: SegmentCase) -> Result:
         if outcome.solved:
             plain = beside(state) if case.groove is not None else None
             values |= _values_beside(state, plain)
-            checks = (*_of_the_hottest(limit_checks(case, values), values), clearance_check(case, values))
-            not_made = checks_not_made(case, values)
+            bounds = _bounds(case, values)
+            limits = _of_the_hottest(limit_checks(case, values, bounds), values)
+            checks = (*limits, clearance_check(case, values))
+            not_made = checks_not_made(case, values, bounds)
             warnings = tuple(doubts(case, state, plain, values, checks))
         values["iterations"] = float(state.iterations)
     values = {name: float(value) for name, value in values.items()} | {"wall_time": perf_counter() - start}
@@ -76,6 +80,12 @@ def segments_check(case: SegmentCase) -> Result:
         _settings(case),
         arrays,
     )
+
+
+def _bounds(case: SegmentCase, values: dict[str, float]) -> Bounds:
+    """What flatters the bearing: a film found from its load, or one whose wall yields to too high a pressure."""
+    found = isinstance(case.duty, GivenLoad) or case.compliance > 0.0
+    return flattered_films(values) if found else NO_BOUNDS
 
 
 def _of_the_hottest(checks: tuple[Check, ...], values: dict[str, float]) -> Iterator[Check]:

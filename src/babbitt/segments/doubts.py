@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 
 from babbitt.design.doubts import doubts_about_film, doubts_about_running
+from babbitt.design.infinite_width import doubt_about_width
 from babbitt.lubricants import PowerLaw
 from babbitt.notices import Notice
 from babbitt.results import Check
@@ -33,6 +34,7 @@ def doubts(
 ) -> Iterator[Notice]:
     """Everywhere the result leaves the ground on which it stands; `plain` are the ungrooved films beside it."""
     yield from case.doubts
+    yield from doubt_about_width(case, values)
     if case.film.clearance / case.film.radius > THICK_FROM:
         yield Notice("W151", f"c/R = {case.film.clearance / case.film.radius:.3g} > {THICK_FROM:g}")
     if plain is not None:

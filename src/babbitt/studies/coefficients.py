@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from babbitt.bearings.model import FilmCase, Rotation
+from babbitt.bearings.thermal_answer import temperatures_of_coefficients, with_own_coefficients
 from babbitt.bearings.thermal_film import film_equilibrium
 from babbitt.bearings.warm_film import FilmState
 from babbitt.design.heat_balance import Equilibrium
@@ -32,6 +33,8 @@ class SpeedRun:
     case: FilmCase
     speeds: tuple[float, ...]
     found: tuple[Equilibrium[FilmState], ...]
+    unfollowed: tuple[float, ...] = ()
+    """Speeds in rad/s without the stiffness for following temperatures that the case asks for."""
 
     @property
     def unsolved(self) -> tuple[tuple[float, Outcome], ...]:
@@ -45,16 +48,26 @@ class SpeedRun:
         Raises
         ------
         InputError
-            E003 when a speed has no equilibrium, E004 when the direction of the load changes with the speed.
+            E003 when a speed has no equilibrium or no stiffness of the kind asked for, E004 when the direction of
+            the load changes with the speed.
         """
         if self.unsolved:
             speed, outcome = self.unsolved[0]
             rpm = speed * 30.0 / math.pi
             raise InputError("E003", f"{self.case.name}: no equilibrium at {rpm:.0f} rpm ({outcome.value})")
+        if self.unfollowed:
+            rpm = self.unfollowed[0] * 30.0 / math.pi
+            raise InputError(
+                "E003",
+                f"{self.case.name}: no stiffness with following temperatures at {rpm:.0f} rpm, as a displaced "
+                "film did not settle; leave this speed out or choose temperature_coefficients: frozen",
+            )
         states = [one.film for one in self.found if one.film is not None]
         table = coefficient_table(self.case.name, (state.solution for state in states), _method(self.case))
         heat = {name: np.array([getattr(state, own) for state in states]) for name, own in STATIC.items()}
-        return replace(table, static={**table.static, **heat})
+        return replace(
+            table, static={**table.static, **heat}, temperatures=temperatures_of_coefficients(self.case)
+        )
 
 
 def run_over_speed(case: FilmCase, speeds: Iterable[float]) -> SpeedRun:
@@ -70,7 +83,7 @@ def run_over_speed(case: FilmCase, speeds: Iterable[float]) -> SpeedRun:
     Returns
     -------
     SpeedRun
-        With a status at every speed.
+        With a status at every speed, and the stiffness that the case asks for.
 
     Raises
     ------
@@ -86,8 +99,18 @@ def run_over_speed(case: FilmCase, speeds: Iterable[float]) -> SpeedRun:
             "E004", f"{case.name}: the bearing turns, too; no table over the journal speed holds for it"
         )
     sense = case.rotation.sense
-    found = tuple(film_equilibrium(replace(case, journal_speed=sense * speed)) for speed in taken)
-    return SpeedRun(case, taken, found)
+    runs = [_with_coefficients(replace(case, journal_speed=sense * speed)) for speed in taken]
+    unfollowed = tuple(speed for speed, (_, followed) in zip(taken, runs, strict=True) if not followed)
+    return SpeedRun(case, taken, tuple(found for found, _ in runs), unfollowed)
+
+
+def _with_coefficients(case: FilmCase) -> tuple[Equilibrium[FilmState], bool]:
+    """Equilibrium with the stiffness that the case asks for, and whether that was found."""
+    found = film_equilibrium(case)
+    if found.film is None or not found.outcome.solved:
+        return found, True
+    state, followed = with_own_coefficients(case, found.film)
+    return replace(found, film=state), followed
 
 
 def is_clockwise(case: FilmCase) -> bool:
@@ -96,5 +119,8 @@ def is_clockwise(case: FilmCase) -> bool:
 
 
 def _method(case: FilmCase) -> str:
-    heat = "heat balance at each speed" if case.effective_temperature is None else "one effective temperature"
+    if case.heat is not None:
+        heat = f"thermal {case.heat.name} at each speed"
+    else:
+        heat = "heat balance at each speed" if case.effective_temperature is None else "one effective temperature"
     return f"Babbitt film, {case.cavitation.name.lower().replace('_', ' ')} cavitation, {heat}"

@@ -95,9 +95,7 @@ def _closed(oil: PadOil, pads: list[WarmStart], sense: float) -> tuple[PadState,
             break
         last = inlets
         for place, (inlet, pad) in enumerate(zip(inlets, pads, strict=True)):
-            state = pad.state
-            motion = state.pad.from_pivot() @ np.array([state.height, state.slope_x, state.slope_y])
-            states[place] = replace(state, heat=pad.sector.refed(motion, float(inlet)))
+            states[place] = replace(pad.state, heat=pad.sector.refed(float(inlet)))
     return tuple(states)
 
 

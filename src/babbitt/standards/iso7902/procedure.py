@@ -70,12 +70,14 @@ def check_at_temperature(case: DesignCase, effective_temperature: float) -> Resu
     Returns
     -------
     Result
-        As of `check`; `energy_balance_error` says how far the heat balance stays open.
+        As of `check`, but for what only a heat balance tells: the outlet temperature and the heat carried away.
     """
     start = perf_counter()
     celsius = effective_temperature - ZERO_CELSIUS
     stated = f"effective temperature prescribed: {celsius:.1f} °C; heat balance not closed"
-    prescribed = replace(case, assumptions=(*case.assumptions, stated))
+    prescribed = replace(
+        case, effective_temperature=effective_temperature, assumptions=(*case.assumptions, stated)
+    )
     film_of = partial(film_at, case=case, shape=curves_of(case))
     return _result(prescribed, at_prescribed_temperature(effective_temperature, film_of), start)
 

@@ -1,0 +1,41 @@
+"""Checks of values that only bound the real ones from their favourable side: a miss is certain, a pass is none."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from babbitt.design.conditions import Designed
+from babbitt.notices import Notice
+from babbitt.results import Check
+
+__all__ = ["NO_BOUNDS", "Bounds", "bounds_of", "certain", "unjudged"]
+
+Bounds = Mapping[str, str]
+"""Codes of checks whose value flatters the bearing, each with the reason why keeping the limit says nothing."""
+
+NO_BOUNDS: Bounds = {}
+
+TEMPERATURE_CHECKS = ("C104", "C108", "C109")
+"""Limits of the temperature: of the oil, and of the bearing metal."""
+
+
+def bounds_of(case: Designed) -> Bounds:
+    """Bounds of every method: where the temperature is prescribed, the hottest place is at least that warm."""
+    if case.effective_temperature is None:
+        return {}
+    reason = "the effective temperature is prescribed: no heat balance tells how hot oil and bearing become"
+    return dict.fromkeys(TEMPERATURE_CHECKS, reason)
+
+
+def certain(checks: Iterable[Check], bounds: Bounds) -> tuple[Check, ...]:
+    """Leave out the checks that a favourable bound keeps."""
+    return tuple(check for check in checks if not _says_nothing(check, bounds))
+
+
+def unjudged(checks: Iterable[Check], bounds: Bounds) -> tuple[Notice, ...]:
+    """Tell the reasons of those left out by `certain`."""
+    return tuple(Notice(check.code, bounds[check.code]) for check in checks if _says_nothing(check, bounds))
+
+
+def _says_nothing(check: Check, bounds: Bounds) -> bool:
+    return check.ok and check.code in bounds

@@ -1,0 +1,37 @@
+"""What a film without sides says about a bearing that has some: it carries more, so that its film is too thick."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from babbitt.design.bounds import Bounds
+from babbitt.design.conditions import Designed, GivenLoad
+from babbitt.notices import Notice
+
+__all__ = ["WIDE_FROM", "doubt_about_width", "flattered_films"]
+
+WIDE_FROM = 2.0
+"""B/D from which textbooks take a bearing for infinitely wide: A. Z. Szeri, Fluid Film Lubrication: Theory and
+Design, Cambridge 1998; B. J. Hamrock, Fundamentals of Fluid Film Lubrication, New York 1994."""
+
+FILM_CHECKS = ("C101", "C102")
+"""Limits of the film thickness."""
+
+
+def flattered_films(values: Mapping[str, float]) -> Bounds:
+    """Film thicknesses that follow from a load that no bearing of finite width carries in so thick a film."""
+    ratio, film = values["width_ratio"], values["minimum_film_thickness"] * 1e6
+    reason = (
+        f"an infinitely wide film carries more than one of B/D = {ratio:.3g}: the film of the bearing is thinner "
+        f"than {film:.3g} µm"
+    )
+    return dict.fromkeys(FILM_CHECKS, reason)
+
+
+def doubt_about_width(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
+    """Whether a bearing is so narrow that oil leaves by its sides rather than around the journal."""
+    ratio = values["width_ratio"]
+    if ratio >= WIDE_FROM:
+        return
+    shown = "film shown is thicker" if isinstance(case.duty, GivenLoad) else "load shown is larger"
+    yield Notice("W158", f"B/D = {ratio:.3g} < {WIDE_FROM:g}: the {shown} than that of the bearing")
