@@ -288,6 +288,27 @@ def test_comparison_tells_what_one_temperature_costs():
     assert f"{abs(thin / plain - 1.0):.0%} thinner" in said
 
 
+def test_a_poor_contact_of_the_bush_warms_it():
+    found = [
+        film_check(design(TEXT.replace("housing: {", f"housing: {{contact_coefficient: {one} W/(m2 K), ")))
+        for one in (1e7, 2000, 50)
+    ]
+    perfect, loose, hardly = (one.mean_bush_temperature for one in found)
+    assert perfect == pytest.approx(film_check(design()).mean_bush_temperature, abs=0.02)
+    assert perfect < loose < hardly
+    taken = [one.heat_film_to_bush for one in found]
+    assert taken[0] > taken[1] > taken[2] > 0.0
+
+
+def test_a_prescribed_journal_temperature_takes_the_heat_that_it_must():
+    given = TEXT.replace("{shaft_conductance: 5 W/K, ambient_temperature: 30 degC}", "{temperature: 50 degC}")
+    found = film_check(design(given))
+    assert found.journal_temperature == pytest.approx(323.15)
+    assert found.heat_film_to_journal > film_check(design()).heat_film_to_journal
+    walls = found.heat_film_to_bush + found.heat_film_to_journal
+    assert found.film_dissipation == pytest.approx(found.heat_to_oil + walls, rel=1e-8)
+
+
 def test_adiabatic_walls_take_nothing():
     adiabatic = film_check(replace(design(), heat=HeatModel()))
     assert not [name for name in adiabatic.values if "bush" in name]

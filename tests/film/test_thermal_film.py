@@ -314,3 +314,23 @@ def test_grooves_under_pressure_have_one_film_whatever_the_grid():
     assert np.abs(flows[0] / flows[2] - 1.0).max() < 0.08
     assert abs(found[1].maximum_temperature - found[2].maximum_temperature) < 0.4
     assert abs(found[0].maximum_temperature - found[2].maximum_temperature) < 0.8
+
+
+def test_a_full_film_whose_oil_does_not_conduct_is_the_adiabatic_one():
+    tight = Resolution(4, 96, 24, 1e-8)
+    poor = replace(ADIABATIC, conductivity=1e-7)
+    adiabatic, full = (
+        solve_thermal_journal(BEARING, one, WEIGHT, tight) for one in (poor, replace(poor, walls=WALLS))
+    )
+    assert full.heat.bush + abs(full.heat.journal) < 1e-4 * full.heat.dissipation
+    assert full.film.position == pytest.approx(adiabatic.film.position, rel=1e-3)
+    assert full.side_temperature == pytest.approx(adiabatic.side_temperature, abs=0.02)
+
+
+def test_a_film_that_hardly_moves_is_as_warm_as_its_oil():
+    slow = replace(BEARING, angular_speed=1e-3 * BEARING.angular_speed)
+    found = solve_thermal_journal(slow, ADIABATIC, (0.0, -112.8))
+    assert found.film.outcome.solved
+    assert np.ptp(found.temperature) < 0.1
+    with pytest.raises(InputError, match="angular_speed is zero"):
+        solve_thermal_journal(replace(BEARING, angular_speed=0.0), ADIABATIC, WEIGHT)
