@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -37,6 +37,10 @@ WIDEST_LEVEL = 4.0
 
 SURFACE_LINES = 91
 """Across the pressure surface."""
+
+
+Scale = tuple[list[str], Array]
+"""Shades, and the levels between them."""
 
 
 def unrolled(case: FilmCase, solution: FilmSolution, field: FilmField) -> Figure:
@@ -96,7 +100,7 @@ def degrees(panel: Axes, field: FilmField) -> None:
     panel.xaxis.set_major_formatter(FuncFormatter(lambda angle, _: f"{round(angle) % 360}"))
 
 
-def levels_of(shown: Array) -> tuple[list[str], Array]:
+def levels_of(shown: Array) -> Scale:
     """Shades from pale to dark and the round levels between them."""
     lowest, highest = float(np.nanmin(shown)), float(np.nanmax(shown))
     levels = np.array(_steps(lowest, highest, 14))
@@ -105,11 +109,27 @@ def levels_of(shown: Array) -> tuple[list[str], Array]:
     return [str(round(1.0 - 0.55 * place / levels.size, 3)) for place in range(levels.size + 1)], levels
 
 
-def shaded(panel: Axes, x: Array, y: Array, shown: Array) -> QuadContourSet:
-    """A quantity over two coordinates in shades of grey, with lines at round levels."""
-    shades, levels = levels_of(shown)
+def shaded(panel: Axes, x: Array, y: Array, shown: Array, scale: Scale | None = None) -> QuadContourSet:
+    """A quantity over two coordinates in shades of grey, with lines at round levels; on its own scale if none is
+    given."""
+    shades, levels = scale or levels_of(shown)
     panel.contourf(x, y, shown.T, levels=levels, colors=shades, extend="both")
     return panel.contour(x, y, shown.T, levels=levels, colors="0.25", linewidths=0.45)
+
+
+def bar(figure: Figure, panels: Sequence[Axes], scale: Scale, said: str) -> None:
+    """What the shades mean, at the right of panels that stand one above the other."""
+    from matplotlib.cm import ScalarMappable
+    from matplotlib.colors import BoundaryNorm, ListedColormap
+
+    shades, levels = scale
+    map_of_shades = ListedColormap(shades[1:-1]).with_extremes(under=shades[0], over=shades[-1])
+    highest, lowest = panels[0].get_position(), panels[-1].get_position()
+    room = figure.add_axes((highest.x1 + 0.012, lowest.y0, 0.014, highest.y1 - lowest.y0))
+    norm = BoundaryNorm(levels, len(shades) - 2)
+    drawn = figure.colorbar(ScalarMappable(norm, map_of_shades), cax=room, extend="both", ticks=levels[::2])
+    drawn.outline.set_linewidth(0.4)
+    drawn.set_label(said)
 
 
 def dress(panel: Axes, case: FilmCase, solution: FilmSolution, field: FilmField) -> None:

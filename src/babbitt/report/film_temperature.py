@@ -40,18 +40,18 @@ PLACES, DEPTHS = 361, 24
 def unrolled(case: FilmCase, thermal: ThermalFilm, field: FilmField) -> Figure:
     """Mean temperature across the gap over angle and width, and across the gap in the middle of the width."""
     figure, axes = Sheet(166.0, 92.0, 2, 1, left=12.0, between=7.0).panels(sharex=True)
-    figure.subplots_adjust(top=1.0 - 6.0 / 92.0)
+    figure.subplots_adjust(top=1.0 - 6.0 / 92.0, right=1.0 - 17.0 / 166.0)
     top, bottom = axes[0][0], axes[1][0]
-    degrees = np.degrees(field.theta)
+    degrees, place = np.degrees(field.theta), thermal.hot_spot[1]
     shown = temperature_over(thermal, field) - ZERO_CELSIUS
-    lines = film_maps.shaded(top, degrees, 1e3 * field.z, shown)
+    through = temperature_through(thermal, field.theta, place) - ZERO_CELSIUS
+    scale = film_maps.levels_of(np.concatenate((shown.ravel(), through.ravel())))
+    lines = film_maps.shaded(top, degrees, 1e3 * field.z, shown, scale)
     film_maps.level_names(top, lines, thermal.film.film, field)
     film_maps.dress(top, case, thermal.film, field)
     top.set_ylabel("$z$ in mm")
-    place = thermal.hot_spot[1]
-    through = temperature_through(thermal, field.theta, place) - ZERO_CELSIUS
     across = np.concatenate(([0.0], thermal.layers, [1.0]))
-    lines = film_maps.shaded(bottom, degrees, across, through)
+    lines = film_maps.shaded(bottom, degrees, across, through, scale)
     bottom.clabel(lines, np.asarray(lines.levels)[::2], fontsize=6, fmt="%g", inline_spacing=2)
     _cover_grooves(bottom, thermal, field, place)
     bottom.set_ylabel("bush ←  $y/h$  → journal")
@@ -63,6 +63,7 @@ def unrolled(case: FilmCase, thermal: ThermalFilm, field: FilmField) -> Figure:
     film_maps.says(top, "temperature in °C, mean across the gap")
     film_maps.says(bottom, f"temperature in °C, across the gap {said_place(thermal)}")
     film_maps.rotation(top, case)
+    film_maps.bar(figure, (top, bottom), scale, "temperature in °C")
     return figure
 
 
@@ -82,7 +83,7 @@ def _hot_spot(top: Axes, bottom: Axes, thermal: ThermalFilm, field: FilmField) -
     said = f"{thermal.maximum_temperature - ZERO_CELSIUS:.1f}"
     film_maps.point(bottom, math.degrees(angle), thermal.layers[layer], said)
     if thermal.axial_positions.size > 1:
-        film_maps.point(top, math.degrees(angle), 1e3 * thermal.axial_positions[column], said)
+        film_maps.point(top, math.degrees(angle), 1e3 * thermal.axial_positions[column], f"hottest {said}")
 
 
 def _cover_grooves(panel: Axes, thermal: ThermalFilm, field: FilmField, place: float) -> None:
@@ -236,6 +237,8 @@ def split(thermal: ThermalFilm) -> Figure:
     panel.set_yticks(places, [name for name, _ in rows])
     panel.set_xlim(min(0.0, 1.25 * min(shares)), 1.32 * max(shares))
     panel.axvline(0.0, color=INK, linewidth=0.5)
+    if 0.0 <= min(shares) <= max(shares) <= 100.0:  # what stands beside the bars is no share
+        panel.set_xticks(range(0, 101, 20))
     for place, share, (_, power) in zip(places, shares, rows, strict=True):
         panel.annotate(
             f"{1e-3 * power:.3g} kW", (max(share, 0.0), place), xytext=(3, 0), textcoords="offset points",
