@@ -12,8 +12,9 @@ from functools import cache
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from babbitt.bearings.closed_pockets import closed_film
 from babbitt.bearings.heat_model import AxialTemperature
-from babbitt.bearings.layout import film_of, load_vector
+from babbitt.bearings.layout import closed_pockets, film_of, load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.thermal_failure import last_film, what_gave_way
 from babbitt.bearings.thermal_search import ThermalSearch
@@ -92,7 +93,8 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
     except NoFilmError as failure:
         outcome = failure.outcome
         if psi > 0.0:
-            last = last_film(case, lambda lighter, search: _warm_state(lighter, psi, at, search))
+            starved = outcome is Outcome.STARVED_RECESS  # no matter of load
+            last = None if starved else last_film(case, lambda lighter, search: _warm_state(lighter, psi, at, search))
             state, outcome = last or state, what_gave_way(case, outcome, last)
         reached = state.temperature if state else cold
         return Equilibrium(outcome, state, 0, reached, failure.capacity, failure.least_flow)
@@ -169,7 +171,7 @@ def _warm_state(case: FilmCase, psi: float, temperature: float, search: ThermalS
 def _in_its_bore(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalSearch) -> ThermalFilm:
     """Film at its load or position, in a bore that gives way and is distorted by heat where the case has one."""
     if not case.bearing.compliance:
-        return _settled(case, film, heat, search)
+        return _closed(case, film, heat, search)
     from babbitt.bearings.elastic_film import elastic_thermal_film
     from babbitt.film.ring_growth import RingGrowth
 
@@ -178,9 +180,22 @@ def _in_its_bore(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: Ther
         bush = heat.walls.bush
         growth = RingGrowth(bush.radii[0], bush.radii[-1], case.bearing.expansion_bearing, bush.conductivities[-1])
     found = elastic_thermal_film(
-        film, case.bearing.compliance, lambda one: _settled(case, one, heat, search), growth
+        film, case.bearing.compliance, lambda one: _closed(case, one, heat, search), growth
     )
     return replace(found.solution, film=replace(found.solution.film, outcome=found.outcome))
+
+
+def _closed(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalSearch) -> ThermalFilm:
+    """Film whose closed pockets, if it has any, pass on as much oil as reaches them."""
+    closed = closed_pockets(case)
+    if not closed:
+        return _settled(case, film, heat, search)
+    search.exact = True
+    return closed_film(
+        film, closed, lambda one: _settled(case, one, heat, search), lambda found: found.film,
+        lambda found, outcome: replace(found, film=replace(found.film, outcome=outcome)), search.closed,
+        lambda one: _settled(case, one, heat, ThermalSearch()).film,
+    )  # fmt: skip
 
 
 def film_heat(case: FilmCase, heat_capacity: float, temperature: float) -> FilmHeat:
