@@ -97,6 +97,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
         if state.fed is not None:
             arrays["supply_fill"] = (fills_of(case, state.fed),)
         if closed_pockets(case):
+            arrays["groove_angles"] = (tuple(hollow.angle for hollow in case.bearing.hollows),)
             arrays["groove_pressures"] = (supply_pressures(case, state.solution.film),)
         if outcome.solved:
             if case.tilt_coefficients:

@@ -32,7 +32,7 @@ CLOSED = 3e-7
 MOST_FILMS = 60
 """Films after which the search gives up."""
 FIRST_STEP, LONGEST_STEP = 0.02, 0.5
-"""Of a pressure, over the highest pressure of the film: of the step that tells the first derivative, and of any."""
+"""Of a pressure, over the highest pressure of the film: the step that tells the first derivative, and any step."""
 TRUSTED = 30.0
 """Net flows over those that count as none, down to which a film tells derivatives: below, two films differ by how
 closely their temperatures have settled."""
@@ -176,7 +176,7 @@ class _Search(Generic[SolutionT]):
         return _At(found, pressures, flows, solution.leaving_flow, solution.maximum_pressure)
 
     def _from_outside(self, without: Callable[[JournalFilm], FilmSolution]) -> Array:
-        """Mean pressure, at the place of every closed pocket, of the film without them; ambient where it has none."""
+        """Mean pressure, at the place of every closed pocket, of the film without them; ambient if it has none."""
         closed = {number for group in self.groups for number in group}
         others = tuple(one for number, one in enumerate(self.film.pockets) if number not in closed)
         ambient = np.zeros(len(self.groups))

@@ -94,7 +94,9 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
         outcome = failure.outcome
         if psi > 0.0:
             starved = outcome is Outcome.STARVED_RECESS  # no matter of load
-            last = None if starved else last_film(case, lambda lighter, search: _warm_state(lighter, psi, at, search))
+            last = (
+                None if starved else last_film(case, lambda lighter, search: _warm_state(lighter, psi, at, search))
+            )
             state, outcome = last or state, what_gave_way(case, outcome, last)
         reached = state.temperature if state else cold
         return Equilibrium(outcome, state, 0, reached, failure.capacity, failure.least_flow)

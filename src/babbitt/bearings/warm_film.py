@@ -177,8 +177,10 @@ def starved_film(
 
 def _settled(case: FilmCase, near: tuple[float, float] | None, film: JournalFilm) -> FilmSolution:
     """Film at its load or position, in a bore that gives way where the case has one, with its closed pockets."""
-    settle = partial(_closed, case, near, ClosedPressures()) if closed_pockets(case) else partial(
-        _in_given_bore, case, near
+    settle = (
+        partial(_closed, case, near, ClosedPressures())
+        if closed_pockets(case)
+        else partial(_in_given_bore, case, near)
     )
     if not case.bearing.compliance:
         return settle(film)

@@ -155,7 +155,11 @@ def given_flows_are_counted(bearing: JournalBearing) -> Iterator[Complaint]:
     for path, hollow in bearing.hollows():
         if hollow.flow is None:
             continue
-        if hollow.flow == 0.0 and bearing.method == "film" and all(not _feeds(one) for _, one in bearing.hollows()):
+        if (
+            hollow.flow == 0.0
+            and bearing.method == "film"
+            and all(not _feeds(one) for _, one in bearing.hollows())
+        ):
             says = "every pocket and hole is closed (flow: 0 L/min): nothing feeds the film"
             yield Complaint((*path, "flow"), says, "a pressure for one of them, or one more that feeds the film")
             return

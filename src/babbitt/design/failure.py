@@ -8,12 +8,11 @@ from babbitt.notices import EXPLANATIONS
 from babbitt.results import Outcome
 from babbitt.units import ZERO_CELSIUS
 
-
 __all__ = ["STARVED", "STARVED_REMEDY", "failure"]
 
 STARVED = (
-    "a closed pocket or hole (flow: 0 L/min) runs empty: at the pressure at which the film breaks it would still send "
-    "off more oil than reaches it"
+    "a closed pocket or hole (flow: 0 L/min) runs empty: at the pressure at which the film breaks it would still "
+    "send off more oil than reaches it"
 )
 STARVED_REMEDY = "a place where the film is full, or a pressure that feeds it."
 
