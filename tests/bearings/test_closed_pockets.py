@@ -132,6 +132,48 @@ def test_with_one_viscosity_the_pressure_is_that_of_the_film_of_one_temperature(
     assert found[0] > 1e5
 
 
+def test_stiffness_and_damping_let_the_pressure_follow():
+    """As films with closed pockets at places beside, and at velocities; a held pocket is softer."""
+    film = JournalFilm(
+        0.1, 0.06, 75e-6, 0.02, 300.0, grooved_bore((0.5 * math.pi,), 0.35, 1e5),
+        pockets=(Pocket(ANGLE, EXTENT, WIDTH, closed=True),),
+    )  # fmt: skip
+    place, known = np.array([20e-6, -40e-6]), ClosedPressures()
+
+    def closed(at, velocity=(0.0, 0.0)):
+        def settle(one):
+            return film_at_position(one, tuple(at), tuple(velocity), resolution=FINE)
+
+        return closed_film(
+            film, [0], settle, lambda one: one, lambda one, _: pytest.fail(f"no film: {one}"), known, settle
+        )
+
+    found = closed(place)
+    for push, axes, coefficient in ((1e-7, 0, found.stiffness), (1e-4, 1, found.damping)):
+        columns = []
+        for direction in np.eye(2):
+            ends = [
+                closed(place + sign * push * direction) if axes == 0 else closed(place, sign * push * direction)
+                for sign in (1.0, -1.0)
+            ]
+            columns.append(-(ends[0].force - ends[1].force) / (2.0 * push))
+        assert coefficient == pytest.approx(np.array(columns).T, abs=0.02 * np.abs(coefficient).max())
+    (pocket,) = found.film.pockets
+    held = film_at_position(
+        replace(found.film, pockets=(replace(pocket, closed=False),)), tuple(place), resolution=FINE
+    )
+    assert held.force == pytest.approx(found.force)
+    assert found.stiffness[1, 1] > 1.2 * held.stiffness[1, 1]
+    assert found.damping[1, 1] > 1.1 * held.damping[1, 1]
+
+
+def test_temperatures_that_follow_leave_the_pocket_closed():
+    following = film_check(design(TEXT + "temperature_coefficients: following\n"))
+    assert "W147" not in {one.code for one in following.warnings}
+    frozen, moving = (np.array(following.arrays[name]) for name in ("frozen_stiffness", "stiffness"))
+    assert moving == pytest.approx(frozen, abs=0.15 * np.abs(frozen).max())
+
+
 def test_a_small_hole_that_is_closed_takes_the_pressure_of_the_film():
     """And with one temperature, too."""
     hole = "holes: [{angle: 250 deg, diameter: 2 mm, flow: 0 L/min}]"

@@ -44,8 +44,8 @@ def film_assumptions(case: FilmCase) -> Iterator[str]:
     if any(hollow.is_closed for hollow in case.bearing.hollows):
         yield (
             "Closed pockets and holes (flow: 0 L/min) stand at the pressure at which their net flow vanishes, and "
-            "all oil that reaches them goes on; stiffness, damping and thresholds hold for the pressures of the "
-            "operating point."
+            "all oil that reaches them goes on; in stiffness and damping their pressures follow the journal, for "
+            "oil is incompressible."
         )
     grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
     if any(hollow.pressure != 0.0 for hollow in grooves) and case.oil_supply is not None:

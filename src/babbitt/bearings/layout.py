@@ -159,7 +159,8 @@ def _lands(case: FilmCase, grooves: list[Hollow], clearance: float, pressure: fl
 
 
 def _pocket(hollow: Hollow, width: float, pressure: float) -> Pocket:
-    return Pocket(hollow.angle, hollow.extent, width, hollow.axial_position, _pressure(hollow, pressure))
+    place = hollow.angle, hollow.extent, width, hollow.axial_position
+    return Pocket(*place, _pressure(hollow, pressure), closed=hollow.is_closed)
 
 
 def _pressure(hollow: Hollow, pressure: float) -> float:
