@@ -1,8 +1,9 @@
 """Closed pockets and holes: nothing feeds them, and they stand at the pressure at which their net flow vanishes.
 
 Newton's method on the pressures p with the net flows q(p) of whole films (journal at rest, temperatures included);
-the derivatives are those of two films at first, then Broyden's (Math. Comp. 19 (1965) 577). Films that follow each
-other closely need no new derivative: from the second clearance or bore on, the known one does.
+the derivatives come from one more film for every pocket at first, then from the steps after Broyden (Math. Comp. 19
+(1965) 577). Films that follow each other closely, as with clearance or bore, go on with the pressures and derivatives
+of the last one.
 """
 
 from __future__ import annotations
@@ -33,9 +34,13 @@ MOST_FILMS = 60
 """Films after which the search gives up."""
 FIRST_STEP, LONGEST_STEP = 0.02, 0.5
 """Of a pressure, over the highest pressure of the film: the step that tells the first derivative, and any step."""
-TRUSTED = 30.0
-"""Net flows over those that count as none, down to which a film tells derivatives: below, two films differ by how
-closely their temperatures have settled."""
+TRUSTED, TAMED = 2e-4, 5.0
+"""Of a step, over the highest pressure of the film, from which it tells derivatives (films closer together differ
+by how closely their temperatures have settled), and the factor by which that of a pocket may change at once."""
+CALM = 300.0
+"""Net flows over those that count as none, below which steps are shortened while the flows do not shrink."""
+PATIENT, NEARLY = 15, 9e-7
+"""Films after which a net flow that hardly shrinks may be this large."""
 HALVINGS = 6
 """Of a step that leads to no film."""
 PLACES = 9
@@ -135,25 +140,46 @@ class _Search(Generic[SolutionT]):
         if not self.film_in(found).outcome.solved:
             return found
         here = self._seen(found, np.maximum(start, lowest))
-        slopes = known.slopes
-        for _ in range(MOST_FILMS):
-            nothing = CLOSED * here.scale
+        slopes, share, before = known.slopes, 1.0, np.inf
+        for films in range(MOST_FILMS):
+            nothing = (CLOSED if films < PATIENT else NEARLY) * here.scale
             starved = (here.pressures <= lowest) & (here.flows > nothing)
             free = ~starved
             if (np.abs(here.flows[free]) <= nothing).all():
                 known.pressures, known.slopes = here.pressures, slopes
                 return self.with_outcome(here.found, Outcome.STARVED_RECESS) if starved.any() else here.found
-            move = np.zeros(free.size)
             if slopes is None:
-                move = -np.sign(here.flows) * FIRST_STEP * here.highest
-            else:
-                move[free] = -np.linalg.solve(slopes[np.ix_(free, free)], here.flows[free])
-            there = self._moved(here, move, lowest)
+                slopes = self._probed(here, lowest)
+                if slopes is None:
+                    break
+            move = np.zeros(free.size)
+            move[free] = -np.linalg.solve(slopes[np.ix_(free, free)], here.flows[free])
+            off = float(np.abs(here.flows[free]).max())
+            if off < CALM * nothing:
+                share = max(0.5 * share, 0.1) if off > 0.7 * before else min(1.0, 1.5 * share)
+            there = self._moved(here, share * move, lowest)
             if there is None:
                 break
-            slopes = _learnt(slopes, here, there, TRUSTED * nothing)
+            slopes, before = _learnt(slopes, here, there), off
             here = there
         return self.with_outcome(here.found, Outcome.NOT_CONVERGED)
+
+    def _probed(self, here: _At[SolutionT], lowest: float) -> Array | None:
+        """Derivatives of the net flows, from one more film for every pocket; None where one leads nowhere."""
+        columns = []
+        for number in range(here.flows.size):
+            move = np.zeros(here.flows.size)
+            move[number] = FIRST_STEP * here.highest * (1.0 if here.flows[number] < 0.0 else -1.0)
+            if here.pressures[number] + move[number] <= lowest:
+                move[number] = FIRST_STEP * here.highest
+            there = self._moved(here, move, lowest)
+            if there is None:
+                return None
+            column = (there.flows - here.flows) / (there.pressures[number] - here.pressures[number])
+            if not column[number] > 0.0:
+                return None
+            columns.append(column)
+        return np.array(columns).T
 
     def _moved(self, here: _At[SolutionT], move: Array, lowest: float) -> _At[SolutionT] | None:
         """The film at other pressures, or less far away where there is none; None where none is near."""
@@ -197,14 +223,11 @@ class _Search(Generic[SolutionT]):
         return np.array(means)
 
 
-def _learnt(slopes: Array | None, here: _At[SolutionT], there: _At[SolutionT], least: float) -> Array | None:
+def _learnt(slopes: Array, here: _At[SolutionT], there: _At[SolutionT]) -> Array:
     """Derivatives of the net flows after one more film."""
     moved, changed = there.pressures - here.pressures, there.flows - here.flows
-    if slopes is None:
-        own = np.divide(changed, moved, out=np.zeros(moved.size), where=moved != 0.0)
-        if not (own > 0.0).any():
-            return None
-        return np.diag(np.where(own > 0.0, own, own[own > 0.0].mean()))
-    if np.abs(changed).max() < least:
+    if np.abs(moved).max() < TRUSTED * here.highest:
         return slopes
-    return np.asarray(slopes + np.outer(changed - slopes @ moved, moved) / float(moved @ moved))
+    better = np.asarray(slopes + np.outer(changed - slopes @ moved, moved) / float(moved @ moved))
+    ratio = np.diag(better) / np.diag(slopes)
+    return better if (ratio > 1.0 / TAMED).all() and (ratio < TAMED).all() else slopes
