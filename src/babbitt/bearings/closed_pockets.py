@@ -1,9 +1,9 @@
 """Closed pockets and holes: nothing feeds them, and they stand at the pressure at which their net flow vanishes.
 
-Newton's method on the pressures p with the net flows q(p) of whole films (journal at rest, temperatures included);
-the derivatives come from one more film for every pocket at first, then from the steps after Broyden (Math. Comp. 19
-(1965) 577). Films that follow each other closely, as with clearance or bore, go on with the pressures and derivatives
-of the last one.
+Newton's method on the pressures p with the net flows q(p) of whole films (journal at rest, temperatures
+included); the derivatives come from one more film for every pocket at first, then from the steps after Broyden
+(Math. Comp. 19 (1965) 577). Films that follow each other closely, as with clearance or bore, go on with the
+pressures and derivatives of the last one.
 """
 
 from __future__ import annotations
