@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from time import perf_counter
 
 from babbitt.bearings.film_premises import film_assumptions, film_settings
-from babbitt.bearings.film_values import fills_of, film_values, rows_of, tilt_values
+from babbitt.bearings.film_values import fills_of, film_values, rows_of, supply_pressures, tilt_values
 from babbitt.bearings.grid_error import grid_errors
-from babbitt.bearings.layout import without_pressure
+from babbitt.bearings.layout import closed_pockets, without_pressure
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.orbit_answer import (
     orbit_checks,
@@ -96,6 +96,9 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
             arrays = {"stiffness": rows_of(state.solution.stiffness), "damping": rows_of(state.solution.damping)}
         if state.fed is not None:
             arrays["supply_fill"] = (fills_of(case, state.fed),)
+        if closed_pockets(case):
+            arrays["groove_angles"] = (tuple(hollow.angle for hollow in case.bearing.hollows),)
+            arrays["groove_pressures"] = (supply_pressures(case, state.solution.film),)
         if outcome.solved:
             if case.tilt_coefficients:
                 from babbitt.film.tilt import tilt_coefficients
@@ -202,7 +205,8 @@ def _doubts(
 def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, float]) -> Iterator[Notice]:
     """Flow of grooves as wide as the bearing, and a load that points into one, or into a pocket."""
     grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
-    if grooves and without_pressure(state.solution.film) != state.solution.film:
+    calm = without_pressure(state.solution.film, closed_pockets(case))
+    if grooves and calm != state.solution.film:
         flow = values["supply_flow"] * 6e4
         said = f"supply flow of {flow:.2g} L/min from grooves as wide as the bearing"
         if math.isnan(flow):

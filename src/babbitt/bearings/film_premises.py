@@ -40,6 +40,12 @@ def film_assumptions(case: FilmCase) -> Iterator[str]:
             "Supplies of given flow: oil that a flooded film does not draw returns without passing it; stiffness, "
             "damping and thresholds hold for the fills of the operating point; no oil is stored in grooves."
         )
+    if any(hollow.is_closed for hollow in case.bearing.hollows):
+        yield (
+            "Closed pockets and holes (flow: 0 L/min) stand at the pressure at which their net flow vanishes, and "
+            "all oil that reaches them goes on; in stiffness and damping their pressures follow the journal, for "
+            "oil is incompressible."
+        )
     grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
     if any(hollow.pressure != 0.0 for hollow in grooves) and case.oil_supply is not None:
         yield (
@@ -118,4 +124,4 @@ def film_settings(case: FilmCase) -> dict[str, str]:
 
 def _flows_given(case: FilmCase) -> bool:
     common = case.oil_supply is not None and case.oil_supply.flow is not None
-    return common or any(hollow.flow is not None for hollow in case.bearing.hollows)
+    return common or any(hollow.flow for hollow in case.bearing.hollows)

@@ -10,7 +10,7 @@ import numpy as np
 from babbitt.bearings.bore import LobedBore
 from babbitt.bearings.extent import full_film_share, turbulent_share
 from babbitt.bearings.field import highest_pressure, narrowest_gap_angle
-from babbitt.bearings.layout import supply_numbers, without_pressure
+from babbitt.bearings.layout import closed_pockets, supply_numbers, without_pressure
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.thermal_answer import flow_without_pressure, thermal_values
 from babbitt.bearings.warm_film import FilmState
@@ -23,12 +23,13 @@ from babbitt.design.values import (
     oil_values,
     supply_values,
 )
+from babbitt.film.model import FilmStart, JournalFilm
 from babbitt.film.starved import FedFilm
 
 if TYPE_CHECKING:
     from babbitt.film.tilt import TiltCoefficients
 
-__all__ = ["fills_of", "film_values", "rows_of", "tilt_values"]
+__all__ = ["fills_of", "film_values", "rows_of", "supply_pressures", "tilt_values"]
 
 NO_MOMENT = 1e-10
 """Share of load times width below which a moment of the film is round-off."""
@@ -104,6 +105,14 @@ def fills_of(case: FilmCase, fed: FedFilm) -> tuple[float, ...]:
     return tuple(fed.fill[number] for number in supply_numbers(case, fed.solution.film))
 
 
+def supply_pressures(case: FilmCase, film: JournalFilm) -> tuple[float, ...]:
+    """Gauge pressure of every groove, pocket and hole in the order of the case, Pa."""
+    grooves = 0 if film.film_start is FilmStart.PERIODIC else len(film.lands)
+    behind = [film.lands[number].end_pressure for number in film.land_order[:grooves]]
+    every = [*behind, *(pocket.pressure for pocket in film.pockets)]
+    return tuple(every[number] for number in supply_numbers(case, film))
+
+
 def _lobe_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     bore = case.bearing.bore
     if not isinstance(bore, LobedBore):
@@ -120,7 +129,7 @@ def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     flow, film = state.total_flow, state.solution.film
     if math.isnan(flow):
         return {}
-    calm = without_pressure(film)
+    calm = without_pressure(film, closed_pockets(case))
     if calm == film:
         return {"side_flow": flow, "supply_flow": 0.0, "total_flow": flow}
     from babbitt.film.solve import film_at_position

@@ -13,7 +13,7 @@ from babbitt.film.starved import GivenFlow
 from babbitt.film.turbulence import FilmTurbulence
 from babbitt.notices import InputError
 
-__all__ = ["film_of", "given_flows", "load_vector", "supply_numbers", "without_pressure"]
+__all__ = ["closed_pockets", "film_of", "given_flows", "load_vector", "supply_numbers", "without_pressure"]
 
 TURN = 2.0 * math.pi
 
@@ -90,11 +90,17 @@ def supply_numbers(case: FilmCase, film: JournalFilm) -> tuple[int, ...]:
 def given_flows(case: FilmCase, film: JournalFilm) -> tuple[GivenFlow, ...]:
     """Flows that the supplies of a film are given: their own, and that of the oil supply shared by all others."""
     numbered = list(zip(case.bearing.hollows, supply_numbers(case, film), strict=True))
-    given = [GivenFlow((number,), hollow.flow) for hollow, number in numbered if hollow.flow is not None]
+    given = [GivenFlow((number,), hollow.flow) for hollow, number in numbered if hollow.flow]
     if case.oil_supply is not None and case.oil_supply.flow is not None:
         members = tuple(number for hollow, number in numbered if hollow.pressure is None and hollow.flow is None)
         given += [GivenFlow(members, case.oil_supply.flow)] if members else []
     return tuple(given)
+
+
+def closed_pockets(case: FilmCase) -> tuple[int, ...]:
+    """Which of the pockets of a film (`JournalFilm.pockets`) are closed: nothing feeds them."""
+    pockets = [hollow for hollow in case.bearing.hollows if hollow.width is not None]
+    return tuple(number for number, hollow in enumerate(pockets) if hollow.is_closed)
 
 
 def load_vector(case: FilmCase, load: float) -> tuple[float, float]:
@@ -102,15 +108,18 @@ def load_vector(case: FilmCase, load: float) -> tuple[float, float]:
     return load * math.cos(case.load_angle), load * math.sin(case.load_angle)
 
 
-def without_pressure(film: JournalFilm) -> JournalFilm:
-    """The same film without supply pressure above that of the surroundings."""
+def without_pressure(film: JournalFilm, closed: tuple[int, ...] = ()) -> JournalFilm:
+    """The same film without supply pressure above that of the surroundings; closed pockets keep theirs."""
     return replace(
         film,
         lands=tuple(
             replace(land, start_pressure=min(land.start_pressure, 0.0), end_pressure=min(land.end_pressure, 0.0))
             for land in film.lands
         ),
-        pockets=tuple(replace(pocket, pressure=min(pocket.pressure, 0.0)) for pocket in film.pockets),
+        pockets=tuple(
+            pocket if number in closed else replace(pocket, pressure=min(pocket.pressure, 0.0))
+            for number, pocket in enumerate(film.pockets)
+        ),
     )
 
 
@@ -150,10 +159,11 @@ def _lands(case: FilmCase, grooves: list[Hollow], clearance: float, pressure: fl
 
 
 def _pocket(hollow: Hollow, width: float, pressure: float) -> Pocket:
-    return Pocket(hollow.angle, hollow.extent, width, hollow.axial_position, _pressure(hollow, pressure))
+    place = hollow.angle, hollow.extent, width, hollow.axial_position
+    return Pocket(*place, _pressure(hollow, pressure), closed=hollow.is_closed)
 
 
 def _pressure(hollow: Hollow, pressure: float) -> float:
     if hollow.flow is not None:
-        return 0.0  # until the film tells how far its flow fills it
+        return 0.0  # until the film tells how far its flow fills it, or at which pressure none passes
     return pressure if hollow.pressure is None else hollow.pressure

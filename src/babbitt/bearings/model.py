@@ -98,7 +98,7 @@ class Hollow:
     pressure : float or None
         Gauge, Pa; None is that of the oil supply behind its losses.
     flow : float or None
-        m3/s in place of a pressure.
+        m3/s in place of a pressure; 0 closes a hollow narrower than the bearing.
     """
 
     angle: float
@@ -107,6 +107,11 @@ class Hollow:
     axial_position: float = 0.0
     pressure: float | None = None
     flow: float | None = None
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether nothing feeds it: it stands at the pressure at which its net flow vanishes."""
+        return self.flow == 0.0
 
     @classmethod
     def hole(

@@ -121,7 +121,10 @@ def thermal_rows(case: FilmCase, thermal: ThermalFilm) -> dict[str, Matrix]:
     numbers = list(supply_numbers(case, thermal.film.film))
     rows: dict[str, Iterable[float]] = {
         "groove_angles": [hollow.angle for hollow in case.bearing.hollows],
-        "groove_fresh_flows": thermal.fresh_flow[numbers],
+        "groove_fresh_flows": [  # that of a closed one is what the search for its pressure leaves
+            max(flow, 0.0) if hollow.is_closed else flow
+            for hollow, flow in zip(case.bearing.hollows, thermal.fresh_flow[numbers], strict=True)
+        ],
         "groove_returned_flows": thermal.returned_flow[numbers],
         "groove_temperatures": thermal.groove_temperatures[numbers],
     }

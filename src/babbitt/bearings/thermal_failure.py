@@ -9,6 +9,7 @@ from babbitt.bearings.model import Accuracy, FilmCase
 from babbitt.bearings.thermal_search import ThermalSearch
 from babbitt.bearings.warm_film import FilmState
 from babbitt.design.conditions import GivenLoad
+from babbitt.design.failure import STARVED, STARVED_REMEDY
 from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
 from babbitt.design.oil import highest_usable
 from babbitt.notices import EXPLANATIONS
@@ -109,6 +110,8 @@ def thermal_failure(case: FilmCase, found: Equilibrium[FilmState]) -> str:
             far = f"the film{load} would be hotter than the laws of {case.lubricant.name} reach"
         case Outcome.NO_CLEARANCE:
             far = "the clearance is used up by thermal growth"
+        case Outcome.STARVED_RECESS:
+            return f"{STARVED}. Try: {STARVED_REMEDY}"
         case Outcome.OUTSIDE_CLEARANCE:
             far = f"{load.strip()} the journal would touch or cut the bore"
         case _:

@@ -12,11 +12,12 @@ from functools import cache
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from babbitt.bearings.closed_pockets import ClosedPressures, closed_film
 from babbitt.bearings.heat_model import AxialTemperature
-from babbitt.bearings.layout import film_of, load_vector
+from babbitt.bearings.layout import closed_pockets, film_of, load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.thermal_failure import last_film, what_gave_way
-from babbitt.bearings.thermal_search import ThermalSearch
+from babbitt.bearings.thermal_search import EXACT, ThermalSearch
 from babbitt.bearings.warm_film import FilmState, operating_film
 from babbitt.design.conditions import GivenEccentricity, GivenPosition
 from babbitt.design.feeding import arrival
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from babbitt.film.heat import FilmHeat
+    from babbitt.film.solution import FilmSolution
     from babbitt.film.thermal_solution import ThermalFilm
 
     Array = NDArray[np.float64]
@@ -92,7 +94,10 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
     except NoFilmError as failure:
         outcome = failure.outcome
         if psi > 0.0:
-            last = last_film(case, lambda lighter, search: _warm_state(lighter, psi, at, search))
+            starved = outcome is Outcome.STARVED_RECESS  # no matter of load
+            last = (
+                None if starved else last_film(case, lambda lighter, search: _warm_state(lighter, psi, at, search))
+            )
             state, outcome = last or state, what_gave_way(case, outcome, last)
         reached = state.temperature if state else cold
         return Equilibrium(outcome, state, 0, reached, failure.capacity, failure.least_flow)
@@ -171,11 +176,24 @@ def _in_its_bore(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: Ther
     assert case.heat is not None
     compliance, growth = case.bearing.compliance, case.heat.growth
     if not compliance and growth is None:
-        return _settled(case, film, heat, search)
+        return _closed(case, film, heat, search)
     from babbitt.bearings.elastic_film import elastic_thermal_film
 
-    found = elastic_thermal_film(film, compliance, lambda one: _settled(case, one, heat, search), growth)
+    found = elastic_thermal_film(film, compliance, lambda one: _closed(case, one, heat, search), growth)
     return replace(found.solution, film=replace(found.solution.film, outcome=found.outcome))
+
+
+def _closed(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalSearch) -> ThermalFilm:
+    """Film whose closed pockets, if it has any, pass on as much oil as reaches them."""
+    closed = closed_pockets(case)
+    if not closed:
+        return _settled(case, film, heat, search)
+    search.exact = True
+    return closed_film(
+        film, closed, lambda one: _settled(case, one, heat, search), lambda found: found.film,
+        lambda found, outcome: replace(found, film=replace(found.film, outcome=outcome)), search.closed,
+        lambda one: _settled(case, one, heat, ThermalSearch()).film,
+    )  # fmt: skip
 
 
 def film_heat(case: FilmCase, heat_capacity: float, temperature: float) -> FilmHeat:
@@ -285,19 +303,34 @@ def following_stiffness(case: FilmCase, state: FilmState) -> Array | None:
     """
     import numpy as np
 
-    from babbitt.film.thermal import thermal_film_at
-
     assert state.thermal is not None
-    film, grid = state.thermal.film, thermal_resolution(case)
+    film = state.thermal.film
     heat = film_heat(case, state.volumetric_heat_capacity, state.temperature)
     push, columns = PUSH * film.minimum_film_thickness, []
     for direction in ((1.0, 0.0), (0.0, 1.0)):
         forces = []
         for sign in (1.0, -1.0):
             x, y = film.position + sign * push * np.asarray(direction)
-            found = thermal_film_at(film.film, heat, (float(x), float(y)), grid, FOLLOWED).film
+            found = _settled_at(case, film.film, heat, (float(x), float(y)))
             if not found.outcome.solved:
                 return None
             forces.append(found.force)
         columns.append(-(forces[0] - forces[1]) / (2.0 * push))
     return np.array(columns).T
+
+
+def _settled_at(case: FilmCase, film: JournalFilm, heat: FilmHeat, place: tuple[float, float]) -> FilmSolution:
+    """Closely settled film at a place, whose closed pockets, if it has any, are so there, too."""
+    from babbitt.film.thermal import thermal_film_at
+
+    grid, closed = thermal_resolution(case), closed_pockets(case)
+    if not closed:
+        return thermal_film_at(film, heat, place, grid, FOLLOWED).film
+
+    def settle(one: JournalFilm) -> FilmSolution:
+        return thermal_film_at(one, heat, place, grid, EXACT).film
+
+    return closed_film(
+        film, closed, settle, lambda found: found, lambda found, outcome: replace(found, outcome=outcome),
+        ClosedPressures(), settle,
+    )  # fmt: skip

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
+
+from babbitt.bearings.closed_pockets import ClosedPressures
 
 if TYPE_CHECKING:
     from babbitt.film.thermal_trail import ThermalTrail
 
 __all__ = ["ThermalSearch"]
+
+EXACT = 1e-5
+"""Change of temperature in a pass, K, at which a film rests whose flows are compared with those of another."""
 
 
 @dataclass
@@ -22,6 +27,10 @@ class ThermalSearch:
     closer : bool
         Whether films at a given place settle closer: films that still warm would make the clearance wander for
         ever.
+    closed : ClosedPressures
+        Pressures of closed pockets, from which the next ones are sought.
+    exact : bool
+        Whether films at a given place settle so closely that the net flow of a pocket tells its pressure.
     climbs : bool
         Whether films are sought from the last one alone, see `babbitt.film.thermal_trail.ThermalTrail.climb`.
     """
@@ -29,6 +38,8 @@ class ThermalSearch:
     attitude: float | None = None
     closer: bool = False
     climbs: bool = False
+    closed: ClosedPressures = field(default_factory=ClosedPressures)
+    exact: bool = False
     _trail: ThermalTrail | None = None
 
     @property
@@ -42,7 +53,7 @@ class ThermalSearch:
 
     def climbing(self) -> ThermalSearch:
         """Another search, which climbs from the last film of this one."""
-        return replace(self, climbs=True, _trail=replace(self.trail))
+        return replace(self, climbs=True, _trail=replace(self.trail), closed=replace(self.closed))
 
     @property
     def settled(self) -> float:
@@ -50,4 +61,6 @@ class ThermalSearch:
         from babbitt.film.thermal import SETTLED
         from babbitt.film.thermal_trail import CLOSER
 
+        if self.exact:
+            return EXACT
         return CLOSER if self.closer else SETTLED

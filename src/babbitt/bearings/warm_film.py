@@ -11,7 +11,8 @@ from dataclasses import dataclass, replace
 from functools import cache, partial
 from typing import TYPE_CHECKING
 
-from babbitt.bearings.layout import film_of, given_flows, load_vector
+from babbitt.bearings.closed_pockets import ClosedPressures, closed_film
+from babbitt.bearings.layout import closed_pockets, film_of, given_flows, load_vector
 from babbitt.bearings.model import FilmCase, Search
 from babbitt.bearings.settling import held_place, is_saddle, settled_film
 from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition
@@ -175,13 +176,29 @@ def starved_film(
 
 
 def _settled(case: FilmCase, near: tuple[float, float] | None, film: JournalFilm) -> FilmSolution:
-    """Film at its load or position, in a bore that gives way where the case has one."""
+    """Film at its load or position, in a bore that gives way where the case has one, with its closed pockets."""
+    settle = (
+        partial(_closed, case, near, ClosedPressures())
+        if closed_pockets(case)
+        else partial(_in_given_bore, case, near)
+    )
     if not case.bearing.compliance:
-        return _in_given_bore(case, near, film)
+        return settle(film)
     from babbitt.bearings.elastic_film import elastic_film
 
-    found = elastic_film(film, case.bearing.compliance, partial(_in_given_bore, case, near), ELASTIC_CLOSENESS)
+    found = elastic_film(film, case.bearing.compliance, settle, ELASTIC_CLOSENESS)
     return replace(found.solution, outcome=found.outcome)
+
+
+def _closed(
+    case: FilmCase, near: tuple[float, float] | None, known: ClosedPressures, film: JournalFilm
+) -> FilmSolution:
+    """Film whose closed pockets pass on as much oil as reaches them."""
+    settle = partial(_in_given_bore, case, near)
+    return closed_film(
+        film, closed_pockets(case), settle, lambda found: found,
+        lambda found, outcome: replace(found, outcome=outcome), known, settle,
+    )  # fmt: skip
 
 
 def _in_given_bore(case: FilmCase, near: tuple[float, float] | None, film: JournalFilm) -> FilmSolution:
@@ -243,8 +260,8 @@ def _at_eccentricity(case: FilmCase, duty: GivenEccentricity, film: JournalFilm)
 
 
 def _accepted(solution: FilmSolution) -> FilmSolution:
-    if solution.outcome is Outcome.OVERLOADED:
-        raise NoFilmError(Outcome.OVERLOADED)
+    if solution.outcome in (Outcome.OVERLOADED, Outcome.STARVED_RECESS):
+        raise NoFilmError(solution.outcome)
     if not solution.outcome.solved:
         raise NoFilmError(Outcome.NOT_CONVERGED)
     return solution

@@ -22,7 +22,11 @@ Depth = Annotated[float, si("m", "0.1 um", "5 mm")]
 
 ANGLE = "Direction of its centre, counter-clockwise from the x axis."
 PRESSURE = "Gauge pressure, if not that of the supply."
+PocketFlow = Annotated[float, si("m3/s", "0 L/min", "100000 L/min")]
+LEAST_FLOW = 1e-4 / 6e4
+"""Least flow that feeds anything, m3/s: that of a supply."""
 FLOW = "Oil flow in place of a pressure: flooded where the film draws less, starved where it asks for more."
+POCKET_FLOW = f"{FLOW} 0 L/min closes it: nothing feeds it, and its pressure is what the film makes of it."
 POSITION = "Axial position of its centre from the mid-plane."
 TURN = 2.0 * math.pi
 EDGE = 1e-6
@@ -56,7 +60,18 @@ class GrooveGiven(FedPart):
         return self.extent, math.inf
 
 
-class PocketGiven(FedPart):
+class ClosablePart(FedPart):
+    """What is fed by a pressure or a flow, or by nothing."""
+
+    @rule
+    def _closed_or_fed(self) -> Iterator[Complaint]:
+        flow = getattr(self, "flow", None)
+        if flow is not None and 0.0 < flow < LEAST_FLOW * (1.0 - 1e-9):
+            says = f"{written(flow, 'L/min')} is next to nothing"
+            yield Complaint(("flow",), says, "0 L/min, which closes it, or at least 0.0001 L/min")
+
+
+class PocketGiven(ClosablePart):
     """A rectangular pocket, narrower than the bearing; one of 360 deg is a circumferential groove."""
 
     angle: Angle = Field(description=ANGLE)
@@ -66,7 +81,7 @@ class PocketGiven(FedPart):
     width: Annotated[float, si("m", "0.1 mm", "3 m")] = Field(description="Size along the shaft.")
     axial_position: Annotated[float, si("m", "-3 m", "3 m")] = Field(0.0, description=POSITION)
     pressure: HollowPressure | None = Field(None, description=PRESSURE)
-    flow: SupplyFlow | None = Field(None, description=FLOW)
+    flow: PocketFlow | None = Field(None, description=POCKET_FLOW)
 
     def hollow(self, diameter: float) -> Hollow:
         """Give the hollow of the film."""
@@ -77,14 +92,14 @@ class PocketGiven(FedPart):
         return self.extent, self.width
 
 
-class SupplyHoleGiven(FedPart):
+class SupplyHoleGiven(ClosablePart):
     """A round hole in the bore."""
 
     angle: Angle = Field(description=ANGLE)
     diameter: Annotated[float, si("m", "0.1 mm", "1 m")] = Field(description="Diameter of the hole.")
     axial_position: Annotated[float, si("m", "-3 m", "3 m")] = Field(0.0, description=POSITION)
     pressure: HollowPressure | None = Field(None, description=PRESSURE)
-    flow: SupplyFlow | None = Field(None, description=FLOW)
+    flow: PocketFlow | None = Field(None, description=POCKET_FLOW)
 
     def hollow(self, diameter: float) -> Hollow:
         """Give the hollow of the film, a square of the same area."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from pydantic import Field
 
+from babbitt.cases.film_features import GrooveGiven
 from babbitt.cases.part import Complaint, Part, is_given, rule
 from babbitt.units import si, written
 
@@ -193,9 +194,13 @@ def _complaints_about_own_temperatures(bearing: JournalBearing) -> Iterator[Comp
         says = "a film with its own temperatures makes its own friction"
         yield Complaint(("friction", "factor"), says, f"1, or {also}")
     for path, hollow in bearing.hollows():
-        if hollow.flow is not None:
+        if hollow.flow:
             says = "a film with its own temperatures is fed by pressure"
-            yield Complaint((*path, "flow"), says, f"a pressure, or {also}")
+            closable = "" if isinstance(hollow, GrooveGiven) else "0 L/min (a blind pocket), or "
+            yield Complaint((*path, "flow"), says, f"{closable}a pressure, or {also}")
+    if bearing.carry_over < 1.0 and any(hollow.flow == 0.0 for _, hollow in bearing.hollows()):
+        says = "a closed pocket or hole (flow: 0 L/min) has no fresh oil that could flush out what the film brings"
+        yield Complaint(("carry_over",), says, "100 %, or leave it out")
 
 
 def _complaints_about_sizes(bearing: JournalBearing, walls: WallsGiven) -> Iterator[Complaint]:

@@ -12,6 +12,7 @@ from babbitt.notices import InputError
 from babbitt.units import written
 
 if TYPE_CHECKING:
+    from babbitt.cases.film_features import GrooveGiven, PocketGiven, SupplyHoleGiven
     from babbitt.cases.journal import JournalBearing
 
 SURFACE_FIELDS = ("steps", "crowning", "displacement", "compliance", "side_pressures", "tilt_coefficients")
@@ -154,9 +155,21 @@ def given_flows_are_counted(bearing: JournalBearing) -> Iterator[Complaint]:
     for path, hollow in bearing.hollows():
         if hollow.flow is None:
             continue
+        if (
+            hollow.flow == 0.0
+            and bearing.method == "film"
+            and all(not _feeds(one) for _, one in bearing.hollows())
+        ):
+            says = "every pocket and hole is closed (flow: 0 L/min): nothing feeds the film"
+            yield Complaint((*path, "flow"), says, "a pressure for one of them, or one more that feeds the film")
+            return
         if bearing.method == "film" and bearing.cavitation != "mass_conserving":
             says = "the Reynolds condition does not count the oil that a supply of given flow delivers"
             yield Complaint((*path, "flow"), says, "cavitation: mass_conserving, or a pressure")
+
+
+def _feeds(hollow: GrooveGiven | PocketGiven | SupplyHoleGiven) -> bool:
+    return hollow.flow is None or hollow.flow > 0.0
 
 
 @rule

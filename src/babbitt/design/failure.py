@@ -8,6 +8,14 @@ from babbitt.notices import EXPLANATIONS
 from babbitt.results import Outcome
 from babbitt.units import ZERO_CELSIUS
 
+__all__ = ["STARVED", "STARVED_REMEDY", "failure"]
+
+STARVED = (
+    "a closed pocket or hole (flow: 0 L/min) runs empty: at the pressure at which the film breaks it would still "
+    "send off more oil than reaches it"
+)
+STARVED_REMEDY = "a place where the film is full, or a pressure that feeds it."
+
 
 def failure(case: Designed, found: Equilibrium[FilmT]) -> str:
     """Say how far an unsolved case came, and what to try."""
@@ -29,6 +37,8 @@ def failure(case: Designed, found: Equilibrium[FilmT]) -> str:
             far = f"the clearance is used up at {reached}"
         case Outcome.NO_LUBRICANT_DATA:
             far = f"the laws of {case.lubricant.name} were followed to {reached}"
+        case Outcome.STARVED_RECESS:
+            return f"at {reached} {STARVED}. Try: {STARVED_REMEDY}"
         case Outcome.OUTSIDE_CLEARANCE:
             far = f"at {reached} the journal would touch or cut the bore there"
         case _ if found.film is None:

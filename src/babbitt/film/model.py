@@ -125,6 +125,9 @@ class Pocket:
     fill : float
         Share of the gap behind it that it can fill, 0 to 1: 1 flooded, less where it is starved; it stands then
         at the cavitation pressure.
+    closed : bool
+        Whether nothing feeds it, so that its pressure follows the journal: stiffness and damping count that. The
+        pressure at which its net flow vanishes must be given.
     """
 
     centre_angle: float
@@ -133,6 +136,7 @@ class Pocket:
     axial_centre: float = 0.0
     pressure: float = 0.0
     fill: float = 1.0
+    closed: bool = False
 
     @classmethod
     def hole(

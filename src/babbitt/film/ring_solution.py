@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from babbitt.film._equilibrium import CONVERGED, NO_FILM
 from babbitt.film._surface_film import Surface, SurfaceFilm, SurfaceWork
 from babbitt.film._surface_forces import carry_streamers, drain_edge
+from babbitt.film.closed import closed_coefficients
 from babbitt.film.general import SettledRing
 from babbitt.film.model import Field, FilmStart, JournalFilm, Land
 from babbitt.film.piezoviscosity import pressure_of
@@ -67,6 +68,7 @@ def solution_of(
 ) -> FilmSolution:
     """Everything in SI and in the fixed frame; ``torques`` on journal and bearing, dimensionless."""
     sample, ring = settled.sample, settled.sample.ring
+    stiffness, damping = closed_coefficients(settled)
     work, along = sample.work, flux_along(settled)
     flows = flows_of(settled, along)
     free = np.abs(work.row[ring.supply == -1])
@@ -86,8 +88,8 @@ def solution_of(
         outcome=outcome,
         position=scales.sense * settled.position * scales.length,
         force=scales.sense * sample.force * scales.force,
-        stiffness=frame @ sample.stiffness @ frame * unit,
-        damping=frame @ sample.damping @ frame * (unit / scales.rate),
+        stiffness=frame @ stiffness @ frame * unit,
+        damping=frame @ damping @ frame * (unit / scales.rate),
         minimum_film_thickness=settled.gap * scales.length,
         angles=scales.sense[1] * ring.theta[None, :lines],
         axial_positions=ring.mesh.nodes * (0.5 * film.width),

@@ -115,11 +115,11 @@ class WarmRing:
         columns = columns_of(sample.ring, heat)
         lines, count, layers = *columns.supply.shape, columns.layer.size
         rise = film.viscosity * speed * (0.5 * film.diameter / film.clearance) ** 2 / heat.volumetric_heat_capacity
-        cold = heat.supply_temperature
+        cold, supplies = heat.supply_temperature, len(sample.ring.groove_lines) + len(film.pockets)
         return cls(
             sample, heat, columns, new_flows(lines, sample.ring.surface.step.size, count, layers),
             new_cells(lines, count, layers),
-            np.full((lines, count, layers), cold), np.full(int(columns.supply.max()) + 1, cold),
+            np.full((lines, count, layers), cold), np.full(supplies, cold),
             walls_of(sample.ring, heat, film, speed, lines), film.viscosity, rise, stirring_of(film, heat),
             drains_of(sample.ring), np.ones((lines, count, layers)), np.zeros((lines, count, layers)),
         )  # fmt: skip

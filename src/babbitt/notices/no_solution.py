@@ -76,8 +76,10 @@ NO_SOLUTION: dict[str, Explanation] = {
     "S302": Explanation(
         "Starved recess",
         "A recess would stand below the pressure at which oil cavitates: the film drags out more oil than "
-        "the restrictor lets in.",
-        "A wider restrictor, more supply pressure, less speed or eccentricity.",
+        "the restrictor lets in. Of a journal bearing: a closed pocket or hole (`flow: 0 L/min`) sends off more "
+        "oil than reaches it, even at the pressure at which the film breaks.",
+        "A wider restrictor, more supply pressure, less speed or eccentricity; a closed pocket where the film is "
+        "full, or one that a pressure feeds.",
     ),
     "S303": Explanation(
         "Lifted off",

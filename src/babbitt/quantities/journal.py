@@ -80,6 +80,7 @@ JOURNAL: tuple[Quantity, ...] = (
     ),
     quantity("groove_temperatures", "T_gr", "K", "degC", 3, "Mixing temperature of every groove, pocket and hole"),
     quantity("groove_angles", "φ_gr", "rad", "deg", 3, "Direction of every groove, pocket and hole, from +x"),
+    quantity("groove_pressures", "p_gr", "Pa", "MPa", 3, "Gauge pressure of every groove, pocket and hole"),
     quantity(
         "groove_fresh_flows", "Q_gr", "m3/s", "L/min", 3, "Fresh oil that every groove, pocket and hole gives"
     ),

@@ -275,6 +275,7 @@ def _supply_rows(result: Result) -> list[Data]:
     """Fresh oil, oil that goes back and temperature of every supply of a film with its own temperatures."""
     rows = []
     names = {
+        "groove_pressures": "pressure",
         "groove_fresh_flows": "fresh oil",
         "groove_returned_flows": "oil that goes back",
         "groove_temperatures": "mixing temperature",
@@ -282,6 +283,8 @@ def _supply_rows(result: Result) -> list[Data]:
     for place, angle in enumerate(result.arrays.get("groove_angles", ((),))[0], start=1):
         where = f"{QUANTITIES['groove_angles'].format(angle)} °"
         for name, said in names.items():
+            if name not in result.arrays:
+                continue
             value = result.arrays[name][0][place - 1]
             if name != "groove_returned_flows" or value > 0.0:
                 rows.append(_single_row(name, f"Supply {place} at {where}, {said}", value, str(place)))

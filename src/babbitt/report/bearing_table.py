@@ -59,13 +59,20 @@ def bearing_table(result: Result) -> RenderableType:
 
 def _supplies(result: Result) -> list[Table]:
     """Flows and temperature of every groove, pocket and hole of a film with its own temperatures."""
-    names = ("groove_angles", "groove_fresh_flows", "groove_returned_flows", "groove_temperatures")
-    if not all(name in result.arrays and result.arrays[name][0] for name in names):
+    heads = {
+        "groove_angles": "at",
+        "groove_pressures": "under",
+        "groove_fresh_flows": "fresh oil",
+        "groove_returned_flows": "goes back",
+        "groove_temperatures": "mixed at",
+    }
+    names = [name for name in heads if name in result.arrays and result.arrays[name][0]]
+    if "groove_angles" not in names:
         return []
     table = engineers_table()
     table.add_column("supply", justify="right")
-    for name, said in zip(names, ("at", "fresh oil", "goes back", "mixed at"), strict=True):
-        table.add_column(f"{said} {QUANTITIES[name].display.label}", justify="right", no_wrap=True)
+    for name in names:
+        table.add_column(f"{heads[name]} {QUANTITIES[name].display.label}", justify="right", no_wrap=True)
     columns = [result.arrays[name][0] for name in names]
     for place, row in enumerate(zip(*columns, strict=True), start=1):
         table.add_row(

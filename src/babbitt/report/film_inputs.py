@@ -115,6 +115,8 @@ def said_of_hollow(hollow: Hollow) -> tuple[str, str]:
     """Say what a hollow is, and where it is."""
     extent = math.degrees(hollow.extent)
     where = f"at {math.degrees(math.remainder(hollow.angle, 2.0 * math.pi)):.4g}°, {extent:.3g}° long"
+    if hollow.is_closed:
+        where += ", closed"
     if hollow.pressure is not None:
         where += f", {1e-3 * hollow.pressure:.4g} kPa"
     if hollow.width is None:
