@@ -61,7 +61,7 @@ OIL_INVENTED_FROM = 0.05
 
 
 def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
-    """Solve the film of a bearing with its global heat balance.
+    """Solve the film of a bearing by its thermal model.
 
     Parameters
     ----------
@@ -76,8 +76,9 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
 
     Notes
     -----
-    The film has one viscosity, that at the effective temperature. As in ISO 7902 the oil enters with ``T_en``,
-    leaves with ``T_ex``, and ``T_eff`` is the mean of both; without oil supply ``T_eff`` is that of the bearing.
+    Without a heat model (``case.heat``) the film has one viscosity, that at the effective temperature. As in
+    ISO 7902 the oil enters with ``T_en``, leaves with ``T_ex``, and ``T_eff`` is the mean of both; without oil
+    supply ``T_eff`` is that of the bearing.
     """
     start = perf_counter()
     found = film_equilibrium(case)
