@@ -153,7 +153,10 @@ class _Search(Generic[SolutionT]):
                 if slopes is None:
                     break
             move = np.zeros(free.size)
-            move[free] = -np.linalg.solve(slopes[np.ix_(free, free)], here.flows[free])
+            try:
+                move[free] = -np.linalg.solve(slopes[np.ix_(free, free)], here.flows[free])
+            except np.linalg.LinAlgError:
+                break
             off = float(np.abs(here.flows[free]).max())
             if off < CALM * nothing:
                 share = max(0.5 * share, 0.1) if off > 0.7 * before else min(1.0, 1.5 * share)

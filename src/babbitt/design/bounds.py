@@ -8,23 +8,31 @@ from babbitt.design.conditions import Designed
 from babbitt.notices import Notice
 from babbitt.results import Check
 
-__all__ = ["NO_BOUNDS", "Bounds", "bounds_of", "certain", "unjudged"]
+__all__ = ["FILM_CHECKS", "NO_BOUNDS", "Bounds", "bounds_of", "certain", "unjudged"]
 
 Bounds = Mapping[str, str]
 """Codes of checks whose value flatters the bearing, each with the reason why keeping the limit says nothing."""
 
 NO_BOUNDS: Bounds = {}
 
+FILM_CHECKS = ("C101", "C102")
+"""Limits of the film thickness."""
 TEMPERATURE_CHECKS = ("C104", "C108", "C109")
 """Limits of the temperature: of the oil, and of the bearing metal."""
 
 
 def bounds_of(case: Designed) -> Bounds:
-    """Bounds of every method: where the temperature is prescribed, the hottest place is at least that warm."""
+    """Bounds of every method: where the temperature is prescribed, the hottest place is at least that warm; and a
+    film that is prescribed cooler than its fresh oil is thicker than any that the oil can make."""
     if case.effective_temperature is None:
         return {}
     reason = "the effective temperature is prescribed: no heat balance tells how hot oil and bearing become"
-    return dict.fromkeys(TEMPERATURE_CHECKS, reason)
+    found = dict.fromkeys(TEMPERATURE_CHECKS, reason)
+    if case.oil_supply is not None and case.effective_temperature < case.oil_supply.temperature:
+        found |= dict.fromkeys(
+            FILM_CHECKS, "the film is prescribed cooler than its fresh oil: the real one is thinner"
+        )
+    return found
 
 
 def certain(checks: Iterable[Check], bounds: Bounds) -> tuple[Check, ...]:

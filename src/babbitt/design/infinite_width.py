@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from babbitt.design.bounds import Bounds
+from babbitt.design.bounds import FILM_CHECKS, Bounds
 from babbitt.design.conditions import Designed, GivenLoad
 from babbitt.notices import Notice
 
@@ -14,16 +14,13 @@ WIDE_FROM = 2.0
 """B/D from which textbooks take a bearing for infinitely wide: A. Z. Szeri, Fluid Film Lubrication: Theory and
 Design, Cambridge 1998; B. J. Hamrock, Fundamentals of Fluid Film Lubrication, New York 1994."""
 
-FILM_CHECKS = ("C101", "C102")
-"""Limits of the film thickness."""
-
 
 def flattered_films(values: Mapping[str, float]) -> Bounds:
     """Film thicknesses that follow from a load that no bearing of finite width carries in so thick a film."""
     ratio, film = values["width_ratio"], values["minimum_film_thickness"] * 1e6
     reason = (
-        f"an infinitely wide film carries more than one of B/D = {ratio:.3g}: the film of the bearing is thinner "
-        f"than {film:.3g} µm"
+        f"an infinitely wide film carries more than one of B/D = {ratio:.3g}: at the same temperatures the film "
+        f"of the bearing is thinner than {film:.3g} µm"
     )
     return dict.fromkeys(FILM_CHECKS, reason)
 
@@ -34,4 +31,5 @@ def doubt_about_width(case: Designed, values: Mapping[str, float]) -> Iterator[N
     if ratio >= WIDE_FROM:
         return
     shown = "film shown is thicker" if isinstance(case.duty, GivenLoad) else "load shown is larger"
-    yield Notice("W158", f"B/D = {ratio:.3g} < {WIDE_FROM:g}: the {shown} than that of the bearing")
+    said = f"the {shown} than that of the bearing at the same temperatures"
+    yield Notice("W158", f"B/D = {ratio:.3g} < {WIDE_FROM:g}: {said}")

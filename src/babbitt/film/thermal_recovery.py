@@ -128,7 +128,10 @@ def mixed_rest(warm: WarmRing, load: Array | None, at: Array, tolerance: float, 
             calm += 1
             if changed == 0 or calm > STUBBORN:
                 return WarmRest(warm, at, CONVERGED, passes, gap, load, mixed=True)
-        step = np.linalg.solve(warm.sample.stiffness, left) if size > 0.0 else left
+        try:
+            step = np.linalg.solve(warm.sample.stiffness, left) if size > 0.0 else left
+        except np.linalg.LinAlgError:  # no film that answers to the journal
+            return WarmRest(warm, at, NO_FILM, passes, gap)
         start, move = mixing.move(before, np.concatenate((_packed(warm), at + step)))
         move *= min(1.0, MOST_RISE / max(float(np.abs(move[:-2]).max()), 1e-300))
         at, gap = start[-2:], warm.sample.gap(start[-2:])

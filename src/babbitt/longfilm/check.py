@@ -220,7 +220,7 @@ def _doubts_about_temperature(case: LongFilmCase, state: LongFilmState) -> Itera
 
 
 def _assumptions(case: LongFilmCase) -> Iterator[str]:
-    yield "Infinitely long film: no oil leaves at the sides, so that its load is an upper bound."
+    yield "Infinitely long film: no oil passes the sides; at the same temperatures its load is an upper bound."
     yield "Neither heat nor pressure changes the clearance given. Laminar film, one temperature across it."
     yield "Oil enters at the widest gap with the supply temperature; none of the hot oil comes around again."
     yield "The effective temperature is the mean over the full film; nothing is computed with it."

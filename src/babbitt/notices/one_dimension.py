@@ -58,9 +58,10 @@ ONE_DIMENSION: dict[str, Explanation] = {
         "The film has no sides by which oil leaves, and so carries more than that of the bearing: textbooks take "
         "it for a fair model above B/D of about 2 (A. Z. Szeri, Fluid Film Lubrication, 1998; B. J. Hamrock, "
         "Fundamentals of Fluid Film Lubrication, 1994). At an eccentricity of 0.8 and one viscosity a full "
-        "bearing carries 62 % of its load at B/D 1.5, 47 % at 1, 23 % at 0.5, 2 % at 0.125. Under a given load "
-        "the film is thicker than the real one, and a limit of its thickness can be missed for sure, but not "
-        "kept; at a given eccentricity the load is larger than the real one.",
+        "bearing carries 62 % of its load at B/D 1.5, 47 % at 1, 23 % at 0.5, 2 % at 0.125. At the same "
+        "temperatures the film is thicker than the real one under a given load, and the load larger at a given "
+        "eccentricity, so that a limit that is kept says nothing. Under a high load the other error counts: no "
+        "fresh oil comes in by the sides, the film grows too hot, and may be lost where the real one is not.",
         "Judge the film thickness by `method: film`, or `iso7902`; take this method for where the heat goes.",
     ),
 }

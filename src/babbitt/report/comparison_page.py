@@ -26,9 +26,9 @@ FLOWS = (
 )
 """What one must know of the flows of standard and film."""
 CAPTION = (
-    "Least film thickness, friction power, oil flow and temperatures by every method that tells them; below, "
-    "where a method finds it, the temperature along the middle of the width, hottest across the gap, beside the "
-    "single temperatures."
+    "Least film thickness, friction power, oil flow and temperatures, as far as the methods tell them. Where one "
+    "finds temperatures around the bore, those in the middle of the width, hottest across the gap, stand below "
+    "beside the single ones; beside a groove the film may be hotter."
 )
 
 

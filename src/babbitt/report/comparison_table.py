@@ -174,6 +174,9 @@ def compared_rows(variants: Sequence[Variant]) -> Iterator[Row]:
         if set(margins) != {"–"}:
             yield Row(said, "", tuple(margins))
     yield Row("Verdict", "", tuple(verdict(variant.result).value for variant in variants))
+    open_checks = [len(variant.result.not_checked) if variant.result.outcome.solved else 0 for variant in variants]
+    if any(open_checks):
+        yield Row("Checks not made", "", tuple(map(str, open_checks)))
 
 
 MARGINS = {
