@@ -312,7 +312,9 @@ def test_segments_too_thin_even_without_sides_fail():
 def test_segments_of_a_narrow_bearing_are_doubted():
     wide = replace(PLAIN, bearing=SegmentBearing(0.1, 0.25, 1.53e-3))
     said = {one.code: one.message for one in segments_check(PLAIN).warnings}
-    assert said["W158"] == "B/D = 0.7 < 2: the load shown is larger than that of the bearing"
+    assert (
+        said["W158"] == "B/D = 0.7 < 2: the load shown is larger than that of the bearing at the same temperatures"
+    )
     assert (
         "thicker"
         in {one.code: one.message for one in segments_check(replace(PLAIN, duty=GivenLoad(5e3))).warnings}["W158"]

@@ -65,6 +65,14 @@ def test_a_film_prescribed_colder_than_its_oil_is_told(kelvin, told):
         assert supplied in warnings["W149"]
 
 
+def test_a_film_prescribed_colder_than_its_oil_keeps_no_limit_of_its_thickness():
+    colder = check_at_temperature(CASE_A, CASE_A.oil_supply.temperature - 5.0)
+    warmer = check_at_temperature(CASE_A, CASE_A.oil_supply.temperature + 5.0)
+    assert {one.code: one.ok for one in warmer.checks}["C101"]
+    assert "C101" not in {one.code for one in colder.checks}
+    assert "cooler than its fresh oil" in {one.code: one.message for one in colder.not_checked}["C101"]
+
+
 def test_that_the_balance_is_left_open_is_told():
     equilibrium = check(CASE_A).values["effective_temperature"]
     colder = check_at_temperature(CASE_A, equilibrium - 5.0)
