@@ -304,3 +304,30 @@ def test_one_that_runs_empty_is_told_of_among_others():
     assert known.pressures[2] == 0.0
     assert np.abs(found.supply_flow[1:3]).max() < CLOSED
     assert found.supply_flow[3] > CLOSED
+
+
+FED_BY_NOTHING = """
+kind: journal
+name: Blind
+method: iso7902
+diameter: 100 mm
+width: 80 mm
+clearance: {kind: relative, mean: 1.5 permille}
+lubricant: ISO VG 32
+supply: {temperature: 45 degC, pressure: 0.1 MPa}
+materials: {bearing: C10, journal: C45}
+load: 10 kN
+speed: 3000 rpm
+pockets: [{angle: 250 deg, extent: 20 deg, width: 24 mm, flow: 0 L/min}]
+span: 180 deg
+supply_element: {kind: groove_180, width: 8 mm}
+accuracy: draft
+"""
+
+
+def test_films_that_nothing_feeds_end_with_a_status_beside_the_standard():
+    (found,) = compare_methods(parse_case(FED_BY_NOTHING))
+    results = {one.label: one.result for one in found.variants}
+    assert results["ISO 7902"].outcome.solved
+    assert not results["full thermal film"].outcome.solved
+    assert results["full thermal film"].message

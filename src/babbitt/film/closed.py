@@ -44,7 +44,7 @@ def closed_coefficients(settled: SettledRing) -> tuple[Array, Array]:
     closed = [grooves + number for number, pocket in enumerate(film.pockets) if pocket.closed]
     seen = [sample.ring.supply == number for number in closed]
     nodes = [one for one in seen if one.any()]  # of two images in the mid-plane, one is not seen
-    if not nodes:
+    if not nodes or not sample.work.pressure.any():  # a film without pressure has nothing to answer
         return sample.stiffness, sample.damping
     trial, at = copy.deepcopy(sample), settled.position
     wet, held = trial.work.wet.copy(), trial.ring.surface.held_pressure
