@@ -152,7 +152,7 @@ def test_the_output_wheel_carries_the_load_of_its_shaft_and_gives_its_whole_row(
     assert wheel.load == pytest.approx(452.02e3, abs=10.0)
     assert wheel.specific_load == pytest.approx(2.10e6, abs=0.005e6)
     assert wheel.eccentricity_ratio == pytest.approx(0.772, abs=5e-4)
-    assert wheel.minimum_film_thickness == pytest.approx(47.6e-6, abs=0.05e-6)
+    assert wheel.minimum_film_thickness == pytest.approx(47.6e-6, abs=0.1e-6)
     assert wheel.side_flow * 6e4 == pytest.approx(12.5, abs=0.05)
     assert wheel.film_reynolds_number == pytest.approx(52.8, abs=0.1)
     assert wheel.stability_relative_clearance == pytest.approx(0.64e-3, abs=0.005e-3)

@@ -116,8 +116,8 @@ CASE = ValidationCase(
         "of its last printed digit.",
         differences=(
             "Nothing. The more loaded bearing, beside the coupling with the mesh force downward, carries the 452 "
-            "kN with which one set of dimensions gives the whole row of Tables 4 and 5, see the eleven bearings of "
-            "the gear; no set was found for the upward force."
+            "kN with which one set of dimensions gives the whole row of Tables 4 and 5, see the eleven bearings "
+            "of the gear; no set was found for the upward force."
         ),
     ),
     run=run,
