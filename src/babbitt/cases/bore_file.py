@@ -13,7 +13,7 @@ from babbitt.cases.every_bearing import for_every_bearing
 from babbitt.cases.plain_words import Path, shown
 from babbitt.materials import parse_experience_limits
 from babbitt.notices import InputError
-from babbitt.units import QuantityError, read
+from babbitt.units import QuantityError, SiNumber, read
 
 POINTS = 360
 """Points at equal steps to which a table is interpolated."""
@@ -171,7 +171,7 @@ def rows_of_table(
             found.append(
                 (
                     line,
-                    tuple(read(f"{float(c)} {unit}", si) for c, unit, si in zip(row, units, kinds, strict=True)),
+                    tuple(SiNumber(read(f"{float(c)} {unit}", si)) for c, unit, si in zip(row, units, kinds, strict=True)),
                 )
             )
         except (ValueError, QuantityError):
@@ -207,4 +207,4 @@ def _once_around(points: list[tuple[float, float]], name: str, at: Path) -> list
 
     places = np.arange(POINTS) * (turn / POINTS)
     found = np.interp(places, [angle for angle, _ in points], [value for _, value in points], period=turn)
-    return [float(value) for value in found]
+    return [SiNumber(value) for value in found]
