@@ -63,7 +63,9 @@ def test_ways_of_saying_the_same_are_the_same():
     reference = built()
     assert built(width=None, width_ratio=0.5).bearing == reference.bearing
     assert built(load=None, specific_load="2 MPa").duty.load == pytest.approx(40e3)
-    assert built(speed=None, surface_speed=f"{math.pi * 10.0} m/s").journal_speed == pytest.approx(reference.journal_speed)
+    assert built(speed=None, surface_speed=f"{math.pi * 10.0} m/s").journal_speed == pytest.approx(
+        reference.journal_speed
+    )
     assert built(clearance={"kind": "diametral", "mean": "0.3 mm"}).bearing.relative_clearance == pytest.approx(
         1.5e-3
     )

@@ -36,7 +36,9 @@ def test_three_digits_after_the_point(load, thousands, plain):
     ]
 
 
-@pytest.mark.parametrize("load", ["12 kN", "12.5 kN", "12.50 kN", "12000 N", "12.0000 kN", "1234.500 N", "1.250e4 N"])
+@pytest.mark.parametrize(
+    "load", ["12 kN", "12.5 kN", "12.50 kN", "12000 N", "12.0000 kN", "1234.500 N", "1.250e4 N"]
+)
 def test_loads_that_stay_quiet(load):
     assert doubts(load=load) == []
 

@@ -168,12 +168,8 @@ def rows_of_table(
             if not _is_finite(cell):
                 raise TableError(at, f"line {line} of {file.name}: {shown(cell)} is not a finite number", example)
         try:
-            found.append(
-                (
-                    line,
-                    tuple(SiNumber(read(f"{float(c)} {unit}", si)) for c, unit, si in zip(row, units, kinds, strict=True)),
-                )
-            )
+            values = [read(f"{float(c)} {unit}", si) for c, unit, si in zip(row, units, kinds, strict=True)]
+            found.append((line, tuple(SiNumber(value) for value in values)))
         except (ValueError, QuantityError):
             raise TableError(at, f"line {line} of {file.name} is {shown(','.join(row))}", example) from None
     return found

@@ -19,8 +19,8 @@ def speeds_of(text: str) -> tuple[float, ...]:
     Parameters
     ----------
     text : str
-        Quantities between commas, or the first, the last and the number of equally spaced speeds between colons, each
-        with its unit.
+        Quantities between commas, or the first, the last and the number of equally spaced speeds between colons,
+        each with its unit.
 
     Raises
     ------

@@ -273,7 +273,6 @@ _ALL = (
 )
 
 
-
 def keyed(kinds: Iterable[Kind]) -> dict[str, Kind]:
     """Give kinds by their keys, each of which belongs to one of them.
 
