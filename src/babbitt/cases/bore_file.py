@@ -162,7 +162,7 @@ def rows_of_table(
     units = [match["unit"] for match in heading if match is not None]
     if not len(units) == len(heading) == len(kinds):
         raise TableError(at, f"{file.name} has no heading with units", example)
-    found = []
+    found: list[tuple[int, tuple[float, ...]]] = []
     for line, row in rows[1:]:
         for cell in row:
             if not _is_finite(cell):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from babbitt.cases.plain_words import metadata_of
 from babbitt.notices import Notice
@@ -67,7 +67,7 @@ def _within(value: object, *path: str | int) -> Iterator[Notice]:
         for index, one in enumerate(value):
             yield from _within(one, *path, index)
     elif hasattr(value, "_grouped"):
-        yield from about_grouped_digits(value, *path)
+        yield from about_grouped_digits(cast("Part", value), *path)
 
 
 def _holds(field: SiField, text: str) -> bool:
