@@ -6,11 +6,11 @@ import pytest
 
 from babbitt.cases import load_case, parse_case
 from babbitt.report.citations import citations_of
+from babbitt.report.comparison_table import compared_rows
 from babbitt.report.content import content
 from babbitt.report.export import to_json
 from babbitt.report.figures import write_plots
 from babbitt.report.inputs import inputs
-from babbitt.report.comparison_table import compared_rows
 from babbitt.solving import solve
 from babbitt.studies.comparison import compare_methods
 

@@ -28,8 +28,8 @@ class LoadedGrooveGiven(Part):
     )
     angle_from_load: Annotated[float, si("rad", "-90 deg", "90 deg")] | None = Field(
         None,
-        description="Place of the groove in the bush: its centre, from the load line in the direction of rotation; "
-        "negative where the oil passes it before the load line.",
+        description="Place of the groove in the bush: its centre, from the load line in the direction of "
+        "rotation; negative where the oil passes it before the load line.",
     )
     angle: Annotated[float, si("rad", "0 deg", "360 deg")] | None = Field(
         None,
@@ -47,8 +47,8 @@ class LoadedGrooveGiven(Part):
     )
     end_land: Annotated[float, si("m", "0.1 mm", "1 m")] | None = Field(
         None,
-        description="Land between a blind groove and each side of the bearing, for the film in two dimensions that "
-        "babbitt compare puts beside it. As wide as the groove if not given, an assumption.",
+        description="Land between a blind groove and each side of the bearing, for the film in two dimensions "
+        "that babbitt compare puts beside it. As wide as the groove if not given, an assumption.",
     )
 
     @rule

@@ -35,8 +35,8 @@ class Beside:
 def beside(asked: SegmentFilm, state: SegmentFilmState) -> Beside:
     """The ungrooved films beside a grooved one.
 
-    At the same gap the film is cut where the groove lies in it; under the same load the journal moves, and a groove
-    that keeps its place in the bush has that place there, too.
+    At the same gap the film is cut where the groove lies in it; under the same load the journal moves, and a
+    groove that keeps its place in the bush has that place there, too.
 
     Parameters
     ----------

@@ -84,7 +84,7 @@ class SegmentFilmState:
 
     @property
     def groove_angle_from_load(self) -> float:
-        """Of the groove from the load line in the direction of rotation, rad, within -pi to pi; NaN without one."""
+        """Of the groove from the load line with the rotation, rad, within -pi to pi; NaN without a groove."""
         groove = self.film.groove
         if groove is None:
             return math.nan

@@ -135,7 +135,7 @@ def _hollow(groove: Groove, place: float, design: SegmentCase) -> tuple[Hollow, 
 
 
 def with_groove_angles(result: Result, film: FilmCase, place: float | None) -> Result:
-    """An answer with the angles of the groove from the load line and from the widest gap, rad, and its pressure."""
+    """An answer with the angles of the groove from load line and widest gap, rad, and its pressure, Pa."""
     if place is None or not result.outcome.solved:
         return result
     sense = math.copysign(1.0, film.journal_speed)
