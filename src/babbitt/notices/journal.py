@@ -91,13 +91,6 @@ JOURNAL: dict[str, Explanation] = {
         "deformation, roughness and heat decide the film; a rigid isoviscous film is too simple.",
         "Treat the film thickness as an order of magnitude; lower the load or raise the viscosity.",
     ),
-    "W117": Explanation(
-        "Number without unit",
-        "A number without unit is in SI: a speed or a frequency in rad/s, a load in N, a viscosity in Pa s, a "
-        "mass in kg, a damping in N s/m. This one looks as if another unit was meant.",
-        "Write the unit: '3000 rpm', '50 Hz', '6 kN', '45 mPa s', '14 t'; '3000 rad/s' or '6 N' if the "
-        "number is meant as it stands.",
-    ),
     "W118": Explanation(
         "Oil leaves colder than it enters",
         "The housing takes more heat than friction makes, so that the oil is cooled on its way through the film. "
@@ -225,5 +218,11 @@ JOURNAL: dict[str, Explanation] = {
         "The directions of the force around the clearance tell how many equilibria there must be, and another "
         "number was found. One of them may lie nearer to contact than the search looks.",
         "A finer `accuracy`; look at the film at the places in question with `position`.",
+    ),
+    "W181": Explanation(
+        "Digits that may be grouped",
+        "A point is the decimal sign: '12.000 N' is twelve newtons. Where exactly three digits stand behind it, "
+        "thousands may have been meant, as in '12.000 N' for twelve kilonewtons.",
+        "Write '12 N' or '12 kN', whichever is meant.",
     ),
 }
