@@ -55,7 +55,7 @@ from babbitt.cases.surfaces import SurfacesGiven
 from babbitt.film.model import FilmStart
 from babbitt.units import si, written
 
-WIDTH_RATIOS = (0.1, 1.5)
+WIDTH_RATIOS = (standard_rules.LEAST_WIDTH_RATIO, 1.5)
 """Range of B/D for which the characteristics are on board."""
 
 LEAST_SPECIFIC_LOAD = 1e3
