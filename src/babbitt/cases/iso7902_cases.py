@@ -34,7 +34,7 @@ def iso7902_case(inputs: Inputs, at: Point) -> DesignCase:
             *bearing.assumptions,
             *assumptions_of(bearing, point, inputs.supply, inputs.cooling, inputs.materials),
         ),
-        doubts=doubts_about(bearing, point),
+        doubts=doubts_about(inputs, point),
         kind=bearing.kind,
         effective_temperature=bearing.effective_temperature,
     )

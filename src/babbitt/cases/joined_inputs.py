@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from babbitt.cases.cooling import Cooling
+from babbitt.cases.grouped_digits import about_grouped_digits
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import JournalCase, Machine
 from babbitt.cases.materials import Materials
@@ -14,6 +15,7 @@ from babbitt.cases.supply import Supply
 from babbitt.design.conditions import Duty, GivenEccentricity, GivenLoad, GivenPosition, HousingCooling, OilSupply
 from babbitt.design.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coefficient
 from babbitt.lubricants import Lubricant
+from babbitt.notices import Notice
 
 
 @dataclass(frozen=True)
@@ -27,6 +29,7 @@ class Inputs:
     materials: Materials
     width: float
     shared_assumptions: tuple[str, ...]
+    shared_doubts: tuple[Notice, ...]
 
 
 @dataclass(frozen=True)
@@ -58,6 +61,9 @@ def inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> Inputs:
         merged(bearing.materials, shared.materials) or Materials(),
         width,
         shared.assumptions if isinstance(shared, Machine) else (),
+        tuple(about_grouped_digits(shared.model_copy(update={"bearings": ()})))
+        if isinstance(shared, Machine)
+        else (),
     )
 
 
