@@ -59,7 +59,7 @@ def film_at(axial, bearing, n_coarse, n_fine, x, y, x_rate, y_rate, max_steps, r
 
 @compiled
 def find_near(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tolerance, max_steps, result):
-    """Equilibrium from a position close to it, on lines drawn for that position: x, y, status, steps, gap, grid."""
+    """Equilibrium from a position close to it, on lines drawn there: x, y, status, steps, gap, grid."""
     status, total, gap, grid = film_at(axial, bearing, n_coarse, n_fine, x, y, 0.0, 0.0, 200, result)
     if status != CONVERGED:
         return x, y, status, total, gap, grid

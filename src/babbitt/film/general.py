@@ -43,8 +43,8 @@ OUT_OF_WORK = 3
 """Status of a search that has used up its bound on work (beside those of ``_equilibrium``)."""
 
 SMALLEST_BOUND, FINE_SOLUTIONS = 2.0e8, 400
-"""Bound on the work of a search: multiplications that every grid may spend, or so many solutions on the finest ring,
-whichever is more. About ten times what the slowest of 180 ordinary films takes at any accuracy."""
+"""Bound on the work of a search: multiplications that every grid may spend, or so many solutions on the finest
+ring, whichever is more. An assumption: ordinary films take fewer than a hundred solutions."""
 
 
 def work_of(lines: int, nodes: int) -> float:

@@ -42,7 +42,7 @@ PLACES = 1440
 def from_loaded_side(
     film: JournalFilm, load: tuple[float, float], resolution: Resolution, max_steps: int, lost: FilmSolution
 ) -> FilmSolution:
-    """Equilibrium that is found from the loaded side; ``lost`` ended a search from the middle and stays if none is.
+    """Equilibrium found from the loaded side; ``lost``, the end of a search from the middle, where there is none.
 
     Parameters
     ----------

@@ -62,8 +62,8 @@ NO_SOLUTION: dict[str, Explanation] = {
     "S009": Explanation(
         "Bound on work reached",
         "The search for the equilibrium was stopped because it had used up the work allowed for its grid (400 "
-        "solutions of the finest film). It tells nothing about the load: neither that the film carries it nor that "
-        "it does not.",
+        "solutions of the finest film). It tells nothing about the load: neither that the film carries it nor "
+        "that it does not.",
         "A coarser `accuracy`, or another direction of load or place of the supplies; if the bearing is an "
         "ordinary one, report the case to the developers.",
     ),
