@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from babbitt.cases.grouped_digits import about_grouped_digits
 from babbitt.cases.joined_inputs import Inputs
 from babbitt.cases.journal import JournalBearing
+from babbitt.cases.load_direction import DOWNWARD
 from babbitt.cases.operating_point import OperatingPoint
 from babbitt.cases.part import is_given
-from babbitt.cases.standard_rules import DOWNWARD
 from babbitt.cases.supply_element import UnevenPockets
 from babbitt.notices import Notice
 from babbitt.units import written

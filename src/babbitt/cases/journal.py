@@ -45,6 +45,7 @@ from babbitt.cases.film_surface import (
     StepGiven,
 )
 from babbitt.cases.heat_exchange import HeatExchangeGiven
+from babbitt.cases.load_direction import DOWNWARD
 from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
 from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_given, rule
 from babbitt.cases.segments import SegmentsGiven
@@ -54,7 +55,7 @@ from babbitt.cases.surfaces import SurfacesGiven
 from babbitt.film.model import FilmStart
 from babbitt.units import si, written
 
-WIDTH_RATIOS = (0.1, 1.5)
+WIDTH_RATIOS = (standard_rules.LEAST_WIDTH_RATIO, 1.5)
 """Range of B/D for which the characteristics are on board."""
 
 LEAST_SPECIFIC_LOAD = 1e3
@@ -145,7 +146,7 @@ class JournalBearing(Duty, SharedInputs):
         0.0, description="Rotational speed of the bearing, positive counter-clockwise as that of the journal."
     )
     load_angle: Annotated[float, si("rad", "-360 deg", "360 deg")] = Field(
-        standard_rules.DOWNWARD,
+        DOWNWARD,
         description="Direction of the load, counter-clockwise from the x axis. -90 deg is downward. "
         "ISO 7902 takes the load through the middle of the arc, whatever its direction, and counts what feeds the "
         "film from the load.",

@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.cases.film_rules import SURFACE_FIELDS
-from babbitt.cases.operating_point import SPEEDS, stating
+from babbitt.cases.load_direction import load_points_between_its_pockets
 from babbitt.cases.part import Complaint, is_given, rule
-from babbitt.cases.supply_element import UnevenPockets
+from babbitt.cases.supply_element import half_bearing_width
+from babbitt.characteristics.closed_forms import WIDTH_RATIOS as CLOSED_FORM_WIDTH_RATIOS
 from babbitt.units import written
 
 if TYPE_CHECKING:
     from babbitt.cases.journal import JournalBearing
 
-DOWNWARD = -math.pi / 2.0
-"""rad. Load angle of a bearing that gives none."""
-
-JOINT_TOLERANCE = math.radians(5.0)
-"""Assumption: pockets farther than this from a level or upright joint are not at it."""
+LEAST_WIDTH_RATIO = 0.1
+"""Least B/D for which the characteristics are on board."""
 
 
 @rule
@@ -27,40 +24,29 @@ def standard_knows_the_bearing(bearing: JournalBearing) -> Iterator[Complaint]:
     """Complain about what the standard does not know."""
     if bearing.method == "iso7902":
         yield from film_alone_knows(bearing, "ISO 7902")
-        yield from _load_points_between_its_pockets(bearing)
+        yield from load_points_between_its_pockets(bearing)
+        yield from half_bearings_are_in_the_tables(bearing)
 
 
-def _load_points_between_its_pockets(bearing: JournalBearing) -> Iterator[Complaint]:
-    """Complain about a load angle that puts uneven pockets elsewhere than at a level or upright joint.
-
-    Uneven pockets say already where the load points between them; a load angle besides says it again.
-    """
-    if not is_given(bearing, "load_angle") or bearing.load_angle == DOWNWARD:
+def half_bearings_are_in_the_tables(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about a groove around the circumference that leaves half bearings too narrow for the tables."""
+    if bearing.actual_width is None:
         return
+    least = CLOSED_FORM_WIDTH_RATIOS[0] if bearing.characteristics == "closed_form" else LEAST_WIDTH_RATIO
     for point in bearing.operating_points or (None,):
-        element, speed = bearing.element_at(point), stating(SPEEDS, bearing, point)
-        if not isinstance(element, UnevenPockets):
+        half = half_bearing_width(bearing.element_at(point), bearing.actual_width)
+        if half is None or half <= 0.0 or half / bearing.diameter >= least:
             continue
-        sense = math.copysign(1.0, speed.speed or speed.surface_speed or 1.0)
-        entry, leaving = (
-            bearing.load_angle - sense * element.entry_angle,
-            bearing.load_angle + sense * element.exit_angle,
+        own = point is not None and point.supply_element is not None
+        path = ("operating_points", bearing.operating_points.index(point)) if own and point is not None else ()
+        yield Complaint(
+            (*path, "supply_element"),
+            f"the groove parts the bearing into halves of {written(half, 'mm')}, "
+            f"{half / bearing.diameter:.3g} of the diameter",
+            f"at least {written(least * bearing.diameter, 'mm')} each (B/D {least:g})",
+            "a narrower groove, or method: film",
         )
-        if max(abs(math.remainder(angle, math.pi / 2.0)) for angle in (entry, leaving)) <= JOINT_TOLERANCE:
-            continue
-        level = math.pi if sense > 0.0 else 0.0
-        before = sense * (bearing.load_angle - level) % (2.0 * math.pi)
-        says = (
-            f"with it the uneven pockets stand {_degrees(entry)} and {_degrees(leaving)} from +x, at no level or "
-            "upright joint; ISO 7902 knows the load from entry_angle and exit_angle alone"
-        )
-        fits = f"entry_angle {_degrees(before)} and exit_angle {_degrees(math.pi - before)} of a level joint"
-        yield Complaint(("load_angle",), says, f"leave it out{f', or {fits}' if 0.0 < before < math.pi else ''}")
         return
-
-
-def _degrees(angle: float) -> str:
-    return written(math.remainder(angle, 2.0 * math.pi), "deg")
 
 
 def film_alone_knows(bearing: JournalBearing, method: str) -> Iterator[Complaint]:

@@ -35,12 +35,6 @@ JOURNAL: dict[str, Explanation] = {
         "The pockets leave less than 90 degrees of centred arc; the characteristics of 90 degrees flatter it.",
         "Move the pockets away from the load or use a film method.",
     ),
-    "W106": Explanation(
-        "Circumferential groove splits the bearing",
-        "A full circumferential groove divides the film into two lands. The load number was formed with the "
-        "whole width.",
-        "Compute two bearings of half the land width with half the load each.",
-    ),
     "W107": Explanation(
         "Temperature outside the lubricant data",
         "The effective temperature lies outside the range for which the lubricant's numbers are meant.",
