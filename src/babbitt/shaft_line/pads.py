@@ -112,7 +112,7 @@ class GivenPads:
 
     def films(self, frequencies: Array) -> ComplexArray:
         """`film` at many frequencies."""
-        return np.array(self.stiffness) + 1j * np.outer(frequencies, self.damping)
+        return np.asarray(np.array(self.stiffness) + 1j * np.outer(frequencies, self.damping), dtype=np.complex128)
 
     def wobbles(self, frequencies: Array) -> ComplexArray:
         """`wobble` at many frequencies."""
@@ -185,7 +185,8 @@ class FilmPads:
         answer = np.broadcast_to(driven, (*film.shape[:2], 2)).copy()
         if free:
             felt = film[..., free, 1:] @ driven
-            answer[..., [tilt - 1 for tilt in free]] -= np.linalg.solve(moving, felt[..., None])[..., 0]
+            places = [tilt - 1 for tilt in free]
+            answer[..., places] = answer[..., places] - np.linalg.solve(moving, felt[..., None])[..., 0]
         added = -(film[..., 0, 1:] * answer).sum(axis=-1)
         whole = self.films(frequencies)
         return np.asarray(np.where(whole == 0.0, 0.0, added / np.where(whole == 0.0, 1.0, whole)))

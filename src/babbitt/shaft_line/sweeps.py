@@ -117,7 +117,8 @@ def speed_sweep(
         rad/s.
     """
     points = []
-    orders = [one.order for one in (*duty.thrusts, *duty.runouts) if one.amplitude > 0.0]
+    orders = [one.order for one in duty.thrusts if one.amplitude > 0.0]
+    orders += [one.order for one in duty.runouts if one.amplitude > 0.0]
     shown = SHOWN_ABOVE * max(orders, default=0.0) * max(speeds, default=0.0)
     for speed in speeds:
         at = duty.at_speed(speed)
