@@ -231,3 +231,19 @@ def test_on_which_pad_each_cause_is_largest_is_said(base):
     for name in ("runout_force", "ripple_force", "dynamic_bound"):
         forces = base.arrays[name][0]
         assert f" (pad {1 + forces.index(max(forces))})" in said
+
+
+def test_a_nonlinear_motion_that_is_not_found_is_told_and_gives_no_value():
+    found = result(
+        ("# nonlinear: true", "nonlinear: true"),
+        ("  - {share: 10 %}                   # blade frequency\n", "  - {share: 10 %, order: 3.14159}\n"),
+    )
+    assert "W210" in [notice.code for notice in found.warnings]
+    assert not [name for name in found.values if name.startswith("nonlinear")]
+
+
+def test_the_nonlinear_film_is_held_against_the_limit_where_it_is_thinner():
+    found = result(("# nonlinear: true", "nonlinear: true"), ("ring_stiffness: 20 GN/m\n", ""))
+    [film] = [check for check in found.checks if check.code == "C202"]
+    assert found.nonlinear_minimum_film < found.dynamic_minimum_film
+    assert (film.quantity, film.value) == ("nonlinear_minimum_film", found.nonlinear_minimum_film)
