@@ -159,6 +159,8 @@ def _values(case: DesignCase, film: Film, change: Transition | None) -> dict[str
         values["tube_loss"] = film.feed.tube_loss
         values["hole_loss"] = film.feed.hole_loss
     values |= cooling_values(case, film) | limit_values(case)
+    if case.load_angle is not None:
+        values["load_angle"] = case.load_angle
     if change is not None:
         values["transition_speed"] = change.speed
     return values
