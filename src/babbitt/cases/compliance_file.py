@@ -12,6 +12,7 @@ from babbitt.cases.every_bearing import for_every_bearing
 from babbitt.cases.named_files import NamedFiles, TableError
 from babbitt.cases.plain_words import Path, shown
 from babbitt.files.printing import printable
+from babbitt.units import SiNumber
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -103,7 +104,10 @@ def _of_arrays(files: NamedFiles, name: str, at: Path) -> dict[str, Any]:
     if angles.ndim != 1 or values.shape != (angles.size, angles.size):
         says = f"compliance of {name} has the shape {values.shape} for angles of {angles.shape}"
         raise TableError(at, says, "a row and a column for every angle")
-    return {"angles": angles.tolist(), "values": values.tolist()}
+    return {
+        "angles": [SiNumber(angle) for angle in angles.tolist()],
+        "values": [[SiNumber(value) for value in row] for row in values.tolist()],
+    }
 
 
 def _numbers(array: NDArray[Any]) -> NDArray[Any]:

@@ -18,6 +18,7 @@ from babbitt.cases.plain_words import Path, nearest, shown
 from babbitt.cases.problems import CaseError, Problem
 from babbitt.files.printing import printable
 from babbitt.files.reading import Reach
+from babbitt.units import AS_WRITTEN
 
 if TYPE_CHECKING:
     from babbitt.cases.every_kind import Case
@@ -178,7 +179,7 @@ def _case(given: Any, name: str, root: Node | None, files: NamedFiles) -> Case:
         raise CaseError([_problem(name, root, given, ("kind",), says, ", ".join(KINDS), hint)])
     try:
         read = with_compliances(with_displacements(with_tables(given, files), files), files)
-        return KINDS[kind].model_validate(read).with_files(tuple(files.taken))
+        return KINDS[kind].model_validate(read, context=AS_WRITTEN).with_files(tuple(files.taken))
     except TableError as error:
         raise CaseError([_problem(name, root, given, error.path, error.says, error.allowed, error.hint)]) from None
     except ValidationError as error:

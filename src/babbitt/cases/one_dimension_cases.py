@@ -89,7 +89,7 @@ def _shared(inputs: Inputs, at: Point) -> dict[str, Any]:
             *common_assumptions_of(bearing, None, None, inputs.materials),
             *_ignored(inputs, at),
         ),
-        "doubts": doubts_about_numbers(bearing, point),
+        "doubts": doubts_about_numbers(inputs, point),
         "kind": bearing.kind,
     }
 

@@ -61,6 +61,8 @@ ONE_DIMENSION: tuple[Quantity, ...] = (
             ),
         )
     ),
+    quantity("groove_angle_from_load", "θ_gF", "rad", "deg", 4, "Groove from the load line with the rotation"),
+    quantity("groove_angle_from_gap", "θ_g", "rad", "deg", 4, "Groove from the widest gap with the rotation"),
     quantity("groove_pressure", "p_g", "Pa", "MPa", 4, "Gauge pressure in the groove"),
     quantity("groove_side_flow", "Q_g", "m3/s", "L/min", 4, "Flow out of the ends of the groove"),
     quantity("groove_warm_flow", "Q_gw", "m3/s", "L/min", 4, "Warm oil that fresh oil replaces in the groove"),

@@ -23,6 +23,8 @@ OWN_RESULTS = (
     "load_across_eccentricity",
     "relative_load",
     "mean_temperature_load_ratio",
+    "groove_angle_from_load",
+    "groove_angle_from_gap",
     "groove_pressure",
     "groove_side_flow",
     "groove_warm_flow",
@@ -96,7 +98,8 @@ def _of_segments(case: SegmentCase) -> Iterator[tuple[str, str]]:
     if groove is None:
         yield "Groove", "none"
         return
-    place = f"at {math.degrees(groove.angle):.4g}° from the widest gap, {1e3 * groove.width:.4g} mm wide"
+    origin = "load line" if groove.at_place_in_bush else "widest gap"
+    place = f"at {math.degrees(groove.angle):.4g}° from the {origin}, {1e3 * groove.width:.4g} mm wide"
     yield "Groove", f"{place}, {GROOVE[groove.kind]}"
     if groove.kind is GrooveKind.THROUGH:
         yield "Fresh oil behind the groove", f"{groove.mixing_factor:.3g} of what enters"
