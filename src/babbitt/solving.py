@@ -10,6 +10,7 @@ from babbitt.bearings.model import FilmCase
 from babbitt.bearings.watch import Watch, unwatched
 from babbitt.cases import case_hash, design_cases
 from babbitt.cases.case_file import CaseFile
+from babbitt.cases.grouped_digits import about_grouped_digits
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.results import Outcome, Result
 from babbitt.segments.model import SegmentCase
@@ -206,4 +207,7 @@ def _shaft_result(case: Case) -> Result:
         "reaction_angle_2": loads.angle_2,
         "coupling_arm": shaft.coupling_arm,
     }
-    return Result(case.name, case.kind, "statics", Outcome.CONVERGED, values, assumptions=case.assumptions)
+    return Result(
+        case.name, case.kind, "statics", Outcome.CONVERGED, values,
+        warnings=tuple(about_grouped_digits(case)), assumptions=case.assumptions,
+    )  # fmt: skip

@@ -13,7 +13,7 @@ from babbitt.cases.every_bearing import for_every_bearing
 from babbitt.cases.plain_words import Path, shown
 from babbitt.materials import parse_experience_limits
 from babbitt.notices import InputError
-from babbitt.units import QuantityError, read
+from babbitt.units import QuantityError, SiNumber, read
 
 POINTS = 360
 """Points at equal steps to which a table is interpolated."""
@@ -162,18 +162,14 @@ def rows_of_table(
     units = [match["unit"] for match in heading if match is not None]
     if not len(units) == len(heading) == len(kinds):
         raise TableError(at, f"{file.name} has no heading with units", example)
-    found = []
+    found: list[tuple[int, tuple[float, ...]]] = []
     for line, row in rows[1:]:
         for cell in row:
             if not _is_finite(cell):
                 raise TableError(at, f"line {line} of {file.name}: {shown(cell)} is not a finite number", example)
         try:
-            found.append(
-                (
-                    line,
-                    tuple(read(f"{float(c)} {unit}", si) for c, unit, si in zip(row, units, kinds, strict=True)),
-                )
-            )
+            values = [read(f"{float(c)} {unit}", si) for c, unit, si in zip(row, units, kinds, strict=True)]
+            found.append((line, tuple(SiNumber(value) for value in values)))
         except (ValueError, QuantityError):
             raise TableError(at, f"line {line} of {file.name} is {shown(','.join(row))}", example) from None
     return found
@@ -207,4 +203,4 @@ def _once_around(points: list[tuple[float, float]], name: str, at: Path) -> list
 
     places = np.arange(POINTS) * (turn / POINTS)
     found = np.interp(places, [angle for angle, _ in points], [value for _, value in points], period=turn)
-    return [float(value) for value in found]
+    return [SiNumber(value) for value in found]

@@ -9,6 +9,7 @@ from typing import Any
 from babbitt.cases.bore_file import LARGEST_TABLE, TableError, rows_of_table
 from babbitt.cases.every_bearing import for_every_bearing
 from babbitt.cases.plain_words import Path, shown
+from babbitt.units import SiNumber
 
 EXAMPLE = (
     "CSV of three columns with the heading 'angle [deg],loaded [deg],compliance [um/MPa]', or NPZ with the arrays "
@@ -90,4 +91,7 @@ def _of_arrays(file: FilePath, at: Path) -> dict[str, Any]:
     if angles.ndim != 1 or values.shape != (angles.size, angles.size):
         says = f"compliance of {file.name} has the shape {values.shape} for angles of {angles.shape}"
         raise TableError(at, says, "a row and a column for every angle")
-    return {"angles": angles.tolist(), "values": values.tolist()}
+    return {
+        "angles": [SiNumber(angle) for angle in angles],
+        "values": [[SiNumber(value) for value in row] for row in values],
+    }

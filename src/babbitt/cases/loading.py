@@ -15,6 +15,7 @@ from babbitt.cases.document import DocumentError, Node, read_document
 from babbitt.cases.kinds import KINDS
 from babbitt.cases.plain_words import Path, nearest, shown
 from babbitt.cases.problems import CaseError, Problem
+from babbitt.units import AS_WRITTEN
 
 if TYPE_CHECKING:
     from babbitt.cases.every_kind import Case
@@ -170,7 +171,7 @@ def _case(given: Any, name: str, root: Node | None, folder: FilePath) -> Case:
         raise CaseError([_problem(name, root, given, ("kind",), says, ", ".join(KINDS), hint)])
     try:
         read = with_compliances(with_displacements(with_tables(given, folder), folder), folder)
-        return KINDS[kind].model_validate(read)
+        return KINDS[kind].model_validate(read, context=AS_WRITTEN)
     except TableError as error:
         raise CaseError([_problem(name, root, given, error.path, error.says, error.allowed)]) from None
     except ValidationError as error:

@@ -8,9 +8,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from babbitt.cases.bare_numbers import about_speed
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose
+from babbitt.cases.grouped_digits import about_grouped_digits
 from babbitt.cases.heel_parts import (
     FigureRanges,
     Gap,
@@ -202,7 +202,7 @@ def heel_cases(case: ScrewHeelCase) -> tuple[HeelCase, ...]:
             (ranges.clearance_from, ranges.clearance_to),
             ranges.map_points,
             tuple(_given(case)),
-            tuple(about_speed(case, "speed")),
+            tuple(about_grouped_digits(case)),
             assumptions=case.assumptions,
         )
         for grooved, footstep in made.items()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.notices.explanation import Explanation
+from babbitt.notices.explanation import Effect, Explanation
 
 JOURNAL: dict[str, Explanation] = {
     "W101": Explanation(
@@ -20,8 +20,8 @@ JOURNAL: dict[str, Explanation] = {
     ),
     "W103": Explanation(
         "Supply element outside the range of its flow formula",
-        "The fits for holes and pockets hold for a relative width of 0.05 to 0.7 of the bearing width; the value "
-        "at the nearest bound was used.",
+        "The corrections q_H and q_P of holes and pockets hold for a width of 0.05 to 0.7 of that of the "
+        "bearing; outside, that of the nearest bound is used. The logarithm takes the true width up to 0.9.",
         "Take the supply flow as an estimate; a film method gives the flow of the real pocket.",
     ),
     "W104": Explanation(
@@ -34,12 +34,6 @@ JOURNAL: dict[str, Explanation] = {
         "Loaded arc shorter than any tabulated span",
         "The pockets leave less than 90 degrees of centred arc; the characteristics of 90 degrees flatter it.",
         "Move the pockets away from the load or use a film method.",
-    ),
-    "W106": Explanation(
-        "Circumferential groove splits the bearing",
-        "A full circumferential groove divides the film into two lands. The load number was formed with the "
-        "whole width.",
-        "Compute two bearings of half the land width with half the load each.",
     ),
     "W107": Explanation(
         "Temperature outside the lubricant data",
@@ -96,13 +90,6 @@ JOURNAL: dict[str, Explanation] = {
         "Above an eccentricity of 0.95, or where the film is thinner than 0.05 of the clearance, elastic "
         "deformation, roughness and heat decide the film; a rigid isoviscous film is too simple.",
         "Treat the film thickness as an order of magnitude; lower the load or raise the viscosity.",
-    ),
-    "W117": Explanation(
-        "Number without unit",
-        "A number without unit is in SI: a speed or a frequency in rad/s, a load in N, a viscosity in Pa s, a "
-        "mass in kg, a damping in N s/m. This one looks as if another unit was meant.",
-        "Write the unit: '3000 rpm', '50 Hz', '6 kN', '45 mPa s', '14 t'; '3000 rad/s' or '6 N' if the "
-        "number is meant as it stands.",
     ),
     "W118": Explanation(
         "Oil leaves colder than it enters",
@@ -231,5 +218,19 @@ JOURNAL: dict[str, Explanation] = {
         "The directions of the force around the clearance tell how many equilibria there must be, and another "
         "number was found. One of them may lie nearer to contact than the search looks.",
         "A finer `accuracy`; look at the film at the places in question with `position`.",
+    ),
+    "W182": Explanation(
+        "Direction of the load not used",
+        "ISO 7902 takes the load through the middle of the loaded arc, and holes, pockets and grooves at places "
+        "counted from the load. The direction of the load in space changes none of its results.",
+        "Nothing, where the places of the supply elements were counted from the load; else give them so, or "
+        "`method: film` with `grooves`, `pockets` or `holes` at their angles in the bore.",
+        Effect.INFORMATION,
+    ),
+    "W181": Explanation(
+        "Digits that may be grouped",
+        "A point is the decimal sign: '12.000 N' is twelve newtons. Where exactly three digits stand behind it, "
+        "thousands may have been meant, as in '12.000 N' for twelve kilonewtons.",
+        "Write '12 N' or '12 kN', whichever is meant.",
     ),
 }

@@ -19,10 +19,9 @@ THRUST: dict[str, Explanation] = {
         "Solve the nonlinear motion (nonlinear: true), or take the bound with a margin.",
     ),
     "W203": Explanation(
-        "Excitation near a natural frequency",
-        "An excitation comes within 20 % of a natural frequency of the line. Frequencies are known no better "
-        "than the "
-        "stiffness of seating and ring and the entrained water.",
+        "Excitation near a resonance",
+        "An excitation comes within 20 % of a peak of its response or of a lightly damped mode. Frequencies are "
+        "known no better than the stiffness of seating and ring and the entrained water.",
         "Bar this speed range, or move the frequency by seating, ring, shaft or number of blades.",
     ),
     "W204": Explanation(
@@ -33,9 +32,8 @@ THRUST: dict[str, Explanation] = {
     ),
     "W205": Explanation(
         "A pad leaves the collar or touches it",
-        "In the nonlinear motion the load of a pad falls to nothing, a corner comes as close as surfaces are "
-        "rough, or "
-        "tilts leave the films that were tabulated. What follows such a moment is not computed reliably.",
+        "In the nonlinear motion the load of a pad falls to nothing, a film becomes as thin as surfaces are "
+        "rough, or tilts leave the films that were tabulated. What follows is not computed reliably.",
         "Reduce runout, tilt or ripple; the tools for admissible amplitudes say how far.",
     ),
     "W206": Explanation(

@@ -82,7 +82,7 @@ def draw(
         (
             "load-capacity",
             "Sommerfeld number over eccentricity for the span of this bearing and, paler, for the others of the "
-            f"same B/D = {case.bearing.width_ratio:.3g}.",
+            f"same B/D = {case.bearing.part_width_ratio:.3g}.",
             lambda: painters.load_capacity(case, result),
         ),
         (
