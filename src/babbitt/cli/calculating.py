@@ -32,7 +32,7 @@ def solve(
     allow_outside: AllowOutside = False,
 ) -> None:
     """Solve the bearings of case files and print a table."""
-    from babbitt.cases import CaseError, design_cases, load_cases, located
+    from babbitt.cases import CaseError, Problem, design_cases, load_cases, located
     from babbitt.notices import InputError
     from babbitt.report import outputs, print_machine
     from babbitt.report.progress import shown
@@ -45,7 +45,8 @@ def solve(
 
         for path, case in zip(files, cases, strict=True):
             require_films(str(path), design_cases(case))
-    machines, targets, problems = [], [], []
+    machines, targets = [], []
+    problems: list[Problem] = []
     for path, case, target in zip(files, cases, plan.targets, strict=True):
         try:
             machines.append(solve_case(case, shown(f"{case.name}: cycles of the orbit")))
