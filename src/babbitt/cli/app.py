@@ -18,7 +18,7 @@ import typer
 from babbitt import __version__
 from babbitt.notices import BabbittError, InputError
 
-SOLVED, LIMIT_VIOLATED, UNUSABLE_INPUT, NO_SOLUTION = 0, 1, 2, 3
+SOLVED, NOT_PASSED, UNUSABLE_INPUT, NO_SOLUTION = 0, 1, 2, 3
 """Exit statuses."""
 
 UNCOLLECTED = 100_000
@@ -30,7 +30,7 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
     help="Compute and design fluid-film (plain) bearings.",
-    epilog="Exit status: 0 solved, 1 a design limit is violated (only with --strict), 2 input not usable, "
+    epilog="Exit status: 0 solved, 1 fail or no verdict (only with --strict), 2 input not usable, "
     "3 no solution found.",
 )
 

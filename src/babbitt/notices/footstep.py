@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.notices.explanation import Explanation
+from babbitt.notices.explanation import Effect, Explanation
 
 FOOTSTEP: dict[str, Explanation] = {
     "C131": Explanation(
@@ -18,6 +18,7 @@ FOOTSTEP: dict[str, Explanation] = {
         "pressure "
         "runs away to another state. It satisfies the equations and will not be found running.",
         "Look at the stable state of the same heel; where none is stable, change the clearance or the face gap.",
+        effect=Effect.NO_VERDICT,
     ),
     "W161": Explanation(
         "Oil of the groove very hot",
@@ -34,6 +35,7 @@ FOOTSTEP: dict[str, Explanation] = {
         "formulas that "
         "set grooves against lands lose their sense.",
         "A smaller clearance or deeper grooves.",
+        effect=Effect.NO_VERDICT,
     ),
     "W163": Explanation(
         "Ambient pressure looks like a gauge pressure",
@@ -57,6 +59,7 @@ FOOTSTEP: dict[str, Explanation] = {
         "The pressure at the rim exceeds that of the supply: oil of the groove flows back into the recess and the "
         "bore. The footstep no longer draws oil from the delivery side, and what comes back is warm.",
         "Wanted or not, provide for it: a larger clearance or a shallower groove lowers the pressure at the rim.",
+        effect=Effect.INFORMATION,
     ),
     "W167": Explanation(
         "Negative axial stiffness",
@@ -86,6 +89,7 @@ FOOTSTEP: dict[str, Explanation] = {
         "flow and pressure; at 5 starts the clearance lets through about 3 % more (`babbitt validate "
         "film_groove_pitch`).",
         "Take the leakage as a few per cent too small; more starts pump more evenly.",
+        effect=Effect.INFORMATION,
     ),
     "W170": Explanation(
         "Eccentric grooved heel",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.notices.explanation import Explanation
+from babbitt.notices.explanation import Effect, Explanation
 
 ONE_DIMENSION: dict[str, Explanation] = {
     "W150": Explanation(
@@ -21,6 +21,7 @@ ONE_DIMENSION: dict[str, Explanation] = {
         "Coarse film",
         "With fewer than 90 sectors the load is off by more than about 0.5 %.",
         "Use more sectors.",
+        effect=Effect.INFORMATION,
     ),
     "W153": Explanation(
         "The groove makes the film hotter",
@@ -28,6 +29,7 @@ ONE_DIMENSION: dict[str, Explanation] = {
         "hotter than without the groove. A groove cools at the same gap, not at the same load, unless the "
         "deformed film keeps its load capacity, which this model cannot show.",
         "Place the groove outside the loaded zone, or compare with a film in two dimensions.",
+        effect=Effect.INFORMATION,
     ),
     "W154": Explanation(
         "Blind groove short of oil",
@@ -39,6 +41,7 @@ ONE_DIMENSION: dict[str, Explanation] = {
         "Film thinner than the roughness allows",
         "The film is thinner than three times the combined roughness, sqrt(Ra_B² + Ra_J²): the surfaces touch.",
         "Smoother surfaces, a more viscous or cooler oil, or less load.",
+        effect=Effect.NO_VERDICT,
     ),
     "W156": Explanation(
         "Gain of a blind groove is apparent",
