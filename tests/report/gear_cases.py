@@ -35,7 +35,7 @@ GEAR = (
     ("First-stage wheel", 0.350, 0.596, 26.1, 1.169, 1.19, 180),
     ("Second-stage pinion (a)", 0.300, 0.770, 22.4, 1.2035, 2.51, 120),
     ("Second-stage pinion (b)", 0.300, 0.770, 22.4, 1.2035, 2.51, 180),
-    ("Output wheel", 0.550, 0.600, 6.6, 0.884, 2.10, 180),
+    ("Output wheel", 0.5275, 0.774, 6.6, 0.884, 2.10, 180),
     ("Input pinion, electric motor", 0.250, 0.694, 12.5, 1.592, 1.63, 180),
     ("MRP drive pinion", 0.350, 0.499, 24.1, 1.107, 2.40, 180),
     ("MRP pinion left", 0.350, 0.594, 24.5, 1.168, 1.02, 180),
@@ -118,6 +118,12 @@ def varied_cases() -> dict[str, DesignCase]:
         "pockets": gear()[2],
         "slots": replace(
             EXAMPLE, bearing=replace(bearing, supply_element=Holes(0.019, Arrangement.BOTH_SIDES, 2.0393))
+        ),
+        "narrow hole": replace(
+            EXAMPLE, bearing=replace(bearing, supply_element=Holes(0.002, Arrangement.OPPOSITE))
+        ),
+        "very wide pocket": replace(
+            EXAMPLE, bearing=replace(bearing, supply_element=Pockets(0.056, Arrangement.SIDE))
         ),
         "groove": replace(EXAMPLE, bearing=replace(bearing, supply_element=CircumferentialGroove(0.006))),
         "no element": replace(EXAMPLE, bearing=replace(bearing, supply_element=None)),

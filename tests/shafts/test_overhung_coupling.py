@@ -30,7 +30,6 @@ def test_the_published_output_wheel():
     assert found == pytest.approx([380.34e3, 363.80e3, 375.51e3], abs=10.0)
     found = [down.reaction_1, down.reaction_2, down.reaction_without_coupling]
     assert found == pytest.approx([434.98e3, 452.02e3, 439.93e3], abs=10.0)
-    assert up.reaction_1 / (0.550 * 0.330) == pytest.approx(2.10e6, abs=0.005e6)  # the published specific load
 
 
 @given(

@@ -64,16 +64,16 @@ def codes(notices):
         (
             CASE_C,
             {
-                "outlet_temperature": 344.593751095,
-                "effective_viscosity": 16.980424e-3,
-                "sommerfeld_number": 1.4460966,
-                "eccentricity_ratio": 0.74005454,
-                "minimum_film_thickness": 46.790184e-6,
-                "attitude_angle": math.radians(30.914875),
-                "friction_power": 8072.1939,
-                "side_flow": 9.4576728 / 6e4,
-                "supply_flow": 3.0901845 / 6e4,
-                "film_reynolds_number": 196.830287,
+                "outlet_temperature": 344.058729865,
+                "effective_viscosity": 17.142310e-3,
+                "sommerfeld_number": 1.4324402,
+                "eccentricity_ratio": 0.7385988,
+                "minimum_film_thickness": 47.052216e-6,
+                "attitude_angle": math.radians(30.987222),
+                "friction_power": 8110.8944,
+                "side_flow": 9.4614723 / 6e4,
+                "supply_flow": 3.4691623 / 6e4,
+                "film_reynolds_number": 195.010406,
             },
         ),
     ],
@@ -346,7 +346,8 @@ def test_doubts_carry_their_numbers():
     turning = check(replace(CASE_A, bearing_speed=10.0))
     assert "W114" in codes(turning.warnings)
     light = check(replace(CASE_A, duty=GivenLoad(2e3)))
-    assert "W108" in codes(light.warnings)
+    assert {one.code for one in light.checks if not one.ok and one.advisory} == {"C112", "C114"}
+    assert light.within_limits == check(CASE_A).within_limits  # a screening indicator changes no verdict
     tiny = check(
         replace(CASE_A, bearing=replace(CASE_A.bearing, diameter=0.02, width=0.01), duty=GivenLoad(200.0))
     )
@@ -361,7 +362,7 @@ def test_checks_name_value_limit_and_source():
     bearing = replace(CASE_A.bearing, metal=bearing_metal("B83"), surfaces=surfaces)
     result = check(replace(CASE_A, bearing=bearing))
     by_code = {check.code: check for check in result.checks}
-    assert set(by_code) == {f"C{n}" for n in range(101, 115)}
+    assert set(by_code) == {f"C{n}" for n in range(101, 115)} - {"C113"}
     assert by_code["C101"].limit == 9e-6  # D 120 mm, 12.6 m/s: experience table
     assert by_code["C102"].limit == pytest.approx(8e-6)
     assert by_code["C105"].limit == 15e6

@@ -222,11 +222,11 @@ def test_faces_that_touch_before_the_thrust_is_carried_have_no_film():
 def balances(of, place, height):
     """Moments about the radius through the pivot over every slope at which the pad clears, over load and width."""
     lean, sector = standing_at_rest(of).leans[place, 0], sector_of(LINE, VISCOSITY, SPEED)
-    basis, _ = LINE.watched()
+    corners = LINE.corners()
     moments = []
     for slope in -np.geomspace(2e-6, 5e-4, 60)[::-1]:
         motion = np.array([height, lean, slope])
-        if (basis @ motion).min() > 2e-7:
+        if (corners @ motion).min() > 2e-7:
             film = sector_film(sector, PlaneMotion(*(LINE.from_pivot() @ motion)), intervals=LINE.intervals)
             moments.append(float((LINE.from_pivot().T @ film.forces)[2] / film.load / 0.185))
     return np.array(moments)

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from babbitt.cases import design_cases, load_case
+from babbitt.solving import solve
 from babbitt.standards.iso7902.film import surface_speed
 from babbitt.validation.reference_data import reference_data
 
@@ -36,3 +37,12 @@ def test_bearing_by_bearing(case, inferred):
     )
     share = inferred.get("pocket_width_ratio", common["groove_width_ratio"])
     assert math.isclose(bearing.supply_element.relative_width(bearing.width), share, rel_tol=1e-9)
+
+
+def test_the_output_wheel_has_the_load_of_the_example_of_its_shaft():
+    share = solve(load_case(EXAMPLE.with_name("output_wheel_load_share.yaml"))).results[0]
+    for name in ("marine_reverse_gear.yaml", "reverse_gear_film.yaml"):
+        wheel = next(
+            case for case in design_cases(load_case(EXAMPLE.with_name(name))) if case.name == "Output wheel"
+        )
+        assert wheel.duty.load == pytest.approx(share.reaction_2, abs=10.0)

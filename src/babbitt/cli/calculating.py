@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from babbitt.cli.app import NOT_PASSED, NO_SOLUTION, Files, app
+from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, Files, app
 
 __all__ = ["check", "compare", "export", "solve", "sweep"]
 

@@ -37,8 +37,8 @@ CHECKS: dict[str, Explanation] = {
     "C105": Explanation(
         "Specific load of the metal",
         "The specific load is compared with the limit of the bearing metal for the character of the load. Of "
-        "thrust pads it is the mean pressure of the one that carries most, a recommendation for B83 if no metal is "
-        "given.",
+        "thrust pads it is the mean pressure of the one that carries most, a recommendation for B83 if no "
+        "metal is given.",
         "A larger bearing or a stronger metal.",
         subject=Subject.SPECIFIC_LOAD,
     ),
@@ -76,15 +76,16 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C112": Explanation(
         "Whirl screening by Orlov",
-        "A screening indicator of the ISO 7902 result, no stability calculation: the relative clearance should exceed "
-        "3.5e-3 sqrt(lambda B/D), else the journal can whirl by itself. It changes no verdict.",
+        "A screening indicator of the ISO 7902 result, no stability calculation: the relative clearance should "
+        "exceed 3.5e-3 sqrt(lambda B/D), else the journal can whirl by itself. It changes no verdict.",
         "Solve the bearing with `method: film`, whose stiffness and damping decide (C115); a larger clearance, a "
         "thinner oil, a narrower bearing.",
     ),
     "C115": Explanation(
         "Critical mass",
         "The mass above which a rigid rotor whirls, and with `shaft_stiffness` that of a rotor on an elastic "
-        "shaft, is compared with the mass of the rotor (`rotor_mass`), or, as a recommendation, with the load over g.",
+        "shaft, is compared with the mass of the rotor (`rotor_mass`), or, as a recommendation, with the load "
+        "over g.",
         "A larger clearance, a thinner oil, a narrower bearing, or a bore with preload.",
     ),
     "C116": Explanation(

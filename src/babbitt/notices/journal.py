@@ -21,8 +21,8 @@ JOURNAL: dict[str, Explanation] = {
     ),
     "W103": Explanation(
         "Supply element outside the range of its flow formula",
-        "The fits for holes and pockets hold for a relative width of 0.05 to 0.7 of the bearing width; the value "
-        "at the nearest bound was used.",
+        "The corrections q_H and q_P of holes and pockets hold for a width of 0.05 to 0.7 of that of the "
+        "bearing; outside, that of the nearest bound is used. The logarithm takes the true width up to 0.9.",
         "Take the supply flow as an estimate; a film method gives the flow of the real pocket.",
     ),
     "W104": Explanation(

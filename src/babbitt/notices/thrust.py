@@ -34,9 +34,8 @@ THRUST: dict[str, Explanation] = {
     ),
     "W205": Explanation(
         "A pad leaves the collar or touches it",
-        "In the nonlinear motion the load of a pad falls to nothing, a corner comes as close as surfaces are "
-        "rough, or "
-        "tilts leave the films that were tabulated. What follows such a moment is not computed reliably.",
+        "In the nonlinear motion the load of a pad falls to nothing, a film becomes as thin as surfaces are "
+        "rough, or tilts leave the films that were tabulated. What follows is not computed reliably.",
         "Reduce runout, tilt or ripple; the tools for admissible amplitudes say how far.",
         effect=Effect.NO_VERDICT,
     ),

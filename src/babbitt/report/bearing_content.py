@@ -192,7 +192,7 @@ def bearing_content(chapter: Chapter) -> Data:
         ],
         "warnings": [
             {"heading": heading, "found": found}
-            for heading, effect in WARNING_HEADINGS.items()
+            for effect, heading in WARNING_HEADINGS.items()
             if (found := _warnings(chapter, effect))
         ],
         "figures": [

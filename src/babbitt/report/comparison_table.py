@@ -131,7 +131,7 @@ def head(variant: Variant, asked: Variant) -> str:
 
 
 def objected(result: Result) -> str:
-    """Limits that a result misses, and codes of the warnings that touch its verdict; empty where there are none."""
+    """Limits that a result misses, and codes of warnings that touch its verdict; empty for none."""
     missed = [one.code for one in result.limits if not one.ok]
     codes = list(dict.fromkeys(one.code for one in result.warnings if one.effect is not Effect.INFORMATION))
     said = [f"misses {', '.join(missed)}"] if missed else []

@@ -14,7 +14,8 @@ from babbitt.standards.iso7902.supply import (
     HalfCircumferentialGroove,
     Holes,
     Pockets,
-    clamp,
+    fitted_width,
+    logarithm_width,
 )
 
 if TYPE_CHECKING:
@@ -25,8 +26,8 @@ _FILM_FACTOR = {
     Arrangement.SIDE: "pi / 48",
     Arrangement.BOTH_SIDES: "pi / 24",
 }
-_HOLE_CORRECTION = "1.204 + 0.368 * element_ratio - 1.046 * element_ratio**2 + 1.942 * element_ratio**3"
-_POCKET_CORRECTION = "1.188 + 1.582 * element_ratio - 2.585 * element_ratio**2 + 5.563 * element_ratio**3"
+_HOLE_CORRECTION = "1.204 + 0.368 * {s} - 1.046 * {s}**2 + 1.942 * {s}**3"
+_POCKET_CORRECTION = "1.188 + 1.582 * {s} - 2.585 * {s}**2 + 5.563 * {s}**3"
 _GROOVE_360 = "pi * (1 + 1.5 * eccentricity_ratio**2) / (24 * width_ratio * (1 - element_ratio))"
 _GROOVE_180 = (
     "(pi * (1 + 1.5 * eccentricity_ratio**2) + 6 * eccentricity_ratio + 4 / 3 * eccentricity_ratio**3)"
@@ -49,24 +50,22 @@ def flow_lines(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
 
 
 def _element(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
-    element, width = case.bearing.supply_element, case.bearing.width
+    element = case.bearing.supply_element
     match element:
         case Holes():
             sheet.note(hole_diameter=element.diameter, hole_number=element.number)
-            yield from _ratio(sheet, "hole_diameter", element.diameter / width)
-            yield sheet.line("hole_correction", _HOLE_CORRECTION)
-            share = f"{_FILM_FACTOR[element.arrangement]} / (ln(1 / element_ratio) * hole_correction)"
+            yield from _correction(sheet, "hole", "hole_diameter", _HOLE_CORRECTION)
+            share = f"{_FILM_FACTOR[element.arrangement]} / (ln(1 / {_logarithm(sheet)}) * hole_correction)"
             several = element.number != 1.0
             yield sheet.line(
                 "supply_flow_number", f"hole_number * ({share})" if several else share, _place(element.arrangement)
             )
         case Pockets():
             sheet.note(pocket_width=element.width)
-            yield from _ratio(sheet, "pocket_width", element.width / width)
-            yield sheet.line("pocket_correction", _POCKET_CORRECTION)
+            yield from _correction(sheet, "pocket", "pocket_width", _POCKET_CORRECTION)
             yield sheet.line(
                 "supply_flow_number",
-                f"{_FILM_FACTOR[element.arrangement]} / (ln(1 / element_ratio) * pocket_correction)",
+                f"{_FILM_FACTOR[element.arrangement]} / (ln(1 / {_logarithm(sheet)}) * pocket_correction)",
                 _place(element.arrangement),
             )
         case CircumferentialGroove() | HalfCircumferentialGroove():
@@ -79,12 +78,22 @@ def _element(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
             yield sheet.read("supply_flow_number", "eccentricity_ratio")
 
 
-def _ratio(sheet: Worksheet, name: str, ratio: float) -> Iterator[Line]:
-    used = clamp(ratio)
-    if used == ratio:
-        yield sheet.line("element_ratio", f"{name} / width")
-    else:
-        yield sheet.given("element_ratio", f"{ratio:.3f} lies outside the range of the fit", value=used)
+def _correction(sheet: Worksheet, kind: str, size: str, expression: str) -> Iterator[Line]:
+    """Relative width of the element, and the correction at that width or at the nearest within its range."""
+    yield sheet.line("element_ratio", f"{size} / width")
+    ratio = sheet["element_ratio"]
+    if fitted_width(ratio) == ratio:
+        yield sheet.line(f"{kind}_correction", expression.format(s="element_ratio"))
+        return
+    outside = f"{ratio:.3f} lies outside the range of the correction"
+    yield sheet.given("fitted_element_ratio", outside, value=fitted_width(ratio))
+    yield sheet.line(f"{kind}_correction", expression.format(s="fitted_element_ratio"))
+
+
+def _logarithm(sheet: Worksheet) -> str:
+    """The relative width in the logarithm, as a name or, where it is limited, as a number."""
+    ratio = sheet["element_ratio"]
+    return "element_ratio" if logarithm_width(ratio) == ratio else f"{logarithm_width(ratio):g}"
 
 
 def _place(arrangement: Arrangement) -> str:

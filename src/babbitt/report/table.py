@@ -19,7 +19,7 @@ from babbitt.report.names import counted_results
 from babbitt.report.text import plain_text
 from babbitt.report.thrust_words import answers
 from babbitt.report.totals import totals
-from babbitt.results import Result, Verdict
+from babbitt.results import Result
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult

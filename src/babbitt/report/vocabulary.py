@@ -79,6 +79,7 @@ VOCABULARY: dict[str, Quantity] = QUANTITIES | {
         local("groove_surface", "S_2", "m2", "Surface of the grooves", 6),
         local("face_friction_power", "P_face", "W", "Friction power of recess and face gap", 6),
         local("element_ratio", "s", "1", "Relative width of the supply element"),
+        local("fitted_element_ratio", "s_q", "1", "Relative width at which the correction is taken"),
         local("hole_correction", "q_H", "1", "Correction for a hole"),
         local("pocket_correction", "q_P", "1", "Correction for a pocket"),
         local("hole_number", "n_H", "1", "Equal holes at each place"),

@@ -42,14 +42,14 @@ def _about_the_motion(answer: LineAnswer) -> Iterator[Notice]:
                 )
     moved = answer.nonlinear
     if moved is not None:
-        unloaded, closest = 1 + int(moved.lifted.argmax()), 1 + int(moved.thinnest.argmin())
+        unloaded, closest = 1 + int(moved.lifted.argmax()), 1 + int(moved.thinnest.min(axis=0).argmin())
         for happens, said in (
             (
                 moved.lifts_off,
                 f"pad {unloaded} carries nothing during {moved.lifted.max():.0%} of the revolution at most; from "
                 f"one revolution to the next loads differ by {moved.steady:.1%} of the largest dynamic one",
             ),
-            (moved.touches, f"a corner of pad {closest} comes as close as {moved.thinnest.min() * 1e6:.2f} µm"),
+            (moved.touches, f"pad {closest} comes as close as {moved.thinnest.min() * 1e6:.2f} µm"),
             (moved.outside, "tilts leave the tabulated films"),
         ):
             if happens:

@@ -7,11 +7,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.shaft_line.forced import Forced, Part, crests
+from babbitt.thrust.gap import gap_samples, minimum_gap
 from babbitt.thrust.sharing import Share
 from babbitt.thrust.state import tilt_answer, wobble_answer
 
@@ -75,45 +77,52 @@ class FilmCheck:
 
     Attributes
     ----------
-    thinnest : ndarray, shape (z,)
-        Least film of each pad over a revolution, m.
+    share : Share
+    forced : Forced
     thinnest_bound : ndarray, shape (z,)
-        The same for any phases, m.
+        Least film of each pad for any phases, m.
     relative : ndarray, shape (z,)
         Sum of the film amplitudes at the pivot over the static film: above 0.2 the linear film is off by more
         than 5 %.
-    histories : ndarray, shape (z, angles)
-        Thinnest film over the points of each pad, m; empty where harmonics do not repeat together.
     """
 
-    thinnest: Array
+    share: Share
+    forced: Forced
     thinnest_bound: Array
     relative: Array
-    histories: Array
 
     @property
     def linear(self) -> bool:
         """Whether the linear film holds."""
         return bool(self.relative.max() <= LINEAR_UP_TO)
 
+    @property
+    def thinnest(self) -> Array:
+        """Least film of each pad over a revolution, m, shape (z,); the bound where it does not repeat."""
+        return self.histories.min(axis=1) if self.forced.commensurate else self.thinnest_bound
+
+    @cached_property
+    def histories(self) -> Array:
+        """Thinnest film over each pad at the angles of the shaft, m; empty where harmonics do not repeat."""
+        if not self.forced.commensurate:
+            return np.zeros((len(self.share.states), 0))
+        moving = [gap_motions(self.share, part) for part in self.forced.parts]
+        return np.array(
+            [
+                minimum_gap(state.pad, state.motion + self.forced.history([move[pad] for move in moving]).T)
+                for pad, state in enumerate(self.share.states)
+            ]
+        )
+
 
 def film_check(share: Share, forced: Forced) -> FilmCheck:
-    """Films at the corners of all pads (at a grid, of pads with a face), static plus dynamic."""
-    bearing = share.bearing
-    basis = bearing.pad.watched()[0]
-    statics = np.array([state.watched_films() for state in share.states])
+    """Films over the edges and the face of all pads, static plus dynamic."""
+    basis, face = gap_samples(share.bearing.pad)
+    statics = np.array([state.motion for state in share.states]) @ basis.T + face
     moving = [gap_motions(share, part) @ basis.T for part in forced.parts]
     relative = np.asarray(sum(np.abs(part.response.gaps) for part in forced.parts)) / share.heights
     bound = statics - np.asarray(sum(np.abs(move) for move in moving))
-    if not forced.commensurate:
-        return FilmCheck(bound.min(axis=1), bound.min(axis=1), relative, np.zeros((bearing.number, 0)))
-    histories = np.array(
-        [
-            (forced.history([move[pad] for move in moving]) + statics[pad][:, None]).min(axis=0)
-            for pad in range(bearing.number)
-        ]
-    )
-    return FilmCheck(histories.min(axis=1), bound.min(axis=1), relative, histories)
+    return FilmCheck(share, forced, bound.min(axis=1), relative)
 
 
 def gap_motions(share: Share, part: Part) -> ComplexArray:

@@ -13,6 +13,7 @@ from babbitt.shaft_line.excitation import WITHOUT_WOBBLE, WOBBLE_LEFT_OUT
 from babbitt.shaft_line.model import LineState
 from babbitt.shaft_line.motion import Motion
 from babbitt.thrust.film_table import film_table
+from babbitt.thrust.gap import minimum_gap
 from babbitt.thrust.state import CONTACT, tilt_answer
 
 __all__ = ["Transient", "transient"]
@@ -36,7 +37,7 @@ class Transient:
     films : ndarray, shape (n, z)
         At the pivots, m.
     thinnest : ndarray, shape (n, z)
-        At the corners, m.
+        Thinnest film of each pad, m.
     static_loads, static_films : ndarray, shape (z,)
     outside : bool
         Whether a pad tilted beyond the tabulated films.
@@ -86,7 +87,7 @@ class Transient:
 
     @property
     def touches(self) -> bool:
-        """Whether a corner comes as close as surfaces are rough."""
+        """Whether a place of a pad comes as close as surfaces are rough."""
         return bool(self.thinnest.min() <= CONTACT)
 
 
@@ -128,13 +129,12 @@ def transient(state: LineState, amplitude: float = 1.0, revolutions: int = 2) ->
         max_step=turn / 60.0,
     )
     loads, films, thinnest = [], [], []
-    corners = state.duty.bearing.pad.corners()
     for time, y in zip(solved.t, solved.y.T, strict=True):
         gaps, _, load, _ = motion.pads(time, y)
         slopes = motion.split(y)[4]
         loads.append(load)
         films.append(gaps)
-        thinnest.append((corners @ np.column_stack([gaps, slopes]).T).min(axis=0))
+        thinnest.append(minimum_gap(state.duty.bearing.pad, np.column_stack([gaps, slopes])))
     array = np.array(loads)
     moved = np.abs(array - state.share.loads).max()
     return Transient(

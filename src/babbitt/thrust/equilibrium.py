@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.notices import InputError
+from babbitt.thrust.gap import minimum_gap
 from babbitt.thrust.pad import DEGREE, ThrustPad
 from babbitt.thrust.peak import peak_pressure
 from babbitt.thrust.standing import LEVEL, Lean
@@ -31,12 +32,11 @@ Array = NDArray[np.float64]
 MOMENT_TOLERANCE = 1e-10
 """Of the moments over load times width of the pad."""
 MOST_STEPS = 25
-LEAST_GAP = 0.05
-"""Newton steps stop short of films thinner than this share of the height at the pivot."""
+LEAST_GAP = 0.01
+"""Newton steps stop short of films thinner than this share of the height at the pivot; far-off pivots balance on a
+few hundredths of it."""
 PARTS = (1.0, 0.6, 0.35, 0.2)
 """Of the slope of a level pad, from which that of a leaning one is sought."""
-LEANING_GAP = 0.01
-"""The same of pads that lean, whose balance may leave little at a corner."""
 STUCK = 1e-3
 """Share of Newton's step, halved before the runner, at which it leads nowhere."""
 FIRST_RISE = 0.35
@@ -97,7 +97,7 @@ def pad_state(
         stiffness = to_film.T @ film.stiffness @ to_film
         step = np.zeros(3)
         step[free] = np.linalg.solve(stiffness[np.ix_(free, free)], forces[free])
-        wanted, step = step, _within_reach(pad, motion, step, LEANING_GAP if any(lean) else LEAST_GAP)
+        wanted, step = step, _within_reach(pad, motion, step, LEAST_GAP)
         if np.abs(step).max() < STUCK * np.abs(wanted).max():
             break  # balance lies beyond the runner
         motion = motion + step
@@ -183,14 +183,13 @@ def first_motion(pad: ThrustPad, height: float, slopes: tuple[float, float], lea
     UnbalancedPadError
         If the pad leans into the runner.
     """
-    basis, face = pad.watched()
     free = np.array([False, *(tilt in pad.free_tilts for tilt in (1, 2))])
     motion = np.where(free, [height, *slopes], [height, *lean])
     for _ in range(MOST_STEPS):
-        if (basis @ motion + face).min() > (LEAST_GAP * height if free.any() else 0.0):
+        if minimum_gap(pad, motion) > (LEAST_GAP * height if free.any() else 0.0):
             return motion
         motion = np.where(free, 0.5 * motion, motion)
-    if (basis @ motion + face).min() > 0.0:
+    if minimum_gap(pad, motion) > 0.0:
         return motion
     raise UnbalancedPadError("E202", f"at a film of {height * 1e6:.2f} µm the pad leans into the collar.")
 
@@ -206,9 +205,8 @@ def _within_reach(pad: ThrustPad, motion: Array, step: Array, share: float) -> A
 
     The face counts: a crowned pad may lean until its plane would cut the runner at a corner.
     """
-    basis, face = pad.watched()
     for _ in range(MOST_STEPS):
-        if (basis @ (motion + step) + face).min() > share * motion[0]:
+        if minimum_gap(pad, motion + step) > share * motion[0]:
             return step
         step = 0.5 * step
     return step
@@ -219,8 +217,6 @@ def state_of_film(
 ) -> PadState:
     """The state of a film in the frame of the pivot."""
     to_film = pad.from_pivot()
-    basis, face = pad.watched()
-    thinnest = float((basis @ motion + face).min())
     _, along_radius, along_motion = (float(force) for force in to_film.T @ film.forces)
     return PadState(
         pad=pad,
@@ -235,7 +231,7 @@ def state_of_film(
         moments=(along_radius, along_motion),
         stiffness=to_film.T @ film.stiffness @ to_film,
         damping=to_film.T @ film.damping @ to_film,
-        minimum_film_thickness=thinnest,
+        minimum_film_thickness=float(minimum_gap(pad, motion)),
         maximum_pressure=peak_pressure(film),
         leading_flow=film.leading_flow,
         trailing_flow=film.trailing_flow,

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from babbitt.notices import InputError
 from babbitt.thrust.balanced_films import BalancedFilms
 from babbitt.thrust.carrying import Carrying, SimilarFilms
+from babbitt.thrust.gap import minimum_gap
 from babbitt.thrust.pad import DEGREE, ThrustPad
 
 __all__ = ["FilmTable", "film_table"]
@@ -21,8 +22,8 @@ __all__ = ["FilmTable", "film_table"]
 Array = NDArray[np.float64]
 
 GRID = 27
-LEAST_CORNER = 0.06
-"""Thinnest corner over the height at the pivot that the table covers."""
+LEAST_GAP = 0.06
+"""Thinnest film over the height at the pivot that the table covers."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,12 +117,11 @@ def film_table(films: Carrying) -> FilmTable:
 
 
 def _range(pad: ThrustPad, middle: Array, length: float) -> tuple[Array, Array]:
-    """Tilts about the equilibrium, drawn in until no corner comes too close."""
-    corners = pad.corners()
+    """Tilts about the equilibrium, drawn in until no place of the pad comes too close."""
     for factor in np.linspace(1.0, 0.05, 40):
         low = middle + factor * np.array([-0.6, 1.4 * middle[1]])
         high = middle + factor * np.array([0.6, -1.4 * middle[1]])
         ends = [np.array([1.0, sx / length, sy / length]) for sx in (low[0], high[0]) for sy in (low[1], high[1])]
-        if min(float((corners @ end).min()) for end in ends) >= LEAST_CORNER:
+        if float(minimum_gap(pad, np.array(ends)).min()) >= LEAST_GAP:
             break
     return low, high

@@ -21,6 +21,7 @@ from babbitt.thrust.failures import (
     ThermalRunawayError,
     UnsettledPadError,
 )
+from babbitt.thrust.gap import minimum_gap
 from babbitt.thrust.pad import ThrustPad
 from babbitt.thrust.standing import Lean, Standing
 from babbitt.thrust.state import PadState, condensed
@@ -157,7 +158,7 @@ def states_at(
             try:
                 found[key] = films.state(float(height), lean, near[place] if near else None)
             except (InputError, ThermalRunawayError, UnsettledPadError):
-                # no balance, a place between the watched ones touches, or a thin film runs too hot
+                # no balance, a place between the samples touches, or a thin film runs too hot
                 if not any(lean):
                     raise
                 raise LeaningPadError(1 + place) from None
@@ -167,8 +168,7 @@ def states_at(
 
 def _nearest(pad: ThrustPad, standing: Standing) -> Array:
     """Heights at which the faces touch the collar, free tilts at zero, m, shape (z,)."""
-    basis, face = pad.watched()
-    return np.asarray(-(standing.leans @ basis[:, 1:].T + face).min(axis=1))
+    return -minimum_gap(pad, np.column_stack([np.zeros(len(standing.leans)), standing.leans]))
 
 
 def _laws(heights: Array, states: tuple[PadState, ...], before: PowerLaws | None) -> PowerLaws:

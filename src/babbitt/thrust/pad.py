@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from enum import Enum
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,8 +21,6 @@ USUAL_INTERVALS = 64
 """Intervals along a pad: the load is within 0.1 % of the limit of a fine grid (`tests/thrust`)."""
 DEGREE = 8
 """Of the polynomials across it."""
-WATCHED = 33
-"""Points along a pad with a face at which its film is watched, and across it at most."""
 
 
 class Pivot(Enum):
@@ -142,42 +139,8 @@ class ThrustPad:
                 rows.append((1.0, radius * math.cos(angle) - self.pivot_radius, radius * math.sin(angle)))
         return np.array(rows)
 
-    def watched(self) -> tuple[Array, Array]:
-        """Where the film is watched: (1, X, Y) of points, (n, 3), and the departure of the face there, m, (n,).
-
-        The corners of a plane pad on a point; of other plane pads, which may lean along the radius, both arcs; a
-        grid with the edge of the face and the radius of the pivot over any other.
-        """
-        return _watched(self)
-
     def mirrored(self) -> ThrustPad:
         """The same pad for the other sense of rotation: leading and trailing edge change places."""
         from dataclasses import replace
 
         return replace(self, pivot_fraction=1.0 - self.pivot_fraction, face=self.face.mirrored())
-
-
-@lru_cache(maxsize=32)
-def _watched(pad: ThrustPad) -> tuple[Array, Array]:
-    """`ThrustPad.watched`: asked for with every film, and the same for all of a pad; not to be written to."""
-    if isinstance(pad.face, PlaneFace) and pad.crown == 0.0:
-        if pad.pivot is Pivot.POINT:
-            return pad.corners(), np.zeros(4)
-        rows = np.zeros((WATCHED, 2))
-    else:
-        rows = np.array(pad.form())
-    last = rows.shape[0] - 1
-    kinks = [round(getattr(pad.face, "fraction", 0.0) * last), round(pad.pivot_fraction * last)]
-    along = np.unique([*np.linspace(0, last, WATCHED).round().astype(int), *kinks, min(kinks[0] + 1, last)])
-    across = np.linspace(0, rows.shape[1] - 1, min(WATCHED, rows.shape[1])).round().astype(int)
-    angle = along[:, None] / last * pad.extent - pad.pivot_angle
-    radius = pad.inner_radius + across[None, :] / (rows.shape[1] - 1) * (pad.outer_radius - pad.inner_radius)
-    basis = np.stack(
-        [
-            np.ones(np.broadcast(angle, radius).shape),
-            radius * np.cos(angle) - pad.pivot_radius,
-            radius * np.sin(angle),
-        ],
-        axis=-1,
-    )
-    return basis.reshape(-1, 3), rows[np.ix_(along, across)].ravel()

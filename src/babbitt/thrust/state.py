@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 ComplexArray = NDArray[np.complex128]
 
 CONTACT = 1e-6
-"""Film at a corner that counts as contact, m: surfaces of a good finish touch there."""
+"""Film that counts as contact, m: surfaces of a good finish touch there."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ class PadState:
     stiffness, damping : ndarray, shape (3, 3)
         Forces on the motions change by -(K a + C a').
     minimum_film_thickness : float
-        m; of a plane pad that of its corners.
+        Over all edges and the face, m.
     maximum_pressure : float
         Pa.
     leading_flow, trailing_flow, inner_flow, outer_flow : float
@@ -126,10 +126,10 @@ class PadState:
         """Out over the inner and outer edge, m3/s."""
         return self.inner_flow + self.outer_flow
 
-    def watched_films(self) -> Array:
-        """Film at the points of `ThrustPad.watched`, m."""
-        basis, face = self.pad.watched()
-        return np.asarray(basis @ np.array([self.height, self.slope_x, self.slope_y]) + face)
+    @property
+    def motion(self) -> Array:
+        """(h_p, alpha_x, alpha_y), m and 1."""
+        return np.array([self.height, self.slope_x, self.slope_y])
 
     def pressure(self) -> Array:
         """Pressure on the nodes of ``film``, Pa."""

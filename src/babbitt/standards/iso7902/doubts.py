@@ -10,7 +10,14 @@ from babbitt.results import Check
 from babbitt.standards.iso7902.film import Film
 from babbitt.standards.iso7902.model import Curves, DesignCase
 from babbitt.standards.iso7902.screening import Transition
-from babbitt.standards.iso7902.supply import FIT_RANGE, CircumferentialGroove, Holes, Pockets
+from babbitt.standards.iso7902.supply import (
+    FIT_RANGE,
+    LOGARITHM_UP_TO,
+    CircumferentialGroove,
+    Holes,
+    Pockets,
+    fitted_width,
+)
 
 STANDARD_WIDTH_RATIOS = (0.125, 1.0)
 """Range of B/D in the tables of the standard."""
@@ -54,11 +61,13 @@ def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:
     if isinstance(element, Holes | Pockets):
         s = element.relative_width(case.bearing.width)
         if not FIT_RANGE[0] - 1e-9 <= s <= FIT_RANGE[1] + 1e-9:
-            bound = FIT_RANGE[0] if s < FIT_RANGE[0] else FIT_RANGE[1]
+            taken = f"the correction of {fitted_width(s):g} was used"
+            if s > LOGARITHM_UP_TO:
+                taken += f", and {LOGARITHM_UP_TO:g} in ln(1/s)"
             yield Notice(
                 "W103",
                 f"relative width {s:.3f} of the supply element lies outside {FIT_RANGE[0]:g} to {FIT_RANGE[1]:g}; "
-                f"{bound:g} was used",
+                f"{taken}",
             )
     if isinstance(element, CircumferentialGroove):
         yield Notice("W106", "the load number was formed with the whole width; the groove leaves two lands")

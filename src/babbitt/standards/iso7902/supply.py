@@ -1,19 +1,24 @@
 """Supply elements and the oil flow that the supply pressure drives through the film.
 
 The supply-flow number is ``Qp* = Qp η/(D³ ψ³ p_en)``. Holes and pockets follow the fits in general use with
-ISO 7902 (``q_H``, ``q_P``), valid for a relative width 0.05 to 0.7; both groove formulas are exact integrals of
-the cube of the film thickness over the groove.
+ISO 7902 (``q_H``, ``q_P``), valid for a relative width 0.05 to 0.7; beyond, a published gearbox study (2023) keeps
+the correction of the nearest bound and the true width in the logarithm. Both groove formulas are exact integrals
+of the cube of the film thickness over the groove.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 from typing import Protocol
 
 FIT_RANGE = (0.05, 0.7)
 """Range of relative width in which the fits ``q_H`` and ``q_P`` are defined."""
+
+LOGARITHM_UP_TO = 0.9
+"""Relative width up to which ``ln(1/s)`` takes the true one (assumption): at 1 the flow would be infinite."""
 
 
 class Arrangement(Enum):
@@ -46,13 +51,22 @@ class SupplyElement(Protocol):
         ...
 
 
-def clamp(relative_width: float) -> float:
-    """Bring a relative width into the range of the fits.
+def fitted_width(relative_width: float) -> float:
+    """Relative width at which ``q_H`` and ``q_P`` are taken: the nearest within their range.
 
-    >>> clamp(0.73), clamp(0.01), clamp(0.3)
+    >>> fitted_width(0.73), fitted_width(0.01), fitted_width(0.3)
     (0.7, 0.05, 0.3)
     """
     return min(max(relative_width, FIT_RANGE[0]), FIT_RANGE[1])
+
+
+def logarithm_width(relative_width: float) -> float:
+    """Relative width in ``ln(1/s)``: the true one, as far as an element leaves lands beside it.
+
+    >>> logarithm_width(0.82), logarithm_width(0.01), logarithm_width(0.95)
+    (0.82, 0.01, 0.9)
+    """
+    return min(relative_width, LOGARITHM_UP_TO)
 
 
 def hole_fit(s: float) -> float:
@@ -91,8 +105,8 @@ def equivalent_holes(length: float, width: float) -> tuple[float, float]:
     return diameter, perimeter / (math.pi * diameter)
 
 
-def _local_flow(fit: float, s: float) -> float:
-    return math.pi / 48.0 / (math.log(1.0 / s) * fit)
+def _local_flow(fit: Callable[[float], float], s: float) -> float:
+    return math.pi / 48.0 / (math.log(1.0 / logarithm_width(s)) * fit(fitted_width(s)))
 
 
 @dataclass(frozen=True)
@@ -109,8 +123,8 @@ class Holes:
 
     def supply_flow_number(self, eccentricity_ratio: float, bearing_width: float, width_ratio: float) -> float:
         """Supply-flow number Qp*."""
-        s = clamp(self.relative_width(bearing_width))
-        return self.number * self.arrangement.film_factor(eccentricity_ratio) * _local_flow(hole_fit(s), s)
+        s = self.relative_width(bearing_width)
+        return self.number * self.arrangement.film_factor(eccentricity_ratio) * _local_flow(hole_fit, s)
 
 
 @dataclass(frozen=True)
@@ -126,8 +140,8 @@ class Pockets:
 
     def supply_flow_number(self, eccentricity_ratio: float, bearing_width: float, width_ratio: float) -> float:
         """Supply-flow number Qp*."""
-        s = clamp(self.relative_width(bearing_width))
-        return self.arrangement.film_factor(eccentricity_ratio) * _local_flow(pocket_fit(s), s)
+        s = self.relative_width(bearing_width)
+        return self.arrangement.film_factor(eccentricity_ratio) * _local_flow(pocket_fit, s)
 
 
 @dataclass(frozen=True)

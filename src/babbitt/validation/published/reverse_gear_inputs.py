@@ -6,9 +6,11 @@ statement that says so; nothing of it stands anywhere else.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from babbitt.lubricants import lubricant
+from babbitt.shafts.overhung_coupling import MeshForce, OverhungCoupling, bearing_loads
 from babbitt.standards.iso7902.model import Bearing, DesignCase, Friction, GivenLoad, OilSupply
 from babbitt.standards.iso7902.supply import Arrangement, HalfCircumferentialGroove, Pockets, SupplyElement
 from babbitt.units import ZERO_CELSIUS
@@ -35,10 +37,28 @@ def inferred_bearing(name: str) -> dict[str, Any]:
     return found
 
 
-def specific_load(name: str) -> float:
-    """Published load per area in Pa."""
-    rows = published()["tables_4_and_5"]["rows"]
-    return 1e6 * float(next(row["specific_load_MPa"] for row in rows if row["name"] == name))
+def load(name: str) -> float:
+    """Load in N: published load per area times inferred area; of the output wheel that of its shaft, Table 3."""
+    if name == "Output wheel":
+        return bearing_loads(output_wheel_shaft(MeshForce.DOWNWARD)).reaction_2
+    bearing, rows = inferred_bearing(name), published()["tables_4_and_5"]["rows"]
+    pressure: float = next(row["specific_load_MPa"] for row in rows if row["name"] == name)
+    return pressure * float(bearing["diameter_mm"]) ** 2 * float(bearing["width_ratio"])
+
+
+def output_wheel_shaft(direction: MeshForce) -> OverhungCoupling:
+    """The shaft of the output wheel as Table 3 gives it."""
+    table = published()["table_3"]
+    return OverhungCoupling(
+        mesh_force=1e3 * table["mesh_force_kN"],
+        mesh_angle=math.radians(table["mesh_angle_deg"]),
+        mesh_direction=direction,
+        bearing_distance=1e-3 * table["bearing_distance_mm"],
+        gear_mass=1e3 * table["gear_mass_t"],
+        coupling_mass=1e3 * table["coupling_mass_t"],
+        flange_distance=1e-3 * table["flange_distance_mm"],
+        coupling_length=1e-3 * table["coupling_length_mm"],
+    )
 
 
 def design_case(
@@ -75,7 +95,7 @@ def design_case(
             expansion_journal=_JOURNAL_STEEL,
             supply_element=_supply_element(bearing, width),
         ),
-        duty=GivenLoad(specific_load(name) * width * diameter),
+        duty=GivenLoad(load(name)),
         journal_speed=2.0 * bearing["surface_speed_m_s"] / diameter,
         lubricant=lubricant(common["lubricant"]),
         oil_supply=OilSupply(common["inlet_temperature_C"] + ZERO_CELSIUS, 1e6 * common["element_pressure_MPa"]),
