@@ -25,7 +25,7 @@ MATRIX = "angle [deg],loaded [deg],compliance [um/MPa]"
 def test_every_kind_is_read():
     given = [
         {"kind": "column", "thickness": "2 mm", "elastic_modulus": "50 GPa", "poisson_ratio": 0.35},
-        {"kind": "column", "displacement_per_pressure": 5e-13},
+        {"kind": "column", "displacement_per_pressure": "0.5 um/MPa"},
         RING | {"support": "clamped"},
         {"kind": "half_space", "elastic_modulus": "110 GPa"},
     ]

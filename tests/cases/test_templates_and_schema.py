@@ -62,7 +62,7 @@ def test_alternatives_in_the_comments_of_a_template_can_be_used():
 
 def test_a_speed_of_either_sense_suits_the_schema():
     given = yaml.safe_load(template("journal"))
-    for speed, suits in (("-2000 rpm", True), (209.4, True), (-209.4, True), (0.0, False), (-1e9, False)):
+    for speed, suits in (("-2000 rpm", True), ("209.4 rad/s", True), (209.4, False), (0.0, False)):
         assert VALIDATOR.is_valid(given | {"speed": speed}) is suits
 
 

@@ -468,12 +468,3 @@ def test_oil_that_a_recess_pushes_back_is_not_pumped_again(method):
     result = hydrostatic_check(case(duty=Duty(30e3, -0.5 * math.pi, angular_speed=SPEED), method=method))
     assert min(result.arrays["restrictor_flow"][0]) < 0.0
     assert result.pumping_power == pytest.approx(5e6 * result.total_flow, rel=1e-12)
-
-
-def test_a_bare_weight_on_jacking_pockets_is_doubted():
-    text = template("jacking_pocket")
-    assert [one.doubts for one in parse_case(text).designs()] == [()]
-    bare = "\n".join("load: 20" if line.startswith("load:") else line for line in text.splitlines())
-    (made,) = parse_case(bare).designs()
-    assert "W117" in codes(jacking_check(made))
-    assert made.load == 20.0

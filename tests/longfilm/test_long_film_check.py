@@ -207,7 +207,7 @@ accuracy: reference
         ("segments: {groove: {kind: none}}", "does not read it"),
         ("effective_temperature: 60 degC", "finds its temperatures itself"),
         ("bearing_speed: 10 rpm", "no turning bearing"),
-        ("misalignment: {x: 1e-5, y: 0}", "misaligned"),
+        ("misalignment: {x: 0.01 mrad, y: 0}", "misaligned"),
         ("grooves: [{angle: 90 deg, extent: 20 deg}]", "knows no grooves"),
         ("friction: {factor: 1.2}", "no factor on friction"),
         ("heat_exchange: {shaft_conductance: 1 W/K}", "not given"),

@@ -55,7 +55,7 @@ def bearing(name):
         ),
         "pinion": lambda: design_cases(load_case(GEAR))[2],
         "tilted": lambda: film_bearings.film(
-            grooves=None, pockets=POCKETS, misalignment={"x": "1e-4", "y": "2e-4"}
+            grooves=None, pockets=POCKETS, misalignment={"x": "0.1 mrad", "y": "0.2 mrad"}
         ),
     }[name]()
     result = film_check(case)

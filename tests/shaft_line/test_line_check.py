@@ -195,36 +195,6 @@ def test_own_temperatures_reach_the_line():
     assert len(found.arrays["pad_maximum_temperature"][0]) == 8
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "said"),
-    [
-        (
-            "viscosity: 45 mPa s",
-            "viscosity: 45",
-            "oil.viscosity: 45 without unit was read as 45 Pa s; write '45 mPa s'",
-        ),
-        ("mass: 14 t", "mass: 14", "propeller.mass: 14 without unit was read as 14 kg; write '14 t'"),
-        ("collar_mass: 8 t", "collar_mass: 8", "collar_mass: 8 without unit was read as 8 kg; write '8 t'"),
-        (
-            "damping: 80 kN s/m",
-            "damping: 80",
-            "propeller.damping: 80 without unit was read as 80 N s/m; write '80 kN",
-        ),
-        (
-            "inertia_radial: 0.06 kg m2",
-            "inertia_radial: 600",
-            "pads.inertia_radial: 600 without unit was read as 600 kg m2; write '600 kg cm2'",
-        ),
-    ],
-)
-def test_numbers_without_unit_that_no_drawing_gives_in_si_are_doubted(old, new, said):
-    case = parse_case(BASE.replace(old, new))
-    [doubt] = [one for one in case.line_design().doubts if one.code == "W117"]
-    assert doubt.message.startswith(said)
-    assert parse_case(BASE.replace(old, f"{new} {said.split(' read as ')[1].split(';')[0].split(' ', 1)[1]}"))
-    assert not parse_case(BASE).line_design().doubts
-
-
 def test_a_barred_range_that_the_map_cuts_is_told_to_go_on():
     """Blade frequency meets the first natural one, 27.2 Hz, at 409 rpm: barred from 327 to 490 rpm."""
     slow = (

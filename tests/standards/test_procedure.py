@@ -33,7 +33,7 @@ from babbitt.standards.iso7902.model import (
     OilSupply,
     Surfaces,
 )
-from babbitt.standards.iso7902.procedure import check
+from babbitt.standards.iso7902.procedure import check, check_at_temperature
 from babbitt.standards.iso7902.supply import Arrangement, CircumferentialGroove, Holes
 
 
@@ -341,8 +341,6 @@ def test_doubts_carry_their_numbers():
     assert "W102" in codes(wide.warnings)
     closed = check(replace(CASE_A, curves=Curves.CLOSED_FORM))
     assert "W113" in codes(closed.warnings)
-    split = check(replace(CASE_A, bearing=replace(CASE_A.bearing, supply_element=CircumferentialGroove(0.005))))
-    assert "W106" in codes(split.warnings)
     turning = check(replace(CASE_A, bearing_speed=10.0))
     assert "W114" in codes(turning.warnings)
     light = check(replace(CASE_A, duty=GivenLoad(2e3)))
@@ -354,6 +352,36 @@ def test_doubts_carry_their_numbers():
     assert "W115" in codes(tiny.warnings)
     heavy = check(replace(CASE_A, duty=GivenLoad(120e3)))
     assert "W116" in codes(heavy.warnings)
+
+
+@pytest.mark.parametrize("span", [360, 120])
+def test_a_groove_around_the_circumference_leaves_two_half_bearings(span):
+    """Two bearings of (B - b_G)/2 side by side, each with half the load: everything but Q_p is theirs."""
+    groove = CircumferentialGroove(0.006)
+    whole = replace(CASE_A, bearing=replace(CASE_A.bearing, supply_element=groove, span=span))
+    half = replace(
+        whole,
+        bearing=replace(whole.bearing, width=0.027, supply_element=None),
+        duty=GivenLoad(18e3),
+    )
+    temperature = 335.0
+    both, one = check_at_temperature(whole, temperature), check_at_temperature(half, temperature)
+    for name in ("eccentricity_ratio", "minimum_film_thickness", "sommerfeld_number", "specific_load"):
+        assert both.values[name] == pytest.approx(one.values[name], rel=1e-12), name
+    for name in ("stability_relative_clearance", "maximum_pressure", "friction_coefficient", "side_flow_number"):
+        assert both.values[name] == pytest.approx(one.values[name], rel=1e-12), name
+    for name in ("load", "side_flow", "friction_power", "friction_torque"):
+        assert both.values[name] == pytest.approx(2.0 * one.values[name], rel=1e-12), name
+    assert both.specific_load == pytest.approx(36e3 / (0.054 * 0.120))
+    # the groove feeds both lands over the whole circumference at the eccentricity of the halves
+    gap = both.operating_relative_clearance * 0.120 / 2.0
+    lands = math.pi * 0.120 * gap**3 * 0.5e6 * (1.0 + 1.5 * both.eccentricity_ratio**2)
+    assert both.supply_flow == pytest.approx(2.0 * lands / (12.0 * both.effective_viscosity * 0.027), rel=1e-9)
+    assert both.half_bearing_width == pytest.approx(0.027)
+    assert both.settings["half_bearings"] == "2 of 27 mm"
+    balanced = check(whole)
+    assert abs(balanced.energy_balance_error) < 1e-8
+    assert balanced.minimum_film_thickness < check(replace(whole, bearing=CASE_A.bearing)).minimum_film_thickness
 
 
 def test_checks_name_value_limit_and_source():

@@ -84,12 +84,24 @@ def test_speeds_that_make_no_table(speeds):
 
 def test_speeds_are_read_with_their_units():
     assert_allclose(speeds_of("600 rpm:1200 rpm:3"), np.array([600.0, 900.0, 1200.0]) * RPM)
-    assert speeds_of("20, 10, 20") == (10.0, 20.0)
+    assert speeds_of("20 rad/s, 10 rad/s, 20 rad/s") == (10.0, 20.0)
 
 
 @pytest.mark.parametrize(
     "text",
-    ["", "fast", "0 rpm", "-100 rpm", "10:20", "20:10:3", "10:20:1", f"1:9:{MOST_SPEEDS + 1}", "1:9:2.5", "5 m"],
+    [
+        "",
+        "fast",
+        "0 rpm",
+        "-100 rpm",
+        "5",
+        "1 Hz:2 Hz",
+        "2 Hz:1 Hz:3",
+        "1 Hz:2 Hz:1",
+        f"1 Hz:9 Hz:{MOST_SPEEDS + 1}",
+        "1 Hz:9 Hz:2.5",
+        "5 m",
+    ],
 )
 def test_speeds_that_cannot_be_read(text):
     with pytest.raises(InputError, match="--speeds"):

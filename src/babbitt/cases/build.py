@@ -17,6 +17,7 @@ from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import JournalCase, Machine
 from babbitt.cases.one_dimension_cases import long_film_case, segment_case
 from babbitt.cases.part import Part
+from babbitt.cases.standard_rules import half_bearings_are_in_the_tables
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.standards.iso7902.model import DesignCase
 
@@ -93,7 +94,8 @@ def unknown_to_iso7902(bearing: JournalBearing) -> str:
         return "it finds the position of the journal itself"
     if any(bearing.span_at(point) is None for point in bearing.operating_points or (None,)):
         return "it needs the angular span of the loaded arc; give span, such as 'span: 180 deg'"
-    return ""
+    unfit = next(half_bearings_are_in_the_tables(bearing), None)
+    return unfit.says if unfit is not None else ""
 
 
 def film_cases(bearing: JournalBearing, case: Case, thermal: str | None = None) -> tuple[FilmCase, ...]:

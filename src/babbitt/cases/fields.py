@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 from pydantic import AfterValidator, Field
 
 from babbitt.standards.iso7902.span import TABULATED_SPANS
-from babbitt.units import QuantityError, read
+from babbitt.units import AS_WRITTEN, QuantityError, bare_number, read
 
 if TYPE_CHECKING:
-    from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler
+    from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler, ValidationInfo
     from pydantic.json_schema import JsonSchemaValue
     from pydantic_core import CoreSchema
 
@@ -62,26 +62,36 @@ class TabulatedSpan:
         """
         degrees = math.degrees(read(given, "rad"))
         for span in TABULATED_SPANS:
-            # A span may come as a bare number in radians, with as many digits as its writer cared for.
+            # A span may come in radians, with as many digits as its writer cared for.
             if math.isclose(degrees, span, rel_tol=1e-5):
                 return span
-        allowed = ", ".join(f"{span} deg" for span in TABULATED_SPANS)
-        if given in TABULATED_SPANS:
-            raise QuantityError(f"{given} without unit is {given} rad", allowed, f"write '{given} deg'")
-        raise QuantityError(f"{given!r} is not tabulated", allowed)
+        raise QuantityError(f"{given!r} is not tabulated", self.allowed)
+
+    @property
+    def allowed(self) -> str:
+        """The spans in words."""
+        return ", ".join(f"{span} deg" for span in TABULATED_SPANS)
+
+    def _validated(self, given: object, info: ValidationInfo) -> int:
+        bare = bare_number(given)
+        if bare is not None and (info.context is AS_WRITTEN or isinstance(given, str)):
+            hint = f"write '{bare:.12g} deg'" if bare in TABULATED_SPANS else ""
+            raise QuantityError(f"{bare:.12g} has no unit", self.allowed, hint)
+        return self(given)
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         """Read before pydantic's own check."""
         from pydantic_core import core_schema
 
-        return core_schema.no_info_before_validator_function(self, handler(source))
+        return core_schema.with_info_before_validator_function(self._validated, handler(source))
 
     def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
-        """Tell editors the spans; a number is in radians."""
+        """Tell editors the spans."""
         return {
-            "anyOf": [{"type": "string", "enum": [f"{span} deg" for span in TABULATED_SPANS]}, {"type": "number"}],
+            "type": "string",
+            "enum": [f"{span} deg" for span in TABULATED_SPANS],
             "x-unit": "rad",
-            "x-allowed": ", ".join(f"{span} deg" for span in TABULATED_SPANS),
+            "x-allowed": self.allowed,
         }
 
 

@@ -113,10 +113,10 @@ class SupplyHoleGiven(ClosablePart):
 class MisalignmentGiven(Part):
     """How the journal axis stands askew in the bore."""
 
-    x: Annotated[float, si("rad", "-0.05 rad", "0.05 rad")] = Field(
+    x: Annotated[float, si("rad", "-0.05 rad", "0.05 rad", "rad")] = Field(
         0.0, description="Slope dx/dz of the journal axis: towards x along the shaft."
     )
-    y: Annotated[float, si("rad", "-0.05 rad", "0.05 rad")] = Field(
+    y: Annotated[float, si("rad", "-0.05 rad", "0.05 rad", "rad")] = Field(
         0.0, description="Slope dy/dz of the journal axis: towards y along the shaft."
     )
 

@@ -8,9 +8,9 @@ from typing import ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.cases.bare_numbers import about_frequencies, about_load, about_speed
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose
+from babbitt.cases.grouped_digits import about_grouped_digits
 from babbitt.cases.part import Complaint, exactly_one, is_given, refused, rule
 from babbitt.cases.recess_parts import Frequency, Gap, HydrostaticOil, Load, RecessOil
 from babbitt.cases.restrictors import ConstantFlowGiven, HydrostaticSupply, RestrictorGiven
@@ -138,5 +138,5 @@ class HydrostaticFile(CaseFile):
             highest_supply_pressure=self.supply.highest_pressure,
             accuracy=self.accuracy,
             assumptions=tuple(assumptions),
-            doubts=(*about_speed(self, "speed"), *about_load(self), *about_frequencies(self)),
+            doubts=tuple(about_grouped_digits(self)),
         )

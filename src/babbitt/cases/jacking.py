@@ -8,9 +8,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from babbitt.cases.bare_numbers import about_load
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose
+from babbitt.cases.grouped_digits import about_grouped_digits
 from babbitt.cases.own_lubricant import DynamicViscosity
 from babbitt.cases.part import Complaint, is_given, refused, rule
 from babbitt.cases.recess_parts import Gap, Length, Load, RecessRow
@@ -87,5 +87,5 @@ class JackingPocketCase(CaseFile):
         return JackingCase(
             self.name, self.method, bearing, self.viscosity, self.load, self.lift_gap, self.pump_flow,
             self.relief_pressure, self.roughness, self.pump_efficiency, self.accuracy, self.own_restrictors,
-            assumptions=(*self.assumptions, *assumed), doubts=tuple(about_load(self)),
+            assumptions=(*self.assumptions, *assumed), doubts=tuple(about_grouped_digits(self)),
         )  # fmt: skip

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from babbitt.cases.cooling import Cooling
+from babbitt.cases.grouped_digits import about_grouped_digits
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import JournalCase, Machine
 from babbitt.cases.materials import Materials
@@ -14,6 +15,7 @@ from babbitt.cases.supply import Supply
 from babbitt.design.conditions import Duty, GivenEccentricity, GivenLoad, GivenPosition, HousingCooling, OilSupply
 from babbitt.design.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coefficient
 from babbitt.lubricants import Lubricant
+from babbitt.notices import Notice
 
 
 @dataclass(frozen=True)
@@ -27,6 +29,7 @@ class Inputs:
     materials: Materials
     width: float
     shared_assumptions: tuple[str, ...]
+    shared_doubts: tuple[Notice, ...]
 
 
 @dataclass(frozen=True)
@@ -58,7 +61,23 @@ def inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> Inputs:
         merged(bearing.materials, shared.materials) or Materials(),
         width,
         shared.assumptions if isinstance(shared, Machine) else (),
+        tuple(about_grouped_digits(shared.model_copy(update={"bearings": ()})))
+        if isinstance(shared, Machine)
+        else (),
     )
+
+
+def expansions(inputs: Inputs) -> tuple[float, float]:
+    """Thermal expansion of bearing and journal, 1/K; alike where no material is given.
+
+    At a prescribed temperature, where the clearance is then taken as it is.
+    """
+    bearing, journal = inputs.materials.bearing, inputs.materials.journal
+    if bearing is None and journal is None and inputs.bearing.effective_temperature is not None:
+        return 0.0, 0.0
+    if bearing is None or journal is None:
+        raise ValueError("a case that was not validated: the bearing has no materials")
+    return bearing.expansion(), journal.expansion()
 
 
 def duty(inputs: Inputs, point: OperatingPoint | None) -> Duty:
@@ -86,8 +105,12 @@ def journal_speed(bearing: JournalBearing, point: OperatingPoint | None) -> floa
     return 2.0 * given.surface_speed / bearing.diameter
 
 
-def oil_supply(supply: Supply | None, point: OperatingPoint | None) -> OilSupply | None:
-    """Oil supply with what the operating point changes; None where no oil is fed."""
+def oil_supply(inputs: Inputs, point: OperatingPoint | None) -> OilSupply | None:
+    """Oil supply with what the operating point changes; None where no oil is fed.
+
+    Where every groove, pocket and hole has a pressure or flow of its own, that of the supply counts as zero.
+    """
+    supply = inputs.supply
     if supply is None:
         return None
     temperature, pressure, flow = supply.temperature, supply.pressure, supply.flow
@@ -95,7 +118,7 @@ def oil_supply(supply: Supply | None, point: OperatingPoint | None) -> OilSupply
         temperature = point.supply_temperature or temperature
         if point.supply_pressure is not None or point.supply_flow is not None:
             pressure, flow = point.supply_pressure, point.supply_flow
-    if temperature is None or (pressure is None and flow is None):
+    if temperature is None or (pressure is None and flow is None and not inputs.bearing.feeds_itself()):
         raise ValueError(
             "a case that was not validated: the supply has no temperature, or no pressure and no flow"
         )

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
@@ -46,8 +45,9 @@ from babbitt.cases.film_surface import (
     StepGiven,
 )
 from babbitt.cases.heat_exchange import HeatExchangeGiven
+from babbitt.cases.load_direction import DOWNWARD
 from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
-from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_bare, is_given, rule
+from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_given, rule
 from babbitt.cases.segments import SegmentsGiven
 from babbitt.cases.shared import SharedInputs
 from babbitt.cases.supply_element import SupplyElementGiven, UnevenPockets
@@ -55,7 +55,7 @@ from babbitt.cases.surfaces import SurfacesGiven
 from babbitt.film.model import FilmStart
 from babbitt.units import si, written
 
-WIDTH_RATIOS = (0.1, 1.5)
+WIDTH_RATIOS = (standard_rules.LEAST_WIDTH_RATIO, 1.5)
 """Range of B/D for which the characteristics are on board."""
 
 LEAST_SPECIFIC_LOAD = 1e3
@@ -146,9 +146,10 @@ class JournalBearing(Duty, SharedInputs):
         0.0, description="Rotational speed of the bearing, positive counter-clockwise as that of the journal."
     )
     load_angle: Annotated[float, si("rad", "-360 deg", "360 deg")] = Field(
-        -math.pi / 2.0,
+        DOWNWARD,
         description="Direction of the load, counter-clockwise from the x axis. -90 deg is downward. "
-        "ISO 7902 takes the load through the middle of the arc, whatever its direction.",
+        "ISO 7902 takes the load through the middle of the arc, whatever its direction, and counts what feeds the "
+        "film from the load.",
     )
     rotor_mass: Annotated[float, si("kg", "1 g", "10000 t")] | None = Field(
         None,
@@ -289,8 +290,7 @@ class JournalBearing(Duty, SharedInputs):
             # A missing "kN" shows here. A load beyond what any film carries is answered by the calculation.
             if pressure < LEAST_SPECIFIC_LOAD:
                 says = f"{written(duty.load, 'kN')} is a specific load of {written(pressure, 'kPa')}"
-                hint = f"write '{duty.load:.12g} kN'" if is_bare(duty, "load") else ""
-                yield Complaint((*path, "load"), says, f"at least {written(LEAST_SPECIFIC_LOAD, 'kPa')}", hint)
+                yield Complaint((*path, "load"), says, f"at least {written(LEAST_SPECIFIC_LOAD, 'kPa')}")
 
     @rule
     def _one_speed(self) -> Iterator[Complaint]:
@@ -306,8 +306,7 @@ class JournalBearing(Duty, SharedInputs):
                 continue
             if (fast := abs(speed) * self.diameter / 2.0) > GREATEST_SURFACE_SPEED * 1.000001:
                 says = f"{written(speed, 'rpm')} is a surface speed of {fast:.4g} m/s"
-                hint = f"write '{speed:.12g} rpm'" if is_bare(duty, "speed") else ""
-                yield Complaint((*path, "speed"), says, f"up to {GREATEST_SURFACE_SPEED:g} m/s", hint)
+                yield Complaint((*path, "speed"), says, f"up to {GREATEST_SURFACE_SPEED:g} m/s")
             if (speed + self.bearing_speed) * speed <= 0.0:
                 both = f"journal {written(speed, 'rpm')}, bearing {written(self.bearing_speed, 'rpm')}"
                 says = f"the speeds build no film: {both}"
@@ -406,6 +405,11 @@ class JournalBearing(Duty, SharedInputs):
             for name in ("grooves", "pockets", "holes")
             for index, hollow in enumerate(getattr(self, name))
         ]
+
+    def feeds_itself(self) -> bool:
+        """Whether every groove, pocket and hole of the film method has a pressure or a flow of its own."""
+        hollows = self.hollows() if self.method == "film" else []
+        return bool(hollows) and all(one.pressure is not None or one.flow is not None for _, one in hollows)
 
     def span_at(self, point: OperatingPoint | None) -> int | None:
         """Angular span in degrees at an operating point (None: the bearing as such), None while unknown."""

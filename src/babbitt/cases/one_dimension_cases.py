@@ -32,6 +32,7 @@ def long_film_case(inputs: Inputs, at: Point) -> LongFilmCase:
         discretisation=Discretisation(given.discretisation),
         exchange_zone=None if zone is None else ExchangeZone(zone),
         cells=SECTORS[bearing.accuracy],
+        supply_angle=given.supply_angle,
         **_shared(inputs, at),
     )
 
@@ -89,7 +90,7 @@ def _shared(inputs: Inputs, at: Point) -> dict[str, Any]:
             *common_assumptions_of(bearing, None, None, inputs.materials),
             *_ignored(inputs, at),
         ),
-        "doubts": doubts_about_numbers(bearing, point),
+        "doubts": doubts_about_numbers(inputs, point),
         "kind": bearing.kind,
     }
 

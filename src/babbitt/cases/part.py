@@ -20,13 +20,14 @@ from pydantic import (
     PrivateAttr,
     TypeAdapter,
     ValidationError,
+    ValidationInfo,
     model_validator,
 )
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
+from babbitt.cases.grouped_digits import grouped_fields
 from babbitt.cases.plain_words import ERROR_TYPE, Path, is_echo, is_missing, misspelt, refusal
 from babbitt.notices import InputError
-from babbitt.units import bare_number
 
 
 @dataclass(frozen=True)
@@ -77,7 +78,8 @@ class Part(BaseModel):
     example: ClassVar[str] = ""
     """How the piece is written, for messages; empty where that takes more than a line."""
 
-    _bare: frozenset[str] = PrivateAttr(frozenset())
+    _grouped: tuple[tuple[str, str], ...] = PrivateAttr(())
+    """Quantities whose text may be grouped digits, by field, as they were written."""
 
     def __eq__(self, other: object) -> bool:
         # How a file wrote its content, which pydantic would compare too, makes no other case of it.
@@ -92,7 +94,7 @@ class Part(BaseModel):
 
     @model_validator(mode="wrap")
     @classmethod
-    def _tell_all(cls, given: Any, handler: ModelWrapValidatorHandler[Self]) -> Self:
+    def _tell_all(cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo) -> Self:
         try:
             part = handler(given)
         except ValidationError as error:
@@ -100,10 +102,10 @@ class Part(BaseModel):
             meant = misspelt(cls, given, found)
             lines = [refusal(cls, given, one) for one in found if not is_missing(one, meant)]
             if isinstance(given, Mapping):
-                lines += _lines(_usable(cls, given, meant), given)
+                lines += _lines(_usable(cls, given, info.context, meant), given)
             raise ValidationError.from_exception_data(cls.__name__, lines) from None
         if isinstance(given, Mapping):
-            part._bare = _without_unit(given)
+            part._grouped = grouped_fields(cls, given)
         if lines := _lines(part, given):
             raise ValidationError.from_exception_data(cls.__name__, lines)
         return part
@@ -129,11 +131,6 @@ def refused(path: Path, attempt: Callable[[], object]) -> Iterator[Complaint]:
 def is_given(part: Part, name: str) -> bool:
     """Whether a field was written in the file, be it usable or not."""
     return name in part.model_fields_set and vars(part).get(name, part) is not None
-
-
-def is_bare(part: Part, name: str) -> bool:
-    """Whether a field was written as a number without unit, or as a list of such numbers."""
-    return name in part._bare
 
 
 def exactly_one(part: Part, *names: str) -> Iterator[Complaint]:
@@ -163,7 +160,9 @@ def _lines(part: Part, given: Any) -> list[InitErrorDetails]:
     return lines
 
 
-def _usable(cls: type[Part], given: Mapping[str, Any], misspelt: frozenset[str] = frozenset()) -> Part:
+def _usable(
+    cls: type[Part], given: Mapping[str, Any], context: Any, misspelt: frozenset[str] = frozenset()
+) -> Part:
     """Give the piece with its usable fields only; to touch one of the others raises AttributeError.
 
     Fields whose names were misspelt count as written and not usable.
@@ -175,21 +174,15 @@ def _usable(cls: type[Part], given: Mapping[str, Any], misspelt: frozenset[str] 
             unusable |= {name} if field.is_required() else set()
             continue
         try:
-            values[name] = _adapter(cls, name).validate_python(given[name])
+            values[name] = _adapter(cls, name).validate_python(given[name], context=context)
         except ValidationError:
-            pieces = _usable_pieces(field.annotation, given[name])
+            pieces = _usable_pieces(field.annotation, given[name], context)
             values |= {name: pieces} if pieces else {}
             unusable |= set() if pieces else {name}
     part = cls.model_construct(_fields_set=({*cls.model_fields} & given.keys()) | misspelt, **values)
-    part._bare = _without_unit(given)
     for name in unusable:
         vars(part).pop(name, None)
     return part
-
-
-def _without_unit(given: Mapping[str, Any]) -> frozenset[str]:
-    lists = {name: value if isinstance(value, list | tuple) else [value] for name, value in given.items()}
-    return frozenset(name for name, of in lists.items() if of and None not in map(bare_number, of))
 
 
 @cache
@@ -197,9 +190,9 @@ def _adapter(cls: type[Part], name: str) -> TypeAdapter[Any]:
     return TypeAdapter(cls.model_fields[name].rebuild_annotation())
 
 
-def _usable_pieces(annotation: Any, given: Any) -> tuple[Part, ...]:
+def _usable_pieces(annotation: Any, given: Any, context: Any) -> tuple[Part, ...]:
     """Give the pieces of a list, each with its usable fields only; nothing if it is no list of pieces."""
     of = typing.get_args(annotation)[0] if typing.get_origin(annotation) is tuple else None
     if not (isinstance(of, type) and issubclass(of, Part) and isinstance(given, list)):
         return ()
-    return tuple(_usable(of, piece) for piece in given if isinstance(piece, Mapping))
+    return tuple(_usable(of, piece, context) for piece in given if isinstance(piece, Mapping))

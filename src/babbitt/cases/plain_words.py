@@ -169,7 +169,7 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
 def _say_branch(cls: type[Part], path: Path, given: Any) -> tuple[str, str, str]:
     kinds = _branches(cls, str(path[0]))
     if not isinstance(given, Mapping):
-        short = [f"{told.words}, or " for told in _behind(cls, str(path[0]), Shorthand)]
+        short = [f"{told.words}, or " for told in metadata_of(cls, str(path[0]), Shorthand)]
         return f"{shown(given)} is not allowed", f"{''.join(short)}a mapping with kind: {', '.join(kinds)}", ""
     if "kind" not in given:
         return "kind is missing", ", ".join(kinds), ""
@@ -186,11 +186,11 @@ def _elsewhere(cls: type[Part], path: Path, given: Any, error: QuantityError) ->
     if error.given is None or len(path) != 1:
         return ""
     others = (name for group in cls.alternatives if path[0] in group for name in group)
-    fits = (name for name in others if any(data.kind is error.given for data in _behind(cls, name, SiField)))
+    fits = (name for name in others if any(data.kind is error.given for data in metadata_of(cls, name, SiField)))
     return next((f"write '{name}: {shown(given)[1:-1]}'" for name in fits), "")
 
 
-def _behind(cls: type[Part], name: str, kind: type[Metadata]) -> Iterator[Metadata]:
+def metadata_of(cls: type[Part], name: str, kind: type[Metadata]) -> Iterator[Metadata]:
     """Find the metadata of one kind of a field, be it optional or not."""
     field = cls.model_fields.get(name)
     if field is not None:

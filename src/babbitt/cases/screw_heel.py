@@ -8,9 +8,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from babbitt.cases.bare_numbers import about_speed
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose
+from babbitt.cases.grouped_digits import about_grouped_digits
 from babbitt.cases.heel_parts import (
     FigureRanges,
     Gap,
@@ -136,6 +136,17 @@ class ScrewHeelCase(CaseFile):
                 ("wall",), "superposition knows no heat to the metal", "method: narrow_groove with a wall"
             )
 
+    @rule
+    def _options_are_used(self) -> Iterator[Complaint]:
+        if self.method == "narrow_groove":
+            for name in sorted(self.options.model_fields_set):
+                yield Complaint(
+                    ("options", name),
+                    "belongs to the study's equations; narrow_groove does not know it",
+                    "nothing with method: narrow_groove",
+                    "leave it out, or method: superposition",
+                )
+
     def _groove(self) -> ScrewGroove:
         part = self.groove
         assert part is not None, "asked for a groove that is not given"
@@ -191,7 +202,7 @@ def heel_cases(case: ScrewHeelCase) -> tuple[HeelCase, ...]:
             (ranges.clearance_from, ranges.clearance_to),
             ranges.map_points,
             tuple(_given(case)),
-            tuple(about_speed(case, "speed")),
+            tuple(about_grouped_digits(case)),
             assumptions=case.assumptions,
         )
         for grooved, footstep in made.items()

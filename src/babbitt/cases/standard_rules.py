@@ -6,10 +6,17 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.cases.film_rules import SURFACE_FIELDS
+from babbitt.cases.load_direction import load_points_between_its_pockets
 from babbitt.cases.part import Complaint, is_given, rule
+from babbitt.cases.supply_element import half_bearing_width
+from babbitt.characteristics.closed_forms import WIDTH_RATIOS as CLOSED_FORM_WIDTH_RATIOS
+from babbitt.units import written
 
 if TYPE_CHECKING:
     from babbitt.cases.journal import JournalBearing
+
+LEAST_WIDTH_RATIO = 0.1
+"""Least B/D for which the characteristics are on board."""
 
 
 @rule
@@ -17,6 +24,29 @@ def standard_knows_the_bearing(bearing: JournalBearing) -> Iterator[Complaint]:
     """Complain about what the standard does not know."""
     if bearing.method == "iso7902":
         yield from film_alone_knows(bearing, "ISO 7902")
+        yield from load_points_between_its_pockets(bearing)
+        yield from half_bearings_are_in_the_tables(bearing)
+
+
+def half_bearings_are_in_the_tables(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about a groove around the circumference that leaves half bearings too narrow for the tables."""
+    if bearing.actual_width is None:
+        return
+    least = CLOSED_FORM_WIDTH_RATIOS[0] if bearing.characteristics == "closed_form" else LEAST_WIDTH_RATIO
+    for point in bearing.operating_points or (None,):
+        half = half_bearing_width(bearing.element_at(point), bearing.actual_width)
+        if half is None or half <= 0.0 or half / bearing.diameter >= least:
+            continue
+        own = point is not None and point.supply_element is not None
+        path = ("operating_points", bearing.operating_points.index(point)) if own and point is not None else ()
+        yield Complaint(
+            (*path, "supply_element"),
+            f"the groove parts the bearing into halves of {written(half, 'mm')}, "
+            f"{half / bearing.diameter:.3g} of the diameter",
+            f"at least {written(least * bearing.diameter, 'mm')} each (B/D {least:g})",
+            "a narrower groove, or method: film",
+        )
+        return
 
 
 def film_alone_knows(bearing: JournalBearing, method: str) -> Iterator[Complaint]:

@@ -167,6 +167,13 @@ SupplyElementGiven = Annotated[
 ]
 
 
+def half_bearing_width(element: SupplyElementGiven | None, width: float) -> float | None:
+    """Width in m of each half bearing into which a groove around the circumference parts a bearing, else None."""
+    if not isinstance(element, GrooveElement) or element.kind != "groove_360":
+        return None
+    return (width - element.width) / 2.0
+
+
 def complaints_about(element: SupplyElementGiven, width: float, diameter: float) -> Iterator[Complaint]:
     """Complain about an element that does not fit into its bearing."""
     name = "diameter" if isinstance(element, HoleElement) else "width"

@@ -9,15 +9,14 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from babbitt.cases.bare_numbers import about_inertia, about_load, about_speed, about_viscosity
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose
+from babbitt.cases.grouped_digits import about_grouped_digits
 from babbitt.cases.part import Complaint, Part, exactly_one, rule
 from babbitt.cases.runout import RUNOUT, Runout, RunoutGiven, said_of_runout, waves_given_twice
-from babbitt.cases.thrust_oil import GivenViscosity, OilByBalance, ThrustOil
+from babbitt.cases.thrust_oil import OilByBalance, ThrustOil
 from babbitt.cases.thrust_pads import PadMaterials, Stiffness, ThrustPads, Tilt, TiltingPivot
 from babbitt.film.turbulence import CONSTANTINESCU, NG_PAN, FilmTurbulence, TurbulenceLaw
-from babbitt.notices import Notice
 from babbitt.thrust.bearing import HousingTilt, ThrustBearing
 from babbitt.thrust.design import GivenFilm, GivenThrust, ThrustDesign
 from babbitt.thrust.pad import Pivot, ThrustPad
@@ -165,16 +164,8 @@ class ThrustBearingInputs(Part):
             law,
             (*words_of(self), *said_of_runout(runouts)),
             self.assumptions,
-            (*about_speed(self, "speed"), *about_load(self, "thrust"), *self._bare_numbers()),
+            tuple(about_grouped_digits(self)),
         )
-
-    def _bare_numbers(self) -> Iterator[Notice]:
-        """Doubt numbers of oil and pads that look as if another unit was meant."""
-        if isinstance(self.oil, GivenViscosity):
-            yield from about_viscosity(self.oil)
-        pads = self.pads
-        for name in ("inertia_radial", "inertia_along"):
-            yield from about_inertia(pads, name, f"pads.{name}", pads.mass, pads.outer_radius)
 
 
 class ThrustCase(ThrustBearingInputs, CaseFile):

@@ -9,14 +9,12 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from babbitt.cases.bare_numbers import about_damping, about_heavy_mass, about_speed
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, WholeNumber
 from babbitt.cases.part import Complaint, Part, exactly_one, rule
 from babbitt.cases.runout import RUNOUT, RunoutGiven, given_twice, waves_given_twice
 from babbitt.cases.thrust import Thrust, ThrustBearingInputs, written
 from babbitt.cases.thrust_pads import Damping, PartMass, Stiffness
-from babbitt.notices import Notice
 from babbitt.shaft_line.design import LineDesign
 from babbitt.shaft_line.excitation import WITHOUT_WOBBLE, WOBBLE_LEFT_OUT, ThrustHarmonic
 from babbitt.shaft_line.line import Rod, Seating, ShaftLine
@@ -208,7 +206,7 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
         from dataclasses import replace
 
         return LineDesign(
-            replace(given, given=(*given.given, *_words(self)), doubts=(*given.doubts, *_bare_numbers(self))),
+            replace(given, given=(*given.given, *_words(self))),
             line,
             tuple(self._thrust_harmonic(one) for one in self.ripple),
             given.runouts,
@@ -222,19 +220,6 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
         order = one.order if one.order is not None else float(self.propeller.blades * (one.blade_multiple or 1))
         amplitude = one.amplitude if one.amplitude is not None else (one.share or 0.0) * self.thrust
         return ThrustHarmonic(order, amplitude, one.phase)
-
-
-def _bare_numbers(case: ThrustLineCase) -> Iterator[Notice]:
-    """Doubt masses, dampings and forces that look as if another unit was meant."""
-    yield from about_heavy_mass(case.propeller, "mass", "propeller.mass")
-    yield from about_damping(case.propeller, "damping", "propeller.damping")
-    yield from about_heavy_mass(case, "collar_mass", "collar_mass")
-    if case.seating is not None:
-        yield from about_heavy_mass(case.seating, "housing_mass", "seating.housing_mass")
-        yield from about_damping(case.seating, "damping", "seating.damping")
-    if case.speeds is not None:
-        yield from about_speed(case.speeds, "lowest")
-        yield from about_speed(case.speeds, "highest")
 
 
 def _words(case: ThrustLineCase) -> Iterator[tuple[str, str]]:

@@ -132,6 +132,11 @@ class Proportions:
         return self.width / self.diameter
 
     @property
+    def loaded_width(self) -> float:
+        """Width in m over which the film carries: all of it, unless a method parts the bearing by a groove."""
+        return self.width
+
+    @property
     def mean_relative_clearance(self) -> float:
         """Relative clearance in the middle of its tolerance, at 20 °C."""
         tolerance = self.clearance_tolerance
@@ -145,6 +150,8 @@ class DesignedBearing(Protocol):
     def diameter(self) -> float: ...  # noqa: D102
     @property
     def width(self) -> float: ...  # noqa: D102
+    @property
+    def loaded_width(self) -> float: ...  # noqa: D102
     @property
     def surfaces(self) -> Surfaces | None: ...  # noqa: D102
     @property

@@ -153,8 +153,9 @@ def find_equilibrium(
     """Find the coolest temperature at which the heat balance closes; always ends with a status.
 
     A cold film makes more heat than it gives away. The temperature is raised step by step until the surplus turns
-    negative, or until three steps enclose a least surplus that is negative in between; Brent's method closes in on
-    this coolest equilibrium, the stable one. A large step in which something happens is walked again in fine ones.
+    negative, or until three steps enclose a least surplus that is negative in between; Chandrupatla's method
+    closes in on this coolest equilibrium, the stable one. A large step in which something happens is walked again
+    in fine ones.
     Where the film gives way on the way, the step to the last temperature with a film is looked at as well.
 
     Parameters

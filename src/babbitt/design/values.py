@@ -32,7 +32,7 @@ def hydrodynamic_speed(case: Designed) -> float:
 
 def duty_values(case: Designed, film: DesignFilm) -> Named:
     """Load and speed."""
-    pressure, speed = film.load / (case.bearing.width * case.bearing.diameter), surface_speed(case)
+    pressure, speed = film.load / (case.bearing.loaded_width * case.bearing.diameter), surface_speed(case)
     return {
         "load": film.load,
         "specific_load": pressure,

@@ -101,9 +101,11 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C130": Explanation(
         "Stability of the steady state",
-        "How the balance of the rim answers to a higher pressure: a positive slope of outflow less inflow "
-        "drains the rim "
-        "and the state is stable, as long as things change slowly; a negative one feeds it.",
+        "Thermal loop gain of the footstep: which share of a small lasting change of temperature comes back "
+        "through "
+        "viscosity and flow, pressures being in balance at every instant. Below 1 the change dies out; at 1 or "
+        "more "
+        "it runs away. Disturbances that swing are counted beside it (W160).",
         "Design for the stable state; see the plot of the steady states over the clearance.",
     ),
     "C201": Explanation(
@@ -114,7 +116,8 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C202": Explanation(
         "Thinnest film of the pads",
-        "Thinnest film at a corner of a pad: static, and in a shaft line with all harmonics for any phase.",
+        "Thinnest film over the edges and the face of a pad: static, and in a shaft line with all harmonics for "
+        "any phase.",
         "Less load or runout, a more viscous or cooler oil, a better alignment, a compliant ring.",
         subject=Subject.FILM_THICKNESS,
     ),
@@ -124,10 +127,10 @@ CHECKS: dict[str, Explanation] = {
         "Reduce tilt first, which unloads the pads on one side, then runout.",
     ),
     "C204": Explanation(
-        "Distance of the excitations from natural frequencies",
-        "Least relative distance of an excitation from an undamped natural frequency of the line, films as stiff "
-        "as at rest; 20 % are advised. Moving films are stiffer: the response peaks near the damped frequency, "
-        "some per cent higher.",
+        "Distance of the excitations from resonance",
+        "Least relative distance of an excitation from a peak of its own response, where pad forces exceed twice "
+        "their static value, or from a damped mode with a damping ratio below 25 %, films and tilts at that "
+        "frequency; 20 % are advised. Undamped frequencies on films at rest are information.",
         "Bar the speed range, or move the frequency by seating, ring, shaft or number of blades.",
     ),
     "C301": Explanation(

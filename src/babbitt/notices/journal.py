@@ -37,12 +37,6 @@ JOURNAL: dict[str, Explanation] = {
         "Move the pockets away from the load or use a film method.",
         effect=Effect.NO_VERDICT,
     ),
-    "W106": Explanation(
-        "Circumferential groove splits the bearing",
-        "A full circumferential groove divides the film into two lands. The load number was formed with the "
-        "whole width.",
-        "Compute two bearings of half the land width with half the load each.",
-    ),
     "W107": Explanation(
         "Temperature outside the lubricant data",
         "The effective temperature lies outside the range for which the lubricant's numbers are meant.",
@@ -96,13 +90,6 @@ JOURNAL: dict[str, Explanation] = {
         "Above an eccentricity of 0.95, or where the film is thinner than 0.05 of the clearance, elastic "
         "deformation, roughness and heat decide the film; a rigid isoviscous film is too simple.",
         "Treat the film thickness as an order of magnitude; lower the load or raise the viscosity.",
-    ),
-    "W117": Explanation(
-        "Number without unit",
-        "A number without unit is in SI: a speed or a frequency in rad/s, a load in N, a viscosity in Pa s, a "
-        "mass in kg, a damping in N s/m. This one looks as if another unit was meant.",
-        "Write the unit: '3000 rpm', '50 Hz', '6 kN', '45 mPa s', '14 t'; '3000 rad/s' or '6 N' if the "
-        "number is meant as it stands.",
     ),
     "W118": Explanation(
         "Oil leaves colder than it enters",
@@ -234,5 +221,19 @@ JOURNAL: dict[str, Explanation] = {
         "The directions of the force around the clearance tell how many equilibria there must be, and another "
         "number was found. One of them may lie nearer to contact than the search looks.",
         "A finer `accuracy`; look at the film at the places in question with `position`.",
+    ),
+    "W182": Explanation(
+        "Direction of the load not used",
+        "ISO 7902 takes the load through the middle of the loaded arc, and holes, pockets and grooves at places "
+        "counted from the load. The direction of the load in space changes none of its results.",
+        "Nothing, where the places of the supply elements were counted from the load; else give them so, or "
+        "`method: film` with `grooves`, `pockets` or `holes` at their angles in the bore.",
+        Effect.INFORMATION,
+    ),
+    "W181": Explanation(
+        "Digits that may be grouped",
+        "A point is the decimal sign: '12.000 N' is twelve newtons. Where exactly three digits stand behind it, "
+        "thousands may have been meant, as in '12.000 N' for twelve kilonewtons.",
+        "Write '12 N' or '12 kN', whichever is meant.",
     ),
 }

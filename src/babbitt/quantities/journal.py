@@ -8,6 +8,8 @@ JOURNAL: tuple[Quantity, ...] = (
     quantity("diameter", "D", "m", "mm", 4, "Nominal bearing inside diameter"),
     quantity("width", "B", "m", "mm", 4, "Bearing width"),
     quantity("width_ratio", "B/D", "1", "", 3, "Relative bearing width"),
+    quantity("half_bearing_width", "B_H", "m", "mm", 4, "Width of each half bearing beside a groove all around"),
+    quantity("half_bearing_width_ratio", "B_H/D", "1", "", 3, "Relative width of each half bearing"),
     quantity("angular_span", "Ω", "rad", "deg", 3, "Angular span of the bearing arc"),
     quantity("relative_clearance", "ψ₂₀", "1", "permille", 4, "Relative clearance 2c/D at 20 °C"),
     quantity("operating_relative_clearance", "ψ_eff", "1", "permille", 4, "Relative clearance at T_eff"),
@@ -15,7 +17,9 @@ JOURNAL: tuple[Quantity, ...] = (
     quantity("expansion_journal", "α_J", "1/K", "1e-6/K", 3, "Thermal expansion of the journal"),
     # operation
     quantity("load", "F", "N", "kN", 4, "Bearing load"),
-    quantity("specific_load", "p̄", "Pa", "MPa", 3, "Load per projected area F/(B D)"),
+    quantity(
+        "specific_load", "p̄", "Pa", "MPa", 3, "Load per projected area F/(B D), F/((B - b_G) D) of half bearings"
+    ),
     quantity(
         "angular_speed",
         "ω_J",

@@ -22,8 +22,8 @@ from babbitt.standards.iso7902.model import Friction, GivenEccentricity
 if TYPE_CHECKING:
     from babbitt.standards.iso7902.model import DesignCase
 
-ARGUMENTS = ("width_ratio", "angular_span")
-LOAD_SCALE = "width * diameter * effective_viscosity * hydrodynamic_speed"
+LOAD_SCALE = "{width} * diameter * effective_viscosity * hydrodynamic_speed"
+HALVES = "2 * half_bearing_width"
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,8 @@ def calculation(case: DesignCase, result: Result) -> tuple[Section, ...]:
         Section(
             "Load number and position of the journal",
             tuple(_position(case, sheet)),
-            "So, β, p_max/p̄ and Q₃* are read from solutions of the Reynolds equation for this span and B/D.",
+            "So, β, p_max/p̄ and Q₃* are read from solutions of the Reynolds equation for this span and "
+            + ("B_H/D of each half bearing." if is_parted(sheet) else "B/D."),
         ),
         Section("Friction", tuple(_friction(case, sheet))),
         Section("Oil flow", (*_side_flow(sheet), *flow_lines(case, sheet))),
@@ -73,6 +74,20 @@ def calculation(case: DesignCase, result: Result) -> tuple[Section, ...]:
     return tuple(section for section in sections if section.lines)
 
 
+def is_parted(sheet: Worksheet) -> bool:
+    """Whether a groove around the circumference parts the bearing into two half bearings."""
+    return "half_bearing_width" in sheet
+
+
+def _loaded_width(sheet: Worksheet) -> str:
+    return HALVES if is_parted(sheet) else "width"
+
+
+def _arguments(sheet: Worksheet) -> tuple[str, str]:
+    """What the characteristics are read for besides load or position."""
+    return "half_bearing_width_ratio" if is_parted(sheet) else "width_ratio", "angular_span"
+
+
 def _clearance(sheet: Worksheet) -> Iterator[Line]:
     yield sheet.line(
         "operating_relative_clearance",
@@ -82,7 +97,12 @@ def _clearance(sheet: Worksheet) -> Iterator[Line]:
 
 
 def _load_and_speed(sheet: Worksheet) -> Iterator[Line]:
-    yield sheet.line("specific_load", "load / (width * diameter)")
+    if is_parted(sheet):
+        sheet.note(groove_width=sheet["width"] - 2.0 * sheet["half_bearing_width"])
+        halves = "two half bearings side by side, each with half the load"
+        yield sheet.line("half_bearing_width", "(width - groove_width) / 2", halves)
+        yield sheet.line("half_bearing_width_ratio", "half_bearing_width / diameter")
+    yield sheet.line("specific_load", f"load / ({_loaded_width(sheet)} * diameter)")
     yield sheet.line("surface_speed", "angular_speed * diameter / 2")
 
 
@@ -94,21 +114,22 @@ def _validity(sheet: Worksheet) -> Iterator[Line]:
 
 
 def _position(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
+    scale, arguments = LOAD_SCALE.format(width=_loaded_width(sheet)), _arguments(sheet)
     if isinstance(case.duty, GivenEccentricity):
         yield sheet.given("eccentricity_ratio", "prescribed")
-        yield sheet.read("sommerfeld_number", "eccentricity_ratio", *ARGUMENTS)
+        yield sheet.read("sommerfeld_number", "eccentricity_ratio", *arguments)
         yield sheet.line(
-            "load", f"sommerfeld_number * {LOAD_SCALE} / operating_relative_clearance**2", "the load found"
+            "load", f"sommerfeld_number * {scale} / operating_relative_clearance**2", "the load found"
         )
     else:
-        yield sheet.line("sommerfeld_number", f"load * operating_relative_clearance**2 / ({LOAD_SCALE})")
-        yield sheet.read("eccentricity_ratio", "sommerfeld_number", *ARGUMENTS)
-    yield sheet.read("attitude_angle", "eccentricity_ratio", *ARGUMENTS)
+        yield sheet.line("sommerfeld_number", f"load * operating_relative_clearance**2 / ({scale})")
+        yield sheet.read("eccentricity_ratio", "sommerfeld_number", *arguments)
+    yield sheet.read("attitude_angle", "eccentricity_ratio", *arguments)
     yield sheet.line(
         "minimum_film_thickness", "operating_relative_clearance * diameter / 2 * (1 - eccentricity_ratio)"
     )
     ratio = sheet["maximum_pressure"] / sheet["specific_load"]
-    yield sheet.read("peak_pressure_ratio", "eccentricity_ratio", *ARGUMENTS, value=ratio)
+    yield sheet.read("peak_pressure_ratio", "eccentricity_ratio", *arguments, value=ratio)
     yield sheet.line("maximum_pressure", "peak_pressure_ratio * specific_load")
 
 
@@ -118,14 +139,12 @@ def _friction(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
     if case.friction is Friction.CURVE360:
         from babbitt.characteristics import curves
 
-        full = curves(360, case.bearing.width_ratio)
-        eccentricity = sheet["eccentricity_ratio"]
+        full = curves(360, case.bearing.part_width_ratio)
+        eccentricity, ratio = sheet["eccentricity_ratio"], _arguments(sheet)[0]
         load_number, angle = "full_sommerfeld_number", "full_attitude_angle"
         remark = "friction number of the full bearing at the same eccentricity"
-        yield sheet.read(
-            load_number, "eccentricity_ratio", "width_ratio", value=full.sommerfeld_number(eccentricity)
-        )
-        yield sheet.read(angle, "eccentricity_ratio", "width_ratio", value=full.attitude_angle(eccentricity))
+        yield sheet.read(load_number, "eccentricity_ratio", ratio, value=full.sommerfeld_number(eccentricity))
+        yield sheet.read(angle, "eccentricity_ratio", ratio, value=full.attitude_angle(eccentricity))
     elif case.friction is Friction.ARC:
         remark = "film on the loaded arc only"
         sheared = "sheared_arc / (2 * {so})"
@@ -149,10 +168,12 @@ def _sheared_arc(case: DesignCase, sheet: Worksheet) -> float:
 
 
 def _side_flow(sheet: Worksheet) -> Iterator[Line]:
-    yield sheet.read("side_flow_number", "eccentricity_ratio", *ARGUMENTS)
-    yield sheet.line(
-        "side_flow", "diameter**3 * operating_relative_clearance * hydrodynamic_speed * side_flow_number"
-    )
+    yield sheet.read("side_flow_number", "eccentricity_ratio", *_arguments(sheet))
+    whole = "diameter**3 * operating_relative_clearance * hydrodynamic_speed * side_flow_number"
+    if is_parted(sheet):
+        yield sheet.line("side_flow", f"2 * {whole}", "of both half bearings")
+    else:
+        yield sheet.line("side_flow", whole)
 
 
 def _heat(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
@@ -226,7 +247,7 @@ def _transition(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
     yield sheet.read(
         "transition_sommerfeld_number",
         "transition_eccentricity",
-        *ARGUMENTS,
+        *_arguments(sheet),
         value=curves.sommerfeld_number(reachable),
         remark=beyond,
     )
@@ -239,5 +260,6 @@ def _transition(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
 
 def _screening(sheet: Worksheet) -> Iterator[Line]:
     yield sheet.line("regime_number", "1e6 * effective_viscosity * hydrodynamic_speed / (2 * pi * specific_load)")
-    yield sheet.line("stability_relative_clearance", "3.5e-3 * sqrt(regime_number * width_ratio)", "Orlov")
+    ratio = _arguments(sheet)[0]
+    yield sheet.line("stability_relative_clearance", f"3.5e-3 * sqrt(regime_number * {ratio})", "Orlov")
     yield sheet.line("recommended_relative_clearance", "0.8e-3 * surface_speed**(1 / 4)", "Vogelpohl")

@@ -24,6 +24,9 @@ COMPARED = (
     "sommerfeld_number",
     "eccentricity_ratio",
     "attitude_angle",
+    "groove_angle_from_load",
+    "groove_angle_from_gap",
+    "groove_pressure",
     "minimum_film_thickness",
     "effective_temperature",
     "outlet_temperature",
@@ -66,7 +69,7 @@ COMPARED_HEELS = (
     "friction_power",
     "face_gap_stiffness",
     "face_gap_damping",
-    "rim_drain_number",
+    "thermal_loop_gain",
 )
 """The same of footsteps."""
 

@@ -207,7 +207,7 @@ def _element(element: SupplyElement) -> Iterator[Row]:
             yield Row("Supply element", f"Pocket {PLACES[element.arrangement]}")
             yield _named("pocket_width", element.width)
         case CircumferentialGroove():
-            yield Row("Supply element", "Groove around the circumference")
+            yield Row("Supply element", "Groove around the circumference, between two half bearings")
             yield _named("groove_width", element.width)
         case HalfCircumferentialGroove():
             yield Row("Supply element", "Groove around the unloaded half")

@@ -101,7 +101,7 @@ def _film_limit(panel: Axes, result: Result, *, at: float = 0.99) -> None:
 def load_capacity(case: DesignCase, result: Result) -> Figure:
     """Sommerfeld number over eccentricity for the span of the bearing, other spans beside it."""
     figure, ((panel,),) = Sheet(81.0, 62.0).panels()
-    ratio = case.bearing.width_ratio
+    ratio = case.bearing.part_width_ratio
     eccentricity = np.concatenate([np.linspace(0.05, 0.9, 60), 1.0 - np.geomspace(0.1, 0.02, 25)[1:]])
     starts: list[tuple[float, int]] = []
     own = curves_of(case)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from babbitt.notices import InputError
-from babbitt.units import QuantityError, read
+from babbitt.units import QuantityError, si
+
+SPEED = si("rad/s")
 
 MOST_SPEEDS = 500
 """Speeds of one table."""
@@ -17,8 +19,8 @@ def speeds_of(text: str) -> tuple[float, ...]:
     Parameters
     ----------
     text : str
-        Quantities between commas, or the first, the last and the number of equally spaced speeds between colons. A
-        number without unit is in rad/s.
+        Quantities between commas, or the first, the last and the number of equally spaced speeds between colons,
+        each with its unit.
 
     Raises
     ------
@@ -27,11 +29,11 @@ def speeds_of(text: str) -> tuple[float, ...]:
 
     Examples
     --------
-    >>> speeds_of("100:300:3"), speeds_of("2 rad/s, 1 rad/s")
+    >>> speeds_of("100 rad/s:300 rad/s:3"), speeds_of("2 rad/s, 1 rad/s")
     ((100.0, 200.0, 300.0), (1.0, 2.0))
     """
     try:
-        found = _spaced(text) if ":" in text else [read(part.strip(), "rad/s") for part in text.split(",")]
+        found = _spaced(text) if ":" in text else [SPEED(part.strip()) for part in text.split(",")]
     except (QuantityError, ValueError) as error:
         raise InputError("E003", f"--speeds '{text}': {error}; allowed: {ALLOWED}") from None
     if min(found) <= 0.0:
@@ -46,7 +48,7 @@ def _spaced(text: str) -> list[float]:
     parts = text.split(":")
     if len(parts) != 3 or not parts[2].strip().isdecimal():
         raise ValueError("three parts are due, the last of them a whole number")
-    first, last = (read(part.strip(), "rad/s") for part in parts[:2])
+    first, last = (SPEED(part.strip()) for part in parts[:2])
     number = int(parts[2])
     if number < 2 or number > MOST_SPEEDS or last <= first:
         raise ValueError(f"the last speed is above the first, and there are 2 to {MOST_SPEEDS} of them")

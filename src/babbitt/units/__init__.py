@@ -1,6 +1,7 @@
 """Units at the door: what the engineer writes ("120 mm", "3000 rpm", "50 degC") becomes an SI number."""
 
 from babbitt.units.fields import (
+    AS_WRITTEN,
     Angle,
     Area,
     Density,
@@ -22,11 +23,15 @@ from babbitt.units.fields import (
     Volume,
     either_sense,
     si,
+    zero_or,
 )
 from babbitt.units.kinds import KINDS, ZERO_CELSIUS, Kind
-from babbitt.units.reading import QuantityError, bare_number, read, written
+from babbitt.units.reading import QuantityError, SiNumber, bare_number, read, written
 
 __all__ = [
+    "AS_WRITTEN",
+    "SiField",
+    "SiNumber",
     "ZERO_CELSIUS",
     "Angle",
     "Area",
@@ -44,7 +49,6 @@ __all__ = [
     "Pressure",
     "QuantityError",
     "RotationalSpeed",
-    "SiField",
     "Speed",
     "Temperature",
     "ThermalExpansion",
@@ -55,4 +59,5 @@ __all__ = [
     "read",
     "si",
     "written",
+    "zero_or",
 ]

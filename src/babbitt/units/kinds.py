@@ -7,7 +7,7 @@ unit goes through pint. A test holds the factors to those of pint.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 ZERO_CELSIUS = 273.15
@@ -24,7 +24,7 @@ class Kind:
     Attributes
     ----------
     unit : str
-        SI unit: what a bare number is in.
+        SI unit: what a number without unit is in, where it is taken.
     phrase : str
         With its article, for messages.
     example : str
@@ -38,6 +38,9 @@ class Kind:
         takes 1 Hz for 1 rad/s.
     name : str
         Of a kind that shares its unit with another one; else the unit names it.
+    one_unit : bool
+        Whether all write it in one unit, so that a case file may leave the unit out. Not where people vary it:
+        3000 is rpm to one and rad/s to another.
     """
 
     unit: str
@@ -47,6 +50,7 @@ class Kind:
     offsets: Mapping[str, float] = field(default_factory=dict)
     open_to_pint: bool = True
     name: str = ""
+    one_unit: bool = False
 
     @property
     def key(self) -> str:
@@ -159,7 +163,13 @@ _ALL = (
         "46 mm2/s",
         {"mm2/s": 1e-6, "cSt": 1e-6, "m2/s": 1.0, "cm2/s": 1e-4, "St": 1e-4},
     ),
-    Kind("kg/m3", "a density", "895 kg/m3", {"kg/m3": 1.0, "g/cm3": 1e3, "kg/L": 1e3, "kg/l": 1e3, "g/mL": 1e3}),
+    Kind(
+        "kg/m3",
+        "a density",
+        "895 kg/m3",
+        {"kg/m3": 1.0, "g/cm3": 1e3, "kg/L": 1e3, "kg/l": 1e3, "g/mL": 1e3},
+        one_unit=True,
+    ),
     Kind(
         "m3/s",
         "a flow rate",
@@ -172,15 +182,22 @@ _ALL = (
         "a heat transfer coefficient",
         "20 W/(m2 K)",
         {"W/(m2 K)": 1.0, "W/m2/K": 1.0, "W/m2K": 1.0, "W/(m2K)": 1.0},
+        one_unit=True,
     ),
-    Kind("W/K", "a thermal conductance", "0.2 W/K", {"W/K": 1.0, "mW/K": 1e-3, "kW/K": 1e3}),
-    Kind("W/(m K)", "a thermal conductivity", "0.13 W/(m K)", {"W/(m K)": 1.0, "W/m/K": 1.0, "W/(mK)": 1.0}),
-    Kind("m/Pa", "a compliance", "2 um/MPa", {"um/MPa": 1e-12, "mm/MPa": 1e-9, "m/Pa": 1.0}),
+    Kind("W/K", "a thermal conductance", "0.2 W/K", {"W/K": 1.0, "mW/K": 1e-3, "kW/K": 1e3}, one_unit=True),
+    Kind(
+        "W/(m K)",
+        "a thermal conductivity",
+        "0.13 W/(m K)",
+        {"W/(m K)": 1.0, "W/m/K": 1.0, "W/(mK)": 1.0},
+        one_unit=True,
+    ),
     Kind(
         "J/(kg K)",
         "a heat capacity",
         "1942 J/(kg K)",
         {"J/(kg K)": 1.0, "kJ/(kg K)": 1e3, "J/kg/K": 1.0, "kJ/kg/K": 1e3, "J/(kgK)": 1.0, "kJ/(kgK)": 1e3},
+        one_unit=True,
     ),
     Kind(
         "J/(m3 K)",
@@ -194,6 +211,7 @@ _ALL = (
         "11e-6 1/K",
         {"1/K": 1.0, "/K": 1.0, "K-1": 1.0, "ppm/K": 1e-6, "1/degC": 1.0, "/degC": 1.0, "1/°C": 1.0}
         | {"um/(m K)": 1e-6, "um/m/K": 1e-6},
+        one_unit=True,
     ),
     Kind(
         "1/Pa",
@@ -213,15 +231,25 @@ _ALL = (
         "a change of density per kelvin",
         "-0.63 kg/(m3 K)",
         {"kg/(m3 K)": 1.0, "kg/m3/K": 1.0},
+        one_unit=True,
     ),
     Kind(
         "J/(kg K2)",
         "a change of heat capacity per kelvin",
         "3.9 J/(kg K2)",
         {"J/(kg K2)": 1.0, "J/kg/K2": 1.0},
+        one_unit=True,
     ),
     # Not a temperature: 10 K and 10 degC are the same difference, and no offset may creep in.
-    Kind("K", "a temperature difference", "900 K", {"K": 1.0}, open_to_pint=False, name="K difference"),
+    Kind(
+        "K",
+        "a temperature difference",
+        "900 K",
+        {"K": 1.0},
+        open_to_pint=False,
+        name="K difference",
+        one_unit=True,
+    ),
     Kind("N s/m", "a damping", "80 kN s/m", {"kN s/m": 1e3, "N s/m": 1.0, "MN s/m": 1e6}),
     Kind(
         "kg m2", "a moment of inertia", "0.06 kg m2", {"kg m2": 1.0, "g m2": 1e-3, "kg cm2": 1e-4, "kg mm2": 1e-6}
@@ -240,10 +268,28 @@ _ALL = (
         "1.6e-3, '1.6 permille' or '0.16 %'",
         {"": 1.0, "permille": 1e-3, "‰": 1e-3, "%": 1e-2, "percent": 1e-2, "ppm": 1e-6},
         open_to_pint=False,
+        one_unit=True,
     ),
 )
 
-KINDS: dict[str, Kind] = {kind.key: kind for kind in _ALL}
+
+def keyed(kinds: Iterable[Kind]) -> dict[str, Kind]:
+    """Give kinds by their keys, each of which belongs to one of them.
+
+    Raises
+    ------
+    ValueError
+        When two share a key: the second would shadow the first.
+    """
+    made: dict[str, Kind] = {}
+    for kind in kinds:
+        if kind.key in made:
+            raise ValueError(f"two kinds of quantities are keyed {kind.key!r}")
+        made[kind.key] = kind
+    return made
+
+
+KINDS: dict[str, Kind] = keyed(_ALL)
 """All kinds by their SI unit, or by their name where two share one."""
 
 

@@ -1,4 +1,4 @@
-"""From what stands in a case file to an SI number: a number, or a number and a unit, and nothing else.
+"""From what the engineer writes to an SI number: a number, or a number and a unit, and nothing else.
 
 Text never reaches an evaluator: it must be one number and a short product of unit names with one-digit
 exponents, so that no expression from a file can keep the machine busy.
@@ -44,6 +44,10 @@ class QuantityError(ValueError):
     def __init__(self, says: str, allowed: str = "", hint: str = "", given: Kind | None = None) -> None:
         super().__init__("; ".join([says] + [f"allowed: {allowed}"] * bool(allowed) + [hint] * bool(hint)))
         self.says, self.allowed, self.hint, self.given = says, allowed, hint, given
+
+
+class SiNumber(float):
+    """A number that was brought to SI by what read it, such as a table whose heading has the units."""
 
 
 def read(given: object, unit: str) -> float:
@@ -111,14 +115,18 @@ def bare_number(given: object) -> float | None:
         return None
 
 
-def plausible_unit(number: float, kind: Kind, lowest: float, highest: float) -> str | None:
-    """Give the most usual unit that brings a bare number into a range; rare ones are no good guess.
+def plausible_units(number: float, kind: Kind, bounds: tuple[float, float] | None) -> list[str]:
+    """Give the most usual units that bring a bare number into a range; rare ones are no good guess.
 
-    >>> plausible_unit(250.0, KINDS["m"], 0.001, 3.0)
-    'mm'
+    >>> plausible_units(250.0, KINDS["m"], (0.001, 3.0)), plausible_units(36.0, KINDS["N"], (1.0, 1e9))
+    (['mm'], ['kN', 'N'])
     """
-    usual = list(kind.everyday)[:3]
-    return next((unit for unit in usual if lowest <= kind.to_si(number, unit) <= highest), None)
+    fits: dict[float, str] = {}
+    for unit in list(kind.everyday)[:3]:
+        value = kind.to_si(number, unit)
+        if bounds is None or bounds[0] <= value <= bounds[1]:
+            fits.setdefault(value, unit)  # rpm and 1/min are one
+    return list(fits.values())[:2]
 
 
 @lru_cache(maxsize=4096)

@@ -13,7 +13,6 @@ from babbitt.standards.iso7902.screening import Transition
 from babbitt.standards.iso7902.supply import (
     FIT_RANGE,
     LOGARITHM_UP_TO,
-    CircumferentialGroove,
     Holes,
     Pockets,
     fitted_width,
@@ -41,9 +40,9 @@ def doubts_of(
 def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
     yield from doubts_about_film(case, values)
     least, most = STANDARD_WIDTH_RATIOS
-    if not least <= case.bearing.width_ratio <= most:
-        ratio = case.bearing.width_ratio
-        yield Notice("W102", f"B/D = {ratio:.3g} lies outside {least:g} to {most:g} of ISO 7902-2")
+    if not least <= case.bearing.part_width_ratio <= most:
+        ratio, of = case.bearing.part_width_ratio, " of each half bearing" if case.bearing.parts > 1 else ""
+        yield Notice("W102", f"B/D = {ratio:.3g}{of} lies outside {least:g} to {most:g} of ISO 7902-2")
     if case.curves is Curves.CLOSED_FORM:
         yield Notice("W113", "closed forms of DIN 31652: up to 7 % in So and 2.5° in attitude angle")
     eccentricity = values["eccentricity_ratio"]
@@ -69,8 +68,6 @@ def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:
                 f"relative width {s:.3f} of the supply element lies outside {FIT_RANGE[0]:g} to {FIT_RANGE[1]:g}; "
                 f"{taken}",
             )
-    if isinstance(element, CircumferentialGroove):
-        yield Notice("W106", "the load number was formed with the whole width; the groove leaves two lands")
 
 
 def _of_running(

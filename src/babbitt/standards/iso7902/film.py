@@ -52,16 +52,19 @@ class Film:
 
 
 def curves_of(case: DesignCase) -> BearingCurves:
-    """The characteristics the case asks for."""
+    """The characteristics the case asks for, of one half bearing where a groove parts it."""
     if case.curves is Curves.CLOSED_FORM:
-        return ClosedFormCurves(case.bearing.width_ratio)
-    return curves(case.bearing.span, case.bearing.width_ratio)
+        return ClosedFormCurves(case.bearing.part_width_ratio)
+    return curves(case.bearing.span, case.bearing.part_width_ratio)
 
 
 def load_scale(case: DesignCase, viscosity: float, relative_clearance: float) -> float:
-    """Load at So = 1: ``B D η ω_h/ψ²`` in N, the definition of the Sommerfeld number of ISO 7902."""
+    """Load at So = 1: ``B D η ω_h/ψ²`` in N, the definition of the Sommerfeld number of ISO 7902.
+
+    Half bearings have the Sommerfeld number of all their width under all the load.
+    """
     bearing = case.bearing
-    return bearing.width * bearing.diameter * viscosity * hydrodynamic_speed(case) / relative_clearance**2
+    return bearing.loaded_width * bearing.diameter * viscosity * hydrodynamic_speed(case) / relative_clearance**2
 
 
 def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
@@ -102,7 +105,7 @@ def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
     number = case.friction_factor * friction_number(case.friction, shape, eccentricity, so)
     flow_scale = bearing.diameter**3 * psi * hydrodynamic_speed(case)
     side_flow_number = shape.side_flow_number(eccentricity)
-    side_flow = side_flow_number * flow_scale
+    side_flow = bearing.parts * side_flow_number * flow_scale
     return Film(
         temperature=temperature,
         relative_clearance=psi,

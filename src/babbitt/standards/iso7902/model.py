@@ -17,7 +17,7 @@ from babbitt.design.conditions import (
 from babbitt.lubricants import Lubricant
 from babbitt.materials import BearingMetal, LoadCharacter
 from babbitt.notices import Notice
-from babbitt.standards.iso7902.supply import SupplyElement
+from babbitt.standards.iso7902.supply import CircumferentialGroove, SupplyElement
 
 __all__ = [
     "Bearing",
@@ -56,7 +56,9 @@ class Curves(Enum):
 class Bearing(Proportions):
     """A circular cylindrical bearing; lengths in m, clearance at 20 °C, span in degrees of a tabulated arc.
 
-    `clearance_tolerance` holds the least and the greatest relative clearance where a tolerance is known.
+    `clearance_tolerance` holds the least and the greatest relative clearance where a tolerance is known. A groove
+    around the whole circumference parts the bearing: the standard takes it for two half bearings side by side,
+    each with half the load.
     """
 
     diameter: float
@@ -70,6 +72,28 @@ class Bearing(Proportions):
     metal: BearingMetal | None = None
     load_character: LoadCharacter = LoadCharacter.CALM
     clearance_tolerance: tuple[float, float] | None = None
+
+    @property
+    def parts(self) -> int:
+        """Bearings side by side that share the load: two half ones beside a circumferential groove, else one."""
+        return 2 if isinstance(self.supply_element, CircumferentialGroove) else 1
+
+    @property
+    def loaded_width(self) -> float:
+        """Width of all parts together in m: that of the bearing less that of a groove which parts it."""
+        if isinstance(self.supply_element, CircumferentialGroove):
+            return self.width - self.supply_element.width
+        return self.width
+
+    @property
+    def part_width(self) -> float:
+        """Width of one part in m."""
+        return self.loaded_width / self.parts
+
+    @property
+    def part_width_ratio(self) -> float:
+        """Width of one part over the diameter, for which the characteristics are taken."""
+        return self.part_width / self.diameter
 
 
 @dataclass(frozen=True)
@@ -99,3 +123,4 @@ class DesignCase:
     doubts: tuple[Notice, ...] = ()
     kind: str = "journal"
     effective_temperature: float | None = None
+    load_angle: float | None = None

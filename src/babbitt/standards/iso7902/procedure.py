@@ -126,6 +126,7 @@ def _values(case: DesignCase, film: Film, change: Transition | None) -> dict[str
         "diameter": diameter,
         "width": bearing.width,
         "width_ratio": bearing.width_ratio,
+        **_half_bearings(case),
         "angular_span": math.radians(bearing.span),
         "relative_clearance": bearing.relative_clearance,
         "operating_relative_clearance": film.relative_clearance,
@@ -147,7 +148,7 @@ def _values(case: DesignCase, film: Film, change: Transition | None) -> dict[str
         "total_flow": film.total_flow,
         **heat_values(case, film),
         "stability_relative_clearance": orlov_relative_clearance(
-            film.viscosity, duty["hydrodynamic_speed"], duty["specific_load"], bearing.width_ratio
+            film.viscosity, duty["hydrodynamic_speed"], duty["specific_load"], bearing.part_width_ratio
         ),
         "recommended_relative_clearance": recommended_relative_clearance(duty["surface_speed"]),
         **supply_values(case, film),
@@ -158,14 +159,25 @@ def _values(case: DesignCase, film: Film, change: Transition | None) -> dict[str
         values["tube_loss"] = film.feed.tube_loss
         values["hole_loss"] = film.feed.hole_loss
     values |= cooling_values(case, film) | limit_values(case)
+    if case.load_angle is not None:
+        values["load_angle"] = case.load_angle
     if change is not None:
         values["transition_speed"] = change.speed
     return values
 
 
+def _half_bearings(case: DesignCase) -> dict[str, float]:
+    """Width of each of two half bearings beside a groove around the circumference; empty without one."""
+    bearing = case.bearing
+    if bearing.parts == 1:
+        return {}
+    return {"half_bearing_width": bearing.part_width, "half_bearing_width_ratio": bearing.part_width_ratio}
+
+
 def _settings(case: DesignCase) -> dict[str, str]:
     """The choices that the numbers depend on."""
-    element = case.bearing.supply_element
+    element, parts = case.bearing.supply_element, case.bearing.parts
+    halves = {"half_bearings": f"{parts} of {case.bearing.part_width * 1e3:.4g} mm"} if parts > 1 else {}
     return {
         "lubricant": case.lubricant.name,
         "characteristics": case.curves.value,
@@ -173,6 +185,7 @@ def _settings(case: DesignCase) -> dict[str, str]:
         "friction_factor": f"{case.friction_factor:g}",
         "span": f"{case.bearing.span} deg",
         "supply_element": type(element).__name__ if element else "none",
+        **halves,
     }
 
 
@@ -186,6 +199,6 @@ def _transition(case: DesignCase, film: Film) -> Transition | None:
         bearing.diameter,
         film.relative_clearance,
         film.viscosity,
-        film.load / (bearing.width * bearing.diameter),
+        film.load / (bearing.loaded_width * bearing.diameter),
         curves_of(case),
     )

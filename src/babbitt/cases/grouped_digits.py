@@ -1,0 +1,77 @@
+"""Quantities whose three digits after the point may be grouped thousands: 12.000 N is twelve newtons here."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any, cast
+
+from babbitt.cases.plain_words import metadata_of
+from babbitt.notices import Notice
+from babbitt.units import QuantityError, SiField, read
+
+if TYPE_CHECKING:
+    from babbitt.cases.part import Part
+
+__all__ = ["about_grouped_digits", "grouped_fields"]
+
+_GROUPED = re.compile(r"\s*([-+]?[1-9]\d{0,2})\.(\d{3})(?!\d)(\s*[^\d\s.eE].*)", re.DOTALL)
+
+
+def grouped_fields(cls: type[Part], given: Mapping[str, Any]) -> tuple[tuple[str, str], ...]:
+    """Give the quantities of a part whose digits may be grouped, as they are written.
+
+    Only those whose field would take the number a thousand times as large: no bore of 80.025 mm is meant as 80 m.
+
+    Parameters
+    ----------
+    cls : type
+    given : Mapping
+        What the part was read from.
+    """
+    found: dict[str, str] = {}
+    for name, value in given.items():
+        texts = value if isinstance(value, list | tuple) else [value]
+        for text in texts:
+            match = _GROUPED.fullmatch(text) if isinstance(text, str) else None
+            if match and any(_holds(field, "".join(match.groups())) for field in metadata_of(cls, name, SiField)):
+                found.setdefault(str(name), text.strip())
+    return tuple(found.items())
+
+
+def about_grouped_digits(part: Part | None, *path: str | int) -> Iterator[Notice]:
+    """Doubt every quantity of a part, and of the parts within, whose digits may be grouped.
+
+    Parameters
+    ----------
+    part : Part or None
+    *path : str or int
+        From the case to the part.
+    """
+    for name, text in part._grouped if part is not None else ():
+        match = _GROUPED.fullmatch(text)
+        if match is not None:
+            whole, thousand, unit = match.groups()
+            field = ".".join(map(str, (*path, name)))
+            yield Notice(
+                "W181",
+                f"{field}: '{text}' was read with a decimal point; write '{whole}{thousand}{unit}' if thousands "
+                f"were meant, or '{float(f'{whole}.{thousand}'):g}{unit}'",
+            )
+    for name, value in vars(part).items() if part is not None else ():
+        yield from _within(value, *path, name)
+
+
+def _within(value: object, *path: str | int) -> Iterator[Notice]:
+    if isinstance(value, tuple):
+        for index, one in enumerate(value):
+            yield from _within(one, *path, index)
+    elif hasattr(value, "_grouped"):
+        yield from about_grouped_digits(cast("Part", value), *path)
+
+
+def _holds(field: SiField, text: str) -> bool:
+    try:
+        return field.unit != "1" and field.holds(read(text, field.unit))
+    except QuantityError:
+        return False
