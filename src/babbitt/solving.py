@@ -65,7 +65,7 @@ class MachineResult:
 
     @property
     def within_limits(self) -> bool:
-        """Whether every bearing keeps every limit that is not merely advice."""
+        """Whether every bearing passes, with or without remarks."""
         return all(result.within_limits for result in self.results)
 
     def __getitem__(self, name: str) -> Result:

@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from babbitt.cli.app import LIMIT_VIOLATED, NO_SOLUTION, AllowOutside, Files, app, reach
+from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, AllowOutside, Files, app, reach
 from babbitt.files.printing import printable
 
 __all__ = ["check", "compare", "export", "solve", "sweep"]
@@ -28,7 +28,7 @@ def solve(
     fields: Annotated[
         Path | None, typer.Option(metavar="OUT", help="Write the fields of the films as NetCDF: OUT.nc.")
     ] = None,
-    strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 when a design limit is violated.")] = False,
+    strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 on fail or no verdict.")] = False,
     allow_outside: AllowOutside = False,
 ) -> None:
     """Solve the bearings of case files and print a table."""
@@ -63,7 +63,7 @@ def solve(
     if not all(machine.solved for machine in machines):
         raise typer.Exit(NO_SOLUTION)
     if strict and not all(machine.within_limits for machine in machines):
-        raise typer.Exit(LIMIT_VIOLATED)
+        raise typer.Exit(NOT_PASSED)
 
 
 @app.command()
