@@ -260,7 +260,7 @@ def pockets(*degrees):
 
 
 def test_pockets_aside_push_straight_up_or_hold_nothing():
-    """Film forces at the place that is reported: no sideward force, the load upwards; the mirror image mirrored."""
+    """Film forces at the place that is reported: no sideward force, the load upwards; the image mirrored."""
     found = {}
     for degrees in ((-110.0, -60.0), (-120.0, -70.0)):
         made = jacking(bearing=pockets(*degrees))

@@ -71,8 +71,8 @@ class LiftPoint:
 def lift_at(case: JackingCase, gap: float) -> LiftPoint:
     """Pressure and flow that hold the shaft at a smallest gap, where the pockets push straight up.
 
-    The shaft rolls aside until the sideward force vanishes. Pockets with a restrictor or a stage of a flow divider of
-    their own get equal flows (an assumption), others one pressure.
+    The shaft rolls aside until the sideward force vanishes. Pockets with a restrictor or a stage of a flow
+    divider of their own get equal flows (an assumption), others one pressure.
 
     Parameters
     ----------
@@ -268,7 +268,8 @@ def jacking_check(case: JackingCase) -> Result:
         ]
     return Result(
         case.name, case.kind, case.method, Outcome.CONVERGED, named, checks=tuple(found),
-        warnings=(*case.doubts, *jacking_doubts(case, upper, gap)), assumptions=assumptions(case), settings=settings,
+        warnings=(*case.doubts, *jacking_doubts(case, upper, gap)), assumptions=assumptions(case),
+        settings=settings,
     )  # fmt: skip
 
 
@@ -285,7 +286,8 @@ def failure(case: JackingCase, lying: LiftPoint, lifted: LiftPoint, gap: float) 
     if case.lift_gap is None and (gap < case.roughness or (math.isnan(gap) and flow < 6e4 * lying.flow)):
         return Outcome.OVERLOADED, (
             f"a pump flow of {flow:.3g} L/min does not lift the shaft off the composite roughness of "
-            f"{1e6 * case.roughness:.4g} µm; that takes more than {6e4 * lying.flow:.3g} L/min. Raise the flow, or "
+            f"{1e6 * case.roughness:.4g} µm; that takes more than {6e4 * lying.flow:.3g} L/min. Raise the flow, "
+            f"or "
             "take more viscous oil or a larger pocket"
         )
     if math.isnan(gap):
@@ -301,7 +303,8 @@ def failure(case: JackingCase, lying: LiftPoint, lifted: LiftPoint, gap: float) 
     elif case.bearing.count > 1 and not case.own_restrictors:
         remedy = f"give every pocket its restrictor or stage of a flow divider, or {remedy}"
     return Outcome.NOT_CONVERGED, (
-        f"the pockets push the shaft to the {side} with {1e-3 * abs(lifted.side_force):.4g} kN at the bottom of the "
+        f"the pockets push the shaft to the {side} with {1e-3 * abs(lifted.side_force):.4g} kN at the bottom of "
+        f"the "
         f"bore, {100.0 * abs(lifted.side_force) / case.load:.3g} % of the load, and no place at a smallest gap of "
         f"{1e6 * gap:.4g} µm was found where they push straight up; {remedy}"
     )
