@@ -1,4 +1,4 @@
-"""Files that a case names: regular ones, of bounded size, in its folder; whatever they are called is shown safely."""
+"""Files that a case names: regular ones, of bounded size, in its folder, and shown safely."""
 
 import io
 import os
@@ -114,9 +114,7 @@ def test_a_table_below_the_folder_is_read_and_known_as_an_input(case):
 def test_an_archive_that_unpacks_to_gigabytes_is_refused_before_it_does(case):
     path = case("compliance", "bomb.npz")
     header = io.BytesIO()
-    np.lib.format.write_array_header_1_0(
-        header, {"descr": "<f8", "fortran_order": False, "shape": (25_000_000,)}
-    )
+    np.lib.format.write_array_header_1_0(header, {"descr": "<f8", "fortran_order": False, "shape": (25_000_000,)})
     with zipfile.ZipFile(path.parent / "bomb.npz", "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         archive.writestr("angles.npy", header.getvalue() + bytes(200_000_000))
     assert (path.parent / "bomb.npz").stat().st_size < 1_000_000
