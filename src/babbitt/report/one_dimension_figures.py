@@ -69,8 +69,8 @@ def _painted(case: OneDimension, result: Result) -> Iterator[tuple[str, str, Fig
     if isinstance(case, LongFilmCase):
         yield (
             "along-the-film",
-            "Temperatures (above), pressure and film thickness (below, broken line) around the film, from the "
-            "widest gap in the direction of rotation. Dotted line: the film breaks; cross: hottest oil.",
+            "Temperatures (above), pressure and film thickness (below, broken line) around the film, angles from "
+            "the widest gap in the direction of rotation. Dotted line: the film breaks; cross: hottest oil.",
             _along(case, result),
             True,
         )
@@ -117,6 +117,7 @@ def _along(case: OneDimension, result: Result) -> Figure:
     figure.subplots_adjust(right=1.0 - 14.0 / 166.0)
     warm, bottom = axes[0][0], axes[1][0]
     angles = np.degrees(_row(result, "film_angle"))
+    first = float(angles[0]) if isinstance(case, LongFilmCase) else 0.0  # a long film starts where oil enters
     if isinstance(case, LongFilmCase):
         _temperatures_of_long_film(warm, result, angles)
     else:
@@ -140,8 +141,8 @@ def _along(case: OneDimension, result: Result) -> Figure:
         panel.axvline(math.degrees(result.rupture_angle), color=GREY, linewidth=0.8, linestyle=DOTTED)
         if isinstance(case, SegmentCase) and case.groove is not None:
             panel.axvspan(*_edges(case, result), color=BAND, zorder=0)
-        panel.set_xlim(0.0, 360.0)
-        panel.set_xticks(range(0, 361, 30))
+        panel.set_xlim(first, first + 360.0)
+        panel.set_xticks(range(30 * math.ceil(first / 30.0), round(first) + 361, 30))
     return figure
 
 
@@ -160,17 +161,17 @@ def _temperatures_of_long_film(panel: Axes, result: Result, angles: Array) -> No
         middles = 0.5 * (angles[1:] + angles[:-1])
         panel.plot(middles, bush, color=GREY)
         ends.append((float(bush[-1]), "bush"))
-    _named(panel, ends)
+    _named(panel, float(angles[-1]), ends)
 
 
-def _named(panel: Axes, ends: list[tuple[float, str]]) -> None:
+def _named(panel: Axes, edge: float, ends: list[tuple[float, str]]) -> None:
     """Names of curves at the right edge, so far apart that they can be read."""
     low, high = panel.get_ylim()
     apart, level = 0.09 * (high - low), -math.inf
     for value, name in sorted(ends):
         level = max(value, level + apart)
         panel.annotate(
-            name, (360.0, level), xytext=(3, 0), textcoords="offset points", fontsize=7, va="center",
+            name, (edge, level), xytext=(3, 0), textcoords="offset points", fontsize=7, va="center",
             annotation_clip=False,
         )  # fmt: skip
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from shutil import get_terminal_size
 from typing import TYPE_CHECKING
 
 from rich.cells import cell_len
@@ -11,8 +12,8 @@ from rich.console import Console, Group, RenderableType
 from rich.padding import Padding
 from rich.text import Text
 
+from babbitt.files.printing import nearest_letters
 from babbitt.report import findings
-from babbitt.report import verdict as judge
 from babbitt.report.bearing_table import STYLES, bearing_table, engineers_table
 from babbitt.report.columns import Column, columns_of, is_film
 from babbitt.report.heel_table import heel_table
@@ -20,7 +21,6 @@ from babbitt.report.names import counted_results
 from babbitt.report.text import plain_text
 from babbitt.report.thrust_words import answers
 from babbitt.report.totals import totals
-from babbitt.report.verdict import Verdict
 from babbitt.results import Result
 
 if TYPE_CHECKING:
@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 
 PIPED_WIDTH = 140
 """Columns written when standard output is a file or a pipe and has no width of its own."""
+
+NARROWEST = 40
+"""And never fewer than these, whatever the terminal says of itself."""
 
 NAME_WIDTH = 18
 """The name column wraps rather than let a column of numbers go, down to this width."""
@@ -50,13 +53,10 @@ def console(width: int | None = None) -> Console:
     width : int, optional
         Columns; the terminal's own when omitted, and `PIPED_WIDTH` where there is no terminal.
     """
-    reconfigure = getattr(sys.stdout, "reconfigure", None)
-    if reconfigure is not None:
-        reconfigure(errors="replace")  # an old code page without ψ must not end in a traceback
-    made = Console(width=width, highlight=False)
-    if width is None and not made.is_terminal and "COLUMNS" not in (made._environ or {}):
-        return Console(width=PIPED_WIDTH, highlight=False)
-    return made
+    nearest_letters(sys.stdout)  # an old code page without ψ must not end in a traceback
+    if width is None:
+        width = max(get_terminal_size((PIPED_WIDTH, 25)).columns, NARROWEST)
+    return Console(width=width, highlight=False)
 
 
 def print_machine(machine: MachineResult, to: Console | None = None) -> None:
@@ -107,7 +107,7 @@ def _machine(name: str, results: Sequence[Result], width: int) -> RenderableType
         table.add_column(Text(f"checks\n{NOT_CHECKED}"), justify="right", no_wrap=True)
     rows = zip(*(column.cells(results) for column in shown), strict=True) if shown else ((),) * len(results)
     for result, cells in zip(results, rows, strict=True):
-        word = judge.verdict(result)
+        word = result.verdict
         missing = [Text(str(len(result.not_checked)) if result.not_checked else "")] if incomplete else []
         name_and_cells = (Text(plain_text(result.name)), *map(Text, cells))
         table.add_row(*name_and_cells, Text(word.value, style=STYLES[word]), *missing)
@@ -126,7 +126,10 @@ def fitting(columns: Sequence[Column], results: Sequence[Result], width: int) ->
     shown = list(columns)
 
     def needed() -> int:
-        name, word = min(NAME_WIDTH, _longest_name(results)), len(Verdict.UNSOLVED.value)
+        name, word = (
+            min(NAME_WIDTH, _longest_name(results)),
+            max(len(one.value) for one in {result.verdict for result in results}),
+        )
         return name + word + sum(_column_width(column, results) + GAP for column in shown) + 2 * GAP
 
     while shown and needed() > width:
@@ -151,9 +154,11 @@ def _remarks(results: Sequence[Result]) -> list[RenderableType]:
     sections = (
         ("No solution", findings.unsolved(results), "bold red"),
         ("Limits violated", findings.missed_limits(results), "bold red"),
-        ("Advice", findings.missed_advice(results), "yellow"),
-        ("Warnings", findings.gathered_warnings(results), "yellow"),
-        ("Not checked", findings.not_checked(results), "yellow"),
+        ("No verdict", findings.no_verdict(results), "bold yellow"),
+        ("Remarks", findings.remarks(results), "yellow"),
+        ("Recommendations and screening indicators missed", findings.missed_advice(results), "default"),
+        ("Information", findings.information(results), "default"),
+        ("Not checked", findings.not_checked(results), "default"),
     )
     for heading, groups, style in sections:
         if groups:
