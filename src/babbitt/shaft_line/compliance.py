@@ -137,5 +137,5 @@ def line_compliance(line: ShaftLine, pads: FilmPads, frequencies: Array) -> Line
         passed_on = passed_on * -cross / (at_collar + own)
         at_collar = own - cross**2 / (at_collar + own) - nu**2 * mass
     film, moving, free = pads.moving(nu)
-    freed = np.linalg.inv(moving) if free else moving
+    freed = np.asarray(np.linalg.inv(moving) if free else moving, dtype=np.complex128)
     return LineCompliance(nu, line, pads, at_collar, passed_on, film, freed)

@@ -236,7 +236,7 @@ class _Films:
         width = duty.bearing.pad.outer_radius - duty.bearing.pad.inner_radius
         self.unit = np.array([1.0, 1.0 / width, 1.0 / width]) * float(share.heights.mean())
         self.free = [0, *duty.bearing.pad.free_tilts]
-        self.nu = duty.speed / turns * np.arange(count // 2 + 1)
+        self.nu = np.asarray(duty.speed / turns * np.arange(count // 2 + 1), dtype=np.float64)
         self.nu[-1] *= 1.0 + 1e-9  # off the frequencies of rods between fixed ends, where nothing moves anyway
         self.line: LineCompliance = line_compliance(duty.line, state.pads, self.nu)
         self.thrust, self.runout = self._excitations(turns)
