@@ -16,9 +16,10 @@ from typing import Annotated, NoReturn
 import typer
 
 from babbitt import __version__
+from babbitt.files.reading import Reach
 from babbitt.notices import BabbittError, InputError
 
-SOLVED, LIMIT_VIOLATED, UNUSABLE_INPUT, NO_SOLUTION = 0, 1, 2, 3
+SOLVED, NOT_PASSED, UNUSABLE_INPUT, NO_SOLUTION = 0, 1, 2, 3
 """Exit statuses."""
 
 UNCOLLECTED = 100_000
@@ -30,11 +31,20 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
     help="Compute and design fluid-film (plain) bearings.",
-    epilog="Exit status: 0 solved, 1 a design limit is violated (only with --strict), 2 input not usable, "
+    epilog="Exit status: 0 solved, 1 fail or no verdict (only with --strict), 2 input not usable, "
     "3 no solution found.",
 )
 
 Files = Annotated[list[Path], typer.Argument(metavar="FILE...", help="Case files in YAML or JSON.")]
+
+AllowOutside = Annotated[
+    bool, typer.Option("--allow-outside", help="Let a case read files outside its own folder, if you trust it.")
+]
+
+
+def reach(allow_outside: bool) -> Reach:
+    """Where the cases of a run may name files."""
+    return Reach.ANYWHERE if allow_outside else Reach.FOLDER
 
 
 def main() -> None:

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from babbitt.design.heat_balance import CEILING
-from babbitt.hydrostatics.answer import Answer, answer, coarser
+from babbitt.hydrostatics.answer import Answer, answer, answer_at, coarser
 from babbitt.hydrostatics.capacity import capacity
 from babbitt.hydrostatics.extrapolation import half_of, richardson, richardson_of_matrices
 from babbitt.hydrostatics.geometry import RectangularPad, ThrustRing
@@ -19,7 +19,7 @@ from babbitt.hydrostatics.pumping import held_pressure, highest_pressure, is_pum
 from babbitt.hydrostatics.state import Ending
 from babbitt.hydrostatics.validity import doubts
 from babbitt.hydrostatics.values import arrays, values
-from babbitt.notices import InputError
+from babbitt.notices import InputError, Notice
 from babbitt.results import Bound, Check, Outcome, Result
 from babbitt.units import ZERO_CELSIUS
 
@@ -34,6 +34,8 @@ OUTCOMES = {
     Ending.NOT_CONVERGED: Outcome.NOT_CONVERGED,
 }
 USER = "set in the case"
+THROTTLED, OPEN = 0.3, 0.8
+"""Recess over supply pressure of the centred journal outside which restrictors are to be changed: as of W302."""
 
 
 def hydrostatic_check(case: HydrostaticCase) -> Result:
@@ -78,7 +80,7 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
             "outlet_temperature": case.oil.supply_temperature + named["temperature_rise"],
         }
     if state.temperature is not None:
-        named |= {"effective_temperature": state.temperature, "energy_balance_error": state.heat_error}
+        named |= {"effective_temperature": state.temperature, "energy_balance_error": abs(state.heat_error)}
     if case.least_gap is not None:
         limit = capacity(case)
         named |= {} if limit is None else {"load_capacity": limit}
@@ -94,6 +96,7 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
         outcome,
         named,
         checks=tuple(checks(case, found, named)),
+        not_checked=() if case.least_gap is not None else (Notice("C301", "no least_gap is given"),),
         warnings=(*case.doubts, *doubts(case, found, named)),
         assumptions=case.assumptions,
         settings=settings,
@@ -155,8 +158,26 @@ def overloaded(case: HydrostaticCase, found: Answer) -> str:
         )
     return (
         f"the load is {1e-3 * load:.4g} kN; up to about {1e-3 * share * load:.4g} kN were carried "
-        f"({100.0 * share:.0f} %). Raise the supply pressure or the recess area, or widen restrictors"
+        f"({100.0 * share:.3g} %). Raise the supply pressure or the recess area{about_restrictors(case)}"
     )
+
+
+def about_restrictors(case: HydrostaticCase) -> str:
+    """Which way to change the restrictors of an overloaded bearing.
+
+    Where a pad touches, its recess has the pressure of the supply whatever the restrictor. A journal is carried by
+    the difference of its recesses, which open restrictors do not let arise, nor those that let hardly any oil in.
+    """
+    if not case.is_journal or is_pumped(case):
+        return ""
+    centred = answer_at(replace(case, accuracy="draft"), np.zeros(2), case.rest_gap)
+    if centred.ending is not Ending.SOLVED:
+        return ""
+    ratio = float(centred.network.pressures.mean()) / centred.network.supply_pressure
+    says = f"where the journal is centred its recesses have {100.0 * ratio:.3g} % of the supply pressure"
+    if ratio > OPEN:
+        return f"; {says}: narrow the restrictors, so that pressures can differ"
+    return f"; {says}: widen the restrictors" if ratio < THROTTLED else ""
 
 
 def checks(case: HydrostaticCase, found: Answer, named: dict[str, float]) -> list[Check]:

@@ -20,7 +20,7 @@ FOOTSTEP: dict[str, Explanation] = {
         "state of a grooved heel to the cold one if it becomes cooler, and to a groove that drains the rim if it "
         "becomes warmer. It satisfies the equations and will not be found running.",
         "Look at the stable states of the same heel; the message names the one to which a warmer groove leads.",
-        Effect.NO_VERDICT,
+        effect=Effect.NO_VERDICT,
     ),
     "W161": Explanation(
         "Oil of the groove very hot",
@@ -37,6 +37,7 @@ FOOTSTEP: dict[str, Explanation] = {
         "formulas that "
         "set grooves against lands lose their sense.",
         "A smaller clearance or deeper grooves.",
+        effect=Effect.NO_VERDICT,
     ),
     "W163": Explanation(
         "Ambient pressure looks like a gauge pressure",
@@ -60,6 +61,7 @@ FOOTSTEP: dict[str, Explanation] = {
         "The pressure at the rim exceeds that of the supply: oil of the groove flows back into the recess and the "
         "bore. The footstep no longer draws oil from the delivery side, and what comes back is warm.",
         "Wanted or not, provide for it: a larger clearance or a shallower groove lowers the pressure at the rim.",
+        effect=Effect.INFORMATION,
     ),
     "W167": Explanation(
         "Negative axial stiffness",
@@ -89,6 +91,7 @@ FOOTSTEP: dict[str, Explanation] = {
         "flow and pressure; at 5 starts the clearance lets through about 3 % more (`babbitt validate "
         "film_groove_pitch`).",
         "Take the leakage as a few per cent too small; more starts pump more evenly.",
+        effect=Effect.INFORMATION,
     ),
     "W170": Explanation(
         "Eccentric grooved heel",
@@ -112,13 +115,13 @@ FOOTSTEP: dict[str, Explanation] = {
         "leaves out of it, is outside what these equations are made for: one exponent of viscosity, constant heat "
         "capacity, metal that takes nothing or has one temperature.",
         "Take `method: narrow_groove` with `wall`, or wider gaps, a thinner oil, less speed.",
-        Effect.NO_VERDICT,
+        effect=Effect.NO_VERDICT,
     ),
     "W177": Explanation(
         "Mass balance at the rim open",
         "What enters the rim of the heel and what leaves it differ by more than a millionth.",
         "Report the case to the developers.",
-        Effect.NO_VERDICT,
+        effect=Effect.NO_VERDICT,
     ),
     "W178": Explanation(
         "Groove drains the rim",

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
+from collections.abc import Sequence
 
 from rich.console import Console
 from rich.text import Text
 
+from babbitt.files.spreadsheet import Cell, rows_text
 from babbitt.interop.unit_names import static_column
 from babbitt.quantities import QUANTITIES
-from babbitt.report import verdict as judge
 from babbitt.report.bearing_table import STYLES, engineers_table
 from babbitt.report.sweep_columns import sweep_columns
 from babbitt.report.table import console, fitting
 from babbitt.report.text import plain_text
-from babbitt.report.verdict import Verdict
+from babbitt.results import Verdict
 from babbitt.studies.case_sweep import CaseSweep
 
 REFUSED = "refused"
@@ -43,10 +42,10 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
     cells = list(zip(*(column.cells(results) for column in columns), strict=True)) or [()] * len(results)
     answered = zip(rows, cells, strict=True)
     lines = [
-        (place, result.name, line, judge.verdict(result).value, STYLES[judge.verdict(result)])
+        (place, result.name, line, result.verdict.value, STYLES[result.verdict])
         for (place, result), line in answered
     ]
-    lines += [(place, "", ("",) * len(columns), REFUSED, STYLES[Verdict.UNSOLVED]) for place in sweep.refused]
+    lines += [(place, "", ("",) * len(columns), REFUSED, STYLES[Verdict.NO_SOLUTION]) for place in sweep.refused]
     for place, bearing, line, word, style in sorted(lines, key=lambda one: one[0]):
         name = (Text(plain_text(bearing)),) if named else ()
         table.add_row(Text(plain_text(shown[place])), *name, *map(Text, line), Text(word, style=style))
@@ -56,18 +55,23 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
             Text(f"Left out for want of width: {', '.join(column.heading for column in hidden)}", style="dim")
         )
     for place, result in rows:
-        if judge.verdict(result) is Verdict.UNSOLVED:
+        if result.verdict is Verdict.NO_SOLUTION:
             to.print(Text(f"{sweep.path} {sweep.values.texts[place]}, {result.name}: {result.outcome.value}"))
     for reason in sweep.refused.values():
         to.print(Text(plain_text(reason)))
 
 
 def sweep_csv(sweep: CaseSweep) -> str:
-    """The answers as CSV: one row a value and bearing, results in SI with the unit in every column name.
+    """The answers as CSV in UTF-8, with comma and decimal point: `sweep_rows`, in which no word is a formula."""
+    return rows_text(sweep_rows(sweep))
 
-    The first column is the field; its unit, where the values have one, stands in its name. A row without an
-    operating point has no results; the status of a value that the case does not take is ``refused``. UTF-8, comma,
-    decimal point.
+
+def sweep_rows(sweep: CaseSweep) -> list[list[Cell]]:
+    """The answers as rows: one a value and bearing, results in SI with the unit in every column name.
+
+    The first row names the columns. The first column is the field; its unit, where the values have one, stands in
+    its name. A row without an operating point has no results; the status of a value that the case does not take is
+    ``refused``.
     """
     rows = list(sweep.rows())
     quantities = dict.fromkeys(
@@ -77,21 +81,20 @@ def sweep_csv(sweep: CaseSweep) -> str:
         for name in result.values
         if name in QUANTITIES and name not in NOT_TOLD
     )
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
     unit = f" [{sweep.values.unit}]" if sweep.values.unit and sweep.values.numbers is not None else ""
-    writer.writerow([f"{sweep.path}{unit}", "bearing", "status", *(static_column(name) for name in quantities)])
-    shown = _shown(sweep)
-    lines: list[tuple[int, list[str]]] = [
-        (place, [shown[place], "", REFUSED, *([""] * len(quantities))]) for place in sweep.refused
+    heading: list[Cell] = [f"{sweep.path}{unit}", "bearing", "status"]
+    heading += [static_column(name) for name in quantities]
+    exact = sweep.values.numbers
+    given: Sequence[Cell] = sweep.values.texts if exact is None else [float(f"{number:.12g}") for number in exact]
+    lines: list[tuple[int, list[Cell]]] = [
+        (place, [given[place], None, REFUSED, *([None] * len(quantities))]) for place in sweep.refused
     ]
     for place, result in rows:
         solved = result.outcome.solved
         numbers = [result.values.get(name, math.nan) if solved else math.nan for name in quantities]
-        told = [repr(float(number)) if math.isfinite(number) else "" for number in numbers]
-        lines.append((place, [shown[place], result.name, result.outcome.name.lower(), *told]))
-    writer.writerows(line for _, line in sorted(lines, key=lambda one: one[0]))
-    return stream.getvalue()
+        values = [float(number) if math.isfinite(number) else None for number in numbers]
+        lines.append((place, [given[place], result.name, result.outcome.name.lower(), *values]))
+    return [heading, *(line for _, line in sorted(lines, key=lambda one: one[0]))]
 
 
 def _shown(sweep: CaseSweep) -> tuple[str, ...]:
