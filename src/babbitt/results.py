@@ -26,6 +26,7 @@ class Outcome(Enum):
     UNSTABLE_NETWORK = "the flow network of the recesses has no stable state"
     STARVED_RECESS = "a recess is starved of oil"
     NOT_CONVERGED = "the iteration ended without meeting its tolerance"
+    WORK_BOUND = "the search used up the work that is allowed for its grid"
     OUTSIDE_CLEARANCE = "the prescribed position lies outside the clearance"
     SQUEEZED_OUT = "the changing load squeezes the film out"
     NOT_PERIODIC = "the journal does not come back to its place from cycle to cycle"
@@ -50,6 +51,7 @@ _OUTCOME_CODES = {
     "OUTSIDE_CLEARANCE": "S006",
     "SQUEEZED_OUT": "S007",
     "NOT_PERIODIC": "S008",
+    "WORK_BOUND": "S009",
     "NO_STEADY_STATE": "S020",
     "UNSTABLE_NETWORK": "S301",
     "STARVED_RECESS": "S302",

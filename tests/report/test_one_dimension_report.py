@@ -6,6 +6,7 @@ import pytest
 
 from babbitt.cases import load_case, parse_case
 from babbitt.report.citations import citations_of
+from babbitt.report.comparison_table import compared_rows
 from babbitt.report.content import content
 from babbitt.report.export import to_json
 from babbitt.report.figures import write_plots
@@ -36,7 +37,8 @@ def test_figures_are_drawn(machine, tmp_path):
     written = write_plots(machine, tmp_path, "svg")
     names = {path.stem.partition("-")[2] for path in written}
     method = machine.results[0].method
-    assert names == {"along-the-film", "heat-split" if method == "long_film" else "groove-beside-none"}
+    own = {"heat-split"} if method == "long_film" else {"groove-beside-none", "temperature-around-bore"}
+    assert names == {"along-the-film"} | own
     assert all(path.read_bytes().startswith(b"<?xml") for path in written)
 
 
@@ -68,7 +70,7 @@ def test_chapter_of_a_groove_shows_both_comparisons(grooved):
     assert any(warning["code"] == "W153" for warning in chapter["warnings"])
     (case,) = grooved.design_cases
     rows = {row.label: row.value for group in inputs(case) for row in group.rows}
-    assert rows["Groove"] == "at 150° from the widest gap, 6 mm wide, open at both ends, or fed"
+    assert rows["Groove"] == "at -20° from the load line, 6 mm wide, open at both ends, or fed"
 
 
 def test_json_holds_the_fields_along_the_film(long_film):
@@ -90,9 +92,13 @@ def test_discretisations_side_by_side():
 def test_grooves_side_by_side():
     (found,) = compare_methods(load_case(EXAMPLES / "grooved.yaml"))
     by_label = {one.label: one.result for one in found.variants}
-    assert list(by_label) == ["through groove", "blind groove", "cut in two", "no groove"]
-    assert by_label["through groove"].outlet_temperature > by_label["no groove"].outlet_temperature
-    assert len({round(one.load, 2) for one in by_label.values()}) == 1
+    finite = ["film, through groove", "film, blind groove", "film, no groove"]
+    assert list(by_label) == ["through groove", "blind groove", "cut in two", "no groove", *finite]
+    assert by_label["through groove"].outlet_temperature > by_label["no groove"].outlet_temperature + 30.0
+    assert len({round(one.load, 1) for one in by_label.values()}) == 1
+    rows = {row.meaning: row.cells for row in compared_rows(found.methods)}
+    assert set(rows["Groove from the load line with the rotation, θ_gF"]) == {"-20.0", "–"}
+    assert len(set(rows["Groove from the widest gap with the rotation, θ_g"])) == 6  # none is alike, two are none
 
 
 def test_sources_are_cited():

@@ -38,10 +38,19 @@ def test_the_report_answers_and_tabulates(line):
         "Oil of the pads",
         "Pads in motion",
         "Damped modes",
+        "Peaks of the response",
         "Backing rings",
     ]
     names = [figure["name"] for figure in chapter["figures"]]
-    assert names == ["pads-polar", "pad-pressure", "film-history", "mode-shapes", "ring-sweep", "campbell"]
+    assert names == [
+        "pads-polar",
+        "pad-pressure",
+        "film-history",
+        "mode-shapes",
+        "frequency-response",
+        "ring-sweep",
+        "campbell",
+    ]
     assert all(figure["svg"].lstrip().startswith("<?xml") for figure in chapter["figures"])
     titles = [group["title"] for group in chapter["inputs"]]
     assert titles == ["As given", "Lubricant"]

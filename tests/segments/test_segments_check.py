@@ -211,7 +211,7 @@ def test_case_file_with_a_profile_needs_no_load():
     ("more", "words"),
     [
         ("segments: {groove: {kind: open, angle: 150 deg, width: 6 mm}}", "open"),
-        ("segments: {groove: {kind: through, width: 6 mm}}", "where the groove is"),
+        ("segments: {groove: {kind: through, width: 6 mm}}", "the place of the groove in the bush"),
         ("segments: {groove: {kind: through, angle: 359 deg, width: 6 mm}}", "does not lie inside the film"),
         ("segments: {groove: {kind: through, angle: 150 deg, width: 400 mm}}", "does not lie inside the film"),
         ("segments: {groove: {kind: through, angle: 150 deg, width: 6 mm, mixing_factor: 1.5}}", "too large"),

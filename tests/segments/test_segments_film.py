@@ -132,7 +132,7 @@ def test_under_equal_load_the_groove_heats(angle, eccentricity, outlet):
 
 
 def test_both_comparisons_are_made():
-    found = beside(loaded("through", 150))
+    found = beside(film("through", 150), loaded("through", 150))
     assert found.same_gap.eccentricity_ratio == loaded("through", 150).eccentricity_ratio
     assert found.same_load.load == pytest.approx(LOAD, rel=1e-4)
     assert found.cut_same_load.outlet_temperature < found.same_load.outlet_temperature

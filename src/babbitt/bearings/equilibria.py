@@ -19,11 +19,12 @@ from numpy.typing import NDArray
 
 from babbitt.bearings.field import clearance_outline
 from babbitt.film.model import DRAFT, JournalFilm, Resolution
+from babbitt.film.nearby import SAME_PLACE, equilibrium_near
 from babbitt.film.solution import FilmSolution
-from babbitt.film.solve import film_at_position
+from babbitt.film.solve import film_at_position, solve_journal
 from babbitt.film.stability import critical_mass
 
-__all__ = ["RestingPlace", "RestingPlaces", "equilibrium_near", "find_equilibria"]
+__all__ = ["RestingPlace", "RestingPlaces", "find_equilibria"]
 
 Array = NDArray[np.float64]
 
@@ -32,13 +33,6 @@ DIRECTIONS = 16
 
 DEPTHS = (0.2, 0.4, 0.6, 0.8, 0.93, 0.985, 0.998)
 """Rings of the mesh: shares of the way from the centre to contact."""
-
-CONTACT = 1e3
-"""Force that pushes a journal back which touches, over the stiffness times the clearance at the start of a
-search."""
-
-SAME_PLACE = 1e-3
-"""Distance over the clearance below which two equilibria are one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,7 +105,7 @@ def find_equilibria(
     -------
     RestingPlaces
         Empty where nothing carries the load. Equilibria nearer to contact than the last of `DEPTHS` are found only
-        if known.
+        if known, or if `babbitt.film.solve.solve_journal` finds them.
     """
     places = [RestingPlace(one) for one in known]
     wanted = np.asarray(load)
@@ -121,7 +115,10 @@ def find_equilibria(
             if found is not None and not any(_near(film, found, place.film) for place in places):
                 places.append(RestingPlace(found))
         if sum(place.index for place in places) == 1:
-            break
+            return RestingPlaces(tuple(places))
+    carried = solve_journal(film, load, resolution)  # it looks closer to contact, on the loaded side
+    if carried.outcome.solved and not any(_near(film, carried, place.film) for place in places):
+        places.append(RestingPlace(carried))
     return RestingPlaces(tuple(places))
 
 
@@ -156,45 +153,3 @@ def _starts(film: JournalFilm, load: Array, directions: int) -> Iterator[Array]:
 def _force(film: JournalFilm, at: Array) -> Array:
     found = film_at_position(film, (float(at[0]), float(at[1])), resolution=DRAFT)
     return found.force if found.outcome.solved else np.full(2, np.nan)
-
-
-def equilibrium_near(
-    film: JournalFilm, load: tuple[float, float], start: tuple[float, float], resolution: Resolution
-) -> FilmSolution | None:
-    """The equilibrium that a root finder reaches from a start in m under a load in N, None where it reaches none.
-
-    Powell's hybrid method is quick, but updates the stiffness by secants and gets lost where it rises steeply;
-    least squares with the exact stiffness at every step are tried then.
-    """
-    from scipy.optimize import least_squares, root
-
-    c = film.clearance
-    begun, wanted = film_at_position(film, start, resolution=resolution), np.asarray(load)
-    if not begun.outcome.solved:
-        return None
-    unit = max(float(np.linalg.norm(begun.stiffness)) * c, 1e-300)
-
-    def film_there(place: Array) -> FilmSolution:
-        return film_at_position(film, (float(place[0]) * c, float(place[1]) * c), resolution=resolution)
-
-    def residual(place: Array) -> Array:
-        found = film_there(place)
-        return (found.force + wanted) / unit if found.outcome.solved else -CONTACT * place / math.hypot(*place)
-
-    def slope(place: Array) -> Array:
-        found = film_there(place)
-        if not found.outcome.solved:
-            return np.asarray(-CONTACT * np.eye(2) / math.hypot(*place))
-        return np.asarray(-found.stiffness * c / unit)
-
-    def settled(place: Array) -> FilmSolution | None:
-        found = film_there(place)
-        if not found.outcome.solved:
-            return None
-        step = np.linalg.lstsq(found.stiffness, found.force + wanted, rcond=None)[0]
-        return found if float(np.linalg.norm(step)) < 0.1 * SAME_PLACE * c else None
-
-    quick = root(residual, np.asarray(start) / c, jac=slope, method="hybr", options={"xtol": 1e-9, "maxfev": 60})
-    return settled(quick.x) or settled(
-        least_squares(residual, np.asarray(start) / c, slope, xtol=1e-9, ftol=1e-14, gtol=1e-14, max_nfev=60).x
-    )

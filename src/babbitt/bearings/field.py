@@ -9,7 +9,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film.model import JournalFilm
+from babbitt.film.model import FilmStart, JournalFilm
 from babbitt.film.ring import axial_gain, bore_gap
 from babbitt.film.ring_mesh import groove_arcs
 from babbitt.film.solution import FilmSolution
@@ -194,8 +194,7 @@ def step_patches(film: JournalFilm) -> tuple[StepPatch, ...]:
 def supply_patches(film: JournalFilm) -> tuple[SupplyPatch, ...]:
     """Everything that feeds a film, lines of supply without an extent included."""
     half = 0.5 * film.width
-    whole_ring = len(film.lands) == 1 and not film.lands[0].end_angle - film.lands[0].start_angle < TURN - 1e-9
-    grooves = () if whole_ring else groove_arcs(film)
+    grooves = groove_arcs(film) if film.film_start is FilmStart.GROOVE else ()
     return (
         *(SupplyPatch((arc.first, arc.last), (-half, half), arc.pressure) for arc in grooves),
         *(

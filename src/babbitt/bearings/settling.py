@@ -39,7 +39,8 @@ def settled_film(
     found = solve_journal(film, load, grid)
     if near is None or not is_saddle(found):
         return found
-    from babbitt.bearings.equilibria import RestingPlace, equilibrium_near
+    from babbitt.bearings.equilibria import RestingPlace
+    from babbitt.film.nearby import equilibrium_near
 
     other = equilibrium_near(film, load, (near[0] * film.clearance, near[1] * film.clearance), grid)
     return other if other is not None and RestingPlace(other).holds else found

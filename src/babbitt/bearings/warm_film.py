@@ -260,7 +260,7 @@ def _at_eccentricity(case: FilmCase, duty: GivenEccentricity, film: JournalFilm)
 
 
 def _accepted(solution: FilmSolution) -> FilmSolution:
-    if solution.outcome in (Outcome.OVERLOADED, Outcome.STARVED_RECESS):
+    if solution.outcome in (Outcome.OVERLOADED, Outcome.STARVED_RECESS, Outcome.WORK_BOUND):
         raise NoFilmError(solution.outcome)
     if not solution.outcome.solved:
         raise NoFilmError(Outcome.NOT_CONVERGED)

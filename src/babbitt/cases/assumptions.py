@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from babbitt.cases.cooling import Cooling, InMachine
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.materials import Materials
+from babbitt.cases.one_dimension import METHODS
 from babbitt.cases.operating_point import OperatingPoint
 from babbitt.cases.supply import Supply
 from babbitt.cases.supply_element import HoleElement, SlotElement, UnevenPockets
@@ -50,6 +51,7 @@ def common_assumptions_of(
         *_of_cooling(cooling),
         *_of_surfaces(bearing),
         *_of_materials(materials),
+        *_of_expansion(bearing, materials),
         *_of_friction_factor(bearing),
         *_of_limits(bearing),
     )
@@ -129,6 +131,12 @@ def _of_materials(materials: Materials) -> Iterator[str]:
         yield "No bearing metal is given: its limits of load, speed and temperature are not checked."
     elif materials.load_character is None:
         yield "The load is taken as calm."
+
+
+def _of_expansion(bearing: JournalBearing, materials: Materials) -> Iterator[str]:
+    if bearing.method in METHODS or materials.bearing is not None or materials.journal is not None:
+        return
+    yield "No materials of shell and journal are given: the clearance at 20 degC holds at that of the film."
 
 
 def _of_friction_factor(bearing: JournalBearing) -> Iterator[str]:

@@ -73,6 +73,7 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
             supply.pressure is None
             and supply.flow is None
             and not _all_give(points, "supply_pressure", "supply_flow")
+            and not bearing.feeds_itself()
         ):
             yield lacks("pressure", "supply", "gauge pressure such as '0.2 MPa', or flow for the film method")
         own = bearing.supply is not None and bearing.supply.flow is not None
@@ -82,6 +83,10 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
             yield lacks("ambient_temperature", "cooling", "temperature of the air such as '20 degC'")
         if cooling.surface is None and cooling.housing is None:
             yield lacks("surface", "cooling", "surface such as '0.3 m2', or housing")
+    if bearing.effective_temperature is not None and (
+        materials is None or (materials.bearing is None and materials.journal is None)
+    ):
+        return
     if materials is None:
         yield lacks("", "materials", f"a mapping such as {Materials.example}")
         return
@@ -114,9 +119,7 @@ def _flow_goes_somewhere(bearing: JournalBearing, supply: Supply, path: Path) ->
     elif bearing.dynamic_load is not None:
         says = "the orbit under a changing load does not count the oil that a supply of given flow delivers"
         yield Complaint(at, says, "supply.pressure")
-    elif bearing.hollows() and all(
-        one.pressure is not None or one.flow is not None for _, one in bearing.hollows()
-    ):
+    elif bearing.feeds_itself():
         says = "every groove, pocket and hole has a pressure or flow of its own: no one takes this flow"
         yield Complaint(at, says, "a groove, pocket or hole without pressure and flow")
 

@@ -8,9 +8,12 @@ from collections.abc import Iterator
 from babbitt.cases.grouped_digits import about_grouped_digits
 from babbitt.cases.joined_inputs import Inputs
 from babbitt.cases.journal import JournalBearing
+from babbitt.cases.load_direction import DOWNWARD
 from babbitt.cases.operating_point import OperatingPoint
+from babbitt.cases.part import is_given
 from babbitt.cases.supply_element import UnevenPockets
 from babbitt.notices import Notice
+from babbitt.units import written
 
 
 def doubts_about(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice, ...]:
@@ -21,7 +24,11 @@ def doubts_about(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice, 
     inputs : Inputs
     point : OperatingPoint or None
     """
-    return (*_about_span(inputs.bearing, point), *doubts_about_numbers(inputs, point))
+    return (
+        *_about_span(inputs.bearing, point),
+        *_about_direction(inputs.bearing),
+        *doubts_about_numbers(inputs, point),
+    )
 
 
 def doubts_about_numbers(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice, ...]:
@@ -29,6 +36,16 @@ def doubts_about_numbers(inputs: Inputs, point: OperatingPoint | None) -> tuple[
     bearing = inputs.bearing.model_copy(update={"operating_points": ()})
     at = () if point is None else ("operating_points", inputs.bearing.operating_points.index(point))
     return (*inputs.shared_doubts, *about_grouped_digits(bearing), *about_grouped_digits(point, *at))
+
+
+def _about_direction(bearing: JournalBearing) -> Iterator[Notice]:
+    """Tell that the standard does not know a direction of the load."""
+    if is_given(bearing, "load_angle") and bearing.load_angle != DOWNWARD:
+        yield Notice(
+            "W182",
+            f"load_angle {written(bearing.load_angle, '°')}: ISO 7902 centres the arc on the load and counts the "
+            "places of holes, pockets and grooves from the load, whatever its direction",
+        )
 
 
 def _about_span(bearing: JournalBearing, point: OperatingPoint | None) -> Iterator[Notice]:

@@ -12,7 +12,7 @@ from babbitt.cases.doubts import doubts_about_numbers
 from babbitt.cases.film_heat_cases import heat_assumptions, heat_model
 from babbitt.cases.film_layout import film_layout
 from babbitt.cases.film_oil import LAWS_OF_TURBULENCE
-from babbitt.cases.joined_inputs import Inputs, Point, duty, housing_cooling, journal_speed, oil_supply
+from babbitt.cases.joined_inputs import Inputs, Point, duty, expansions, housing_cooling, journal_speed, oil_supply
 from babbitt.film.model import Cavitation
 from babbitt.materials import LoadCharacter, bearing_metal
 
@@ -36,7 +36,7 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
         duty=duty(inputs, point),
         journal_speed=speed,
         lubricant=inputs.lubricant,
-        oil_supply=oil_supply(inputs.supply, point),
+        oil_supply=oil_supply(inputs, point),
         cooling=housing_cooling(inputs),
         bearing_speed=bearing.bearing_speed,
         load_angle=bearing.load_angle,
@@ -71,15 +71,14 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
 
 def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[Hollow, ...]) -> FilmBearing:
     bearing, materials = inputs.bearing, inputs.materials
-    if materials.bearing is None or materials.journal is None:
-        raise ValueError("a case that was not validated: the bearing has no materials")
+    of_bearing, of_journal = expansions(inputs)
     askew = bearing.misalignment
     return FilmBearing(
         diameter=bearing.diameter,
         width=inputs.width,
         relative_clearance=at.clearance,
-        expansion_bearing=materials.bearing.expansion(),
-        expansion_journal=materials.journal.expansion(),
+        expansion_bearing=of_bearing,
+        expansion_journal=of_journal,
         hollows=hollows,
         bore=bearing.bore.bore() if bearing.bore is not None else RoundBore(),
         film_start=bearing.film_starts(),

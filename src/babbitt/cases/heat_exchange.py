@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
@@ -82,6 +83,11 @@ class HeatExchangeGiven(Part):
     discretisation: Literal["consistent", "published_mean", "published_literal"] = Field(
         "consistent",
         description="consistent conserves the flow. The published ones repeat a published table and do not.",
+    )
+    supply_angle: Annotated[float, si("rad", "100 deg", "270 deg")] = Field(
+        math.pi,
+        description="Where the oil enters (phi_1), from the narrowest gap in the direction of rotation. 180 deg, "
+        "the widest gap, if not given.",
     )
     exchange_zone: Literal["liquid_fraction", "all_around", "film"] | None = Field(
         None,

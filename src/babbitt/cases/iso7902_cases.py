@@ -5,8 +5,9 @@ from __future__ import annotations
 from babbitt.cases.as_given import words_of
 from babbitt.cases.assumptions import assumptions_of
 from babbitt.cases.doubts import doubts_about
-from babbitt.cases.joined_inputs import Inputs, Point, duty, housing_cooling, journal_speed, oil_supply
+from babbitt.cases.joined_inputs import Inputs, Point, duty, expansions, housing_cooling, journal_speed, oil_supply
 from babbitt.cases.operating_point import OperatingPoint
+from babbitt.cases.part import is_given
 from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition
 from babbitt.materials import LoadCharacter, bearing_metal
 from babbitt.standards.iso7902.model import Bearing, Curves, DesignCase, Friction
@@ -21,7 +22,7 @@ def iso7902_case(inputs: Inputs, at: Point) -> DesignCase:
         duty=_duty(inputs, point),
         journal_speed=journal_speed(bearing, point),
         lubricant=inputs.lubricant,
-        oil_supply=oil_supply(inputs.supply, point),
+        oil_supply=oil_supply(inputs, point),
         cooling=housing_cooling(inputs),
         bearing_speed=bearing.bearing_speed,
         friction=Friction(bearing.friction.model),
@@ -37,6 +38,7 @@ def iso7902_case(inputs: Inputs, at: Point) -> DesignCase:
         doubts=doubts_about(inputs, point),
         kind=bearing.kind,
         effective_temperature=bearing.effective_temperature,
+        load_angle=bearing.load_angle if is_given(bearing, "load_angle") else None,
     )
 
 
@@ -50,15 +52,16 @@ def _duty(inputs: Inputs, point: OperatingPoint | None) -> GivenLoad | GivenEcce
 def _iso_bearing(inputs: Inputs, at: Point) -> Bearing:
     bearing, materials, point = inputs.bearing, inputs.materials, at.given
     span, element = bearing.span_at(point), bearing.element_at(point)
-    if span is None or materials.bearing is None or materials.journal is None:
-        raise ValueError("a case that was not validated: the bearing has no span or no materials")
+    if span is None:
+        raise ValueError("a case that was not validated: the bearing has no span")
+    of_bearing, of_journal = expansions(inputs)
     return Bearing(
         diameter=bearing.diameter,
         width=inputs.width,
         relative_clearance=at.clearance,
         span=span,
-        expansion_bearing=materials.bearing.expansion(),
-        expansion_journal=materials.journal.expansion(),
+        expansion_bearing=of_bearing,
+        expansion_journal=of_journal,
         supply_element=element.element() if element is not None else None,
         surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,
         metal=bearing_metal(materials.bearing_metal) if materials.bearing_metal is not None else None,

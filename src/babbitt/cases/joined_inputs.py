@@ -67,6 +67,19 @@ def inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> Inputs:
     )
 
 
+def expansions(inputs: Inputs) -> tuple[float, float]:
+    """Thermal expansion of bearing and journal, 1/K; alike where no material is given.
+
+    At a prescribed temperature, where the clearance is then taken as it is.
+    """
+    bearing, journal = inputs.materials.bearing, inputs.materials.journal
+    if bearing is None and journal is None and inputs.bearing.effective_temperature is not None:
+        return 0.0, 0.0
+    if bearing is None or journal is None:
+        raise ValueError("a case that was not validated: the bearing has no materials")
+    return bearing.expansion(), journal.expansion()
+
+
 def duty(inputs: Inputs, point: OperatingPoint | None) -> Duty:
     """What the bearing carries: the load, or the prescribed position."""
     bearing = inputs.bearing
@@ -92,8 +105,12 @@ def journal_speed(bearing: JournalBearing, point: OperatingPoint | None) -> floa
     return 2.0 * given.surface_speed / bearing.diameter
 
 
-def oil_supply(supply: Supply | None, point: OperatingPoint | None) -> OilSupply | None:
-    """Oil supply with what the operating point changes; None where no oil is fed."""
+def oil_supply(inputs: Inputs, point: OperatingPoint | None) -> OilSupply | None:
+    """Oil supply with what the operating point changes; None where no oil is fed.
+
+    Where every groove, pocket and hole has a pressure or flow of its own, that of the supply counts as zero.
+    """
+    supply = inputs.supply
     if supply is None:
         return None
     temperature, pressure, flow = supply.temperature, supply.pressure, supply.flow
@@ -101,7 +118,7 @@ def oil_supply(supply: Supply | None, point: OperatingPoint | None) -> OilSupply
         temperature = point.supply_temperature or temperature
         if point.supply_pressure is not None or point.supply_flow is not None:
             pressure, flow = point.supply_pressure, point.supply_flow
-    if temperature is None or (pressure is None and flow is None):
+    if temperature is None or (pressure is None and flow is None and not inputs.bearing.feeds_itself()):
         raise ValueError(
             "a case that was not validated: the supply has no temperature, or no pressure and no flow"
         )

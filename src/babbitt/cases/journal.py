@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from typing import Annotated, ClassVar, Literal
 
@@ -46,6 +45,7 @@ from babbitt.cases.film_surface import (
     StepGiven,
 )
 from babbitt.cases.heat_exchange import HeatExchangeGiven
+from babbitt.cases.load_direction import DOWNWARD
 from babbitt.cases.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
 from babbitt.cases.part import Complaint, at_most_one, exactly_one, is_given, rule
 from babbitt.cases.segments import SegmentsGiven
@@ -146,9 +146,10 @@ class JournalBearing(Duty, SharedInputs):
         0.0, description="Rotational speed of the bearing, positive counter-clockwise as that of the journal."
     )
     load_angle: Annotated[float, si("rad", "-360 deg", "360 deg")] = Field(
-        -math.pi / 2.0,
+        DOWNWARD,
         description="Direction of the load, counter-clockwise from the x axis. -90 deg is downward. "
-        "ISO 7902 takes the load through the middle of the arc, whatever its direction.",
+        "ISO 7902 takes the load through the middle of the arc, whatever its direction, and counts what feeds the "
+        "film from the load.",
     )
     rotor_mass: Annotated[float, si("kg", "1 g", "10000 t")] | None = Field(
         None,
@@ -404,6 +405,11 @@ class JournalBearing(Duty, SharedInputs):
             for name in ("grooves", "pockets", "holes")
             for index, hollow in enumerate(getattr(self, name))
         ]
+
+    def feeds_itself(self) -> bool:
+        """Whether every groove, pocket and hole of the film method has a pressure or a flow of its own."""
+        hollows = self.hollows() if self.method == "film" else []
+        return bool(hollows) and all(one.pressure is not None or one.flow is not None for _, one in hollows)
 
     def span_at(self, point: OperatingPoint | None) -> int | None:
         """Angular span in degrees at an operating point (None: the bearing as such), None while unknown."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import Annotated, Any, Literal
@@ -33,9 +34,13 @@ from babbitt.lubricants import (
     lubricant_from_points,
     lubricant_from_viscosity_index,
 )
+from babbitt.notices import InputError
 from babbitt.units import si, written
 
 _AT_40, _AT_100 = 313.15, 373.15
+USUAL_AT_50 = (0.1e-6, 1e5 * 1e-6)
+"""m2/s at 50 degC, the range of all viscosities in a case; outside, constants of a law were mistaken."""
+
 ViscosityIndex = Annotated[float, si("1", "-100", "400")]
 
 
@@ -132,6 +137,38 @@ class TwoPointLubricant(OwnLubricant):
         yield from refused(("nu100",), self.lubricant)
 
 
+class WaltherLubricant(OwnLubricant):
+    """An oil by the constants of Walther's law, as studies and older data sheets print them."""
+
+    kind: Literal["walther"] = Field(description="Walther's law, lg lg (nu + a) = A - B lg T, nu in mm2/s.")
+    intercept: Annotated[float, si("1", "1", "40")] = Field(description="Constant A, for nu in mm2/s and T in K.")
+    slope: Annotated[float, si("1", "0.1", "15")] = Field(description="Constant B.")
+    additive: Annotated[float, si("m2/s", "0 mm2/s", "1 mm2/s")] = Field(
+        0.7e-6,
+        description="Constant a that is added to nu: 0.6 mm2/s in Walther's older form, 0.8 mm2/s in DIN 51563. "
+        "0.7 mm2/s as in ASTM D341 if not given.",
+    )
+
+    def lubricant(self) -> Lubricant:
+        """Give the lubricant of the calculation."""
+        law = Walther(self.intercept, self.slope, self.additive * 1e6)
+        return lubricant_from_law(self.name, law, self.properties, source=self.source)
+
+    @rule
+    def _is_an_oil(self) -> Iterator[Complaint]:
+        thinnest, thickest = USUAL_AT_50
+        law = Walther(self.intercept, self.slope, self.additive * 1e6)
+        try:
+            found = float(law(323.15))
+        except (InputError, OverflowError):
+            found = math.inf
+        if not thinnest <= found <= thickest:
+            says = f"A = {self.intercept:g} and B = {self.slope:g} give no oil: at 50 degC "
+            says += f"{written(found, 'mm2/s')}" if math.isfinite(found) else "no viscosity at all"
+            allowed = f"{written(thinnest, 'mm2/s')} to {written(thickest, 'mm2/s')} at 50 degC"
+            yield Complaint(("intercept",), says, allowed, "decimal logarithms, nu in mm2/s, T in K?")
+
+
 class VogelLubricant(OwnLubricant):
     """An oil by Vogel's law, through three points or by its constants."""
 
@@ -220,6 +257,7 @@ LubricantGiven = Annotated[
     | IsoVgLubricant
     | ViscosityIndexLubricant
     | TwoPointLubricant
+    | WaltherLubricant
     | VogelLubricant
     | ExponentialLubricant
     | PowerLawLubricant

@@ -38,7 +38,7 @@ def complaints_about(bearing: JournalBearing) -> Iterator[Complaint]:
         yield from _thick_film(bearing)
         yield from heat_exchange.complaints_about(bearing.heat_exchange, bearing.diameter)
         return
-    yield from segments.complaints_about(bearing.segments, bearing.diameter)
+    yield from segments.complaints_about(bearing.segments, bearing.diameter, bearing.actual_width)
     oil = bearing.lubricant
     exponent = getattr(oil, "exponent", 0.0)
     if exponent > GREATEST_EXPONENT:

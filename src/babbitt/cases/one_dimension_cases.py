@@ -32,6 +32,7 @@ def long_film_case(inputs: Inputs, at: Point) -> LongFilmCase:
         discretisation=Discretisation(given.discretisation),
         exchange_zone=None if zone is None else ExchangeZone(zone),
         cells=SECTORS[bearing.accuracy],
+        supply_angle=given.supply_angle,
         **_shared(inputs, at),
     )
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from itertools import pairwise
 from typing import Protocol
 
 from babbitt.cases.part import Complaint, Part
+from babbitt.hydrostatics.geometry import pitches_around
 from babbitt.units import written
 
 __all__ = ["clearance_is_small", "in_order", "lands_between"]
@@ -51,9 +51,7 @@ def clearance_is_small(clearance: float, diameter: float) -> Iterator[Complaint]
 
 def lands_between(field: str, row: Row) -> Iterator[Complaint]:
     """Complain of recesses that overlap each other or a drain groove."""
-    turn = 2.0 * math.pi
-    ordered = sorted(angle % turn for angle in row.middles)
-    pitch = min((b - a) % turn or turn for a, b in pairwise([*ordered, ordered[0] + turn]))
+    pitch = min(pitches_around(tuple(row.middles)))
     if row.extent < pitch - row.drain_groove - ROUND_OFF:
         return
     drains = f" and drain grooves {written(row.drain_groove, 'deg')}" if row.drain_groove else ""

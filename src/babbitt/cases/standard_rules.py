@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.cases.film_rules import SURFACE_FIELDS
+from babbitt.cases.load_direction import load_points_between_its_pockets
 from babbitt.cases.part import Complaint, is_given, rule
 from babbitt.cases.supply_element import half_bearing_width
 from babbitt.characteristics.closed_forms import WIDTH_RATIOS as CLOSED_FORM_WIDTH_RATIOS
@@ -23,6 +24,7 @@ def standard_knows_the_bearing(bearing: JournalBearing) -> Iterator[Complaint]:
     """Complain about what the standard does not know."""
     if bearing.method == "iso7902":
         yield from film_alone_knows(bearing, "ISO 7902")
+        yield from load_points_between_its_pockets(bearing)
         yield from half_bearings_are_in_the_tables(bearing)
 
 

@@ -10,11 +10,11 @@ from pydantic import Field
 from babbitt.cases.fields import WholeNumber
 from babbitt.cases.part import Complaint, Part, at_most_one, rule
 from babbitt.design.ducts import Duct
-from babbitt.units import si
+from babbitt.units import si, zero_or
 
 OilTemperature = Annotated[float, si("K", "-30 degC", "200 degC")]
 SupplyFlow = Annotated[float, si("m3/s", "0.0001 L/min", "100000 L/min")]
-GaugePressure = Annotated[float, si("Pa", "1 kPa", "50 MPa")]
+GaugePressure = Annotated[float, zero_or("Pa", "1 kPa", "50 MPa")]
 
 
 class Tube(Part):
@@ -54,7 +54,9 @@ class Supply(Part):
 
     temperature: OilTemperature | None = Field(None, description="Oil temperature at the inlet, T_en.")
     pressure: GaugePressure | None = Field(
-        None, description="Gauge pressure of the supply system. Without tubes and holes, at the supply element."
+        None,
+        description="Gauge pressure of the supply system. Without tubes and holes, at the supply element. 0 Pa is "
+        "an unpressurised feed.",
     )
     flow: SupplyFlow | None = Field(
         None,

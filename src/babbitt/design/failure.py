@@ -41,6 +41,8 @@ def failure(case: Designed, found: Equilibrium[FilmT]) -> str:
             return f"at {reached} {STARVED}. Try: {STARVED_REMEDY}"
         case Outcome.OUTSIDE_CLEARANCE:
             far = f"at {reached} the journal would touch or cut the bore there"
+        case Outcome.WORK_BOUND:
+            far = f"at {reached} the search for the equilibrium had used up the work allowed for its grid"
         case _ if found.film is None:
             far = f"no equilibrium of the journal was found at {reached}"
         case _:

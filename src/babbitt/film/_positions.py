@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from babbitt.film._compiling import compiled, spliced
-from babbitt.film._equilibrium import CONVERGED, NO_FILM, TOO_MANY_STEPS, evaluate
+from babbitt.film._equilibrium import CONVERGED, NO_FILM, THINNEST, TOO_MANY_STEPS, evaluate, settle
 from babbitt.film._grids import (
     graded_lines,
     intervals_of,
@@ -55,6 +55,24 @@ def film_at(axial, bearing, n_coarse, n_fine, x, y, x_rate, y_rate, max_steps, r
         grid = finer
         n = min(4 * n, n_fine)
     return NO_FILM, total, gap, finer
+
+
+@compiled
+def find_near(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tolerance, max_steps, result):
+    """Equilibrium from a position close to it, on lines drawn there: x, y, status, steps, gap, grid."""
+    status, total, gap, grid = film_at(axial, bearing, n_coarse, n_fine, x, y, 0.0, 0.0, 200, result)
+    if status != CONVERGED:
+        return x, y, status, total, gap, grid
+    n, m = grid.step.shape[1], len(axial.size)
+    film, lines = new_film(n), new_lines(n, m)
+    x, y, status, steps, gap = settle(
+        axial, bearing, grid, film, lines, load_x, load_y, x, y, tolerance, max_steps, bool(0), result
+    )
+    if gap < THINNEST:
+        status = NO_FILM
+    if bearing.smooth and status == CONVERGED:
+        evaluate(axial, bearing, grid, film, lines, x, y, 0.0, 0.0, bearing.smooth, result)
+    return x, y, status, total + steps, gap, grid
 
 
 @compiled

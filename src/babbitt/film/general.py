@@ -32,18 +32,42 @@ from babbitt.film.model import JournalFilm, Resolution
 from babbitt.film.ring import Ring, axial_gain, build_ring, gap_over_lands
 from babbitt.film.ring_mesh import Density
 
-__all__ = ["SettledRing", "rest_ring", "ring_at"]
+__all__ = ["OUT_OF_WORK", "SettledRing", "rest_ring", "rest_ring_near", "ring_at"]
 
 Array = NDArray[np.float64]
 ZERO = np.zeros(4)
 """Rest in as many motions as any surface has."""
 
 
+OUT_OF_WORK = 3
+"""Status of a search that has used up its bound on work (beside those of ``_equilibrium``)."""
+
+SMALLEST_BOUND, FINE_SOLUTIONS = 2.0e8, 400
+"""Bound on the work of a search: multiplications that every grid may spend, or so many solutions on the finest
+ring, whichever is more. An assumption: ordinary films take fewer than a hundred solutions."""
+
+
+def work_of(lines: int, nodes: int) -> float:
+    """Multiplications of one solution: elimination of the lines and assembly of their blocks."""
+    return float(lines * nodes**2 * (nodes + 10))
+
+
 @dataclass
 class Effort:
     """What a search may still spend, in multiplications: a bound that is the same on every machine."""
 
-    left: float = 2.0e8
+    left: float
+
+    @classmethod
+    def for_ring(cls, film: JournalFilm, unit: float, resolution: Resolution) -> Effort:
+        """Bound that grows with the grid asked for."""
+        ring = build_ring(film, unit, resolution.ring_intervals, resolution.axial_unknowns, None)
+        return cls(max(SMALLEST_BOUND, FINE_SOLUTIONS * work_of(*ring.surface.held.shape)))
+
+    @property
+    def spent(self) -> bool:
+        """Whether nothing is left."""
+        return self.left < 0.0
 
 
 @dataclass(eq=False)
@@ -76,7 +100,7 @@ class Sample:
     def evaluate(self, at: Array, rate: Array = ZERO, smooth: bool = False) -> int:
         """Force, stiffness and damping at a position; number of nodes that changed sides."""
         lines, nodes = self.work.wet.shape
-        self.effort.left -= lines * nodes**2 * (nodes + 10)
+        self.effort.left -= work_of(lines, nodes)
         return int(
             evaluate_surface(
                 self.ring.surface, self.film, self.work, at, rate, smooth, self.force, self.stiffness, self.damping
@@ -143,14 +167,14 @@ def rest(
         waits = sample.work.wet.shape[0] if calm > 0 and not sample.ring.surface.conserving else 1
         for _ in range(PATIENCE if patient else waits):
             changed = sample.evaluate(at)
-            if changed == 0 or sample.effort.left < 0.0:
+            if changed == 0 or sample.effort.spent:
                 break
         residual = sample.force + load
         size = math.hypot(*residual)
         if not math.isfinite(size):  # a closed ring that ran dry says nothing about its load
             return at, TOO_MANY_STEPS, step, gap
-        if sample.effort.left < 0.0:
-            return at, TOO_MANY_STEPS, step, gap
+        if sample.effort.spent:
+            return at, OUT_OF_WORK, step, gap
         if size <= floor or (step > CYCLING and size <= 1e-4 * size_of_load):
             calm += 1
             if changed == 0 or calm > 4:
@@ -172,12 +196,33 @@ def rest(
 
 def rest_ring(film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int) -> SettledRing:
     """Equilibrium under a dimensionless load: a fast and a patient attempt, then both from a finer ring."""
-    effort = Effort()
+    effort = Effort.for_ring(film, unit, resolution)
     for refinement, patient in ((4, False), (4, True), (2, False), (2, True)):
         settled = attempt(film, unit, load, resolution, max_steps, effort, refinement, patient)
-        if settled.status == CONVERGED or effort.left < 0.0:
+        if settled.status == CONVERGED or effort.spent:
             break
-    return replace(settled, status=NO_FILM) if settled.gap < THINNEST else settled
+    return thick_enough(settled)
+
+
+def thick_enough(settled: SettledRing) -> SettledRing:
+    """The same, but as overloaded where what is left of the film counts as none."""
+    thin = settled.gap < THINNEST and settled.status != OUT_OF_WORK
+    return replace(settled, status=NO_FILM) if thin else settled
+
+
+def rest_ring_near(
+    film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int, at: Array
+) -> SettledRing:
+    """Equilibrium under a dimensionless load from a position close to it, on lines drawn for that position."""
+    near = ring_at(film, unit, at, ZERO[:2], resolution)
+    if near.status != CONVERGED:
+        return near
+    effort = Effort.for_ring(film, unit, resolution)
+    sample = replace(near.sample, effort=effort)
+    at, status, steps, gap = rest(sample, load, at, resolution.tolerance, max_steps, False)
+    if status == CONVERGED:
+        sample.evaluate(at, smooth=True)
+    return thick_enough(SettledRing(film, sample, at, status, near.steps + steps, gap))
 
 
 def attempt(
@@ -207,9 +252,9 @@ def attempt(
         at, status, steps, gap = rest(sample, share * load, at, 1e-2, steps_per_grid, patient)
         total += steps
         settled = status == CONVERGED
-        if max(gap, last_gap) < THINNEST:  # no way back from there is known
+        if max(gap, last_gap) < THINNEST and not effort.spent:  # no way back from there is known
             status = NO_FILM
-        if status == NO_FILM or effort.left < 0.0 or not (settled or patient):
+        if status == NO_FILM or effort.spent or not (settled or patient):
             return SettledRing(film, sample, at, status, total, gap)
         density = line_density(film, at, gap)
         if settled and share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap):

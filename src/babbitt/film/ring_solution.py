@@ -12,7 +12,7 @@ from babbitt.film._equilibrium import CONVERGED, NO_FILM
 from babbitt.film._surface_film import Surface, SurfaceFilm, SurfaceWork
 from babbitt.film._surface_forces import carry_streamers, drain_edge
 from babbitt.film.closed import closed_coefficients
-from babbitt.film.general import SettledRing
+from babbitt.film.general import OUT_OF_WORK, SettledRing
 from babbitt.film.model import Field, FilmStart, JournalFilm, Land
 from babbitt.film.piezoviscosity import pressure_of
 from babbitt.film.ring import Ring, groove_lines
@@ -23,6 +23,9 @@ from babbitt.results import Outcome
 __all__ = ["mirrored", "ring_solution", "solution_of"]
 
 Array = NDArray[np.float64]
+
+
+OUTCOMES = {CONVERGED: Outcome.CONVERGED, NO_FILM: Outcome.OVERLOADED, OUT_OF_WORK: Outcome.WORK_BOUND}
 
 
 def mirrored(film: JournalFilm) -> JournalFilm:
@@ -77,9 +80,7 @@ def solution_of(
         passing = max(passing, float(np.abs(along).sum(axis=1).max()))
     frame = np.diag(scales.sense)
     unit = scales.force / scales.length
-    outcome = {CONVERGED: Outcome.CONVERGED, NO_FILM: Outcome.OVERLOADED}.get(
-        settled.status, Outcome.NOT_CONVERGED
-    )
+    outcome = OUTCOMES.get(settled.status, Outcome.NOT_CONVERGED)
     if ring.surface.piezo.size and work.pressure.max() > ring.surface.piezo[0, -1]:
         outcome = Outcome.OVERLOADED  # beyond the law of viscosity and pressure
     lines = work.pressure.shape[0]

@@ -27,7 +27,7 @@ from babbitt.film._integrals import (
     TOTALS,
     integrate,
 )
-from babbitt.film._positions import film_at, find_depth
+from babbitt.film._positions import film_at, find_depth, find_near
 from babbitt.film._structs import LAND_COLUMNS, Axial, Bearing, Grid
 from babbitt.film.axial import even_axial_operator
 from babbitt.film.model import ENGINEERING, Cavitation, FilmStart, JournalFilm, Land, Resolution
@@ -66,7 +66,6 @@ def solve_journal(
     InputError
         E101 if the load is not finite or the journal stands still.
     """
-    begun = time.perf_counter()
     if not all(math.isfinite(part) for part in load):
         raise InputError("E101", f"load is {load}; both components must be finite, in N.")
     if film.angular_speed == 0.0:
@@ -76,24 +75,41 @@ def solve_journal(
         from babbitt.film.half_sommerfeld import half_sommerfeld_equilibrium
 
         return half_sommerfeld_equilibrium(film, load, resolution)
+    found = equilibrium_from(film, load, resolution, max_steps, None)
+    if found.outcome.solved or film.film_start is FilmStart.WIDEST_GAP or not any(load):
+        return found
+    from babbitt.film.loaded_side import from_loaded_side
+
+    return from_loaded_side(film, load, resolution, max_steps, found)
+
+
+def equilibrium_from(
+    film: JournalFilm, load: tuple[float, float], resolution: Resolution, max_steps: int,
+    start: tuple[float, float] | None,
+) -> FilmSolution:  # fmt: skip
+    """Equilibrium from a position close to it, m; None: from the middle, under a growing load."""
+    begun = time.perf_counter()
     scales = Scales.of(film, abs(film.angular_speed))
+    wanted = np.asarray(load) * scales.sense / scales.force
+    at = None if start is None else np.asarray(start) * scales.sense / scales.length
     if film.is_surface:
-        from babbitt.film.general import rest_ring
+        from babbitt.film.general import rest_ring, rest_ring_near
         from babbitt.film.ring_solution import mirrored, ring_solution
 
         seen = mirrored(film) if film.angular_speed < 0.0 else film
-        settled = rest_ring(
-            seen, scales.pressure, np.asarray(load) * scales.sense / scales.force, resolution, max_steps
+        settled = (
+            rest_ring(seen, scales.pressure, wanted, resolution, max_steps)
+            if at is None
+            else rest_ring_near(seen, scales.pressure, wanted, resolution, max_steps, at)
         )
         return ring_solution(film, scales, settled, begun)
     bearing, axial = kernel_bearing(film, scales), kernel_operator(resolution.axial_unknowns)
-    wanted = np.asarray(load) * scales.sense / scales.force
-    result = np.zeros(RESULT_SIZE)
     if film.film_start is FilmStart.WIDEST_GAP:
         return widest_gap_equilibrium(film, scales, bearing, axial, wanted, resolution, max_steps, begun)
-    pushed = wanted + groove_force(bearing)
-    x, y, status, steps, gap, grid = find_equilibrium(
-        axial, bearing, resolution.coarse_intervals, resolution.intervals, pushed[0], pushed[1], 0.0, 0.0,
+    result, pushed = np.zeros(RESULT_SIZE), wanted + groove_force(bearing)
+    find, (x, y) = (find_equilibrium, (0.0, 0.0)) if at is None else (find_near, at)
+    x, y, status, steps, gap, grid = find(
+        axial, bearing, resolution.coarse_intervals, resolution.intervals, pushed[0], pushed[1], x, y,
         resolution.tolerance, max_steps, result,
     )  # fmt: skip
     result[:2] += groove_force(bearing)

@@ -13,10 +13,11 @@ from numpy.typing import NDArray
 
 from babbitt.film._equilibrium import CONTACT, CONVERGED, NO_FILM, THINNEST, TOO_MANY_STEPS
 from babbitt.film._heat_walls import MOST_RISE
-from babbitt.film.general import line_density, rest_ring
+from babbitt.film.general import line_density
 from babbitt.film.heat import FilmHeat
 from babbitt.film.model import JournalFilm, Resolution
 from babbitt.film.scales import Scales
+from babbitt.film.solve import solve_journal
 from babbitt.film.thermal import (
     ROUNDS,
     SETTLED,
@@ -64,11 +65,15 @@ def recovered(
         found = _gone_on(film, heat, scales, load, resolution, lost)
     if found.status == CONVERGED:
         return found
-    cold = rest_ring(film, scales.pressure, load, replace(resolution, tolerance=NEAR), STEPS)
-    if cold.status != CONVERGED:
+    force = load * scales.force
+    one = solve_journal(
+        film, (float(force[0]), float(force[1])), replace(resolution, tolerance=NEAR), max_steps=STEPS
+    )
+    if not one.outcome.solved:
         return lost
-    warm = _ring_at(film, heat, scales, cold.position, cold.gap, resolution)
-    found = calmed(rest(warm, load, cold.position, resolution.tolerance, SETTLED), resolution, SETTLED)
+    at, gap = one.position / scales.length, one.minimum_film_thickness / scales.length
+    warm = _ring_at(film, heat, scales, at, gap, resolution)
+    found = calmed(rest(warm, load, at, resolution.tolerance, SETTLED), resolution, SETTLED)
     return found if found.status == CONVERGED else lost
 
 

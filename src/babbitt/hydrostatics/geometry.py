@@ -4,10 +4,20 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 from babbitt.notices import InputError
 
-__all__ = ["AnnularPad", "CircularPad", "PadShape", "RecessedJournal", "RectangularPad", "ThrustRing", "positive"]
+__all__ = [
+    "AnnularPad",
+    "CircularPad",
+    "PadShape",
+    "RecessedJournal",
+    "RectangularPad",
+    "ThrustRing",
+    "pitches_around",
+    "positive",
+]
 
 
 def positive(**given: float) -> None:
@@ -202,9 +212,8 @@ class RecessedJournal:
     @property
     def is_regular(self) -> bool:
         """Whether the recesses stand at equal distances."""
-        turn, n = 2.0 * math.pi, self.count
-        steps = [(b - a) % turn for a, b in zip(self.recess_angles, self.recess_angles[1:], strict=False)]
-        return all(abs(step - turn / n) < 1e-6 for step in steps)
+        pitch = 2.0 * math.pi / self.count
+        return all(abs(one - pitch) < 1e-6 for one in pitches_around(self.recess_angles))
 
 
 def check_pitch(angles: tuple[float, ...], extent: float, groove: float) -> None:
@@ -216,9 +225,18 @@ def check_pitch(angles: tuple[float, ...], extent: float, groove: float) -> None
         raise InputError("E101", f"recess_extent is {extent} rad; it must be positive.")
     if not 0.0 <= groove < turn:
         raise InputError("E101", f"groove_extent is {groove} rad; it must be zero or positive.")
-    ordered = sorted(angle % turn for angle in angles)
-    pitches = [(b - a) % turn or turn for a, b in zip(ordered, [*ordered[1:], ordered[0]], strict=True)]
+    pitches = pitches_around(angles)
     if not extent < min(pitches) - groove - 1e-9:
         raise InputError("E101", f"recess_extent is {math.degrees(extent):.6g} deg; it must leave a land in the "
                          f"least pitch, {math.degrees(min(pitches)):.6g} deg, less drain grooves of "
                          f"{math.degrees(groove):.6g} deg.")  # fmt: skip
+
+
+def pitches_around(angles: tuple[float, ...]) -> list[float]:
+    """Distances from every recess to the next, rad, counter-clockwise from the first behind +x; in all a turn.
+
+    The way over +x is closed by adding the turn: a remainder of it would leave round-off of one recess alone.
+    """
+    turn = 2.0 * math.pi
+    ordered = sorted(angle % turn for angle in angles)
+    return [b - a for a, b in pairwise([*ordered, ordered[0] + turn])]

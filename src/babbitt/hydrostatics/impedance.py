@@ -23,6 +23,9 @@ __all__ = ["Compressibility", "damping_loss", "impedance", "static_coefficients"
 
 Array = NDArray[np.float64]
 
+UNDAMPED = 1e-9
+"""Damping of a motion, over that along the axes, up to which it is round-off."""
+
 
 @dataclass(frozen=True)
 class Compressibility:
@@ -103,11 +106,17 @@ def lost_damping(film: RecessResponse, network: NetworkState, oil: Compressibili
 
 
 def damping_loss(film: RecessResponse, network: NetworkState, oil: Compressibility) -> float:
-    """Largest share of the damping of a motion that compressibility takes away in slow motion.
+    """Largest share of the damping of any motion that compressibility takes away in slow motion.
 
-    Motions that nothing damps, such as tilts of a ring whose lumped lands have one recess, do not count.
+    The largest eigenvalue of ``C_lost v = s C v``, symmetric parts: of all motions v the one that loses most of
+    the power that damping takes from it, whatever the axes in which motions are counted. Motions that nothing
+    damps, such as tilts of a ring whose lumped lands have one recess, do not count.
     """
-    full = np.diag(static_coefficients(film, network)[1])
-    lost = np.diag(lost_damping(film, network, oil))
-    damped = full > 0.0
-    return float((lost[damped] / full[damped]).max(initial=0.0))
+    full, lost = static_coefficients(film, network)[1], lost_damping(film, network, oil)
+    scale = np.sqrt(np.maximum(np.diag(full), 0.0))  # makes translations and tilts comparable
+    scale = np.divide(1.0, scale, out=np.zeros_like(scale), where=scale > 0.0)
+    full, lost = (scale[:, None] * 0.5 * (one + one.T) * scale for one in (full, lost))
+    damping, motions = np.linalg.eigh(full)
+    damped = damping > UNDAMPED
+    basis = motions[:, damped] / np.sqrt(damping[damped])
+    return float(np.linalg.eigvalsh(basis.T @ lost @ basis).max(initial=0.0))

@@ -14,12 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.hydrostatics.closed_forms import lands_of
-from babbitt.hydrostatics.geometry import RecessedJournal, ThrustRing
+from babbitt.hydrostatics.geometry import RecessedJournal, ThrustRing, pitches_around
 
 __all__ = ["LumpedFlow", "Lumps", "journal_lumps", "ring_lumps"]
 
 Array = NDArray[np.float64]
-TURN = 2.0 * math.pi
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 
@@ -146,12 +145,11 @@ class Lumps:
     @cached_property
     def around(self) -> tuple[Array, Array, Array, Array]:
         """Recesses as they follow each other: matrices that pick them and their next; middles; pitches, rad."""
-        order = np.argsort([angle % TURN for angle in self.angles], kind="stable")
+        order = np.argsort([angle % (2.0 * math.pi) for angle in self.angles], kind="stable")
         own = np.eye(order.size)[order]
         following = np.concatenate((own[1:], own[:1]))
         middles = own @ self.angles
-        pitches = (following @ self.angles - middles) % TURN
-        return own, following, middles, np.where(pitches > 0.0, pitches, TURN)
+        return own, following, middles, np.array(pitches_around(self.angles))
 
     @cached_property
     def outer_lands(self) -> Arcs:

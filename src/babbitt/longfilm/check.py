@@ -60,7 +60,7 @@ def long_film_check(case: LongFilmCase) -> Result:
     arrays: dict[str, Matrix] = {}
     if state is not None:
         values, arrays = _values(case, state), _arrays(state)
-        around = directions_of(case, state.attitude_angle, circle(case.cells)[0])
+        around = directions_of(case, state.attitude_angle, circle(case.cells, case.film.start)[0])
         arrays["film_direction"] = (tuple(float(one) for one in around),)
         if outcome.solved:
             bounds = flattered_films(values) if isinstance(case.duty, GivenLoad) else NO_BOUNDS
@@ -122,6 +122,7 @@ def _values(case: LongFilmCase, state: LongFilmState) -> dict[str, float]:
         "narrowest_gap_angle": narrowest_direction(case, state.attitude_angle),
         "minimum_film_thickness": float(state.film_thickness.min()),
         "maximum_pressure": float(state.film_pressure.max()),
+        "supply_angle": case.supply_angle,
         "rupture_angle": state.pressure.rupture_angle,
         "load_along_eccentricity": state.load_along,
         "load_across_eccentricity": state.load_across,
@@ -157,6 +158,7 @@ def _values(case: LongFilmCase, state: LongFilmState) -> dict[str, float]:
         return values
     return values | {
         "mean_temperature_load_ratio": state.load / alone.load,
+        "mean_temperature_relative_load_ratio": state.load_along / alone.load_along,
         "mean_temperature_outlet": alone.outlet_temperature,
     }
 
@@ -170,7 +172,7 @@ def _mean_temperature(state: LongFilmState) -> float:
 def _arrays(state: LongFilmState) -> dict[str, Matrix]:
     """Fields over the angle from the widest gap, each as one row."""
     fields = {
-        "film_angle": circle(state.film.cells)[0],
+        "film_angle": circle(state.film.cells, state.film.start)[0],
         "film_thickness": state.film_thickness,
         "film_pressure": state.film_pressure,
         "film_temperature": state.temperatures.film,
@@ -222,7 +224,10 @@ def _doubts_about_temperature(case: LongFilmCase, state: LongFilmState) -> Itera
 def _assumptions(case: LongFilmCase) -> Iterator[str]:
     yield "Infinitely long film: no oil passes the sides; at the same temperatures its load is an upper bound."
     yield "Neither heat nor pressure changes the clearance given. Laminar film, one temperature across it."
-    yield "Oil enters at the widest gap with the supply temperature; none of the hot oil comes around again."
+    where = "at the widest gap"
+    if case.supply_angle != math.pi:
+        where = f"{math.degrees(case.supply_angle):.4g} deg behind the narrowest gap, wherever the journal lies,"
+    yield f"Oil enters {where} with the supply temperature; none of the hot oil comes around again."
     yield "The effective temperature is the mean over the full film; nothing is computed with it."
     if case.exchange.bush is None:
         yield "Adiabatic bush: all heat leaves with the oil" + (

@@ -54,7 +54,7 @@ def mean_temperature_film(
         When the balance does not close up to 300 °C, or the laws of the lubricant end before.
     """
     adiabatic = replace(film, exchange=HeatExchange(NusseltLaw(0.0)), exchange_zone=friction)
-    gap = Gap.of(eccentricity_ratio, film.cells)
+    gap = Gap.of(eccentricity_ratio, film.cells, film.start)
     pressure = divergence_form(gap, np.ones(film.cells + 1))
     inlet = np.full(film.cells + 1, film.inlet_temperature)
     unit = sectors_of(adiabatic, gap, pressure, np.ones(film.cells + 1), inlet)

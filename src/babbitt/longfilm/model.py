@@ -35,6 +35,10 @@ FEWEST_CELLS, COARSE_BELOW = 24, 90
 THICKEST_FILM = 0.02
 """Largest c/R of a thin film."""
 
+SUPPLY_ANGLES = (math.radians(100.0), math.radians(270.0))
+"""Where the oil may enter, rad from the narrowest gap. Further from the widest gap the film would break where it
+starts, or begin behind its place of rupture."""
+
 DUCT_COEFFICIENT, DUCT_EXPONENT = 1.55, 1.0 / 3.0
 """Laminar flow in a duct with developing temperature, ``Nu = 1.55 (Pe d/l)^(1/3)``; textbook formula."""
 
@@ -140,13 +144,15 @@ class LongFilm:
         Of the journal, positive.
     lubricant : Lubricant
     inlet_temperature : float
-        Of the oil at the widest gap, K.
+        Of the oil where it enters, K.
     exchange : HeatExchange
     discretisation : Discretisation
     exchange_zone : ExchangeZone or None
         None takes that of the discretisation.
     cells : int
         Sectors around the film.
+    supply_angle : float
+        φ₁, where the oil enters: rad from the narrowest gap in the direction of rotation; π is the widest gap.
     """
 
     diameter: float
@@ -159,6 +165,7 @@ class LongFilm:
     discretisation: Discretisation = Discretisation.CONSISTENT
     exchange_zone: ExchangeZone | None = None
     cells: int = 180
+    supply_angle: float = math.pi
 
     def __post_init__(self) -> None:
         for said in complaints_about(self):
@@ -168,6 +175,11 @@ class LongFilm:
     def radius(self) -> float:
         """R in m."""
         return 0.5 * self.diameter
+
+    @property
+    def start(self) -> float:
+        """Angle at which the film starts, rad from the widest gap."""
+        return self.supply_angle - math.pi
 
     @property
     def surface_speed(self) -> float:
@@ -192,6 +204,10 @@ def complaints_about(film: LongFilm) -> tuple[str, ...]:
         found.append(f"clearance over radius is {ratio:.3g}, a thin film has up to {THICKEST_FILM:g}")
     if film.cells < FEWEST_CELLS:
         found.append(f"cells must be at least {FEWEST_CELLS}, given {film.cells}")
+    if not SUPPLY_ANGLES[0] <= film.supply_angle <= SUPPLY_ANGLES[1]:
+        least, most = (math.degrees(one) for one in SUPPLY_ANGLES)
+        given = math.degrees(film.supply_angle)
+        found.append(f"supply_angle must lie from {least:g} to {most:g} deg, given {given:.4g} deg")
     exchange, bush = film.exchange, film.exchange.bush
     if not 0.0 <= exchange.shaft_conductance < math.inf:
         found.append(f"shaft_conductance must not be negative, given {exchange.shaft_conductance!r}")
@@ -233,6 +249,7 @@ class LongFilmCase:
     discretisation: Discretisation = Discretisation.CONSISTENT
     exchange_zone: ExchangeZone | None = None
     cells: int = 180
+    supply_angle: float = math.pi
     load_angle: float = -math.pi / 2.0
     limits: Limits = field(default_factory=Limits)
     given: tuple[tuple[str, str], ...] = ()
@@ -258,4 +275,5 @@ class LongFilmCase:
             self.discretisation,
             self.exchange_zone,
             self.cells,
+            self.supply_angle,
         )

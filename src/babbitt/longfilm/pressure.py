@@ -1,7 +1,7 @@
 r"""Pressure around the long film: two discretisations of Reynolds' equation, both without iteration.
 
-Angles run from the widest gap with the rotation. Written without dimension, ``H = h/c`` and
-``P = p c²/(u R)`` with the viscosity kept in Pa s:
+Angles run from the widest gap with the rotation; the film starts where the oil enters. Written without
+dimension, ``H = h/c`` and ``P = p c²/(u R)`` with the viscosity kept in Pa s:
 
 .. math:: \frac{d}{dθ}\left(\frac{H^3}{μ} \frac{dP}{dθ}\right) = 6 \frac{dH}{dθ}
 
@@ -28,21 +28,25 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Gap:
-    """The gap of one eccentricity ratio on n equal sectors: nodes (n + 1) and sectors (n), without dimension."""
+    """The gap of one eccentricity ratio on n equal sectors: nodes (n + 1) and sectors (n), without dimension.
+
+    `start` is the angle of the first node, rad from the widest gap.
+    """
 
     eccentricity_ratio: float
     step: float
     nodes: Array
     sectors: Array
     slope: Array
+    start: float = 0.0
 
     @classmethod
-    def of(cls, eccentricity_ratio: float, cells: int) -> Gap:
+    def of(cls, eccentricity_ratio: float, cells: int, start: float = 0.0) -> Gap:
         """``H = 1 + ε cos θ``; `slope` is dH/dθ at the nodes."""
-        _, cosine, sine = circle(cells)
+        _, cosine, sine = circle(cells, start)
         nodes = 1.0 + eccentricity_ratio * cosine
         sectors = 0.5 * (nodes[1:] + nodes[:-1])
-        return cls(eccentricity_ratio, 2.0 * math.pi / cells, nodes, sectors, -eccentricity_ratio * sine)
+        return cls(eccentricity_ratio, 2.0 * math.pi / cells, nodes, sectors, -eccentricity_ratio * sine, start)
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,26 +60,29 @@ class Pressure:
     flow : ndarray
         Local flow ``H/2 - H³/(12 μ) dP/dθ`` of every sector, over c u L; shape (n,).
     rupture_angle : float
-        θ_r in rad, to a fraction of a sector.
+        θ_r in rad from the widest gap, to a fraction of a sector.
     full : ndarray
         How much of every sector is full film, 0 to 1; shape (n,).
+    start : float
+        Angle of the first node, rad from the widest gap.
     """
 
     nodes: Array
     flow: Array
     rupture_angle: float
     full: Array
+    start: float = 0.0
 
     def load(self, step: float) -> tuple[float, float]:
         """Load along the eccentricity and normal to it, ``-∫ P cos θ dθ`` and ``∫ P sin θ dθ``."""
-        _, cosine, sine = circle(self.nodes.size - 1)
+        _, cosine, sine = circle(self.nodes.size - 1, self.start)
         return -step * float(self.nodes @ cosine), step * float(self.nodes @ sine)
 
 
 @lru_cache(maxsize=8)
-def circle(cells: int) -> tuple[Array, Array, Array]:
+def circle(cells: int, start: float = 0.0) -> tuple[Array, Array, Array]:
     """Angles of the nodes, their cosine and their sine; shape (cells + 1,), read-only."""
-    angles = np.linspace(0.0, 2.0 * math.pi, cells + 1)
+    angles = start + np.linspace(0.0, 2.0 * math.pi, cells + 1)
     found = angles, np.cos(angles), np.sin(angles)
     for one in found:
         one.setflags(write=False)
@@ -101,7 +108,7 @@ def divergence_form(gap: Gap, viscosity: Array) -> Pressure:
     nodes[1 : last + 1] = 6.0 * gap.step * (couette[:last] - at_rupture * poiseuille[:last])
     slopes = (gap.sectors - at_rupture) * weight
     angle, full = _rupture(slopes, last, gap.step)
-    return Pressure(nodes, np.full(gap.sectors.size, 0.5 * at_rupture), angle, full)
+    return Pressure(nodes, np.full(gap.sectors.size, 0.5 * at_rupture), gap.start + angle, full, gap.start)
 
 
 def full_film(gap: Gap, viscosity: Array) -> Pressure:
@@ -138,11 +145,12 @@ def published_form(gap: Gap, viscosity: Array) -> Pressure:
     sector = 0.5 * (viscosity[1:] + viscosity[:-1])
     flow = 0.5 * gap.sectors - gap.sectors**3 / (12.0 * sector) * np.diff(nodes) / step
     angle, full = _rupture((source + firsts[last]) / weight, last, step)
-    return Pressure(nodes, flow, angle, full)
+    return Pressure(nodes, flow, gap.start + angle, full, gap.start)
 
 
 def _rupture(slopes: Array, last: int, step: float) -> tuple[float, Array]:
-    """Angle at which the slope of the pressure vanishes, between the middles of two sectors; full share of all.
+    """Angle from the start at which the slope of the pressure vanishes, between the middles of two sectors; full
+    share of all.
 
     The slopes go on behind the rupture as if the film did. Their zero moves without a jump when the film breaks in
     another sector, so that the iteration between film and temperature has no edge to hang on.

@@ -63,7 +63,7 @@ def film_at_eccentricity(film: LongFilm, eccentricity_ratio: float, start: Array
     """
     if not 0.0 < eccentricity_ratio < 1.0:
         raise InputError("E003", f"eccentricity_ratio must lie between 0 and 1, given {eccentricity_ratio!r}")
-    gap = Gap.of(eccentricity_ratio, film.cells)
+    gap = Gap.of(eccentricity_ratio, film.cells, film.start)
     return _iterated(film, lambda viscosity: gap, start)
 
 
@@ -116,7 +116,7 @@ class _Position:
         return self._gap(self.stretch)
 
     def _gap(self, stretch: float) -> Gap:
-        return Gap.of(1.0 / (1.0 + math.exp(-stretch)), self.film.cells)
+        return Gap.of(1.0 / (1.0 + math.exp(-stretch)), self.film.cells, self.film.start)
 
     def _level(self, stretch: float, viscosity: Array) -> float:
         gap = self._gap(stretch)

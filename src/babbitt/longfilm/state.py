@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from babbitt.longfilm.model import LongFilm
 from babbitt.longfilm.network import Temperatures
-from babbitt.longfilm.pressure import Gap, Pressure
+from babbitt.longfilm.pressure import Gap, Pressure, circle
 from babbitt.longfilm.walls import Sectors, flow_of, flow_spread
 
 Array = NDArray[np.float64]
@@ -85,7 +85,7 @@ class LongFilmState:
     @property
     def rupture_temperature(self) -> float:
         """Where the film breaks, K."""
-        angles = np.linspace(0.0, 2.0 * math.pi, self.gap.nodes.size)
+        angles = circle(self.film.cells, self.film.start)[0]
         return float(np.interp(self.pressure.rupture_angle, angles, self.temperatures.film))
 
     @property

@@ -116,7 +116,8 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C202": Explanation(
         "Thinnest film of the pads",
-        "Thinnest film at a corner of a pad: static, and in a shaft line with all harmonics for any phase.",
+        "Thinnest film over the edges and the face of a pad: static, and in a shaft line with all harmonics for "
+        "any phase.",
         "Less load or runout, a more viscous or cooler oil, a better alignment, a compliant ring.",
     ),
     "C203": Explanation(
@@ -125,10 +126,10 @@ CHECKS: dict[str, Explanation] = {
         "Reduce tilt first, which unloads the pads on one side, then runout.",
     ),
     "C204": Explanation(
-        "Distance of the excitations from natural frequencies",
-        "Least relative distance of an excitation from an undamped natural frequency of the line, films as stiff "
-        "as at rest; 20 % are advised. Moving films are stiffer: the response peaks near the damped frequency, "
-        "some per cent higher.",
+        "Distance of the excitations from resonance",
+        "Least relative distance of an excitation from a peak of its own response, where pad forces exceed twice "
+        "their static value, or from a damped mode with a damping ratio below 25 %, films and tilts at that "
+        "frequency; 20 % are advised. Undamped frequencies on films at rest are information.",
         "Bar the speed range, or move the frequency by seating, ring, shaft or number of blades.",
     ),
     "C301": Explanation(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.notices.explanation import Explanation
+from babbitt.notices.explanation import Effect, Explanation
 
 JOURNAL: dict[str, Explanation] = {
     "W101": Explanation(
@@ -233,6 +233,14 @@ JOURNAL: dict[str, Explanation] = {
         "The directions of the force around the clearance tell how many equilibria there must be, and another "
         "number was found. One of them may lie nearer to contact than the search looks.",
         "A finer `accuracy`; look at the film at the places in question with `position`.",
+    ),
+    "W182": Explanation(
+        "Direction of the load not used",
+        "ISO 7902 takes the load through the middle of the loaded arc, and holes, pockets and grooves at places "
+        "counted from the load. The direction of the load in space changes none of its results.",
+        "Nothing, where the places of the supply elements were counted from the load; else give them so, or "
+        "`method: film` with `grooves`, `pockets` or `holes` at their angles in the bore.",
+        Effect.INFORMATION,
     ),
     "W181": Explanation(
         "Digits that may be grouped",

@@ -59,6 +59,14 @@ NO_SOLUTION: dict[str, Explanation] = {
         "or its orbit takes several cycles.",
         "A smaller `moving_mass`, or a bore with preload.",
     ),
+    "S009": Explanation(
+        "Bound on work reached",
+        "The search for the equilibrium was stopped because it had used up the work allowed for its grid (400 "
+        "solutions of the finest film). It tells nothing about the load: neither that the film carries it nor "
+        "that it does not.",
+        "A coarser `accuracy`, or another direction of load or place of the supplies; if the bearing is an "
+        "ordinary one, report the case to the developers.",
+    ),
     "S020": Explanation(
         "No steady state",
         "At every flow of the groove the rim of the heel receives more oil than the clearance can carry away: the "

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.notices.explanation import Explanation
+from babbitt.notices.explanation import Effect, Explanation
 
 ONE_DIMENSION: dict[str, Explanation] = {
     "W150": Explanation(
@@ -26,8 +26,10 @@ ONE_DIMENSION: dict[str, Explanation] = {
         "The groove makes the film hotter",
         "Under the same load the rigid film with a groove runs at a greater eccentricity, and what leaves it is "
         "hotter than without the groove. A groove cools at the same gap, not at the same load, unless the "
-        "deformed film keeps its load capacity, which this model cannot show.",
-        "Place the groove outside the loaded zone, or compare with a film in two dimensions.",
+        "deformed film keeps its load capacity, which this model cannot show. In a film of finite width, whose "
+        "sides let oil out, a groove need not heat.",
+        "Place the groove outside the loaded zone, or see the film in two dimensions: `babbitt compare`.",
+        effect=Effect.INFORMATION,
     ),
     "W154": Explanation(
         "Blind groove short of oil",

@@ -19,10 +19,9 @@ THRUST: dict[str, Explanation] = {
         "Solve the nonlinear motion (nonlinear: true), or take the bound with a margin.",
     ),
     "W203": Explanation(
-        "Excitation near a natural frequency",
-        "An excitation comes within 20 % of a natural frequency of the line. Frequencies are known no better "
-        "than the "
-        "stiffness of seating and ring and the entrained water.",
+        "Excitation near a resonance",
+        "An excitation comes within 20 % of a peak of its response or of a lightly damped mode. Frequencies are "
+        "known no better than the stiffness of seating and ring and the entrained water.",
         "Bar this speed range, or move the frequency by seating, ring, shaft or number of blades.",
     ),
     "W204": Explanation(

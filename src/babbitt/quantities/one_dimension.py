@@ -5,6 +5,7 @@ from __future__ import annotations
 from babbitt.quantities.quantity import Quantity, quantity
 
 ONE_DIMENSION: tuple[Quantity, ...] = (
+    quantity("supply_angle", "φ₁", "rad", "deg", 4, "Angle of supply from the narrowest gap with the rotation"),
     quantity("rupture_angle", "θ_r", "rad", "deg", 4, "Angle of rupture from the widest gap"),
     quantity("narrow_zone", "Δθ", "rad", "deg", 3, "Angle over which the film is within 1.1 h_min"),
     quantity("load_along_eccentricity", "F_c", "N", "kN", 4, "Load along the line of centres"),
@@ -17,6 +18,14 @@ ONE_DIMENSION: tuple[Quantity, ...] = (
     quantity("rupture_temperature", "T_r", "K", "degC", 4, "Film temperature at rupture"),
     quantity("heat_to_shaft", "P_sh", "W", "kW", 4, "Heat led away along the shaft"),
     quantity("mean_temperature_load_ratio", "F/F_m", "1", "", 3, "Load over that of one mean temperature"),
+    quantity(
+        "mean_temperature_relative_load_ratio",
+        "W/W_m",
+        "1",
+        "",
+        3,
+        "Load along the line of centres over that of one mean temperature",
+    ),
     quantity("mean_temperature_outlet", "T_ex,m", "K", "degC", 4, "Outlet temperature by one mean temperature"),
     quantity("film_angle", "θ", "rad", "deg", 4, "Angle from the widest gap in the direction of rotation"),
     quantity("film_direction", "φ", "rad", "deg", 4, "Direction of the same place, counter-clockwise from +x"),
@@ -61,6 +70,8 @@ ONE_DIMENSION: tuple[Quantity, ...] = (
             ),
         )
     ),
+    quantity("groove_angle_from_load", "θ_gF", "rad", "deg", 4, "Groove from the load line with the rotation"),
+    quantity("groove_angle_from_gap", "θ_g", "rad", "deg", 4, "Groove from the widest gap with the rotation"),
     quantity("groove_pressure", "p_g", "Pa", "MPa", 4, "Gauge pressure in the groove"),
     quantity("groove_side_flow", "Q_g", "m3/s", "L/min", 4, "Flow out of the ends of the groove"),
     quantity("groove_warm_flow", "Q_gw", "m3/s", "L/min", 4, "Warm oil that fresh oil replaces in the groove"),

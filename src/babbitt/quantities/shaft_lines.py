@@ -38,9 +38,7 @@ SHAFT_LINES: tuple[Quantity, ...] = (
     quantity("natural_frequency_3", "f_3", "rad/s", "Hz", 4, "Third axial natural frequency, undamped"),
     quantity("natural_frequency_4", "f_4", "rad/s", "Hz", 4, "Fourth axial natural frequency, undamped"),
     quantity("damping_ratio_1", "D_1", "1", "%", 3, "Damping ratio of the first mode"),
-    quantity(
-        "frequency_separation", "δ_f", "1", "%", 3, "Least distance of an excitation from a natural frequency"
-    ),
+    quantity("frequency_separation", "δ_f", "1", "%", 3, "Least distance of an excitation from a resonance"),
     quantity("admissible_runout", "A_adm", "m", "um", 3, "Largest runout amplitude within all limits"),
     quantity("admissible_tilt", "e_adm", "m", "um", 3, "Largest tilt of the housing within all limits"),
     quantity("admissible_ripple", "Q_adm", "N", "kN", 4, "Largest thrust ripple within all limits"),
@@ -72,6 +70,14 @@ SHAFT_LINES: tuple[Quantity, ...] = (
     quantity("pad_dynamic_film", "h_dyn,i", "m", "um", 3, "Thinnest dynamic film of each pad, any phases"),
     quantity("damped_modes", "D", "1", "", 4, "Damped frequency (rad/s), damping ratio and number of each mode"),
     quantity(
+        "response_peaks",
+        "N/N_0",
+        "1",
+        "",
+        4,
+        "Peaks: frequency (rad/s), pad force over its static value, lobes of the runout (0: thrust)",
+    ),
+    quantity(
         "ring_sweep",
         "c_sweep",
         "1",
@@ -85,7 +91,15 @@ SHAFT_LINES: tuple[Quantity, ...] = (
         "1",
         "",
         4,
-        "Speed (rad/s), loss (bound) and natural frequencies (rad/s) of each point of the sweep",
+        "Speed (rad/s), loss (bound) and undamped natural frequencies (rad/s) of each point of the sweep",
+    ),
+    quantity(
+        "resonances_met",
+        "f_res",
+        "1",
+        "",
+        4,
+        "Speed (rad/s), order of an excitation, the resonance next to it (rad/s) and its relative distance",
     ),
     quantity("barred_ranges", "n_bar", "1", "", 4, "Barred speeds: from, to (rad/s), order of the excitation"),
 )

@@ -14,9 +14,20 @@ from babbitt.bearings.model import FilmCase
 from babbitt.bearings.temperature_field import centre_line
 from babbitt.quantities import QUANTITIES
 from babbitt.report import film_maps
-from babbitt.report.drawing import GREY, INK, Sheet, axis_label, mathematics, rendered, require_format, style
+from babbitt.report.drawing import (
+    GREY,
+    INK,
+    Array,
+    Sheet,
+    axis_label,
+    mathematics,
+    rendered,
+    require_format,
+    style,
+)
 from babbitt.report.film_state import state_of
 from babbitt.report.writing import write_into
+from babbitt.results import Result
 from babbitt.studies.comparison import Comparison, Variant
 from babbitt.units import ZERO_CELSIUS
 
@@ -31,6 +42,8 @@ TEMPERATURES = ("effective_temperature", "outlet_temperature", "maximum_bush_tem
 MARKS = {"effective_temperature": "|", "outlet_temperature": ">", "maximum_bush_temperature": "s",
          "maximum_temperature": "o"}  # fmt: skip
 LINES = ("-", "--", ":", "-.")
+NAMES_IN_A_ROW = 3
+"""Of the legend of temperatures around the bore."""
 ZERO_CELSIUS = ZERO_CELSIUS
 
 
@@ -40,8 +53,10 @@ def comparison_figure(comparison: Comparison) -> Figure:
     solved = [one for one in comparison.methods if is_shown(one)]
     told = [name for name in SHOWN if any(name in one.result.values for one in solved)]
     around = any(_has_own_temperatures(one) for one in solved)
-    rows, height = (2, 112.0) if around else (1, 60.0)
-    figure, axes = Sheet(166.0, height, rows, len(told) + 1, left=29.0, across=5.0, between=17.0).panels()
+    lines = max(0, math.ceil(len(solved) / NAMES_IN_A_ROW) - 2)  # of the legend below, beyond two
+    between = 17.0 + 4.2 * lines
+    rows, height = (2, 112.0 + 4.2 * lines) if around else (1, 60.0)
+    figure, axes = Sheet(166.0, height, rows, len(told) + 1, left=29.0, across=5.0, between=between).panels()
     figure.subplots_adjust(top=1.0 - 7.0 / height)
     for panel, name in zip(axes[0], told, strict=False):
         _bars(panel, solved, name)
@@ -102,10 +117,17 @@ def _temperatures(panel: Axes, variants: Sequence[Variant]) -> None:
 
 
 def _around(panel: Axes, variants: Sequence[Variant]) -> None:
-    """Temperature along the middle of the width: of the bore, or the single one of a method."""
+    """Temperature along the middle of the width: of the bore, of a film of one dimension, or the single one of a
+    method."""
     field, level, curve = None, 0, 0
+    first = next(one.design for one in variants if isinstance(one.design, FilmCase))
+    start = math.degrees(first.load_angle) - 180.0
     for one in variants:
-        if isinstance(one.design, FilmCase) and _has_own_temperatures(one):
+        if "film_temperature" in one.result.arrays:
+            places, film = _around_from(start, one.result)
+            panel.plot(places, film, LINES[level % len(LINES)], color=GREY, label=one.label)
+            level += 1
+        elif isinstance(one.design, FilmCase) and _has_own_temperatures(one):
             thermal = state_of(one.design, one.result).thermal
             assert thermal is not None
             field = field_of(thermal.film, one.design.load_angle - math.pi)
@@ -124,7 +146,16 @@ def _around(panel: Axes, variants: Sequence[Variant]) -> None:
         film_maps.degrees(panel, field)
     panel.set_xlabel("θ in °, counter-clockwise from $+x$")
     panel.set_ylabel("$T$ in °C, middle of the width")
-    panel.legend(frameon=False, fontsize=7, ncols=3, loc="lower left", bbox_to_anchor=(0.0, 1.0), borderpad=0.0)
+    panel.legend(frameon=False, fontsize=7, ncols=NAMES_IN_A_ROW, loc="lower left", bbox_to_anchor=(0.0, 1.0),
+                 borderpad=0.0)  # fmt: skip
+
+
+def _around_from(start: float, result: Result) -> tuple[Array, Array]:
+    """Directions in degrees from `start` on, and temperatures in degC, of a film of one dimension."""
+    directions = np.degrees(result.arrays["film_direction"][0])
+    places = start + np.remainder(directions - start, 360.0)
+    order = np.argsort(places)
+    return places[order], np.asarray(result.arrays["film_temperature"][0])[order] - ZERO_CELSIUS
 
 
 def write_comparison_plots(

@@ -9,7 +9,9 @@ import numpy as np
 
 from babbitt.report.drawing import GREY, INK, PALE, Sheet, limit_line, mark
 from babbitt.shaft_line.answer import LineAnswer
-from babbitt.shaft_line.sweeps import BARRED_WITHIN, barred_ranges
+from babbitt.shaft_line.resonance import lobes_of
+from babbitt.shaft_line.response import AMPLIFIED, THRUST, pad_forces, static_force
+from babbitt.shaft_line.sweeps import barred_ranges
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -81,6 +83,51 @@ def mode_shapes(answer: LineAnswer) -> Figure:
     return figure
 
 
+def frequency_response(answer: LineAnswer) -> Figure:
+    """Largest pad force over its static value for each kind of excitation."""
+    figure, ((panel,),) = Sheet(166.0, 66.0, left=14.0).panels()
+    state, found = answer.state, answer.resonances
+    line, pads = state.duty.line, state.pads
+    exciting = [part for part in state.forced.parts if part.harmonic.amplitude > 0.0]
+    peaks = [peak.frequency * (1.0 + np.linspace(-0.03, 0.03, 61)) for peak in found.peaks]
+    at = np.unique(np.concatenate([np.geomspace(found.lowest, found.highest, 400), *peaks]))
+    at = at[(at >= found.lowest) & (at <= found.highest)]
+    for lobes, dashes in zip(sorted({lobes_of(part.harmonic) for part in exciting}), DASHES, strict=False):
+        forces = np.abs(pad_forces(line, pads, lobes, at)).max(axis=1)
+        forces /= static_force(line, pads, lobes, found.lowest)
+        label = "thrust ripple" if lobes == THRUST else f"runout of {lobes:g} lobe{'s' if lobes > 1.0 else ''}"
+        panel.loglog(at / math.tau, forces, color=INK, linestyle=dashes, linewidth=1.0, label=label)
+    panel.axhline(AMPLIFIED, color=GREY, linewidth=0.6)
+    for peak in found.peaks:
+        mark(panel, peak.frequency / math.tau, peak.amplification)
+    panel.relim()
+    low, high = panel.get_ylim()
+    for mode in found.modes:
+        if mode.resonates:
+            panel.plot(
+                [mode.frequency / math.tau] * 2, [low, low * (high / low) ** 0.06], color=INK, linewidth=1.2
+            )
+    for order, nu in sorted({(part.harmonic.order, part.response.frequency) for part in exciting}):
+        panel.axvline(nu / math.tau, color=GREY, linestyle=":", linewidth=0.9)
+        panel.annotate(
+            f"{order:g}",
+            (nu / math.tau, high),
+            xytext=(0, 2),
+            textcoords="offset points",
+            ha="center",
+            fontsize=7,
+            annotation_clip=False,
+        )
+    panel.set_xlim(found.lowest / math.tau, found.highest / math.tau)
+    for axis in (panel.xaxis, panel.yaxis):
+        axis.set_major_formatter("{x:g}")
+    panel.set_ylim(low, high)
+    panel.set_xlabel("frequency in Hz")
+    panel.set_ylabel("pad force over static")
+    panel.legend(frameon=False, fontsize=7, loc="upper left", handlelength=2.6)
+    return figure
+
+
 def ring_sweep(answer: LineAnswer, limit: float) -> Figure:
     """Dynamic load and first frequency over the ring stiffness."""
     figure, ((above,), (below,)) = Sheet(81.0, 84.0, rows=2, left=15.0, between=5.0).panels(sharex=True)
@@ -115,27 +162,24 @@ def ring_sweep(answer: LineAnswer, limit: float) -> Figure:
 
 
 def campbell(answer: LineAnswer, limit: float, speed: float) -> Figure:
-    """Natural frequencies and rays of excitation over speed, dynamic load below."""
+    """Resonances and rays of excitation over speed, dynamic load below."""
     figure, ((above,), (below,)) = Sheet(166.0, 100.0, rows=2, left=14.0, between=5.0).panels(sharex=True)
     points = answer.campbell
     rpm = np.array([point.speed for point in points]) * RPM
     orders = sorted({part.harmonic.order for part in answer.state.forced.parts})
+    first = [
+        min((mode.frequency for mode in one.resonances.modes if mode.resonates), default=0.0) for one in points
+    ]
     highest = (
-        1.15 * max(max(orders) * points[-1].speed, points[0].frequencies[0], points[-1].frequencies[0]) / math.tau
+        1.15 * max(max(orders) * points[-1].speed, *first, *(one.frequencies[0] for one in points)) / math.tau
     )
-    number = min(len(point.frequencies) for point in points)
-    for n in range(number):
-        frequencies = np.array([point.frequencies[n] for point in points]) / math.tau
-        above.plot(rpm, frequencies, color=INK, linestyle="--", linewidth=1.0)
-        if n == 0:
-            above.fill_between(
-                rpm,
-                (1 - BARRED_WITHIN) * frequencies,
-                (1 + BARRED_WITHIN) * frequencies,
-                color="0.92",
-                linewidth=0.0,
-                zorder=0,
-            )
+    for n in range(min(len(point.frequencies) for point in points)):
+        above.plot(rpm, [point.frequencies[n] / math.tau for point in points], ":", color=GREY, linewidth=0.8)
+    for at, point in zip(rpm, points, strict=True):
+        damped = [mode.frequency / math.tau for mode in point.resonances.modes if mode.resonates]
+        peaks = [peak.frequency / math.tau for peak in point.resonances.peaks]
+        above.plot([at] * len(damped), damped, "_", color=INK, markersize=5, markeredgewidth=1.1)
+        above.plot([at] * len(peaks), peaks, "o", color=INK, markerfacecolor="white", markersize=3)
     for order in orders:
         above.plot(rpm, order * rpm / 60.0, color=INK, linewidth=0.9)
         above.annotate(

@@ -12,6 +12,7 @@ from babbitt.units import ZERO_CELSIUS
 METHOD_NAMES = {"long_film": "Long film with heat exchange", "segments": "Heat balance by segments"}
 
 OWN_RESULTS = (
+    "supply_angle",
     "rupture_angle",
     "narrow_zone",
     "rupture_temperature",
@@ -23,6 +24,9 @@ OWN_RESULTS = (
     "load_across_eccentricity",
     "relative_load",
     "mean_temperature_load_ratio",
+    "mean_temperature_relative_load_ratio",
+    "groove_angle_from_load",
+    "groove_angle_from_gap",
     "groove_pressure",
     "groove_side_flow",
     "groove_warm_flow",
@@ -72,6 +76,7 @@ def _of_long_film(case: LongFilmCase) -> Iterator[tuple[str, str]]:
     yield "Film", "infinitely long, laminar, one temperature across the gap; rupture by Reynolds' condition"
     yield "Discretisation", DISCRETISATION[case.discretisation]
     yield "Ruptured film rubs and exchanges heat", EXCHANGE_ZONE[case.film.zone]
+    yield "Oil enters", f"{math.degrees(case.supply_angle):.4g}° from the narrowest gap with the rotation"
     yield "Sectors", str(case.cells)
     if isinstance(exchange.nusselt, NusseltLaw):
         law = exchange.nusselt
@@ -96,7 +101,8 @@ def _of_segments(case: SegmentCase) -> Iterator[tuple[str, str]]:
     if groove is None:
         yield "Groove", "none"
         return
-    place = f"at {math.degrees(groove.angle):.4g}° from the widest gap, {1e3 * groove.width:.4g} mm wide"
+    origin = "load line" if groove.at_place_in_bush else "widest gap"
+    place = f"at {math.degrees(groove.angle):.4g}° from the {origin}, {1e3 * groove.width:.4g} mm wide"
     yield "Groove", f"{place}, {GROOVE[groove.kind]}"
     if groove.kind is GrooveKind.THROUGH:
         yield "Fresh oil behind the groove", f"{groove.mixing_factor:.3g} of what enters"

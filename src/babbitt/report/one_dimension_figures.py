@@ -11,6 +11,7 @@ import numpy as np
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.quantities import QUANTITIES
+from babbitt.report import around_bore
 from babbitt.report.drawing import (
     GREY,
     INK,
@@ -68,8 +69,8 @@ def _painted(case: OneDimension, result: Result) -> Iterator[tuple[str, str, Fig
     if isinstance(case, LongFilmCase):
         yield (
             "along-the-film",
-            "Temperatures (above), pressure and film thickness (below, broken line) around the film, from the "
-            "widest gap in the direction of rotation. Dotted line: the film breaks; cross: hottest oil.",
+            "Temperatures (above), pressure and film thickness (below, broken line) around the film, angles from "
+            "the widest gap in the direction of rotation. Dotted line: the film breaks; cross: hottest oil.",
             _along(case, result),
             True,
         )
@@ -83,11 +84,20 @@ def _painted(case: OneDimension, result: Result) -> Iterator[tuple[str, str, Fig
     yield (
         "along-the-film",
         "Temperatures (above), pressure and film thickness (below, broken line) around the film, from the widest "
-        "gap in the direction of rotation. Each segment has one mean temperature; points: the oil that enters "
-        "and leaves it; shaded: the groove; dotted line: the film breaks.",
+        "gap in the direction of rotation. Each segment has one mean temperature (broken line), by which its "
+        "oil is as viscous; points: the oil that enters and leaves it; shaded: the groove; dotted line: the film "
+        "breaks.",
         _along(case, result),
         True,
     )
+    if not case.profile:
+        yield (
+            "temperature-around-bore",
+            "Temperature of the film around the bore, from the load line in the direction of rotation, with a "
+            f"through groove, with a blind one and without: {around_bore.common(case)}. Shaded: the groove.",
+            around_bore.drawn(case, result),
+            True,
+        )
     if case.groove is not None and not case.profile and not case.compliance:
         yield (
             "groove-beside-none",
@@ -107,9 +117,13 @@ def _along(case: OneDimension, result: Result) -> Figure:
     figure.subplots_adjust(right=1.0 - 14.0 / 166.0)
     warm, bottom = axes[0][0], axes[1][0]
     angles = np.degrees(_row(result, "film_angle"))
+    first = float(angles[0]) if isinstance(case, LongFilmCase) else 0.0  # a long film starts where oil enters
     if isinstance(case, LongFilmCase):
         _temperatures_of_long_film(warm, result, angles)
     else:
+        film = in_engineers_unit("film_temperature", _row(result, "film_temperature"))
+        ended = math.degrees(result.rupture_angle)
+        warm.plot(angles[angles <= ended], film[angles <= ended], color=INK)
         _temperatures_of_segments(warm, case, result)
     warm.set_ylabel(axis_label(QUANTITIES["film_temperature"]))
     bottom.plot(angles, in_engineers_unit("film_pressure", _row(result, "film_pressure")), color=INK)
@@ -126,9 +140,9 @@ def _along(case: OneDimension, result: Result) -> Figure:
     for panel in (warm, bottom):
         panel.axvline(math.degrees(result.rupture_angle), color=GREY, linewidth=0.8, linestyle=DOTTED)
         if isinstance(case, SegmentCase) and case.groove is not None:
-            panel.axvspan(*map(math.degrees, case.film.groove_edges()), color=BAND, zorder=0)
-        panel.set_xlim(0.0, 360.0)
-        panel.set_xticks(range(0, 361, 30))
+            panel.axvspan(*_edges(case, result), color=BAND, zorder=0)
+        panel.set_xlim(first, first + 360.0)
+        panel.set_xticks(range(30 * math.ceil(first / 30.0), round(first) + 361, 30))
     return figure
 
 
@@ -147,17 +161,17 @@ def _temperatures_of_long_film(panel: Axes, result: Result, angles: Array) -> No
         middles = 0.5 * (angles[1:] + angles[:-1])
         panel.plot(middles, bush, color=GREY)
         ends.append((float(bush[-1]), "bush"))
-    _named(panel, ends)
+    _named(panel, float(angles[-1]), ends)
 
 
-def _named(panel: Axes, ends: list[tuple[float, str]]) -> None:
+def _named(panel: Axes, edge: float, ends: list[tuple[float, str]]) -> None:
     """Names of curves at the right edge, so far apart that they can be read."""
     low, high = panel.get_ylim()
     apart, level = 0.09 * (high - low), -math.inf
     for value, name in sorted(ends):
         level = max(value, level + apart)
         panel.annotate(
-            name, (360.0, level), xytext=(3, 0), textcoords="offset points", fontsize=7, va="center",
+            name, (edge, level), xytext=(3, 0), textcoords="offset points", fontsize=7, va="center",
             annotation_clip=False,
         )  # fmt: skip
 
@@ -167,21 +181,28 @@ def _temperatures_of_segments(panel: Axes, case: SegmentCase, result: Result) ->
     if case.groove is None:
         spans = [(start, end, result.supply_temperature, result.effective_temperature, result.outlet_temperature)]
     else:
-        before, behind = map(math.degrees, case.film.groove_edges())
+        before, behind = _edges(case, result)
         spans = [(start, before, *_of_segment(result, 1)), (behind, max(end, behind), *_of_segment(result, 2))]
     for left, right, inlet, mean, outlet in spans:
         panel.plot([left, right], [inlet - ZERO_CELSIUS, outlet - ZERO_CELSIUS], "o", color=INK, markersize=3)
-        panel.plot([left, right], [mean - ZERO_CELSIUS] * 2, color=INK)
+        panel.plot([left, right], [mean - ZERO_CELSIUS] * 2, color=GREY, linestyle=DASHED)
         panel.annotate(
             "mean", (0.5 * (left + right), mean - ZERO_CELSIUS), xytext=(0, 2), textcoords="offset points",
             fontsize=7, ha="center", va="bottom",
         )  # fmt: skip
+        into_groove = right < spans[-1][1]  # beside the band, clear of the curve behind it
         panel.annotate(
-            f"leaves at {outlet - ZERO_CELSIUS:.0f} °C", (right, outlet - ZERO_CELSIUS), xytext=(4, 0),
-            textcoords="offset points", fontsize=7, va="center",
+            f"leaves at {outlet - ZERO_CELSIUS:.0f} °C", (right, outlet - ZERO_CELSIUS),
+            xytext=(-6, 4) if into_groove else (4, 0), textcoords="offset points", fontsize=7,
+            ha="right" if into_groove else "left", va="bottom" if into_groove else "center",
         )  # fmt: skip
     low, high = panel.get_ylim()
     panel.set_ylim(low, high + 0.12 * (high - low))
+
+
+def _edges(case: SegmentCase, result: Result) -> Iterator[float]:
+    """Angles of the edges of the groove from the widest gap, where it came to lie, degrees."""
+    return map(math.degrees, case.film.with_groove_at(result.groove_angle_from_gap).groove_edges())
 
 
 def _of_segment(result: Result, place: int) -> tuple[float, float, float]:

@@ -52,7 +52,7 @@ def sweep_columns(results: Sequence[Result]) -> tuple[Column, ...]:
     """Columns in which some answer has a number: of a kind that has none in the table of a machine, its own."""
     names = KEY_RESULTS.get(results[0].kind)
     if names is None:
-        return columns_of(results)
+        return (*columns_of(results), *filled([column_of("relative_load", 3)], results))
     return filled([column_of(name, rank) for rank, name in enumerate(names)], results)
 
 

@@ -107,6 +107,15 @@ def _of_line(design: LineDesign) -> Iterator[Painted]:
         line_painters.mode_shapes(answer),
         False,
     )
+    if answer.resonances.encounters or answer.resonances.peaks:
+        yield (
+            "frequency-response",
+            "Largest pad force over its static value for one kind of excitation each, films and tilts at that "
+            "frequency. Dotted: excitations with their order; line: twice the static force; filled: peaks that "
+            "count as resonances; bars below: damped modes with a damping ratio below 25 %.",
+            line_painters.frequency_response(answer),
+            True,
+        )
     if answer.rings:
         yield (
             "ring-sweep",
@@ -118,8 +127,9 @@ def _of_line(design: LineDesign) -> Iterator[Painted]:
     if answer.campbell:
         yield (
             "campbell",
-            "Natural frequencies (broken) and excitations (rays, with their order) over the speed, and the "
-            "dynamic load below. Grey: within 20 % of the first frequency.",
+            "Excitations (rays, with their order) over the speed; damped modes with a damping ratio below 25 % "
+            "(bars) and peaks of the response near an excitation (rings), with films at their own frequency; "
+            "dotted: undamped on films at rest. The dynamic load below. Grey: within 20 % of a resonance.",
             line_painters.campbell(answer, design.loss_limit, design.thrust.speed),
             True,
         )

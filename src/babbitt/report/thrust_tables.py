@@ -82,9 +82,25 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
             "Damped modes",
             ("Mode", "Damped frequency", "Damping ratio"),
             ("", "Hz", "%"),
-            [(f"{n:.0f}", f"{f / math.tau:.2f}", f"{100.0 * d:.2f}") for f, d, n in modes],
-            "Of the free motion that decays. Undamped frequencies, against which excitations are held, take the "
-            "stiffness of the films at rest; moving films are stiffer.",
+            [(f"{n:.0f}" if n else "–", f"{f / math.tau:.2f}", f"{100.0 * d:.2f}") for f, d, n in modes],
+            "Of the free motion that decays, films and tilts at the frequency of the mode; numbered as the "
+            "undamped frequencies they belong to. Below a ratio of 25 % a mode resonates.",
+        )
+    if peaks := result.arrays.get("response_peaks", ()):
+        yield _plain(
+            "Peaks of the response",
+            ("Excitation", "Frequency", "Pad force over static"),
+            ("", "Hz", ""),
+            [
+                (
+                    "thrust" if not lobes else f"runout, {lobes:g} lobe{'s' if lobes > 1 else ''}",
+                    f"{f / math.tau:.2f}",
+                    f"{height:.2f}",
+                )
+                for f, height, lobes in peaks
+            ],
+            "Maxima of the largest pad force over frequency that exceed twice its static value; excitations are "
+            "held against these and the damped modes.",
         )
     rings = result.arrays["ring_sweep"]
     step = max(1, len(rings) // RINGS_SHOWN)

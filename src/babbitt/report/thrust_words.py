@@ -22,7 +22,7 @@ CAUSES = {
 
 ROUND_OFF = 1.0 + 1e-9
 NEAR = 0.2
-"""Relative distance from a natural frequency below which a line is near resonance, as check C204 has it."""
+"""Relative distance from a resonance below which a line is near resonance, as check C204 has it."""
 
 
 def answers(result: Result) -> tuple[str, ...]:
@@ -211,28 +211,36 @@ def _largest(result: Result, name: str, cause: str) -> str:
 def _frequencies(result: Result) -> str:
     v = result.values
     first = v["natural_frequency_1"] / math.tau
-    said = f"First axial natural frequency {first:.2f} Hz, undamped and on the stiffness of the films at rest"
-    if "frequency_separation" in v:
-        said += (
-            f"; the nearest excitation is {_percent(v['frequency_separation'])} away from an undamped frequency"
+    damped = {order: (f / math.tau, ratio) for f, ratio, order in result.arrays.get("damped_modes", ())}
+    if 1 in damped:
+        frequency, ratio = damped[1]
+        why = ": films stiffen with frequency" if frequency > first else ""
+        said = (
+            f"Let go, the line swings in its first axial mode at {frequency:.2f} Hz with a damping ratio of "
+            f"{_percent(ratio)}; on the stiffness of the films at rest and undamped it is {first:.2f} Hz{why}"
         )
-    damped = result.arrays.get("damped_modes", ())
-    if not any(order == 1 for _, _, order in damped):
-        said += ". Let go, the line creeps back in its first mode and does not swing"
     else:
-        frequency, ratio = damped[0][0] / math.tau, damped[0][1]
-        why = ", higher as films stiffen with frequency" if frequency > first else ""
-        said += (
-            f". Let go, the damped line swings at {frequency:.2f} Hz{why}, with a damping ratio of "
-            f"{_percent(ratio)}; near there its response peaks"
+        said = (
+            "Let go, the line creeps back in its first axial mode and does not swing; undamped and on the "
+            f"stiffness of the films at rest it would swing at {first:.2f} Hz"
         )
+    peaks = sorted(result.arrays.get("response_peaks", ()), key=lambda row: -row[1])
+    if peaks:
+        said += (
+            f". The response peaks highest at {peaks[0][0] / math.tau:.2f} Hz, {peaks[0][1]:.1f} times the static "
+            "pad force"
+        )
+    if "frequency_separation" in v:
+        said += f"; the nearest excitation is {_percent(v['frequency_separation'])} away from a resonance"
+    else:
+        said += ". No excitation meets a resonance: no peak exceeds twice the static pad force"
     barred = result.arrays.get("barred_ranges", ())
     map_ends = [row[0] for row in result.arrays.get("campbell", ())]
     spans = [_span(low, high, order, map_ends) for low, high, order in barred]
     if spans:
-        said += f". Within 20 % of the undamped frequency and to be barred or passed quickly: {', '.join(spans)}"
+        said += f". Within 20 % of a resonance and to be barred or passed quickly: {', '.join(spans)}"
     elif "campbell" in result.arrays:
-        said += ". No speed of the map comes within 20 % of the undamped frequency"
+        said += ". At no speed of the map an excitation comes within 20 % of a resonance"
     return f"{said}."
 
 

@@ -32,16 +32,25 @@ class Beside:
     cut_same_load: SegmentFilmState | None
 
 
-def beside(state: SegmentFilmState) -> Beside:
-    """The ungrooved films beside a grooved one."""
-    film = state.film
-    plain, cut = film.without_groove(), film.cut()
-    eccentricity = state.eccentricity_ratio
+def beside(asked: SegmentFilm, state: SegmentFilmState) -> Beside:
+    """The ungrooved films beside a grooved one.
+
+    At the same gap the film is cut where the groove lies in it; under the same load the journal moves, and a
+    groove that keeps its place in the bush has that place there, too.
+
+    Parameters
+    ----------
+    asked : SegmentFilm
+        The grooved film as the case has it.
+    state : SegmentFilmState
+        Its equilibrium.
+    """
+    film, eccentricity = state.film, state.eccentricity_ratio
     return Beside(
-        _at(plain, eccentricity),
-        _at(cut, eccentricity),
-        None if film.profile else _under(plain, state.load),
-        None if film.profile else _under(cut, state.load),
+        _at(film.without_groove(), eccentricity),
+        _at(film.cut(), eccentricity),
+        None if film.profile else _under(asked.without_groove(), state.load),
+        None if film.profile else _under(asked.cut(), state.load),
     )
 
 

@@ -57,7 +57,7 @@ def segments_check(case: SegmentCase) -> Result:
             around = directions_of(case, state.attitude_angle, state.grid.angles)
             arrays["film_direction"] = (tuple(float(one) for one in around),)
         if outcome.solved:
-            plain = beside(state) if case.groove is not None else None
+            plain = beside(case.film, state) if case.groove is not None else None
             values |= _values_beside(state, plain)
             bounds = _bounds(case, values)
             limits = _of_the_hottest(limit_checks(case, values, bounds), values)
@@ -168,6 +168,9 @@ def _values(case: SegmentCase, state: SegmentFilmState) -> dict[str, float]:
             f"segment_{place}_viscosity": one.viscosity,
             f"segment_{place}_constant": one.segment.constant,
         }
+    if state.film.groove is not None:
+        values["groove_angle_from_gap"] = state.film.groove.angle
+        values["groove_angle_from_load"] = state.groove_angle_from_load
     values |= {"groove_pressure": state.groove_pressure, "groove_side_flow": state.groove_side_flow}
     if case.groove.kind is GrooveKind.THROUGH:
         values |= {"groove_warm_flow": state.groove_warm_flow, "groove_heat": state.groove_heat}
@@ -208,6 +211,7 @@ def _arrays(state: SegmentFilmState) -> dict[str, Matrix]:
         "film_angle": state.grid.angles,
         "film_thickness": state.film_thickness,
         "film_pressure": state.film_pressure,
+        "film_temperature": state.film_temperature,
     }
     return {name: (tuple(float(one) for one in field),) for name, field in fields.items()}
 
@@ -217,7 +221,8 @@ def _assumptions(case: SegmentCase) -> Iterator[str]:
     yield "One mean temperature for each segment; the oil enters the film with the supply temperature."
     yield "The effective temperature is the mean over the segments by their angle; nothing is computed with it."
     if case.groove is not None:
-        yield "Angles of film and groove count from the widest gap with the rotation, not from the load."
+        if not case.groove.at_place_in_bush:
+            yield "Angles of film and groove count from the widest gap with the rotation, not from the load."
         yield "The oil in the groove is not sheared; the mixing factor is not published."
     if case.compliance:
         yield "The wall yields to the pressure at the same place only (independent columns)."
@@ -258,5 +263,7 @@ def _failure(case: SegmentCase, outcome: Outcome, capacity: float | None, state:
         far = f"the film, supplied at {supplied:.0f} °C, {reached}"
     elif outcome is Outcome.NOT_CONVERGED:
         far = "the film has no point of rupture, or no oil flows through it"
+        if case.groove is not None and case.groove.at_place_in_bush:
+            far += ", or its groove lies across the widest gap, where the film begins"
     remedy = EXPLANATIONS[outcome.code].remedy
     return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"

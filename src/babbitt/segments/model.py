@@ -35,6 +35,17 @@ class GrooveKind(Enum):
     BLIND = "blind"
 
 
+class AngleOrigin(Enum):
+    """Where the angle of a groove counts from, in the direction of rotation.
+
+    WIDEST_GAP moves the groove with the journal, as the published calculation does; LOAD_LINE leaves it at its
+    place in the bush.
+    """
+
+    WIDEST_GAP = "widest_gap"
+    LOAD_LINE = "load_line"
+
+
 @dataclass(frozen=True)
 class Groove:
     """An axial groove in the film.
@@ -42,7 +53,7 @@ class Groove:
     Attributes
     ----------
     angle : float
-        Of its centre from the widest gap in the direction of rotation, rad.
+        Of its centre in the direction of rotation, rad, from its `origin`.
     width : float
         Around the bore, m. 0 cuts the film in two without removing any of it.
     kind : GrooveKind
@@ -50,6 +61,10 @@ class Groove:
         κ, share of fresh oil in what enters the film behind a through groove.
     pressure : float
         Gauge pressure in a through groove, Pa.
+    origin : AngleOrigin
+    end_land : float or None
+        Land at each closed end of a blind groove, m. An infinitely long film has no ends; only a film of finite
+        width reads it.
     """
 
     angle: float
@@ -57,6 +72,13 @@ class Groove:
     kind: GrooveKind
     mixing_factor: float = 1.0
     pressure: float = 0.0
+    origin: AngleOrigin = AngleOrigin.WIDEST_GAP
+    end_land: float | None = None
+
+    @property
+    def at_place_in_bush(self) -> bool:
+        """Whether it keeps its place in the bush, wherever the journal lies."""
+        return self.origin is AngleOrigin.LOAD_LINE
 
 
 @dataclass(frozen=True)
@@ -105,9 +127,9 @@ class SegmentFilm:
         return 0.5 * self.diameter
 
     def groove_edges(self) -> tuple[float, float]:
-        """Angles of the edges, ``θ_g ∓ b/D``, rad."""
-        if self.groove is None:
-            raise ValueError("a film without groove has no edges")
+        """Angles of the edges from the widest gap, ``θ_g ∓ b/D``, rad."""
+        if self.groove is None or self.groove.at_place_in_bush:
+            raise ValueError("a film whose groove has no place in it knows no edges")
         return edges_of(self.groove, self.diameter)
 
     def without_groove(self) -> SegmentFilm:
@@ -118,7 +140,14 @@ class SegmentFilm:
         """The same film cut at the angle of the groove, nothing removed: two mean temperatures in place of one."""
         if self.groove is None:
             return self
-        return replace(self, groove=Groove(self.groove.angle, 0.0, GrooveKind.BLIND))
+        groove = Groove(self.groove.angle, 0.0, GrooveKind.BLIND, origin=self.groove.origin)
+        return replace(self, groove=groove)
+
+    def with_groove_at(self, angle: float) -> SegmentFilm:
+        """The same film with its groove at an angle from the widest gap, rad."""
+        if self.groove is None:
+            return self
+        return replace(self, groove=replace(self.groove, angle=angle, origin=AngleOrigin.WIDEST_GAP))
 
 
 def complaints_about(film: SegmentFilm) -> tuple[str, ...]:
@@ -149,6 +178,8 @@ def complaints_about_groove(groove: Groove, diameter: float, start: float) -> li
         found.append(f"pressure of the groove must not be negative, given {groove.pressure!r}")
     if not 0.0 <= groove.width < math.inf:
         found.append(f"width of the groove must not be negative, given {groove.width!r}")
+        return found
+    if groove.at_place_in_bush:  # where in the film it lies follows from the attitude angle
         return found
     before, behind = edges_of(groove, diameter)
     if not start < before <= behind < 2.0 * math.pi:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +28,12 @@ TEMPERATURE_TOLERANCE, DISPLACEMENT_TOLERANCE = 1e-4, 1e-5
 
 FRACTION, LEAST_FRACTION = 0.3, 0.02
 """Of the thinnest film, what a step may move the wall; taken back by a tenth whenever the wall overshoots."""
+
+LOAD_TOLERANCE = 1e-4
+"""Over the load."""
+
+PLACE_TOLERANCE = 1e-6
+"""In rad: of a groove that keeps its place in the bush."""
 
 MOST_ITERATIONS = 4000
 GREATEST_ECCENTRICITY = 0.995
@@ -59,6 +66,7 @@ def film_at_eccentricity(
         raise InputError(
             "E003", f"eccentricity_ratio must lie from 0 to below 1 for a rigid film, given {eccentricity_ratio!r}"
         )
+    asked, film = film, _placed(film, start)
     grid = Grid.of(film)
     rigid = _rigid(film, grid, eccentricity_ratio)
     count = 1 if film.groove is None else 2
@@ -79,13 +87,19 @@ def film_at_eccentricity(
         change = np.array([one.mean_temperature for one in segments]) - means
         strain = film.compliance * pressure - displaced
         off, bent = float(np.abs(change).max()), float(np.abs(strain).max())
-        done = off < TEMPERATURE_TOLERANCE and bent < DISPLACEMENT_TOLERANCE * film.clearance
+        thick = film.clearance * gap.thickness
+        state = SegmentFilmState(
+            film, eccentricity_ratio, grid, thick, pressure, segments, groove_pressure, short, iteration, True,
+            (off, bent),
+        )  # fmt: skip
+        astray = _astray(asked, state)
+        done = (
+            off < TEMPERATURE_TOLERANCE
+            and bent < DISPLACEMENT_TOLERANCE * film.clearance
+            and abs(astray) < PLACE_TOLERANCE
+        )
         if done or iteration == MOST_ITERATIONS:
-            thick = film.clearance * gap.thickness
-            return SegmentFilmState(
-                film, eccentricity_ratio, grid, thick, pressure, segments, groove_pressure, short,
-                iteration, done, (off, bent),
-            )  # fmt: skip
+            return replace(state, converged=done)
         means = means + RELAXATION * change
         if film.compliance:
             fraction = max(LEAST_FRACTION, 0.9 * fraction) if bent > worst else fraction
@@ -94,7 +108,38 @@ def film_at_eccentricity(
                 film.clearance * float(gap.thickness.min()) / max(film.compliance * float(pressure.max()), 1e-300)
             )
             displaced = displaced + min(RELAXATION, fraction * room) * strain
+        if abs(astray) >= PLACE_TOLERANCE:
+            film, before = _shifted(film, RELAXATION * astray), grid
+            grid, gap = Grid.of(film), None
+            rigid = _rigid(film, grid, eccentricity_ratio)
+            displaced = np.interp(grid.angles, before.angles, displaced)
     raise AssertionError("unreachable")
+
+
+def _placed(film: SegmentFilm, start: SegmentFilmState | None) -> SegmentFilm:
+    """The film with its groove at an angle from the widest gap: its own, or a first one for its place in the
+    bush."""
+    if film.groove is None or not film.groove.at_place_in_bush:
+        return film
+    if start is not None and start.film.groove is not None:
+        return film.with_groove_at(start.film.groove.angle)
+    return _shifted(film.with_groove_at(math.pi), film.groove.angle)
+
+
+def _astray(asked: SegmentFilm, state: SegmentFilmState) -> float:
+    """Angle in rad by which the groove of a film must turn to its place in the bush; 0 where it has none."""
+    groove = asked.groove
+    if groove is None or not groove.at_place_in_bush:
+        return 0.0
+    return math.remainder(groove.angle - state.groove_angle_from_load, 2.0 * math.pi)
+
+
+def _shifted(film: SegmentFilm, turn: float) -> SegmentFilm:
+    """The film with its groove turned by an angle, as far as it stays inside the film."""
+    assert film.groove is not None
+    half = film.groove.width / film.diameter + PLACE_TOLERANCE
+    angle = min(max(film.groove.angle + turn, film.start + half), 2.0 * math.pi - half)
+    return film.with_groove_at(angle)
 
 
 def film_under_load(film: SegmentFilm, load: float) -> SegmentFilmState:
@@ -120,6 +165,8 @@ def film_under_load(film: SegmentFilm, load: float) -> SegmentFilmState:
                 raise  # the oil has no viscosity as it comes: no question of load
             break
         if not state.converged:
+            if abs(_astray(film, state)) >= PLACE_TOLERANCE:
+                raise NoFilmError(Outcome.NOT_CONVERGED)  # the groove lies across the start of the film
             break
         best = max(best, state.load)
         if state.load >= load:
@@ -137,7 +184,10 @@ def _between(film: SegmentFilm, load: float, below: float, above: SegmentFilmSta
     root = find_root(excess, below, above.eccentricity_ratio, 1e-9)
     if not root.converged:
         raise NoFilmError(Outcome.NOT_CONVERGED)
-    return film_at_eccentricity(film, root.value, above)
+    found = film_at_eccentricity(film, root.value, above)
+    if abs(found.load / load - 1.0) > LOAD_TOLERANCE:  # the load jumps where a groove changes its side
+        raise NoFilmError(Outcome.NOT_CONVERGED)
+    return found
 
 
 def _rigid(film: SegmentFilm, grid: Grid, eccentricity_ratio: float) -> Array:

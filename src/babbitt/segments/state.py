@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.segments.model import SegmentFilm
-from babbitt.segments.pressure import Grid, Segment
+from babbitt.segments.pressure import Gap, Grid, Segment
 
 Array = NDArray[np.float64]
 
@@ -83,6 +83,14 @@ class SegmentFilmState:
         return math.atan2(self.load_across, self.load_along)
 
     @property
+    def groove_angle_from_load(self) -> float:
+        """Of the groove from the load line with the rotation, rad, within -pi to pi; NaN without a groove."""
+        groove = self.film.groove
+        if groove is None:
+            return math.nan
+        return math.remainder(groove.angle + self.attitude_angle - math.pi, 2.0 * math.pi)
+
+    @property
     def friction_power(self) -> float:
         """Of all segments, W."""
         return sum(one.friction_power for one in self.segments)
@@ -111,6 +119,29 @@ class SegmentFilmState:
         """Heat that this oil takes with it, W: part of that of the first segment."""
         first = self.segments[0]
         return first.heat * self.groove_warm_flow / first.flow
+
+    @property
+    def film_temperature(self) -> Array:
+        """Temperature at the nodes, K, as the oil of each segment takes up heat on its way.
+
+        The heat balance of the segment up to each place, with the viscosity of its mean temperature:
+        ``T = T_in + [A(θ) - Q (p - p_start)]/(ρ c Q)``. Its end has the outlet temperature; behind a rupture no
+        heat is generated. A groove has the temperature of the oil that leaves it with the film.
+        """
+        gap = Gap.of(self.grid, self.film_thickness / self.film.clearance)
+        found = np.full(self.grid.angles.size, self.segments[-1].inlet_temperature)
+        for one in self.segments:
+            first, last = one.segment.first, one.segment.last
+            inside = slice(first, last + 1)
+            once, twice = (power[inside] - power[first] for power in (gap.once, gap.twice))
+            scale = one.viscosity * self.film.surface_speed**2 * self.film.radius * self.film.width
+            work = one.flow * (self.film_pressure[inside] - one.pressure_start)
+            heat = scale / self.film.clearance * (4.0 * once + 0.5 * one.segment.constant * twice) - work
+            capacity = float(self.film.lubricant.volumetric_heat_capacity(one.mean_temperature))
+            local = one.inlet_temperature + heat / (capacity * one.flow)
+            ended = self.grid.angles[inside] >= one.segment.end
+            found[inside] = np.where(ended, one.outlet_temperature, local)
+        return found
 
     def width_of_narrow_zone(self, factor: float = 1.1) -> float:
         """Angle over which the film is thinner than `factor` times its thinnest, rad."""

@@ -6,13 +6,12 @@ import math
 from dataclasses import dataclass
 from functools import lru_cache
 
-from babbitt.shaft_line.damped import DampedMode, damped_modes
 from babbitt.shaft_line.design import LineDesign
 from babbitt.shaft_line.inverse import Admissible, admissible, ring_for_loss
 from babbitt.shaft_line.judged import excess_of
-from babbitt.shaft_line.losses import separation
 from babbitt.shaft_line.model import LineState, state_of
-from babbitt.shaft_line.natural import Mode, modes, undamped_frequencies
+from babbitt.shaft_line.natural import Mode, modes
+from babbitt.shaft_line.resonance import Resonances, resonances_of
 from babbitt.shaft_line.stages import Attribution, attribution
 from babbitt.shaft_line.sweeps import CampbellPoint, RingPoint, ring_sweep, speed_sweep, usual_rings
 from babbitt.shaft_line.transient import Transient, transient
@@ -33,7 +32,7 @@ class LineAnswer:
     static : ThrustState
     state : LineState
     modes : tuple of Mode
-    damped : tuple of DampedMode
+    resonances : Resonances
     causes : Attribution
     bearable : Admissible
     rings : tuple of RingPoint
@@ -47,7 +46,7 @@ class LineAnswer:
     static: ThrustState
     state: LineState
     modes: tuple[Mode, ...]
-    damped: tuple[DampedMode, ...]
+    resonances: Resonances
     causes: Attribution
     bearable: Admissible
     rings: tuple[RingPoint, ...]
@@ -62,9 +61,8 @@ class LineAnswer:
 
     @property
     def separation(self) -> float:
-        """Least relative distance of an excitation from a natural frequency."""
-        pairs = ((nu, mode.frequency) for nu in self.state.frequencies for mode in self.modes)
-        return min((separation(nu, natural) for nu, natural in pairs), default=math.inf)
+        """Least relative distance of an excitation from a resonance; infinite where there is none."""
+        return min((one.separation for one in self.resonances.encounters), default=math.inf)
 
 
 @lru_cache(maxsize=4)
@@ -80,17 +78,13 @@ def line_answer(design: LineDesign) -> LineAnswer:
     static = operating_state(design.thrust)
     duty, films = design.duty, static.films
     state = state_of(duty, films, static.share)
-    highest = max(state.frequencies, default=0.0)
-    known = max(
-        MODES, len(undamped_frequencies(design.line, state.pads, highest=1.25 * highest)) if highest else 0
-    )
-    natural = modes(design.line, state.pads, min(known, 12))
+    natural = modes(design.line, state.pads, MODES)
     rings = usual_rings(duty, state, RINGS)
     return LineAnswer(
         static=static,
         state=state,
         modes=natural,
-        damped=damped_modes(design.line, state.pads, natural[:MODES]),
+        resonances=resonances_of(state, natural),
         causes=attribution(state),
         bearable=admissible(duty, films, excess_of(design)),
         rings=ring_sweep(duty, films, rings),

@@ -11,9 +11,10 @@ from babbitt.quantities import QUANTITIES
 from babbitt.results import Bound, Check, Outcome, Result
 from babbitt.shaft_line.answer import line_answer
 from babbitt.shaft_line.design import LineDesign
-from babbitt.shaft_line.doubts import NEAR, line_doubts
+from babbitt.shaft_line.doubts import line_doubts
 from babbitt.shaft_line.inverse import Bearable
 from babbitt.shaft_line.judged import limits_of
+from babbitt.shaft_line.resonance import NEAR
 from babbitt.shaft_line.values import bearables, line_arrays, line_values
 from babbitt.thrust.assumed import oil_assumptions
 from babbitt.thrust.doubts import share_doubts

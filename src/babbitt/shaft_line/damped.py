@@ -1,13 +1,16 @@
-"""Damped modes of the line: complex eigenvalues of its finite elements, told by the undamped modes they belong to.
+"""Damped modes of the line: complex eigenvalues of its finite elements with every tilt of its pads.
 
-Idle pads swing, too, slowly and by themselves. A damped mode belongs to the undamped one with which it overlaps
-most along the shaft (modal assurance), and as far as it is the line that moves and not the tilts of pads::
+The films of a mode are those at its own frequency. A damped mode belongs to the undamped one with which it
+overlaps most along the shaft (modal assurance), and as far as the line moves and not the tilts of pads::
 
-    |phi^T M v|^2 / ((phi^T M phi) (v* M v)) * (1 - share of the tilts).
+    |phi^T M v|^2 / ((phi^T M phi) (v* M v)) * (1 - fraction of the tilts).
+
+Others are given where so little damps them that they resonate.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -35,6 +38,14 @@ TILTS = 1e-3
 would hardly count, and those of massless pads not at all."""
 
 
+LIGHTLY = 0.25
+"""Damping ratio below which a single mode is amplified more than twice, 1/(2 zeta): it resonates."""
+ELEMENT_ANGLE = 0.25
+"""Phase of a wave along one element at the highest frequency, rad: a frequency is then 0.3 % too high."""
+MOST_ELEMENTS = 120
+"""Elements over the whole line at most, for the sake of time."""
+
+
 @dataclass(frozen=True)
 class DampedMode:
     """A mode that decays.
@@ -42,7 +53,7 @@ class DampedMode:
     Attributes
     ----------
     order : int
-        Number of the undamped mode that it belongs to, from 1.
+        Number of the undamped mode that it belongs to, from 1; 0 for none.
     frequency : float
         Of its swing, rad/s.
     damping_ratio : float
@@ -53,9 +64,16 @@ class DampedMode:
     frequency: float
     damping_ratio: float
 
+    @property
+    def resonates(self) -> bool:
+        """Whether an excitation at its frequency is amplified more than twice."""
+        return self.damping_ratio < LIGHTLY
 
-def damped_modes(line: ShaftLine, pads: DynamicPads, undamped: Sequence[Mode]) -> tuple[DampedMode, ...]:
-    """The damped modes that belong to undamped ones, in their order; without those that creep back.
+
+def damped_modes(
+    line: ShaftLine, pads: DynamicPads, undamped: Sequence[Mode] = (), highest: float = 0.0
+) -> tuple[DampedMode, ...]:
+    """Damped modes that belong to undamped ones, and all others up to a frequency that resonate; low ones first.
 
     Parameters
     ----------
@@ -63,10 +81,31 @@ def damped_modes(line: ShaftLine, pads: DynamicPads, undamped: Sequence[Mode]) -
     pads : DynamicPads
     undamped : sequence of Mode
         The lowest of `babbitt.shaft_line.natural.modes`.
+    highest : float
+        rad/s.
     """
+    transit = sum(rod.transit_time for rod in line.rods)
+    elements = min(max(ELEMENTS, math.ceil(highest * transit / ELEMENT_ANGLE)), MOST_ELEMENTS)
+    model = element_line(line, pads, elements)
+    values, vectors = _swinging(model)
+    orders = np.zeros(values.size, dtype=int)
+    if undamped and values.size:
+        overlaps = _overlaps(line, pads, model, vectors, undamped, elements)
+        for order, row in enumerate(overlaps, start=1):
+            if row.max() > BELONGS:
+                orders[int(row.argmax())] = order
+    found = [
+        DampedMode(int(order), float(value.imag), float(-value.real / abs(value)))
+        for order, value in zip(orders, values, strict=True)
+    ]
+    kept = (mode for mode in found if mode.order or (mode.resonates and mode.frequency <= highest))
+    return tuple(sorted(kept, key=lambda mode: mode.frequency))
+
+
+def _swinging(model: ElementLine) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Eigenvalues, rad/s, of motions that swing and are not of unknowns without mass, and their vectors."""
     from scipy.linalg import eig
 
-    model = element_line(line, pads, ELEMENTS)
     n = model.mass.shape[0]
     one, none = np.eye(n), np.zeros((n, n))
     # time in units of 1/rate makes both halves of the pencil of one size
@@ -80,14 +119,7 @@ def damped_modes(line: ShaftLine, pads: DynamicPads, undamped: Sequence[Mode]) -
         values, vectors = eig(left, right)
         values = values * rate
         swings = np.isfinite(values) & (values.imag > SWINGS * np.abs(values)) & (np.abs(values) < FINEST)
-    values, vectors = values[swings], vectors[:n, swings]
-    overlaps = _overlaps(line, pads, model, vectors, undamped)
-    found = []
-    for order, row in enumerate(overlaps, start=1):
-        if row.size and row.max() > BELONGS:
-            value = values[int(row.argmax())]
-            found.append(DampedMode(order, float(value.imag), float(-value.real / abs(value))))
-    return tuple(found)
+    return values[swings], vectors[:n, swings]
 
 
 def _overlaps(
@@ -96,10 +128,11 @@ def _overlaps(
     model: ElementLine,
     vectors: NDArray[np.complex128],
     undamped: Sequence[Mode],
+    elements: int,
 ) -> Array:
     """Overlap of every undamped mode (rows) with every damped one."""
     joints = model.collar + 1
-    mass, along = model.mass[:joints, :joints], joint_places(line, ELEMENTS)
+    mass, along = model.mass[:joints, :joints], joint_places(line, elements)
     shapes = np.array([np.interp(along, mode.places, mode.shape) for mode in undamped])
     moving = vectors[:joints]
     of_line = np.einsum("jk,jl,lk->k", moving.conj(), mass, moving).real

@@ -8,12 +8,10 @@ from collections.abc import Iterator
 from babbitt.notices import Notice
 from babbitt.shaft_line.answer import RINGS, LineAnswer
 from babbitt.shaft_line.design import LineDesign
-from babbitt.shaft_line.losses import LINEAR_UP_TO, separation
+from babbitt.shaft_line.losses import LINEAR_UP_TO
+from babbitt.shaft_line.resonance import NEAR
 
-__all__ = ["NEAR", "line_doubts"]
-
-NEAR = 0.2
-"""Relative distance from a natural frequency that is advised, as for other shaft vibration."""
+__all__ = ["line_doubts"]
 
 
 def line_doubts(design: LineDesign, answer: LineAnswer) -> Iterator[Notice]:
@@ -31,15 +29,19 @@ def _about_the_motion(answer: LineAnswer) -> Iterator[Notice]:
             f"film amplitude {relative:.2f} of the static film at pad "
             f"{1 + int(state.film.relative.argmax())} > {LINEAR_UP_TO:g}",
         )
-    for nu in state.frequencies:
-        for place, mode in enumerate(answer.modes, start=1):
-            away = separation(nu, mode.frequency)
-            if away < NEAR:
-                yield Notice(
-                    "W203",
-                    f"excitation {nu / math.tau:.2f} Hz is {away:.0%} away from undamped natural frequency "
-                    f"{place}, {mode.frequency / math.tau:.2f} Hz",
-                )
+    for met in answer.resonances.encounters:
+        if met.separation < NEAR:
+            where = (
+                f"a peak of the response at {met.resonance / math.tau:.2f} Hz, pad forces {met.amplification:.1f} "
+                "times the static ones"
+                if met.amplification is not None
+                else f"a damped mode of {met.resonance / math.tau:.2f} Hz, damping ratio {met.damping_ratio:.1%}"
+            )
+            yield Notice(
+                "W203",
+                f"excitation {met.excitation / math.tau:.2f} Hz (order {met.order:g}) is {met.separation:.0%} "
+                f"away from {where}",
+            )
     moved = answer.nonlinear
     if moved is not None:
         unloaded, closest = 1 + int(moved.lifted.argmax()), 1 + int(moved.thinnest.min(axis=0).argmin())

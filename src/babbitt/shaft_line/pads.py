@@ -46,6 +46,12 @@ class DynamicPads(Protocol):
     def wobble(self, frequency: float) -> ComplexArray:
         """What the tilt of a face with one high spot adds to the runout that each pad feels, over it."""
 
+    def films(self, frequencies: Array) -> ComplexArray:
+        """`film` at many frequencies, shape (n, z)."""
+
+    def wobbles(self, frequencies: Array) -> ComplexArray:
+        """`wobble` at many frequencies, shape (n, z)."""
+
 
 @dataclass(frozen=True)
 class GivenPads:
@@ -104,6 +110,14 @@ class GivenPads:
         """Nothing: such pads feel the runout at their pivots only."""
         return np.zeros(len(self.stiffness), dtype=complex)
 
+    def films(self, frequencies: Array) -> ComplexArray:
+        """`film` at many frequencies."""
+        return np.asarray(np.array(self.stiffness) + 1j * np.outer(frequencies, self.damping), dtype=np.complex128)
+
+    def wobbles(self, frequencies: Array) -> ComplexArray:
+        """`wobble` at many frequencies."""
+        return np.zeros((len(frequencies), len(self.stiffness)), dtype=complex)
+
 
 @dataclass(frozen=True, eq=False)
 class FilmPads:
@@ -154,3 +168,34 @@ class FilmPads:
                 row = (state.stiffness + 1j * frequency * state.damping)[0, 1:]
                 added[place] = -row @ wobble_answer(state, frequency, inertia) / film
         return added
+
+    def films(self, frequencies: Array) -> ComplexArray:
+        """`film` at many frequencies."""
+        film, moving, free = self._moving(frequencies)
+        found = film[..., 0, 0]
+        if free:
+            tilts = np.linalg.solve(moving, -film[..., free, 0][..., None])[..., 0]
+            found = found + (film[..., 0, free] * tilts).sum(axis=-1)
+        return np.asarray(found)
+
+    def wobbles(self, frequencies: Array) -> ComplexArray:
+        """`wobble` at many frequencies."""
+        film, moving, free = self._moving(frequencies)
+        driven = np.array([-1.0, 1.0j]) / self.bearing.pad.pivot_radius
+        answer = np.broadcast_to(driven, (*film.shape[:2], 2)).copy()
+        if free:
+            felt = film[..., free, 1:] @ driven
+            places = [tilt - 1 for tilt in free]
+            answer[..., places] = answer[..., places] - np.linalg.solve(moving, felt[..., None])[..., 0]
+        added = -(film[..., 0, 1:] * answer).sum(axis=-1)
+        whole = self.films(frequencies)
+        return np.asarray(np.where(whole == 0.0, 0.0, added / np.where(whole == 0.0, 1.0, whole)))
+
+    def _moving(self, frequencies: Array) -> tuple[ComplexArray, ComplexArray, list[int]]:
+        """K + j nu C, shape (n, z, 3, 3), its free tilts with their inertia, and which those are."""
+        nu = np.asarray(frequencies)[:, None, None, None]
+        states, inertia = self.share.states, self.bearing.inertia
+        film = np.array([one.stiffness for one in states]) + 1j * nu * np.array([one.damping for one in states])
+        free = list(self.bearing.pad.free_tilts)
+        moving = film - nu**2 * np.diag([0.0, inertia.radial, inertia.along])
+        return film, moving[..., free, :][..., free], free

@@ -8,15 +8,19 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
+from babbitt.shaft_line.losses import separation
 from babbitt.shaft_line.model import LineDuty, LineState, state_of
 from babbitt.shaft_line.natural import undamped_frequencies
+from babbitt.shaft_line.resonance import NEAR, Resonances, lobes_of, resonances_about
 from babbitt.thrust.carrying import Carrying
 from babbitt.thrust.failures import NoPadFilmError
 
 __all__ = ["CampbellPoint", "RingPoint", "barred_ranges", "ring_point", "ring_sweep", "speed_sweep", "usual_rings"]
 
-BARRED_WITHIN = 0.2
-"""Relative distance from a natural frequency that a barred speed range covers."""
+STEPS = 40
+"""Into which the way between two speeds of a map is divided to find where a barred range begins and ends."""
+SHOWN_ABOVE = 1.3
+"""Frequency up to which damped modes are shown, over that of the fastest excitation."""
 MODES = 4
 
 
@@ -84,12 +88,15 @@ class CampbellPoint:
     speed : float
         rad/s.
     frequencies : tuple of float
-        Undamped, rad/s.
+        Undamped, rad/s, on the stiffness of films at rest.
+    resonances : Resonances
+        About each excitation.
     state : LineState
     """
 
     speed: float
     frequencies: tuple[float, ...]
+    resonances: Resonances
     state: LineState
 
 
@@ -110,38 +117,61 @@ def speed_sweep(
         rad/s.
     """
     points = []
+    orders = [one.order for one in duty.thrusts if one.amplitude > 0.0]
+    orders += [one.order for one in duty.runouts if one.amplitude > 0.0]
+    shown = SHOWN_ABOVE * max(orders, default=0.0) * max(speeds, default=0.0)
     for speed in speeds:
         at = duty.at_speed(speed)
         with suppress(NoPadFilmError):
             state = state_of(at, films_at(at))
-            points.append(
-                CampbellPoint(
-                    speed,
-                    undamped_frequencies(duty.line, state.pads, MODES),
-                    state,
-                )
-            )
+            natural = undamped_frequencies(duty.line, state.pads, MODES)
+            points.append(CampbellPoint(speed, natural, resonances_about(state, shown), state))
     return tuple(points)
 
 
 def barred_ranges(points: Sequence[CampbellPoint]) -> tuple[tuple[float, float, float], ...]:
-    """Speeds at which an excitation comes within 20 % of the first natural frequency: from, to (rad/s), order.
+    """Speeds at which an excitation comes within 20 % of a resonance: from, to (rad/s), order.
 
     Interpolated between the points of a sweep; a range that begins or ends with the sweep is cut there.
     """
-    orders = sorted({part.harmonic.order for point in points for part in point.state.forced.parts})
+    causes = sorted(
+        {
+            (part.harmonic.order, lobes_of(part.harmonic))
+            for point in points
+            for part in point.state.forced.parts
+            if part.harmonic.amplitude > 0.0
+        }
+    )
     found = []
-    for order in orders:
-        inside: list[float] = []
+    for order, lobes in causes:
+        low = high = 0.0
         for first, second in itertools.pairwise(points):
-            for step in range(21):
-                speed = first.speed + (second.speed - first.speed) * step / 20.0
-                natural = first.frequencies[0] + (second.frequencies[0] - first.frequencies[0]) * step / 20.0
-                if abs(order * speed / natural - 1.0) < BARRED_WITHIN:
-                    inside.append(speed)
-        if inside:
-            found.append((min(inside), max(inside), order))
+            pairs = _followed(first.resonances.frequencies(lobes), second.resonances.frequencies(lobes))
+            for step in range(STEPS + 1):
+                part = step / STEPS
+                speed = first.speed + (second.speed - first.speed) * part
+                met = any(separation(order * speed, a + (b - a) * part) < NEAR for a, b in pairs)
+                if met:
+                    low, high = low or speed, speed
+                elif low:
+                    found.append((low, high, order))
+                    low = 0.0
+        if low:
+            found.append((low, high, order))
     return tuple(found)
+
+
+def _followed(first: Sequence[float], second: Sequence[float]) -> list[tuple[float, float]]:
+    """Resonances at two neighbouring speeds in pairs; one that has no like at the other is taken to stay."""
+    pairs, left = [], list(second)
+    for frequency in first:
+        near = min(left, key=lambda one: abs(one / frequency - 1.0), default=None)
+        if near is not None and abs(near / frequency - 1.0) < NEAR:
+            left.remove(near)
+            pairs.append((frequency, near))
+        else:
+            pairs.append((frequency, frequency))
+    return pairs + [(one, one) for one in left]
 
 
 def usual_rings(duty: LineDuty, state: LineState, number: int = 40) -> tuple[float, ...]:

@@ -35,8 +35,9 @@ def line_values(design: LineDesign, answer: LineAnswer) -> dict[str, float]:
         "elasticity_share": answer.causes.elasticity,
         **{f"natural_frequency_{n}": mode.frequency for n, mode in enumerate(answer.modes[:MODES], start=1)},
     }
-    if answer.damped and answer.damped[0].order == 1:
-        values["damping_ratio_1"] = answer.damped[0].damping_ratio
+    for mode in answer.resonances.modes:
+        if mode.order == 1:
+            values["damping_ratio_1"] = mode.damping_ratio
     if math.isfinite(answer.separation):
         values["frequency_separation"] = answer.separation
     values |= {name: one.largest for name, one in bearables(answer).items() if math.isfinite(one.largest)}
@@ -79,7 +80,9 @@ def line_arrays(design: LineDesign, answer: LineAnswer) -> dict[str, Matrix]:
         "pad_dynamic_film": state.film.thinnest_bound,
     }
     arrays |= {name: (tuple(float(one) for one in row),) for name, row in rows.items()}
-    arrays["damped_modes"] = tuple((mode.frequency, mode.damping_ratio, mode.order) for mode in answer.damped)
+    found = answer.resonances
+    arrays["damped_modes"] = tuple((mode.frequency, mode.damping_ratio, mode.order) for mode in found.modes)
+    arrays["response_peaks"] = tuple((peak.frequency, peak.amplification, peak.lobes) for peak in found.peaks)
     arrays["ring_sweep"] = tuple(
         (
             p.stiffness,
@@ -95,6 +98,11 @@ def line_arrays(design: LineDesign, answer: LineAnswer) -> dict[str, Matrix]:
     )
     if answer.campbell:
         arrays["campbell"] = tuple((p.speed, p.state.losses.mean_bound, *p.frequencies) for p in answer.campbell)
+        arrays["resonances_met"] = tuple(
+            (p.speed, met.order, met.resonance, met.separation)
+            for p in answer.campbell
+            for met in p.resonances.encounters
+        )
         if barred := barred_ranges(answer.campbell):
             arrays["barred_ranges"] = barred
     return arrays

@@ -30,6 +30,12 @@ from babbitt.segments.model import SegmentCase
 from babbitt.solving import solve_design
 from babbitt.standards.iso7902 import DesignCase, check
 from babbitt.standards.iso7902.model import Curves, Friction
+from babbitt.studies.grooved_films import (
+    groove_direction,
+    grooved_films,
+    unknown_to_grooved_films,
+    with_groove_angles,
+)
 from babbitt.studies.heel_comparison import compare_heels
 from babbitt.studies.one_dimension import long_film_variants, segment_variants
 from babbitt.studies.thermal_variants import (
@@ -181,12 +187,7 @@ def _hydrostatic(case: HydrostaticBearing) -> Comparison:
 
 def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
     if bearing.method in METHODS:
-        for design in design_cases_of(bearing, case):
-            if isinstance(design, LongFilmCase):
-                labelled = long_film_variants(design)
-            elif isinstance(design, SegmentCase):
-                labelled = segment_variants(design)
-            yield Comparison(design.name, tuple(Variant(*one) for one in labelled))
+        yield from _compared_in_one_dimension(bearing, case)
         return
     standard, long_films = iso7902_cases(bearing, case), long_films_of(bearing, case)
     for index, films in enumerate(thermal_variants(bearing, case)):
@@ -200,6 +201,23 @@ def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
         methods = (one for one in among if one.is_method)
         ranked = (*methods, *(one for one in among if not one.is_method))
         yield Comparison(films[0].case.name, ranked, "\n".join(_left_out(bearing, case)))
+
+
+def _compared_in_one_dimension(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
+    """The models of one dimension; a grooved bearing is answered in two dimensions, too."""
+    for index, design in enumerate(design_cases_of(bearing, case)):
+        if isinstance(design, LongFilmCase):
+            yield Comparison(design.name, tuple(Variant(*one) for one in long_film_variants(design)))
+        elif isinstance(design, SegmentCase):
+            found = [Variant(*one) for one in segment_variants(design)]
+            reason = unknown_to_grooved_films(bearing, design, case)
+            if not reason:
+                place = groove_direction(design, found[0].result)
+                for label, remark, film, groove in grooved_films(bearing, case, index, design, place):
+                    result = with_groove_angles(solve_design(film), film, groove)
+                    found.append(Variant(label, remark, result, film, detail=1))
+            left_out = f"the film in two dimensions is left out: {reason}" if reason else ""
+            yield Comparison(design.name, tuple(found), left_out)
 
 
 def _left_out(bearing: JournalBearing, case: Case) -> Iterator[str]:

@@ -23,6 +23,7 @@ from babbitt.units.fields import (
     Volume,
     either_sense,
     si,
+    zero_or,
 )
 from babbitt.units.kinds import KINDS, ZERO_CELSIUS, Kind
 from babbitt.units.reading import QuantityError, SiNumber, bare_number, read, written
@@ -58,4 +59,5 @@ __all__ = [
     "read",
     "si",
     "written",
+    "zero_or",
 ]

@@ -167,6 +167,24 @@ class EitherSense(SiField):
         return abs(value)
 
 
+@dataclass(frozen=True)
+class ZeroOr(SiField):
+    """Pydantic metadata of a float that is zero or within a range; what lies between is a slip of unit."""
+
+    @property
+    def allowed(self) -> str:
+        """The range in words.
+
+        >>> zero_or("Pa", "1 kPa", "50 MPa").allowed
+        '0 or 1 kPa to 50 MPa'
+        """
+        return f"0 or {super().allowed}"
+
+    def holds(self, value: float) -> bool:
+        """Whether an SI value is zero or lies in the range."""
+        return value == 0.0 or super().holds(value)
+
+
 def si(unit: str, lowest: str = "", highest: str = "", usual: str = "") -> SiField:
     """Make the metadata of a quantity field: ``Annotated[float, si("m", "1 mm", "3 m")]``.
 
@@ -180,6 +198,11 @@ def si(unit: str, lowest: str = "", highest: str = "", usual: str = "") -> SiFie
 def either_sense(unit: str, lowest: str, highest: str) -> EitherSense:
     """Make the metadata of a quantity whose sign says the sense of rotation, with the range of its magnitude."""
     return EitherSense(unit, lowest, highest)
+
+
+def zero_or(unit: str, lowest: str, highest: str) -> ZeroOr:
+    """Make the metadata of a quantity that is zero or within a range."""
+    return ZeroOr(unit, lowest, highest)
 
 
 Length = Annotated[float, si("m")]

@@ -123,3 +123,4 @@ class DesignCase:
     doubts: tuple[Notice, ...] = ()
     kind: str = "journal"
     effective_temperature: float | None = None
+    load_angle: float | None = None

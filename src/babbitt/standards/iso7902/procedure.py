@@ -179,6 +179,8 @@ def _values(case: DesignCase, film: Film, change: Transition | None) -> dict[str
     if film.supply_capacity is not None:
         values["supply_capacity"] = film.supply_capacity
     values |= cooling_values(case, film) | limit_values(case)
+    if case.load_angle is not None:
+        values["load_angle"] = case.load_angle
     if change is not None:
         values["transition_speed"] = change.speed
     return values
