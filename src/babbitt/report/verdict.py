@@ -60,8 +60,8 @@ def check_verdict(check: Check) -> Verdict:
 
 
 def governing(result: Result, quantity: str) -> Check | None:
-    """The strictest limit on a quantity, advice left aside."""
-    checks = [c for c in result.checks if c.quantity == quantity and not c.advisory]
+    """The strictest limit on a quantity, advice left aside; it may hold for the starved film instead."""
+    checks = [c for c in result.checks if c.quantity.removeprefix("starved_") == quantity and not c.advisory]
     return min(checks, key=lambda check: check.margin, default=None)
 
 
