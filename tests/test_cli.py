@@ -11,29 +11,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from babbitt import cli
 from babbitt.cases import kinds, parse_case, template
 from babbitt.interop import mirrored, read_ansys, read_csv, read_json, read_ross, read_xltrc2
 from babbitt.solving import solve
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 BAD = Path(__file__).parent / "cases" / "bad"
-
-
-@pytest.fixture
-def run(capsys, monkeypatch, tmp_path):
-    """Run the command line in an empty folder; give exit status, standard output and standard error."""
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("COLUMNS", "160")
-
-    def call(*arguments):
-        monkeypatch.setattr(sys, "argv", ["babbitt", *map(str, arguments)])
-        with pytest.raises(SystemExit) as ended:
-            cli.main()
-        out, err = capsys.readouterr()
-        return ended.value.code or 0, out, err
-
-    return call
 
 
 def journal_with_load(load: str) -> str:
@@ -307,7 +290,7 @@ def test_export_without_equilibrium_ends_with_three_and_writes_nothing(run, tmp_
         ({"--format": "ross3", "-o": "table.json"}, "at least 5 speeds, and 1 is given; write more"),
         ({"--speeds": "fast"}, "--speeds 'fast'"),
         ({"--bearing": "Pmup"}, "there are: Pump"),
-        ({"-o": "nowhere/table.csv"}, "folder does not exist"),
+        ({"-o": "nowhere/table.csv"}, "does not exist"),
         ({"-o": "case.csv", "case": "case.csv"}, "case file"),
         ({"case": "standard.yaml"}, "method: film"),
         ({"case": "two.yaml"}, "--bearing: Pump [a], Pump [b]"),
@@ -341,11 +324,13 @@ def test_the_help_of_export_names_the_endings_of_every_format(run):
 
 def test_links_and_devices_stay_what_they_are(run, tmp_path):
     (tmp_path / "case.yaml").write_text(template("journal"))
-    (tmp_path / "target.json").write_text("old")
+    assert run("solve", "case.yaml", "--json", "target.json")[0] == 0
+    before = (tmp_path / "target.json").stat().st_ino
     (tmp_path / "link.json").symlink_to(tmp_path / "target.json")
     assert run("solve", "case.yaml", "--json", "link.json")[0] == 0
     assert (tmp_path / "link.json").is_symlink()
     assert json.loads((tmp_path / "target.json").read_text())["bearings"]
+    assert (tmp_path / "target.json").stat().st_ino != before  # replaced as a whole
     (tmp_path / "pipe").symlink_to("/dev/null")
     assert run("solve", "case.yaml", "--json", "pipe")[0] == 0
     assert Path("/dev/null").is_char_device()
@@ -458,7 +443,7 @@ def test_values_of_a_sweep_may_be_negative(run, tmp_path):
         (("lubricant.x", "1, 2"), "not a mapping"),
         (("load", "1 kN", "--bearing", "Nobody"), "there are: Grooved"),
         (("load", "1 kN", "--plot", "out.docx"), ".png, .svg or .pdf"),
-        (("load", "1 kN", "--csv", "film.yaml"), "the case file"),
+        (("load", "1 kN", "--csv", "film.yaml"), "a case file"),
         (("load", "1 kN", "--csv", "x.svg", "--plot", "x.svg"), "another output"),
         (("load", "1 kN", "--csv", "none/x.csv"), "does not exist"),
     ],

@@ -31,22 +31,6 @@ def test_slopes_are_those_of_neighbours(method, grooved, clearance):
             assert slope == pytest.approx((more - less) / (2e-3 * size), rel=2e-3, abs=2e3)
 
 
-def test_stability_is_that_of_a_rim_that_fills_and_drains():
-    """A disturbed rim that fills and drains returns to the stable state and leaves the other."""
-    from babbitt.footstep.superposition import GroovedHeel
-
-    model = GroovedHeel(footstep())
-    for state in steady_states(footstep()):
-        flow = state.groove_flow * (1.0 + 1e-3)
-        for _ in range(400):
-            at = model.balance(np.asarray(flow))
-            slope = float(model.balance(np.asarray(flow * 1.0001)).rim_pressure - at.rim_pressure) / (1e-4 * flow)
-            filled = -float(at.residual)  # what stays in the rim raises its pressure
-            flow += 2e-2 * math.copysign(1.0, slope) * filled * min(1.0, 0.02 * flow / max(abs(filled), 1e-30))
-        moved = abs(flow / state.groove_flow - 1.0)
-        assert (moved < 1e-3) == state.stable
-
-
 def test_footsteps_fed_through_the_face_gap_have_negative_stiffness():
     for state in (*steady_states(footstep()), *steady_states(footstep(groove=None))):
         if state.face_flow > 0.0:

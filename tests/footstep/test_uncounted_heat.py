@@ -45,7 +45,11 @@ def test_metal_takes_it():
     wall = Wall(298.15, 10.0)
     for groove in ({}, {"groove": None}):
         (state,) = steady_states(footstep(wall=wall, **groove), Method.NARROW_GROOVE)
-        assert uncounted_heat(footstep(wall=wall, **groove), state, Method.NARROW_GROOVE) == (0.0, 0.0)
+        heat, rise = uncounted_heat(footstep(wall=wall, **groove), state, Method.NARROW_GROOVE)
+        # The second film takes its oil at the temperature of the inlet: what the first gave it is lost.
+        first = state.face_temperature if state.leakage > 0.0 else state.rim_temperature
+        assert heat == pytest.approx(1.76e6 * abs(state.leakage) * (first - 298.15), rel=1e-6)
+        assert 0.0 < rise < 0.1
         (state,) = steady_states(footstep(**groove), Method.NARROW_GROOVE)
         heat, rise = uncounted_heat(footstep(**groove), state, Method.NARROW_GROOVE)
         through = (0.63e6 - 0.101e6) * state.face_flow
@@ -65,20 +69,17 @@ def test_no_oil_that_leaves_takes_no_heat():
 
 @pytest.mark.parametrize(("clearance", "advised"), [(10.0, True), (60.0, False)])
 def test_a_rise_that_oil_cannot_have_is_advice(clearance, advised):
-    """Flow falls with the cube of the clearance, and friction rises: 200 K lie between."""
+    """Flow falls with the cube of the clearance, and friction rises: 100 K lie between."""
     (result,) = heel_results(HeelCase("Heel", footstep(groove=None, clearance=clearance)))
     (told,) = (notice.message for notice in result.warnings if notice.code == "W171")
     heat = [check for check in result.checks if check.code == "C131"]
     assert bool(heat) is advised
-    assert result.within_limits
+    assert ("W176" in {notice.code for notice in result.warnings}) is advised  # then there is no verdict
     if advised:
-        assert "more than 200 K" in told
         (check,) = heat
         assert not check.ok
         assert check.value == pytest.approx(result.heel_leakage, rel=1e-12)
-    else:
-        assert "warmed by" in told
-        assert "more than" not in told
+    assert "warmed by" in told
 
 
 @pytest.mark.parametrize(

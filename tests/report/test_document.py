@@ -10,8 +10,8 @@ from html.parser import HTMLParser
 import gear_cases
 import pytest
 
+from babbitt.files import writing
 from babbitt.notices import InputError
-from babbitt.report import writing
 from babbitt.report.content import content
 from babbitt.report.document import report, write_report
 from babbitt.results import Outcome, Result
@@ -347,21 +347,22 @@ def test_a_folder_is_no_file(tmp_path):
 
 def test_a_failure_leaves_what_was_there(tmp_path, monkeypatch):
     path = tmp_path / "report.html"
-    path.write_text("before")
+    path.write_text('<!DOCTYPE html><html><head><meta name="generator" content="Babbitt 0.1.0"></head>')
+    before = path.read_text()
 
     def full(*_):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(writing.Path, "replace", full)
     with pytest.raises(InputError, match="No space left"):
-        writing.write_whole(path, b"after")
-    assert path.read_text() == "before"
+        writing.write_file(path, b"after")
+    assert path.read_text() == before
     assert [file.name for file in tmp_path.iterdir()] == ["report.html"]
 
 
 def test_a_written_file_has_ordinary_permissions(tmp_path):
     path, ordinary = tmp_path / "a.html", tmp_path / "b.html"
-    writing.write_whole(path, b"x")
+    writing.write_file(path, b"x")
     ordinary.write_bytes(b"x")
     assert path.stat().st_mode == ordinary.stat().st_mode
 

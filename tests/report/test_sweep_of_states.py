@@ -30,10 +30,10 @@ def test_broken_lines_are_where_states_are_not_stable():
         assert drawn.tolist() == [stable[name, place] for place in range(6)]
     broken = [line for line in panel.get_lines()[len(sweep.names) :] if line.get_linestyle() == "--"]
     broken = [line for line in broken if len(line.get_ydata()) == 6]  # not the mark of the file
-    (cold,) = broken
-    reach = [place for place in range(6) if np.isfinite(cold.get_ydata()[place])]
+    (hot,) = broken
+    reach = [place for place in range(6) if np.isfinite(hot.get_ydata()[place])]
     unstable = [place for (name, place), lasts in stable.items() if not lasts]
-    assert reach == list(range(min(unstable), max(unstable) + 2))  # up to the first stable one
+    assert reach == unstable == list(range(6))  # the hot state, at every clearance
     (legend,) = figure.legends
     assert [text.get_text() for text in legend.get_texts()][-1] == "not stable (broken, open)"
 

@@ -26,7 +26,8 @@ def test_grid_of_states():
     assert loads.shape == (2, 3)
     assert math.isnan(loads[0, 0])
     assert loads[1, 2] == pytest.approx(829.1176, rel=1e-5)
-    assert sweep.values("stable", StateName.COLD)[1].tolist() == [0.0, 0.0, 0.0]
+    assert sweep.values("stable", StateName.HOT)[1].tolist() == [0.0, 0.0, 0.0]
+    assert sweep.values("stable", StateName.COLD)[1].tolist() == [1.0, 1.0, 1.0]
     assert sweep.names == (StateName.HOT, StateName.COLD)
 
 

@@ -11,6 +11,7 @@ from babbitt.cases.machine import JournalCase, Machine
 from babbitt.cases.problems import CaseError, Problem
 from babbitt.cases.schema import case_schema
 from babbitt.cases.templates import kinds, template
+from babbitt.files.reading import Reach
 
 if TYPE_CHECKING:
     from babbitt.cases.every_kind import AnyCase, Case
@@ -28,6 +29,7 @@ __all__ = [
     "Machine",
     "OverhungCouplingCase",
     "Problem",
+    "Reach",
     "ScrewHeelCase",
     "ThrustCase",
     "ThrustLineCase",

@@ -6,11 +6,12 @@ import csv
 import math
 import re
 from itertools import pairwise
-from pathlib import Path as FilePath
 from typing import Any
 
 from babbitt.cases.every_bearing import for_every_bearing
+from babbitt.cases.named_files import NamedFiles, TableError
 from babbitt.cases.plain_words import Path, shown
+from babbitt.files.printing import printable
 from babbitt.materials import parse_experience_limits
 from babbitt.notices import InputError
 from babbitt.units import QuantityError, SiNumber, read
@@ -42,15 +43,7 @@ MOST_LOADS = 1440
 """Points of a changing load."""
 
 
-class TableError(Exception):
-    """A table that cannot be used: where in the case, what is wrong, what would do."""
-
-    def __init__(self, path: Path, says: str, allowed: str = "") -> None:
-        super().__init__(says)
-        self.path, self.says, self.allowed = path, says, allowed
-
-
-def with_tables(given: dict[str, Any], folder: FilePath) -> dict[str, Any]:
+def with_tables(given: dict[str, Any], files: NamedFiles) -> dict[str, Any]:
     """Put the points of measured bores and changing loads, and the text of tables of limits, in place of their
     files.
 
@@ -58,44 +51,39 @@ def with_tables(given: dict[str, Any], folder: FilePath) -> dict[str, Any]:
     ----------
     given : dict
         A case as it stands in the file; it is not changed.
-    folder : Path
-        What the files are named from.
+    files : NamedFiles
+        What the case may read.
 
     Raises
     ------
     TableError
         For the first table that cannot be used.
     """
-    return for_every_bearing(given, lambda bearing, path: _with_table(bearing, path, folder))
+    return for_every_bearing(given, lambda bearing, path: _with_table(bearing, path, files))
 
 
-def _with_table(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:
-    return _with_limits(_with_load(_with_bore(bearing, path, folder), path, folder), path, folder)
+def _with_table(bearing: dict[str, Any], path: Path, files: NamedFiles) -> dict[str, Any]:
+    return _with_limits(_with_load(_with_bore(bearing, path, files), path, files), path, files)
 
 
-def _with_limits(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:
+def _with_limits(bearing: dict[str, Any], path: Path, files: NamedFiles) -> dict[str, Any]:
     limits = bearing.get("limits")
     if not (isinstance(limits, dict) and isinstance(limits.get("tables"), str)):
         return bearing
     name, at = limits["tables"], (*path, "limits", "tables")
     if "\n" in name:  # the text itself, of a case that was read before
         return bearing
-    file = folder / name
+    text = files.text(name, at, LARGEST_LIMITS, LIMITS_FORM)
     try:
-        if file.stat().st_size > LARGEST_LIMITS:
-            raise TableError(at, f"{file.name} is larger than {LARGEST_LIMITS // 1000} kB", LIMITS_FORM)
-        text = file.read_text(encoding="utf-8-sig")
-        parse_experience_limits(text, file.name)
-    except FileNotFoundError:
-        raise TableError(at, f"there is no such file: {file}", LIMITS_FORM) from None
-    except (OSError, UnicodeDecodeError, ValueError):
-        raise TableError(at, f"{shown(file.name)} cannot be read", LIMITS_FORM) from None
+        parse_experience_limits(text, printable(name))
+    except ValueError:
+        raise TableError(at, f"{printable(name)} cannot be read", LIMITS_FORM) from None
     except InputError as error:
         raise TableError(at, error.message, LIMITS_FORM) from None
     return bearing | {"limits": limits | {"tables": text}}
 
 
-def _with_bore(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:
+def _with_bore(bearing: dict[str, Any], path: Path, files: NamedFiles) -> dict[str, Any]:
     bore = bearing.get("bore")
     if not (
         isinstance(bore, dict) and bore.get("kind") == "measured" and "file" in bore and "departures" not in bore
@@ -105,38 +93,40 @@ def _with_bore(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[st
     if not isinstance(bore["file"], str):
         raise TableError(at, f"{shown(bore['file'])} is not the name of a file", EXAMPLE)
     rest = {name: value for name, value in bore.items() if name != "file"}
-    return bearing | {"bore": rest | {"departures": departures_of(folder / bore["file"], at)}}
+    return bearing | {"bore": rest | {"departures": departures_of(files, bore["file"], at)}}
 
 
-def _with_load(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:
+def _with_load(bearing: dict[str, Any], path: Path, files: NamedFiles) -> dict[str, Any]:
     load = bearing.get("dynamic_load")
     if not (isinstance(load, dict) and load.get("kind") == "table" and "file" in load and "angle" not in load):
         return bearing
     at = (*path, "dynamic_load", "file")
     if not isinstance(load["file"], str):
         raise TableError(at, f"{shown(load['file'])} is not the name of a file", LOAD_EXAMPLE)
-    rows = [row for _, row in rows_of_table(folder / load["file"], at, ("rad", "N", "N"), LOAD_EXAMPLE)]
+    rows = [row for _, row in rows_of_table(files, load["file"], at, ("rad", "N", "N"), LOAD_EXAMPLE)]
     if len(rows) > MOST_LOADS:
-        raise TableError(at, f"{load['file']} has {len(rows)} points", f"at most {MOST_LOADS}")
+        raise TableError(at, f"{printable(load['file'])} has {len(rows)} points", f"at most {MOST_LOADS}")
     rest = {name: value for name, value in load.items() if name != "file"}
     columns = {name: [row[place] for row in rows] for place, name in enumerate(("angle", "fx", "fy"))}
     return bearing | {"dynamic_load": rest | columns}
 
 
-def departures_of(file: FilePath, at: Path) -> list[float]:
+def departures_of(files: NamedFiles, name: str, at: Path) -> list[float]:
     """Departures in m at equal steps from angle 0, interpolated linearly between the points of a table."""
-    points = [(row[0], row[1]) for _, row in rows_of_table(file, at, ("rad", "m"), EXAMPLE)]
-    return _once_around(points, file.name, at)
+    points = [(row[0], row[1]) for _, row in rows_of_table(files, name, at, ("rad", "m"), EXAMPLE)]
+    return _once_around(points, printable(name), at)
 
 
 def rows_of_table(
-    file: FilePath, at: Path, kinds: tuple[str, ...], example: str
+    files: NamedFiles, name: str, at: Path, kinds: tuple[str, ...], example: str
 ) -> list[tuple[int, tuple[float, ...]]]:
     """Rows of a CSV table whose heading has the units: the line, and each column in its SI unit.
 
     Parameters
     ----------
-    file : Path
+    files : NamedFiles
+    name : str
+        Of the table, as it stands in the case.
     at : tuple
         Where in the case the table is named.
     kinds : tuple of str
@@ -150,28 +140,25 @@ def rows_of_table(
         For a file that is missing or not readable, without heading, or with a row that is not of numbers.
     """
     try:
-        if file.stat().st_size > LARGEST_TABLE:
-            raise TableError(at, f"{file.name} is larger than {LARGEST_TABLE // 1_000_000} MB", example)
-        reader = csv.reader(file.read_text(encoding="utf-8-sig").splitlines())
+        reader = csv.reader(files.text(name, at, LARGEST_TABLE, example).splitlines())
         rows = [(reader.line_num, row) for row in reader if any(row)]
-    except FileNotFoundError:
-        raise TableError(at, f"there is no such file: {file}", example) from None
-    except (OSError, UnicodeDecodeError, csv.Error):
-        raise TableError(at, f"{file.name} cannot be read", example) from None
+    except csv.Error:
+        raise TableError(at, f"{printable(name)} cannot be read", example) from None
+    name = printable(name)
     heading = [HEADING.match(cell) for cell in rows[0][1]] if rows else []
     units = [match["unit"] for match in heading if match is not None]
     if not len(units) == len(heading) == len(kinds):
-        raise TableError(at, f"{file.name} has no heading with units", example)
+        raise TableError(at, f"{name} has no heading with units", example)
     found: list[tuple[int, tuple[float, ...]]] = []
     for line, row in rows[1:]:
         for cell in row:
             if not _is_finite(cell):
-                raise TableError(at, f"line {line} of {file.name}: {shown(cell)} is not a finite number", example)
+                raise TableError(at, f"line {line} of {name}: {shown(cell)} is not a finite number", example)
         try:
             values = [read(f"{float(c)} {unit}", si) for c, unit, si in zip(row, units, kinds, strict=True)]
             found.append((line, tuple(SiNumber(value) for value in values)))
         except (ValueError, QuantityError):
-            raise TableError(at, f"line {line} of {file.name} is {shown(','.join(row))}", example) from None
+            raise TableError(at, f"line {line} of {name} is {shown(','.join(row))}", example) from None
     return found
 
 

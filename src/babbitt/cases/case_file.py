@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Literal, Self
 
 from pydantic import Field, PrivateAttr
@@ -18,6 +19,7 @@ class CaseFile(Part):
     babbitt: Literal[1] = Field(1, description="Version of the case language.")
 
     _text: str = PrivateAttr("")
+    _files: tuple[FilePath, ...] = PrivateAttr(())
 
     @property
     def text(self) -> str:
@@ -28,6 +30,17 @@ class CaseFile(Part):
         """Give the same case with the text that it was read from."""
         case = self.model_copy()
         case._text = text
+        return case
+
+    @property
+    def files(self) -> tuple[FilePath, ...]:
+        """The files that the case names and that were read with it."""
+        return self._files
+
+    def with_files(self, files: tuple[FilePath, ...]) -> Self:
+        """Give the same case with the files that were read with it."""
+        case = self.model_copy()
+        case._files = files
         return case
 
     def designs(self) -> tuple[EveryDesign, ...]:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path as FilePath
 from typing import Any
 
-from babbitt.cases.bore_file import CLOSES_TO, TableError, rows_of_table
+from babbitt.cases.bore_file import CLOSES_TO, rows_of_table
 from babbitt.cases.every_bearing import for_every_bearing
+from babbitt.cases.named_files import NamedFiles, TableError
 from babbitt.cases.plain_words import Path, shown
+from babbitt.files.printing import printable
 
 EXAMPLE = "three columns with the heading 'angle [deg],z [mm],displacement [um]'"
 
@@ -17,25 +18,25 @@ KINDS = ("rad", "m", "m")
 TURN = 2.0 * math.pi
 
 
-def with_displacements(given: dict[str, Any], folder: FilePath) -> dict[str, Any]:
+def with_displacements(given: dict[str, Any], files: NamedFiles) -> dict[str, Any]:
     """Put the values of every table of displacement in the place of its file.
 
     Parameters
     ----------
     given : dict
         A case as it stands in the file; it is not changed.
-    folder : Path
-        What the files are named from.
+    files : NamedFiles
+        What the case may read.
 
     Raises
     ------
     TableError
         For the first table that cannot be used.
     """
-    return for_every_bearing(given, lambda bearing, path: _with_table(bearing, path, folder))
+    return for_every_bearing(given, lambda bearing, path: _with_table(bearing, path, files))
 
 
-def _with_table(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[str, Any]:
+def _with_table(bearing: dict[str, Any], path: Path, files: NamedFiles) -> dict[str, Any]:
     table = bearing.get("displacement")
     if not (isinstance(table, dict) and "file" in table and "values" not in table):
         return dict(bearing)
@@ -43,23 +44,25 @@ def _with_table(bearing: dict[str, Any], path: Path, folder: FilePath) -> dict[s
     if not isinstance(table["file"], str):
         raise TableError(at, f"{shown(table['file'])} is not the name of a file", EXAMPLE)
     rest = {name: value for name, value in table.items() if name != "file"}
-    return bearing | {"displacement": rest | displacement_of(folder / table["file"], at)}
+    return bearing | {"displacement": rest | displacement_of(files, table["file"], at)}
 
 
-def displacement_of(file: FilePath, at: Path) -> dict[str, Any]:
+def displacement_of(files: NamedFiles, name: str, at: Path) -> dict[str, Any]:
     """Angles, places and values of a table, whose lines may stand in any order, in SI."""
     found: dict[tuple[float, float], float] = {}
-    for line, (angle, place, value) in rows_of_table(file, at, KINDS, EXAMPLE):
+    for line, (angle, place, value) in rows_of_table(files, name, at, KINDS, EXAMPLE):
         if (angle, place) in found:
-            raise TableError(at, f"line {line} of {file.name} repeats an angle and place", "each of them once")
+            raise TableError(
+                at, f"line {line} of {printable(name)} repeats an angle and place", "each of them once"
+            )
         found[angle, place] = value
     angles, places = sorted({angle for angle, _ in found}), sorted({place for _, place in found})
     if len(found) != len(angles) * len(places):
-        says = f"{file.name} has {len(found)} values for {len(angles)} angles at {len(places)} places"
+        says = f"{printable(name)} has {len(found)} values for {len(angles)} angles at {len(places)} places"
         raise TableError(at, says, "one value for every angle at every place")
     values = [[found[angle, place] for place in places] for angle in angles]
     if len(angles) > 1 and abs(angles[-1] - angles[0] - TURN) < 1e-6:
         if max(abs(last - first) for first, last in zip(values[0], values[-1], strict=True)) > CLOSES_TO:
-            raise TableError(at, f"{file.name} does not close after a turn", "equal values at both ends")
+            raise TableError(at, f"{printable(name)} does not close after a turn", "equal values at both ends")
         angles, values = angles[:-1], values[:-1]
     return {"angles": angles, "places": places, "values": values}

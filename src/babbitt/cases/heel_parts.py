@@ -100,7 +100,9 @@ class HeelOptionsPart(Part):
         0.0, description="Local loss coefficient at the groove inlet; the study lists 1 and uses none."
     )
     speed_reduction: Annotated[float, si("1", "0", "10")] = Field(
-        0.0, description="Factor beta of the groove speed omega/(1 + beta), which the study never defines."
+        0.0,
+        description="Factor beta of the speed omega/(1 + beta) of groove and friction, which the study never "
+        "defines.",
     )
 
 

@@ -8,13 +8,16 @@ from typing import TYPE_CHECKING, Any
 
 from pydantic import ValidationError
 
-from babbitt.cases.bore_file import TableError, with_tables
+from babbitt.cases.bore_file import with_tables
 from babbitt.cases.compliance_file import with_compliances
 from babbitt.cases.displacement_file import with_displacements
 from babbitt.cases.document import DocumentError, Node, read_document
 from babbitt.cases.kinds import KINDS
+from babbitt.cases.named_files import NamedFiles, TableError
 from babbitt.cases.plain_words import Path, nearest, shown
 from babbitt.cases.problems import CaseError, Problem
+from babbitt.files.printing import printable
+from babbitt.files.reading import Reach
 from babbitt.units import AS_WRITTEN
 
 if TYPE_CHECKING:
@@ -27,13 +30,15 @@ VERSION = 1
 """Version of the case language."""
 
 
-def load_case(path: str | FilePath) -> Case:
+def load_case(path: str | FilePath, reach: Reach = Reach.FOLDER) -> Case:
     """Read a case file.
 
     Parameters
     ----------
     path : str or Path
         A YAML or JSON file in UTF-8 of at most 1 MB.
+    reach : Reach
+        Where it may name other files.
 
     Returns
     -------
@@ -44,10 +49,11 @@ def load_case(path: str | FilePath) -> Case:
     CaseError
         With every problem of the file.
     """
-    return _parsed(_text_of(FilePath(path)), str(path), FilePath(path).parent)
+    path = FilePath(path)
+    return _parsed(_text_of(path), printable(path), NamedFiles(path.parent, reach))
 
 
-def parse_case(text: str, name: str = "<text>") -> Case:
+def parse_case(text: str, name: str = "<text>", reach: Reach = Reach.FOLDER) -> Case:
     """Read a case from text, which stays with it as `text`.
 
     Parameters
@@ -56,6 +62,8 @@ def parse_case(text: str, name: str = "<text>") -> Case:
         YAML or JSON.
     name : str
         What to call the text in messages.
+    reach : Reach
+        Where it may name other files.
 
     Raises
     ------
@@ -75,7 +83,7 @@ def parse_case(text: str, name: str = "<text>") -> Case:
     overhung_coupling, screw_heel, hydrostatic_pad, hydrostatic_thrust_ring, hydrostatic_journal,
     jacking_pocket, thrust, thrust_line; did you mean 'journal'? [E003]
     """
-    return _parsed(text, name, FilePath())
+    return _parsed(text, name, NamedFiles(FilePath(), reach))
 
 
 def read_file(path: FilePath) -> dict[str, Any]:
@@ -86,21 +94,21 @@ def read_file(path: FilePath) -> dict[str, Any]:
     CaseError
         When it cannot be read, or is no document of the case language.
     """
-    given = _document(_text_of(path), str(path)).plain()
+    given = _document(_text_of(path), printable(path)).plain()
     if not isinstance(given, dict):
         load_case(path)  # tells what is wrong
     return dict(given)
 
 
-def build_case(given: Mapping[str, Any], name: str, folder: FilePath) -> Case:
-    """Read a case from a dictionary whose tables are named from a folder.
+def build_case(given: Mapping[str, Any], name: str, files: NamedFiles) -> Case:
+    """Read a case from a dictionary that may read some files.
 
     Raises
     ------
     CaseError
         With every problem; lines are 0.
     """
-    return _case(dict(given), name, None, folder)
+    return _case(dict(given), name, None, files)
 
 
 def _document(text: str, name: str) -> Node:
@@ -111,12 +119,12 @@ def _document(text: str, name: str) -> Node:
         raise CaseError([problem]) from None
 
 
-def _parsed(text: str, name: str, folder: FilePath) -> Case:
+def _parsed(text: str, name: str, files: NamedFiles) -> Case:
     root = _document(text, name)
-    return _case(root.plain(), name, root, folder).with_text(text)
+    return _case(root.plain(), name, root, files).with_text(text)
 
 
-def case_from_dict(given: Mapping[str, Any], name: str = "<case>") -> Case:
+def case_from_dict(given: Mapping[str, Any], name: str = "<case>", reach: Reach = Reach.FOLDER) -> Case:
     """Read a case from a dictionary, as it would stand in a file.
 
     Raises
@@ -124,10 +132,10 @@ def case_from_dict(given: Mapping[str, Any], name: str = "<case>") -> Case:
     CaseError
         With every problem; lines are 0.
     """
-    return _case(dict(given), name, None, FilePath())
+    return _case(dict(given), name, None, NamedFiles(FilePath(), reach))
 
 
-def load_cases(paths: Iterable[str | FilePath]) -> tuple[Case, ...]:
+def load_cases(paths: Iterable[str | FilePath], reach: Reach = Reach.FOLDER) -> tuple[Case, ...]:
     """Read several case files, or tell every problem of all of them at once.
 
     Raises
@@ -139,7 +147,7 @@ def load_cases(paths: Iterable[str | FilePath]) -> tuple[Case, ...]:
     problems: list[Problem] = []
     for path in paths:
         try:
-            cases.append(load_case(path))
+            cases.append(load_case(path, reach))
         except CaseError as error:
             problems += error.problems
     if problems:
@@ -156,7 +164,7 @@ def check_files(paths: Iterable[str | FilePath]) -> tuple[Problem, ...]:
     return ()
 
 
-def _case(given: Any, name: str, root: Node | None, folder: FilePath) -> Case:
+def _case(given: Any, name: str, root: Node | None, files: NamedFiles) -> Case:
     if not isinstance(given, dict):
         says = f"the file holds {shown(given)}"
         raise CaseError([Problem(name, 1, "", says, allowed="a mapping of fields that begins with kind: ...")])
@@ -170,10 +178,10 @@ def _case(given: Any, name: str, root: Node | None, folder: FilePath) -> Case:
         hint = nearest(kind, KINDS) if isinstance(kind, str) else ""
         raise CaseError([_problem(name, root, given, ("kind",), says, ", ".join(KINDS), hint)])
     try:
-        read = with_compliances(with_displacements(with_tables(given, folder), folder), folder)
-        return KINDS[kind].model_validate(read, context=AS_WRITTEN)
+        read = with_compliances(with_displacements(with_tables(given, files), files), files)
+        return KINDS[kind].model_validate(read, context=AS_WRITTEN).with_files(tuple(files.taken))
     except TableError as error:
-        raise CaseError([_problem(name, root, given, error.path, error.says, error.allowed)]) from None
+        raise CaseError([_problem(name, root, given, error.path, error.says, error.allowed, error.hint)]) from None
     except ValidationError as error:
         found = [(details["loc"], details["ctx"]) for details in error.errors(include_url=False)]
     raise CaseError(
@@ -218,7 +226,7 @@ def _step(step: str | int, value: Any) -> str:
 
 def _text_of(path: FilePath) -> str:
     def refuse(says: str, allowed: str = "", hint: str = "", line: int = 0) -> CaseError:
-        return CaseError([Problem(str(path), line, "", says, allowed=allowed, hint=hint, code="E001")])
+        return CaseError([Problem(printable(path), line, "", says, allowed=allowed, hint=hint, code="E001")])
 
     try:
         if not path.exists():

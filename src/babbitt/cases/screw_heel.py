@@ -136,6 +136,17 @@ class ScrewHeelCase(CaseFile):
                 ("wall",), "superposition knows no heat to the metal", "method: narrow_groove with a wall"
             )
 
+    @rule
+    def _options_are_used(self) -> Iterator[Complaint]:
+        if self.method == "narrow_groove":
+            for name in sorted(self.options.model_fields_set):
+                yield Complaint(
+                    ("options", name),
+                    "belongs to the study's equations; narrow_groove does not know it",
+                    "nothing with method: narrow_groove",
+                    "leave it out, or method: superposition",
+                )
+
     def _groove(self) -> ScrewGroove:
         part = self.groove
         assert part is not None, "asked for a groove that is not given"

@@ -7,7 +7,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from babbitt.cases.loading import build_case, load_case, read_file
+from babbitt.cases.named_files import NamedFiles
 from babbitt.cases.operating_point import LOADS, SPEEDS
+from babbitt.files.printing import printable
+from babbitt.files.reading import Reach
 from babbitt.notices import InputError
 
 if TYPE_CHECKING:
@@ -32,10 +35,26 @@ class CaseVariation:
         ``operating_points.0.load``.
     start : tuple of str
         Where in the file the path begins.
+    reach : Reach
+        Where the case may name other files.
+
+    Attributes
+    ----------
+    inputs : tuple of Path
+        The other files that the case as it stands names.
     """
 
-    def __init__(self, file: Path, given: dict[str, Any], path: str, start: tuple[str, ...] = ()) -> None:
+    def __init__(
+        self,
+        file: Path,
+        given: dict[str, Any],
+        path: str,
+        start: tuple[str, ...] = (),
+        reach: Reach = Reach.FOLDER,
+        inputs: tuple[Path, ...] = (),
+    ) -> None:
         self.file, self.given, self.path = file, given, path
+        self.reach, self.inputs = reach, inputs
         self._steps = (*start, *path.split("."))
 
     @property
@@ -67,7 +86,8 @@ class CaseVariation:
             place[_key(place, name)] = value
         except LookupError:
             raise InputError("E005", f"{self.file}: there is no '{self.path}'{_known(place)}") from None
-        return build_case(varied, f"{self.file} with {self.path}: {value}", self.file.parent)
+        title = f"{printable(self.file)} with {self.path}: {value}"
+        return build_case(varied, title, NamedFiles(self.file.parent, self.reach))
 
     def _container(self, given: Any) -> Any:
         place = given
@@ -87,7 +107,9 @@ class CaseVariation:
         return place
 
 
-def case_variation(file: Path, path: str, bearing: str | None = None) -> CaseVariation:
+def case_variation(
+    file: Path, path: str, bearing: str | None = None, reach: Reach = Reach.FOLDER
+) -> CaseVariation:
     """Read a case file of which one field is to vary.
 
     Parameters
@@ -97,6 +119,8 @@ def case_variation(file: Path, path: str, bearing: str | None = None) -> CaseVar
         From the top of the file, or from a bearing.
     bearing : str, optional
         Name of a bearing of a machine: the path begins there, and the other bearings are left out.
+    reach : Reach
+        Where the case may name other files.
 
     Raises
     ------
@@ -105,19 +129,19 @@ def case_variation(file: Path, path: str, bearing: str | None = None) -> CaseVar
     InputError
         E005 for a bearing that the file does not have, or an empty path.
     """
-    load_case(file)  # tells of every problem with its line
+    inputs = load_case(file, reach).files  # tells of every problem with its line
     given = read_file(file)
     if not all(path.split(".")):
         raise InputError("E005", f"'{path}' names no field; write it as load, or clearance.mean")
     if bearing is None:
-        return CaseVariation(file, given, path)
+        return CaseVariation(file, given, path, reach=reach, inputs=inputs)
     names = [one["name"] for one in given.get("bearings", ())] or [given.get("name")]
     if bearing not in names:
         raise InputError("E005", f"{file}: no bearing '{bearing}'; there are: {', '.join(map(str, names))}")
     if "bearings" not in given:
-        return CaseVariation(file, given, path)
+        return CaseVariation(file, given, path, reach=reach, inputs=inputs)
     alone = given | {"bearings": [given["bearings"][names.index(bearing)]]}
-    return CaseVariation(file, alone, path, ("bearings", "0"))
+    return CaseVariation(file, alone, path, ("bearings", "0"), reach, inputs)
 
 
 def _known(place: Any) -> str:

@@ -16,6 +16,7 @@ from typing import Annotated, NoReturn
 import typer
 
 from babbitt import __version__
+from babbitt.files.reading import Reach
 from babbitt.notices import BabbittError, InputError
 
 SOLVED, LIMIT_VIOLATED, UNUSABLE_INPUT, NO_SOLUTION = 0, 1, 2, 3
@@ -35,6 +36,15 @@ app = typer.Typer(
 )
 
 Files = Annotated[list[Path], typer.Argument(metavar="FILE...", help="Case files in YAML or JSON.")]
+
+AllowOutside = Annotated[
+    bool, typer.Option("--allow-outside", help="Let a case read files outside its own folder, if you trust it.")
+]
+
+
+def reach(allow_outside: bool) -> Reach:
+    """Where the cases of a run may name files."""
+    return Reach.ANYWHERE if allow_outside else Reach.FOLDER
 
 
 def main() -> None:

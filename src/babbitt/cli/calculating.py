@@ -9,7 +9,8 @@ from typing import Annotated
 
 import typer
 
-from babbitt.cli.app import LIMIT_VIOLATED, NO_SOLUTION, Files, app
+from babbitt.cli.app import LIMIT_VIOLATED, NO_SOLUTION, AllowOutside, Files, app, reach
+from babbitt.files.printing import printable
 
 __all__ = ["check", "compare", "export", "solve", "sweep"]
 
@@ -28,6 +29,7 @@ def solve(
         Path | None, typer.Option(metavar="OUT", help="Write the fields of the films as NetCDF: OUT.nc.")
     ] = None,
     strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 when a design limit is violated.")] = False,
+    allow_outside: AllowOutside = False,
 ) -> None:
     """Solve the bearings of case files and print a table."""
     from babbitt.cases import design_cases, load_cases
@@ -35,19 +37,19 @@ def solve(
     from babbitt.report.progress import shown
     from babbitt.solving import solve as solve_case
 
-    cases = load_cases(files)  # every problem of every file first; nothing is written before
-    plan = outputs(files, json, report, plots, fields)
+    cases = load_cases(files, reach(allow_outside))  # every problem of every file first; nothing is written before
+    plan = outputs(files, json, report, plots, fields, [table for case in cases for table in case.files])
     if fields is not None:
         from babbitt.report.fields import require_films
 
         for path, case in zip(files, cases, strict=True):
             require_films(str(path), design_cases(case))
     machines = [solve_case(case, shown(f"{case.name}: cycles of the orbit")) for case in cases]
+    for machine, target in zip(machines, plan.targets, strict=True):
+        target.write(machine)  # before anything is printed: whoever reads the table may stop reading
     if not plan.silent:
         for machine in machines:
             print_machine(machine)
-    for machine, target in zip(machines, plan.targets, strict=True):
-        target.write(machine)
     if not all(machine.solved for machine in machines):
         raise typer.Exit(NO_SOLUTION)
     if strict and not all(machine.within_limits for machine in machines):
@@ -55,20 +57,23 @@ def solve(
 
 
 @app.command()
-def check(files: Files) -> None:
+def check(files: Files, allow_outside: AllowOutside = False) -> None:
     """Validate case files without solving them: every problem at once."""
     from babbitt.cases import CaseError, Problem, design_cases, load_case
 
     problems: list[Problem] = []
     for path in files:
         try:
-            case = load_case(path)
+            case = load_case(path, reach(allow_outside))
         except CaseError as error:
             problems += error.problems
             continue
         designs = design_cases(case)
         count = len(designs)
-        print(f"{path}: usable, kind {case.kind}" + (f", {count} calculation{'s' * (count > 1)}" if count else ""))
+        print(
+            f"{printable(path)}: usable, kind {case.kind}"
+            + (f", {count} calculation{'s' * (count > 1)}" if count else "")
+        )
         for said in dict.fromkeys(
             f"{doubt.code} {doubt.message}" for design in designs for doubt in design.doubts
         ):
@@ -86,19 +91,22 @@ def compare(
     report: Annotated[
         Path | None, typer.Option(metavar="OUT", help="Write figures, tables and remarks as one page: OUT.html.")
     ] = None,
+    allow_outside: AllowOutside = False,
 ) -> None:
     """Solve the same bearings by every method that applies, side by side."""
     from babbitt.cases import load_case
+    from babbitt.files.writing import require_distinct
     from babbitt.report.comparison_table import print_comparison
+    from babbitt.report.outputs import inputs_of
     from babbitt.studies.comparison import compare_methods
 
-    case = load_case(file)
+    case = load_case(file, reach(allow_outside))
+    require_distinct([path for path in (report, plots) if path is not None], inputs_of([file], case.files))
     if report is not None:
         from babbitt.report.comparison_page import require_page
 
         require_page(report)
     found = compare_methods(case)
-    solved = print_comparison(found)
     if plots is not None:
         from babbitt.report.comparison_figure import write_comparison_plots
 
@@ -107,7 +115,7 @@ def compare(
         from babbitt.report.comparison_page import write_comparison_page
 
         write_comparison_page(found, report)
-    if not solved:
+    if not print_comparison(found):
         raise typer.Exit(NO_SOLUTION)
 
 
@@ -126,13 +134,21 @@ def sweep(
     bearing: Annotated[
         str | None, typer.Option(metavar="NAME", help="One bearing of a machine; PATH begins at it.")
     ] = None,
-    csv: Annotated[Path | None, typer.Option(metavar="OUT", help="Write all results as CSV, in SI units.")] = None,
+    csv: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="OUT",
+            help="Write all results in SI: OUT.csv or OUT.xlsx; - is standard output, as CSV.",
+        ),
+    ] = None,
     plot: Annotated[
         Path | None, typer.Option(metavar="OUT", help="Draw the key results: OUT.png, OUT.svg or OUT.pdf.")
     ] = None,
+    allow_outside: AllowOutside = False,
 ) -> None:
     """Solve a case for several values of one field and print the key results."""
     from babbitt.cases.variation import case_variation
+    from babbitt.report.outputs import STANDARD_OUTPUT
     from babbitt.report.progress import shown
     from babbitt.report.sweep_output import require_outputs, write_outputs
     from babbitt.report.sweep_table import print_sweep
@@ -140,10 +156,12 @@ def sweep(
     from babbitt.studies.sweep_values import values_of
 
     given = values_of(values)
-    require_outputs(file, csv, plot)
-    found = sweep_case(case_variation(file, path, bearing), given, shown(f"{file}: {path}"))
-    print_sweep(found)
+    variation = case_variation(file, path, bearing, reach(allow_outside))
+    require_outputs(variation, csv, plot)
+    found = sweep_case(variation, given, shown(f"{printable(file)}: {path}"))
     write_outputs(found, csv, plot)
+    if str(csv) != STANDARD_OUTPUT:
+        print_sweep(found)
     if not found.solved:
         raise typer.Exit(NO_SOLUTION)
 
@@ -177,31 +195,34 @@ def export(
             help="See the bearing from the other end of the shaft, where clockwise is counter-clockwise.",
         ),
     ] = False,
+    allow_outside: AllowOutside = False,
 ) -> None:
     """Write stiffness and damping over speed for a rotor program; the heat balance is closed at each speed."""
     from babbitt.cases import design_cases, load_case
     from babbitt.interop import export as write_table
     from babbitt.interop import mirrored
     from babbitt.interop.frame import declaration
+    from babbitt.report.outputs import inputs_of
     from babbitt.studies.coefficients import run_over_speed
     from babbitt.studies.speed_range import speeds_of
     from babbitt.studies.table_target import chosen_film, require_target
 
-    film = chosen_film(design_cases(load_case(file)), file, bearing)
+    case = load_case(file, reach(allow_outside))
+    film = chosen_film(design_cases(case), file, bearing)
     taken = speeds_of(speeds)
-    require_target(format_name, film, file, output, other_end, taken)
+    require_target(format_name, film, inputs_of([file], case.files), output, other_end, taken)
     run = run_over_speed(film, taken)
     failed = [(speed, outcome.value) for speed, outcome in run.unsolved]
     failed += [(speed, "no stiffness with following temperatures") for speed in run.unfollowed]
     if failed:
         for speed, why in failed:
-            print(f"{film.name}: {why} at {speed * 30.0 / math.pi:.0f} rpm", file=sys.stderr)
+            print(f"{printable(film.name)}: {why} at {speed * 30.0 / math.pi:.0f} rpm", file=sys.stderr)
         print("nothing was written; leave these speeds out", file=sys.stderr)
         raise typer.Exit(NO_SOLUTION)
     table = mirrored(run.table()) if other_end else run.table()
     write_table(table, output, format_name)
     print(
-        f"wrote {output}: {table.speeds.size} speeds; {declaration(table.frame)}; "
+        f"wrote {printable(output)}: {table.speeds.size} speeds; {declaration(table.frame)}; "
         f"temperatures: {table.temperatures}",
         file=sys.stderr,
     )

@@ -9,7 +9,8 @@ from typing import Annotated
 
 import typer
 
-from babbitt.cli.app import LIMIT_VIOLATED, app
+from babbitt.cli.app import LIMIT_VIOLATED, AllowOutside, app, reach
+from babbitt.files.printing import printable
 from babbitt.notices import EXPLANATIONS, InputError
 
 __all__ = ["cite", "explain", "list_", "new", "schema", "validate"]
@@ -19,20 +20,26 @@ __all__ = ["cite", "explain", "list_", "new", "schema", "validate"]
 def new(
     kind: Annotated[str, typer.Argument(metavar="KIND", help="What to describe: see `babbitt list kinds`.")],
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="FILE", help="Where to write it.")
+        Path | None,
+        typer.Option(
+            "-o",
+            "--output",
+            metavar="FILE",
+            help="A file that does not exist yet; - is standard output.",
+        ),
     ] = None,
 ) -> None:
     """Write a commented case file that runs as it stands."""
     from babbitt.cases import template
+    from babbitt.files.writing import create_file
 
     text = template(kind)
-    if output is None:
+    if output is None or str(output) == "-":
         print(text, end="")
         return
-    if output.exists():
-        raise InputError("E007", f"{output} exists already; nothing was overwritten. Choose another name.")
-    _write(output, text)
-    print(f"wrote {output}; solve it with: babbitt solve {output}", file=sys.stderr)
+    create_file(output, text.encode())
+    named = printable(output)
+    print(f"wrote {named}; solve it with: babbitt solve {named}", file=sys.stderr)
 
 
 @app.command()
@@ -96,16 +103,12 @@ def explain(code: Annotated[str, typer.Argument(metavar="CODE", help="Such as W1
 
 
 @app.command()
-def cite(file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file.")]) -> None:
+def cite(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A case file.")],
+    allow_outside: AllowOutside = False,
+) -> None:
     """Say what to cite for the methods that a case uses."""
     from babbitt.cases import load_case
     from babbitt.report.citations import citations_of
 
-    print("\n\n".join(citations_of(load_case(file))))
-
-
-def _write(path: Path, text: str) -> None:
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise InputError("E007", f"cannot write {path}: {error.strerror}") from None
+    print("\n\n".join(citations_of(load_case(file, reach(allow_outside)))))

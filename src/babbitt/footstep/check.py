@@ -10,11 +10,20 @@ from babbitt.footstep.axial import centrifugal_pressure
 from babbitt.footstep.case import HeelCase
 from babbitt.footstep.clearances import critical_clearances, fold_clearance
 from babbitt.footstep.eccentric import leak_factor
+from babbitt.footstep.face import number
 from babbitt.footstep.model import PITCH_TOLERANCE, Footstep, LoadReference
-from babbitt.footstep.states import Method, NoSteadyStateError, StateName, SteadyState, steady_states
-from babbitt.footstep.superposition import slit_conductance
+from babbitt.footstep.stability import RimDisturbance
+from babbitt.footstep.states import (
+    Method,
+    NoSteadyStateError,
+    StateName,
+    SteadyState,
+    draining_states,
+    steady_states,
+)
+from babbitt.footstep.superposition import GroovedHeel
 from babbitt.footstep.turning_heel import turning_force
-from babbitt.footstep.uncounted_heat import leaving_flow, uncounted_heat
+from babbitt.footstep.uncounted_heat import leaving_flow, uncounted_heat, uncounted_share
 from babbitt.notices import EXPLANATIONS, Notice
 from babbitt.results import Bound, Check, Outcome, Result
 from babbitt.units import ZERO_CELSIUS
@@ -33,8 +42,10 @@ MANY_GROOVES = 20
 """From which narrow-groove theory meets the film in two dimensions within 1 % (validation: film_groove_pitch)."""
 LUKEWARM = 5.0
 """K; friction that would warm the oil by less may be left out of it."""
-BEYOND_SENSE = 200.0
-"""K; assumption: no mineral oil is warmed by more and still a lubricant."""
+LARGEST_RISE = 100.0
+"""K; assumption: where the oil is warmed by more, one exponent of viscosity and constant properties end."""
+OPEN_BALANCE = 1e-6
+"""Relative error of the mass balance at the rim from which a warning is given."""
 
 TITLES = {
     StateName.SMOOTH: "smooth heel",
@@ -43,6 +54,7 @@ TITLES = {
     StateName.MIDDLE: "middle state",
     StateName.ONLY: "grooved heel",
     StateName.FOLD: "fold state",
+    StateName.DRAINING: "draining groove",
 }
 
 
@@ -97,7 +109,9 @@ def _unsolved(case: HeelCase, error: NoSteadyStateError, begun: float) -> Result
     fold = fold_clearance(case.footstep)
     if fold is not None:
         values["fold_clearance"] = fold
-        far += f" At this face gap states exist from a clearance of {1e6 * fold:.3f} µm."
+        far += f" At this face gap such states exist from a clearance of {1e6 * fold:.3f} µm."
+    for state in draining_states(case.footstep):
+        far += f" {_drained(state)}"
     remedy = EXPLANATIONS["S020"].remedy
     message = f"{far} Try: {remedy[0].lower()}{remedy[1:]}"
     return Result(
@@ -108,6 +122,16 @@ def _unsolved(case: HeelCase, error: NoSteadyStateError, begun: float) -> Result
     )  # fmt: skip
 
 
+def _drained(state: SteadyState) -> str:
+    """A state whose groove drains the rim, in a sentence."""
+    return (
+        f"With a groove that drains the rim instead there is a {'stable' if state.stable else 'not stable'} "
+        f"state: "
+        f"{1e-6 * state.rim_pressure:.4g} MPa at the rim, {-1e9 * state.groove_flow:.4g} mm³/s leave through the "
+        f"groove, warmed to {state.groove_temperature - ZERO_CELSIUS:.1f} °C, load {state.load:.5g} N."
+    )
+
+
 def _result(
     case: HeelCase, state: SteadyState, smooth: SteadyState, shared: dict[str, float], title: str, begun: float
 ) -> Result:
@@ -115,11 +139,11 @@ def _result(
     if case.is_grooved:
         values["load_ratio_to_smooth"] = state.load / smooth.load
         values["friction_ratio_to_smooth"] = smooth.friction_power / state.friction_power
-    values |= shared | {"balance_error": state.residual, "wall_time": perf_counter() - begun}
+    values |= shared | {"wall_time": perf_counter() - begun}
     checks = (
         Check(
-            "C130", "rim_drain_number", values["rim_drain_number"], 0.0, Bound.AT_LEAST,
-            "balance of the rim: a higher pressure must drain it", advisory=True,
+            "C130", "thermal_loop_gain", state.loop_gain, 1.0, Bound.AT_MOST,
+            "less of a disturbance of temperature must come back than there was", advisory=True,
         ),
         *_heat_checks(case, state),
     )  # fmt: skip
@@ -133,11 +157,11 @@ def _result(
 def _heat_checks(case: HeelCase, state: SteadyState) -> Iterator[Check]:
     """Advise where the oil that leaves could not take the heat left out of it: such a state cannot last."""
     heat, rise = uncounted_heat(case.footstep, state, case.method)
-    if rise > BEYOND_SENSE:
+    if rise > LARGEST_RISE:
         name = "heel_leakage" if case.method is Method.SUPERPOSITION else "heel_net_flow"
-        needed = heat / (case.footstep.oil.heat_capacity * BEYOND_SENSE)
+        needed = heat / (case.footstep.oil.heat_capacity * LARGEST_RISE)
         yield Check("C131", name, leaving_flow(state, case.method), needed, Bound.AT_LEAST,
-                    f"friction heat at a rise of {BEYOND_SENSE:.0f} K", advisory=True)  # fmt: skip
+                    f"friction heat at a rise of {LARGEST_RISE:.0f} K", advisory=True)  # fmt: skip
 
 
 def _values(case: HeelCase, state: SteadyState) -> dict[str, float]:
@@ -163,7 +187,9 @@ def _values(case: HeelCase, state: SteadyState) -> dict[str, float]:
         "face_gap_stiffness": state.axial_stiffness,
         "face_gap_damping": state.axial_damping,
         "load_over_clearance": state.load_over_clearance,
-        "rim_drain_number": state.drain_slope * step.oil.viscosity / slit_conductance(step),
+        "thermal_loop_gain": state.loop_gain,
+        "mass_balance_error": state.residual,
+        "energy_balance_error": uncounted_share(step, state, case.method),
         "clearance_reynolds_number": step.oil.density
         * step.angular_speed
         * step.geometry.radius
@@ -233,9 +259,14 @@ def _doubts_about_inputs(case: HeelCase) -> Iterator[Notice]:
 
 def _doubts(case: HeelCase, state: SteadyState, values: dict[str, float]) -> Iterator[Notice]:
     if not state.stable:
-        yield Notice(
-            "W160", f"d(outflow − inflow of the rim)/dp₁ = {1e15 * state.drain_slope:.4g} mm³/(s MPa) < 0"
-        )
+        yield Notice("W160", _departure(case, state))
+    if state.name is StateName.DRAINING:
+        yield Notice("W178", _drained(state))
+    if state.residual > OPEN_BALANCE:
+        yield Notice("W177", f"{state.residual:.2g} of the leakage is not accounted for at the rim")
+    hotter = state.maximum_temperature - case.footstep.oil.temperature
+    if hotter > LARGEST_RISE:
+        yield Notice("W176", f"oil warmed by {hotter:.0f} K > {LARGEST_RISE:.0f} K")
     if state.maximum_temperature > HOTTEST:
         yield Notice("W161", f"oil of {state.maximum_temperature - ZERO_CELSIUS:.0f} °C > 150 °C")
     for name, what in (
@@ -254,14 +285,32 @@ def _doubts(case: HeelCase, state: SteadyState, values: dict[str, float]) -> Ite
     heat, rise = uncounted_heat(case.footstep, state, case.method)
     if rise > LUKEWARM:
         oil = f"the oil alone would be warmed by {rise:.0f} K"
-        if rise > BEYOND_SENSE:
-            oil = f"the oil that leaves would be warmed by more than {BEYOND_SENSE:.0f} K and cannot take them"
         yield Notice("W171", f"{heat:.3g} W of friction and lost pressure warm neither oil nor metal; {oil}")
+        if rise > LARGEST_RISE and hotter <= LARGEST_RISE:
+            yield Notice(
+                "W176", f"the oil that leaves would be warmed by {rise:.0f} K > {LARGEST_RISE:.0f} K by heat that "
+                "the method leaves out",
+            )  # fmt: skip
     if case.is_grooved and "leak_factor" in values:
         yield Notice(
             "W170",
             f"eccentricity at rim and outer end {', '.join(f'{e:.3g}' for e in case.footstep.end_eccentricities)}",
         )
+
+
+def _departure(case: HeelCase, state: SteadyState) -> str:
+    """How a state that is not stable is left, and where to."""
+    if state.loop_gain < 1.0:
+        return "a disturbance of temperature grows from swing to swing"
+    how = f"thermal loop gain {state.loop_gain:.3g} > 1"
+    if case.method is not Method.SUPERPOSITION or not case.is_grooved or state.groove_flow <= 0.0:
+        return how
+    model = GroovedHeel(case.footstep)
+    rate = RimDisturbance(model, model.balance(number(state.groove_flow))).growth_rate()
+    if rate > 0.0:
+        how += f"; a disturbance grows e-fold in {1.0 / rate:.3g} s"
+    drained = " ".join(map(_drained, draining_states(case.footstep)))
+    return f"{how}: cooler, it goes to the cold state; warmer, the flow of the groove reverses. {drained}"
 
 
 def _assumptions(case: HeelCase) -> tuple[str, ...]:

@@ -194,7 +194,7 @@ class HeelOptions:
     entry_loss : float
         Local loss coefficient at the groove inlet: the pressure there is lower by k rho (q/h_k)²/2.
     speed_reduction : float
-        beta: the groove is computed with omega0/(1 + beta).
+        beta: groove and all friction are computed with omega0/(1 + beta).
     any_pitch : bool
         Accept grooves that do not close around the heel.
     """

@@ -10,14 +10,22 @@ from numpy.typing import NDArray
 
 from babbitt.design.roots import bracketed_root
 from babbitt.footstep.axial import axial_damping, load_slope
+from babbitt.footstep.draining import DrainedHeel, cold_groove_drains
 from babbitt.footstep.eccentric import side_force_of_leakage
 from babbitt.footstep.face import number
 from babbitt.footstep.model import Footstep
+from babbitt.footstep.stability import (
+    RimDisturbance,
+    Stability,
+    stability_of_films,
+    stability_of_grooved,
+    stability_of_smooth,
+)
 from babbitt.footstep.steady_state import Method, NoSteadyStateError, StateName, SteadyState
-from babbitt.footstep.superposition import GroovedHeel, SmoothHeel
+from babbitt.footstep.superposition import Balance, GroovedHeel, SmoothHeel
 from babbitt.footstep.warm_films import WarmFilms, WarmState
 
-__all__ = ["Method", "NoSteadyStateError", "StateName", "SteadyState", "steady_states"]
+__all__ = ["Method", "NoSteadyStateError", "StateName", "SteadyState", "draining_states", "steady_states"]
 
 Array = NDArray[np.float64]
 
@@ -44,18 +52,34 @@ def steady_states(footstep: Footstep, method: Method = Method.SUPERPOSITION) -> 
     Returns
     -------
     tuple of SteadyState
-        One for a smooth heel; by superposition two for a grooved one (one where the viscosity does not change).
+        One for a smooth heel; by superposition two for a grooved one whose groove feeds the rim (one where the
+        viscosity does not change). Where the groove is too weak for that even with cold oil: those in which it
+        drains the rim.
 
     Raises
     ------
     NoSteadyStateError
-        Superposition only.
+        Superposition only: the groove would feed the rim if its oil stayed cold, and the heat robs it of that.
     """
     if method is Method.NARROW_GROOVE:
         return _warm_states(footstep)
     if footstep.groove is None:
         return (_smooth_state(footstep),)
+    if cold_groove_drains(footstep):
+        return draining_states(footstep)
     return _grooved_states(footstep)
+
+
+def draining_states(footstep: Footstep) -> tuple[SteadyState, ...]:
+    """Steady states by superposition in which the groove drains the rim, the hottest first.
+
+    With a viscosity that falls there is one beside every pair of states whose groove feeds the rim: the one to
+    which a hot state runs when its groove stops.
+    """
+    model = DrainedHeel(footstep)
+    pressures = model.pressures(SAMPLES)
+    roots = crossings(model.residual, pressures, model.residual(pressures), 1e-7)
+    return tuple(_of_draining(model, root) for root in reversed(roots))
 
 
 def roots_of_balance(model: GroovedHeel) -> tuple[float, ...]:
@@ -151,22 +175,51 @@ def _smooth_state(footstep: Footstep) -> SteadyState:
 
 def _of_balance(model: GroovedHeel | SmoothHeel, root: float, name: StateName) -> SteadyState:
     """Everything of a state by superposition; the unknown is the groove flow, or the pressure of a smooth rim."""
-    footstep, oil = model.footstep, model.footstep.oil
     at = model.balance(number(root))
-    step = 1e-6 * root
-    below, above = (model.balance(number(root + sign * step)) for sign in (-1.0, 1.0))
-    pressure_slope = float(above.rim_pressure - below.rim_pressure)
-    drain = float(above.residual - below.residual) / pressure_slope
-    outflow = float((above.leakage - above.groove_flow) - (below.leakage - below.groove_flow)) / pressure_slope
-    outlet = float(at.face_temperature)
+    residual = abs(float(at.residual) / float(at.leakage))
+    if isinstance(model, SmoothHeel):
+        return _superposed(model, root, at, name, stability_of_smooth(model, at), 0.0, residual)
+    stability = stability_of_grooved(model, at)
+    if name is StateName.FOLD:
+        stability = replace(stability, stable=False)
+    return _superposed(model, root, at, name, stability, _groove_conductance(model, at), residual)
+
+
+def _of_draining(model: DrainedHeel, root: float) -> SteadyState:
+    """Everything of a state whose groove drains the rim; the unknown is the pressure of the rim."""
+    at = model.balance(number(root))
+    stability, conductance = stability_of_grooved(model.heel, at), _groove_conductance(model.heel, at)
+    residual = abs(float(model.residual(number(root)))) / root
+    return _superposed(model, root, at, StateName.DRAINING, stability, conductance, residual)
+
+
+def _groove_conductance(model: GroovedHeel, at: Balance) -> float:
+    """-dQ_k/dp1 of the groove at the temperatures of the state, m³/(s Pa)."""
+    slope, _ = RimDisturbance(model, at).slopes(np.array([np.inf + 0j]))
+    return -1.0 / float(slope[0].real)
+
+
+def _superposed(
+    model: GroovedHeel | SmoothHeel | DrainedHeel,
+    root: float,
+    at: Balance,
+    name: StateName,
+    stability: Stability,
+    groove_conductance: float,
+    residual: float,
+) -> SteadyState:
+    """A state by superposition with its slopes."""
+    footstep, oil = model.footstep, model.footstep.oil
+    p1, outlet, leakage = float(at.rim_pressure), float(at.face_temperature), float(at.leakage)
+    outflow = leakage / (p1 - footstep.ambient_pressure) + groove_conductance
     smooth = isinstance(model, SmoothHeel)
     return SteadyState(
         name=name,
-        stable=drain > 0.0 and name is not StateName.FOLD,
-        drain_slope=drain,
-        rim_pressure=float(at.rim_pressure),
+        stable=stability.stable,
+        loop_gain=stability.loop_gain,
+        rim_pressure=p1,
         face_flow=float(at.face_flow),
-        leakage=float(at.leakage),
+        leakage=leakage,
         groove_flow=0.0 if smooth else float(at.groove_flow),
         rim_temperature=float(at.rim_temperature),
         face_temperature=outlet,
@@ -176,8 +229,8 @@ def _of_balance(model: GroovedHeel | SmoothHeel, root: float, name: StateName) -
         axial_stiffness=-load_slope(model, root, "face_gap"),
         axial_damping=axial_damping(footstep, oil.at(0.5 * (oil.temperature + outlet)), outflow),
         load_over_clearance=load_slope(model, root, "clearance"),
-        side_force=side_force_of_leakage(footstep, float(at.rim_pressure)),
-        residual=abs(float(at.residual) / float(at.leakage)),
+        side_force=side_force_of_leakage(footstep, p1),
+        residual=residual,
     )
 
 
@@ -216,16 +269,13 @@ def _of_warm(model: WarmFilms, root: float) -> SteadyState:
     """Everything of a state by narrow-groove theory; the unknown is the flow of the clearance towards the rim."""
     footstep = model.footstep
     at: WarmState = model.state(number(root))
-    step = 1e-6 * max(abs(root), 1e-3 * abs(model.annulus.conductance * 1e5 / footstep.oil.viscosity))
-    below, above = (model.state(number(root + sign * step)) for sign in (-1.0, 1.0))
-    annulus_slope = float(above.annulus_pressure - below.annulus_pressure) / (2.0 * step)
-    face_slope = float(above.face_pressure - below.face_pressure) / (2.0 * step)
-    drain = -1.0 / annulus_slope + 1.0 / face_slope
+    stability = stability_of_films(model, root)
+    outflow = model.annulus.conductance / float(model.viscosity(at.annulus_temperature))
     pressure = float(at.annulus_pressure)
     return SteadyState(
         name=StateName.ONLY,
-        stable=drain > 0.0,
-        drain_slope=drain,
+        stable=stability.stable,
+        loop_gain=stability.loop_gain,
         rim_pressure=pressure,
         face_flow=-root,
         leakage=-root,
@@ -236,7 +286,7 @@ def _of_warm(model: WarmFilms, root: float) -> SteadyState:
         load=model.load(at),
         friction_power=model.friction_power(at),
         axial_stiffness=-load_slope(model, root, "face_gap"),
-        axial_damping=axial_damping(footstep, float(model.viscosity(at.face_temperature)), -1.0 / annulus_slope),
+        axial_damping=axial_damping(footstep, float(model.viscosity(at.face_temperature)), outflow),
         load_over_clearance=load_slope(model, root, "clearance"),
         side_force=side_force_of_leakage(footstep, pressure) if footstep.groove is None else float("nan"),
         residual=abs(float(at.residual)) / pressure,

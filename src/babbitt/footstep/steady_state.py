@@ -26,10 +26,11 @@ class StateName(Enum):
     MIDDLE = "middle"
     ONLY = "grooved"
     FOLD = "fold"
+    DRAINING = "draining"
 
 
 class NoSteadyStateError(Exception):
-    """At every groove flow the rim receives more oil than the clearance can carry away.
+    """At every flow of a groove that feeds the rim, the rim receives more oil than the clearance can carry away.
 
     Attributes
     ----------
@@ -41,9 +42,10 @@ class NoSteadyStateError(Exception):
 
     def __init__(self, largest_residual: float, groove_flow: float, rim_pressure: float) -> None:
         super().__init__(
-            "at every groove flow the rim receives more oil than the clearance carries away; "
-            "it comes "
-            f"nearest at {1e9 * groove_flow:.4g} mm³/s, with {1e-6 * rim_pressure:.4g} MPa at the rim and "
+            "at every flow of a groove that feeds the rim the rim receives more oil than the clearance carries "
+            "away; "
+            f"it comes nearest at {1e9 * groove_flow:.4g} mm³/s, with {1e-6 * rim_pressure:.4g} MPa at the rim "
+            f"and "
             f"{-1e9 * largest_residual:.4g} mm³/s too much"
         )
         self.largest_residual, self.groove_flow, self.rim_pressure = largest_residual, groove_flow, rim_pressure
@@ -57,9 +59,9 @@ class SteadyState:
     ----------
     name : StateName
     stable : bool
-        Whether a higher pressure of the rim drains it.
-    drain_slope : float
-        d(outflow - inflow of the rim)/dp1, m³/(s Pa).
+        Whether every small disturbance of the oil's temperature decays, with pressures in balance.
+    loop_gain : float
+        Share of a small lasting disturbance of temperature that comes back through viscosity and flow.
     rim_pressure : float
         p1.
     face_flow, leakage, groove_flow : float
@@ -81,7 +83,7 @@ class SteadyState:
 
     name: StateName
     stable: bool
-    drain_slope: float
+    loop_gain: float
     rim_pressure: float
     face_flow: float
     leakage: float

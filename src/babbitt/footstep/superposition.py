@@ -211,7 +211,7 @@ class SmoothHeel:
         step, oil, part = self.footstep, self.footstep.oil, self.footstep.geometry
         outlet = float(at.face_temperature)
         cylinder = 2.0 * math.pi * part.radius * part.length / step.clearance
-        power = oil.at(outlet) * cylinder * (step.angular_speed * part.radius) ** 2
+        power = oil.at(outlet) * cylinder * (step.groove_speed * part.radius) ** 2
         return power + self.face.shear_power(oil.at(0.5 * (oil.temperature + outlet)), step.groove_speed)
 
     def load(self, at: Balance) -> float:

@@ -8,7 +8,7 @@ from babbitt.footstep.model import Footstep
 from babbitt.footstep.states import Method
 from babbitt.footstep.steady_state import SteadyState
 
-__all__ = ["leaving_flow", "uncounted_heat"]
+__all__ = ["leaving_flow", "uncounted_heat", "uncounted_share"]
 
 
 def uncounted_heat(step: Footstep, state: SteadyState, method: Method) -> tuple[float, float]:
@@ -16,7 +16,9 @@ def uncounted_heat(step: Footstep, state: SteadyState, method: Method) -> tuple[
 
     What the screw gives by friction and the oil by its loss of pressure must leave with oil or metal. The study's
     equations warm the oil of the groove and of the face gap by their own dissipation and nothing by the shear of
-    heel and lands; narrow-groove theory without metal keeps its films as cold as the oil that comes in.
+    heel and lands; narrow-groove theory without metal keeps its films as cold as the oil that comes in, and with
+    metal it lets the oil enter each film at the temperature of the supply: what the first film gave to the oil is
+    lost on the way to the second.
 
     Parameters
     ----------
@@ -27,27 +29,52 @@ def uncounted_heat(step: Footstep, state: SteadyState, method: Method) -> tuple[
     Returns
     -------
     heat, rise : float
-        W and K; zero where the heat of the films goes into metal and oil (narrow grooves with a wall). The rise is
-        infinite where no oil leaves that could take the heat.
+        W and K. The rise is that of the oil that leaves and of the metal, as far as there is one; infinite where
+        nothing could take the heat.
     """
-    if method is Method.NARROW_GROOVE and step.wall is not None:
-        return 0.0, 0.0
     oil = step.oil
-    given = state.friction_power + (step.supply_pressure - step.ambient_pressure) * state.face_flow
-    carried = 0.0
-    if method is Method.SUPERPOSITION:
-        outward = max(state.face_flow, 0.0)
-        carried = outward * (state.face_temperature - oil.temperature)
-        if state.groove_flow > 0.0:
-            carried += state.groove_flow * (state.groove_temperature - oil.temperature)
-    heat, takes = given - oil.heat_capacity * carried, oil.heat_capacity * leaving_flow(state, method)
+    metal, conductance = 0.0, 0.0
+    if method is Method.NARROW_GROOVE and step.wall is not None:
+        conductance = step.wall.conductance
+        films = state.rim_temperature + state.face_temperature
+        metal = 0.5 * step.wall.conductance * (films - 2.0 * step.wall.temperature)
+    heat = given_power(step, state) - metal - oil.heat_capacity * _carried(step, state, method)
+    takes = oil.heat_capacity * leaving_flow(state, method) + conductance
     if takes <= 0.0:
         return heat, math.inf if heat > 0.0 else 0.0
     return heat, heat / takes
 
 
+def uncounted_share(step: Footstep, state: SteadyState, method: Method) -> float:
+    """Heat that neither oil nor metal receives over the power that the screw and the pressure give."""
+    return abs(uncounted_heat(step, state, method)[0]) / given_power(step, state)
+
+
+def given_power(step: Footstep, state: SteadyState) -> float:
+    """What the screw gives by friction and the oil by its loss of pressure, W."""
+    return state.friction_power + (step.supply_pressure - step.ambient_pressure) * state.face_flow
+
+
+def _carried(step: Footstep, state: SteadyState, method: Method) -> float:
+    """Oil that leaves times its rise of temperature, m³ K/s."""
+    inlet = step.oil.temperature
+    if method is Method.NARROW_GROOVE:
+        if step.wall is None:
+            return 0.0
+        last = state.rim_temperature if state.leakage > 0.0 else state.face_temperature
+        return abs(state.leakage) * (last - inlet)
+    outward = max(state.face_flow, 0.0)
+    if state.groove_flow < 0.0:  # what leaves through the groove is hotter than the rim
+        beside = state.leakage * (state.rim_temperature - inlet)
+        return beside - state.groove_flow * (state.groove_temperature - inlet)
+    warmed = outward * (state.face_temperature - inlet)
+    if state.groove_flow > 0.0:
+        warmed += state.groove_flow * (state.groove_temperature - inlet)
+    return warmed
+
+
 def leaving_flow(state: SteadyState, method: Method) -> float:
     """Oil that leaves the footstep with its heat, to ambient and back into the bore, m3/s."""
     if method is Method.SUPERPOSITION:
-        return state.leakage + max(-state.face_flow, 0.0)
+        return state.leakage + max(-state.face_flow, 0.0) + max(-state.groove_flow, 0.0)
     return abs(state.leakage)

@@ -89,6 +89,43 @@ class WarmFilms:
         """Pressure of the rim by the clearance less that by the face gap, Pa."""
         return self.state(flow).residual
 
+    def film_slopes(self, flow: float, warm: Array) -> tuple[Array, Array]:
+        """Slopes of both balances at temperatures of clearance and face gap, for the stability of a state.
+
+        Parameters
+        ----------
+        flow : float
+            Towards the rim, m³/s.
+        warm : ndarray, shape (2,)
+            Temperatures of clearance and face gap, K.
+
+        Returns
+        -------
+        pressures : ndarray, shape (3,)
+            d(pressure of the rim by the clearance less that by the face gap) by flow and by each temperature.
+        heats : ndarray, shape (2, 2)
+            d(viscous heat less what metal and oil take), W, of each film by flow and by its own temperature.
+        """
+        oil, wall = self.footstep.oil, self.footstep.wall
+        metal = 0.0 if wall is None else 0.5 * wall.conductance
+        drag = 6.0 * self.footstep.kappa / math.pi
+        viscosity = self.viscosity(warm)
+        rise = float(self.annulus.pressure_rise(number(flow)))
+        pressures = np.array(
+            (
+                -viscosity[0] / self.annulus.conductance - drag * viscosity[1],
+                -oil.exponent * viscosity[0] * rise,
+                oil.exponent * viscosity[1] * drag * flow,
+            )
+        )
+        step = 1e-6 * max(abs(flow), 1e-3 * abs(self.annulus.dragged_flow), 1e-12)
+        less, more = (float(self.annulus.heat(number(flow + sign * step))) for sign in (-1.0, 1.0))
+        heat = np.array((float(self.annulus.heat(number(flow))), self.shear + drag * flow**2))
+        by_flow = viscosity * np.array(((more - less) / (2.0 * step), 2.0 * drag * flow))
+        by_flow -= oil.heat_capacity * math.copysign(1.0, flow) * (warm - oil.temperature)
+        by_warmth = -oil.exponent * viscosity * heat - metal - oil.heat_capacity * abs(flow)
+        return pressures, np.column_stack((by_flow, by_warmth))
+
     def of(self, footstep: Footstep) -> WarmFilms:
         """The same model of another footstep."""
         return WarmFilms(footstep)

@@ -21,8 +21,9 @@ from pathlib import Path
 
 import numpy as np
 
+from babbitt.files.reading import read_text
+from babbitt.files.writing import write_text
 from babbitt.interop.coefficients import CoefficientTable
-from babbitt.interop.files import read_text, write_text
 from babbitt.interop.frame import Frame, declaration, declared, settled
 from babbitt.interop.frames import for_rotor_programs
 from babbitt.interop.numbers import POUND_PER_INCH, RPM, number

@@ -9,8 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from babbitt.files.reading import read_text
+from babbitt.files.writing import write_text
 from babbitt.interop.coefficients import CoefficientTable
-from babbitt.interop.files import read_text, write_text
 from babbitt.interop.frame import Frame, Rotation
 from babbitt.interop.unit_names import static_column, static_quantity
 from babbitt.notices import InputError

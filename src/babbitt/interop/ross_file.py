@@ -8,7 +8,8 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from babbitt.interop.files import read_text, write_text
+from babbitt.files.reading import read_text
+from babbitt.files.writing import write_text
 from babbitt.notices import InputError
 
 Block = dict[str, Any]

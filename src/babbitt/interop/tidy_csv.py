@@ -7,14 +7,16 @@ pandas, COMSOL and other programs that interpolate in tables like it.
 from __future__ import annotations
 
 import csv
-import io
 from collections.abc import Iterable
+from itertools import zip_longest
 from pathlib import Path
 
 import numpy as np
 
+from babbitt.files.reading import read_text
+from babbitt.files.spreadsheet import Cell, read_rows, rows_text
+from babbitt.files.writing import write_text
 from babbitt.interop.coefficients import NAMES, Array, CoefficientTable
-from babbitt.interop.files import read_text, write_text
 from babbitt.interop.frame import Frame, Rotation
 from babbitt.interop.numbers import number
 from babbitt.interop.unit_names import static_column, static_quantity
@@ -37,17 +39,17 @@ def columns_of(matrix: str) -> tuple[str, ...]:
 
 
 def csv_text(tables: CoefficientTable | Iterable[CoefficientTable]) -> str:
-    """Write one or more tables as the text of a tidy CSV file; a cell is empty where a table has no value."""
+    """Write one or more tables as the text of a tidy CSV file; a cell is empty where a table has no value.
+
+    Words that a spreadsheet program would take for a formula have an apostrophe before them, which `read_csv`
+    takes away again.
+    """
     rows = [row for table in _listed(tables) for row in _rows(table)]
     present = {column for row in rows for column in row}
     ordered = [*_TEXT, *_FRAME, _SPEED, *(column for matrix in _MATRICES for column in columns_of(matrix))]
     header = [column for column in ordered if column in present]
     header += sorted(present.difference(header))
-    stream = io.StringIO()
-    writer = csv.DictWriter(stream, header, restval="", lineterminator="\n")
-    writer.writeheader()
-    writer.writerows(rows)
-    return stream.getvalue()
+    return rows_text([header, *([row.get(column) for column in header] for row in rows)])
 
 
 def write_csv(tables: CoefficientTable | Iterable[CoefficientTable], path: str | Path) -> None:
@@ -75,12 +77,11 @@ def read_csv(path: str | Path) -> tuple[CoefficientTable, ...]:
     InputError
         E001 for an unreadable file, E003 for a missing column or a cell that is no number.
     """
-    reader = csv.DictReader(io.StringIO(read_text(path)), strict=True)
     try:
-        rows = list(reader)
+        header, *cells = read_rows(read_text(path)) or [[]]
     except csv.Error as error:
         raise InputError("E003", f"{path}: not a table of comma-separated values ({error})") from None
-    header = reader.fieldnames or []
+    rows = [dict(zip_longest(header, row[: len(header)], fillvalue="")) for row in cells if row]
     needed = ["bearing", "rotation", _SPEED, *columns_of("stiffness"), *columns_of("damping")]
     if missing := [column for column in needed if column not in header]:
         raise InputError("E003", f"{path}: no column {', '.join(missing)}; the first line must name the columns")
@@ -100,23 +101,23 @@ def _listed(tables: CoefficientTable | Iterable[CoefficientTable]) -> list[Coeff
     return listed
 
 
-def _rows(table: CoefficientTable) -> Iterable[dict[str, str]]:
+def _rows(table: CoefficientTable) -> Iterable[dict[str, Cell]]:
     load = table.frame.load_angle
-    shared = {
+    shared: dict[str, Cell] = {
         "bearing": table.name,
         "method": table.method,
         **({"temperatures": table.temperatures} if table.temperatures else {}),
         "rotation": table.frame.rotation.value,
-        "x_axis_angle_rad": repr(table.frame.x_axis_angle),
-        "load_angle_rad": "" if load is None else repr(load),
+        "x_axis_angle_rad": table.frame.x_axis_angle,
+        "load_angle_rad": load,
     }
     for i, speed in enumerate(table.speeds):
-        row = {**shared, _SPEED: repr(float(speed))}
+        row = {**shared, _SPEED: float(speed)}
         for matrix in _MATRICES:
             values = getattr(table, matrix)
             if values is not None:
-                row.update(zip(columns_of(matrix), (repr(float(v)) for v in values[i].flat), strict=True))
-        row.update({static_column(name): repr(float(values[i])) for name, values in table.static.items()})
+                row.update(zip(columns_of(matrix), (float(v) for v in values[i].flat), strict=True))
+        row.update({static_column(name): float(values[i]) for name, values in table.static.items()})
         yield row
 
 

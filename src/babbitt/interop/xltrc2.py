@@ -9,22 +9,19 @@ sheet, because readers look for "rpm" and "lb" anywhere on the first.
 from __future__ import annotations
 
 import csv
-import importlib
-import io
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
+from babbitt.files.reading import read_text
+from babbitt.files.spreadsheet import Cell, openpyxl_library, read_rows, rows_text, workbook
+from babbitt.files.writing import write_file, write_text
 from babbitt.interop.coefficients import NAMES, Array, CoefficientTable
-from babbitt.interop.files import read_text, write_text
 from babbitt.interop.frame import Frame, declaration, declared, settled
 from babbitt.interop.frames import for_rotor_programs
 from babbitt.interop.numbers import POUND_PER_INCH, RPM, number
 from babbitt.notices import InputError
-
-Cell = str | float | None
 
 _UNITS = {"k": "N/m", "c": "N-s/m", "m": "kg"}
 
@@ -50,11 +47,9 @@ def write_xltrc2(table: CoefficientTable, path: str | Path) -> None:
     if table.temperatures:
         notes.append(["Temperatures", table.temperatures])
     if path.suffix.lower() == ".csv":
-        stream = io.StringIO()
-        csv.writer(stream, lineterminator="\n").writerows([*notes, *_grid(table)])
-        write_text(path, stream.getvalue())
+        write_text(path, rows_text([*notes, *_grid(table)]))
     elif path.suffix.lower() == ".xlsx":
-        _write_workbook(path, _grid(table), notes)
+        write_file(path, workbook({"Coefficients": _grid(table), "Frame": notes}, path))
     else:
         raise InputError("E003", f"{path}: an XLTRC2-style table is written to .csv or .xlsx")
 
@@ -154,34 +149,14 @@ def _scales(where: str, titles: list[str], units: list[str]) -> tuple[float, flo
 
 
 def _read_csv(path: Path) -> list[list[Cell]]:
-    return [list(row) for row in csv.reader(io.StringIO(read_text(path)))]
-
-
-def _openpyxl(path: Path) -> Any:
     try:
-        return importlib.import_module("openpyxl")
-    except ImportError:
-        raise InputError(
-            "E007", f"{path}: workbooks need the package openpyxl (pip install openpyxl); .csv needs nothing"
-        ) from None
-
-
-def _write_workbook(path: Path, grid: list[list[Cell]], notes: list[list[str]]) -> None:
-    book = _openpyxl(path).Workbook()
-    book.active.title = "Coefficients"
-    for row in grid:
-        book.active.append(row)
-    sheet = book.create_sheet("Frame")
-    for note in notes:
-        sheet.append(note)
-    try:
-        book.save(path)
-    except OSError as error:
-        raise InputError("E007", f"{path}: cannot be written ({error.strerror})") from None
+        return [list(row) for row in read_rows(read_text(path))]
+    except csv.Error as error:
+        raise InputError("E003", f"{path}: not a table of comma-separated values ({error})") from None
 
 
 def _read_workbook(path: Path) -> tuple[list[list[Cell]], list[list[Cell]]]:
-    library = _openpyxl(path)
+    library = openpyxl_library(path)
     try:
         book = library.load_workbook(path, read_only=True, data_only=True)
     except Exception as error:  # openpyxl, zipfile and the XML parser each raise their own

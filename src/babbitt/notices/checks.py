@@ -103,9 +103,11 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C130": Explanation(
         "Stability of the steady state",
-        "How the balance of the rim answers to a higher pressure: a positive slope of outflow less inflow "
-        "drains the rim "
-        "and the state is stable, as long as things change slowly; a negative one feeds it.",
+        "Thermal loop gain of the footstep: which share of a small lasting change of temperature comes back "
+        "through "
+        "viscosity and flow, pressures being in balance at every instant. Below 1 the change dies out; at 1 or "
+        "more "
+        "it runs away. Disturbances that swing are counted beside it (W160).",
         "Design for the stable state; see the plot of the steady states over the clearance.",
     ),
     "C201": Explanation(

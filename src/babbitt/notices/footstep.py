@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from babbitt.notices.explanation import Explanation
+from babbitt.notices.explanation import Effect, Explanation
 
 FOOTSTEP: dict[str, Explanation] = {
     "C131": Explanation(
         "Oil enough for the friction heat",
-        "The oil that leaves against what would carry off, at a rise of 200 K, the heat that the method leaves "
+        "The oil that leaves against what would carry off, at a rise of 100 K, the heat that the method leaves "
         "out of it. With less the state cannot last as computed: metal takes the heat, or the films are far "
         "warmer.",
         "Take `method: narrow_groove` with `wall`, which says where the heat goes.",
     ),
     "W160": Explanation(
         "Steady state not stable",
-        "In this state a higher pressure at the rim brings more oil to the rim than leaves it, so that the "
-        "pressure "
-        "runs away to another state. It satisfies the equations and will not be found running.",
-        "Look at the stable state of the same heel; where none is stable, change the clearance or the face gap.",
+        "Pressures settle in about 0.1 ms, the heat of the oil in seconds. In this state a small change of "
+        "temperature comes back larger through viscosity and flow, and the heel runs away to another state: the "
+        "hot "
+        "state of a grooved heel to the cold one if it becomes cooler, and to a groove that drains the rim if it "
+        "becomes warmer. It satisfies the equations and will not be found running.",
+        "Look at the stable states of the same heel; the message names the one to which a warmer groove leads.",
+        Effect.NO_VERDICT,
     ),
     "W161": Explanation(
         "Oil of the groove very hot",
@@ -102,5 +105,26 @@ FOOTSTEP: dict[str, Explanation] = {
         "computed too cold.",
         "Take `method: narrow_groove` with `wall`, where the heat of the films goes into metal and oil. "
         "Otherwise read the friction power as an upper bound and the leakage as a lower one.",
+    ),
+    "W176": Explanation(
+        "Oil of the footstep warmed beyond the model",
+        "Oil that is warmed by more than 100 K (an assumption), or would be by the friction heat that the method "
+        "leaves out of it, is outside what these equations are made for: one exponent of viscosity, constant heat "
+        "capacity, metal that takes nothing or has one temperature.",
+        "Take `method: narrow_groove` with `wall`, or wider gaps, a thinner oil, less speed.",
+        Effect.NO_VERDICT,
+    ),
+    "W177": Explanation(
+        "Mass balance at the rim open",
+        "What enters the rim of the heel and what leaves it differ by more than a millionth.",
+        "Report the case to the developers.",
+        Effect.NO_VERDICT,
+    ),
+    "W178": Explanation(
+        "Groove drains the rim",
+        "The groove cannot hold back the pressure at the rim even with cold oil: oil leaves through it to "
+        "ambient, "
+        "and the heel carries less than a smooth one.",
+        "A shallower groove, more speed, a more viscous oil, less supply pressure, or a larger clearance.",
     ),
 }

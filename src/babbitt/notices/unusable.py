@@ -38,8 +38,10 @@ UNUSABLE: dict[str, Explanation] = {
     ),
     "E007": Explanation(
         "Output cannot be written",
-        "The folder does not exist, is not writable, or an extra needed for this format is not installed.",
-        "Check the path; `pip install 'babbitt[report]'` installs what PDF, HTML and plots need.",
+        "The folder does not exist or is not writable, a file of that name is an input of the run or no output of "
+        "Babbitt, or an extra needed for this format is not installed.",
+        "Check the path, or choose another name; `pip install 'babbitt[report]'` installs what PDF, HTML and "
+        "plots need.",
     ),
     "E101": Explanation(
         "Film cannot be laid out",

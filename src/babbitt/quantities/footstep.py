@@ -37,7 +37,14 @@ FOOTSTEP: tuple[Quantity, ...] = (
     quantity("face_gap_stiffness", "K_a", "N/m", "N/um", 3, "Axial stiffness, -dF over the face gap"),
     quantity("face_gap_damping", "D_a", "N s/m", "kNs/m", 3, "Axial damping, -dF over the speed of the face gap"),
     quantity("load_over_clearance", "dF/dδ", "N/m", "N/um", 3, "Change of the load with the clearance"),
-    quantity("rim_drain_number", "n_r", "1", "", 3, "Slope of outflow less inflow of the rim; positive: stable"),
+    quantity(
+        "thermal_loop_gain",
+        "g_θ",
+        "1",
+        "",
+        3,
+        "Share of a disturbance of temperature that comes back through viscosity and flow; 1 or more: not stable",
+    ),
     quantity("load_ratio_to_smooth", "F/F_s", "1", "", 4, "Load over that of the smooth heel"),
     quantity("friction_ratio_to_smooth", "P_s/P_f", "1", "", 4, "Friction power of the smooth heel over this one"),
     quantity("critical_clearance", "δ_cr", "m", "um2", 4, "Clearance at which the face gap passes no oil"),
@@ -52,5 +59,4 @@ FOOTSTEP: tuple[Quantity, ...] = (
     ),
     quantity("heel_force_along", "F_x", "N", "N", 4, "Force of the turning film along the eccentricity"),
     quantity("heel_force_across", "F_y", "N", "N", 4, "Force of the turning film across the eccentricity"),
-    quantity("balance_error", "δ_R", "1", "", 2, "Relative error of the balance at the rim"),
 )

@@ -12,6 +12,7 @@ import numpy as np
 from babbitt.bearings.field import field_of
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.temperature_field import centre_line
+from babbitt.files.writing import write_files
 from babbitt.quantities import QUANTITIES
 from babbitt.report import film_maps
 from babbitt.report.drawing import (
@@ -26,7 +27,6 @@ from babbitt.report.drawing import (
     style,
 )
 from babbitt.report.film_state import state_of
-from babbitt.report.writing import write_into
 from babbitt.results import Result
 from babbitt.studies.comparison import Comparison, Variant
 from babbitt.units import ZERO_CELSIUS
@@ -187,4 +187,4 @@ def write_comparison_plots(
             for place, comparison in enumerate(comparisons, start=1)
             if any(is_shown(one) for one in comparison.variants)
         }
-    return write_into(folder, made)
+    return write_files(folder, made)

@@ -7,12 +7,12 @@ from collections.abc import Iterator, Sequence
 from html import escape
 from pathlib import Path
 
+from babbitt.files.writing import require_writable, write_file
 from babbitt.notices import InputError
 from babbitt.report.comparison_table import AS_ASKED, compared_rows, head, objected
-from babbitt.report.document import TEMPLATES
+from babbitt.report.document import GENERATOR_TAG, TEMPLATES
 from babbitt.report.drawing import rendered, style
 from babbitt.report.text import plain_text
-from babbitt.report.writing import require_writable, write_whole
 from babbitt.studies.comparison import ISO_LABEL, Comparison, Variant
 from babbitt.studies.temperature_cost import cost_of_one_temperature
 from babbitt.studies.thermal_variants import GLOBAL
@@ -47,7 +47,7 @@ def write_comparison_page(comparisons: Sequence[Comparison], path: Path) -> None
         E007 for another suffix, a path that cannot be written, or matplotlib that is not installed.
     """
     require_page(path)
-    write_whole(path, comparison_page(comparisons).encode())
+    write_file(path, comparison_page(comparisons).encode())
 
 
 def require_page(path: Path) -> None:
@@ -63,7 +63,8 @@ def comparison_page(comparisons: Sequence[Comparison]) -> str:
     bodies = "\n".join(part for comparison in comparisons for part in _bearing(comparison))
     title = escape(", ".join(plain_text(one.name) for one in comparisons))
     return (
-        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}: methods compared</title>'
+        f'<!DOCTYPE html>\n<html lang="en"><head>{GENERATOR_TAG}<meta charset="utf-8">'
+        f"<title>{title}: methods compared</title>"
         f"<style>\n{css}</style></head>\n<body>\n{bodies}\n</body></html>\n"
     )
 

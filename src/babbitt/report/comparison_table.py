@@ -70,7 +70,7 @@ COMPARED_HEELS = (
     "friction_power",
     "face_gap_stiffness",
     "face_gap_damping",
-    "rim_drain_number",
+    "thermal_loop_gain",
 )
 """The same of footsteps."""
 

@@ -7,14 +7,22 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from babbitt import __version__
+from babbitt.files.marks import CREATOR
+from babbitt.files.writing import require_writable, write_file
 from babbitt.notices import InputError
 from babbitt.report.content import content
 from babbitt.report.drawing import missing_extra
 from babbitt.report.text import needs_system_fonts
-from babbitt.report.writing import require_writable, write_whole
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult
+
+GENERATOR = f"{CREATOR} {__version__}"
+"""The mark of a report."""
+
+GENERATOR_TAG = f'<meta name="generator" content="{GENERATOR}">'
+"""The same in the head of a page."""
 
 TEMPLATES = Path(__file__).parent / "templates"
 
@@ -44,7 +52,7 @@ def write_report(machine: MachineResult, path: Path) -> None:
         given = f"not {path.suffix}" if path.suffix else "and the name given has no suffix"
         raise InputError("E007", f"cannot write {path}: a report ends in .pdf or .html, {given}")
     require_writable(path)
-    write_whole(path, report(machine, FORMATS[path.suffix.lower()]))
+    write_file(path, report(machine, FORMATS[path.suffix.lower()]))
 
 
 def report(machine: MachineResult, report_format: Format) -> bytes:
@@ -70,7 +78,7 @@ def report(machine: MachineResult, report_format: Format) -> bytes:
         input=TEMPLATES / "report.typ",
         root=TEMPLATES,
         font_paths=fonts,
-        sys_inputs={"data": json.dumps(data), "format": report_format},
+        sys_inputs={"data": json.dumps(data), "format": report_format, "generator": GENERATOR},
     )
     typeset = compiler.compile(format=report_format, timestamp=0)
     assert isinstance(typeset, bytes), "PDF and HTML are one file each"
@@ -79,7 +87,8 @@ def report(machine: MachineResult, report_format: Format) -> bytes:
 
 def _with_style(page: bytes) -> bytes:
     style = (TEMPLATES / "report.css").read_text(encoding="utf-8")
-    return page.replace(b"</head>", f"<style>\n{style}</style></head>".encode(), 1)
+    marked = page.replace(b"<head>", f"<head>{GENERATOR_TAG}".encode(), 1)
+    return marked.replace(b"</head>", f"<style>\n{style}</style></head>".encode(), 1)
 
 
 def _texts(data: Any) -> Iterator[str]:

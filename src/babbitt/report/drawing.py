@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.files.marks import CREATOR
 from babbitt.notices import InputError
 from babbitt.quantities import QUANTITIES, Quantity
 
@@ -57,9 +58,9 @@ STYLE: dict[Any, Any] = {
 FORMATS = ("svg", "pdf", "png")
 
 _UNDATED: dict[str, dict[str, Any]] = {
-    "svg": {"Date": None, "Creator": None},
-    "pdf": {"CreationDate": None, "Producer": None, "Creator": None},
-    "png": {"Software": None},
+    "svg": {"Date": None, "Creator": CREATOR},
+    "pdf": {"CreationDate": None, "Producer": None, "Creator": CREATOR},
+    "png": {"Software": CREATOR},
 }
 
 

@@ -55,6 +55,17 @@ def write_json(machine: MachineResult) -> str:
     return text + "\n"
 
 
+def escaped(text: str) -> str:
+    """The same JSON in ASCII alone, for an output that does not take all letters.
+
+    >>> print(escaped('{"name": "ψ"}'))
+    {
+      "name": "\\u03c8"
+    }
+    """
+    return json.dumps(json.loads(text), indent=2, ensure_ascii=True) + ("\n" if text.endswith("\n") else "")
+
+
 def _bearing(result: Result) -> dict[str, Any]:
     numbers: dict[str, Any] = {**_finite(result.values)}
     numbers |= {name: [list(row) for row in rows] for name, rows in result.arrays.items() if _all_finite(rows)}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import tempfile
 from collections.abc import Mapping, Sequence
@@ -14,9 +15,10 @@ from babbitt.bearings.field import FilmField, field_of, supply_patches
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.temperature_field import temperature_over, temperature_through
 from babbitt.bearings.warm_film import under_found_load
+from babbitt.files.writing import require_writable, write_file
 from babbitt.notices import InputError
 from babbitt.quantities import QUANTITIES
-from babbitt.report.writing import require_writable, write_whole
+from babbitt.report.text import plain_text
 from babbitt.results import Result
 
 if TYPE_CHECKING:
@@ -160,8 +162,10 @@ def write_machine_fields(machine: MachineResult, path: str | Path) -> tuple[str,
     machine : MachineResult
     path : str or Path
         Ends in ``.nc``. The film of a case that has one stands at the root of the file; several stand in groups
-        that are named as the bearings are, a slash in a name replaced by a hyphen (``xarray.open_datatree`` reads
-        them all, ``xarray.open_dataset(path, group=name)`` one).
+        that are named as the bearings are, but for slashes, which become hyphens, and for names of dots alone; of
+        bearings whose groups would have one name, the later ones get a number. The attribute ``title`` of a group
+        is the name of its bearing (``xarray.open_datatree`` reads them all, ``xarray.open_dataset(path,
+        group=name)`` one).
 
     Returns
     -------
@@ -189,7 +193,7 @@ def write_machine_fields(machine: MachineResult, path: str | Path) -> tuple[str,
         import xarray
 
         root = xarray.Dataset(attrs={"title": machine.name, "source": f"Babbitt {__version__}"})
-        _save(path, {None: root, **{name.replace("/", "-"): dataset for name, dataset in found.items()}})
+        _save(path, {None: root, **dict(zip(_groups(tuple(found)), found.values(), strict=True))})
     return tuple(case.name for case, _ in pairs if case.name not in found)
 
 
@@ -224,12 +228,27 @@ def require_netcdf(path: Path) -> None:
             raise _missing(package) from None
 
 
+def _groups(names: Sequence[str]) -> tuple[str, ...]:
+    """Names of groups for bearings, all different: NetCDF takes a slash for a path, and dots for places in it.
+
+    >>> _groups(["a/b", "a-b", ".", " left "])
+    ('a-b', 'a-b (2)', '. (2)', 'left')
+    """
+    taken: dict[str, None] = {"": None, ".": None, "..": None}
+    reserved = len(taken)
+    for name in names:
+        plain = plain_text(name).replace("/", "-")
+        numbered = (f"{plain} ({count})".strip() for count in itertools.count(2))
+        taken[next(one for one in itertools.chain([plain], numbered) if one not in taken)] = None
+    return tuple(taken)[reserved:]
+
+
 def _save(path: Path, datasets: Mapping[str | None, xarray.Dataset]) -> None:
     with tempfile.TemporaryDirectory(prefix="babbitt-") as folder:
         partial = Path(folder) / "fields.nc"
         for group, dataset in datasets.items():
             dataset.to_netcdf(partial, engine="h5netcdf", group=group, mode="w" if group is None else "a")
-        write_whole(path, partial.read_bytes())
+        write_file(path, partial.read_bytes())
 
 
 def _named(units: str, meaning: str) -> dict[str, str]:

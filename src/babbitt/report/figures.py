@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
 from babbitt.cases.designs import EveryDesign
+from babbitt.files.writing import write_files
 from babbitt.footstep.case import HeelCase
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import HydrostaticCase
@@ -20,7 +21,6 @@ from babbitt.report.heel_figures import heel_figures
 from babbitt.report.hydrostatic_figures import hydrostatic_figures
 from babbitt.report.one_dimension_figures import figures_along_the_film
 from babbitt.report.thrust_figures import thrust_figures
-from babbitt.report.writing import write_into
 from babbitt.results import Result
 from babbitt.segments.model import SegmentCase
 from babbitt.shaft_line.design import LineDesign
@@ -164,4 +164,4 @@ def write_plots(machine: MachineResult, folder: Path, image_format: str = "svg")
     for place, (case, result) in enumerate(zip(machine.design_cases, machine.results, strict=False), start=1):
         for drawing in _all_of(case, result, image_format):
             made[f"{place:02d}-{drawing.name}.{image_format}"] = drawing.image
-    return write_into(folder, made)
+    return write_files(folder, made)

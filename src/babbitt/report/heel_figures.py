@@ -60,7 +60,10 @@ def heel_figures(case: HeelCase, result: Result, image_format: str = "svg") -> t
 def _shows_figures(case: HeelCase, result: Result) -> bool:
     if not case.is_grooved:
         return case.other is None
-    return result.settings.get("state", "") in ("", "hot", "grooved", "fold") and ". " not in result.name[-14:]
+    return (
+        result.settings.get("state", "") in ("", "hot", "grooved", "fold", "draining")
+        and ". " not in result.name[-14:]
+    )
 
 
 def _painted(case: HeelCase) -> Iterator[tuple[str, str, Figure]]:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from babbitt.files.printing import printable
+from babbitt.files.writing import require_distinct, require_writable, write_file
 from babbitt.notices import InputError
-from babbitt.report.writing import require_writable, write_whole
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult
@@ -40,12 +41,13 @@ class Target:
             E007 if a path is not writable or an extra is not installed.
         """
         if self.json is not None:
-            from babbitt.report.export import write_json
+            from babbitt.report.export import escaped, write_json
 
             if self.json == STANDARD_OUTPUT:
-                sys.stdout.write(write_json(machine))
+                text = write_json(machine)
+                sys.stdout.write(text if _takes_all_letters() else escaped(text))
             else:
-                write_whole(Path(self.json), write_json(machine).encode())
+                write_file(Path(self.json), write_json(machine).encode())
         if self.report is not None:
             from babbitt.report.document import write_report
 
@@ -58,7 +60,7 @@ class Target:
             from babbitt.report.fields import write_machine_fields
 
             for name in write_machine_fields(machine, self.fields):
-                print(f"{name}: no operating point, so no fields are saved", file=sys.stderr)
+                print(f"{printable(name)}: no operating point, so no fields are saved", file=sys.stderr)
 
 
 @dataclass(frozen=True)
@@ -70,21 +72,28 @@ class Outputs:
 
 
 def outputs(
-    files: Sequence[Path], json: str | None, report: Path | None, plots: Path | None, fields: Path | None = None
+    files: Sequence[Path],
+    json: str | None,
+    report: Path | None,
+    plots: Path | None,
+    fields: Path | None = None,
+    tables: Sequence[Path] = (),
 ) -> Outputs:
     """Plan the outputs of a run, and make sure that each can be written.
 
     With several case files, each option names a folder that exists and receives one file per case, named after it.
+    `tables` are the files that the cases name.
 
     Raises
     ------
     InputError
         E007 for a path that cannot be written, an unknown suffix, one file for several outputs, an output that
-        would replace a case file, or fields for which an extra is not installed.
+        would replace an input of the run or a file that is no output of Babbitt, or fields for which an extra is
+        not installed.
     """
     alone = len(files) == 1
     targets = [Target(json, report, plots, fields)] if alone else _one_each(files, json, report, plots, fields)
-    _refuse_collisions(files, targets)
+    _refuse_collisions(inputs_of(files, tables), targets)
     for target in targets:
         _require_suffix(target.report)
         if target.fields is not None:
@@ -96,7 +105,9 @@ def outputs(
         if target.plots is not None:
             require_writable(target.plots / "figure" if target.plots.is_dir() else target.plots)
             if target.plots.is_file():
-                raise InputError("E007", f"cannot write {target.plots}: it is a file; --plots names a folder")
+                raise InputError(
+                    "E007", f"cannot write {printable(target.plots)}: it is a file; --plots names a folder"
+                )
     return Outputs(tuple(targets), json == STANDARD_OUTPUT)
 
 
@@ -110,7 +121,9 @@ def _one_each(
         )
     for option, path in (("--json", json), ("--report", report), ("--plots", plots), ("--fields", fields)):
         if path is not None and not Path(path).is_dir():
-            raise InputError("E007", f"{option} {path}: with several case files name a folder that exists")
+            raise InputError(
+                "E007", f"{option} {printable(path)}: with several case files name a folder that exists"
+            )
     return [
         Target(
             str(Path(json) / f"{file.stem}.json") if json else None,
@@ -122,17 +135,24 @@ def _one_each(
     ]
 
 
-def _refuse_collisions(files: Sequence[Path], targets: Sequence[Target]) -> None:
-    taken = {file.resolve(): "a case file" for file in files}
-    for target in targets:
-        for path in (*target.files(), *([target.plots] if target.plots else [])):
-            if path.resolve() in taken:
-                says = f"cannot write {path}: it is {taken[path.resolve()]}; nothing was written"
-                raise InputError("E007", f"{says}. Give each output, and each case file, a name of its own.")
-            taken[path.resolve()] = "the target of another output"
+def inputs_of(files: Sequence[Path], tables: Sequence[Path]) -> Mapping[Path, str]:
+    """What a run reads: its case files, and the files that these name."""
+    return dict.fromkeys(tables, "a file that the case reads") | dict.fromkeys(files, "a case file")
+
+
+def _refuse_collisions(inputs: Mapping[Path, str], targets: Sequence[Target]) -> None:
+    require_distinct(
+        [path for target in targets for path in (*target.files(), *([target.plots] if target.plots else []))],
+        inputs,
+    )
+
+
+def _takes_all_letters() -> bool:
+    """Whether standard output is in UTF-8, as JSON has it; another encoding gets escapes."""
+    return (sys.stdout.encoding or "utf-8").lower().replace("-", "").startswith("utf8")
 
 
 def _require_suffix(report: Path | None) -> None:
     if report is not None and report.suffix.lower() not in (".pdf", ".html"):
         given = report.suffix or "without suffix"
-        raise InputError("E007", f"--report {report}: the report is .pdf or .html, not {given}")
+        raise InputError("E007", f"--report {printable(report)}: the report is .pdf or .html, not {given}")

@@ -2,30 +2,43 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
+from babbitt.cases.variation import CaseVariation
+from babbitt.files.printing import printable
+from babbitt.files.spreadsheet import openpyxl_library, rows_text, workbook
+from babbitt.files.writing import require_distinct, require_writable, write_file
 from babbitt.notices import InputError
-from babbitt.report.writing import require_writable, write_whole
+from babbitt.report.outputs import STANDARD_OUTPUT, inputs_of
 from babbitt.studies.case_sweep import CaseSweep
 
+ENDINGS = (".csv", ".xlsx")
+"""Of a table of results."""
 
-def require_outputs(file: Path, csv: Path | None, plot: Path | None) -> None:
+
+def require_outputs(variation: CaseVariation, table: Path | None, plot: Path | None) -> None:
     """Find out before any work is done whether a sweep can be written.
+
+    Parameters
+    ----------
+    variation : CaseVariation
+        The case, none of whose files is replaced.
+    table : Path or None
+        Ends in ``.csv`` or ``.xlsx``, or is ``-``.
+    plot : Path or None
 
     Raises
     ------
     InputError
-        E007 for a path that cannot be written, an unknown suffix, one path for two outputs, an output that would
-        replace the case file, or a plot for which matplotlib is not installed.
+        E007 for a path that cannot be written, an unknown ending, one path for two outputs, an output that would
+        replace an input or a file that is no output of Babbitt, or a package that is not installed.
     """
-    taken = [file.resolve()]
-    for output in (csv, plot):
-        if output is None:
-            continue
-        if output.resolve() in taken:
-            which = "the case file" if output.resolve() == taken[0] else "the target of another output"
-            raise InputError("E007", f"cannot write {output}: it is {which}; nothing was written")
-        taken.append(output.resolve())
+    outputs = [output for output in (table, plot) if output is not None and str(output) != STANDARD_OUTPUT]
+    require_distinct(outputs, inputs_of([variation.file], variation.inputs))
+    if table is not None and str(table) != STANDARD_OUTPUT:
+        _require_ending(table)
+    for output in outputs:
         require_writable(output)
     if plot is not None:
         from babbitt.report.drawing import style
@@ -36,19 +49,36 @@ def require_outputs(file: Path, csv: Path | None, plot: Path | None) -> None:
             pass
 
 
-def write_outputs(sweep: CaseSweep, csv: Path | None, plot: Path | None) -> None:
-    """Write a sweep as CSV and as a plot, as far as asked for.
+def write_outputs(sweep: CaseSweep, table: Path | None, plot: Path | None) -> None:
+    """Write a sweep as a table and as a plot, as far as asked for.
 
     Raises
     ------
     InputError
         E007 when a file cannot be written.
     """
-    if csv is not None:
-        from babbitt.report.sweep_table import sweep_csv
+    if table is not None:
+        from babbitt.report.sweep_table import sweep_rows
 
-        write_whole(csv, sweep_csv(sweep).encode())
+        rows = sweep_rows(sweep)
+        if str(table) == STANDARD_OUTPUT:
+            sys.stdout.write(rows_text(rows))
+        elif table.suffix.lower() == ".xlsx":
+            write_file(table, workbook({"Sweep": rows}, printable(table)))
+        else:
+            write_file(table, rows_text(rows).encode())
     if plot is not None:
         from babbitt.report.sweep_plot import write_sweep_plot
 
         write_sweep_plot(sweep, plot)
+
+
+def _require_ending(table: Path) -> None:
+    ending = table.suffix.lower()
+    if ending not in ENDINGS:
+        given = f"not {table.suffix}" if table.suffix else "and the name given has no ending"
+        raise InputError(
+            "E007", f"cannot write {printable(table)}: a table of results ends in {' or '.join(ENDINGS)}, {given}"
+        )
+    if ending == ".xlsx":
+        openpyxl_library(printable(table))

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.files.writing import write_file
 from babbitt.notices import InputError
 from babbitt.quantities import QUANTITIES
 from babbitt.report.drawing import FORMATS, GREY, INK, Sheet, axis_label, in_engineers_unit, rendered, style
 from babbitt.report.sweep_columns import panels_of
 from babbitt.report.text import plain_text
-from babbitt.report.writing import write_whole
 from babbitt.studies.case_sweep import CaseSweep
 
 if TYPE_CHECKING:
@@ -65,7 +65,7 @@ def write_sweep_plot(sweep: CaseSweep, path: Path) -> None:
     require_plot(path)
     with style():
         image = rendered(sweep_figure(sweep), path.suffix.lower().removeprefix("."))
-    write_whole(path, image)
+    write_file(path, image)
 
 
 def sweep_figure(sweep: CaseSweep) -> Figure:

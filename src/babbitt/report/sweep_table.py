@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import math
+from collections.abc import Sequence
 
 from rich.console import Console
 from rich.text import Text
 
+from babbitt.files.spreadsheet import Cell, rows_text
 from babbitt.interop.unit_names import static_column
 from babbitt.quantities import QUANTITIES
 from babbitt.report import verdict as judge
@@ -63,11 +63,16 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
 
 
 def sweep_csv(sweep: CaseSweep) -> str:
-    """The answers as CSV: one row a value and bearing, results in SI with the unit in every column name.
+    """The answers as CSV in UTF-8, with comma and decimal point: `sweep_rows`, in which no word is a formula."""
+    return rows_text(sweep_rows(sweep))
 
-    The first column is the field; its unit, where the values have one, stands in its name. A row without an
-    operating point has no results; the status of a value that the case does not take is ``refused``. UTF-8, comma,
-    decimal point.
+
+def sweep_rows(sweep: CaseSweep) -> list[list[Cell]]:
+    """The answers as rows: one a value and bearing, results in SI with the unit in every column name.
+
+    The first row names the columns. The first column is the field; its unit, where the values have one, stands in
+    its name. A row without an operating point has no results; the status of a value that the case does not take is
+    ``refused``.
     """
     rows = list(sweep.rows())
     quantities = dict.fromkeys(
@@ -77,21 +82,20 @@ def sweep_csv(sweep: CaseSweep) -> str:
         for name in result.values
         if name in QUANTITIES and name not in NOT_TOLD
     )
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
     unit = f" [{sweep.values.unit}]" if sweep.values.unit and sweep.values.numbers is not None else ""
-    writer.writerow([f"{sweep.path}{unit}", "bearing", "status", *(static_column(name) for name in quantities)])
-    shown = _shown(sweep)
-    lines: list[tuple[int, list[str]]] = [
-        (place, [shown[place], "", REFUSED, *([""] * len(quantities))]) for place in sweep.refused
+    heading: list[Cell] = [f"{sweep.path}{unit}", "bearing", "status"]
+    heading += [static_column(name) for name in quantities]
+    exact = sweep.values.numbers
+    given: Sequence[Cell] = sweep.values.texts if exact is None else [float(f"{number:.12g}") for number in exact]
+    lines: list[tuple[int, list[Cell]]] = [
+        (place, [given[place], None, REFUSED, *([None] * len(quantities))]) for place in sweep.refused
     ]
     for place, result in rows:
         solved = result.outcome.solved
         numbers = [result.values.get(name, math.nan) if solved else math.nan for name in quantities]
-        told = [repr(float(number)) if math.isfinite(number) else "" for number in numbers]
-        lines.append((place, [shown[place], result.name, result.outcome.name.lower(), *told]))
-    writer.writerows(line for _, line in sorted(lines, key=lambda one: one[0]))
-    return stream.getvalue()
+        values = [float(number) if math.isfinite(number) else None for number in numbers]
+        lines.append((place, [given[place], result.name, result.outcome.name.lower(), *values]))
+    return [heading, *(line for _, line in sorted(lines, key=lambda one: one[0]))]
 
 
 def _shown(sweep: CaseSweep) -> tuple[str, ...]:

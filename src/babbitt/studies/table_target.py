@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from babbitt.bearings.model import FilmCase
 from babbitt.cases.designs import EveryDesign
+from babbitt.files.printing import printable
+from babbitt.files.writing import require_distinct, require_writable
 from babbitt.interop import FORMATS
 from babbitt.notices import InputError
 from babbitt.studies.coefficients import is_clockwise
@@ -39,10 +41,15 @@ def chosen_film(designs: Sequence[EveryDesign], file: Path, name: str | None) ->
 
 
 def require_target(
-    format_name: str, film: FilmCase, file: Path, output: Path, other_end: bool, speeds: Sequence[float]
+    format_name: str,
+    film: FilmCase,
+    inputs: Mapping[Path, str],
+    output: Path,
+    other_end: bool,
+    speeds: Sequence[float],
 ) -> None:
     """Refuse a format that does not exist, cannot hold the rotation sense or needs more speeds, and a file that
-    is not of the format.
+    is not of the format, or that is an input of the run.
 
     Raises
     ------
@@ -62,7 +69,9 @@ def require_target(
             f"would take the cross-coupling with the wrong sign; {do}, or choose csv or json",
         )
     if output.suffix.lower() not in wanted.suffixes:
-        raise InputError("E007", f"cannot write {output}: {format_name} is {' or '.join(wanted.suffixes)}")
+        raise InputError(
+            "E007", f"cannot write {printable(output)}: {format_name} is {' or '.join(wanted.suffixes)}"
+        )
     if len(speeds) < wanted.fewest_speeds:
         raise InputError(
             "E003",
@@ -70,7 +79,5 @@ def require_target(
             f"{len(speeds)} {'is' if len(speeds) == 1 else 'are'} given; write more over the range of the rotor "
             "(10 to 20 are better), such as --speeds '500 rpm:5000 rpm:10', or choose csv or json",
         )
-    if output.resolve() == file.resolve():
-        raise InputError("E007", f"cannot write {output}: it is a case file; nothing was written")
-    if not output.parent.is_dir() or output.is_dir():
-        raise InputError("E007", f"cannot write {output}: its folder does not exist, or it is a folder itself")
+    require_distinct([output], inputs)
+    require_writable(output)

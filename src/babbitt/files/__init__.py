@@ -1,0 +1,1 @@
+"""Files: read with bounds, written whole, and never over anything that Babbitt did not write itself."""
