@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any
 
-from babbitt.notices import Notice
+from babbitt.notices import EXPLANATIONS, Effect, Notice, Subject
+from babbitt.quantities import QUANTITIES
 
 Matrix = tuple[tuple[float, ...], ...]
 """Rows of numbers in SI."""
@@ -59,6 +61,21 @@ _OUTCOME_CODES = {
 }
 
 
+class Verdict(Enum):
+    """The judgement of one bearing, readable without colour, the gravest last."""
+
+    PASS = "pass"
+    REMARKS = "pass with remarks"
+    FAIL = "fail"
+    NO_VERDICT = "no verdict"
+    NO_SOLUTION = "no solution"
+
+    @property
+    def key(self) -> str:
+        """The word for programs: ``pass``, ``remarks``, ``fail``, ``no_verdict``, ``no_solution``."""
+        return self.name.lower()
+
+
 class Bound(Enum):
     """Which side of its limit a checked value must stay on."""
 
@@ -83,7 +100,7 @@ class Check:
     source : str
         Where the limit comes from.
     advisory : bool
-        A recommendation: a miss is shown and does not count as a violated limit.
+        A recommendation or a screening indicator: a miss is listed and changes no verdict.
     """
 
     code: str
@@ -101,9 +118,14 @@ class Check:
 
     @property
     def margin(self) -> float:
-        """Relative distance to the limit, positive when it is kept."""
+        """Distance to the limit relative to the limit, positive when it is kept; temperatures count in °C.
+
+        A limit of zero gives the distance itself.
+        """
         gap = self.limit - self.value if self.bound is Bound.AT_MOST else self.value - self.limit
-        return gap / abs(self.limit) if self.limit else gap
+        known = QUANTITIES.get(self.quantity)
+        size = abs(self.limit + known.display.offset) if known is not None else abs(self.limit)
+        return gap / size if size else gap
 
 
 @dataclass(frozen=True)
@@ -146,9 +168,57 @@ class Result:
     arrays: Mapping[str, Matrix] = field(default_factory=dict)
 
     @property
+    def verdict(self) -> Verdict:
+        """The judgement in one word.
+
+        ``no solution`` without an operating point; ``fail`` where a limit is missed; ``no verdict`` outside the
+        validity of the model, or where film thickness, temperature or specific load could not be checked
+        (`lacking`); ``pass with remarks`` where a warning questions the result. Recommendations and screening
+        indicators change nothing.
+        """
+        if not self.outcome.solved:
+            return Verdict.NO_SOLUTION
+        if not all(check.ok for check in self.limits):
+            return Verdict.FAIL
+        effects = {warning.effect for warning in self.warnings}
+        if Effect.NO_VERDICT in effects or self.lacking:
+            return Verdict.NO_VERDICT
+        return Verdict.REMARKS if Effect.QUESTIONS_RESULT in effects else Verdict.PASS
+
+    @property
     def within_limits(self) -> bool:
-        """Whether every check that is not merely advice is kept."""
-        return all(check.ok for check in self.checks if not check.advisory)
+        """Whether the bearing passes: solved, within the validity of its model, every limit kept."""
+        return self.verdict in (Verdict.PASS, Verdict.REMARKS)
+
+    @property
+    def limits(self) -> tuple[Check, ...]:
+        """The checks that decide: all but recommendations and screening indicators."""
+        return tuple(check for check in self.checks if not check.advisory)
+
+    @property
+    def governing_check(self) -> Check | None:
+        """The limit with the least margin; None where nothing was held against a limit, or nothing was found."""
+        if not self.outcome.solved:
+            return None
+        return min(
+            self.limits, key=lambda one: one.margin if math.isfinite(one.margin) else -math.inf, default=None
+        )
+
+    @property
+    def margin(self) -> float:
+        """Margin of the governing check; NaN where there is none."""
+        governing = self.governing_check
+        return math.nan if governing is None else governing.margin
+
+    @property
+    def lacking(self) -> tuple[Subject, ...]:
+        """Of film thickness, temperature and specific load those that should have been checked and were not.
+
+        A kind lists its checks that could not be made under `not_checked`; one check of a subject is enough.
+        """
+        missing = {EXPLANATIONS[notice.code].subject for notice in self.not_checked}
+        made = {EXPLANATIONS[check.code].subject for check in self.limits}
+        return tuple(one for one in Subject if one in missing - made)
 
     @property
     def stiffness(self) -> Matrix:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,7 @@ from babbitt.cases import case_hash, design_cases
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.grouped_digits import about_grouped_digits
 from babbitt.longfilm.model import LongFilmCase
+from babbitt.notices import InputError
 from babbitt.results import Outcome, Result
 from babbitt.segments.model import SegmentCase
 from babbitt.standards.iso7902 import check as iso7902_check
@@ -63,7 +65,7 @@ class MachineResult:
 
     @property
     def within_limits(self) -> bool:
-        """Whether every bearing keeps every limit that is not merely advice."""
+        """Whether every bearing passes, with or without remarks."""
         return all(result.within_limits for result in self.results)
 
     def __getitem__(self, name: str) -> Result:
@@ -113,6 +115,56 @@ def solve(case: Case, watch: Watch = unwatched) -> MachineResult:
         source=case.source,
         notes=case.notes,
     )
+
+
+def refusal_of(case: Case) -> InputError | None:
+    """What `solve` would refuse of a case that was read; None where it would solve or say why it cannot.
+
+    The rules of the case have been asked; what is left shows when its designs are made, or when a first film is
+    found: pads that do not balance, a motion without bound.
+
+    Parameters
+    ----------
+    case : Case
+
+    Returns
+    -------
+    InputError or None
+    """
+    try:
+        designs = design_cases(case)
+        for design in designs:
+            _require_solvable(design)
+        if not designs:
+            _shaft_result(case)
+    except InputError as error:
+        return error
+    return None
+
+
+def _require_solvable(design: EveryDesign) -> None:
+    """Make what a refusal of a design needs: at most one film, not the answer."""
+    if isinstance(design, FilmCase | DesignCase | LongFilmCase | SegmentCase):
+        return
+    from babbitt.hydrostatics.model import HydrostaticCase
+
+    if isinstance(design, HydrostaticCase):
+        from babbitt.hydrostatics.check import refuse_contact, refuse_short_recess
+
+        refuse_contact(design)
+        refuse_short_recess(design)
+        return
+    from babbitt.shaft_line.design import LineDesign
+    from babbitt.thrust.design import ThrustDesign, operating_state
+    from babbitt.thrust.failures import NoPadFilmError
+
+    if isinstance(design, ThrustDesign | LineDesign):
+        with suppress(NoPadFilmError):  # told as no solution
+            static = operating_state(design.thrust if isinstance(design, LineDesign) else design)
+            if isinstance(design, LineDesign):
+                from babbitt.shaft_line.model import state_of
+
+                state_of(design.duty, static.films, static.share)
 
 
 def solve_every(design: EveryDesign, watch: Watch = unwatched) -> tuple[Result, ...]:

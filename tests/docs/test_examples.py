@@ -163,15 +163,16 @@ def test_every_block_is_run_or_said_to_be_text(page: Path) -> None:
             assert block.stands_for, f"{place}: say with '<!-- file: NAME -->' which file this is"
 
 
-BEYOND_A_LIMIT = ("trawler_thrust_line.yaml",)
-"""Examples of bearings that break a limit, as their sources say they do."""
+NOT_PASSED = ("trawler_thrust_line.yaml", "grooved.yaml", "long_film.yaml", "pump_footstep.yaml")
+"""A bearing that breaks a limit, as its source says; films of one dimension, whose thickness can keep no limit;
+and a heel with an unstable state."""
 
 
 @pytest.mark.parametrize("file", sorted((ROOT / "examples").glob("*.yaml")), ids=lambda file: file.name)
-def test_example_cases_have_an_operating_point_within_limits_and_a_record(file: Path, tmp_path: Path) -> None:
+def test_example_cases_have_an_operating_point_a_verdict_and_a_record(file: Path, tmp_path: Path) -> None:
     record = tmp_path / "record.json"
     status, output = run(f"babbitt solve {shlex.quote(str(file))} --strict --json {shlex.quote(str(record))}")
-    assert status == (1 if file.name in BEYOND_A_LIMIT else 0), output
+    assert status == (1 if file.name in NOT_PASSED else 0), output
     bearings = json.loads(record.read_text(encoding="utf-8"))["bearings"]
     assert bearings
     assert all(one["results"] for one in bearings)

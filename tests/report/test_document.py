@@ -89,7 +89,7 @@ def test_the_report_has_all_its_parts_in_order(one_page):
         "Assumptions",
         "Calculation",
         "Checks",
-        "Warnings",
+        "Information",
         "Figures",
     ]
     places = [one_page.text.rindex(heading) for heading in headings]

@@ -8,11 +8,15 @@ from babbitt_pages.markdown import anchor, text
 FAMILIES = {
     "E": ("Unusable input", "Exit status 2. Nothing was computed and nothing was written."),
     "S": ("No solution", "Exit status 3. The message of the case says how far it came."),
-    "W": ("Doubts", "They ride along with a result and name the numbers that raise the doubt."),
+    "W": (
+        "Doubts",
+        "They ride along with a result, name the numbers that raise the doubt, and each says what it does to the "
+        "verdict.",
+    ),
     "C": (
         "Checks",
-        "Comparisons of a value with a limit, each with its source. A missed check that is *advice only* does not "
-        "count as a violated limit.",
+        "Comparisons of a value with a limit, each with its source. A missed recommendation or screening "
+        "indicator changes no verdict.",
     ),
 }
 """First letter of a code, the heading of its kind, and what the kind means for a run."""
@@ -31,5 +35,9 @@ def _entry(code: str) -> str:
     found = EXPLANATIONS[code]
     return (
         f"{anchor(code.lower())}### {code} {text(found.title)}\n\n{text(found.meaning)}\n\n"
-        f"*What to do:* {text(found.remedy)}\n"
+        f"*What to do:* {text(found.remedy)}\n" + _effect(code)
     )
+
+
+def _effect(code: str) -> str:
+    return f"\n*Verdict:* {EXPLANATIONS[code].effect.value}.\n" if code.startswith("W") else ""

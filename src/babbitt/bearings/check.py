@@ -200,7 +200,8 @@ def _doubts(
         yield Notice("W125", "the film on the finer grid was not found")
     if whirl is not None:
         yield from doubts_about_whirl(whirl)
-    yield from doubts_about_running(case, values, checks)
+    solved = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
+    yield from (doubt for doubt in doubts_about_running(case, values, checks) if doubt.code not in solved)
 
 
 def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, float]) -> Iterator[Notice]:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from babbitt.cases.build import case_hash, design_cases
 from babbitt.cases.kinds import KINDS
-from babbitt.cases.loading import case_from_dict, check_files, load_case, load_cases, parse_case
+from babbitt.cases.loading import case_from_dict, check_files, load_case, load_cases, located, parse_case
 from babbitt.cases.machine import JournalCase, Machine
 from babbitt.cases.problems import CaseError, Problem
 from babbitt.cases.schema import case_schema
@@ -41,6 +41,7 @@ __all__ = [
     "kinds",
     "load_case",
     "load_cases",
+    "located",
     "parse_case",
     "template",
 ]

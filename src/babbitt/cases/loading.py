@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
@@ -18,6 +19,7 @@ from babbitt.cases.plain_words import Path, nearest, shown
 from babbitt.cases.problems import CaseError, Problem
 from babbitt.files.printing import printable
 from babbitt.files.reading import Reach
+from babbitt.notices import InputError
 from babbitt.units import AS_WRITTEN
 
 if TYPE_CHECKING:
@@ -28,6 +30,9 @@ LARGEST_FILE = 1_000_000
 
 VERSION = 1
 """Version of the case language."""
+
+BLAMED: dict[str, Path] = {"E202": ("pads", "pivot")}
+"""Field to blame for a refusal that a solution shows, by its code."""
 
 
 def load_case(path: str | FilePath, reach: Reach = Reach.FOLDER) -> Case:
@@ -133,6 +138,46 @@ def case_from_dict(given: Mapping[str, Any], name: str = "<case>", reach: Reach 
         With every problem; lines are 0.
     """
     return _case(dict(given), name, None, NamedFiles(FilePath(), reach))
+
+
+def located(error: InputError, case: Case, file: str | FilePath) -> CaseError:
+    """The refusal of a case that was read, told with its file and, where it names one, its field.
+
+    Parameters
+    ----------
+    error : InputError
+    case : Case
+    file : str or Path
+        What the case was read from.
+    """
+    if isinstance(error, CaseError):
+        return error
+    root = read_document(case.text) if case.text else None
+    given = {} if root is None else root.plain()
+    path = BLAMED.get(error.code) or _named_in(error.message, given)
+    return CaseError([_problem(str(file), root, given, path, error.message, code=error.code)])
+
+
+def _named_in(message: str, given: Any) -> Path:
+    """Path of the field that a message names by its first word, or by a word with underscores; empty if none.
+
+    Of several places the one nearest to the top is meant, unless two are as near.
+    """
+    places: dict[str, list[Path]] = {}
+    stack: list[tuple[Path, Any]] = [((), given)]
+    while stack:
+        path, value = stack.pop()
+        pairs = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+        for key, below in pairs:
+            stack.append(((*path, key), below))
+            if isinstance(key, str):
+                places.setdefault(key, []).append((*path, key))
+    words = re.findall(r"^[a-z_]+|\b[a-z]+_[a-z_]+\b", message)
+    for word in words:
+        nearest_first = sorted(places.get(word, ()), key=len)
+        if nearest_first and len({len(path) for path in nearest_first[:2]}) == len(nearest_first[:2]):
+            return nearest_first[0]
+    return ()
 
 
 def load_cases(paths: Iterable[str | FilePath], reach: Reach = Reach.FOLDER) -> tuple[Case, ...]:

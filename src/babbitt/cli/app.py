@@ -19,7 +19,7 @@ from babbitt import __version__
 from babbitt.files.reading import Reach
 from babbitt.notices import BabbittError, InputError
 
-SOLVED, LIMIT_VIOLATED, UNUSABLE_INPUT, NO_SOLUTION = 0, 1, 2, 3
+SOLVED, NOT_PASSED, UNUSABLE_INPUT, NO_SOLUTION = 0, 1, 2, 3
 """Exit statuses."""
 
 UNCOLLECTED = 100_000
@@ -31,7 +31,7 @@ app = typer.Typer(
     add_completion=False,
     pretty_exceptions_enable=False,
     help="Compute and design fluid-film (plain) bearings.",
-    epilog="Exit status: 0 solved, 1 a design limit is violated (only with --strict), 2 input not usable, "
+    epilog="Exit status: 0 solved, 1 fail or no verdict (only with --strict), 2 input not usable, "
     "3 no solution found.",
 )
 

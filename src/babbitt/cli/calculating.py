@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from babbitt.cli.app import LIMIT_VIOLATED, NO_SOLUTION, AllowOutside, Files, app, reach
+from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, AllowOutside, Files, app, reach
 from babbitt.files.printing import printable
 
 __all__ = ["check", "compare", "export", "solve", "sweep"]
@@ -28,11 +28,12 @@ def solve(
     fields: Annotated[
         Path | None, typer.Option(metavar="OUT", help="Write the fields of the films as NetCDF: OUT.nc.")
     ] = None,
-    strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 when a design limit is violated.")] = False,
+    strict: Annotated[bool, typer.Option("--strict", help="Exit with 1 on fail or no verdict.")] = False,
     allow_outside: AllowOutside = False,
 ) -> None:
     """Solve the bearings of case files and print a table."""
-    from babbitt.cases import design_cases, load_cases
+    from babbitt.cases import CaseError, Problem, design_cases, load_cases, located
+    from babbitt.notices import InputError
     from babbitt.report import outputs, print_machine
     from babbitt.report.progress import shown
     from babbitt.solving import solve as solve_case
@@ -44,22 +45,32 @@ def solve(
 
         for path, case in zip(files, cases, strict=True):
             require_films(str(path), design_cases(case))
-    machines = [solve_case(case, shown(f"{case.name}: cycles of the orbit")) for case in cases]
-    for machine, target in zip(machines, plan.targets, strict=True):
+    machines, targets = [], []
+    problems: list[Problem] = []
+    for path, case, target in zip(files, cases, plan.targets, strict=True):
+        try:
+            machines.append(solve_case(case, shown(f"{case.name}: cycles of the orbit")))
+            targets.append(target)
+        except InputError as error:  # the other files of the run are solved all the same
+            problems += located(error, case, path).problems
+    for machine, target in zip(machines, targets, strict=True):
         target.write(machine)  # before anything is printed: whoever reads the table may stop reading
     if not plan.silent:
         for machine in machines:
             print_machine(machine)
+    if problems:
+        raise CaseError(problems)
     if not all(machine.solved for machine in machines):
         raise typer.Exit(NO_SOLUTION)
     if strict and not all(machine.within_limits for machine in machines):
-        raise typer.Exit(LIMIT_VIOLATED)
+        raise typer.Exit(NOT_PASSED)
 
 
 @app.command()
 def check(files: Files, allow_outside: AllowOutside = False) -> None:
-    """Validate case files without solving them: every problem at once."""
-    from babbitt.cases import CaseError, Problem, design_cases, load_case
+    """Validate case files: every problem at once, and all that `solve` would refuse."""
+    from babbitt.cases import CaseError, Problem, design_cases, load_case, located
+    from babbitt.solving import refusal_of
 
     problems: list[Problem] = []
     for path in files:
@@ -67,6 +78,9 @@ def check(files: Files, allow_outside: AllowOutside = False) -> None:
             case = load_case(path, reach(allow_outside))
         except CaseError as error:
             problems += error.problems
+            continue
+        if (refusal := refusal_of(case)) is not None:
+            problems += located(refusal, case, path).problems
             continue
         designs = design_cases(case)
         count = len(designs)

@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from babbitt.cli.app import LIMIT_VIOLATED, AllowOutside, app, reach
+from babbitt.cli.app import NOT_PASSED, AllowOutside, app, reach
 from babbitt.files.printing import printable
 from babbitt.notices import EXPLANATIONS, InputError
 
@@ -68,7 +68,7 @@ def validate(
     chosen = [validation_case(name) for name in names] if names else list(cases())
     agreed = [print_validation(case) for case in chosen]
     if not all(agreed):
-        raise typer.Exit(LIMIT_VIOLATED)
+        raise typer.Exit(NOT_PASSED)
 
 
 @app.command(name="list")

@@ -18,7 +18,7 @@ from babbitt.hydrostatics.pumping import held_pressure, highest_pressure, is_pum
 from babbitt.hydrostatics.state import Ending
 from babbitt.hydrostatics.validity import doubts
 from babbitt.hydrostatics.values import arrays, values
-from babbitt.notices import InputError
+from babbitt.notices import InputError, Notice
 from babbitt.results import Bound, Check, Outcome, Result
 
 __all__ = ["hydrostatic_check", "warmed"]
@@ -89,6 +89,7 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
         outcome,
         named,
         checks=tuple(checks(case, found, named)),
+        not_checked=() if case.least_gap is not None else (Notice("C301", "no least_gap is given"),),
         warnings=(*case.doubts, *doubts(case, found, named)),
         assumptions=case.assumptions,
         settings=settings,

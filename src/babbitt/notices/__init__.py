@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from babbitt.notices.checks import CHECKS
-from babbitt.notices.explanation import Effect, Explanation
+from babbitt.notices.explanation import Effect, Explanation, Subject
 from babbitt.notices.footstep import FOOTSTEP
 from babbitt.notices.hydrostatics import HYDROSTATICS
 from babbitt.notices.journal import JOURNAL
@@ -19,7 +19,7 @@ from babbitt.notices.one_dimension import ONE_DIMENSION
 from babbitt.notices.thrust import THRUST
 from babbitt.notices.unusable import UNUSABLE
 
-__all__ = ["EXPLANATIONS", "BabbittError", "Effect", "Explanation", "InputError", "Notice"]
+__all__ = ["EXPLANATIONS", "BabbittError", "Effect", "Explanation", "InputError", "Notice", "Subject"]
 
 EXPLANATIONS: dict[str, Explanation] = (
     UNUSABLE | JOURNAL | ONE_DIMENSION | FOOTSTEP | HYDROSTATICS | THRUST | NO_SOLUTION | CHECKS
@@ -36,6 +36,11 @@ class Notice:
     def __post_init__(self) -> None:
         if self.code not in EXPLANATIONS:
             raise KeyError(f"notice code {self.code} is not registered in babbitt.notices")
+
+    @property
+    def effect(self) -> Effect:
+        """What it does to the verdict of the result that carries it."""
+        return EXPLANATIONS[self.code].effect
 
 
 class BabbittError(Exception):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.notices.explanation import Explanation
+from babbitt.notices.explanation import Explanation, Subject
 
 CHECKS: dict[str, Explanation] = {
     "C101": Explanation(
@@ -10,18 +10,21 @@ CHECKS: dict[str, Explanation] = {
         "The minimum film thickness is compared with a value by experience for diameter and surface speed. Found "
         "from the load by a film of one dimension it is too thick: it can miss the limit, but not keep it.",
         "A more viscous or cooler oil, a larger bearing, less load.",
+        subject=Subject.FILM_THICKNESS,
     ),
     "C102": Explanation(
         "Film thickness by surface geometry",
         "The minimum film thickness is compared with the sum of roughness, half the tilt offset, half the "
         "deflection, and effective waviness.",
         "Finer or truer surfaces, better alignment, or a thicker film.",
+        subject=Subject.FILM_THICKNESS,
     ),
     "C103": Explanation(
         "Specific load",
         "The specific load is compared with the value by experience of the family of the bearing metal, or with "
         "the limit that the case sets.",
         "A larger bearing or a stronger metal.",
+        subject=Subject.SPECIFIC_LOAD,
     ),
     "C104": Explanation(
         "Temperature",
@@ -29,12 +32,15 @@ CHECKS: dict[str, Explanation] = {
         "value by experience or with the limit that the case sets; that of the case holds for the hottest known. "
         "A prescribed effective temperature can miss the limit, not keep it: no heat balance tells the hottest.",
         "More oil, a cooler supply, a larger clearance, or a thinner oil.",
+        subject=Subject.TEMPERATURE,
     ),
     "C105": Explanation(
         "Specific load of the metal",
         "The specific load is compared with the limit of the bearing metal for the character of the load. Of "
-        "thrust pads it is the mean pressure of the one that carries most, advice for B83 if no metal is given.",
+        "thrust pads it is the mean pressure of the one that carries most, a recommendation for B83 if no "
+        "metal is given.",
         "A larger bearing or a stronger metal.",
+        subject=Subject.SPECIFIC_LOAD,
     ),
     "C106": Explanation(
         "Surface speed of the metal",
@@ -51,10 +57,11 @@ CHECKS: dict[str, Explanation] = {
         "The hottest known temperature is compared with that at which the metal loses its hardness. Of thrust "
         "pads it is that of the oil, and the metal is B83 where none is given.",
         "More or cooler oil, or another metal.",
+        subject=Subject.TEMPERATURE,
     ),
     "C109": Explanation(
         "Recommended temperature of the metal",
-        "Advice only: the temperature recommended for lasting operation of the metal.",
+        "A recommendation: the temperature recommended for lasting operation of the metal.",
         "More or cooler oil; a thermal film calculation tells the temperature of the metal itself.",
     ),
     "C110": Explanation(
@@ -69,18 +76,16 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C112": Explanation(
         "Whirl screening by Orlov",
-        "Advice only: the relative clearance should exceed 3.5e-3 sqrt(lambda B/D).",
-        "A larger clearance, a thinner oil, a narrower bearing.",
-    ),
-    "C113": Explanation(
-        "Whirl screening by Dmitriev",
-        "Advice only: the eccentricity ratio should exceed 0.60; below 0.55 whirl is possible.",
-        "A larger clearance, a thinner oil, a narrower bearing.",
+        "A screening indicator of the ISO 7902 result, no stability calculation: the relative clearance should "
+        "exceed 3.5e-3 sqrt(lambda B/D), else the journal can whirl by itself. It changes no verdict.",
+        "Solve the bearing with `method: film`, whose stiffness and damping decide (C115); a larger clearance, a "
+        "thinner oil, a narrower bearing.",
     ),
     "C115": Explanation(
         "Critical mass",
         "The mass above which a rigid rotor whirls, and with `shaft_stiffness` that of a rotor on an elastic "
-        "shaft, is compared with the mass of the rotor (`rotor_mass`), or, as advice only, with the load over g.",
+        "shaft, is compared with the mass of the rotor (`rotor_mass`), or, as a recommendation, with the load "
+        "over g.",
         "A larger clearance, a thinner oil, a narrower bearing, or a bore with preload.",
     ),
     "C116": Explanation(
@@ -98,7 +103,7 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C114": Explanation(
         "Recommended clearance",
-        "Advice only: the mean relative clearance should reach 0.8e-3 U^(1/4), with U in m/s.",
+        "A recommendation: the mean relative clearance should reach 0.8e-3 U^(1/4), with U in m/s.",
         "Choose a larger clearance where heat or whirl matter.",
     ),
     "C130": Explanation(
@@ -121,6 +126,7 @@ CHECKS: dict[str, Explanation] = {
         "Thinnest film over the edges and the face of a pad: static, and in a shaft line with all harmonics for "
         "any phase.",
         "Less load or runout, a more viscous or cooler oil, a better alignment, a compliant ring.",
+        subject=Subject.FILM_THICKNESS,
     ),
     "C203": Explanation(
         "Load left on the pad that is unloaded most",
@@ -138,6 +144,7 @@ CHECKS: dict[str, Explanation] = {
         "Least gap",
         "The smallest gap against the least that the case allows.",
         "More supply pressure, more recess area, or a stiffer restrictor.",
+        subject=Subject.FILM_THICKNESS,
     ),
     "C302": Explanation(
         "Load against its limit",

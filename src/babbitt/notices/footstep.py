@@ -37,6 +37,7 @@ FOOTSTEP: dict[str, Explanation] = {
         "formulas that "
         "set grooves against lands lose their sense.",
         "A smaller clearance or deeper grooves.",
+        effect=Effect.NO_VERDICT,
     ),
     "W163": Explanation(
         "Ambient pressure looks like a gauge pressure",
@@ -60,6 +61,7 @@ FOOTSTEP: dict[str, Explanation] = {
         "The pressure at the rim exceeds that of the supply: oil of the groove flows back into the recess and the "
         "bore. The footstep no longer draws oil from the delivery side, and what comes back is warm.",
         "Wanted or not, provide for it: a larger clearance or a shallower groove lowers the pressure at the rim.",
+        effect=Effect.INFORMATION,
     ),
     "W167": Explanation(
         "Negative axial stiffness",
@@ -89,6 +91,7 @@ FOOTSTEP: dict[str, Explanation] = {
         "flow and pressure; at 5 starts the clearance lets through about 3 % more (`babbitt validate "
         "film_groove_pitch`).",
         "Take the leakage as a few per cent too small; more starts pump more evenly.",
+        effect=Effect.INFORMATION,
     ),
     "W170": Explanation(
         "Eccentric grooved heel",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.notices.explanation import Explanation
+from babbitt.notices.explanation import Effect, Explanation
 
 HYDROSTATICS: dict[str, Explanation] = {
     "W301": Explanation(
@@ -10,12 +10,14 @@ HYDROSTATICS: dict[str, Explanation] = {
         "The film raises a recess above the supply pressure and pushes oil back into the manifold; the "
         "bearing loses load.",
         "Put a check valve before each recess (`check_valve: true`), or raise the supply pressure.",
+        effect=Effect.INFORMATION,
     ),
     "W302": Explanation(
         "Pressure ratio far from its best",
         "Recess over supply pressure at the design point lies outside 0.3 to 0.8; stiffness falls off on "
         "either side.",
         "Change the restrictor: `stiffest_pressure_ratio` in the results says what to aim at.",
+        effect=Effect.INFORMATION,
     ),
     "W303": Explanation(
         "Capillary outside its law",
@@ -26,11 +28,13 @@ HYDROSTATICS: dict[str, Explanation] = {
         "Small orifice",
         "Orifices below 0.3 mm clog.",
         "A larger orifice and a finer filter, or a capillary.",
+        effect=Effect.INFORMATION,
     ),
     "W305": Explanation(
         "Film not laminar",
         "The Reynolds number of the film exceeds 1000; the laminar film equation ends there.",
         "Treat friction and flow as lower bounds.",
+        effect=Effect.NO_VERDICT,
     ),
     "W306": Explanation(
         "Recess not laminar",
@@ -52,18 +56,21 @@ HYDROSTATICS: dict[str, Explanation] = {
         "Compressible oil costs damping",
         "Oil in recess and line gives way and takes away more than a fifth of the damping.",
         "Shallower recesses, restrictors close to the recess, oil without air.",
+        effect=Effect.INFORMATION,
     ),
     "W310": Explanation(
         "Pneumatic-hammer-like",
         "Compressible oil takes away more damping than the film has: a heavy enough mass on the bearing "
         "vibrates by itself.",
         "Shallower recesses, restrictors close to the recess, oil without air, more land.",
+        effect=Effect.NO_VERDICT,
     ),
     "W311": Explanation(
         "Friction against pumping power",
         "The sum of both powers is far from its least, which lies at a ratio of 1 (viscosity free) to 3 "
         "(gap free).",
         "`least_power_gap` in the results says what gap to aim at with restrictors made to suit.",
+        effect=Effect.INFORMATION,
     ),
     "W312": Explanation(
         "Warm oil",
@@ -102,6 +109,7 @@ HYDROSTATICS: dict[str, Explanation] = {
         "Short recess",
         "Closed forms of the rectangle are off by up to 0.5 % where the recess is shorter than two land widths.",
         "Choose `method: film`.",
+        effect=Effect.INFORMATION,
     ),
     "W319": Explanation(
         "Lumped lands",

@@ -11,6 +11,7 @@ JOURNAL: dict[str, Explanation] = {
         "Vortices raise friction and temperature above the values shown.",
         "Use `method: film` with `turbulence: ng_pan` or `constantinescu`, a smaller clearance, a more "
         "viscous oil or a lower speed.",
+        effect=Effect.NO_VERDICT,
     ),
     "W102": Explanation(
         "Width ratio outside the standard",
@@ -34,27 +35,24 @@ JOURNAL: dict[str, Explanation] = {
         "Loaded arc shorter than any tabulated span",
         "The pockets leave less than 90 degrees of centred arc; the characteristics of 90 degrees flatter it.",
         "Move the pockets away from the load or use a film method.",
+        effect=Effect.NO_VERDICT,
     ),
     "W107": Explanation(
         "Temperature outside the lubricant data",
         "The effective temperature lies outside the range for which the lubricant's numbers are meant.",
         "Give the lubricant by points that enclose the operating temperature.",
     ),
-    "W108": Explanation(
-        "Danger of whirl",
-        "Below an eccentricity of about 0.55 (possible up to 0.60) or below Orlov's clearance the journal can "
-        "whirl by itself. This is a screening rule, not a stability calculation.",
-        "A larger clearance, a thinner oil, a narrower bearing, or a rotordynamic check with film coefficients.",
-    ),
     "W109": Explanation(
         "Fast bearing",
         "Above 20 m/s the dynamics of shaft and film deserve a check of their own.",
         "Make a rotordynamic check with stiffness and damping of the film.",
+        effect=Effect.INFORMATION,
     ),
     "W110": Explanation(
         "Pressure feed needed",
         "Cooled by its surroundings alone the bearing becomes hotter than permissible.",
         "Feed oil under pressure, enlarge the cooling surface, or move more air.",
+        effect=Effect.INFORMATION,
     ),
     "W111": Explanation(
         "Supply pressure used up",
@@ -67,6 +65,7 @@ JOURNAL: dict[str, Explanation] = {
         "The film thickness at which mixed friction begins is larger than the radial clearance, or smaller than "
         "the tables reach; the transition speed is absent or an upper bound.",
         "Check roughness, tilt and waviness against the clearance.",
+        effect=Effect.INFORMATION,
     ),
     "W113": Explanation(
         "Closed-form characteristics",
@@ -84,6 +83,7 @@ JOURNAL: dict[str, Explanation] = {
         "Outside the experience tables",
         "No experience value of the permissible film thickness exists for this diameter.",
         "Give `surfaces` or `limits: {minimum_film_thickness: ...}`.",
+        effect=Effect.INFORMATION,
     ),
     "W116": Explanation(
         "Film thinner than rigid films go",
@@ -138,6 +138,7 @@ JOURNAL: dict[str, Explanation] = {
         "The film would draw more oil than a groove, pocket or hole is given. It fills only part of the gap "
         "behind it: the film begins later, is thinner, and is less stiff than a flooded one.",
         "More oil, or supplies where the film draws less; a wider bearing passes less oil for its load.",
+        effect=Effect.INFORMATION,
     ),
     "W141": Explanation(
         "Oil drawn in at the sides",
@@ -179,6 +180,7 @@ JOURNAL: dict[str, Explanation] = {
         "viscous than the bearing can have.",
         "Prescribe a temperature above that of the supply, correct one of the two, or leave "
         "`effective_temperature` out: the heat balance then finds it (film method: `thermal: global`).",
+        effect=Effect.NO_VERDICT,
     ),
     "W142": Explanation(
         "Pressure beyond plain bearings",
@@ -221,6 +223,7 @@ JOURNAL: dict[str, Explanation] = {
         "The equilibrium shown is a saddle: the smallest push and the journal moves to another place. No place "
         "where it stays was found, or with `equilibria: first` none was looked for.",
         "Leave `equilibria` at auto; lower the supply pressure, or raise the speed or the load.",
+        effect=Effect.NO_VERDICT,
     ),
     "W133": Explanation(
         "Orbit on a coarse grid",

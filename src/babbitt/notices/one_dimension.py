@@ -21,6 +21,7 @@ ONE_DIMENSION: dict[str, Explanation] = {
         "Coarse film",
         "With fewer than 90 sectors the load is off by more than about 0.5 %.",
         "Use more sectors.",
+        effect=Effect.INFORMATION,
     ),
     "W153": Explanation(
         "The groove makes the film hotter",
@@ -41,6 +42,7 @@ ONE_DIMENSION: dict[str, Explanation] = {
         "Film thinner than the roughness allows",
         "The film is thinner than three times the combined roughness, sqrt(Ra_B² + Ra_J²): the surfaces touch.",
         "Smoother surfaces, a more viscous or cooler oil, or less load.",
+        effect=Effect.NO_VERDICT,
     ),
     "W156": Explanation(
         "Gain of a blind groove is apparent",

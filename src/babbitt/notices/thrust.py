@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.notices.explanation import Explanation
+from babbitt.notices.explanation import Effect, Explanation
 
 THRUST: dict[str, Explanation] = {
     "W201": Explanation(
@@ -29,12 +29,14 @@ THRUST: dict[str, Explanation] = {
         "The Reynolds number of the film at the mean radius exceeds about 1000. Vortices raise friction and carry "
         "more load than the laminar film.",
         "Choose turbulence: ng_pan or constantinescu.",
+        effect=Effect.NO_VERDICT,
     ),
     "W205": Explanation(
         "A pad leaves the collar or touches it",
         "In the nonlinear motion the load of a pad falls to nothing, a film becomes as thin as surfaces are "
         "rough, or tilts leave the films that were tabulated. What follows is not computed reliably.",
         "Reduce runout, tilt or ripple; the tools for admissible amplitudes say how far.",
+        effect=Effect.NO_VERDICT,
     ),
     "W206": Explanation(
         "Speed outside the Campbell map",
@@ -42,12 +44,14 @@ THRUST: dict[str, Explanation] = {
         "ranges "
         "does not hold there.",
         "Widen speeds, lowest to highest, to hold the speed of the case.",
+        effect=Effect.INFORMATION,
     ),
     "W207": Explanation(
         "No film of pads carries this load",
         "The film that would carry the load is thinner than 1 µm: surfaces of a good finish touch there, and the "
         "numbers describe no bearing.",
         "Less thrust, more or larger pads, a more viscous or cooler oil, more speed, or a straighter housing.",
+        effect=Effect.NO_VERDICT,
     ),
     "W208": Explanation(
         "Sweeps without a film in places",
@@ -55,6 +59,7 @@ THRUST: dict[str, Explanation] = {
         "lean with the housing touch, pads are overloaded, or the oil runs hot. These points are left out of "
         "tables and figures.",
         "Align the housing, or read the sweep only where it has points.",
+        effect=Effect.INFORMATION,
     ),
     "W209": Explanation(
         "No film while the runout passes slowly",

@@ -12,7 +12,7 @@ from babbitt.footstep.case import HeelCase
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
-from babbitt.notices import EXPLANATIONS
+from babbitt.notices import EXPLANATIONS, Effect
 from babbitt.quantities import QUANTITIES
 from babbitt.report import findings
 from babbitt.report import verdict as judge
@@ -129,6 +129,13 @@ METHODS = {
 NOT_FOR_PAPER = ("wall_time", "iterations")
 """Results that tell of the run rather than of the bearing, and differ from run to run."""
 
+WARNING_HEADINGS = {
+    Effect.NO_VERDICT: "No verdict: outside the validity of the model",
+    Effect.QUESTIONS_RESULT: "Remarks",
+    Effect.INFORMATION: "Information",
+}
+"""Headings of the warnings of a bearing, by what they do to its verdict."""
+
 
 def bearing_content(chapter: Chapter) -> Data:
     """Everything that the report says of one bearing.
@@ -154,6 +161,10 @@ def bearing_content(chapter: Chapter) -> Data:
         "shown": worded([shown.clearance]) if several and not isinstance(case, HeelCase) else "",
         "verdict": judge.worst_verdict(chapter.results).value,
         "unchecked": judge.unchecked(result),
+        "lacking": [
+            {"code": group.code, "title": group.title, "message": group.message}
+            for group in findings.lacking(chapter.results)
+        ],
         "method": _method(result),
         "outcomes": [_outcome(member) for member in chapter.members if not member.result.outcome.solved],
         "answers": [plain_text(said) for said in answers(result)],
@@ -179,7 +190,11 @@ def bearing_content(chapter: Chapter) -> Data:
             {"code": group.code, "title": group.title, "message": _said(group)}
             for group in findings.not_checked(chapter.results)
         ],
-        "warnings": _warnings(chapter),
+        "warnings": [
+            {"heading": heading, "found": found}
+            for effect, heading in WARNING_HEADINGS.items()
+            if (found := _warnings(chapter, effect))
+        ],
         "figures": [
             {
                 "name": drawing.name,
@@ -335,11 +350,11 @@ def _said(group: findings.Group) -> str:
     return group.message if set(group.names) == set(group.of) else f"{group.message}: {group.bearings}"
 
 
-def _warnings(chapter: Chapter) -> list[Data]:
-    """Warnings of all members, one a code; those that some members lack say whose they are."""
+def _warnings(chapter: Chapter, effect: Effect) -> list[Data]:
+    """Warnings of one effect of all members, one a code; those that some members lack say whose they are."""
     found: dict[str, dict[str, list[str]]] = {}
     for member in chapter.members:
-        for notice in member.result.warnings:
+        for notice in (one for one in member.result.warnings if one.effect is effect):
             messages = found.setdefault(notice.code, {})
             messages.setdefault(plain_text(notice.message), []).append(member.clearance)
     return [

@@ -17,10 +17,17 @@ from babbitt.report import verdict as judge
 from babbitt.report.coefficient_temperatures import beside_coefficient
 from babbitt.report.meanings import meaning
 from babbitt.report.text import plain_text
-from babbitt.report.verdict import Verdict
-from babbitt.results import Check, Result
+from babbitt.report.verdict import CheckWord
+from babbitt.results import Check, Result, Verdict
 
-STYLES = {Verdict.OK: "green", Verdict.ADVICE: "yellow", Verdict.FAIL: "bold red", Verdict.UNSOLVED: "bold red"}
+STYLES = {
+    Verdict.PASS: "green",
+    Verdict.REMARKS: "yellow",
+    Verdict.FAIL: "bold red",
+    Verdict.NO_VERDICT: "bold yellow",
+    Verdict.NO_SOLUTION: "bold red",
+}
+CHECK_STYLES = {CheckWord.PASS: "green", CheckWord.MISSED: "yellow", CheckWord.FAIL: "bold red"}
 
 
 def engineers_table(**settings: Any) -> Table:
@@ -30,12 +37,12 @@ def engineers_table(**settings: Any) -> Table:
 
 def bearing_table(result: Result) -> RenderableType:
     """All quantities and checks of a bearing; for an unsolved one its name alone."""
-    word = judge.verdict(result)
+    word = result.verdict
     heading = Text(plain_text(result.name), style="bold")
     heading.append(f"   {result.method}   ", style="dim")
     heading.append(word.value, style=STYLES[word])
     heading.append(f"   {judge.unchecked(result)}" if result.not_checked else "")
-    if word is Verdict.UNSOLVED:
+    if word is Verdict.NO_SOLUTION:
         return heading
     table = engineers_table()
     table.add_column("quantity", overflow="fold")
@@ -147,12 +154,12 @@ def _checks(checks: Sequence[Check]) -> RenderableType:
     table.add_column("verdict", no_wrap=True)
     table.add_column("source", overflow="fold")
     for check in checks:
-        word = judge.check_verdict(check)
+        word = judge.check_word(check)
         table.add_row(
             check.code,
             Text(judge.comparison(check)),
             judge.margin(check),
-            Text(word.value, style=STYLES[word]),
+            Text(word.value, style=CHECK_STYLES[word]),
             Text(plain_text(check.source)),
         )
     return table

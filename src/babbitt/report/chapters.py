@@ -64,7 +64,7 @@ class Chapter:
 
 
 def _least_margin(result: Result) -> float:
-    return min((check.margin for check in result.checks if not check.advisory), default=math.inf)
+    return min((check.margin for check in result.limits), default=math.inf)
 
 
 def chapters(cases: Sequence[EveryDesign], results: Sequence[Result]) -> tuple[Chapter, ...]:

@@ -40,7 +40,7 @@ def check_content(check: Check, sources: Sequence[str] = ()) -> Data:
         "sign": SIGNS[check.bound],
         "limit": judge.written(check.quantity, check.limit),
         "margin": judge.margin(check).replace("-", "−"),
-        "verdict": judge.check_verdict(check).value,
+        "verdict": judge.check_word(check).value,
         "source": str(1 + sources.index(plain_text(check.source))) if sources else "",
     }
 
@@ -80,5 +80,5 @@ def _compared(check: Check | None) -> Data:
     value, limit = (judge.number(check.quantity, number) for number in (check.value, check.limit))
     return {
         "said": f"{value} {SIGNS[check.bound] if check.ok else BROKEN[check.bound]} {limit}",
-        "verdict": judge.check_verdict(check).value,
+        "verdict": judge.check_word(check).value,
     }

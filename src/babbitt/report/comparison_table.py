@@ -10,11 +10,12 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from babbitt.notices import Effect
 from babbitt.quantities import QUANTITIES
 from babbitt.report.meanings import meaning
 from babbitt.report.table import console
 from babbitt.report.text import plain_text
-from babbitt.report.verdict import governing, margin, verdict
+from babbitt.report.verdict import governing, margin
 from babbitt.results import Result
 from babbitt.studies.comparison import Comparison, Variant
 from babbitt.studies.temperature_cost import cost_of_one_temperature
@@ -135,9 +136,9 @@ def head(variant: Variant, asked: Variant) -> str:
 
 
 def objected(result: Result) -> str:
-    """Limits that a result misses, and codes of its warnings; empty where there are none."""
-    missed = [one.code for one in result.checks if not one.ok and not one.advisory]
-    codes = list(dict.fromkeys(one.code for one in result.warnings))
+    """Limits that a result misses, and codes of warnings that touch its verdict; empty for none."""
+    missed = [one.code for one in result.limits if not one.ok]
+    codes = list(dict.fromkeys(one.code for one in result.warnings if one.effect is not Effect.INFORMATION))
     said = [f"misses {', '.join(missed)}"] if missed else []
     return "; ".join(said + ([f"warns {', '.join(codes)}"] if codes else []))
 
@@ -178,7 +179,7 @@ def compared_rows(variants: Sequence[Variant]) -> Iterator[Row]:
         margins = [_least_margin(variant.result, names) for variant in variants]
         if set(margins) != {"–"}:
             yield Row(said, "", tuple(margins))
-    yield Row("Verdict", "", tuple(verdict(variant.result).value for variant in variants))
+    yield Row("Verdict", "", tuple(variant.result.verdict.value for variant in variants))
     open_checks = [len(variant.result.not_checked) if variant.result.outcome.solved else 0 for variant in variants]
     if any(open_checks):
         yield Row("Checks not made", "", tuple(map(str, open_checks)))

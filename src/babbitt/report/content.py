@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from babbitt.report import findings
-from babbitt.report import verdict as judge
 from babbitt.report.bearing_content import Data, bearing_content
 from babbitt.report.chapters import Chapter, chapters
 from babbitt.report.check_content import check_content
@@ -20,8 +19,7 @@ from babbitt.report.names import counted_results
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_lines, plain_text
 from babbitt.report.totals import Totals, totals
-from babbitt.report.verdict import Verdict
-from babbitt.results import Result
+from babbitt.results import Result, Verdict
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult
@@ -61,18 +59,17 @@ def content(machine: MachineResult) -> Data:
 
 
 def _count(results: Sequence[Result]) -> str:
-    found = Counter(judge.verdict(result) for result in results)
+    found = Counter(result.verdict for result in results)
     incomplete = any(result.not_checked for result in results)
     said = {
-        Verdict.OK: "within all limits and advice" + (" that could be checked" if incomplete else ""),
-        Verdict.ADVICE: "within the limits"
-        + (" that could be checked" if incomplete else "")
-        + ", against some advice",
+        Verdict.PASS: "within all limits" + (" that could be checked" if incomplete else ""),
+        Verdict.REMARKS: "within the limits" + (" that could be checked" if incomplete else "") + ", with remarks",
         Verdict.FAIL: "beyond a limit",
-        Verdict.UNSOLVED: "without a solution",
+        Verdict.NO_VERDICT: "without a verdict",
+        Verdict.NO_SOLUTION: "without a solution",
     }
     parts = [f"{found[word]} {words}" for word, words in said.items() if found[word]]
-    if not any(result.checks for result in results) and set(found) == {Verdict.OK}:
+    if not any(result.checks for result in results) and set(found) == {Verdict.PASS}:
         return ""
     return f"{counted_results([result.name for result in results])}: {', '.join(parts)}."
 
@@ -104,7 +101,7 @@ def _rows(parts: Sequence[Chapter], results: Sequence[Result]) -> list[Data]:
             "name": plain_text(result.name),
             "chapter": chapter_of[place],
             "cells": [cells[place] for cells in columns],
-            "verdict": judge.verdict(result).value,
+            "verdict": result.verdict.value,
             "unchecked": str(len(result.not_checked) or ""),
         }
         for place, result in enumerate(results)
@@ -134,8 +131,10 @@ def _findings(results: Sequence[Result]) -> list[Data]:
     sections = (
         ("No solution", findings.unsolved(results)),
         ("Limits violated", findings.missed_limits(results)),
-        ("Advice not followed", findings.missed_advice(results)),
-        ("Warnings", findings.gathered_warnings(results)),
+        ("No verdict", findings.no_verdict(results)),
+        ("Remarks", findings.remarks(results)),
+        ("Recommendations and screening indicators missed", findings.missed_advice(results)),
+        ("Information", findings.information(results)),
         ("Not checked, for want of data", findings.not_checked(results)),
     )
     return [

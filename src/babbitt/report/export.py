@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 from babbitt.notices import Notice
 from babbitt.report.totals import totals
-from babbitt.report.verdict import verdict
 from babbitt.results import Check, Matrix, Result
 
 if TYPE_CHECKING:
@@ -69,17 +68,20 @@ def escaped(text: str) -> str:
 def _bearing(result: Result) -> dict[str, Any]:
     numbers: dict[str, Any] = {**_finite(result.values)}
     numbers |= {name: [list(row) for row in rows] for name, rows in result.arrays.items() if _all_finite(rows)}
-    solved = result.outcome.solved
+    solved, governing = result.outcome.solved, result.governing_check
     record: dict[str, Any] = {
         "name": result.name,
         "kind": result.kind,
         "method": result.method,
         "status": result.outcome.name.lower(),
-        "verdict": verdict(result).key,
+        "verdict": result.verdict.key,
+        "within_limits": result.within_limits,
+        "governing_check": None if governing is None else governing.code,
+        "margin": _number(result.margin),
         "results": numbers if solved else {},
         "checks": [_check(check) for check in result.checks] if solved else [],
         "not_checked": _notices(result.not_checked),
-        "warnings": _notices(result.warnings),
+        "warnings": _warnings(result.warnings),
         "assumptions": list(result.assumptions),
         "settings": dict(result.settings),
         "message": result.message,
@@ -91,6 +93,11 @@ def _bearing(result: Result) -> dict[str, Any]:
 
 def _notices(notices: Iterable[Notice]) -> list[dict[str, str]]:
     return [{"code": notice.code, "message": notice.message} for notice in notices]
+
+
+def _warnings(notices: Iterable[Notice]) -> list[dict[str, str]]:
+    effects = [notice.effect.name.lower() for notice in notices]
+    return [{**told, "effect": effect} for told, effect in zip(_notices(notices), effects, strict=True)]
 
 
 def _finite(values: Mapping[str, float]) -> dict[str, float]:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from babbitt.notices import EXPLANATIONS, Notice
+from babbitt.notices import EXPLANATIONS, Effect, Notice, Subject
 from babbitt.quantities import QUANTITIES
 from babbitt.report.names import listed, shortened
 from babbitt.report.text import plain_text
@@ -84,9 +84,39 @@ def _missed(results: Sequence[Result], concerned: Callable[[Check], bool]) -> tu
     return tuple(groups)
 
 
-def gathered_warnings(results: Sequence[Result]) -> tuple[Group, ...]:
-    """Warnings of all bearings, one group a code."""
-    return _gathered(results, lambda result: result.warnings)
+def no_verdict(results: Sequence[Result]) -> tuple[Group, ...]:
+    """Why solved bearings are without a verdict: outside the validity of a model, or a subject without a check."""
+    return (*_warned(results, Effect.NO_VERDICT), *lacking(results))
+
+
+def remarks(results: Sequence[Result]) -> tuple[Group, ...]:
+    """Warnings that question a result, one group a code."""
+    return _warned(results, Effect.QUESTIONS_RESULT)
+
+
+def information(results: Sequence[Result]) -> tuple[Group, ...]:
+    """Warnings that change no verdict, one group a code."""
+    return _warned(results, Effect.INFORMATION)
+
+
+def _warned(results: Sequence[Result], effect: Effect) -> tuple[Group, ...]:
+    return _gathered(results, lambda result: [one for one in result.warnings if one.effect is effect])
+
+
+def lacking(results: Sequence[Result]) -> Iterator[Group]:
+    """One group for each subject of which no check could be made, with what the first bearing concerned lacks."""
+    for subject in Subject:
+        found = [result for result in results if result.outcome.solved and subject in result.lacking]
+        if found:
+            missing = [one for one in found[0].not_checked if EXPLANATIONS[one.code].subject is subject]
+            reasons = dict.fromkeys(plain_text(one.message) for one in missing)
+            yield Group(
+                ", ".join(dict.fromkeys(one.code for one in missing)),
+                f"No check of the {subject.value} could be made",
+                tuple(result.name for result in found),
+                _names(results),
+                "; ".join(reasons),
+            )
 
 
 def not_checked(results: Sequence[Result]) -> tuple[Group, ...]:

@@ -9,7 +9,6 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from babbitt.quantities import QUANTITIES
-from babbitt.report import verdict as judge
 from babbitt.report.bearing_table import STYLES, engineers_table
 from babbitt.report.columns import ABSENT
 from babbitt.report.meanings import meaning
@@ -43,7 +42,7 @@ def heel_table(results: Sequence[Result]) -> RenderableType:
         cells = [values.get(name, math.nan) for values in solved]
         written = [quantity.format(value) if math.isfinite(value) else ABSENT for value in cells]
         table.add_row(meaning(name, results[0].kind), quantity.symbol, quantity.display.label, *written)
-    words = [judge.verdict(result) for result in results]
+    words = [result.verdict for result in results]
     stable = [
         {"yes": "stable", "no": "not stable"}.get(result.settings.get("stable", ""), "") for result in results
     ]

@@ -11,12 +11,11 @@ from rich.text import Text
 from babbitt.files.spreadsheet import Cell, rows_text
 from babbitt.interop.unit_names import static_column
 from babbitt.quantities import QUANTITIES
-from babbitt.report import verdict as judge
 from babbitt.report.bearing_table import STYLES, engineers_table
 from babbitt.report.sweep_columns import sweep_columns
 from babbitt.report.table import console, fitting
 from babbitt.report.text import plain_text
-from babbitt.report.verdict import Verdict
+from babbitt.results import Verdict
 from babbitt.studies.case_sweep import CaseSweep
 
 REFUSED = "refused"
@@ -43,10 +42,10 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
     cells = list(zip(*(column.cells(results) for column in columns), strict=True)) or [()] * len(results)
     answered = zip(rows, cells, strict=True)
     lines = [
-        (place, result.name, line, judge.verdict(result).value, STYLES[judge.verdict(result)])
+        (place, result.name, line, result.verdict.value, STYLES[result.verdict])
         for (place, result), line in answered
     ]
-    lines += [(place, "", ("",) * len(columns), REFUSED, STYLES[Verdict.UNSOLVED]) for place in sweep.refused]
+    lines += [(place, "", ("",) * len(columns), REFUSED, STYLES[Verdict.NO_SOLUTION]) for place in sweep.refused]
     for place, bearing, line, word, style in sorted(lines, key=lambda one: one[0]):
         name = (Text(plain_text(bearing)),) if named else ()
         table.add_row(Text(plain_text(shown[place])), *name, *map(Text, line), Text(word, style=style))
@@ -56,7 +55,7 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
             Text(f"Left out for want of width: {', '.join(column.heading for column in hidden)}", style="dim")
         )
     for place, result in rows:
-        if judge.verdict(result) is Verdict.UNSOLVED:
+        if result.verdict is Verdict.NO_SOLUTION:
             to.print(Text(f"{sweep.path} {sweep.values.texts[place]}, {result.name}: {result.outcome.value}"))
     for reason in sweep.refused.values():
         to.print(Text(plain_text(reason)))

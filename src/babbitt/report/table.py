@@ -12,7 +12,6 @@ from rich.padding import Padding
 from rich.text import Text
 
 from babbitt.report import findings
-from babbitt.report import verdict as judge
 from babbitt.report.bearing_table import STYLES, bearing_table, engineers_table
 from babbitt.report.columns import Column, columns_of, is_film
 from babbitt.report.heel_table import heel_table
@@ -20,7 +19,6 @@ from babbitt.report.names import counted_results
 from babbitt.report.text import plain_text
 from babbitt.report.thrust_words import answers
 from babbitt.report.totals import totals
-from babbitt.report.verdict import Verdict
 from babbitt.results import Result
 
 if TYPE_CHECKING:
@@ -107,7 +105,7 @@ def _machine(name: str, results: Sequence[Result], width: int) -> RenderableType
         table.add_column(Text(f"checks\n{NOT_CHECKED}"), justify="right", no_wrap=True)
     rows = zip(*(column.cells(results) for column in shown), strict=True) if shown else ((),) * len(results)
     for result, cells in zip(results, rows, strict=True):
-        word = judge.verdict(result)
+        word = result.verdict
         missing = [Text(str(len(result.not_checked)) if result.not_checked else "")] if incomplete else []
         name_and_cells = (Text(plain_text(result.name)), *map(Text, cells))
         table.add_row(*name_and_cells, Text(word.value, style=STYLES[word]), *missing)
@@ -126,7 +124,10 @@ def fitting(columns: Sequence[Column], results: Sequence[Result], width: int) ->
     shown = list(columns)
 
     def needed() -> int:
-        name, word = min(NAME_WIDTH, _longest_name(results)), len(Verdict.UNSOLVED.value)
+        name, word = (
+            min(NAME_WIDTH, _longest_name(results)),
+            max(len(one.value) for one in {result.verdict for result in results}),
+        )
         return name + word + sum(_column_width(column, results) + GAP for column in shown) + 2 * GAP
 
     while shown and needed() > width:
@@ -151,9 +152,11 @@ def _remarks(results: Sequence[Result]) -> list[RenderableType]:
     sections = (
         ("No solution", findings.unsolved(results), "bold red"),
         ("Limits violated", findings.missed_limits(results), "bold red"),
-        ("Advice", findings.missed_advice(results), "yellow"),
-        ("Warnings", findings.gathered_warnings(results), "yellow"),
-        ("Not checked", findings.not_checked(results), "yellow"),
+        ("No verdict", findings.no_verdict(results), "bold yellow"),
+        ("Remarks", findings.remarks(results), "yellow"),
+        ("Recommendations and screening indicators missed", findings.missed_advice(results), "default"),
+        ("Information", findings.information(results), "default"),
+        ("Not checked", findings.not_checked(results), "default"),
     )
     for heading, groups, style in sections:
         if groups:

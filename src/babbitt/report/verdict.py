@@ -1,4 +1,4 @@
-"""What a result says about a bearing in one word, and how a check reads."""
+"""How verdicts and checks read."""
 
 from __future__ import annotations
 
@@ -8,39 +8,21 @@ from enum import Enum
 
 from babbitt.quantities import QUANTITIES
 from babbitt.report.text import counted
-from babbitt.results import Bound, Check, Result
+from babbitt.results import Bound, Check, Result, Verdict
 
 
-class Verdict(Enum):
-    """The judgement of one bearing, readable without colour."""
+class CheckWord(Enum):
+    """How one comparison with a limit came out."""
 
-    OK = "ok"
-    ADVICE = "advice"
-    FAIL = "FAIL"
-    UNSOLVED = "no solution"
-
-    @property
-    def key(self) -> str:
-        """The word for programs: ``ok``, ``advice``, ``fail``, ``no_solution``."""
-        return self.value.lower().replace(" ", "_")
-
-
-def verdict(result: Result) -> Verdict:
-    """Judge one result.
-
-    A missed limit outweighs missed advice; an unsolved result has no operating point to judge.
-    """
-    if not result.outcome.solved:
-        return Verdict.UNSOLVED
-    if not result.within_limits:
-        return Verdict.FAIL
-    return Verdict.OK if all(check.ok for check in result.checks) else Verdict.ADVICE
+    PASS = "pass"
+    MISSED = "missed"
+    FAIL = "fail"
 
 
 def worst_verdict(results: Iterable[Result]) -> Verdict:
     """The gravest verdict of several results."""
     order = list(Verdict)
-    return max((verdict(result) for result in results), key=order.index)
+    return max((result.verdict for result in results), key=order.index)
 
 
 def unchecked(result: Result) -> str:
@@ -52,16 +34,16 @@ def unchecked(result: Result) -> str:
     return f"{counted(number, 'check')} not made" if number else ""
 
 
-def check_verdict(check: Check) -> Verdict:
-    """Judge one comparison."""
+def check_word(check: Check) -> CheckWord:
+    """Whether a limit is kept; a recommendation or a screening indicator is missed without failing."""
     if check.ok:
-        return Verdict.OK
-    return Verdict.ADVICE if check.advisory else Verdict.FAIL
+        return CheckWord.PASS
+    return CheckWord.MISSED if check.advisory else CheckWord.FAIL
 
 
 def governing(result: Result, quantity: str) -> Check | None:
-    """The strictest limit on a quantity, advice left aside; it may hold for the starved film instead."""
-    checks = [c for c in result.checks if c.quantity.removeprefix("starved_") == quantity and not c.advisory]
+    """The strictest limit on a quantity, recommendations left aside; it may hold for the starved film."""
+    checks = [check for check in result.limits if check.quantity.removeprefix("starved_") == quantity]
     return min(checks, key=lambda check: check.margin, default=None)
 
 

@@ -19,6 +19,7 @@ from babbitt.shaft_line.values import bearables, line_arrays, line_values
 from babbitt.thrust.assumed import oil_assumptions
 from babbitt.thrust.doubts import share_doubts
 from babbitt.thrust.failures import NoPadFilmError
+from babbitt.thrust.pressure_limits import pressures_not_checked
 
 __all__ = ["line_check"]
 
@@ -54,7 +55,11 @@ def line_check(design: LineDesign) -> Result:
         values,
         tuple(_checks(design, values)),
         (*thrust.doubts, *share_doubts(thrust, answer.static), *line_doubts(design, answer)),
-        (*_not_checked(design), *thrust.temperatures.not_checked(values)),
+        (
+            *_not_checked(design),
+            *thrust.temperatures.not_checked(values),
+            *pressures_not_checked(thrust.temperatures.given_metal),
+        ),
         (
             *design.lubricant.assumptions,
             *thrust.assumptions,

@@ -13,7 +13,7 @@ from babbitt.thrust.assumed import oil_assumptions
 from babbitt.thrust.design import ThrustDesign, ThrustState, bearing_state
 from babbitt.thrust.doubts import LEAST_SHARE, share_doubts
 from babbitt.thrust.failures import NoPadFilmError
-from babbitt.thrust.pressure_limits import pressure_checks
+from babbitt.thrust.pressure_limits import pressure_checks, pressures_not_checked
 from babbitt.thrust.sharing import share_of
 from babbitt.thrust.standing import standing_on_runout
 from babbitt.thrust.values import pad_arrays, share_values
@@ -78,7 +78,7 @@ def thrust_check(design: ThrustDesign) -> Result:
         values,
         (limit, *design.temperatures.checks(values), *pressure_checks(design.temperatures.given_metal, values)),
         (*design.doubts, *share_doubts(design, state), *of_runout),
-        tuple(design.temperatures.not_checked(values)),
+        (*design.temperatures.not_checked(values), *pressures_not_checked(design.temperatures.given_metal)),
         (
             *design.lubricant.assumptions,
             *design.assumptions,

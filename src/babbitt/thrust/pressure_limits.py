@@ -6,17 +6,18 @@ from collections.abc import Iterator, Mapping
 
 from babbitt.design.checks import SLOW_UP_TO
 from babbitt.materials import BearingMetal, LoadCharacter, bearing_metal, specific_load_limit
+from babbitt.notices import Notice
 from babbitt.results import Bound, Check
 from babbitt.thrust.temperature_limits import ASSUMED_METAL
 
-__all__ = ["PRESSURE", "pressure_checks"]
+__all__ = ["PRESSURE", "pressure_checks", "pressures_not_checked"]
 
 PRESSURE = "largest_specific_load"
 """Name of the mean pressure of the pad that carries most."""
 
 
 def pressure_checks(given_metal: BearingMetal | None, values: Mapping[str, float]) -> Iterator[Check]:
-    """C103 and C105, as of journal bearings; advice for the metal that is assumed where none is given.
+    """C103 and C105, as of journal bearings; recommendations for the metal that is assumed where none is given.
 
     Parameters
     ----------
@@ -37,3 +38,17 @@ def pressure_checks(given_metal: BearingMetal | None, values: Mapping[str, float
     if (of_metal := metal.limits(LoadCharacter.CALM).specific_load) is not None:
         source = f"{assumed}{of_metal.source}"
         yield Check("C105", PRESSURE, pressure, of_metal.value, Bound.AT_MOST, source, advisory)
+
+
+def pressures_not_checked(given_metal: BearingMetal | None) -> Iterator[Notice]:
+    """Which of these checks lack data: without a metal they are recommendations only."""
+    if given_metal is None:
+        yield from (
+            Notice(code, "no bearing metal is given (materials: bearing_metal)") for code in ("C103", "C105")
+        )
+        return
+    missing = f"no public limit of {given_metal.name} is on board"
+    if specific_load_limit(given_metal.family) is None:
+        yield Notice("C103", missing)
+    if given_metal.limits(LoadCharacter.CALM).specific_load is None:
+        yield Notice("C105", missing)

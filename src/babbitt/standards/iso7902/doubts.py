@@ -9,7 +9,7 @@ from babbitt.notices import Notice
 from babbitt.results import Check
 from babbitt.standards.iso7902.film import Film
 from babbitt.standards.iso7902.model import Curves, DesignCase
-from babbitt.standards.iso7902.screening import WHIRL_FEARED_BELOW, Transition
+from babbitt.standards.iso7902.screening import Transition
 from babbitt.standards.iso7902.supply import (
     FIT_RANGE,
     LOGARITHM_UP_TO,
@@ -73,12 +73,6 @@ def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:
 def _of_running(
     case: DesignCase, values: Mapping[str, float], checks: tuple[Check, ...], change: Transition | None
 ) -> Iterator[Notice]:
-    eccentricity = values["eccentricity_ratio"]
-    clearance, least = values["operating_relative_clearance"], values["stability_relative_clearance"]
-    if eccentricity < WHIRL_FEARED_BELOW:
-        yield Notice("W108", f"ε = {eccentricity:.2f} < {WHIRL_FEARED_BELOW:g}: whirl is possible (Dmitriev)")
-    elif clearance < least:
-        yield Notice("W108", f"ψ_eff = {clearance * 1e3:.2f} ‰ < {least * 1e3:.2f} ‰: whirl is possible (Orlov)")
     yield from doubts_about_running(case, values, checks)
     if change is not None and change.beyond_tables:
         yield Notice("W112", "the film limit lies beyond the tables; the transition speed is an upper bound")

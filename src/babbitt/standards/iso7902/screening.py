@@ -7,12 +7,6 @@ from dataclasses import dataclass
 
 from babbitt.characteristics import BearingCurves
 
-WHIRL_SAFE_FROM = 0.60
-"""Eccentricity ratio above which self-excited whirl is not feared (Dmitriev)."""
-
-WHIRL_FEARED_BELOW = 0.55
-"""Eccentricity ratio below which self-excited whirl is possible (Dmitriev)."""
-
 
 def orlov_relative_clearance(
     viscosity: float, hydrodynamic_speed: float, specific_load: float, width_ratio: float

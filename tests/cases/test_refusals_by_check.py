@@ -1,0 +1,78 @@
+"""What `solve` refuses is refused by `check`, with file, line and field; the other files of a run are solved."""
+
+import pytest
+
+from babbitt.cases import parse_case, template
+from babbitt.cases.loading import located
+from babbitt.cli import main
+from babbitt.notices import InputError
+from babbitt.solving import refusal_of
+
+
+@pytest.fixture
+def run(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+
+    def of(*words):
+        monkeypatch.setattr("sys.argv", ["babbitt", *words])
+        with pytest.raises(SystemExit) as caught:
+            main()
+        said = capsys.readouterr()
+        return caught.value.code or 0, said.out, said.err
+
+    return of
+
+
+def unbalanced() -> str:
+    """A thrust bearing on pivots so far inside that no tilt balances its pads."""
+    return template("thrust").replace("radius: 290 mm, fraction: 0.60}   #", "radius: 250 mm, fraction: 0.60}   #")
+
+
+def test_pads_that_do_not_balance_are_refused_by_check(run, tmp_path):
+    text = unbalanced()
+    (tmp_path / "leaning.yaml").write_text(text)
+    (tmp_path / "sound.yaml").write_text(template("hydrostatic_pad"))
+    line = text.splitlines().index(next(one for one in text.splitlines() if one.startswith("  pivot:"))) + 1
+    status, out, err = run("check", "leaning.yaml", "sound.yaml")
+    assert status == 2
+    assert err.startswith(f"leaning.yaml:{line}: pads.pivot: ")
+    assert "[E202]" in err
+    assert "sound.yaml: usable" in out
+
+
+def test_the_other_files_of_a_run_are_solved(run, tmp_path):
+    (tmp_path / "leaning.yaml").write_text(unbalanced())
+    (tmp_path / "sound.yaml").write_text(template("hydrostatic_pad"))
+    (tmp_path / "made").mkdir()
+    status, out, err = run("solve", "leaning.yaml", "sound.yaml", "--json", "made")
+    assert status == 2
+    assert "leaning.yaml:" in err
+    assert "pads.pivot" in err
+    assert parse_case(template("hydrostatic_pad")).name in out
+    assert [path.name for path in (tmp_path / "made").iterdir()] == ["sound.json"]
+
+
+@pytest.mark.parametrize(
+    ("message", "field"),
+    [
+        ("side_flow is 3; it must be less.", ""),
+        ("diameter is 3; it must be less.", "diameter"),
+        ("the load is too large for the supply_pressure", ""),
+        ("nothing fits: see load_angle", "load_angle"),
+        ("the diameter is wrong", ""),
+    ],
+)
+def test_a_refusal_is_told_at_the_field_that_it_names(message, field):
+    text = template("journal")
+    problem = located(InputError("E101", message), parse_case(text), "a.yaml").problems[0]
+    assert (problem.file, problem.field, problem.code) == ("a.yaml", field, "E101")
+    lines = [number for number, line in enumerate(text.splitlines(), 1) if field and line.startswith(f"{field}:")]
+    assert problem.line == (lines[0] if lines else problem.line)
+
+
+@pytest.mark.parametrize(
+    "kind",
+    ["journal", "machine", "overhung_coupling", "screw_heel", "thrust", "jacking_pocket"],
+)
+def test_templates_are_refused_by_no_one(kind):
+    assert refusal_of(parse_case(template(kind))) is None
