@@ -18,7 +18,7 @@ JOURNAL: tuple[Quantity, ...] = (
     # operation
     quantity("load", "F", "N", "kN", 4, "Bearing load"),
     quantity(
-        "specific_load", "p̄", "Pa", "MPa", 3, "Load per projected area F/(B D), F/((B - b_G) D) of half bearings"
+        "specific_load", "p̄", "Pa", "MPa", 3, "Load per projected area F/(B D)"
     ),
     quantity(
         "angular_speed",
