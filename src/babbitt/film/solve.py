@@ -30,6 +30,7 @@ from babbitt.film._integrals import (
 from babbitt.film._positions import film_at, find_depth, find_near
 from babbitt.film._structs import LAND_COLUMNS, Axial, Bearing, Grid
 from babbitt.film.axial import even_axial_operator
+from babbitt.film.frame import LoadFrame
 from babbitt.film.model import ENGINEERING, Cavitation, FilmStart, JournalFilm, Land, Resolution
 from babbitt.film.operators import kernel_operator
 from babbitt.film.scales import Scales
@@ -75,12 +76,14 @@ def solve_journal(
         from babbitt.film.half_sommerfeld import half_sommerfeld_equilibrium
 
         return half_sommerfeld_equilibrium(film, load, resolution)
+    frame = LoadFrame.of(film, load)
+    film, load = frame.film, frame.load
     found = equilibrium_from(film, load, resolution, max_steps, None)
-    if found.outcome.solved or film.film_start is FilmStart.WIDEST_GAP or not any(load):
-        return found
-    from babbitt.film.loaded_side import from_loaded_side
+    if not found.outcome.solved and film.film_start is not FilmStart.WIDEST_GAP and any(load):
+        from babbitt.film.loaded_side import from_loaded_side
 
-    return from_loaded_side(film, load, resolution, max_steps, found)
+        found = from_loaded_side(film, load, resolution, max_steps, found)
+    return frame.back(found)
 
 
 def equilibrium_from(

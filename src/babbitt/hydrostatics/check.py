@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from babbitt.hydrostatics.answer import Answer, answer, coarser
+from babbitt.hydrostatics.answer import Answer, answer, answer_at, coarser
 from babbitt.hydrostatics.capacity import capacity
 from babbitt.hydrostatics.extrapolation import half_of, richardson, richardson_of_matrices
 from babbitt.hydrostatics.friction import friction_power
@@ -32,6 +32,8 @@ OUTCOMES = {
 }
 USER = "set in the case"
 MOST_ROUNDS = 60
+THROTTLED, OPEN = 0.3, 0.8
+"""Recess over supply pressure of the centred journal outside which restrictors are to be changed: as of W302."""
 
 
 def hydrostatic_check(case: HydrostaticCase) -> Result:
@@ -74,6 +76,7 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
             "supply_temperature": case.oil.supply_temperature,
             "outlet_temperature": case.oil.supply_temperature + named["temperature_rise"],
         }
+        named |= heat_balance(case, found)
     if case.least_gap is not None:
         limit = capacity(case)
         named |= {} if limit is None else {"load_capacity": limit}
@@ -112,13 +115,27 @@ def warmed(case: HydrostaticCase) -> tuple[HydrostaticCase, Answer]:
         found = answer(case)
         if found.ending is not Ending.SOLVED:
             return case, found
-        flow = float(found.network.flows.sum())
-        lost = float(found.network.pressures @ found.network.flows) + friction_power(case, found)
+        flow, lost = float(found.network.flows.sum()), lost_in_film(case, found)
         wanted = supply + lost / (case.oil.density * case.oil.heat_capacity * flow)
         if abs(wanted - temperature) < 1e-3:
             break
         temperature += 0.5 * (min(wanted, 573.15) - temperature)
     return case, found
+
+
+def lost_in_film(case: HydrostaticCase, found: Answer) -> float:
+    """Power that warms the oil in the film, W: friction, and the pressure lost from the recesses on."""
+    return float(found.network.pressures @ found.network.flows) + friction_power(case, found)
+
+
+def heat_balance(case: HydrostaticCase, found: Answer) -> dict[str, float]:
+    """Power that the oil of the film does not carry off at its temperature, over that which warms it."""
+    oil = case.oil
+    if oil.temperature is None or oil.supply_temperature is None:
+        return {}
+    carried = oil.density * oil.heat_capacity * float(found.network.flows.sum())
+    lost = lost_in_film(case, found)
+    return {"energy_balance_error": abs(1.0 - carried * (oil.temperature - oil.supply_temperature) / lost)}
 
 
 def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
@@ -169,8 +186,26 @@ def overloaded(case: HydrostaticCase, found: Answer) -> str:
         )
     return (
         f"the load is {1e-3 * load:.4g} kN; up to about {1e-3 * share * load:.4g} kN were carried "
-        f"({100.0 * share:.0f} %). Raise the supply pressure or the recess area, or widen restrictors"
+        f"({100.0 * share:.3g} %). Raise the supply pressure or the recess area{about_restrictors(case)}"
     )
+
+
+def about_restrictors(case: HydrostaticCase) -> str:
+    """Which way to change the restrictors of an overloaded bearing.
+
+    Where a pad touches, its recess has the pressure of the supply whatever the restrictor. A journal is carried by
+    the difference of its recesses, which open restrictors do not let arise, nor those that let hardly any oil in.
+    """
+    if not case.is_journal or is_pumped(case):
+        return ""
+    centred = answer_at(replace(case, accuracy="draft"), np.zeros(2), case.rest_gap)
+    if centred.ending is not Ending.SOLVED:
+        return ""
+    ratio = float(centred.network.pressures.mean()) / centred.network.supply_pressure
+    says = f"where the journal is centred its recesses have {100.0 * ratio:.3g} % of the supply pressure"
+    if ratio > OPEN:
+        return f"; {says}: narrow the restrictors, so that pressures can differ"
+    return f"; {says}: widen the restrictors" if ratio < THROTTLED else ""
 
 
 def checks(case: HydrostaticCase, found: Answer, named: dict[str, float]) -> list[Check]:
