@@ -17,9 +17,7 @@ JOURNAL: tuple[Quantity, ...] = (
     quantity("expansion_journal", "α_J", "1/K", "1e-6/K", 3, "Thermal expansion of the journal"),
     # operation
     quantity("load", "F", "N", "kN", 4, "Bearing load"),
-    quantity(
-        "specific_load", "p̄", "Pa", "MPa", 3, "Load per projected area F/(B D)"
-    ),
+    quantity("specific_load", "p̄", "Pa", "MPa", 3, "Load per projected area F/(B D)"),
     quantity(
         "angular_speed",
         "ω_J",
