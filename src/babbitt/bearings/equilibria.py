@@ -128,7 +128,8 @@ def _near(film: JournalFilm, one: FilmSolution, other: FilmSolution) -> bool:
 
 def _starts(film: JournalFilm, load: Array, directions: int) -> Iterator[Array]:
     """Middles of the cells around which the force turns."""
-    angles = np.arange(directions) * (2.0 * math.pi / directions)
+    towards_load = math.atan2(load[1], load[0])  # rays as the load has them, not the frame
+    angles = towards_load + np.arange(directions) * (2.0 * math.pi / directions)
     outline = clearance_outline(film, np.asarray(angles, dtype=np.float64))
     rays = outline[:, None] * np.stack((np.cos(angles), np.sin(angles)), axis=1)
     nodes = np.concatenate((np.zeros((1, directions, 2)), np.multiply.outer(DEPTHS, rays)))

@@ -16,6 +16,7 @@ __all__ = ["doubts_about_whirl", "whirl_checks", "whirl_values"]
 def whirl_values(case: FilmCase, whirl: Whirl) -> dict[str, float]:
     """Critical mass, whirl frequency and threshold speed, for a rigid rotor and on its elastic shaft, SI."""
     values = {"rotor_mass": whirl.rotor_mass, "whirl_frequency_ratio": whirl.frequency_ratio}
+    values["stable_at_any_mass"] = float(math.isinf(whirl.critical_mass))
     if math.isfinite(whirl.critical_mass):
         values["critical_mass"] = whirl.critical_mass
     if whirl.threshold_speed is not None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.film.frame import LoadFrame
 from babbitt.film.model import JournalFilm, Resolution
 
 if TYPE_CHECKING:
@@ -34,6 +35,15 @@ def equilibrium_near(
     Powell's hybrid method is quick, but updates the stiffness by secants and gets lost where it rises steeply;
     least squares with the exact stiffness at every step are tried then.
     """
+    frame = LoadFrame.of(film, load)
+    found = _in_its_frame(frame.film, frame.load, frame.place(start), resolution)
+    return None if found is None else frame.back(found)
+
+
+def _in_its_frame(
+    film: JournalFilm, load: tuple[float, float], start: tuple[float, float], resolution: Resolution
+) -> FilmSolution | None:
+    """`equilibrium_near` of a film whose load points down."""
     from scipy.optimize import least_squares, root
 
     from babbitt.film.solve import film_at_position

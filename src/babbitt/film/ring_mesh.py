@@ -125,12 +125,12 @@ def ring_lines(film: JournalFilm, start: float, per_turn: int, density: Density 
 
 
 def marked_angles(start: float, arcs: list[tuple[float, float]]) -> Array:
-    """Edges of arcs over the turn that begins at ``start``, both its ends included, ascending."""
-    edges = {0.0, TURN}
-    for arc in arcs:
-        for edge in arc:
-            edges.add(round((edge - start + 1e-9) % TURN - 1e-9, 10) + 0.0)
-    marks = np.array(sorted(edge for edge in edges if edge >= 0.0))
+    """Edges of arcs over the turn that begins at ``start``, both its ends included, ascending.
+
+    Edges closer than 1e-8 rad are one. None is rounded: that would lay the lines by the frame, not by the edges.
+    """
+    edges = [(edge - start + 1e-9) % TURN - 1e-9 for arc in arcs for edge in arc]
+    marks = np.array([0.0, *sorted(edge for edge in edges if edge > 1e-8), TURN])
     marks = start + marks[np.concatenate(([True], np.diff(marks) > 1e-8))]
     marks[-1] = start + TURN
     return np.asarray(marks)

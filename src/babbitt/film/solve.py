@@ -24,12 +24,14 @@ from babbitt.film._integrals import (
     OUTFLOW,
     SIDE_FLOW,
     SIDE_INFLOW,
+    STREAMER_TORQUE,
     TOTALS,
     integrate,
 )
 from babbitt.film._positions import film_at, find_depth, find_near
 from babbitt.film._structs import LAND_COLUMNS, Axial, Bearing, Grid
 from babbitt.film.axial import even_axial_operator
+from babbitt.film.frame import LoadFrame
 from babbitt.film.model import ENGINEERING, Cavitation, FilmStart, JournalFilm, Land, Resolution
 from babbitt.film.operators import kernel_operator
 from babbitt.film.scales import Scales
@@ -75,12 +77,14 @@ def solve_journal(
         from babbitt.film.half_sommerfeld import half_sommerfeld_equilibrium
 
         return half_sommerfeld_equilibrium(film, load, resolution)
+    frame = LoadFrame.of(film, load)
+    film, load = frame.film, frame.load
     found = equilibrium_from(film, load, resolution, max_steps, None)
-    if found.outcome.solved or film.film_start is FilmStart.WIDEST_GAP or not any(load):
-        return found
-    from babbitt.film.loaded_side import from_loaded_side
+    if not found.outcome.solved and film.film_start is not FilmStart.WIDEST_GAP and any(load):
+        from babbitt.film.loaded_side import from_loaded_side
 
-    return from_loaded_side(film, load, resolution, max_steps, found)
+        found = from_loaded_side(film, load, resolution, max_steps, found)
+    return frame.back(found)
 
 
 def equilibrium_from(
@@ -297,6 +301,7 @@ def assemble(
         end_flows=np.full(2, 0.5 * totals[:, SIDE_FLOW].sum() * scales.flow),
         side_inflow=float(totals[:, SIDE_INFLOW].sum() * scales.flow),
         friction_torque=float(totals[:, JOURNAL_TORQUE].sum() * scales.torque),
+        streamer_torque=float(totals[:, STREAMER_TORQUE].sum() * scales.torque),
         bearing_torque=float(totals[:, BEARING_TORQUE].sum() * scales.torque),
         mass_balance_error=float(np.abs(totals[:, IMBALANCE]).sum() / max(abs(inflow), 1e-300)),
         iterations=steps,

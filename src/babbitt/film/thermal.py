@@ -24,13 +24,20 @@ from babbitt.film._equilibrium import (
     TOO_MANY_STEPS,
     damped_step,
 )
+from babbitt.film.frame import LoadFrame
 from babbitt.film.general import Effort, Sample, SettledRing, line_density
 from babbitt.film.general import rest as carry
 from babbitt.film.heat import THERMAL_ENGINEERING, FilmHeat
 from babbitt.film.model import Cavitation, JournalFilm, Resolution
 from babbitt.film.ring import build_ring
 from babbitt.film.ring_mesh import Density
-from babbitt.film.ring_solution import mirrored, solution_of, supply_order
+from babbitt.film.ring_solution import (
+    couette_shear,
+    mirrored,
+    solution_of,
+    streamer_shear,
+    supply_order,
+)
 from babbitt.film.scales import Scales
 from babbitt.film.thermal_solution import ThermalFilm, thermal_film
 from babbitt.film.warm_ring import WarmRing
@@ -90,9 +97,9 @@ class WarmRest:
 
 @dataclass(frozen=True, eq=False)
 class Posed:
-    """A film as it was given and as it is solved, turning forwards, with its dimensionless load."""
+    """A film in the frame of its load and as it is solved, turning forwards, with its dimensionless load."""
 
-    film: JournalFilm
+    frame: LoadFrame
     seen: JournalFilm
     scales: Scales
     load: Array
@@ -125,7 +132,7 @@ def solve_thermal_journal(
     """
     begun, asked = time.perf_counter(), posed(film, load)
     found = search(asked.seen, heat, asked.scales, asked.load, resolution)
-    return answer(film, asked.seen, asked.scales, found, begun)
+    return answer(asked.frame, asked.seen, asked.scales, found, begun)
 
 
 def posed(film: JournalFilm, load: tuple[float, float]) -> Posed:
@@ -138,8 +145,10 @@ def posed(film: JournalFilm, load: tuple[float, float]) -> Posed:
     if film.cavitation is not Cavitation.MASS_CONSERVING:
         raise InputError("E101", f"cavitation is {film.cavitation.name.lower()}; oil that comes from nowhere, "
                          "where a film forms anew, has no temperature. Choose mass_conserving.")  # fmt: skip
-    seen, scales = turning_forwards(film)
-    return Posed(film, seen, scales, np.asarray(load) * scales.sense / scales.force)
+    turning_forwards(film)  # refuses what is no thermal film
+    frame = LoadFrame.of(film, load)
+    seen, scales = turning_forwards(frame.film)
+    return Posed(frame, seen, scales, np.asarray(frame.load) * scales.sense / scales.force)
 
 
 def turning_forwards(film: JournalFilm) -> tuple[JournalFilm, Scales]:
@@ -170,12 +179,14 @@ def thermal_film_at(
         E101 if the journal stands still or viscosity under pressure is asked for.
     """
     begun = time.perf_counter()
-    seen, scales = turning_forwards(film)
-    at = np.asarray(position) * scales.sense / scales.length
+    turning_forwards(film)  # refuses what is no thermal film
+    frame = LoadFrame.of(film, position)
+    seen, scales = turning_forwards(frame.film)
+    at = np.asarray(frame.load) * scales.sense / scales.length
     warm = fresh_ring(seen, heat, scales, 2 * resolution.intervals, resolution, None)
     gap = warm.sample.gap(at)
     if not gap > 0.0:
-        return answer(film, seen, scales, WarmRest(warm, at, NO_FILM, 0, gap), begun)
+        return answer(frame, seen, scales, WarmRest(warm, at, NO_FILM, 0, gap), begun)
     status, passes = TOO_MANY_STEPS, 0
     while passes < MOST_PASSES and status != CONVERGED:
         passes += 1
@@ -187,7 +198,7 @@ def thermal_film_at(
         from babbitt.film.thermal_recovery import mixed_rest
 
         found = mixed_rest(warm, None, at, resolution.tolerance, settled)
-    return answer(film, seen, scales, found, begun)
+    return answer(frame, seen, scales, found, begun)
 
 
 def search(film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution) -> WarmRest:
@@ -332,8 +343,8 @@ def polished(found: WarmRest) -> WarmRest:
     return replace(found, position=at, gap=gap)
 
 
-def answer(film: JournalFilm, seen: JournalFilm, scales: Scales, found: WarmRest, begun: float) -> ThermalFilm:
-    """Close the heat balance, solve for the coefficients, and gather everything in SI and in the fixed frame."""
+def answer(frame: LoadFrame, seen: JournalFilm, scales: Scales, found: WarmRest, begun: float) -> ThermalFilm:
+    """Close the heat balance, solve for the coefficients; everything in SI and in the frame as given."""
     warm = found.warm
     if found.status == CONVERGED:
         found = polished(found)
@@ -343,6 +354,21 @@ def answer(film: JournalFilm, seen: JournalFilm, scales: Scales, found: WarmRest
     settled = SettledRing(seen, warm.sample, found.position, found.status, found.passes, found.gap)
     x, y = found.position
     turning = float(x * warm.sample.force[1] - y * warm.sample.force[0])  # of load and reaction, e apart
-    torques = warm.friction, warm.friction - turning
-    solution = solution_of(film, scales, settled, torques, begun)
-    return thermal_film(solution, scales, warm, supply_order(film, seen))
+    surface = warm.sample.ring.surface
+    viscosity = warm.flows.shear_viscosity[: surface.step.size][:, warm.columns.column[surface.node]]
+    streamers = streamer_shear(settled, couette_shear(settled, viscosity))
+    torques = warm.friction, warm.friction - turning, streamers
+    solution = solution_of(frame.film, scales, settled, torques, begun)
+    return turned_back(frame, thermal_film(solution, scales, warm, supply_order(frame.film, seen)))
+
+
+def turned_back(frame: LoadFrame, found: ThermalFilm) -> ThermalFilm:
+    """A thermal film that was solved in the frame of its load, in that in which it was given."""
+    order = frame.supplies(found.groove_temperatures.size)
+    return replace(
+        found,
+        film=frame.back(found.film),
+        groove_temperatures=found.groove_temperatures[order],
+        fresh_flow=found.fresh_flow[order],
+        returned_flow=found.returned_flow[order],
+    )

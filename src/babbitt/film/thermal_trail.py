@@ -75,7 +75,7 @@ class ThermalTrail:
     def _noted(self, asked: Posed, found: WarmRest, begun: float) -> ThermalFilm:
         if found.status == CONVERGED:
             self.last = found
-        return answer(asked.film, asked.seen, asked.scales, found, begun)
+        return answer(asked.frame, asked.seen, asked.scales, found, begun)
 
 
 def _beside(last: WarmRest, asked: Posed, heat: FilmHeat, resolution: Resolution) -> WarmRest:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from babbitt.design.roots import bracketed_root
+from babbitt.design.roots import bracketed_root, find_root
 from babbitt.hydrostatics.answer import MOST_OPEN, Answer, answer_at, load_vector
 from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad
 from babbitt.hydrostatics.model import HydrostaticCase
@@ -78,6 +78,9 @@ def straight_at(case: HydrostaticCase, depth: float) -> Answer | None:
 
     attitude = 0.0
     if case.duty.angular_speed and depth and aside(0.0) * aside(0.5 * math.pi) < 0.0:
-        attitude = bracketed_root(aside, 0.0, 0.5 * math.pi, 1e-3)
+        root = find_root(aside, 0.0, 0.5 * math.pi, 1e-3)
+        if not root.converged:  # there is no state on the way
+            return None
+        attitude = root.value
     found = state(attitude)
     return found if found.ending is Ending.SOLVED else None

@@ -40,6 +40,8 @@ class Oil:
         With it the viscosity is sought at the supply temperature and the rise of the film.
     supply_temperature : float or None
         K.
+    temperature : float or None
+        K, at which the viscosity holds; None where nothing says it.
     """
 
     viscosity: float
@@ -47,6 +49,7 @@ class Oil:
     heat_capacity: float
     lubricant: Lubricant | None = None
     supply_temperature: float | None = None
+    temperature: float | None = None
 
     def __post_init__(self) -> None:
         positive(viscosity=self.viscosity, density=self.density, heat_capacity=self.heat_capacity)
@@ -59,7 +62,11 @@ class Oil:
         density = float(oil.density(temperature))
         heat = float(oil.volumetric_heat_capacity(temperature)) / density
         return replace(
-            self, viscosity=float(oil.dynamic_viscosity(temperature)), density=density, heat_capacity=heat
+            self,
+            viscosity=float(oil.dynamic_viscosity(temperature)),
+            density=density,
+            heat_capacity=heat,
+            temperature=temperature,
         )
 
 
