@@ -54,8 +54,9 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C108": Explanation(
         "Limiting temperature of the metal",
-        "The hottest known temperature is compared with that at which the metal loses its hardness. Of thrust "
-        "pads it is that of the oil, and the metal is B83 where none is given.",
+        "The hottest known temperature of bush, wall or film is compared with the limit of the metal, else with "
+        "that of its family, else with the general one of bearing temperatures (an assumption). Of thrust pads it "
+        "is that of the oil, and the metal is B83 where none is given.",
         "More or cooler oil, or another metal.",
         subject=Subject.TEMPERATURE,
     ),
