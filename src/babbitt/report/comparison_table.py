@@ -30,6 +30,8 @@ COMPARED = (
     "minimum_film_thickness",
     "effective_temperature",
     "outlet_temperature",
+    "starved_outlet_temperature",
+    "starved_minimum_film_thickness",
     "maximum_temperature",
     "maximum_bush_temperature",
     "maximum_wall_temperature",
