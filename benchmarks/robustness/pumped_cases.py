@@ -1,6 +1,7 @@
 """Random plausible hydrostatic bearings, jacking pockets and footsteps, as case files would have them.
 
-Sizes, gaps, pressures and restrictors are drawn in the dimensionless ranges that builders use, then given units: the
+Sizes, gaps, pressures and restrictors are drawn in the dimensionless ranges that builders use, then given
+units: the
 restrictor by the pressure ratio it is to give at the gap, the load by the load that the recesses carry there. One
 in five is loaded far beyond or below that. One seed gives one case.
 """
@@ -264,7 +265,9 @@ def _pumped(rng: random.Random, kind: str, name: str, number: int, conductance: 
 
 
 def _restrictor(rng: random.Random, flow: float, drop: float, supply: float, viscosity: float) -> Case:
-    kind = rng.choice(("capillary", "capillary", "orifice", "slot", "constant_flow", "flow_valve", "membrane_valve"))
+    kind = rng.choice(
+        ("capillary", "capillary", "orifice", "slot", "constant_flow", "flow_valve", "membrane_valve")
+    )
     litres = 6e4 * flow
     per_drop = 6e10 * flow / drop
     if kind == "capillary":
@@ -281,7 +284,12 @@ def _restrictor(rng: random.Random, flow: float, drop: float, supply: float, vis
         gap = _log(rng, 0.05e-3, 0.3e-3)
         length = _log(rng, 0.005, 0.05)
         width = flow * 12.0 * viscosity * length / (gap**3 * drop)
-        return {"kind": kind, "width": f"{max(1e3 * width, 0.12):.4g} mm", "gap": f"{1e3 * gap:.4g} mm", "length": _mm(length)}
+        return {
+            "kind": kind,
+            "width": f"{max(1e3 * width, 0.12):.4g} mm",
+            "gap": f"{1e3 * gap:.4g} mm",
+            "length": _mm(length),
+        }
     if kind == "constant_flow":
         return {"kind": kind, "flow": f"{litres:.5g} L/min"}
     if kind == "flow_valve":

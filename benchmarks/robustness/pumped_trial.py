@@ -42,15 +42,22 @@ MAKERS: dict[str, Callable[[random.Random], Case]] = {
 LONGEST = 60.0
 """s, of one solve."""
 SAME, SAME_WARM = 1e-9, 1e-6
-"""Relative difference allowed between two views of one bearing: films of one temperature, and those that seek it."""
+"""Relative difference allowed between two views of one bearing: films of one temperature, and those that seek
+it."""
 BALANCED = 1e-6
 OF_THE_FRAME = {"wall_time", "iterations", "tilt_x", "tilt_y", "moment_x", "moment_y", "mass_balance_error",
                 "energy_balance_error", "network_stability"}  # fmt: skip
 SLOPES = {"face_gap_stiffness", "load_over_clearance", "thermal_loop_gain"}
 """By differences, whose round-off is larger."""
 AXES = re.compile(r"^(stiffness|damping)_")
-SMALL = {"grid_error": 1e-9, "attitude_angle": 1e-7, "cavitated_share": 1e-9, "compressibility_damping_loss": 1e-8,
-         "heel_force_along": 1e-9, "heel_force_across": 1e-9}
+SMALL = {
+    "grid_error": 1e-9,
+    "attitude_angle": 1e-7,
+    "cavitated_share": 1e-9,
+    "compressibility_damping_loss": 1e-8,
+    "heel_force_along": 1e-9,
+    "heel_force_across": 1e-9,
+}
 """Differences allowed of values that are differences themselves, absolute."""
 
 
@@ -180,7 +187,13 @@ def mirrored(case: Case) -> Case:
     return other
 
 
-FACTORS = {"mm": ("m", 1e-3), "um": ("mm", 1e-3), "MPa": ("bar", 10.0), "N": ("kN", 1e-3), "L/min": ("m3/s", 1 / 6e4)}
+FACTORS = {
+    "mm": ("m", 1e-3),
+    "um": ("mm", 1e-3),
+    "MPa": ("bar", 10.0),
+    "N": ("kN", 1e-3),
+    "L/min": ("m3/s", 1 / 6e4),
+}
 
 
 def in_other_units(case: Any) -> Any:

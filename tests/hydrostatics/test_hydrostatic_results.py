@@ -24,9 +24,10 @@ from hydrostatic_bearings import (
 from babbitt import load_case, solve
 from babbitt.cases import parse_case, template
 from babbitt.film.recess import RecessFilm
-from babbitt.hydrostatics.check import hydrostatic_check, warmed
+from babbitt.hydrostatics.check import hydrostatic_check
 from babbitt.hydrostatics.closed_forms import lands_of
 from babbitt.hydrostatics.geometry import RectangularPad
+from babbitt.hydrostatics.heat_balance import heated
 from babbitt.hydrostatics.impedance import Compressibility
 from babbitt.hydrostatics.jacking import jacking_check, lift_at
 from babbitt.hydrostatics.jacking_model import JackingCase
@@ -211,7 +212,8 @@ def test_warm_film_of_a_lubricant():
         "oil: {lubricant: ISO VG 46, supply_temperature: 40 degC}",
     )
     design = parse_case(given).design()
-    warm, found = warmed(design)
+    state = heated(design)
+    warm, found = state.case, state.found
     flow = float(found.network.flows.sum())
     result = hydrostatic_check(design)
     oil = warm.oil

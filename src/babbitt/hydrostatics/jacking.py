@@ -316,7 +316,8 @@ def failure(case: JackingCase, lifted: LiftPoint, gap: float) -> tuple[Outcome, 
         )
     if not lifted.pressure > 0.0:
         return Outcome.NOT_CONVERGED, (
-            f"at a smallest gap of {1e6 * gap:.4g} µm the pockets push the shaft down; place all of them in the lower half"
+            f"at a smallest gap of {1e6 * gap:.4g} µm the pockets push the shaft down; place all of them in the "
+            f"lower half"
         )
     if lifted.is_balanced:
         return None

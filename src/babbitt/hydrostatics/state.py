@@ -29,6 +29,7 @@ class Ending(Enum):
     OVERLOADED = "no gap is left under this load"
     LIFTED_OFF = "the load is too light for the widest gap"
     UNSTABLE_NETWORK = "the flow network of the recesses has no stable state"
+    THERMAL_RUNAWAY = "the oil is hotter than any temperature that is searched"
     NOT_CONVERGED = "the iteration ended without meeting its tolerance"
 
 
