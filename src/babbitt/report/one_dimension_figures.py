@@ -226,7 +226,7 @@ def _heat_split(result: Result) -> Figure:
     shades = (INK, GREY, PALE)
     for place, ((_, heat), shade) in enumerate(zip(parts, shades, strict=True)):
         panel.barh(place, heat, color=shade, height=0.62)
-        percent = f"{heat / result.friction_power:.0%}"
+        percent = f"{heat / result.friction_heat:.0%}"
         panel.annotate(
             percent, (max(heat, 0.0), place), xytext=(3, 0), textcoords="offset points", fontsize=7, va="center"
         )
