@@ -90,16 +90,16 @@ def _painted(case: HeelCase) -> Iterator[tuple[str, str, Figure]]:
     smooth = "; grey: smooth heel" if case.other is not None or not case.is_grooved else ""
     yield (
         "steady-states",
-        "Steady states over the clearance at the face gap of the case: pressure at the rim, hottest oil, mixed oil "
-        "at the rim, leakage, load and friction power, those of Figs. 2 and 3 of the study among them. Full lines: "
-        f"stable; broken: not stable{smooth}. Filled: the case.{marks}",
+        "Steady states over the clearance at the face gap of the case: pressure at the rim, hottest oil, mixed "
+        "oil at the rim, leakage, load and friction power, those of Figs. 2 and 3 of the study among them. Full "
+        f"lines: stable; broken: not stable{smooth}. Filled: the case.{marks}",
         _over_clearance(case),
     )
     yield (
         "load-over-gap",
         "Mixed oil at the rim, leakage, load and friction power over the face gap at the clearance of the case, "
-        f"those of Figs. 2 and 3 of the study. Full lines: stable; broken: not stable{smooth}. A load that rises with the "
-        "gap is a negative stiffness.",
+        f"those of Figs. 2 and 3 of the study. Full lines: stable; broken: not stable{smooth}. A load that rises "
+        "with the gap is a negative stiffness.",
         _over_gap(case),
     )
     if case.map_points > 1 and case.is_grooved:
