@@ -17,8 +17,9 @@ from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import JournalCase, Machine
 from babbitt.cases.one_dimension_cases import long_film_case, segment_case
 from babbitt.cases.part import Part
-from babbitt.cases.standard_rules import film_alone_knows, half_bearings_are_in_the_tables
+from babbitt.cases.standard_rules import film_alone_knows, half_bearings_are_in_the_tables, width_is_in_the_tables
 from babbitt.longfilm.model import LongFilmCase
+from babbitt.result_names import ResultName
 from babbitt.standards.iso7902.model import DesignCase
 
 if TYPE_CHECKING:
@@ -89,7 +90,11 @@ def unknown_to_iso7902(bearing: JournalBearing, case: Case) -> str:
 
     It knows what ``method: iso7902`` is not refused for, the choices of the film method apart.
     """
-    unfit = next(film_alone_knows(bearing, "it"), None) or next(half_bearings_are_in_the_tables(bearing), None)
+    unfit = (
+        next(film_alone_knows(bearing, "it"), None)
+        or next(width_is_in_the_tables(bearing), None)
+        or next(half_bearings_are_in_the_tables(bearing), None)
+    )
     if unfit is not None:
         return unfit.says
     if any(bearing.span_at(point) is None for point in bearing.operating_points or (None,)):
@@ -181,8 +186,7 @@ def _expanded(bearing: JournalBearing, case: Case, make: Maker[DesignT]) -> Iter
     every = (bearing.clearance_cases or case.clearance_cases) == "all"
     for point in bearing.operating_points or (None,):
         for clearance_case in ("minimum", "mean", "maximum") if every else ("mean",):
-            name = bearing.name if point is None else f"{bearing.name} [{point.name}]"
-            if every:
-                name += f" ({clearance_case} clearance)"
+            of_point = "" if point is None else point.name
+            name = ResultName(bearing.name, of_point, clearance_case if every else "")
             at = Point(name, point, clearance_case, getattr(relative, clearance_case), tolerance)
             yield make(joined, at)

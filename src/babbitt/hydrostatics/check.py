@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from babbitt.design.heat_balance import CEILING
+from babbitt.film.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values
 from babbitt.hydrostatics.answer import Answer, answer, answer_at, coarser
 from babbitt.hydrostatics.capacity import capacity
 from babbitt.hydrostatics.extrapolation import half_of, richardson, richardson_of_matrices
@@ -19,6 +20,7 @@ from babbitt.hydrostatics.pumping import held_pressure, highest_pressure, is_pum
 from babbitt.hydrostatics.state import Ending
 from babbitt.hydrostatics.validity import doubts
 from babbitt.hydrostatics.values import arrays, values
+from babbitt.hydrostatics.whirl import whirl_of
 from babbitt.notices import InputError, Notice
 from babbitt.results import Bound, Check, Outcome, Result
 from babbitt.units import ZERO_CELSIUS
@@ -81,13 +83,14 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
         }
     if state.temperature is not None:
         named |= {"effective_temperature": state.temperature, "energy_balance_error": abs(state.heat_error)}
+    whirl = whirl_of(case, found)
+    if whirl is not None:
+        named |= whirl_values(case, whirl)
     if case.least_gap is not None:
         limit = capacity(case)
         named |= {} if limit is None else {"load_capacity": limit}
     if found.film is not None and found.film.network.converged:
-        rough = coarser(case, found)
-        size = max(float(np.abs(found.response.force).max()), 1e-300)
-        named["grid_error"] = float(np.abs(rough.response.force - found.response.force).max()) / size / 3.0
+        named["grid_error"] = grid_error(case, found)
     named |= {"iterations": float(found.steps), "wall_time": time.perf_counter() - begun}
     return Result(
         case.name,
@@ -95,13 +98,21 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
         case.method,
         outcome,
         named,
-        checks=tuple(checks(case, found, named)),
+        checks=(*checks(case, found, named), *whirl_checks(case, whirl)),
         not_checked=() if case.least_gap is not None else (Notice("C301", "no least_gap is given"),),
-        warnings=(*case.doubts, *doubts(case, found, named)),
+        warnings=(*case.doubts, *doubts(case, found, named), *(doubts_about_whirl(whirl) if whirl else ())),
         assumptions=case.assumptions,
         settings=settings,
         arrays=several,
     )
+
+
+def grid_error(case: HydrostaticCase, found: Answer) -> float:
+    """A third of the change of the film's force on half the lines, relative, moments by the bearing's radius."""
+    change = coarser(case, found).response.force - found.response.force
+    arm = 1.0 if case.is_journal else np.append(1.0, np.full(change.size - 1, 1.0 / case.reach))
+    size = max(float(np.linalg.norm(found.response.force * arm)), 1e-300)
+    return float(np.linalg.norm(change * arm)) / size / 3.0
 
 
 def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:

@@ -95,6 +95,13 @@ CHECKS: dict[str, Explanation] = {
         "100 MPa, about the yield strength of a white metal of Brinell hardness 30, the hardest on board.",
         "Give the metal (`materials: {bearing_metal: ...}`), which has limits of its own; a larger bearing.",
     ),
+    "C117": Explanation(
+        "Supply capacity",
+        "What holes, slots or pockets can deliver, Q_p + sum of (U/2) h b with gap and width at each, is compared "
+        "with the side flow Q3. Where it is less, the heat balance is repeated with it and decides; the "
+        "miss itself counts only if that has no equilibrium. What grooves deliver is left to the film.",
+        "Wider pockets, more supply pressure, or a full analysis with `method: film`.",
+    ),
     "C114": Explanation(
         "Recommended clearance",
         "A recommendation: the mean relative clearance should reach 0.8e-3 U^(1/4), with U in m/s.",

@@ -103,6 +103,21 @@ JOURNAL: dict[str, Explanation] = {
         "Below an eccentricity of 0.01 the characteristics follow their limit of small eccentricity.",
         "Check load and units; a bearing without load tends to whirl.",
     ),
+    "W123": Explanation(
+        "Supply delivers less than the film wants",
+        "What holes, slots or pockets can deliver, Q_p and the oil that the journal shears away over their width, "
+        "is less than the side flow with which ISO 7902 closes its heat balance. That is repeated with the lesser "
+        "flow; its temperatures and films, named starved, are held against the limits. The estimate of what is "
+        "delivered is an assumption, within a factor of about two of films that conserve their oil.",
+        "Wider pockets or a higher supply pressure; `method: film` with `thermal: adiabatic` tells more.",
+    ),
+    "W124": Explanation(
+        "No supply flow",
+        "Oil is supplied, yet no pressure presses any through the bearing: no supply element is given, or none "
+        "is left of the supply pressure. The film is taken to draw its side flow all the same, which nothing "
+        "shows to reach it.",
+        "Give the `supply_element` and the pressure of the supply, or compare with `method: film`.",
+    ),
     "W121": Explanation(
         "Flow of open grooves",
         "A groove as wide as the bearing ends somewhere, and how its ends are closed decides what leaks there. "
