@@ -9,15 +9,16 @@ True
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+TYPE_CHECKING = False  # the module typing takes longer than this one
+if TYPE_CHECKING:
+    from typing import Any
+
+    from babbitt.cases import load_case, parse_case, template
+    from babbitt.solving import solve
 
 __version__ = "0.1.0"
 
 __all__ = ["__version__", "load_case", "parse_case", "solve", "template"]
-
-if TYPE_CHECKING:
-    from babbitt.cases import load_case, parse_case, template
-    from babbitt.solving import solve
 
 _HOMES = {
     "load_case": "babbitt.cases",

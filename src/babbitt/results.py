@@ -83,6 +83,10 @@ class Bound(Enum):
     AT_LEAST = ">="
 
 
+ROUND_OFF = 1e-9
+"""Share of a limit by which a value may miss it: the load of a film is that of the case to some digits less."""
+
+
 @dataclass(frozen=True)
 class Check:
     """One comparison of a value with what is permissible.
@@ -113,8 +117,10 @@ class Check:
 
     @property
     def ok(self) -> bool:
-        """Whether the value keeps its limit."""
-        return bool(self.value <= self.limit if self.bound is Bound.AT_MOST else self.value >= self.limit)
+        """Whether the value keeps its limit, to the round-off of its computation."""
+        slack = ROUND_OFF * abs(self.limit)
+        most = self.bound is Bound.AT_MOST
+        return bool(self.value <= self.limit + slack if most else self.value >= self.limit - slack)
 
     @property
     def margin(self) -> float:
@@ -152,6 +158,8 @@ class Result:
         Choices that the numbers depend on.
     arrays : Mapping[str, Matrix]
         Named quantities of several numbers, in SI: ``stiffness`` and ``damping`` as [[xx, xy], [yx, yy]].
+    missing : Mapping[str, str]
+        Quantities that belong among the values and could not be found, each with the reason.
     """
 
     name: str
@@ -166,6 +174,7 @@ class Result:
     message: str = ""
     settings: Mapping[str, str] = field(default_factory=dict)
     arrays: Mapping[str, Matrix] = field(default_factory=dict)
+    missing: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def verdict(self) -> Verdict:

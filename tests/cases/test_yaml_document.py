@@ -7,6 +7,7 @@ import yaml
 from hypothesis import given
 from hypothesis import strategies as st
 
+from babbitt.cases import CaseError, parse_case
 from babbitt.cases.document import DEEPEST, LARGEST, DocumentError, read_document
 from babbitt.cases.scalars import scalar
 
@@ -172,3 +173,12 @@ def test_half_a_character_is_refused():
 
 def test_a_scalar_alone():
     assert scalar("") is None
+
+
+def test_long_keys_are_shortened_in_messages():
+    long = "k" * 1000  # YAML knows no longer keys
+    for text in (f"kind: journal\n{long}: 1", f"{long}: 1\n{long}: 2", f"a: *{long}", f"kind: {long}"):
+        with pytest.raises(CaseError) as caught:
+            parse_case(text)
+        assert "kkk" in caught.value.message
+        assert long[:200] not in caught.value.message

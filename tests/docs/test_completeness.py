@@ -19,6 +19,8 @@ from babbitt import cli
 from babbitt.cases import KINDS as CASE_KINDS
 from babbitt.cases import load_case
 from babbitt.cases.part import Part
+from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, SOLVED, UNUSABLE_INPUT
+from babbitt.cli.interruption import INTERRUPTED
 from babbitt.lubricants import catalogue
 from babbitt.materials import bearing_metals, structural_materials
 from babbitt.notices import EXPLANATIONS
@@ -149,7 +151,7 @@ def test_every_fact_is_stated_somewhere() -> None:
 
 def test_exit_statuses_are_those_of_the_program() -> None:
     text = page("conventions.md")
-    for status in (cli.SOLVED, cli.NOT_PASSED, cli.UNUSABLE_INPUT, cli.NO_SOLUTION):
+    for status in (SOLVED, NOT_PASSED, UNUSABLE_INPUT, NO_SOLUTION, INTERRUPTED):
         assert re.search(rf"^\| {status} \|", text, re.MULTILINE)
 
 

@@ -23,15 +23,20 @@ from hydrostatic_bearings import (
 
 from babbitt import load_case, solve
 from babbitt.cases import parse_case, template
-from babbitt.hydrostatics.check import hydrostatic_check, warmed
+from babbitt.film.recess import RecessFilm
+from babbitt.hydrostatics.check import hydrostatic_check
+from babbitt.hydrostatics.closed_forms import lands_of
 from babbitt.hydrostatics.geometry import RectangularPad
+from babbitt.hydrostatics.heat_balance import heated
 from babbitt.hydrostatics.impedance import Compressibility
-from babbitt.hydrostatics.jacking import jacking_check
+from babbitt.hydrostatics.jacking import jacking_check, lift_at
 from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.hydrostatics.lines import ENGINEERING
 from babbitt.hydrostatics.model import Duty, Oil, Recesses
 from babbitt.hydrostatics.network import Feeding
 from babbitt.hydrostatics.restrictors import Capillary, CheckValve, ConstantFlow, FlowValve, Orifice
 from babbitt.hydrostatics.supply import FixedPressure, Pump
+from babbitt.hydrostatics.surfaces import FilmOil, journal_surface
 from babbitt.notices import InputError
 from babbitt.quantities import QUANTITIES
 from babbitt.report.export import to_json
@@ -207,7 +212,8 @@ def test_warm_film_of_a_lubricant():
         "oil: {lubricant: ISO VG 46, supply_temperature: 40 degC}",
     )
     design = parse_case(given).design()
-    warm, found = warmed(design)
+    state = heated(design)
+    warm, found = state.case, state.found
     flow = float(found.network.flows.sum())
     result = hydrostatic_check(design)
     oil = warm.oil
@@ -249,6 +255,106 @@ def test_jacking_result():
     by_flow = jacking_check(jacking(lift_gap=None, pump_flow=result.total_flow))
     assert by_flow.minimum_film_thickness == pytest.approx(40e-6, rel=1e-3)
     assert jacking_check(jacking(lift_gap=None, pump_flow=1.0)).outcome is Outcome.NOT_CONVERGED
+
+
+def pockets(*degrees):
+    return replace(jacking().bearing, recess_angles=tuple(map(math.radians, degrees)))
+
+
+def test_pockets_aside_push_straight_up_or_hold_nothing():
+    """Film forces at the place that is reported: no sideward force, the load upwards; the image mirrored."""
+    found = {}
+    for degrees in ((-110.0, -60.0), (-120.0, -70.0)):
+        made = jacking(bearing=pockets(*degrees))
+        result = jacking_check(made)
+        assert result.outcome is Outcome.CONVERGED
+        assert result.mass_balance_error < 1e-9
+        found[degrees] = result
+        point = lift_at(made, made.lift_gap)
+        oil = FilmOil(made.viscosity, 0.0, 1e7)
+        film = RecessFilm.on(journal_surface(made.bearing, oil, ENGINEERING, 40e-6 / 150e-6))
+        e = made.bearing.clearance - 40e-6
+        place = e * np.array([math.cos(point.angle), math.sin(point.angle)])
+        answer = film.evaluate(place, np.zeros(2))
+        pressures = np.linalg.solve(answer.conductance, np.full(2, 0.5 * point.flow))  # a stage of a divider each
+        assert pressures.max() == pytest.approx(point.pressure, rel=1e-6)
+        assert answer.area @ pressures == pytest.approx([0.0, made.load], abs=1e-5 * made.load)
+    one, other = found.values()
+    assert other.attitude_angle == pytest.approx(-one.attitude_angle, abs=1e-6)
+    assert other.pocket_pressure == pytest.approx(one.pocket_pressure, rel=1e-6)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_pocket_on_one_side_holds_no_shaft(method):
+    result = jacking_check(jacking(bearing=pockets(-70.0), method=method))
+    assert result.outcome is Outcome.NOT_CONVERGED
+    assert "push the shaft to the left" in result.message
+    mirrored = jacking_check(jacking(bearing=pockets(-110.0), method=method))
+    assert mirrored.message == result.message.replace("left", "right")
+
+
+def test_pockets_on_one_pressure_let_the_shaft_roll():
+    """Displaced to the right, the force leans to the right; equal flows bring the shaft back."""
+    common = jacking(bearing=pockets(-110.0, -70.0), own_restrictors=False)
+    assert {"W320", "W328"} <= codes(jacking_check(common))
+    assert "W328" not in codes(jacking_check(jacking(bearing=pockets(-110.0, -70.0))))
+
+
+def test_jacking_lifts_off_the_roughness_or_not_at_all():
+    with pytest.raises(InputError, match="roughness"):
+        jacking(lift_gap=1e-6, roughness=5e-6)
+    weak = jacking_check(jacking(lift_gap=None, pump_flow=1e-4 / 6e4))
+    assert weak.outcome is Outcome.OVERLOADED
+    needed = float(weak.message.split("more than ")[1].split(" L/min")[0])
+    for share, outcome in ((0.98, Outcome.OVERLOADED), (1.02, Outcome.CONVERGED)):
+        assert jacking_check(jacking(lift_gap=None, pump_flow=share * needed / 6e4)).outcome is outcome
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_flow_valve_that_opens_faster_than_thin_lands_let_out(method):
+    """11 kN on the round pad: G p = Q_0 + k p with p = W/A_e gives 43.84 um, whatever thinner gaps do."""
+    valve = FlowValve(0.2e-3 / 60.0, 0.05e-9 / 60.0, 5e-9 / 60.0)
+    made = pad_case(valve, 11e3, method)
+    result = hydrostatic_check(made)
+    lands = lands_of(made.shape)
+    p = 11e3 / lands.effective_area
+    conductance = valve.flow / p + valve.gain
+    exact = 1e-6 * (conductance / lands.conductance(1e-6, made.oil.viscosity)) ** (1.0 / 3.0)
+    assert exact == pytest.approx(43.84e-6, abs=0.01e-6)
+    assert result.gap == pytest.approx(exact, rel=1e-5)
+
+
+@pytest.mark.parametrize("load", [30e3, 3e6, 3e9])
+def test_how_much_was_carried_does_not_depend_on_how_much_was_asked_for(load):
+    """A recess at the supply pressure carries A_e p_s, and no restrictor changes that."""
+    for method in METHODS:
+        message = hydrostatic_check(pad_case(load=load, method=method)).message
+        assert float(message.split("about ")[1].split(" kN")[0]) == pytest.approx(21.2, rel=0.03)
+        assert "restrictors" not in message
+
+
+def test_open_restrictors_are_to_be_narrowed():
+    for diameter, advice in ((3e-3, "narrow the restrictors"), (0.3e-3, "widen the restrictors")):
+        made = case(fed=feeding(Capillary(diameter, 0.1, 0.02)), duty=Duty(400e3, -0.5 * math.pi), method="quick")
+        result = hydrostatic_check(made)
+        assert result.outcome is Outcome.OVERLOADED
+        assert advice in result.message
+
+
+def test_absurd_heat_and_negative_damping_have_no_verdict():
+    from babbitt.notices import EXPLANATIONS
+    from babbitt.notices.explanation import Effect
+
+    fast = hydrostatic_check(case(duty=Duty(10e3, -0.5 * math.pi, angular_speed=100e3 * math.pi / 30.0)))
+    assert fast.temperature_rise > 1e4
+    assert "W322" in codes(fast)
+    soft = Compressibility(2e-4, 1.2e9)
+    fed = hydrostatic_check(replace(pad_case(), compressibility=soft, frequencies=(2.0 * math.pi * 5.0,)))
+    assert fed.arrays["dynamic_damping"][0][0] < 0.0
+    assert {"W310", "W323"} <= codes(fed)
+    for code in ("W310", "W322", "W323", "W324", "W325", "W326", "W328"):
+        assert EXPLANATIONS[code].effect is Effect.NO_VERDICT
+    assert not {"W322", "W323", "W324", "W325", "W326"} & codes(hydrostatic_check(case()))
 
 
 def test_jacking_doubts_and_refusals():

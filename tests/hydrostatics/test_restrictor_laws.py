@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hydrostatic_bearings import CIRCULAR_CAPILLARY, CIRCULAR_ORIFICE
 
-from babbitt.hydrostatics.network import Feeding, solve_network
+from babbitt.hydrostatics.network import Feeding, newton, solve_network
 from babbitt.hydrostatics.restrictors import (
     Capillary,
     CheckValve,
@@ -120,10 +120,33 @@ def test_newton_finds_every_land(name, conductance):
 
 
 def test_valve_that_opens_faster_than_the_land_lets_out_is_unstable():
-    steep = solved([FlowValve(1e-6, 2e-12, 1e-6)], FixedPressure(5e6), np.array([[1e-12]]))
-    assert steep.least_eigenvalue < 0.0
+    """Where it meters; with its ports open it is a restrictor like any other, and there the pressure ends."""
+    steep, land = FlowValve(1e-6, 2e-12, 1e-6), np.array([[1e-12]])
+    fed = Feeding((steep,), FixedPressure(5e6))
+    metering = newton(fed, land, np.zeros(1), np.zeros(1), np.zeros(1), 5e6, None)
+    assert metering.converged
+    assert metering.least_eigenvalue < 0.0
+    opened = solved([steep], FixedPressure(5e6), land)
+    assert opened.is_stable
+    assert opened.pressures[0] == pytest.approx(5e6 * 1e-6 / (1e-6 + 1e-12), rel=1e-12)
     calm = solved([FlowValve(1e-6, 0.5e-12, 1e-6)], FixedPressure(5e6), np.array([[1e-12]]))
     assert calm.least_eigenvalue > 0.0
+
+
+@pytest.mark.parametrize("gain", [0.0, 0.01, 0.05, 0.3])
+def test_one_recess_behind_a_valve_has_its_exact_pressure(gain):
+    """Q = min(Q_0 + k p, G_max (p_s - p)) = G p: metered p = Q_0/(G - k) below the kink, else the open ports."""
+    first, most, supply = 0.2e-3 / 60.0, 5e-9 / 60.0, 5e6
+    k = max(gain * 1e-9 / 60.0, 1e-20)
+    valve = FlowValve(first, k, most)
+    kink = (most * supply - first) / (most + k)
+    for land in np.geomspace(1e-15, 1e-9, 40):
+        metered = first / (land - k) if land > k else math.inf
+        exact = metered if metered < kink else most * supply / (land + most)
+        state = solved([valve], FixedPressure(supply), np.array([[land]]))
+        assert state.converged
+        assert state.is_stable
+        assert state.pressures[0] == pytest.approx(exact, rel=1e-9)
 
 
 @pytest.mark.parametrize(

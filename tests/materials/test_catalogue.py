@@ -46,7 +46,7 @@ def test_b83_limits():
     assert b83.recommended_temperature.value - 273.15 == pytest.approx(70)
     assert b83.limiting_temperature.value - 273.15 == pytest.approx(115)
     assert "GOST 1320-74" in calm.pv.source
-    assert b83.family is AlloyFamily.LEAD_TIN
+    assert b83.family is AlloyFamily.TIN
 
 
 COMMON_METALS = """
@@ -96,9 +96,9 @@ def test_bearing_metals_are_plausible(name):
 
 def test_family_is_the_main_alloying_element():
     """Designations begin with the base metal; copper alloys follow with what gives the family its name."""
-    base = {"Pb": "lead-tin", "Sn": "lead-tin", "B": "lead-tin", "Al": "aluminium-", "Cu": "copper-"}
+    base = {"Pb": "lead-", "Sn": "tin-", "B16": "lead-", "B": "tin-", "Al": "aluminium-", "Cu": "copper-"}
     for name, metal in METALS.items():
-        prefix = next(key for key in ("Pb", "Sn", "Al", "Cu", "B") if name.startswith(key))
+        prefix = next(key for key in ("Pb", "Sn", "Al", "Cu", "B16", "B") if name.startswith(key))
         assert metal.family.startswith(base[prefix]), name
 
 

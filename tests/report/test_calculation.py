@@ -52,6 +52,7 @@ def test_the_order_is_that_of_the_standard():
         "Friction",
         "Oil flow",
         "Heat balance",
+        "Supply capacity",
         "Permissible values",
         "Screening for whirl and clearance",
         "Pressure losses in the supply",

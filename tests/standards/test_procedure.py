@@ -144,7 +144,7 @@ def test_equal_expansion_leaves_the_clearance_alone():
     assert check(CASE_C).values["operating_relative_clearance"] == 1.2e-3
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     diameter=st.floats(0.02, 1.0),
     width_ratio=st.floats(0.15, 1.4),
@@ -234,7 +234,7 @@ def test_a_closing_clearance_ends_with_a_status():
     assert result.outcome is Outcome.NO_CLEARANCE
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=80)
 @given(
     psi=st.floats(0.3e-3, 1.2e-3),
     difference=st.floats(2e-6, 12e-6),
@@ -344,14 +344,15 @@ def test_doubts_carry_their_numbers():
     turning = check(replace(CASE_A, bearing_speed=10.0))
     assert "W114" in codes(turning.warnings)
     light = check(replace(CASE_A, duty=GivenLoad(2e3)))
-    assert {one.code for one in light.checks if not one.ok and one.advisory} == {"C112", "C114"}
+    missed = {one.code for one in light.checks if not one.ok and one.advisory}
+    assert missed == {"C112", "C114", "C117"}
     assert light.within_limits == check(CASE_A).within_limits  # a screening indicator changes no verdict
     tiny = check(
         replace(CASE_A, bearing=replace(CASE_A.bearing, diameter=0.02, width=0.01), duty=GivenLoad(200.0))
     )
     assert "W115" in codes(tiny.warnings)
     heavy = check(replace(CASE_A, duty=GivenLoad(120e3)))
-    assert "W116" in codes(heavy.warnings)
+    assert "W129" in codes(heavy.warnings)
 
 
 @pytest.mark.parametrize("span", [360, 120])
@@ -390,7 +391,7 @@ def test_checks_name_value_limit_and_source():
     bearing = replace(CASE_A.bearing, metal=bearing_metal("B83"), surfaces=surfaces)
     result = check(replace(CASE_A, bearing=bearing))
     by_code = {check.code: check for check in result.checks}
-    assert set(by_code) == {f"C{n}" for n in range(101, 115)} - {"C113"}
+    assert set(by_code) == {f"C{n}" for n in (*range(101, 115), 117)} - {"C113"}
     assert by_code["C101"].limit == 9e-6  # D 120 mm, 12.6 m/s: experience table
     assert by_code["C102"].limit == pytest.approx(8e-6)
     assert by_code["C105"].limit == 15e6

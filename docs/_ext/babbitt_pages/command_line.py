@@ -8,7 +8,7 @@ from typing import cast
 import typer
 from typer.core import TyperArgument, TyperCommand, TyperGroup
 
-from babbitt.cli import app
+from babbitt.cli.program import app
 from babbitt_pages.markdown import anchor, code, table, text
 
 

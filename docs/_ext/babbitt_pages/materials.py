@@ -11,6 +11,7 @@ from babbitt.materials import (
     SourcedValue,
     bearing_metals,
     experience_limits,
+    metal_temperature_limit,
     specific_load_limit,
     structural_materials,
 )
@@ -36,8 +37,8 @@ def _metal(metal: BearingMetal) -> str:
     rows = [
         ["composition", text(metal.composition.text), text(metal.composition.source)],
         *_limit_rows(metal),
-        *_rows("recommended temperature, advice only", metal.recommended_temperature, " °C", 1.0, -ZERO_CELSIUS),
-        *_rows("limiting temperature", metal.limiting_temperature, " °C", 1.0, -ZERO_CELSIUS),
+        *_rows("recommended temperature", metal.recommended_temperature, " °C", 1.0, -ZERO_CELSIUS),
+        *_rows("limiting temperature", metal_temperature_limit(metal), " °C", 1.0, -ZERO_CELSIUS),
         *_rows("thermal expansion", metal.thermal_expansion, "·10⁻⁶/K", 1e6),
         *_rows("hardness", metal.brinell_hardness, " HBW"),
     ]

@@ -32,8 +32,7 @@ from babbitt.bearings.thermal_film import film_equilibrium
 from babbitt.bearings.transition import transition_speed
 from babbitt.bearings.warm_film import FilmState, under_found_load
 from babbitt.bearings.watch import Watch, unwatched
-from babbitt.bearings.whirl import Whirl, whirl_of
-from babbitt.bearings.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values
+from babbitt.bearings.whirl import whirl_of
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import GivenLoad, contact_film
 from babbitt.design.doubts import (
@@ -45,6 +44,8 @@ from babbitt.design.doubts import (
 )
 from babbitt.design.failure import failure
 from babbitt.film.model import Cavitation
+from babbitt.film.whirl import Whirl
+from babbitt.film.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Result
 
@@ -52,6 +53,9 @@ METHOD = "film"
 
 AT_A_LINE = 1e-6
 """Angle in rad within which a load points at a line of supply."""
+
+NO_CALM_FILM = "no film was found at this position without the supply pressure; only their sum is known"
+"""Why the flows by film pressure and by supply pressure are missing."""
 
 DRAWN_IN_FROM = 0.02
 """Oil that the sides draw in, over what leaves, from which it is told."""
@@ -152,6 +156,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
         message,
         settings,
         arrays,
+        {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))},
     )
 
 

@@ -56,6 +56,7 @@ def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "american_sommerfeld_number": 1.0 / (2.0 * math.pi * film.sommerfeld_number),
         "eccentricity_ratio": film.eccentricity_ratio,
         "attitude_angle": film.attitude_angle,
+        **_misalignment_values(case),
         "load_angle": math.atan2(-film.force[1], -film.force[0]),
         "minimum_film_thickness": film.minimum_film_thickness,
         "narrowest_gap_angle": narrowest_gap_angle(film),
@@ -63,6 +64,7 @@ def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "friction_number": coefficient / state.relative_clearance,
         "friction_coefficient": coefficient,
         "friction_torque": case.friction_factor * film.friction_torque,
+        **_without_streamers(case, state),
         "friction_power": state.friction_power,
         **_displacement_values(case, state),
         **_flow_values(case, state),
@@ -113,6 +115,12 @@ def supply_pressures(case: FilmCase, film: JournalFilm) -> tuple[float, ...]:
     return tuple(every[number] for number in supply_numbers(case, film))
 
 
+def _misalignment_values(case: FilmCase) -> dict[str, float]:
+    """Slopes of the journal axis that the film was solved with; nothing for an aligned journal."""
+    slopes = case.bearing.misalignment
+    return {} if slopes == (0.0, 0.0) else dict(zip(("misalignment_x", "misalignment_y"), slopes, strict=True))
+
+
 def _lobe_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     bore = case.bearing.bore
     if not isinstance(bore, LobedBore):
@@ -129,6 +137,19 @@ def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     flow, film = state.total_flow, state.solution.film
     if math.isnan(flow):
         return {}
+    return _flows_of_causes(case, state, flow, film) | _boundary_flows(state)
+
+
+def _boundary_flows(state: FilmState) -> dict[str, float]:
+    """What enters the film at its start and what its sides draw in; a closed film has no start."""
+    solution = state.solution
+    values = {"side_inflow": solution.side_inflow}
+    if solution.film.film_start is not FilmStart.PERIODIC:
+        values["inlet_flow"] = float(solution.inflow.sum())
+    return values
+
+
+def _flows_of_causes(case: FilmCase, state: FilmState, flow: float, film: JournalFilm) -> dict[str, float]:
     calm = without_pressure(film, closed_pockets(case))
     if calm == film:
         return {"side_flow": flow, "supply_flow": 0.0, "total_flow": flow}
@@ -141,6 +162,13 @@ def _flow_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     else:
         alone = flow_without_pressure(case, state, calm)
     return {"side_flow": alone, "supply_flow": flow - alone, "total_flow": flow}
+
+
+def _without_streamers(case: FilmCase, state: FilmState) -> dict[str, float]:
+    """Friction torque of the full film alone, as tables have it that do not count the oil behind the rupture."""
+    solution = state.solution
+    full = case.friction_factor * (solution.friction_torque - solution.streamer_torque)
+    return {} if math.isnan(full) else {"friction_torque_without_streamers": full}
 
 
 def _displacement_values(case: FilmCase, state: FilmState) -> dict[str, float]:

@@ -26,7 +26,7 @@ from babbitt.cases.supply_element import (
 )
 from babbitt.cases.surfaces import DrawingSurfaces
 from babbitt.fits import tolerance_limits
-from babbitt.materials import bearing_metal, structural_material
+from babbitt.materials import structural_material
 from babbitt.units import written
 
 Words = tuple[str, str]
@@ -150,7 +150,7 @@ def _of_materials(materials: Materials) -> Iterator[Words]:
         if material is not None:
             yield label, _structure(material)
     if materials.bearing_metal is not None:
-        name = _named(materials.bearing_metal, bearing_metal(materials.bearing_metal).name)
+        name = _named(materials.bearing_metal.name, materials.bearing_metal.metal().name)
         yield "Bearing metal", f"{name}, {materials.load_character or 'calm'} load"
 
 

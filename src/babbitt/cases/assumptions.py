@@ -128,7 +128,7 @@ def _of_surfaces(bearing: JournalBearing) -> Iterator[str]:
 
 def _of_materials(materials: Materials) -> Iterator[str]:
     if materials.bearing_metal is None:
-        yield "No bearing metal is given: its limits of load, speed and temperature are not checked."
+        yield "No bearing metal is given: its limits of load and speed are not checked."
     elif materials.load_character is None:
         yield "The load is taken as calm."
 

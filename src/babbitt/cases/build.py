@@ -17,8 +17,9 @@ from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import JournalCase, Machine
 from babbitt.cases.one_dimension_cases import long_film_case, segment_case
 from babbitt.cases.part import Part
-from babbitt.cases.standard_rules import half_bearings_are_in_the_tables
+from babbitt.cases.standard_rules import film_alone_knows, half_bearings_are_in_the_tables, width_is_in_the_tables
 from babbitt.longfilm.model import LongFilmCase
+from babbitt.result_names import ResultName
 from babbitt.standards.iso7902.model import DesignCase
 
 if TYPE_CHECKING:
@@ -77,25 +78,34 @@ def iso7902_cases(bearing: JournalBearing, case: Case) -> tuple[DesignCase, ...]
     """Design cases of ISO 7902 of one bearing of a case, whatever method it names; empty if the standard knows
     it not.
 
-    The standard knows round bores with an aligned journal and a tabulated span, and finds the position itself.
+    Empty where `unknown_to_iso7902` says why.
     """
-    if unknown_to_iso7902(bearing):
+    if unknown_to_iso7902(bearing, case):
         return ()
     return tuple(_expanded(bearing, case, iso7902_case))
 
 
-def unknown_to_iso7902(bearing: JournalBearing) -> str:
-    """Why the standard does not know a bearing, in words; empty where it does."""
-    if bearing.bore is not None and bearing.bore.kind != "round":
-        return f"it knows round bores only, not {bearing.bore.kind}"
-    if bearing.misalignment is not None:
-        return "it knows no misaligned journal"
-    if any(duty.position is not None for duty in (bearing, *bearing.operating_points)):
-        return "it finds the position of the journal itself"
+def unknown_to_iso7902(bearing: JournalBearing, case: Case) -> str:
+    """Why the standard does not know a bearing, in words; empty where it does.
+
+    It knows what ``method: iso7902`` is not refused for, the choices of the film method apart.
+    """
+    unfit = (
+        next(film_alone_knows(bearing, "it"), None)
+        or next(width_is_in_the_tables(bearing), None)
+        or next(half_bearings_are_in_the_tables(bearing), None)
+    )
+    if unfit is not None:
+        return unfit.says
     if any(bearing.span_at(point) is None for point in bearing.operating_points or (None,)):
         return "it needs the angular span of the loaded arc; give span, such as 'span: 180 deg'"
-    unfit = next(half_bearings_are_in_the_tables(bearing), None)
-    return unfit.says if unfit is not None else ""
+    supply = inputs(bearing, case).supply if isinstance(case, JournalCase | Machine) else None
+    for point in bearing.operating_points or (None,):
+        own = point is not None and (point.supply_pressure is not None or point.supply_flow is not None)
+        fed = point.supply_pressure if own and point is not None else None if supply is None else supply.pressure
+        if supply is not None and fed is None:
+            return "it takes a supply pressure, not a flow, nor grooves with pressures of their own alone"
+    return ""
 
 
 def film_cases(bearing: JournalBearing, case: Case, thermal: str | None = None) -> tuple[FilmCase, ...]:
@@ -176,8 +186,7 @@ def _expanded(bearing: JournalBearing, case: Case, make: Maker[DesignT]) -> Iter
     every = (bearing.clearance_cases or case.clearance_cases) == "all"
     for point in bearing.operating_points or (None,):
         for clearance_case in ("minimum", "mean", "maximum") if every else ("mean",):
-            name = bearing.name if point is None else f"{bearing.name} [{point.name}]"
-            if every:
-                name += f" ({clearance_case} clearance)"
+            of_point = "" if point is None else point.name
+            name = ResultName(bearing.name, of_point, clearance_case if every else "")
             at = Point(name, point, clearance_case, getattr(relative, clearance_case), tolerance)
             yield make(joined, at)

@@ -13,7 +13,6 @@ from babbitt.cases.plain_words import Path
 from babbitt.cases.shared import SharedInputs, merged
 from babbitt.cases.supply import Supply
 from babbitt.lubricants import Lubricant
-from babbitt.materials import bearing_metal
 from babbitt.units import written
 
 WHERE = "at the bearing or for the whole machine"
@@ -162,10 +161,9 @@ def _lowest_limit(bearing: JournalBearing, shared: SharedInputs) -> tuple[float,
     if bearing.limits.temperature is not None:
         limits.append((bearing.limits.temperature, "limits.temperature"))
     materials = merged(bearing.materials, shared.materials)
-    if materials is not None and materials.bearing_metal is not None:
-        metal = bearing_metal(materials.bearing_metal)
-        if metal.limiting_temperature is not None:
-            limits.append((metal.limiting_temperature.value, f"the limit of {metal.name}"))
+    metal = materials.metal() if materials is not None else None
+    if metal is not None and metal.limiting_temperature is not None:
+        limits.append((metal.limiting_temperature.value, f"the limit of {metal.name}"))
     oil = bearing.lubricant or shared.lubricant
     if oil is not None:
         made: Lubricant = oil.lubricant()

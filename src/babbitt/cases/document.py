@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
+from babbitt.cases.plain_words import shown
 from babbitt.cases.scalars import Scalar, scalar
 
 DEEPEST = 20
@@ -17,6 +18,9 @@ DEEPEST = 20
 
 LARGEST = 50_000
 """Values in a file, those behind aliases counted each time."""
+
+LONGEST_SHOWN = 60
+"""Characters of a word of the file that a message shows."""
 
 
 @dataclass(frozen=True)
@@ -149,10 +153,12 @@ class _Composer:
         line = event.start_mark.line + 1
         node = self.anchors.get(event.anchor)
         if node is None:
-            raise DocumentError(line, f"no anchor &{event.anchor} stands above", "an anchor above the alias")
+            raise DocumentError(
+                line, f"no anchor &{event.anchor[:LONGEST_SHOWN]} stands above", "an anchor above the alias"
+            )
         if node.is_open:
             raise DocumentError(
-                line, f"the anchor &{event.anchor} refers to itself", "an alias outside its anchor"
+                line, f"the anchor &{event.anchor[:LONGEST_SHOWN]} refers to itself", "an alias outside its anchor"
             )
         self._count(node.size, line)
         return node
@@ -180,7 +186,7 @@ def _close(node: Node, children: list[Node]) -> None:
         if name in node.value:
             first = node.value[name][0].line
             raise DocumentError(
-                key.mark.line, f"the key '{name}' stands twice, first in line {first}", "each key once"
+                key.mark.line, f"the key {shown(name)} stands twice, first in line {first}", "each key once"
             )
         node.value[name] = (key.mark, value)
     for other in merged:

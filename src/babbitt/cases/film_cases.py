@@ -14,7 +14,7 @@ from babbitt.cases.film_layout import film_layout
 from babbitt.cases.film_oil import LAWS_OF_TURBULENCE
 from babbitt.cases.joined_inputs import Inputs, Point, duty, expansions, housing_cooling, journal_speed, oil_supply
 from babbitt.film.model import Cavitation
-from babbitt.materials import LoadCharacter, bearing_metal
+from babbitt.materials import LoadCharacter
 
 
 def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase:
@@ -89,7 +89,7 @@ def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[Hollow, ...]) -> Fil
         compliance=tuple(part.compliance(bearing.diameter) for part in bearing.compliance),
         side_pressures=bearing.side_pressures or (0.0, 0.0),
         surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,
-        metal=bearing_metal(materials.bearing_metal) if materials.bearing_metal is not None else None,
+        metal=materials.metal(),
         load_character=LoadCharacter(materials.load_character or LoadCharacter.CALM),
         clearance_tolerance=at.tolerance,
     )

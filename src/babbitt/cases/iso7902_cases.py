@@ -9,7 +9,7 @@ from babbitt.cases.joined_inputs import Inputs, Point, duty, expansions, housing
 from babbitt.cases.operating_point import OperatingPoint
 from babbitt.cases.part import is_given
 from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition
-from babbitt.materials import LoadCharacter, bearing_metal
+from babbitt.materials import LoadCharacter
 from babbitt.standards.iso7902.model import Bearing, Curves, DesignCase, Friction
 
 
@@ -64,7 +64,7 @@ def _iso_bearing(inputs: Inputs, at: Point) -> Bearing:
         expansion_journal=of_journal,
         supply_element=element.element() if element is not None else None,
         surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,
-        metal=bearing_metal(materials.bearing_metal) if materials.bearing_metal is not None else None,
+        metal=materials.metal(),
         load_character=LoadCharacter(materials.load_character or LoadCharacter.CALM),
         clearance_tolerance=at.tolerance,
     )

@@ -18,7 +18,7 @@ from babbitt.cases.recess_rules import clearance_is_small, in_order, lands_betwe
 from babbitt.cases.restrictors import FlowRate, SupplyPressure
 from babbitt.hydrostatics.geometry import RecessedJournal
 from babbitt.hydrostatics.jacking_model import JackingCase
-from babbitt.units import si
+from babbitt.units import si, written
 
 
 class JackingPocketCase(CaseFile):
@@ -64,6 +64,10 @@ class JackingPocketCase(CaseFile):
         for name in ("lift_gap", "roughness"):
             if getattr(self, name) is not None:
                 yield from in_order(self, name, "radial_clearance", unit="um")
+        if self.lift_gap is not None and not self.lift_gap > self.roughness:
+            says = f"{written(self.lift_gap, 'um')} do not lift the shaft off its roughness"
+            allowed = f"more than roughness, {written(self.roughness, 'um')}"
+            yield Complaint(("lift_gap",), says, allowed, "roughness is the height on which the shaft lies")
         yield from lands_between("pockets", self.pockets)
 
     def _useless_pockets(self) -> Iterator[Complaint]:

@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 LARGEST_FILE = 1_000_000
 """Bytes."""
 
+LONGEST_KEY = 60
+"""Characters of a key that a message shows."""
+
 VERSION = 1
 """Version of the case language."""
 
@@ -264,7 +267,7 @@ def _problem(
 
 def _step(step: str | int, value: Any) -> str:
     if isinstance(step, str):
-        return f".{step}"
+        return f".{step}" if len(step) <= LONGEST_KEY else f".{step[: LONGEST_KEY - 3]}..."
     own = value.get("name") if isinstance(value, dict) else None
     return f"[{step} {shown(own)}]" if isinstance(own, str) else f"[{step}]"
 

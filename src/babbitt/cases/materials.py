@@ -10,8 +10,25 @@ from pydantic import Field
 from babbitt.cases.fields import Name
 from babbitt.cases.part import Complaint, Part, exactly_one, refused, rule
 from babbitt.cases.shorthand import Shorthand
-from babbitt.materials import bearing_metal, structural_material
+from babbitt.materials import (
+    AlloyFamily,
+    BearingMetal,
+    LoadLimits,
+    SourcedText,
+    SourcedValue,
+    bearing_metal,
+    structural_material,
+)
 from babbitt.units import si
+
+OWN = "metal of the case"
+"""Source of the limits of a metal of one's own."""
+
+Family = Literal[
+    "tin-based", "lead-based", "copper-lead", "copper-tin", "copper-aluminium", "copper-zinc", "aluminium-tin",
+    "aluminium-zinc", "aluminium-silicon", "other",
+]  # fmt: skip
+"""Values of `AlloyFamily`."""
 
 
 class Structure(Part):
@@ -46,13 +63,67 @@ def _named(given: Any) -> Any:
 StructureGiven = Annotated[Structure, Shorthand(_named, "a name in the catalogue")]
 
 
+class Metal(Part):
+    """A bearing metal: a name of the catalogue, or a metal of one's own with its limits."""
+
+    example: ClassVar[str] = "{name: Own bronze, family: copper-tin, specific_load: 12 MPa, temperature: 140 degC}"
+
+    name: Name = Field(description="Name in the catalogue, see `babbitt list materials`; of one's own metal any.")
+    family: Family | None = Field(
+        None, description="Family of one's own metal, whose general limits hold where it has none. None: other."
+    )
+    specific_load: Annotated[float, si("Pa", "0 MPa", "200 MPa")] | None = Field(
+        None, description="Largest specific load of one's own metal."
+    )
+    sliding_speed: Annotated[float, si("m/s", "0 m/s", "300 m/s")] | None = Field(
+        None, description="Largest surface speed of one's own metal."
+    )
+    load_times_speed: Annotated[float, si("Pa m/s", "0 MPa m/s", "10000 MPa m/s")] | None = Field(
+        None, description="Largest specific load times surface speed of one's own metal."
+    )
+    temperature: Annotated[float, si("K", "0 degC", "400 degC")] | None = Field(
+        None, description="Highest temperature of one's own metal."
+    )
+
+    @rule
+    def _name_is_known(self) -> Iterator[Complaint]:
+        if not self._is_own():
+            yield from refused(("name",), lambda: bearing_metal(self.name))
+
+    def _is_own(self) -> bool:
+        own = (self.family, self.specific_load, self.sliding_speed, self.load_times_speed, self.temperature)
+        return any(value is not None for value in own)
+
+    def metal(self) -> BearingMetal:
+        """Give the metal with its limits, those of one's own for loads of every character."""
+        if not self._is_own():
+            return bearing_metal(self.name)
+
+        def given(value: float | None) -> SourcedValue | None:
+            return None if value is None else SourcedValue(value, OWN)
+
+        loads = LoadLimits(given(self.specific_load), given(self.sliding_speed), given(self.load_times_speed))
+        return BearingMetal(
+            self.name,
+            AlloyFamily(self.family or AlloyFamily.OTHER),
+            OWN,
+            SourcedText("not given", OWN),
+            loads,
+            loads,
+            limiting_temperature=given(self.temperature),
+        )
+
+
+MetalGiven = Annotated[Metal, Shorthand(_named, "a name in the catalogue")]
+
+
 class Materials(Part):
     """Materials. A bearing may give single fields and take the others from its machine."""
 
     example: ClassVar[str] = "{bearing: C10, journal: 42CrMo4}"
 
-    bearing_metal: Name | None = Field(
-        None, description="Bearing metal, a name of the catalogue. Without it no limits of the metal are checked."
+    bearing_metal: MetalGiven | None = Field(
+        None, description="Bearing metal. Without it no specific load is checked, and no bearing passes."
     )
     load_character: Literal["calm", "shock"] | None = Field(
         None, description="How the load acts on the bearing metal. calm if not given."
@@ -62,8 +133,6 @@ class Materials(Part):
     )
     journal: StructureGiven | None = Field(None, description="Material of the journal.")
 
-    @rule
-    def _metal_is_known(self) -> Iterator[Complaint]:
-        name = self.bearing_metal
-        if name is not None:
-            yield from refused(("bearing_metal",), lambda: bearing_metal(name))
+    def metal(self) -> BearingMetal | None:
+        """Give the bearing metal; None where it is not named."""
+        return None if self.bearing_metal is None else self.bearing_metal.metal()

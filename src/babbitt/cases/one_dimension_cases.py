@@ -11,7 +11,7 @@ from babbitt.cases.joined_inputs import Inputs, Point, duty, journal_speed
 from babbitt.cases.one_dimension import METHODS
 from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition, OilSupply
 from babbitt.longfilm.model import Discretisation, ExchangeZone, LongFilmBearing, LongFilmCase
-from babbitt.materials import LoadCharacter, bearing_metal
+from babbitt.materials import LoadCharacter
 from babbitt.segments.model import SegmentBearing, SegmentCase
 
 SECTORS = {"draft": 90, "engineering": 180, "reference": 360}
@@ -68,7 +68,7 @@ def _sizes(inputs: Inputs, at: Point) -> dict[str, Any]:
         "width": inputs.width,
         "relative_clearance": at.clearance,
         "surfaces": bearing.surfaces.surfaces() if bearing.surfaces is not None else None,
-        "metal": bearing_metal(materials.bearing_metal) if materials.bearing_metal is not None else None,
+        "metal": materials.metal(),
         "load_character": LoadCharacter(materials.load_character or LoadCharacter.CALM),
         "clearance_tolerance": at.tolerance,
     }

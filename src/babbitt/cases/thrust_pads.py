@@ -7,9 +7,10 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.cases.fields import Name, WholeNumber
-from babbitt.cases.part import Complaint, Part, refused, rule
-from babbitt.materials import BearingMetal, bearing_metal
+from babbitt.cases.fields import WholeNumber
+from babbitt.cases.materials import MetalGiven
+from babbitt.cases.part import Complaint, Part, rule
+from babbitt.materials import BearingMetal
 from babbitt.thrust.bearing import HousingTilt
 from babbitt.thrust.face import PlaneFace, SteppedFace, TaperedFace
 from babbitt.units import si, written
@@ -152,19 +153,14 @@ class PadMaterials(Part):
 
     example: ClassVar[str] = "{bearing_metal: B83}"
 
-    bearing_metal: Name | None = Field(
+    bearing_metal: MetalGiven | None = Field(
         None,
-        description="Bearing metal of the faces, a name of the catalogue. None: B83, an assumption, unless "
-        "temperature_limit is given.",
+        description="Bearing metal of the faces. None: B83, an assumption, unless temperature_limit is given.",
     )
-
-    @rule
-    def _metal_is_known(self) -> Iterator[Complaint]:
-        yield from refused(("bearing_metal",), self.metal)
 
     def metal(self) -> BearingMetal | None:
         """Give the bearing metal; None where it is not named."""
-        return None if self.bearing_metal is None else bearing_metal(self.bearing_metal)
+        return None if self.bearing_metal is None else self.bearing_metal.metal()
 
 
 class Tilt(Part):

@@ -1,15 +1,15 @@
 """The command line: solve, check, compare, sweep, export, new, schema, validate, list, explain, cite."""
 
-from babbitt.cli import calculating, telling
-from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, SOLVED, UNUSABLE_INPUT, app, main
+from __future__ import annotations
 
-__all__ = [
-    "NOT_PASSED",
-    "NO_SOLUTION",
-    "SOLVED",
-    "UNUSABLE_INPUT",
-    "app",
-    "calculating",
-    "main",
-    "telling",
-]
+__all__ = ["main"]
+
+
+def main() -> None:
+    """Run the command line, which exits with its status; an interrupt ends it with one line and status 130."""
+    from babbitt.cli.interruption import ended_by_interrupts
+
+    with ended_by_interrupts():
+        from babbitt.cli.program import run
+
+        run()

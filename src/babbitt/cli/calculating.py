@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, AllowOutside, Files, app, reach
+from babbitt.cli.interruption import INTERRUPTED, raised_interrupts
 from babbitt.files.printing import printable
 
 __all__ = ["check", "compare", "export", "solve", "sweep"]
@@ -172,10 +173,18 @@ def sweep(
     given = values_of(values)
     variation = case_variation(file, path, bearing, reach(allow_outside))
     require_outputs(variation, csv, plot)
-    found = sweep_case(variation, given, shown(f"{printable(file)}: {path}"))
+    try:
+        with raised_interrupts():
+            found = sweep_case(variation, given, shown(f"{printable(file)}: {path}"))
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        raise typer.Exit(INTERRUPTED) from None
     write_outputs(found, csv, plot)
     if str(csv) != STANDARD_OUTPUT:
         print_sweep(found)
+    if found.interrupted:
+        print(f"interrupted; {len(found.places)} of {len(given.texts)} values are kept", file=sys.stderr)
+        raise typer.Exit(INTERRUPTED)
     if not found.solved:
         raise typer.Exit(NO_SOLUTION)
 

@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 from babbitt.cli.app import NOT_PASSED, AllowOutside, app, reach
-from babbitt.files.printing import printable
+from babbitt.files.printing import printable, takes_all_letters
 from babbitt.notices import EXPLANATIONS, InputError
 
 __all__ = ["cite", "explain", "list_", "new", "schema", "validate"]
@@ -49,7 +49,7 @@ def schema() -> None:
 
     from babbitt.cases import case_schema
 
-    print(json.dumps(case_schema(), indent=2, ensure_ascii=False))
+    print(json.dumps(case_schema(), indent=2, ensure_ascii=not takes_all_letters(sys.stdout)))
 
 
 @app.command()

@@ -8,7 +8,9 @@ from babbitt.design.bounds import NO_BOUNDS, Bounds, bounds_of, certain, unjudge
 from babbitt.design.conditions import Designed, surface_speed
 from babbitt.materials import (
     ExperienceLimit,
+    LoadLimits,
     SourcedValue,
+    metal_temperature_limit,
     pressure_fed_temperature_limit,
     self_cooled_temperature_limit,
     specific_load_limit,
@@ -23,8 +25,8 @@ AT_MOST, AT_LEAST = Bound.AT_MOST, Bound.AT_LEAST
 SLOW_UP_TO = 1.0
 """Surface speed in m/s up to which the exceptional specific load is granted (an assumption)."""
 
-METAL_CHECKS = ("C105", "C106", "C107", "C108")
-"""Limits of the bearing metal: specific load, speed, their product, temperature."""
+METAL_CHECKS = ("C105", "C106", "C107")
+"""Limits of the bearing metal itself: specific load, speed, their product."""
 
 
 def limit_checks(case: Designed, values: Mapping[str, float], bounds: Bounds = NO_BOUNDS) -> tuple[Check, ...]:
@@ -68,10 +70,12 @@ def _not_made(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
             yield Notice(code, "no bearing metal is given (materials: bearing_metal)")
     else:
         limits = metal.limits(bearing.load_character)
-        sources = (limits.specific_load, limits.sliding_speed, limits.pv, metal.limiting_temperature)
+        sources = (limits.specific_load, limits.sliding_speed, limits.pv)
         for code, limit in zip(METAL_CHECKS, sources, strict=True):
             if limit is None:
                 yield Notice(code, f"no public limit of {metal.name} is on board")
+    if limiting_temperature(case, values) is None:
+        yield Notice("C108", "no bearing metal is given, and only the temperature of the oil is known")
     if "transition_speed" not in values:
         missing = "transition_film_thickness" not in values
         yield Notice("C111", "surfaces are not given" if missing else "the film limit exceeds the clearance")
@@ -101,10 +105,23 @@ def limited_temperature(values: Mapping[str, float]) -> str:
     return max(known, key=lambda name: values[name])
 
 
+HOTTEST_PLACES = ("maximum_bush_temperature", "maximum_wall_temperature", "maximum_temperature")
+"""Hottest metal, and where it is not known the hottest film, by the methods that know more than the outlet."""
+
+
 def hottest_place(values: Mapping[str, float]) -> str:
-    """Name of the temperature for which limits of the metal hold: the hottest of bush or wall, where known."""
-    walls = ("maximum_bush_temperature", "maximum_wall_temperature")
-    return next((name for name in walls if name in values), limited_temperature(values))
+    """Name of the temperature for which limits of the metal hold: the hottest of bush, wall or film if known."""
+    return next((name for name in HOTTEST_PLACES if name in values), limited_temperature(values))
+
+
+def limiting_temperature(case: Designed, values: Mapping[str, float]) -> SourcedValue | None:
+    """What the hottest place is held against, in K.
+
+    The limit of the metal, else of its family, else the general one of bearing temperatures. That last one is for
+    places in bush or film: the temperature of oil that leaves has limits of its own (C104), and None stands here.
+    """
+    known = hottest_place(values) in HOTTEST_PLACES
+    return metal_temperature_limit(case.bearing.metal, case.limits.tables) if known or case.bearing.metal else None
 
 
 def film_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:
@@ -143,21 +160,19 @@ def load_and_temperature_checks(case: Designed, values: Mapping[str, float]) -> 
 
 def metal_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:
     """Load, speed and temperature against the bearing metal."""
-    metal = case.bearing.metal
-    if metal is None:
-        return
-    limits = metal.limits(case.bearing.load_character)
-    hottest = hottest_place(values)
+    metal, hottest = case.bearing.metal, hottest_place(values)
 
     def check(code: str, name: str, limit: SourcedValue | None, *, advisory: bool = False) -> Iterator[Check]:
         if limit is not None:
             yield Check(code, name, values[name], limit.value, AT_MOST, limit.source, advisory)
 
+    limits = LoadLimits() if metal is None else metal.limits(case.bearing.load_character)
     yield from check("C105", "specific_load", limits.specific_load)
     yield from check("C106", "surface_speed", limits.sliding_speed)
     yield from check("C107", "pressure_speed_product", limits.pv)
-    yield from check("C108", hottest, metal.limiting_temperature)
-    yield from check("C109", hottest, metal.recommended_temperature, advisory=True)
+    yield from check("C108", hottest, limiting_temperature(case, values))
+    if metal is not None:
+        yield from check("C109", hottest, metal.recommended_temperature, advisory=True)
 
 
 def validity_checks(values: Mapping[str, float]) -> Iterator[Check]:

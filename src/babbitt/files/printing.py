@@ -1,8 +1,12 @@
-"""Names and texts from outside, made safe to print."""
+"""Names and texts from outside, made safe to print on any output."""
 
 from __future__ import annotations
 
-__all__ = ["printable", "printable_lines"]
+import codecs
+import unicodedata
+from typing import Any
+
+__all__ = ["nearest_letters", "printable", "printable_lines", "takes_all_letters"]
 
 LONGEST_NAME = 240
 """Characters of a name that a message shows; file systems allow 255 in each part of a path."""
@@ -31,3 +35,58 @@ def printable_lines(text: str) -> str:
 
 def _visible(character: str) -> str:
     return character if character.isprintable() else character.encode("unicode_escape", "surrogatepass").decode()
+
+
+_NEAREST = {
+    "µ": "u", "μ": "u", "°": "deg ", "±": "+-", "×": "x", "·": "*", "–": "-", "—": "-", "−": "-", "…": "...",
+    "≤": "<=", "≥": ">=", "≈": "~", "→": "->", "√": "sqrt", "∞": "inf",
+}  # fmt: skip
+"""ASCII for what an older encoding lacks; a unit must not lose its prefix."""
+
+_HANDLER = "babbitt-nearest-letters"
+
+
+def nearest_letters(stream: Any) -> None:
+    """Let a stream write the nearest ASCII letters in place of those that its encoding lacks."""
+    reconfigure = getattr(stream, "reconfigure", None)
+    if reconfigure is not None:
+        reconfigure(errors=_HANDLER)
+
+
+def takes_all_letters(stream: Any) -> bool:
+    """Whether a stream is in UTF-8; JSON for another one needs escapes."""
+    return (getattr(stream, "encoding", None) or "utf-8").lower().replace("-", "").startswith("utf8")
+
+
+def _in_ascii(text: str) -> str:
+    """The nearest ASCII letters.
+
+    >>> _in_ascii("ψ = 1 ‰ at 20 °C, 3 µm²: Öl, p̄"), _in_ascii("≤ Δ 轴")
+    ('psi = 1 ? at 20 deg C, 3 um2: Ol, p', '<= Delta ?')
+    """
+    return "".join(_nearest(character) for character in text)
+
+
+def _nearest(character: str) -> str:
+    if character.isascii():
+        return character
+    if character in _NEAREST:
+        return _NEAREST[character]
+    if not character.isprintable():
+        return _visible(character)
+    if unicodedata.combining(character):
+        return ""
+    words = unicodedata.name(character, "").split()
+    if words[:2] in (["GREEK", "SMALL"], ["GREEK", "CAPITAL"]) and words[2] == "LETTER":
+        return words[3].lower() if words[1] == "SMALL" else words[3].capitalize()
+    plain = unicodedata.normalize("NFKD", character)
+    return "".join(_nearest(part) for part in plain) if plain != character else "?"
+
+
+def _replace(error: UnicodeError) -> tuple[str, int]:
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    return _in_ascii(error.object[error.start : error.end]), error.end
+
+
+codecs.register_error(_HANDLER, _replace)

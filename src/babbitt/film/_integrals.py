@@ -11,7 +11,8 @@ from __future__ import annotations
 from babbitt.film._compiling import compiled, inner
 from babbitt.film._grids import film_coefficients
 
-INFLOW, OUTFLOW, SIDE_FLOW, SIDE_INFLOW, IMBALANCE, JOURNAL_TORQUE, BEARING_TORQUE, TOTALS = range(8)
+INFLOW, OUTFLOW, SIDE_FLOW, SIDE_INFLOW, IMBALANCE = range(5)
+JOURNAL_TORQUE, BEARING_TORQUE, STREAMER_TORQUE, TOTALS = range(5, 9)
 
 
 @compiled
@@ -99,7 +100,8 @@ def edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals):
 
 @inner
 def add_friction(bearing, grid, k, i, film, x, y, weight, flux, full, p_here, p_behind, void, totals):
-    """Shear of one interval of one column: Couette part with the liquid fraction, and +- (h/2) dp/dtheta.
+    """Shear of one interval of one column: Couette part with the liquid fraction, and +- (h/2) dp/dtheta; the part
+    of streamers apart from both torques, too.
 
     In a full interval dp/dtheta = 12 (h/2 - q)/h^3 integrates exactly to 3 J_1 - 6 q J_2.
     """
@@ -113,5 +115,7 @@ def add_friction(bearing, grid, k, i, film, x, y, weight, flux, full, p_here, p_
         slope = 3.0 * bearing.speed * j1 - 6.0 * flux * j2
     else:
         slope = 0.25 * (ha + hb) * (p_behind - p_here)
+    if void > 0.0:
+        totals[k, STREAMER_TORQUE] += weight * couette
     totals[k, JOURNAL_TORQUE] += weight * (couette + slope)
     totals[k, BEARING_TORQUE] += weight * (couette - slope)

@@ -48,7 +48,7 @@ def half_sommerfeld_at(
         found, film=film, pressure=pressure, force=force, stiffness=unknown, damping=unknown.copy(),
         side_flow=np.full_like(found.side_flow, np.nan), end_flows=two, side_inflow=math.nan, inflow=two[:1],
         outflow=two[:1], supply_flow=two[:0], mass_balance_error=math.nan, friction_torque=shear + turn,
-        bearing_torque=shear - turn,
+        bearing_torque=shear - turn, streamer_torque=math.nan,
     )  # fmt: skip
 
 

@@ -67,9 +67,10 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
 
 
 def solution_of(
-    film: JournalFilm, scales: Scales, settled: SettledRing, torques: tuple[float, float], begun: float
+    film: JournalFilm, scales: Scales, settled: SettledRing, torques: tuple[float, float, float], begun: float
 ) -> FilmSolution:
-    """Everything in SI and in the fixed frame; ``torques`` on journal and bearing, dimensionless."""
+    """Everything in SI and in the fixed frame; ``torques`` on journal and bearing, and the part of both by
+    streamers, dimensionless."""
     sample, ring = settled.sample, settled.sample.ring
     stiffness, damping = closed_coefficients(settled)
     work, along = sample.work, flux_along(settled)
@@ -104,6 +105,7 @@ def solution_of(
         side_inflow=flows.drawn * scales.flow,
         friction_torque=torques[0] * scales.torque,
         bearing_torque=torques[1] * scales.torque,
+        streamer_torque=torques[2] * scales.torque,
         mass_balance_error=float(free.sum() / max(passing, 1e-300)),
         iterations=settled.steps,
         wall_time=time.perf_counter() - begun,
@@ -202,30 +204,53 @@ def supply_order(film: JournalFilm, seen: JournalFilm) -> list[int]:
     return before + pockets
 
 
-def friction(settled: SettledRing) -> tuple[float, float]:
-    """Torques on journal and bearing: Couette shear with the liquid fraction, and -+ (h/2) dp/dtheta.
-
-    Grooves, pockets and holes are deep beside the film: the oil in them is not sheared.
-    """
+def friction(settled: SettledRing) -> tuple[float, float, float]:
+    """Torques on journal and bearing: Couette shear with the liquid fraction, and -+ (h/2) dp/dtheta; and the part
+    of the shear by streamers."""
     sample, surface = settled.sample, settled.sample.ring.surface
     work, node = sample.work, surface.node
-    lift = settled.position[:, None] * surface.lever
-    ha, hb = surface.gap_a - surface.shape_a.T @ lift, surface.gap_b - surface.shape_b.T @ lift
+    ha, hb = _gaps(settled)
     n = surface.step.size
     after = (np.arange(n) + 1) % work.pressure.shape[0]
-    half = 0.5 * surface.step[:, None]
-    ambient = surface.viscosity
-    viscosity = ambient * (0.5 * (work.stiffening[:n] + work.stiffening[after]))[:, node]
-    thinness, turbulence = 1.0 / ha + 1.0 / hb, settled.film.turbulence
-    if turbulence is not None:
-        fa, fb = (turbulence.shear_factor(surface.turbulence[0] * gap / ambient) for gap in (ha, hb))
-        thinness = fa / ha + fb / hb
-    shear = surface.speed * viscosity * half * thinness * work.fill[:n][:, node]
-    shear[_in_hollow(settled, after)] = 0.0
+    viscosity = surface.viscosity * (0.5 * (work.stiffening[:n] + work.stiffening[after]))[:, node]
+    shear = couette_shear(settled, viscosity)
     pressure = true_pressures(surface, work.pressure)
     slope = 0.25 * (ha + hb) * (pressure[after] - pressure[:n])[:, node]
     couette, hydraulic = float((shear @ surface.share).sum()), float((slope @ surface.share).sum())
-    return couette + hydraulic, couette - hydraulic
+    return couette + hydraulic, couette - hydraulic, streamer_shear(settled, shear)
+
+
+def couette_shear(settled: SettledRing, viscosity: Array) -> Array:
+    """Torque of every piece of the surface by shear of its oil, shape (n, points), over that of its share of the
+    width, at viscosities over the reference.
+
+    Grooves, pockets and holes are deep beside the film: the oil in them is not sheared.
+    """
+    surface, work = settled.sample.ring.surface, settled.sample.work
+    ha, hb = _gaps(settled)
+    n = surface.step.size
+    thinness, turbulence = 1.0 / ha + 1.0 / hb, settled.film.turbulence
+    if turbulence is not None:
+        fa, fb = (turbulence.shear_factor(surface.turbulence[0] * gap / surface.viscosity) for gap in (ha, hb))
+        thinness = fa / ha + fb / hb
+    half = 0.5 * surface.step[:, None]
+    shear = np.asarray(surface.speed * viscosity * half * thinness * work.fill[:n][:, surface.node])
+    shear[_in_hollow(settled, (np.arange(n) + 1) % work.pressure.shape[0])] = 0.0
+    return shear
+
+
+def streamer_shear(settled: SettledRing, shear: Array) -> float:
+    """What of a shear (`couette_shear`) belongs to the oil that the ruptured film carries."""
+    surface, work = settled.sample.ring.surface, settled.sample.work
+    ruptured = (work.fill[: surface.step.size] < 1.0)[:, surface.node]
+    return float((np.where(ruptured, shear, 0.0) @ surface.share).sum())
+
+
+def _gaps(settled: SettledRing) -> tuple[Array, Array]:
+    """Gaps at both Gauss points of every interval, shape (n, points)."""
+    surface = settled.sample.ring.surface
+    lift = settled.position[:, None] * surface.lever
+    return surface.gap_a - surface.shape_a.T @ lift, surface.gap_b - surface.shape_b.T @ lift
 
 
 def true_pressures(surface: Surface, reduced: Array) -> Array:

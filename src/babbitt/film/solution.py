@@ -84,6 +84,8 @@ class FilmSolution:
         What the sides draw in, m3/s: nothing where their pressure is that of the cavity.
     friction_torque, bearing_torque : float
         On the journal and on the bearing, N m, against and with the rotation.
+    streamer_torque : float
+        Part of both by shear of the oil that the ruptured film carries, N m.
     mass_balance_error : float
         Over the flow that enters the lands. Under the Reynolds condition the film itself does not conserve oil.
     iterations : int
@@ -113,6 +115,7 @@ class FilmSolution:
     side_inflow: float
     friction_torque: float
     bearing_torque: float
+    streamer_torque: float
     mass_balance_error: float
     iterations: int
     wall_time: float

@@ -24,6 +24,7 @@ from babbitt.film._integrals import (
     OUTFLOW,
     SIDE_FLOW,
     SIDE_INFLOW,
+    STREAMER_TORQUE,
     TOTALS,
     integrate,
 )
@@ -300,6 +301,7 @@ def assemble(
         end_flows=np.full(2, 0.5 * totals[:, SIDE_FLOW].sum() * scales.flow),
         side_inflow=float(totals[:, SIDE_INFLOW].sum() * scales.flow),
         friction_torque=float(totals[:, JOURNAL_TORQUE].sum() * scales.torque),
+        streamer_torque=float(totals[:, STREAMER_TORQUE].sum() * scales.torque),
         bearing_torque=float(totals[:, BEARING_TORQUE].sum() * scales.torque),
         mass_balance_error=float(np.abs(totals[:, IMBALANCE]).sum() / max(abs(inflow), 1e-300)),
         iterations=steps,

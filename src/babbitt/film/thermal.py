@@ -31,7 +31,13 @@ from babbitt.film.heat import THERMAL_ENGINEERING, FilmHeat
 from babbitt.film.model import Cavitation, JournalFilm, Resolution
 from babbitt.film.ring import build_ring
 from babbitt.film.ring_mesh import Density
-from babbitt.film.ring_solution import mirrored, solution_of, supply_order
+from babbitt.film.ring_solution import (
+    couette_shear,
+    mirrored,
+    solution_of,
+    streamer_shear,
+    supply_order,
+)
 from babbitt.film.scales import Scales
 from babbitt.film.thermal_solution import ThermalFilm, thermal_film
 from babbitt.film.warm_ring import WarmRing
@@ -348,7 +354,10 @@ def answer(frame: LoadFrame, seen: JournalFilm, scales: Scales, found: WarmRest,
     settled = SettledRing(seen, warm.sample, found.position, found.status, found.passes, found.gap)
     x, y = found.position
     turning = float(x * warm.sample.force[1] - y * warm.sample.force[0])  # of load and reaction, e apart
-    torques = warm.friction, warm.friction - turning
+    surface = warm.sample.ring.surface
+    viscosity = warm.flows.shear_viscosity[: surface.step.size][:, warm.columns.column[surface.node]]
+    streamers = streamer_shear(settled, couette_shear(settled, viscosity))
+    torques = warm.friction, warm.friction - turning, streamers
     solution = solution_of(frame.film, scales, settled, torques, begun)
     return turned_back(frame, thermal_film(solution, scales, warm, supply_order(frame.film, seen)))
 

@@ -201,8 +201,10 @@ def without_gap(case: HydrostaticCase, found: float) -> Answer:
         found, (case.rest_gap, Ending.NOT_CONVERGED)
     )
     last = answer_at(replace(case, method="quick"), np.zeros(load_vector(case).size), gap)
+    if last.ending is Ending.UNSTABLE_NETWORK:
+        ending = last.ending  # what it carries is no load
     share = 0.0 if ending is Ending.LIFTED_OFF else float(last.response.force[0]) / (case.duty.load or 1.0)
-    return replace(last, ending=ending, minimum_gap=gap, carried=share)
+    return replace(last, ending=ending, minimum_gap=gap, carried=max(share, 0.0))
 
 
 def coarser(case: HydrostaticCase, found: Answer) -> RecessState:

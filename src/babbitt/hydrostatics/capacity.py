@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from babbitt.design.roots import bracketed_root
+from babbitt.design.roots import bracketed_root, find_root
 from babbitt.hydrostatics.answer import MOST_OPEN, Answer, answer_at, load_vector
 from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad
 from babbitt.hydrostatics.model import HydrostaticCase
@@ -41,7 +41,9 @@ def excess_pressure(case: HydrostaticCase, found: Answer) -> float:
 
 
 def journal_capacity(case: HydrostaticCase, depth: float) -> float | None:
-    """Load in its given direction up to an eccentricity."""
+    """Load in its given direction up to an eccentricity; none where the least gap leaves no room for one."""
+    if depth == 0.0:
+        return 0.0
     state = straight_at(case, depth)
     if state is not None and is_pumped(case) and excess_pressure(case, state) > 0.0:
 
@@ -78,6 +80,9 @@ def straight_at(case: HydrostaticCase, depth: float) -> Answer | None:
 
     attitude = 0.0
     if case.duty.angular_speed and depth and aside(0.0) * aside(0.5 * math.pi) < 0.0:
-        attitude = bracketed_root(aside, 0.0, 0.5 * math.pi, 1e-3)
+        root = find_root(aside, 0.0, 0.5 * math.pi, 1e-3)
+        if not root.converged:  # there is no state on the way
+            return None
+        attitude = root.value
     found = state(attitude)
     return found if found.ending is Ending.SOLVED else None

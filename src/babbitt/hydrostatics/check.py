@@ -8,30 +8,36 @@ from dataclasses import replace
 
 import numpy as np
 
-from babbitt.hydrostatics.answer import Answer, answer, coarser
+from babbitt.design.heat_balance import CEILING
+from babbitt.film.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values
+from babbitt.hydrostatics.answer import Answer, answer, answer_at, coarser
 from babbitt.hydrostatics.capacity import capacity
 from babbitt.hydrostatics.extrapolation import half_of, richardson, richardson_of_matrices
-from babbitt.hydrostatics.friction import friction_power
 from babbitt.hydrostatics.geometry import RectangularPad, ThrustRing
+from babbitt.hydrostatics.heat_balance import heated, temperature_rise
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.hydrostatics.pumping import held_pressure, highest_pressure, is_pumped
 from babbitt.hydrostatics.state import Ending
 from babbitt.hydrostatics.validity import doubts
 from babbitt.hydrostatics.values import arrays, values
+from babbitt.hydrostatics.whirl import whirl_of
 from babbitt.notices import InputError, Notice
 from babbitt.results import Bound, Check, Outcome, Result
+from babbitt.units import ZERO_CELSIUS
 
-__all__ = ["hydrostatic_check", "warmed"]
+__all__ = ["hydrostatic_check"]
 
 OUTCOMES = {
     Ending.SOLVED: Outcome.CONVERGED,
     Ending.OVERLOADED: Outcome.OVERLOADED,
     Ending.LIFTED_OFF: Outcome.LIFTED_OFF,
     Ending.UNSTABLE_NETWORK: Outcome.UNSTABLE_NETWORK,
+    Ending.THERMAL_RUNAWAY: Outcome.THERMAL_RUNAWAY,
     Ending.NOT_CONVERGED: Outcome.NOT_CONVERGED,
 }
 USER = "set in the case"
-MOST_ROUNDS = 60
+THROTTLED, OPEN = 0.3, 0.8
+"""Recess over supply pressure of the centred journal outside which restrictors are to be changed: as of W302."""
 
 
 def hydrostatic_check(case: HydrostaticCase) -> Result:
@@ -54,7 +60,8 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
     begun = time.perf_counter()
     refuse_contact(case)
     refuse_short_recess(case)
-    case, found = warmed(case)
+    state = heated(case)
+    case, found = state.case, state.found
     outcome, message = judged(case, found)
     settings = {"method": case.method, "accuracy": case.accuracy if case.method == "film" else ""}
     if outcome is not Outcome.CONVERGED:
@@ -74,13 +81,16 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
             "supply_temperature": case.oil.supply_temperature,
             "outlet_temperature": case.oil.supply_temperature + named["temperature_rise"],
         }
+    if state.temperature is not None:
+        named |= {"effective_temperature": state.temperature, "energy_balance_error": abs(state.heat_error)}
+    whirl = whirl_of(case, found)
+    if whirl is not None:
+        named |= whirl_values(case, whirl)
     if case.least_gap is not None:
         limit = capacity(case)
         named |= {} if limit is None else {"load_capacity": limit}
     if found.film is not None and found.film.network.converged:
-        rough = coarser(case, found)
-        size = max(float(np.abs(found.response.force).max()), 1e-300)
-        named["grid_error"] = float(np.abs(rough.response.force - found.response.force).max()) / size / 3.0
+        named["grid_error"] = grid_error(case, found)
     named |= {"iterations": float(found.steps), "wall_time": time.perf_counter() - begun}
     return Result(
         case.name,
@@ -88,37 +98,21 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
         case.method,
         outcome,
         named,
-        checks=tuple(checks(case, found, named)),
+        checks=(*checks(case, found, named), *whirl_checks(case, whirl)),
         not_checked=() if case.least_gap is not None else (Notice("C301", "no least_gap is given"),),
-        warnings=(*case.doubts, *doubts(case, found, named)),
+        warnings=(*case.doubts, *doubts(case, found, named), *(doubts_about_whirl(whirl) if whirl else ())),
         assumptions=case.assumptions,
         settings=settings,
         arrays=several,
     )
 
 
-def warmed(case: HydrostaticCase) -> tuple[HydrostaticCase, Answer]:
-    """The case with the oil at the temperature of its film, and its state.
-
-    With a lubricant and a supply temperature the film is as warm as the oil leaves it: supply plus the rise by
-    friction and by the pressure lost in it. Fixed point with half steps.
-    """
-    supply = case.oil.supply_temperature
-    if supply is None or case.oil.lubricant is None:
-        return case, answer(case)
-    temperature = supply
-    for _ in range(MOST_ROUNDS):
-        case = replace(case, oil=case.oil.at(temperature))
-        found = answer(case)
-        if found.ending is not Ending.SOLVED:
-            return case, found
-        flow = float(found.network.flows.sum())
-        lost = float(found.network.pressures @ found.network.flows) + friction_power(case, found)
-        wanted = supply + lost / (case.oil.density * case.oil.heat_capacity * flow)
-        if abs(wanted - temperature) < 1e-3:
-            break
-        temperature += 0.5 * (min(wanted, 573.15) - temperature)
-    return case, found
+def grid_error(case: HydrostaticCase, found: Answer) -> float:
+    """A third of the change of the film's force on half the lines, relative, moments by the bearing's radius."""
+    change = coarser(case, found).response.force - found.response.force
+    arm = 1.0 if case.is_journal else np.append(1.0, np.full(change.size - 1, 1.0 / case.reach))
+    size = max(float(np.linalg.norm(found.response.force * arm)), 1e-300)
+    return float(np.linalg.norm(change * arm)) / size / 3.0
 
 
 def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
@@ -149,6 +143,12 @@ def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
             "faster "
             "with pressure than the lands let out: lower its gain"
         )
+    if found.ending is Ending.THERMAL_RUNAWAY:
+        rise = temperature_rise(case, found)
+        return Outcome.THERMAL_RUNAWAY, (
+            f"with its oil at {CEILING - ZERO_CELSIUS:.0f} °C the film would warm it by {rise:.0f} K. Lower the "
+            "speed or the viscosity, or let more oil through: wider gap or restrictors, more supply pressure"
+        )
     return Outcome.NOT_CONVERGED, (
         f"after {found.steps} steps the smallest gap was {1e6 * found.minimum_gap:.3g} µm and "
         f"{100.0 * found.carried:.0f} % of the load were carried"
@@ -169,8 +169,26 @@ def overloaded(case: HydrostaticCase, found: Answer) -> str:
         )
     return (
         f"the load is {1e-3 * load:.4g} kN; up to about {1e-3 * share * load:.4g} kN were carried "
-        f"({100.0 * share:.0f} %). Raise the supply pressure or the recess area, or widen restrictors"
+        f"({100.0 * share:.3g} %). Raise the supply pressure or the recess area{about_restrictors(case)}"
     )
+
+
+def about_restrictors(case: HydrostaticCase) -> str:
+    """Which way to change the restrictors of an overloaded bearing.
+
+    Where a pad touches, its recess has the pressure of the supply whatever the restrictor. A journal is carried by
+    the difference of its recesses, which open restrictors do not let arise, nor those that let hardly any oil in.
+    """
+    if not case.is_journal or is_pumped(case):
+        return ""
+    centred = answer_at(replace(case, accuracy="draft"), np.zeros(2), case.rest_gap)
+    if centred.ending is not Ending.SOLVED:
+        return ""
+    ratio = float(centred.network.pressures.mean()) / centred.network.supply_pressure
+    says = f"where the journal is centred its recesses have {100.0 * ratio:.3g} % of the supply pressure"
+    if ratio > OPEN:
+        return f"; {says}: narrow the restrictors, so that pressures can differ"
+    return f"; {says}: widen the restrictors" if ratio < THROTTLED else ""
 
 
 def checks(case: HydrostaticCase, found: Answer, named: dict[str, float]) -> list[Check]:

@@ -68,6 +68,12 @@ class JackingCase:
             if value is not None and not 0.0 < value < self.bearing.clearance:
                 raise InputError("E101", f"{name} is {1e6 * value:.6g} µm; it must be above zero and less than "
                                  f"the radial clearance, {1e6 * self.bearing.clearance:.6g} µm.")  # fmt: skip
+        if self.lift_gap is not None and not self.lift_gap > self.roughness:
+            raise InputError(
+                "E101",
+                f"lift_gap is {1e6 * self.lift_gap:.6g} µm; it must be more than the "
+                f"composite roughness, {1e6 * self.roughness:.6g} µm, on which the shaft lies.",
+            )
         if not any(math.sin(angle) < 0.0 for angle in self.bearing.recess_angles):
             raise InputError("E101", "no pocket lies in the lower half; the load acts downwards (-90 deg).")
         if not self.projected_area > LEAST_SHARE * self.bearing.recess_length * self.bearing.radius:

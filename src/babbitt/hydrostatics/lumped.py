@@ -7,7 +7,7 @@ Exact for the lumped lands; against the film in two dimensions the stiffness of 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -139,7 +139,7 @@ def lumped_under(lumps: Lumps, feeding: Feeding, load: Array, state: LumpedState
             break
         state = lumped_at(lumps, feeding, at, state.network)
         if state.ending is not Ending.SOLVED:
-            return state
+            return replace(state, carried=best)
     return LumpedState(state.response, state.network, state.at, Ending.OVERLOADED, best)
 
 

@@ -40,6 +40,8 @@ class Oil:
         With it the viscosity is sought at the supply temperature and the rise of the film.
     supply_temperature : float or None
         K.
+    temperature : float or None
+        K, at which the viscosity holds; None where nothing says it.
     """
 
     viscosity: float
@@ -47,6 +49,7 @@ class Oil:
     heat_capacity: float
     lubricant: Lubricant | None = None
     supply_temperature: float | None = None
+    temperature: float | None = None
 
     def __post_init__(self) -> None:
         positive(viscosity=self.viscosity, density=self.density, heat_capacity=self.heat_capacity)
@@ -59,7 +62,11 @@ class Oil:
         density = float(oil.density(temperature))
         heat = float(oil.volumetric_heat_capacity(temperature)) / density
         return replace(
-            self, viscosity=float(oil.dynamic_viscosity(temperature)), density=density, heat_capacity=heat
+            self,
+            viscosity=float(oil.dynamic_viscosity(temperature)),
+            density=density,
+            heat_capacity=heat,
+            temperature=temperature,
         )
 
 
@@ -142,6 +149,9 @@ class HydrostaticCase:
         ``draft``, ``engineering`` or ``reference``.
     given, assumptions, doubts : tuple
         For the report.
+    rotor_mass, shaft_stiffness : float or None
+        Part of the rotor that a journal bearing carries, kg, and its shaft, N/m; None is the mass whose weight is
+        the load, and a rigid shaft.
     """
 
     name: str
@@ -162,6 +172,8 @@ class HydrostaticCase:
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()
     doubts: tuple[Notice, ...] = ()
+    rotor_mass: float | None = None
+    shaft_stiffness: float | None = None
 
     @property
     def count(self) -> int:

@@ -111,7 +111,9 @@ class NetworkState:
 def answering(slope: Array, supply_slope: Array, manifold_slope: complex) -> NDArray[Any]:
     """-dQ/dp of restrictors with what they take off the supply pressure, where that does not stand."""
     own = np.diag(slope)
-    return own if cmath.isinf(manifold_slope) else own - np.outer(supply_slope, slope) / manifold_slope
+    if cmath.isinf(manifold_slope) or not np.any(supply_slope):  # metered flows do not ask for the supply pressure
+        return own
+    return own - np.outer(supply_slope, slope) / manifold_slope
 
 
 def least_eigenvalue(matrix: Array, symmetric: bool) -> float:
@@ -159,12 +161,13 @@ def attempts(
 ) -> NetworkState:
     """Newton from the given pressures; where that ends nowhere or in an unstable state, from high and low ones.
 
-    Valves with a rising law may have several states, of which the stable one lasts.
+    Valves with a rising law may have several states, of which the stable one lasts: for one recess Newton meets it
+    from the pressure of the supply, where the ports are open and let nothing in.
     """
     first = newton(feeding, conductance, outflow, at, at, supply, pump)
     if first.converged and first.is_stable:
         return first
-    for share in (0.98, 0.02):
+    for share in (1.0, 0.98, 0.02) if at.size == 1 else (0.98, 0.02):
         start = np.full(at.size, share * supply)
         other = newton(feeding, conductance, outflow, at, start, supply, pump)
         if other.converged and other.is_stable:

@@ -29,6 +29,7 @@ class Ending(Enum):
     OVERLOADED = "no gap is left under this load"
     LIFTED_OFF = "the load is too light for the widest gap"
     UNSTABLE_NETWORK = "the flow network of the recesses has no stable state"
+    THERMAL_RUNAWAY = "the oil is hotter than any temperature that is searched"
     NOT_CONVERGED = "the iteration ended without meeting its tolerance"
 
 
@@ -95,6 +96,12 @@ class RecessState:
     def maximum_pressure(self) -> float:
         """Gauge, Pa."""
         return float(self.film.pressures().max())
+
+
+FINEST_RISE = 3e-3
+"""Of the share of the load that was carried: how closely the greatest load is told."""
+LEAST_SHARE = 1e-7
+"""Of the load, below which none is sought that might be carried."""
 
 
 def first_guess(feeding: Feeding, film: RecessFilm) -> tuple[Array, float]:
@@ -204,7 +211,7 @@ def climb(film: RecessFilm, feeding: Feeding, load: Array, start: Array, thinnes
     pressures, supply = first_guess(feeding, film)
     at, share, rise = start, 0.0, 0.1
     state: RecessState | None = None
-    while rise > 2e-3:
+    while rise > max(FINEST_RISE * share, LEAST_SHARE):
         goal = min(1.0, share + rise)
         film.work.wet[:] = True
         found = descend(film, feeding, goal * load, at, pressures, supply, thinnest, 1e-4)
@@ -252,10 +259,12 @@ def descend(
         else:
             creep = 0.2 * creep if creep > slow else 0.0
         old = short
-        move = np.linalg.solve(stiffness + creep * damping, residual)
-        while move @ residual <= 0.0 < short and creep < 1e9 * slow:  # against the force: behind the greatest load
+        move = towards(stiffness + creep * damping, residual)
+        while not move @ residual > 0.0 and short > 0.0 and creep < 1e9 * slow:  # behind the greatest load
             creep = max(4.0 * creep, slow)
-            move = np.linalg.solve(stiffness + creep * damping, residual)
+            move = towards(stiffness + creep * damping, residual)
+        if not np.isfinite(move).all():
+            return RecessState(film, response, network, at, Ending.NOT_CONVERGED, step, short)
         new_gap, halvings = film.gap(at + move), 0
         while not new_gap > 0.4 * gap and halvings < 40:
             move, halvings = 0.5 * move, halvings + 1
@@ -269,3 +278,11 @@ def descend(
         if gap < thinnest:
             return RecessState(film, response, network, at, Ending.OVERLOADED, step, short)
     return RecessState(film, response, network, at, Ending.NOT_CONVERGED, step, max(moved, short))
+
+
+def towards(stiffness: Array, residual: Array) -> Array:
+    """Motion by which a stiffness takes up a force; no numbers where it has none in some direction."""
+    try:
+        return np.asarray(np.linalg.solve(stiffness, residual))
+    except np.linalg.LinAlgError:
+        return np.full_like(residual, np.nan)

@@ -8,10 +8,12 @@ import numpy as np
 
 from babbitt.hydrostatics.answer import Answer
 from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad, ThrustRing
+from babbitt.hydrostatics.impedance import impedance
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.hydrostatics.pumping import is_pumped, law_of
 from babbitt.hydrostatics.restrictors import Capillary, Orifice
 from babbitt.notices import Notice
+from babbitt.units import ZERO_CELSIUS
 
 __all__ = ["doubts"]
 
@@ -19,6 +21,10 @@ LAMINAR_FILM, LAMINAR_TUBE = 1000.0, 2000.0
 SLENDER, SMALLEST_ORIFICE = 20.0, 0.3e-3
 BEYOND_SENSE = 200.0
 """K; assumption: no mineral oil is warmed by more and still a lubricant."""
+LARGEST_RISE = 100.0
+"""K; assumption: one viscosity for the whole film ends here at the latest."""
+OPEN_MASS, OPEN_HEAT = 1e-6, 1e-3
+"""Relative errors of the balances from which there is no verdict; the temperature is sought to 1e-6 K."""
 MOST_EDGE_INERTIA, MOST_LOSS, WARMEST = 0.2, 0.2, 20.0
 
 
@@ -36,6 +42,8 @@ def doubts(case: HydrostaticCase, found: Answer, named: Mapping[str, float]) -> 
     yield from of_pressures(case, found, named)
     yield from of_film(case, found, named)
     yield from of_powers(case, named)
+    yield from of_balances(case, named)
+    yield from of_vibration(case, found)
     yield from of_method(case)
 
 
@@ -125,6 +133,32 @@ def of_powers(case: HydrostaticCase, named: Mapping[str, float]) -> Iterator[Not
     if rise > WARMEST:
         by = f"{rise:.3g} K" if rise <= BEYOND_SENSE else f"more than {BEYOND_SENSE:.0f} K, which it cannot,"
         yield Notice("W312", f"the oil warms by {by} between manifold and drain")
+    if rise > LARGEST_RISE:
+        yield Notice("W322", f"the oil would warm by {rise:.0f} K > {LARGEST_RISE:.0f} K")
+    oil = case.oil
+    if oil.lubricant is not None and oil.temperature is not None and not oil.lubricant.covers(oil.temperature):
+        low, high = (kelvin - ZERO_CELSIUS for kelvin in oil.lubricant.temperature_range)
+        yield Notice("W326", f"the film is at {oil.temperature - ZERO_CELSIUS:.0f} °C, the data of "
+                     f"{oil.lubricant.name} reach from {low:.0f} to {high:.0f} °C")  # fmt: skip
+
+
+def of_balances(case: HydrostaticCase, named: Mapping[str, float]) -> Iterator[Notice]:
+    """Oil and heat that are not accounted for."""
+    mass, heat = named["mass_balance_error"], named.get("energy_balance_error", 0.0)
+    if not mass < OPEN_MASS:
+        yield Notice("W324", f"{mass:.2g} of the oil is not accounted for")
+    if not heat < OPEN_HEAT:
+        yield Notice("W325", f"{heat:.2g} of the heat of the film is not accounted for")
+
+
+def of_vibration(case: HydrostaticCase, found: Answer) -> Iterator[Notice]:
+    """Negative damping of some motion at a frequency of the case."""
+    for frequency in case.frequencies:
+        damping = impedance(found.response, found.network, case.compressibility, frequency)[1]
+        if case.kind == "hydrostatic_pad":
+            damping = damping[:1, :1]
+        if float(np.linalg.eigvalsh(0.5 * (damping + damping.T)).min()) < 0.0:
+            yield Notice("W323", f"a motion at {frequency / (2.0 * np.pi):.4g} Hz is not damped but fed")
 
 
 def of_method(case: HydrostaticCase) -> Iterator[Notice]:

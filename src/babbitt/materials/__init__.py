@@ -9,6 +9,7 @@ from babbitt.materials.catalogue import (
 )
 from babbitt.materials.experience import (
     empirical_minimum_film_thickness,
+    metal_temperature_limit,
     pressure_fed_temperature_limit,
     self_cooled_temperature_limit,
     specific_load_limit,
@@ -39,6 +40,7 @@ __all__ = [
     "bearing_metals",
     "empirical_minimum_film_thickness",
     "experience_limits",
+    "metal_temperature_limit",
     "pressure_fed_temperature_limit",
     "parse_experience_limits",
     "read_experience_limits",

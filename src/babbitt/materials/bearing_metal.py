@@ -9,9 +9,10 @@ from babbitt.materials.sourced import SourcedText, SourcedValue
 
 
 class AlloyFamily(StrEnum):
-    """Families of bearing metals that share experience values."""
+    """Families of bearing metals that share experience values; nothing is known of `OTHER`."""
 
-    LEAD_TIN = "lead-tin"
+    TIN = "tin-based"
+    LEAD = "lead-based"
     COPPER_LEAD = "copper-lead"
     COPPER_TIN = "copper-tin"
     COPPER_ALUMINIUM = "copper-aluminium"
@@ -19,6 +20,7 @@ class AlloyFamily(StrEnum):
     ALUMINIUM_TIN = "aluminium-tin"
     ALUMINIUM_ZINC = "aluminium-zinc"
     ALUMINIUM_SILICON = "aluminium-silicon"
+    OTHER = "other"
 
 
 class LoadCharacter(StrEnum):
@@ -56,7 +58,7 @@ class BearingMetal:
     name : str
         Designation, such as ``"SnSb8Cu4"`` or ``"B83"``.
     family : AlloyFamily
-        Selects the experience values (`babbitt.materials.specific_load_limit`).
+        Selects the experience values (`babbitt.materials.specific_load_limit`, `metal_temperature_limit`).
     standard : str
         Where the alloy is specified.
     composition : SourcedText

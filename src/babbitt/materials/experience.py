@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from babbitt.materials.bearing_metal import AlloyFamily
+from babbitt.materials.bearing_metal import AlloyFamily, BearingMetal
 from babbitt.materials.experience_tables import ExperienceLimit, ExperienceLimits, experience_limits
+from babbitt.materials.sourced import SourcedValue
 from babbitt.notices import InputError
 
 
@@ -49,11 +50,45 @@ def specific_load_limit(family: AlloyFamily, tables: ExperienceLimits | None = N
 
     Examples
     --------
-    >>> limit = specific_load_limit(AlloyFamily.LEAD_TIN)
+    >>> limit = specific_load_limit(AlloyFamily.TIN)
     >>> limit.general / 1e6, limit.exceptional / 1e6
     (5.0, 15.0)
     """
     return (tables or experience_limits()).specific_load.get(family)
+
+
+def metal_temperature_limit(metal: BearingMetal | None, tables: ExperienceLimits | None = None) -> SourcedValue:
+    """Limiting temperature of a bearing metal, in K: its own, else that of its family, else the general one.
+
+    Parameters
+    ----------
+    metal : BearingMetal or None
+        None where the case names none.
+    tables : ExperienceLimits, optional
+        The user's own instead of the shipped ones; families that they lack have the shipped values.
+
+    Returns
+    -------
+    SourcedValue
+        The last resort, the general limit of the bearing temperature, says in its source that it is an assumption.
+
+    Examples
+    --------
+    >>> round(metal_temperature_limit(None).value - 273.15)
+    90
+    """
+    if metal is not None:
+        if metal.limiting_temperature is not None:
+            return metal.limiting_temperature
+        for known in (tables, experience_limits()):
+            if known is not None and metal.family in known.metal_temperature:
+                of_family = known.metal_temperature[metal.family]
+                return SourcedValue(of_family.value, f"{metal.family.value} metals: {of_family.source}")
+    general = self_cooled_temperature_limit(tables)
+    unknown = "no bearing metal is given" if metal is None else f"nothing is known of {metal.name}"
+    return SourcedValue(
+        general.general, f"assumption, as {unknown}: general limit of the bearing temperature; {general.source}"
+    )
 
 
 def self_cooled_temperature_limit(tables: ExperienceLimits | None = None) -> ExperienceLimit:

@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 import tomllib
 from bisect import bisect_left
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
+from babbitt.materials import bounded_toml
 from babbitt.materials.bearing_metal import AlloyFamily
+from babbitt.materials.sourced import SourcedValue
 from babbitt.notices import InputError
 from babbitt.units import ZERO_CELSIUS
 
@@ -84,6 +86,8 @@ class ExperienceLimits:
         Temperatures in K: of the bearing when self-cooled, of the oil outlet when pressure-fed.
     circulation_time : float
         Total oil volume over flow rate, in s, up to which there is little oil.
+    metal_temperature : Mapping of AlloyFamily to SourcedValue
+        Limiting temperature of the metals of a family, in K: the lowest of its sources.
     """
 
     source: str
@@ -93,6 +97,7 @@ class ExperienceLimits:
     pressure_fed_little_oil: ExperienceLimit
     pressure_fed_much_oil: ExperienceLimit
     circulation_time: float
+    metal_temperature: Mapping[AlloyFamily, SourcedValue] = field(default_factory=dict)
 
 
 def experience_limits() -> ExperienceLimits:
@@ -141,7 +146,7 @@ def parse_experience_limits(text: str, name: str = "<text>") -> ExperienceLimits
         E003 if it is not of the form of the shipped ``limits.toml``.
     """
     try:
-        return _parse(tomllib.loads(text))
+        return _parse(bounded_toml.loads(text))
     except tomllib.TOMLDecodeError as error:
         raise InputError("E003", f"the limits file {name} is not valid TOML: {error}") from None
     except (KeyError, TypeError, ValueError, AttributeError) as error:
@@ -162,11 +167,11 @@ def _parse(raw: Mapping[str, Any]) -> ExperienceLimits:
     source = str(raw["source"])
     film, load, temperature = raw["minimum_film_thickness"], raw["specific_load_MPa"], raw["temperature_degC"]
 
-    def limit(entry: Mapping[str, float], factor: float, offset: float) -> ExperienceLimit:
+    def limit(entry: Mapping[str, Any], factor: float, offset: float) -> ExperienceLimit:
         general, exceptional = (float(entry[key]) * factor + offset for key in ("general", "exceptional"))
         if not (0.0 < general <= exceptional and math.isfinite(exceptional)):
             raise ValueError(f"general {entry['general']} must be positive and not above the exceptional value")
-        return ExperienceLimit(general, exceptional, source)
+        return ExperienceLimit(general, exceptional, str(entry.get("source", source)))
 
     return ExperienceLimits(
         source=source,
@@ -175,9 +180,29 @@ def _parse(raw: Mapping[str, Any]) -> ExperienceLimits:
             surface_speeds=tuple(float(speed) for speed in film["surface_speed_up_to_m_s"]),
             films=tuple(tuple(value * 1e-6 for value in row) for row in film["film_um"]),
         ),
-        specific_load={AlloyFamily(family): limit(entry, 1e6, 0.0) for family, entry in load.items()},
+        specific_load={
+            family: limit(entry, 1e6, 0.0) for name, entry in load.items() for family in _families(name)
+        },
         self_cooled=limit(temperature["self_cooled"], 1.0, ZERO_CELSIUS),
         pressure_fed_little_oil=limit(temperature["pressure_fed_little_oil"], 1.0, ZERO_CELSIUS),
         pressure_fed_much_oil=limit(temperature["pressure_fed_much_oil"], 1.0, ZERO_CELSIUS),
         circulation_time=float(temperature["little_oil_up_to_minutes"]) * 60.0,
+        metal_temperature={
+            family: _lowest(entries)
+            for name, entries in raw.get("metal_temperature_degC", {}).items()
+            for family in _families(name)
+        },
     )
+
+
+def _families(name: str) -> tuple[AlloyFamily, ...]:
+    """Families that a table names; tables of before know tin and lead as one."""
+    return (AlloyFamily.TIN, AlloyFamily.LEAD) if name == "lead-tin" else (AlloyFamily(name),)
+
+
+def _lowest(entries: Sequence[Mapping[str, Any]]) -> SourcedValue:
+    """The lowest of several temperatures, its source and what the others say, in K."""
+    first, *others = sorted(entries, key=lambda entry: float(entry["value"]))
+    told = "; ".join(f"{entry['value']} °C: {entry['source']}" for entry in others)
+    source = f"{first['source']} (others: {told})" if told else str(first["source"])
+    return SourcedValue(float(first["value"]) + ZERO_CELSIUS, source)

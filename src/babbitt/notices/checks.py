@@ -54,8 +54,9 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C108": Explanation(
         "Limiting temperature of the metal",
-        "The hottest known temperature is compared with that at which the metal loses its hardness. Of thrust "
-        "pads it is that of the oil, and the metal is B83 where none is given.",
+        "The hottest known temperature of bush, wall or film is compared with the limit of the metal, else with "
+        "that of its family, else with the general one of bearing temperatures (an assumption). Of thrust pads it "
+        "is that of the oil, and the metal is B83 where none is given.",
         "More or cooler oil, or another metal.",
         subject=Subject.TEMPERATURE,
     ),
@@ -93,6 +94,13 @@ CHECKS: dict[str, Explanation] = {
         "Where no bearing metal is given to compare the load with, the largest film pressure is compared with "
         "100 MPa, about the yield strength of a white metal of Brinell hardness 30, the hardest on board.",
         "Give the metal (`materials: {bearing_metal: ...}`), which has limits of its own; a larger bearing.",
+    ),
+    "C117": Explanation(
+        "Supply capacity",
+        "What holes, slots or pockets can deliver, Q_p + sum of (U/2) h b with gap and width at each, is compared "
+        "with the side flow Q3. Where it is less, the heat balance is repeated with it and decides; the "
+        "miss itself counts only if that has no equilibrium. What grooves deliver is left to the film.",
+        "Wider pockets, more supply pressure, or a full analysis with `method: film`.",
     ),
     "C114": Explanation(
         "Recommended clearance",

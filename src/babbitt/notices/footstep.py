@@ -20,7 +20,7 @@ FOOTSTEP: dict[str, Explanation] = {
         "state of a grooved heel to the cold one if it becomes cooler, and to a groove that drains the rim if it "
         "becomes warmer. It satisfies the equations and will not be found running.",
         "Look at the stable states of the same heel; the message names the one to which a warmer groove leads.",
-        Effect.NO_VERDICT,
+        effect=Effect.NO_VERDICT,
     ),
     "W161": Explanation(
         "Oil of the groove very hot",
@@ -115,13 +115,13 @@ FOOTSTEP: dict[str, Explanation] = {
         "leaves out of it, is outside what these equations are made for: one exponent of viscosity, constant heat "
         "capacity, metal that takes nothing or has one temperature.",
         "Take `method: narrow_groove` with `wall`, or wider gaps, a thinner oil, less speed.",
-        Effect.NO_VERDICT,
+        effect=Effect.NO_VERDICT,
     ),
     "W177": Explanation(
         "Mass balance at the rim open",
         "What enters the rim of the heel and what leaves it differ by more than a millionth.",
         "Report the case to the developers.",
-        Effect.NO_VERDICT,
+        effect=Effect.NO_VERDICT,
     ),
     "W178": Explanation(
         "Groove drains the rim",

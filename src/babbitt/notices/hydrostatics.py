@@ -128,4 +128,45 @@ HYDROSTATICS: dict[str, Explanation] = {
         "Jacking pockets by strips: pressure and flow are estimates, good to a factor of two at small gaps.",
         "Choose `method: film`.",
     ),
+    "W322": Explanation(
+        "Oil warmed beyond the model",
+        "Between manifold and drain the oil would be warmed by more than 100 K (an assumption): one viscosity for "
+        "the whole film and no heat to the metal are then no model of the bearing.",
+        "More flow (a wider gap, wider restrictors), a thinner oil, less speed or supply pressure.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W323": Explanation(
+        "Negative damping",
+        "At a frequency of the case oil that gives way in recess and line, or turning with the journal, feeds a "
+        "motion instead of damping it.",
+        "Shallower recesses, restrictors close to the recess, oil without air, more land.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W324": Explanation(
+        "Mass balance open",
+        "What the restrictors let in and what the film lets out differ by more than a millionth.",
+        "Choose another accuracy; report the case to the developers.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W325": Explanation(
+        "Heat balance open",
+        "The heat of the film and what the oil carries off at its temperature differ by more than a thousandth.",
+        "More flow or less friction; report the case to the developers.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W328": Explanation(
+        "Lifted shaft rolls aside",
+        "Pockets on one pressure: where the shaft comes near one of them, the pressure of the film grows on the "
+        "other "
+        "side of it, and the shaft rolls farther. The place at the bottom of the bore will not be found.",
+        "A restrictor or a stage of a flow divider for every pocket.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W326": Explanation(
+        "Film outside the data of its oil",
+        "The film is warmer or colder than the temperatures for which the numbers of the lubricant are meant.",
+        "Describe the lubricant by points that enclose the operating temperature, or bring the film nearer to "
+        "them.",
+        effect=Effect.NO_VERDICT,
+    ),
 }

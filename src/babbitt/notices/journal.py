@@ -103,6 +103,21 @@ JOURNAL: dict[str, Explanation] = {
         "Below an eccentricity of 0.01 the characteristics follow their limit of small eccentricity.",
         "Check load and units; a bearing without load tends to whirl.",
     ),
+    "W123": Explanation(
+        "Supply delivers less than the film wants",
+        "What holes, slots or pockets can deliver, Q_p and the oil that the journal shears away over their width, "
+        "is less than the side flow with which ISO 7902 closes its heat balance. That is repeated with the lesser "
+        "flow; its temperatures and films, named starved, are held against the limits. The estimate of what is "
+        "delivered is an assumption, within a factor of about two of films that conserve their oil.",
+        "Wider pockets or a higher supply pressure; `method: film` with `thermal: adiabatic` tells more.",
+    ),
+    "W124": Explanation(
+        "No supply flow",
+        "Oil is supplied, yet no pressure presses any through the bearing: no supply element is given, or none "
+        "is left of the supply pressure. The film is taken to draw its side flow all the same, which nothing "
+        "shows to reach it.",
+        "Give the `supply_element` and the pressure of the supply, or compare with `method: film`.",
+    ),
     "W121": Explanation(
         "Flow of open grooves",
         "A groove as wide as the bearing ends somewhere, and how its ends are closed decides what leaks there. "
@@ -193,6 +208,33 @@ JOURNAL: dict[str, Explanation] = {
         "The film was found on the grid of the case, but not on a finer one, with which `error_estimate` compares "
         "it.",
         "Choose another `accuracy`; that numbers of two accuracies agree is an estimate, too.",
+    ),
+    "W127": Explanation(
+        "The oil would be heated beyond the model",
+        "Somewhere the oil would be more than 100 K warmer than it enters. The heat balances of plain bearings "
+        "end there: oil ages, surfaces deform, and the numbers describe no bearing. The 100 K are an assumption.",
+        "Check speed, load and units; more or cooler oil, a larger clearance, a thinner oil.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W128": Explanation(
+        "Oil hotter than its data",
+        "The hottest oil known is above the temperatures for which the lubricant's numbers are meant: viscosity, "
+        "and with it film, friction and temperature, are extrapolated where oil is thinnest.",
+        "Give the lubricant by points that enclose the hottest place; more or cooler oil.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W129": Explanation(
+        "Film outside the validity of the method",
+        "ISO 7902 holds up to an eccentricity ratio of 0.95. No film of smooth surfaces holds where it is thinner "
+        "than the sum of the roughnesses Rz: there the surfaces touch.",
+        "Less load, a more viscous or cooler oil, a larger bearing, smoother surfaces; check the clearance.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W130": Explanation(
+        "Unusual relative clearance",
+        "Clearance over diameter lies outside 0.3 to 5 per mille, where plain bearings run (an assumption). Often "
+        "a percentage or the radial clearance was typed.",
+        "Check `clearance` and its unit: '1.1 permille' is 0.11 %.",
     ),
     "W131": Explanation(
         "The journal can rest elsewhere",

@@ -66,6 +66,7 @@ DYNAMICS: tuple[Quantity, ...] = (
         for axis in "xy"
     ),
     quantity("rotor_mass", "m", "kg", "t", 4, "Mass of the rigid rotor carried by the bearing"),
+    quantity("stable_at_any_mass", "–", "1", "", 1, "Stable whatever the mass of the rotor: 1 yes, 0 no"),
     quantity("critical_mass", "m_cr", "kg", "t", 4, "Mass above which a rigid rotor whirls"),
     quantity(
         "whirl_frequency_ratio",

@@ -17,9 +17,7 @@ JOURNAL: tuple[Quantity, ...] = (
     quantity("expansion_journal", "α_J", "1/K", "1e-6/K", 3, "Thermal expansion of the journal"),
     # operation
     quantity("load", "F", "N", "kN", 4, "Bearing load"),
-    quantity(
-        "specific_load", "p̄", "Pa", "MPa", 3, "Load per projected area F/(B D), F/((B - b_G) D) of half bearings"
-    ),
+    quantity("specific_load", "p̄", "Pa", "MPa", 3, "Load per projected area F/(B D)"),
     quantity(
         "angular_speed",
         "ω_J",
@@ -42,6 +40,8 @@ JOURNAL: tuple[Quantity, ...] = (
         3,
         "Direction of the narrowest gap, counter-clockwise from +x",
     ),
+    quantity("misalignment_x", "dx/dz", "rad", "mrad", 4, "Slope of the journal axis in x"),
+    quantity("misalignment_y", "dy/dz", "rad", "mrad", 4, "Slope of the journal axis in y"),
     quantity("load_angle", "φ_F", "rad", "deg", 3, "Direction of the load, counter-clockwise from +x"),
     quantity("minimum_film_thickness", "h_min", "m", "um", 3, "Minimum film thickness"),
     quantity("sommerfeld_number", "So", "1", "", 4, "Sommerfeld number F ψ²/(B D η ω) of ISO 7902"),
@@ -52,11 +52,35 @@ JOURNAL: tuple[Quantity, ...] = (
     quantity("friction_number", "f/ψ", "1", "", 4, "Friction coefficient over relative clearance"),
     quantity("friction_coefficient", "f", "1", "", 3, "Friction coefficient"),
     quantity("friction_torque", "M_f", "N m", "Nm", 4, "Friction torque on the journal"),
+    quantity(
+        "friction_torque_without_streamers",
+        "M_f,full",
+        "N m",
+        "Nm",
+        4,
+        "Friction torque of the full film, without the oil behind its rupture",
+    ),
     quantity("friction_power", "P_f", "W", "kW", 4, "Friction power"),
     quantity("side_flow_number", "Q₃*", "1", "", 4, "Side flow Q3/(D³ ψ ω)"),
     quantity("side_flow", "Q₃", "m3/s", "L/min", 3, "Oil flow due to the film pressure"),
+    quantity("inlet_flow", "Q_in", "m3/s", "L/min", 3, "Oil flow into the film where it starts"),
+    quantity("side_inflow", "Q_s,in", "m3/s", "L/min", 3, "Oil flow that the sides draw in"),
     quantity("supply_flow_number", "Q_p*", "1", "", 4, "Supply flow Qp η/(D³ ψ³ p_en)"),
     quantity("supply_flow", "Q_p", "m3/s", "L/min", 3, "Oil flow due to the supply pressure"),
+    quantity("supply_capacity", "Q_cap", "m3/s", "L/min", 3, "Oil flow that the supply can deliver"),
+    quantity("starved_total_flow", "Q_st", "m3/s", "L/min", 3, "Oil flow limited to what the supply delivers"),
+    quantity("starved_outlet_temperature", "T_ex,st", "K", "degC", 3, "Outlet temperature with the limited flow"),
+    quantity(
+        "starved_effective_temperature", "T_eff,st", "K", "degC", 3, "Effective temperature with the limited flow"
+    ),
+    quantity("starved_bearing_temperature", "T_B,st", "K", "degC", 3, "Bearing temperature with the limited flow"),
+    quantity("starved_eccentricity_ratio", "ε_st", "1", "", 3, "Relative eccentricity with the limited flow"),
+    quantity(
+        "starved_minimum_film_thickness", "h_min,st", "m", "um", 3, "Minimum film thickness with the limited flow"
+    ),
+    quantity("starved_friction_power", "P_f,st", "W", "kW", 4, "Friction power with the limited flow"),
+    quantity("starved_film_reynolds_number", "Re_st", "1", "count", 3, "Reynolds number with the limited flow"),
+    quantity("starved_transition_speed", "ω_tr,st", "rad/s", "rpm", 4, "Transition speed with the limited flow"),
     quantity("given_flow", "Q_given", "m3/s", "L/min", 3, "Oil flow that the supplies are given"),
     quantity("surplus_flow", "Q_over", "m3/s", "L/min", 3, "Given flow that returns without passing the film"),
     quantity("least_fill", "θ_min", "1", "", 3, "Least share of the gap that a supply fills"),

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.report.line import SUBSTITUTED_DIGITS, Line
 from babbitt.report.oil_lines import oil_lines
-from babbitt.report.supply_lines import flow_lines, loss_lines
+from babbitt.report.supply_lines import capacity_lines, flow_lines, loss_lines
 from babbitt.report.worksheet import Worksheet
 from babbitt.results import Result
 from babbitt.standards.iso7902.film import curves_of
@@ -66,6 +66,7 @@ def calculation(case: DesignCase, result: Result) -> tuple[Section, ...]:
         Section("Friction", tuple(_friction(case, sheet))),
         Section("Oil flow", (*_side_flow(sheet), *flow_lines(case, sheet))),
         Section("Heat balance", tuple(_heat(case, sheet)), _iteration(result)),
+        Section("Supply capacity", tuple(capacity_lines(case, sheet))),
         Section("Permissible values", tuple(_limits(case, sheet))),
         Section("Transition to mixed friction", tuple(_transition(case, sheet))),
         Section("Screening for whirl and clearance", tuple(_screening(sheet))),

@@ -80,8 +80,9 @@ def _has_own_temperatures(variant: Variant) -> bool:
 def is_shown(variant: Variant) -> bool:
     """Whether a variant is a method of its own that has found a film with a temperature; hydrostatic bearings and
     footsteps are compared in the table alone."""
-    solved = variant.is_method and variant.result.outcome.solved
-    return solved and "effective_temperature" in variant.result.values
+    result = variant.result
+    solved = variant.is_method and result.outcome.solved
+    return solved and result.kind == "journal" and "effective_temperature" in result.values
 
 
 def _bars(panel: Axes, variants: Sequence[Variant], name: str) -> None:

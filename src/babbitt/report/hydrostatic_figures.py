@@ -51,9 +51,10 @@ def hydrostatic_figures(
 
 def of_bearing(case: HydrostaticCase, result: Result) -> Iterator[Painted]:
     """Load curves, pressures, coefficients over frequency, power."""
-    from babbitt.hydrostatics.check import warmed
+    from babbitt.hydrostatics.heat_balance import heated
 
-    case, found = warmed(case)
+    state = heated(case)
+    case, found = state.case, state.found
     what = "eccentricity" if case.is_journal else "gap"
     steps = []
     if any(isinstance(one, CheckValve) for one in case.feeding.restrictors):

@@ -29,7 +29,13 @@ def print_lubricants() -> None:
 
 def print_materials() -> None:
     """Bearing metals with their limits, then shaft and housing materials."""
-    from babbitt.materials import BearingMetal, LoadCharacter, bearing_metals, structural_materials
+    from babbitt.materials import (
+        BearingMetal,
+        LoadCharacter,
+        bearing_metals,
+        metal_temperature_limit,
+        structural_materials,
+    )
     from babbitt.materials.sourced import SourcedValue
 
     def shown(value: SourcedValue | None, scale: float = 1.0, offset: float = 0.0) -> str:
@@ -37,11 +43,11 @@ def print_materials() -> None:
 
     def sources(metal: BearingMetal) -> list[str]:
         calm = metal.limits(LoadCharacter.CALM)
-        limits = (calm.specific_load, calm.sliding_speed, calm.pv, metal.limiting_temperature)
+        limits = (calm.specific_load, calm.sliding_speed, calm.pv, metal_temperature_limit(metal))
         return list(dict.fromkeys([metal.standard, *(limit.source for limit in limits if limit)]))
 
     metals = _table(
-        "bearing metal", "family", "p̄ MPa", "shock", "U m/s", "p̄U MPa m/s", "T °C", "advice °C", "sources"
+        "bearing metal", "family", "p̄ MPa", "shock", "U m/s", "p̄U MPa m/s", "T °C", "recomm. °C", "sources"
     )
     for metal in bearing_metals():
         calm = metal.limits(LoadCharacter.CALM)
@@ -52,7 +58,7 @@ def print_materials() -> None:
             shown(metal.limits(LoadCharacter.SHOCK).specific_load, 1e-6),
             shown(calm.sliding_speed),
             shown(calm.pv, 1e-6),
-            shown(metal.limiting_temperature, 1.0, -ZERO_CELSIUS),
+            shown(metal_temperature_limit(metal), 1.0, -ZERO_CELSIUS),
             shown(metal.recommended_temperature, 1.0, -ZERO_CELSIUS),
             "; ".join(sources(metal)),
         )

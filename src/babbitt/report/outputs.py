@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from babbitt.files.printing import printable
+from babbitt.files.printing import printable, takes_all_letters
 from babbitt.files.writing import require_distinct, require_writable, write_file
 from babbitt.notices import InputError
 
@@ -45,7 +45,7 @@ class Target:
 
             if self.json == STANDARD_OUTPUT:
                 text = write_json(machine)
-                sys.stdout.write(text if _takes_all_letters() else escaped(text))
+                sys.stdout.write(text if takes_all_letters(sys.stdout) else escaped(text))
             else:
                 write_file(Path(self.json), write_json(machine).encode())
         if self.report is not None:
@@ -145,11 +145,6 @@ def _refuse_collisions(inputs: Mapping[Path, str], targets: Sequence[Target]) ->
         [path for target in targets for path in (*target.files(), *([target.plots] if target.plots else []))],
         inputs,
     )
-
-
-def _takes_all_letters() -> bool:
-    """Whether standard output is in UTF-8, as JSON has it; another encoding gets escapes."""
-    return (sys.stdout.encoding or "utf-8").lower().replace("-", "").startswith("utf8")
 
 
 def _require_suffix(report: Path | None) -> None:

@@ -17,6 +17,7 @@ from babbitt.standards.iso7902.supply import (
     fitted_width,
     logarithm_width,
 )
+from babbitt.units import ZERO_CELSIUS
 
 if TYPE_CHECKING:
     from babbitt.standards.iso7902.model import DesignCase
@@ -102,6 +103,46 @@ def _place(arrangement: Arrangement) -> str:
         Arrangement.SIDE: "at 90° to the load",
         Arrangement.BOTH_SIDES: "on both sides, ±90° to the load",
     }[arrangement]
+
+
+_GAP = {
+    Arrangement.OPPOSITE: "radial_clearance * (1 + eccentricity_ratio * cos(attitude_angle))",
+    Arrangement.SIDE: "radial_clearance * (1 + eccentricity_ratio * sin(attitude_angle))",
+    Arrangement.BOTH_SIDES: "2 * radial_clearance",
+}
+
+
+def capacity_lines(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
+    """What holes and pockets can deliver, and the heat balance with that flow where it is less than Q₃."""
+    element = case.bearing.supply_element
+    if "supply_capacity" not in sheet or not isinstance(element, Holes | Pockets):
+        return
+    both = ", sum of both" if element.arrangement is Arrangement.BOTH_SIDES else ""
+    yield sheet.line("supply_gap", _GAP[element.arrangement], f"gap at the supply element{both}")
+    size = "pocket_width" if isinstance(element, Pockets) else "hole_diameter"
+    side_by_side = isinstance(element, Holes) and element.number != 1.0
+    expression = f"hole_number * {size}" if side_by_side else size
+    if element.axial_width(case.bearing.width) == case.bearing.width:
+        expression = "width"
+    yield sheet.line("supply_axial_width", expression)
+    yield sheet.line("supply_capacity", "supply_flow + surface_speed / 2 * supply_gap * supply_axial_width")
+    if "starved_total_flow" not in sheet:
+        return
+    yield sheet.given("starved_effective_temperature", "closes the balance with the flow that the supply delivers")
+    yield sheet.given("starved_eccentricity_ratio", "by the steps above at that temperature")
+    yield sheet.given("starved_minimum_film_thickness")
+    yield sheet.given("starved_friction_power")
+    yield sheet.given("starved_total_flow", "Q_p and the flow sheared from the supply element")
+    if "starved_outlet_temperature" in sheet:
+        yield sheet.given("starved_outlet_temperature")
+    if case.cooling is None:
+        warm = sheet["starved_effective_temperature"] + ZERO_CELSIUS
+        sheet.note(starved_heat_capacity=case.lubricant.volumetric_heat_capacity(warm))
+        yield sheet.line(
+            "starved_friction_power",
+            "starved_heat_capacity * starved_total_flow * (starved_outlet_temperature - supply_temperature)",
+            "the balance closes",
+        )
 
 
 def loss_lines(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:

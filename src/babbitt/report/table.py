@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from shutil import get_terminal_size
 from typing import TYPE_CHECKING
 
 from rich.cells import cell_len
@@ -11,6 +12,7 @@ from rich.console import Console, Group, RenderableType
 from rich.padding import Padding
 from rich.text import Text
 
+from babbitt.files.printing import nearest_letters
 from babbitt.report import findings
 from babbitt.report.bearing_table import STYLES, bearing_table, engineers_table
 from babbitt.report.columns import Column, columns_of, is_film
@@ -26,6 +28,9 @@ if TYPE_CHECKING:
 
 PIPED_WIDTH = 140
 """Columns written when standard output is a file or a pipe and has no width of its own."""
+
+NARROWEST = 40
+"""And never fewer than these, whatever the terminal says of itself."""
 
 NAME_WIDTH = 18
 """The name column wraps rather than let a column of numbers go, down to this width."""
@@ -48,13 +53,10 @@ def console(width: int | None = None) -> Console:
     width : int, optional
         Columns; the terminal's own when omitted, and `PIPED_WIDTH` where there is no terminal.
     """
-    reconfigure = getattr(sys.stdout, "reconfigure", None)
-    if reconfigure is not None:
-        reconfigure(errors="replace")  # an old code page without ψ must not end in a traceback
-    made = Console(width=width, highlight=False)
-    if width is None and not made.is_terminal and "COLUMNS" not in (made._environ or {}):
-        return Console(width=PIPED_WIDTH, highlight=False)
-    return made
+    nearest_letters(sys.stdout)  # an old code page without ψ must not end in a traceback
+    if width is None:
+        width = max(get_terminal_size((PIPED_WIDTH, 25)).columns, NARROWEST)
+    return Console(width=width, highlight=False)
 
 
 def print_machine(machine: MachineResult, to: Console | None = None) -> None:
@@ -156,6 +158,7 @@ def _remarks(results: Sequence[Result]) -> list[RenderableType]:
         ("Remarks", findings.remarks(results), "yellow"),
         ("Recommendations and screening indicators missed", findings.missed_advice(results), "default"),
         ("Information", findings.information(results), "default"),
+        ("Values not found", findings.missing_values(results) if several else (), "default"),
         ("Not checked", findings.not_checked(results), "default"),
     )
     for heading, groups, style in sections:

@@ -42,8 +42,8 @@ def check_word(check: Check) -> CheckWord:
 
 
 def governing(result: Result, quantity: str) -> Check | None:
-    """The strictest limit on a quantity, recommendations left aside."""
-    checks = [check for check in result.limits if check.quantity == quantity]
+    """The strictest limit on a quantity, recommendations left aside; it may hold for the starved film."""
+    checks = [check for check in result.limits if check.quantity.removeprefix("starved_") == quantity]
     return min(checks, key=lambda check: check.margin, default=None)
 
 

@@ -33,7 +33,9 @@ class CaseSweep:
     machines : tuple of MachineResult
         One for each of them.
     refused : mapping of int to str
-        Place of every other value, and why the case does not take it.
+        Place of every value that the case does not take, and why.
+    interrupted : bool
+        Whether the sweep was interrupted, so that the values after the last place were not solved.
     """
 
     path: str
@@ -42,6 +44,7 @@ class CaseSweep:
     places: tuple[int, ...]
     machines: tuple[MachineResult, ...]
     refused: Mapping[int, str]
+    interrupted: bool = False
 
     def rows(self) -> Iterator[tuple[int, Result]]:
         """Every answer with the place of its value."""
@@ -57,7 +60,7 @@ class CaseSweep:
     @property
     def solved(self) -> bool:
         """Whether every value has an answer, and every answer is an operating point."""
-        return not self.refused and all(machine.solved for machine in self.machines)
+        return not self.refused and not self.interrupted and all(machine.solved for machine in self.machines)
 
 
 def sweep_case(
@@ -76,12 +79,15 @@ def sweep_case(
     Returns
     -------
     CaseSweep
-        With a status for every value; one that the field does not take stops nothing.
+        With a status for every value; one that the field does not take stops nothing. An interrupt ends it with
+        the values that are finished.
 
     Raises
     ------
     InputError
         What the first value is refused for, if all are; nothing is solved where the case itself refuses them.
+    KeyboardInterrupt
+        When no value is finished.
     """
     cases: dict[int, Case] = {}
     machines: dict[int, MachineResult] = {}
@@ -91,11 +97,17 @@ def sweep_case(
             cases[place] = variation.case(text)
         except InputError as error:
             refused[place] = error
-    for place in watch(list(cases)):
-        try:
-            machines[place] = solve(cases[place])
-        except InputError as error:  # of some methods only the film tells what cannot be
-            refused[place] = error
+    interrupted = False
+    try:
+        for place in watch(list(cases)):
+            try:
+                machines[place] = solve(cases[place])
+            except InputError as error:  # of some methods only the film tells what cannot be
+                refused[place] = error
+    except KeyboardInterrupt:
+        if not machines:
+            raise
+        interrupted = True
     if not machines:
         raise refused[min(refused)]
     return CaseSweep(
@@ -105,4 +117,5 @@ def sweep_case(
         tuple(machines),
         tuple(machines.values()),
         {place: str(refused[place]) for place in sorted(refused)},
+        interrupted,
     )

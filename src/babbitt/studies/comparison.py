@@ -223,7 +223,7 @@ def _compared_in_one_dimension(bearing: JournalBearing, case: Case) -> Iterator[
 def _left_out(bearing: JournalBearing, case: Case) -> Iterator[str]:
     """Which methods do not apply to a bearing, and why."""
     reasons = {
-        f"{ISO_LABEL} is": unknown_to_iso7902(bearing),
+        f"{ISO_LABEL} is": unknown_to_iso7902(bearing, case),
         f"{' and '.join(OWN.values())} are": left_out_of_thermal_variants(bearing, case),
         f"{LONG_FILM[0]} is": unknown_to_long_film(bearing, case),
     }

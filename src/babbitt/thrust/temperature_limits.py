@@ -6,7 +6,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from babbitt.design.checks import USER
-from babbitt.materials import BearingMetal, bearing_metal, pressure_fed_temperature_limit
+from babbitt.materials import (
+    BearingMetal,
+    bearing_metal,
+    metal_temperature_limit,
+    pressure_fed_temperature_limit,
+)
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check
 
@@ -59,7 +64,8 @@ class TemperatureLimits:
             yield Check(
                 "C104", drained, values[drained], by_experience.general, Bound.AT_MOST, by_experience.source
             )
-        if self.metal is not None and (limit := self.metal.limiting_temperature) is not None:
+        if self.metal is not None:
+            limit = metal_temperature_limit(self.metal)
             yield Check("C108", hottest, values[hottest], limit.value, Bound.AT_MOST, self._source(limit.source))
         if self.given_metal is not None and (advised := self.given_metal.recommended_temperature) is not None:
             yield Check("C109", hottest, values[hottest], advised.value, Bound.AT_MOST, advised.source, True)
@@ -73,8 +79,6 @@ class TemperatureLimits:
             return
         if self.metal is None:
             yield Notice("C108", "no bearing metal is given (materials: bearing_metal)")
-        elif self.metal.limiting_temperature is None:
-            yield Notice("C108", f"no public limit of {self.metal.name} is on board")
 
     def assumptions(self, values: Mapping[str, float]) -> Iterator[str]:
         """What is assumed of the metal where a temperature is held against it."""

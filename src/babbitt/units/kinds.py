@@ -184,6 +184,12 @@ _ALL = (
         {"W/(m2 K)": 1.0, "W/m2/K": 1.0, "W/m2K": 1.0, "W/(m2K)": 1.0},
         one_unit=True,
     ),
+    Kind(
+        "Pa m/s",
+        "a load times speed",
+        "30 MPa m/s",
+        {"Pa m/s": 1.0, "kPa m/s": 1e3, "MPa m/s": 1e6, "N/mm2 m/s": 1e6},
+    ),
     Kind("W/K", "a thermal conductance", "0.2 W/K", {"W/K": 1.0, "mW/K": 1e-3, "kW/K": 1e3}, one_unit=True),
     Kind(
         "W/(m K)",

@@ -5,6 +5,7 @@ Everything the heat balance needs is a function of the effective temperature; `f
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from babbitt.characteristics import BearingCurves, ClosedFormCurves, curves
@@ -16,6 +17,7 @@ from babbitt.fits import operating_relative_clearance
 from babbitt.results import Outcome
 from babbitt.standards.iso7902.friction import friction_number
 from babbitt.standards.iso7902.model import Curves, DesignCase
+from babbitt.standards.iso7902.supply import Holes, Pockets
 from babbitt.standards.iso7902.supply_pressure import Feed, feed
 
 
@@ -23,7 +25,8 @@ from babbitt.standards.iso7902.supply_pressure import Feed, feed
 class Film:
     """State of the film at one effective temperature, SI.
 
-    `feed` is None where no oil is supplied under pressure.
+    `feed` is None where no oil is supplied under pressure, `supply_capacity` where nothing tells what the supply
+    can deliver.
     """
 
     temperature: float
@@ -39,6 +42,7 @@ class Film:
     side_flow_number: float
     side_flow: float
     feed: Feed | None
+    supply_capacity: float | None
 
     @property
     def supply_flow(self) -> float:
@@ -68,7 +72,7 @@ def load_scale(case: DesignCase, viscosity: float, relative_clearance: float) ->
 
 
 def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
-    """Film at an effective temperature in K.
+    """Film at an effective temperature in K, with all the oil that it wants.
 
     Parameters
     ----------
@@ -84,6 +88,39 @@ def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
         When the relative clearance is not positive at this temperature, So exceeds the largest tabulated one, or
         a law of the lubricant has no usable value.
     """
+    return _film(temperature, case, shape, lambda wanted, sheared: wanted)
+
+
+def starved_film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
+    """Film at an effective temperature in K whose flow is limited to what holes or pockets deliver.
+
+    Its position and its friction are those of the full film: starvation hurts by the heat. Parameters and errors
+    as of `film_at`.
+    """
+    return _film(
+        temperature, case, shape, lambda wanted, sheared: wanted if sheared is None else min(wanted, sheared)
+    )
+
+
+def sheared_flow(
+    case: DesignCase, eccentricity_ratio: float, attitude_angle: float, relative_clearance: float
+) -> float | None:
+    """Oil in m³/s that the journal shears away from holes or pockets: ``Σ (U/2) h_s b``; None for other feeds."""
+    element, bearing = case.bearing.supply_element, case.bearing
+    if case.oil_supply is None or not isinstance(element, Holes | Pockets):
+        return None
+    gaps = element.arrangement.gap_factor(eccentricity_ratio, attitude_angle)
+    gap = gaps * relative_clearance * bearing.diameter / 2.0
+    return surface_speed(case) / 2.0 * gap * element.axial_width(bearing.width)
+
+
+def _film(
+    temperature: float,
+    case: DesignCase,
+    shape: BearingCurves,
+    drawn: Callable[[float, float | None], float],
+) -> Film:
+    """Film at a temperature; `drawn` makes its side flow of the one wanted and the one sheared from its supply."""
     bearing, oil = case.bearing, case.lubricant
     psi = operating_relative_clearance(
         bearing.relative_clearance, bearing.expansion_bearing, bearing.expansion_journal, temperature
@@ -105,7 +142,9 @@ def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
     number = case.friction_factor * friction_number(case.friction, shape, eccentricity, so)
     flow_scale = bearing.diameter**3 * psi * hydrodynamic_speed(case)
     side_flow_number = shape.side_flow_number(eccentricity)
-    side_flow = bearing.parts * side_flow_number * flow_scale
+    sheared = sheared_flow(case, eccentricity, shape.attitude_angle(eccentricity), psi)
+    side_flow = drawn(bearing.parts * side_flow_number * flow_scale, sheared)
+    fed = feed(case, eccentricity, psi, viscosity, side_flow)
     return Film(
         temperature=temperature,
         relative_clearance=psi,
@@ -119,5 +158,6 @@ def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
         friction_power=number * psi * load * surface_speed(case),
         side_flow_number=side_flow_number,
         side_flow=side_flow,
-        feed=feed(case, eccentricity, psi, viscosity, side_flow),
+        feed=fed,
+        supply_capacity=None if sheared is None or fed is None else fed.flow + sheared,
     )

@@ -26,6 +26,14 @@ from babbitt.standards.iso7902.doubts import doubts_of
 from babbitt.standards.iso7902.film import Film, curves_of, film_at
 from babbitt.standards.iso7902.model import DesignCase
 from babbitt.standards.iso7902.screening import Transition, orlov_relative_clearance, transition
+from babbitt.standards.iso7902.supply_capacity import (
+    capacity_check,
+    capacity_not_checked,
+    doubts_about_capacity,
+    starved_equilibrium,
+    starved_values,
+    worse_of,
+)
 from babbitt.units import ZERO_CELSIUS
 
 METHOD = "iso7902"
@@ -99,7 +107,17 @@ def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
     change = _transition(case, found.film)
     values = _values(case, found.film, change)
     checks = checks_of(case, values)
-    warnings = doubts_of(case, found.film, values, checks, change) if found.outcome.solved else case.doubts
+    starved = starved_equilibrium(case, found.film) if found.outcome.solved else None
+    hotter: dict[str, float] = {}
+    if starved is not None and starved.film is not None and starved.outcome.solved:
+        hotter = _values(case, starved.film, _transition(case, starved.film))
+        checks = worse_of(checks, checks_of(case, hotter))
+        values |= starved_values(hotter)
+    checks = (*checks, *capacity_check(found.film, starved))
+    warnings = case.doubts
+    if found.outcome.solved:
+        about_supply = doubts_about_capacity(case, found.film, starved, hotter)
+        warnings = (*doubts_of(case, found.film, values, checks, change), *about_supply)
     values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
     return Result(
@@ -110,7 +128,7 @@ def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
         values,
         checks if found.outcome.solved else (),
         warnings,
-        checks_not_made(case, values) if found.outcome.solved else (),
+        (*checks_not_made(case, values), *capacity_not_checked(case, found.film)) if found.outcome.solved else (),
         (*case.lubricant.assumptions, *case.assumptions),
         "" if found.outcome.solved else failure(case, found),
         _settings(case),
@@ -158,6 +176,8 @@ def _values(case: DesignCase, film: Film, change: Transition | None) -> dict[str
         values["element_pressure"] = film.feed.element_pressure
         values["tube_loss"] = film.feed.tube_loss
         values["hole_loss"] = film.feed.hole_loss
+    if film.supply_capacity is not None:
+        values["supply_capacity"] = film.supply_capacity
     values |= cooling_values(case, film) | limit_values(case)
     if case.load_angle is not None:
         values["load_angle"] = case.load_angle

@@ -38,6 +38,20 @@ class Arrangement(Enum):
             case Arrangement.BOTH_SIDES:
                 return 2.0
 
+    def gap_factor(self, eccentricity_ratio: float, attitude_angle: float) -> float:
+        """Film thickness at the element over the radial clearance, summed over the elements.
+
+        ``1 + ε cos θ`` with θ from the widest gap, which lies opposite the load less the attitude angle (rad). One
+        element at the side stands before the load, in the sense of rotation.
+        """
+        match self:
+            case Arrangement.OPPOSITE:
+                return 1.0 + eccentricity_ratio * math.cos(attitude_angle)
+            case Arrangement.SIDE:
+                return 1.0 + eccentricity_ratio * math.sin(attitude_angle)
+            case Arrangement.BOTH_SIDES:
+                return 2.0
+
 
 class SupplyElement(Protocol):
     """What feeds the film: a hole, a slot, a pocket or a groove."""
@@ -121,6 +135,10 @@ class Holes:
         """Hole diameter over bearing width."""
         return self.diameter / bearing_width
 
+    def axial_width(self, bearing_width: float) -> float:
+        """Width in m over which the holes of one place give oil to the film: side by side along the shaft."""
+        return min(self.number * self.diameter, bearing_width)
+
     def supply_flow_number(self, eccentricity_ratio: float, bearing_width: float, width_ratio: float) -> float:
         """Supply-flow number Qp*."""
         s = self.relative_width(bearing_width)
@@ -137,6 +155,10 @@ class Pockets:
     def relative_width(self, bearing_width: float) -> float:
         """Pocket width over bearing width."""
         return self.width / bearing_width
+
+    def axial_width(self, bearing_width: float) -> float:
+        """Width in m over which a pocket gives oil to the film."""
+        return min(self.width, bearing_width)
 
     def supply_flow_number(self, eccentricity_ratio: float, bearing_width: float, width_ratio: float) -> float:
         """Supply-flow number Qp*."""

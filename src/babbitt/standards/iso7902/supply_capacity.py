@@ -1,0 +1,153 @@
+"""Whether holes, slots and pockets deliver the oil that the film wants, and the heat balance with what they do.
+
+ISO 7902 lets the film draw its side flow Q₃ whatever feeds it. What an element can deliver is estimated as the
+oil that the supply pressure presses through it and the oil that the journal shears away over its axial width,
+``Q_cap = Q_p + Σ (U/2) h_s b`` with the gap ``h_s = c (1 + ε cos θ_s)`` at the element, θ_s from the widest gap.
+The estimate is an assumption; ``benchmarks/supply_capacity.py`` sets it against films that conserve their oil.
+What grooves deliver is left to the film.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from functools import partial
+
+from babbitt.design.doubts import doubts_about_film
+from babbitt.design.failure import failure
+from babbitt.design.heat_balance import Equilibrium, find_equilibrium
+from babbitt.notices import Notice
+from babbitt.results import Bound, Check
+from babbitt.standards.iso7902.film import Film, curves_of, starved_film_at
+from babbitt.standards.iso7902.model import DesignCase
+from babbitt.units import ZERO_CELSIUS
+
+__all__ = [
+    "capacity_check",
+    "capacity_not_checked",
+    "doubts_about_capacity",
+    "lacks_oil",
+    "starved_equilibrium",
+    "starved_values",
+    "worse_of",
+]
+
+Values = Mapping[str, float]
+
+STARVED = {
+    name: f"starved_{name}"
+    for name in (
+        "effective_temperature",
+        "outlet_temperature",
+        "bearing_temperature",
+        "eccentricity_ratio",
+        "minimum_film_thickness",
+        "friction_power",
+        "total_flow",
+        "film_reynolds_number",
+        "transition_speed",
+    )
+}
+"""Results with the flow limited to what the supply delivers, by those with all the oil that the film wants."""
+
+SOURCE = "ISO 7902: the supply delivers Q₃; Q_p + Σ (U/2) h b is an estimate (assumption)"
+
+
+def lacks_oil(film: Film) -> bool:
+    """Whether holes or pockets deliver less than the side flow of the film."""
+    return film.supply_capacity is not None and film.supply_capacity < film.side_flow
+
+
+def starved_equilibrium(case: DesignCase, film: Film) -> Equilibrium[Film] | None:
+    """Close the heat balance with the flow that the supply delivers.
+
+    Returns
+    -------
+    Equilibrium or None
+        None where the film gets what it wants, or where no heat balance is made.
+    """
+    if case.effective_temperature is not None or not lacks_oil(film):
+        return None
+    return find_equilibrium(case, partial(starved_film_at, case=case, shape=curves_of(case)))
+
+
+def starved_values(values: Values) -> dict[str, float]:
+    """Give the results of the starved film their own names."""
+    return {STARVED[name]: values[name] for name in STARVED if name in values}
+
+
+def worse_of(checks: Iterable[Check], starved: Iterable[Check]) -> tuple[Check, ...]:
+    """Hold every limit against the worse of both answers."""
+    others = {(check.code, check.source): check for check in starved}
+    return tuple(_worse(check, others.get((check.code, check.source), check)) for check in checks)
+
+
+def _worse(check: Check, starved: Check) -> Check:
+    if starved.margin >= check.margin:
+        return check
+    return replace(starved, quantity=STARVED.get(starved.quantity, starved.quantity))
+
+
+def capacity_check(film: Film, starved: Equilibrium[Film] | None) -> Iterator[Check]:
+    """Compare what the supply delivers with the side flow.
+
+    A miss decides nothing by itself: the limits are held against the starved film. Where that has no equilibrium,
+    the miss is a violated limit.
+    """
+    if film.supply_capacity is None:
+        return
+    answered = starved is None or starved.outcome.solved
+    capacity = film.supply_capacity
+    yield Check("C117", "supply_capacity", capacity, film.side_flow, Bound.AT_LEAST, SOURCE, advisory=answered)
+
+
+def capacity_not_checked(case: DesignCase, film: Film) -> Iterator[Notice]:
+    """Say why the supply capacity was not compared."""
+    if case.oil_supply is None or film.supply_capacity is not None:
+        return
+    if case.bearing.supply_element is None:
+        yield Notice("C117", "no supply_element is given")
+    else:
+        yield Notice("C117", "what a groove delivers is left to `method: film`")
+
+
+def doubts_about_capacity(
+    case: DesignCase, film: Film, starved: Equilibrium[Film] | None, values: Values
+) -> Iterator[Notice]:
+    """Tell what the supply lacks, and what follows from it.
+
+    Parameters
+    ----------
+    case : DesignCase
+    film : Film
+        With all the oil that it wants.
+    starved : Equilibrium or None
+        With what the supply delivers.
+    values : Mapping[str, float]
+        Named results of the starved film, if there is one.
+    """
+    if film.feed is not None and film.supply_flow <= 0.0 and not film.feed.starved:
+        without = case.bearing.supply_element is None
+        why = "no supply_element is given" if without else "no pressure is left at the supply element"
+        yield Notice("W124", f"{why}: Q_p = 0, yet the film is taken to draw {_litres(film.side_flow)}")
+    if film.supply_capacity is None or not lacks_oil(film):
+        return
+    capacity, wanted = film.supply_capacity, film.side_flow
+    said = f"the supply delivers about {_litres(capacity)} of Q₃ = {_litres(wanted)} ({capacity / wanted:.2f})"
+    if starved is None:
+        yield Notice("W123", f"{said}; no heat balance is made that would tell the consequence")
+        return
+    if not starved.outcome.solved:
+        yield Notice("W123", f"{said}; with that flow {starved.outcome.value}: {failure(case, starved)}")
+        return
+    hot, thin = values["effective_temperature"] - ZERO_CELSIUS, values["minimum_film_thickness"] * 1e6
+    told = f"T_eff = {hot:.1f} °C, h_min = {thin:.3g} µm"
+    if "outlet_temperature" in values:
+        told = f"T_ex = {values['outlet_temperature'] - ZERO_CELSIUS:.1f} °C, {told}"
+    yield Notice("W123", f"{said}; with that flow {told}, and the limits are held against these")
+    for doubt in doubts_about_film(case, values):
+        yield Notice(doubt.code, f"with the flow that the supply delivers: {doubt.message}")
+
+
+def _litres(flow: float) -> str:
+    return f"{flow * 6e4:.3g} L/min"

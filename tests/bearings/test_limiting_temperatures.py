@@ -1,0 +1,95 @@
+"""What the hottest place of bush or film is held against: the metal, its family, or the general limit."""
+
+from __future__ import annotations
+
+import pytest
+
+from babbitt.cases import CaseError, parse_case
+from babbitt.materials import AlloyFamily, bearing_metal, bearing_metals, metal_temperature_limit
+from babbitt.results import Check, Result, Verdict
+from babbitt.solving import solve
+
+CASE = """
+kind: journal
+name: Hot
+method: film
+thermal: full
+accuracy: draft
+diameter: 100 mm
+width: 80 mm
+clearance: {kind: relative, mean: 1.3 permille}
+pockets: [{angle: 0 deg, extent: 20 deg, width: 64 mm}, {angle: 180 deg, extent: 20 deg, width: 64 mm}]
+lubricant: ISO VG 32
+supply: {temperature: 50 degC, pressure: 0.15 MPa, circulation_time: 10 min}
+materials: {bearing: C10, journal: C45}
+walls:
+  bush: {outer_diameter: 150 mm, conductivity: 46 W/(m K)}
+  housing: {outer_diameter: 220 mm, heat_transfer_coefficient: 30 W/(m2 K), ambient_temperature: 20 degC}
+  journal: {shaft_conductance: 5 W/K, ambient_temperature: 30 degC}
+load: 40 kN
+speed: 10000 rpm
+"""
+
+
+def solved(metal: str) -> Result:
+    given = f"{{bearing_metal: {metal}, bearing: C10" if metal else "{bearing: C10"
+    return solve(parse_case(CASE.replace("{bearing: C10", given)))["Hot"]
+
+
+def limits(result: Result) -> dict[str, Check]:
+    return {check.code: check for check in result.checks}
+
+
+@pytest.fixture(scope="module")
+def tin() -> Result:
+    return solved("SnSb8Cu4")
+
+
+def test_a_metal_without_own_limit_is_held_against_its_family(tin: Result) -> None:
+    """The outlet keeps its limit and the bush is hotter than tin alloys bear: no pass."""
+    found = limits(tin)
+    assert bearing_metal("SnSb8Cu4").limiting_temperature is None
+    assert found["C104"].quantity == "outlet_temperature"
+    assert found["C104"].ok
+    assert found["C108"].quantity == "maximum_bush_temperature"
+    assert found["C108"].limit == pytest.approx(388.15)
+    assert "tin-based" in found["C108"].source
+    assert not found["C108"].ok
+    assert found["C103"].ok  # 40 kN on 80 cm² are 5 MPa, the limit, to round-off
+    assert tin.verdict is Verdict.FAIL
+
+
+def test_a_metal_of_ones_own_has_the_limits_of_the_case(tin: Result) -> None:
+    own = limits(solved("{name: Mine, specific_load: 20 MPa, temperature: 160 degC}"))
+    assert own["C108"].limit == pytest.approx(433.15)
+    assert own["C105"].limit == 20e6
+    assert own["C108"].value == pytest.approx(limits(tin)["C108"].value, rel=1e-12)
+    assert "C103" not in own  # of no family
+    of_family = limits(solved("{name: Mine, family: lead-based}"))
+    assert of_family["C108"].limit == pytest.approx(373.15)
+    assert of_family["C103"].limit == 5e6
+
+
+def test_without_a_metal_the_general_limit_holds_and_is_named_an_assumption() -> None:
+    found = limits(solved(""))["C108"]
+    assert found.limit == pytest.approx(363.15)
+    assert "assumption" in found.source
+
+
+def test_every_metal_on_board_has_a_limiting_temperature() -> None:
+    for metal in bearing_metals():
+        limit = metal_temperature_limit(metal)
+        assert "assumption, as" not in limit.source, metal.name
+        if metal.limiting_temperature is not None:
+            assert limit == metal.limiting_temperature
+
+
+@pytest.mark.parametrize("name", ["B83", "B88", "SnSb8Cu4", "SnSb12Cu6Pb"])
+def test_tin_alloys_are_tin_based(name: str) -> None:
+    assert bearing_metal(name).family is AlloyFamily.TIN
+    assert bearing_metal("PbSb15Sn10").family is AlloyFamily.LEAD
+
+
+def test_an_unknown_name_without_limits_is_refused() -> None:
+    with pytest.raises(CaseError, match=r"bearing_metal.*nearest: SnSb8Cu4"):
+        parse_case(CASE.replace("{bearing: C10", "{bearing_metal: SnSb8Cu5, bearing: C10"))
