@@ -1,4 +1,4 @@
-"""Values that reach the answer from cooling, tolerance and root finder, held by closed forms through whole cases."""
+"""Cooling, half tolerance and root finder by closed forms, through whole cases."""
 
 import math
 
