@@ -179,7 +179,7 @@ def test_a_name_that_moves_the_cursor_is_printed_with_its_escapes(folder):
     [
         (("explain", " w103 "), "W103"),
         (("list", "Kinds"), "journal"),
-        (("explain", "W1011"), "did you mean W101?"),
+        (("explain", "W1011"), "W101"),
         (("explain", "?"), "C101, C102"),
         (("new", "Journal"), "did you mean 'journal'?"),
         (("list", "oils"), "lubricants"),

@@ -98,8 +98,8 @@ def explain(code: Annotated[str, typer.Argument(metavar="CODE", help="Such as W1
     asked = code.strip().upper()
     found = EXPLANATIONS.get(asked)
     if found is None:
-        near = get_close_matches(asked, EXPLANATIONS, n=1)
-        hint = f"did you mean {near[0]}?" if near else f"there are: {', '.join(sorted(EXPLANATIONS))}"
+        near = get_close_matches(asked, EXPLANATIONS, n=4)
+        hint = f"did you mean {', '.join(near)}?" if near else f"there are: {', '.join(sorted(EXPLANATIONS))}"
         raise InputError("E005", f"no code '{printable(code)}'; {hint}")
     print(f"{asked}  {found.title}\n\n{found.meaning}\n\nWhat to do: {found.remedy}")
 
