@@ -8,6 +8,7 @@ import gear_cases
 import pytest
 
 from babbitt.report.chapters import chapters
+from babbitt.result_names import ResultName
 from babbitt.standards.iso7902 import check
 from babbitt.standards.iso7902.model import GivenLoad
 
@@ -17,7 +18,7 @@ EXAMPLE = gear_cases.EXAMPLE
 def with_clearance(case, which, relative):
     given = (("Clearance", "fit H7/e7"), ("Clearance case", which))
     bearing = replace(case.bearing, relative_clearance=relative)
-    return replace(case, name=f"{case.name} ({which} clearance)", bearing=bearing, given=given)
+    return replace(case, name=ResultName(case.name, clearance=which), bearing=bearing, given=given)
 
 
 THREE = tuple(
@@ -49,7 +50,7 @@ def test_where_the_mean_has_no_operating_point_another_is_shown():
     "other",
     [
         replace(THREE[1], duty=GivenLoad(30e3)),
-        replace(THREE[1], name="Example B (mean clearance)"),
+        replace(THREE[1], name=ResultName("Example B", clearance="mean")),
         replace(THREE[1], bearing=replace(THREE[1].bearing, width=0.061)),
         replace(THREE[1], name="Example A"),
     ],

@@ -14,6 +14,7 @@ from babbitt.files import writing
 from babbitt.notices import InputError
 from babbitt.report.content import content
 from babbitt.report.document import report, write_report
+from babbitt.result_names import ResultName
 from babbitt.results import Outcome, Result
 from babbitt.standards.iso7902 import DesignCase, check
 from babbitt.standards.iso7902.model import GivenLoad
@@ -282,7 +283,7 @@ def test_the_first_page_sums_up_a_machine():
 def clearances(case):
     for which, factor in (("minimum", 0.8), ("mean", 1.0), ("maximum", 1.2)):
         bearing = replace(case.bearing, relative_clearance=factor * case.bearing.relative_clearance)
-        yield replace(case, name=f"{case.name} ({which} clearance)", bearing=bearing)
+        yield replace(case, name=ResultName(case.name, clearance=which), bearing=bearing)
 
 
 def test_clearances_stand_side_by_side_and_the_rest_once():

@@ -8,6 +8,7 @@ import gear_cases
 import pytest
 
 from babbitt.report.totals import totals
+from babbitt.result_names import ResultName
 from babbitt.standards.iso7902 import check
 from babbitt.standards.iso7902.model import GivenLoad
 
@@ -34,9 +35,9 @@ def test_oil_that_stays_in_its_housing_does_not_size_the_pump():
     assert carried == pytest.approx(found.values["friction_power"], rel=1e-7)
 
 
-@pytest.mark.parametrize("suffix", [" [half load]", " (maximum clearance)", " [half load] (mean clearance)"])
-def test_a_bearing_that_appears_twice_has_no_sum(suffix):
-    again = replace(TWO[0], name=TWO[0].name + suffix)
+@pytest.mark.parametrize("of", [("half load",), ("", "maximum"), ("half load", "mean")])
+def test_a_bearing_that_appears_twice_has_no_sum(of):
+    again = replace(TWO[0], name=ResultName(TWO[0].name, *of))
     assert totals((*TWO, again)) is None
 
 

@@ -11,7 +11,8 @@ import pytest
 from routh_hurwitz import is_stable
 
 from babbitt.bearings.warm_film import operating_film
-from babbitt.bearings.whirl import STANDARD_GRAVITY, threshold_speed
+from babbitt.bearings.whirl import threshold_speed
+from babbitt.film.whirl import STANDARD_GRAVITY
 from babbitt.studies.stability_map import stability_map
 
 LOBES = [{"angle": f"{angle} deg", "extent": "15 deg"} for angle in (90, 210, 330)]

@@ -32,8 +32,7 @@ from babbitt.bearings.thermal_film import film_equilibrium
 from babbitt.bearings.transition import transition_speed
 from babbitt.bearings.warm_film import FilmState, under_found_load
 from babbitt.bearings.watch import Watch, unwatched
-from babbitt.bearings.whirl import Whirl, whirl_of
-from babbitt.bearings.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values
+from babbitt.bearings.whirl import whirl_of
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import GivenLoad, contact_film
 from babbitt.design.doubts import (
@@ -45,6 +44,8 @@ from babbitt.design.doubts import (
 )
 from babbitt.design.failure import failure
 from babbitt.film.model import Cavitation
+from babbitt.film.whirl import Whirl
+from babbitt.film.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Result
 

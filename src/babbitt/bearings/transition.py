@@ -6,8 +6,9 @@ import math
 
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState
-from babbitt.bearings.whirl import SPEED_TOLERANCE, at_speed
+from babbitt.bearings.whirl import at_speed
 from babbitt.design.roots import bracketed_root
+from babbitt.film.whirl import SPEED_TOLERANCE
 
 SLOWEST = 1e-5
 """Share of the operating speed down to which the transition is sought."""

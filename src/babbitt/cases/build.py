@@ -19,6 +19,7 @@ from babbitt.cases.one_dimension_cases import long_film_case, segment_case
 from babbitt.cases.part import Part
 from babbitt.cases.standard_rules import film_alone_knows, half_bearings_are_in_the_tables
 from babbitt.longfilm.model import LongFilmCase
+from babbitt.result_names import ResultName
 from babbitt.standards.iso7902.model import DesignCase
 
 if TYPE_CHECKING:
@@ -181,8 +182,7 @@ def _expanded(bearing: JournalBearing, case: Case, make: Maker[DesignT]) -> Iter
     every = (bearing.clearance_cases or case.clearance_cases) == "all"
     for point in bearing.operating_points or (None,):
         for clearance_case in ("minimum", "mean", "maximum") if every else ("mean",):
-            name = bearing.name if point is None else f"{bearing.name} [{point.name}]"
-            if every:
-                name += f" ({clearance_case} clearance)"
+            of_point = "" if point is None else point.name
+            name = ResultName(bearing.name, of_point, clearance_case if every else "")
             at = Point(name, point, clearance_case, getattr(relative, clearance_case), tolerance)
             yield make(joined, at)

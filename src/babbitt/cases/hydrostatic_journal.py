@@ -39,6 +39,17 @@ class HydrostaticJournalCase(HydrostaticFile):
         0.0, description="Gauge pressure at which the film breaks."
     )
 
+    rotor_mass: Annotated[float, si("kg", "1 g", "10000 t")] | None = Field(
+        None,
+        description="Part of the mass of the rotor that the bearing carries, for the threshold of whirl. Without "
+        "it the load is taken as weight.",
+    )
+    shaft_stiffness: Annotated[float, si("N/m", "1 kN/m", "1000 GN/m")] | None = Field(
+        None,
+        description="Stiffness of the shaft between the rotor mass and this bearing, for the threshold of whirl. "
+        "Rigid if not given.",
+    )
+
     @rule
     def _load_or_position(self) -> Iterator[Complaint]:
         yield from exactly_one(self, "load", "eccentricity_ratio")
@@ -75,4 +86,9 @@ class HydrostaticJournalCase(HydrostaticFile):
 
     def design(self) -> HydrostaticCase:
         """Give the case of the calculation."""
-        return replace(super().design(), cavitation_pressure=self.cavitation_pressure)
+        return replace(
+            super().design(),
+            cavitation_pressure=self.cavitation_pressure,
+            rotor_mass=self.rotor_mass,
+            shaft_stiffness=self.shaft_stiffness,
+        )

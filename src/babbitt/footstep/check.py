@@ -25,6 +25,7 @@ from babbitt.footstep.superposition import GroovedHeel
 from babbitt.footstep.turning_heel import turning_force
 from babbitt.footstep.uncounted_heat import leaving_flow, uncounted_heat, uncounted_share
 from babbitt.notices import EXPLANATIONS, Notice
+from babbitt.result_names import ResultName
 from babbitt.results import Bound, Check, Outcome, Result
 from babbitt.units import ZERO_CELSIUS
 
@@ -115,7 +116,7 @@ def _unsolved(case: HeelCase, error: NoSteadyStateError, begun: float) -> Result
     remedy = EXPLANATIONS["S020"].remedy
     message = f"{far} Try: {remedy[0].lower()}{remedy[1:]}"
     return Result(
-        f"{case.name} (grooved heel)", case.kind, case.method.value, Outcome.NO_STEADY_STATE,
+        ResultName(case.name, state="grooved heel"), case.kind, case.method.value, Outcome.NO_STEADY_STATE,
         values | {"wall_time": perf_counter() - begun},
         warnings=tuple(_doubts_about_inputs(case)), assumptions=_assumptions(case), message=message,
         settings=_settings(case),
@@ -148,7 +149,7 @@ def _result(
         *_heat_checks(case, state),
     )  # fmt: skip
     return Result(
-        f"{case.name} ({title})", case.kind, case.method.value, Outcome.CONVERGED, values, checks,
+        ResultName(case.name, state=title), case.kind, case.method.value, Outcome.CONVERGED, values, checks,
         (*_doubts_about_inputs(case), *_doubts(case, state, values)), (), _assumptions(case), "",
         _settings(case) | {"state": state.name.value, "stable": "yes" if state.stable else "no"},
     )  # fmt: skip

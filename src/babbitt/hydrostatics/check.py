@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from babbitt.design.heat_balance import CEILING
+from babbitt.film.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values
 from babbitt.hydrostatics.answer import Answer, answer, answer_at, coarser
 from babbitt.hydrostatics.capacity import capacity
 from babbitt.hydrostatics.extrapolation import half_of, richardson, richardson_of_matrices
@@ -19,6 +20,7 @@ from babbitt.hydrostatics.pumping import held_pressure, highest_pressure, is_pum
 from babbitt.hydrostatics.state import Ending
 from babbitt.hydrostatics.validity import doubts
 from babbitt.hydrostatics.values import arrays, values
+from babbitt.hydrostatics.whirl import whirl_of
 from babbitt.notices import InputError, Notice
 from babbitt.results import Bound, Check, Outcome, Result
 from babbitt.units import ZERO_CELSIUS
@@ -81,6 +83,9 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
         }
     if state.temperature is not None:
         named |= {"effective_temperature": state.temperature, "energy_balance_error": abs(state.heat_error)}
+    whirl = whirl_of(case, found)
+    if whirl is not None:
+        named |= whirl_values(case, whirl)
     if case.least_gap is not None:
         limit = capacity(case)
         named |= {} if limit is None else {"load_capacity": limit}
@@ -95,9 +100,9 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
         case.method,
         outcome,
         named,
-        checks=tuple(checks(case, found, named)),
+        checks=(*checks(case, found, named), *whirl_checks(case, whirl)),
         not_checked=() if case.least_gap is not None else (Notice("C301", "no least_gap is given"),),
-        warnings=(*case.doubts, *doubts(case, found, named)),
+        warnings=(*case.doubts, *doubts(case, found, named), *(doubts_about_whirl(whirl) if whirl else ())),
         assumptions=case.assumptions,
         settings=settings,
         arrays=several,

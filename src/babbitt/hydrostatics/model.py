@@ -149,6 +149,9 @@ class HydrostaticCase:
         ``draft``, ``engineering`` or ``reference``.
     given, assumptions, doubts : tuple
         For the report.
+    rotor_mass, shaft_stiffness : float or None
+        Part of the rotor that a journal bearing carries, kg, and its shaft, N/m; None is the mass whose weight is
+        the load, and a rigid shaft.
     """
 
     name: str
@@ -169,6 +172,8 @@ class HydrostaticCase:
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()
     doubts: tuple[Notice, ...] = ()
+    rotor_mass: float | None = None
+    shaft_stiffness: float | None = None
 
     @property
     def count(self) -> int:

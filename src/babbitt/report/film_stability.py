@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.bearings.model import FilmCase
-from babbitt.bearings.rotor import RIGID
 from babbitt.bearings.warm_film import FilmState
 from babbitt.bearings.whirl import mass_of_rotor
+from babbitt.film.rotor import RIGID
 from babbitt.quantities import QUANTITIES
 from babbitt.report.drawing import GREY, INK, Array, Sheet, axis_label, mark
 from babbitt.report.painters import plain_ticks

@@ -1,14 +1,14 @@
 """Names of results: which bearing, which operating point, which clearance, and how many of them.
 
-`babbitt.cases.design_cases` makes them: ``Bearing``, ``Bearing [point]``, ``Bearing [point] (minimum clearance)``.
+What a name is made of it knows itself (`babbitt.result_names`); nothing is read out of its text.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from babbitt.report.text import counted, plain_text
+from babbitt.result_names import ResultName
 
 NAMES_SHOWN = 2
 """How many bearings a line on the terminal names before it counts the rest."""
@@ -16,22 +16,17 @@ NAMES_SHOWN = 2
 FEW = 3
 """How many bearings may be left out of a list that says "all but"."""
 
-_CLEARANCE = re.compile(r" \((minimum|mean|maximum) clearance\)$")
-_STATE = re.compile(r" \(((?:\d+\. )?(?:hot|cold|middle|fold) state|(?:smooth|grooved) heel)\)$")
-_POINT = re.compile(r" \[.*\]$")
-
 
 def split_clearance(name: str) -> tuple[str, str]:
     """A name without its clearance, and which clearance that is; empty for none. Steady states of a footstep count
     as clearances do: results of one bearing side by side.
 
-    >>> split_clearance("Fan shaft (minimum clearance)"), split_clearance("Pinion (a)")
-    (('Fan shaft', 'minimum'), ('Pinion (a)', ''))
-    >>> split_clearance("Footstep (hot state)")
+    >>> split_clearance(ResultName("Fan shaft", clearance="minimum")), split_clearance("Gear (hot state)")
+    (('Fan shaft', 'minimum'), ('Gear (hot state)', ''))
+    >>> split_clearance(ResultName("Footstep", state="hot state"))
     ('Footstep', 'hot state')
     """
-    found = _CLEARANCE.search(name) or _STATE.search(name)
-    return (name[: found.start()], found[1]) if found else (name, "")
+    return (name.whole, name.member) if isinstance(name, ResultName) else (name, "")
 
 
 def worded(members: Sequence[str]) -> str:
@@ -47,17 +42,19 @@ def worded(members: Sequence[str]) -> str:
 def bearing_of(name: str) -> str:
     """A name without operating point and clearance.
 
-    >>> bearing_of("Fan shaft [full speed] (minimum clearance)")
-    'Fan shaft'
+    >>> bearing_of(ResultName("Fan shaft", "full speed", "minimum")), bearing_of("Pump [A]")
+    ('Fan shaft', 'Pump [A]')
     """
-    return _POINT.sub("", split_clearance(name)[0])
+    return name.bearing if isinstance(name, ResultName) else name
 
 
 def counted_results(names: Sequence[str]) -> str:
     """How many bearings the results of a machine are, or how many cases of how many bearings.
 
-    >>> counted_results(["A", "B"]), counted_results(["A (minimum clearance)", "A (maximum clearance)"])
-    ('2 bearings', '2 cases of 1 bearing')
+    >>> counted_results(["A", "B"])
+    '2 bearings'
+    >>> counted_results([ResultName("A", clearance=which) for which in ("minimum", "maximum")])
+    '2 cases of 1 bearing'
     """
     bearings = len({bearing_of(name) for name in names})
     if bearings == len(names):
@@ -79,7 +76,7 @@ def listed(names: Sequence[str], of: Sequence[str]) -> str:
     --------
     >>> listed(["C", "A"], ["A", "B", "C", "D"]), listed(["A", "C", "D", "B"], ["A", "B", "C", "D", "E"])
     ('C; A', 'all 5 bearings but E')
-    >>> both = ["A (minimum clearance)", "A (mean clearance)"]
+    >>> both = [ResultName("A", clearance="minimum"), ResultName("A", clearance="mean")]
     >>> listed(both, [*both, "B"])
     'A (minimum, mean clearance)'
     """
@@ -111,8 +108,8 @@ def _joined(names: Sequence[str]) -> str:
     """Names apart by semicolons, since a name may have a comma; clearances of one bearing together."""
     together: dict[tuple[str, bool], list[str]] = {}
     for name in names:
-        stem, clearance = split_clearance(plain_text(name))
-        together.setdefault((stem, bool(clearance)), []).append(clearance)
+        stem, clearance = split_clearance(name)
+        together.setdefault((plain_text(stem), bool(clearance)), []).append(plain_text(clearance))
     return "; ".join(
         f"{stem} ({worded(clearances)})" if has_clearance else stem
         for (stem, has_clearance), clearances in together.items()

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from babbitt.bearings.model import Accuracy, FilmCase
-from babbitt.bearings.rotor import RIGID, critical_mass_of_rotor
 from babbitt.bearings.watch import Watch, unwatched
 from babbitt.film.model import FilmStart, JournalFilm, Resolution
+from babbitt.film.rotor import RIGID, critical_mass_of_rotor
 from babbitt.film.solution import attitude_angle, sommerfeld_number
 
 if TYPE_CHECKING:

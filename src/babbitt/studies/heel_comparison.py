@@ -9,6 +9,7 @@ from babbitt.cases.screw_heel import ScrewHeelCase, heel_cases
 from babbitt.footstep.case import HeelCase
 from babbitt.footstep.check import heel_results
 from babbitt.footstep.states import Method
+from babbitt.result_names import ResultName
 from babbitt.results import Result
 
 __all__ = ["HeelVariant", "compare_heels"]
@@ -56,5 +57,5 @@ def compare_heels(case: ScrewHeelCase) -> tuple[HeelVariant, ...]:
 def _by(design: HeelCase, method: Method) -> Iterator[HeelVariant]:
     label, remark = REMARKS[method]
     for result in heel_results(replace(design, method=method)):
-        state = result.name.removeprefix(f"{design.name} (").removesuffix(")")
+        state = result.name.state if isinstance(result.name, ResultName) else ""
         yield HeelVariant(f"{label}, {state}", remark, result)

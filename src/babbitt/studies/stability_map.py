@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.bearings.model import FilmCase
-from babbitt.bearings.rotor import RIGID, growth_rates
 from babbitt.bearings.whirl import mass_of_rotor
+from babbitt.film.rotor import RIGID, growth_rates
 from babbitt.studies.film_points import FilmPoints, Watch, film_points, unwatched
 from babbitt.studies.locus import spread
 

@@ -4,16 +4,28 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Protocol
 
-from babbitt.bearings.model import FilmCase
-from babbitt.bearings.whirl import Whirl
+from babbitt.film.whirl import Whirl
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check
 
-__all__ = ["doubts_about_whirl", "whirl_checks", "whirl_values"]
+__all__ = ["CarriesRotor", "doubts_about_whirl", "whirl_checks", "whirl_values"]
 
 
-def whirl_values(case: FilmCase, whirl: Whirl) -> dict[str, float]:
+class CarriesRotor(Protocol):
+    """A bearing that may know its part of the mass of the rotor, kg, and the stiffness of the shaft, N/m."""
+
+    @property
+    def rotor_mass(self) -> float | None:
+        """Kg; None where it is not known."""
+
+    @property
+    def shaft_stiffness(self) -> float | None:
+        """N/m; None for a rigid shaft."""
+
+
+def whirl_values(case: CarriesRotor, whirl: Whirl) -> dict[str, float]:
     """Critical mass, whirl frequency and threshold speed, for a rigid rotor and on its elastic shaft, SI."""
     values = {"rotor_mass": whirl.rotor_mass, "whirl_frequency_ratio": whirl.frequency_ratio}
     values["stable_at_any_mass"] = float(math.isinf(whirl.critical_mass))
@@ -30,7 +42,7 @@ def whirl_values(case: FilmCase, whirl: Whirl) -> dict[str, float]:
     return values
 
 
-def whirl_checks(case: FilmCase, whirl: Whirl | None) -> Iterator[Check]:
+def whirl_checks(case: CarriesRotor, whirl: Whirl | None) -> Iterator[Check]:
     """The mass of the rotor against the critical ones; nothing where the whirl is unknown."""
     if whirl is None:
         return
