@@ -1,13 +1,18 @@
 """What the film method hands to the table, to JSON, to the report and to the comparison."""
 
 import json
+import math
 
+import numpy as np
 import pytest
 from film_bearings import case, film, solved
 
+import babbitt
 from babbitt.bearings.check import film_check
 from babbitt.bearings.field import field_of
 from babbitt.bearings.warm_film import operating_film
+from babbitt.cases import parse_case
+from babbitt.longfilm.pressure import Gap, divergence_form
 from babbitt.report.content import content
 from babbitt.report.export import to_json, write_json
 from babbitt.report.table import render
@@ -116,3 +121,30 @@ def test_methods_that_do_not_apply_are_told_with_the_reason():
     }
     labels = {variant.label for variant in found.variants}
     assert labels.isdisjoint({"adiabatic film", "full thermal film", "long film", "ISO 7902"})
+
+
+def test_a_wide_film_tends_to_the_infinitely_long_one():
+    """What the ends cost falls as D/B: two widths lead to Sommerfeld's number of the infinitely long film."""
+    case = """
+kind: journal
+name: Wide
+method: film
+film_start: widest_gap
+cavitation: reynolds
+diameter: 100 mm
+width_ratio: RATIO
+clearance: {kind: relative, mean: 1 permille}
+materials: {bearing: C10, journal: C45}
+lubricant: ISO VG 46
+effective_temperature: 50 degC
+supply: {temperature: 50 degC, pressure: 0 kPa}
+eccentricity_ratio: 0.6
+speed: 1000 rpm
+"""
+    five, ten = (
+        babbitt.solve(parse_case(case.replace("RATIO", ratio))).results[0].sommerfeld_number
+        for ratio in ("5", "10")
+    )
+    gap = Gap.of(0.6, 2000, 0.0)
+    along, across = divergence_form(gap, np.ones(2001)).load(gap.step)
+    assert 2.0 * ten - five == pytest.approx(0.5 * math.hypot(along, across), rel=0.005)

@@ -4,23 +4,8 @@ import pytest
 
 from babbitt.cases import parse_case, template
 from babbitt.cases.loading import located
-from babbitt.cli import main
 from babbitt.notices import InputError
 from babbitt.solving import refusal_of
-
-
-@pytest.fixture
-def run(tmp_path, monkeypatch, capsys):
-    monkeypatch.chdir(tmp_path)
-
-    def of(*words):
-        monkeypatch.setattr("sys.argv", ["babbitt", *words])
-        with pytest.raises(SystemExit) as caught:
-            main()
-        said = capsys.readouterr()
-        return caught.value.code or 0, said.out, said.err
-
-    return of
 
 
 def unbalanced() -> str:

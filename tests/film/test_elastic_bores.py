@@ -102,7 +102,7 @@ def test_ring_displaces_harmonic_by_harmonic_and_by_the_mean_over_the_width() ->
     assert found == pytest.approx(1e6 * ring.response(3) * wave(3) * float(parabola @ BORE.shares), abs=1e-15)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(st.lists(st.floats(-1.0, 1.0), min_size=6, max_size=6), st.sampled_from(range(4)))
 def test_pressure_does_work_on_whatever_gives_way(heights: list[float], which: int) -> None:
     """And displacements are linear in it."""

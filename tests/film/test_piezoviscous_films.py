@@ -26,7 +26,7 @@ def bearing(lands=TWO, **more):
 
 
 @given(st.floats(1e-9, 5e-8), st.floats(0.0, 4.0))
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=50)
 def test_table_of_barus_is_its_closed_form(coefficient, exponent):
     table, pressure = pressure_table(Barus(coefficient)), exponent / coefficient
     closed = -math.expm1(-exponent) / coefficient

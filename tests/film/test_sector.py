@@ -39,7 +39,7 @@ def test_squeezed_parallel_faces_have_the_damping_of_the_sine_series():
     assert film.damping[0, 0] == pytest.approx(squeeze_force(still, 100e-6), rel=2e-4)
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(tilt=st.floats(-0.7, -0.2), twist=st.floats(-0.25, 0.25))
 def test_a_film_of_one_shape_carries_with_the_square_of_its_thickness(tilt, twist):
     """F(s a) = F(a) / s^2, so that K a = 2 F: at equilibrium K = 2 W / h."""

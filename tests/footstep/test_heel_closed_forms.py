@@ -121,7 +121,7 @@ heels = st.builds(
 )
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(heels)
 def test_the_residual_is_negative_at_both_ends(step):
     """So that the number of steady states is even."""
@@ -139,7 +139,7 @@ def test_the_residual_is_negative_at_both_ends(step):
         assert names == [StateName.HOT, StateName.COLD][out_of_sight:]
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(heels, st.floats(0.5, 2.0))
 def test_similarity(step, c):
     """All lengths times c at the same speed and pressures: pressures and temperatures stay."""

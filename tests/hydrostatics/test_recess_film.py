@@ -193,7 +193,7 @@ def test_clockwise_is_the_mirror_image():
     assert second.network.pressures[[0, 3, 2, 1]] == pytest.approx(first.network.pressures, rel=1e-7)
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 @given(
     plane=st.floats(0.3, 3.0), gap=st.floats(0.3, 3.0), pressure=st.floats(0.3, 3.0), viscosity=st.floats(0.3, 3.0)
 )
@@ -215,7 +215,7 @@ def test_scaling(plane, gap, pressure, viscosity):
     assert second.mass_balance_error < 1e-9
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(eps=st.floats(0.0, 0.85), angle=st.floats(0.0, 6.28), speed=st.floats(-2.0, 2.0))
 def test_oil_balances_wherever_the_journal_stands(eps, angle, speed):
     at = eps * CLEARANCE * np.array([math.cos(angle), math.sin(angle)])

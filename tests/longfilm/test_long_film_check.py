@@ -1,6 +1,7 @@
 """The design check of the long film: statuses, doubts, and input that cannot be used."""
 
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -331,3 +332,17 @@ def test_shares_of_the_load_of_a_wide_film_that_the_doubt_tells():
         assert f"{share:.0%}".replace("%", f" % at {'B/D ' if ratio == 1.5 else ''}{ratio:g}") in told.replace(
             "% of its load at", "% at"
         )
+
+
+def test_the_bound_of_the_width_is_that_of_the_method():
+    wide = TEXT.replace("method: long_film", "method: METHOD")
+    assert wide != TEXT
+    wide = re.sub(r"(?m)^width: .*$", "width_ratio: 2.5", wide)
+    result = babbitt.solve(parse_case(wide.replace("METHOD", "long_film"))).results[0]
+    assert result.width_ratio == 2.5
+    assert "W158" not in {notice.code for notice in result.warnings}
+    bare = "\n".join(line for line in wide.splitlines() if not line.startswith("heat_exchange"))
+    with pytest.raises(CaseError, match=r"no characteristics for a bearing of B/D 2\.5"):
+        parse_case(bare.replace("METHOD", "iso7902"))
+    with pytest.raises(CaseError, match=r"0\.1 to 10"):
+        parse_case(wide.replace("METHOD", "long_film").replace("width_ratio: 2.5", "width_ratio: 25"))

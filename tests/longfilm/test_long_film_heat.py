@@ -285,3 +285,21 @@ def test_the_short_cut_finds_what_the_scan_finds(load):
     assert film_under_load(own, load).eccentricity_ratio == pytest.approx(
         solve._scanned(own, load).eccentricity_ratio, abs=1e-5
     )
+
+
+@pytest.mark.parametrize("zone", ExchangeZone)
+@pytest.mark.parametrize("eccentricity", [0.3, 0.8])
+def test_friction_power_is_torque_times_speed_and_all_of_it_becomes_heat_where_the_flow_is_one(zone, eccentricity):
+    state = film_at_eccentricity(replace(film(CONSISTENT, 3000), exchange_zone=zone), eccentricity)
+    assert state.friction_torque * state.film.angular_speed == pytest.approx(state.friction_power, rel=1e-12)
+    assert state.heat_source == pytest.approx(state.friction_power, rel=1e-9)
+
+
+def test_the_published_form_loses_flow_work_and_names_heat_and_power_apart():
+    state = film_at_eccentricity(film(LITERAL, 3000), 0.8)
+    assert state.friction_torque * state.film.angular_speed == pytest.approx(state.friction_power, rel=1e-12)
+    work = state.sectors.friction - state.sectors.source
+    assert state.friction_power - state.heat_source == pytest.approx(float(work.sum()), rel=1e-9)
+    assert abs(work.sum()) > 0.01 * state.friction_power  # the local flow differs from section to section
+    t = state.temperatures
+    assert t.to_oil + t.to_housing + t.to_shaft == pytest.approx(state.heat_source, rel=1e-8)

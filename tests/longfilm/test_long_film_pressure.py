@@ -78,7 +78,7 @@ def swept(gap, viscosity):
     return pressure
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=40)
 @given(
     eccentricity=st.floats(0.02, 0.97),
     heating=st.floats(-2.0, 2.0),
@@ -95,7 +95,7 @@ def test_cumulative_sums_are_a_sweep_with_a_cut(eccentricity, heating, wave, cel
     assert film.nodes.min() >= 0.0
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=30)
 @given(eccentricity=st.floats(0.05, 0.95), heating=st.floats(0.0, 2.0))
 def test_only_the_divergence_form_conserves_the_flow(eccentricity, heating):
     gap = Gap.of(eccentricity, 180)

@@ -1,7 +1,7 @@
 """Oils from a user's own numbers: what is given is kept, what is assumed is said."""
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from babbitt.lubricants import (
@@ -61,7 +61,6 @@ def test_a_given_volumetric_heat_capacity_replaces_the_product():
     assert not any("Heat capacity" in text for text in oil.assumptions)
 
 
-@settings(deadline=None)  # the first call imports the root finder
 @given(st.floats(10.0, 700.0), st.floats(40.0, 200.0))
 def test_viscosity_index_is_kept(nu40, index):
     oil = lubricant_from_viscosity_index("mine", nu40 * 1e-6, index)

@@ -4,7 +4,7 @@ import itertools
 import math
 
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from babbitt.lubricants import nu40_from_viscosity_index, nu100_from_viscosity_index, viscosity_index
@@ -75,7 +75,6 @@ def test_index_comes_back_from_nu40(index, nu100):
     assert viscosity_index(nu40, nu100 * MM2) == pytest.approx(index, abs=1e-9 * (1.0 + abs(index)))
 
 
-@settings(deadline=None)  # the first call imports the root finder
 @given(indices, nu100s)
 def test_nu100_from_nu40_is_an_oil_of_that_index(index, nu100):
     nu40 = nu40_from_viscosity_index(index, nu100 * MM2)
@@ -85,7 +84,6 @@ def test_nu100_from_nu40_is_an_oil_of_that_index(index, nu100):
     assert found == pytest.approx(nu100 * MM2, rel=2e-3)
 
 
-@settings(deadline=None)  # the first call imports the root finder
 @given(nu100s)
 def test_the_two_methods_meet_at_index_100(nu100):
     seam = nu40_from_viscosity_index(100.0, nu100 * MM2)

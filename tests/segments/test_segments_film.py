@@ -213,7 +213,7 @@ def test_a_wall_that_hardly_yields_is_rigid():
     assert soft.load == pytest.approx(rigid.load, rel=1e-5)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(
     eccentricity=st.floats(0.05, 0.95),
     angle=st.floats(60.0, 200.0),

@@ -150,7 +150,7 @@ def test_t3_a_stiff_ring_is_a_rigid_one():
         assert stiff == pytest.approx(rigid, rel=1e-5)
 
 
-@settings(max_examples=20, deadline=None)
+@settings(max_examples=20)
 @given(uneven=st.floats(0.0, 0.95), ring=st.floats(8.0, 12.0))
 def test_t4_slow_ripple_goes_through_the_pads_whole(uneven, ring):
     pads = given_pads(10.0**ring, uneven=uneven)
@@ -190,7 +190,7 @@ def test_t8_without_damping_all_forces_swing_together():
     assert np.abs(answer.forces.imag).max() < 1e-12 * np.abs(answer.forces).max()
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(
     first=st.floats(3.0, 7.0),
     second=st.floats(3.0, 7.0),

@@ -26,7 +26,7 @@ def test_the_reference_share():
     assert share.heights[:5] * 1e6 == pytest.approx([35.67, 40.98, 55.28, 70.69, 77.24], rel=5e-3)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(tilt=st.floats(0.0, 2e-4), ring=st.floats(7.0, 12.0), thrust=st.floats(1e4, 2e6))
 def test_the_pads_carry_the_thrust_and_the_closest_carries_most(tilt, ring, thrust):
     share = share_of(FILMS, bearing(10.0**ring, tilt), thrust)
@@ -37,7 +37,7 @@ def test_the_pads_carry_the_thrust_and_the_closest_carries_most(tilt, ring, thru
     assert balance == pytest.approx(np.full(8, share.approach), abs=1e-9 * share.heights.max())
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=10)
 @given(pads=st.integers(0, 7), tilt=st.floats(0.0, 1e-4))
 def test_turning_the_tilt_by_a_pitch_permutes_the_loads(pads, tilt):
     still = share_of(FILMS, bearing(tilt=tilt), THRUST).loads

@@ -37,7 +37,7 @@ def test_the_reference_pad(films):
         assert moving.imag / (order * SPEED) == pytest.approx(damping, rel=5e-3)
 
 
-@settings(max_examples=12, deadline=None)
+@settings(max_examples=12)
 @given(
     fraction=st.floats(0.55, 0.65),
     width=st.floats(0.6, 1.5),

@@ -17,7 +17,7 @@ from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import JournalCase, Machine
 from babbitt.cases.one_dimension_cases import long_film_case, segment_case
 from babbitt.cases.part import Part
-from babbitt.cases.standard_rules import film_alone_knows, half_bearings_are_in_the_tables
+from babbitt.cases.standard_rules import film_alone_knows, half_bearings_are_in_the_tables, width_is_in_the_tables
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.result_names import ResultName
 from babbitt.standards.iso7902.model import DesignCase
@@ -90,7 +90,11 @@ def unknown_to_iso7902(bearing: JournalBearing, case: Case) -> str:
 
     It knows what ``method: iso7902`` is not refused for, the choices of the film method apart.
     """
-    unfit = next(film_alone_knows(bearing, "it"), None) or next(half_bearings_are_in_the_tables(bearing), None)
+    unfit = (
+        next(film_alone_knows(bearing, "it"), None)
+        or next(width_is_in_the_tables(bearing), None)
+        or next(half_bearings_are_in_the_tables(bearing), None)
+    )
     if unfit is not None:
         return unfit.says
     if any(bearing.span_at(point) is None for point in bearing.operating_points or (None,)):

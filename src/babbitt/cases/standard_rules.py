@@ -15,8 +15,11 @@ from babbitt.units import written
 if TYPE_CHECKING:
     from babbitt.cases.journal import JournalBearing
 
-LEAST_WIDTH_RATIO = 0.1
-"""Least B/D for which the characteristics are on board."""
+LEAST_WIDTH_RATIO, LARGEST_TABULATED_RATIO = 0.1, 1.5
+"""Range of B/D for which the characteristics are on board."""
+
+LARGEST_WIDTH_RATIO = 10.0
+"""B/D. Assumption: a longer plain bearing is a slip of unit; of the methods only the standard ends before."""
 
 
 @rule
@@ -24,8 +27,35 @@ def standard_knows_the_bearing(bearing: JournalBearing) -> Iterator[Complaint]:
     """Complain about what the standard does not know."""
     if bearing.method == "iso7902":
         yield from film_alone_knows(bearing, "ISO 7902")
+        yield from width_is_in_the_tables(bearing)
         yield from load_points_between_its_pockets(bearing)
         yield from half_bearings_are_in_the_tables(bearing)
+
+
+def width_is_in_the_tables(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about a bearing wider than those whose characteristics are on board."""
+    width = bearing.actual_width
+    if width is not None and LARGEST_TABULATED_RATIO < width / bearing.diameter <= LARGEST_WIDTH_RATIO:
+        says = f"ISO 7902 has no characteristics for a bearing of B/D {width / bearing.diameter:.3g}"
+        allowed = f"{_widths(bearing, LARGEST_TABULATED_RATIO)}, or method: film, or long_film from B/D 2"
+        yield Complaint(("width" if bearing.width is not None else "width_ratio",), says, allowed)
+
+
+def width_is_plausible(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about a width that no plain bearing has, whatever the method."""
+    if bearing.width is None:
+        return
+    ratio = bearing.width / bearing.diameter
+    if not LEAST_WIDTH_RATIO <= ratio <= LARGEST_WIDTH_RATIO:
+        largest = LARGEST_TABULATED_RATIO if bearing.method == "iso7902" else LARGEST_WIDTH_RATIO
+        says = f"width {written(bearing.width, 'mm')} is {ratio:.3g} of the diameter"
+        yield Complaint(("width",), says, _widths(bearing, largest))
+
+
+def _widths(bearing: JournalBearing, largest: float) -> str:
+    """Widths up to a ratio, in words."""
+    least, most = (written(ratio * bearing.diameter, "mm") for ratio in (LEAST_WIDTH_RATIO, largest))
+    return f"{least} to {most} (B/D {LEAST_WIDTH_RATIO:g} to {largest:g})"
 
 
 def half_bearings_are_in_the_tables(bearing: JournalBearing) -> Iterator[Complaint]:

@@ -100,7 +100,7 @@ def _solved(case: LongFilmCase) -> tuple[Outcome, float | None, LongFilmState | 
 def _values(case: LongFilmCase, state: LongFilmState) -> dict[str, float]:
     bearing, temperatures = case.bearing, state.temperatures
     effective = EffectiveFilm.of(
-        case, _mean_temperature(state), bearing.relative_clearance, state.load, state.heat_source, state.flow
+        case, _mean_temperature(state), bearing.relative_clearance, state.load, state.friction_power, state.flow
     )
     duty = duty_values(case, effective)
     number = state.load * bearing.relative_clearance**2 / (
@@ -127,9 +127,10 @@ def _values(case: LongFilmCase, state: LongFilmState) -> dict[str, float]:
         "load_along_eccentricity": state.load_along,
         "load_across_eccentricity": state.load_across,
         "relative_load": state.load_along / (bearing.diameter * bearing.width * ATMOSPHERE),
-        "friction_coefficient": state.heat_source / (state.load * duty["surface_speed"]),
+        "friction_coefficient": state.friction_power / (state.load * duty["surface_speed"]),
         "friction_torque": state.friction_torque,
-        "friction_power": state.heat_source,
+        "friction_power": state.friction_power,
+        "friction_heat": state.heat_source,
         "film_flow": state.flow,
         "flow_inconsistency": state.flow_spread,
         "supply_temperature": case.oil_supply.temperature,

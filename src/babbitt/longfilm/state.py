@@ -74,13 +74,22 @@ class LongFilmState:
 
     @property
     def heat_source(self) -> float:
-        """Friction less flow work, W."""
+        """Friction power less flow work, W: what oil and walls carry away."""
         return float(self.sectors.source.sum())
+
+    @property
+    def friction_power(self) -> float:
+        """Of the journal, W: its friction torque times its speed.
+
+        It is the `heat_source` wherever the flow is the same in every section. Where the discretisation does not
+        conserve the flow, the flow work does not cancel around the film and the two differ.
+        """
+        return float(self.sectors.friction.sum())
 
     @property
     def friction_torque(self) -> float:
         """On the journal, N m."""
-        return float(self.sectors.friction.sum()) / self.film.angular_speed
+        return self.friction_power / self.film.angular_speed
 
     @property
     def rupture_temperature(self) -> float:

@@ -73,17 +73,17 @@ def sectors_of(film: LongFilm, gap: Gap, pressure: Pressure, viscosity: Array, t
     eta = 0.5 * (viscosity[1:] + viscosity[:-1])
     h, area = c * gap.sectors, radius * gap.step * film.width
     rise = np.diff(pressure.nodes) * (u * radius / c**2)
-    shear = eta * u / h + h / (2.0 * radius * gap.step) * rise
     flow = flow_of(film, pressure)
     share = _share(film, gap, pressure)
     heat_capacity = _usable(oil.volumetric_heat_capacity, middle)
     conductivity = _usable(oil.conductivity, middle)
     peclet = u * h * heat_capacity / conductivity
     alpha = film.exchange.nusselt(peclet, h / film.diameter) * conductivity / h
-    friction = share * shear * (area * u)
+    # the whole rise of pressure lies in the full part of the sector in which the film breaks
+    friction = share * (eta * u / h) * (area * u) + h / (2.0 * radius * gap.step) * rise * (area * u)
     return Sectors(
         capacity_flow=heat_capacity * flow,
-        source=friction - share * flow * rise,
+        source=friction - flow * rise,
         friction=friction,
         to_journal=share * alpha * area,
         to_bush=share * area * _through_bush(film, alpha),

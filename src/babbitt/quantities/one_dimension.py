@@ -16,6 +16,7 @@ ONE_DIMENSION: tuple[Quantity, ...] = (
         "flow_inconsistency", "δ_Q", "1", "", 3, "Variation of the local flow over its mean in the full film"
     ),
     quantity("rupture_temperature", "T_r", "K", "degC", 4, "Film temperature at rupture"),
+    quantity("friction_heat", "P_q", "W", "kW", 4, "Heat generated in the film: friction power less flow work"),
     quantity("heat_to_shaft", "P_sh", "W", "kW", 4, "Heat led away along the shaft"),
     quantity("mean_temperature_load_ratio", "F/F_m", "1", "", 3, "Load over that of one mean temperature"),
     quantity(
