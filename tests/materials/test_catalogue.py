@@ -31,6 +31,7 @@ def sourced_values(metal: BearingMetal) -> list[SourcedValue]:
     values += [
         metal.recommended_temperature,
         metal.limiting_temperature,
+        metal.published_outlet_limit,
         metal.thermal_expansion,
         metal.brinell_hardness,
     ]
