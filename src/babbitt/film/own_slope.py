@@ -133,7 +133,7 @@ def _slope_beside(sample: Sample, at: Array, gap: float, frozen: Pair) -> tuple[
 
 def _check(one: Pair, slope: Pair, *, settled: bool) -> SlopeCheck:
     off = [
-        float(np.linalg.norm(mine - own) / max(np.linalg.norm(own), 1e-300))
+        float(np.linalg.norm(mine - own)) / max(float(np.linalg.norm(own)), 1e-300)
         for mine, own in zip(one, slope, strict=True)
     ]
     return SlopeCheck(off[0], off[1], settled)
