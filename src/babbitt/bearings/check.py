@@ -54,6 +54,9 @@ METHOD = "film"
 AT_A_LINE = 1e-6
 """Angle in rad within which a load points at a line of supply."""
 
+NO_CALM_FILM = "no film was found at this position without the supply pressure; only their sum is known"
+"""Why the flows by film pressure and by supply pressure are missing."""
+
 DRAWN_IN_FROM = 0.02
 """Oil that the sides draw in, over what leaves, from which it is told."""
 
@@ -153,6 +156,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
         message,
         settings,
         arrays,
+        {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))},
     )
 
 

@@ -209,6 +209,33 @@ JOURNAL: dict[str, Explanation] = {
         "it.",
         "Choose another `accuracy`; that numbers of two accuracies agree is an estimate, too.",
     ),
+    "W127": Explanation(
+        "The oil would be heated beyond the model",
+        "Somewhere the oil would be more than 100 K warmer than it enters. The heat balances of plain bearings "
+        "end there: oil ages, surfaces deform, and the numbers describe no bearing. The 100 K are an assumption.",
+        "Check speed, load and units; more or cooler oil, a larger clearance, a thinner oil.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W128": Explanation(
+        "Oil hotter than its data",
+        "The hottest oil known is above the temperatures for which the lubricant's numbers are meant: viscosity, "
+        "and with it film, friction and temperature, are extrapolated where oil is thinnest.",
+        "Give the lubricant by points that enclose the hottest place; more or cooler oil.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W129": Explanation(
+        "Film outside the validity of the method",
+        "ISO 7902 holds up to an eccentricity ratio of 0.95. No film of smooth surfaces holds where it is thinner "
+        "than the sum of the roughnesses Rz: there the surfaces touch.",
+        "Less load, a more viscous or cooler oil, a larger bearing, smoother surfaces; check the clearance.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W130": Explanation(
+        "Unusual relative clearance",
+        "Clearance over diameter lies outside 0.3 to 5 per mille, where plain bearings run (an assumption). Often "
+        "a percentage or the radial clearance was typed.",
+        "Check `clearance` and its unit: '1.1 permille' is 0.11 %.",
+    ),
     "W131": Explanation(
         "The journal can rest elsewhere",
         "Under the same load the film has more than one equilibrium. The results are those of the one found "

@@ -135,6 +135,7 @@ def _findings(results: Sequence[Result]) -> list[Data]:
         ("Remarks", findings.remarks(results)),
         ("Recommendations and screening indicators missed", findings.missed_advice(results)),
         ("Information", findings.information(results)),
+        ("Values not found", findings.missing_values(results)),
         ("Not checked, for want of data", findings.not_checked(results)),
     )
     return [
