@@ -60,13 +60,16 @@ def validate(
 ) -> None:
     """Run the published cases that ship with the package, side by side with the print.
 
+    Cases whose inputs were fitted to the print are reproductions and say so.
     Exit status 1 if a judged value differs by more than its tolerance.
     """
-    from babbitt.report.validation_table import print_validation
+    from babbitt.report.validation_table import print_count, print_validation
     from babbitt.validation import cases, validation_case
 
     chosen = [validation_case(name) for name in names] if names else list(cases())
     agreed = [print_validation(case) for case in chosen]
+    if len(chosen) > 1:
+        print_count(chosen, agreed)
     if not all(agreed):
         raise typer.Exit(NOT_PASSED)
 
