@@ -158,6 +158,8 @@ class Result:
         Choices that the numbers depend on.
     arrays : Mapping[str, Matrix]
         Named quantities of several numbers, in SI: ``stiffness`` and ``damping`` as [[xx, xy], [yx, yy]].
+    missing : Mapping[str, str]
+        Quantities that belong among the values and could not be found, each with the reason.
     """
 
     name: str
@@ -172,6 +174,7 @@ class Result:
     message: str = ""
     settings: Mapping[str, str] = field(default_factory=dict)
     arrays: Mapping[str, Matrix] = field(default_factory=dict)
+    missing: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def verdict(self) -> Verdict:

@@ -1,5 +1,6 @@
 """Table, figures and report of a footstep."""
 
+import itertools
 from io import StringIO
 
 import pytest
@@ -70,7 +71,7 @@ def test_stable_branches_are_full_and_unstable_ones_broken():
     case = solve(parse_case(TEXT)).design_cases[1]
     with heel_figures.style():
         figure = heel_figures._over_clearance(case)
-    load = figure.axes[2]
+    load = figure.axes[4]
     curves = [line for line in load.lines if len(line.get_xdata()) > 50 and np.isfinite(line.get_ydata()).any()]
     full = [line for line in curves if line.get_linestyle() == "-"]
     broken = [line for line in curves if line.get_linestyle() == "--"]
@@ -78,6 +79,48 @@ def test_stable_branches_are_full_and_unstable_ones_broken():
     assert len(full) == 2  # smooth and cold
     hot, cold = (np.isfinite(line.get_ydata()) for line in (broken[0], full[1]))
     assert (hot == cold).all()  # both end at the fold
+
+
+def test_curves_of_the_study_are_drawn_over_gap_and_clearance():
+    """Temperature of the mixed oil and leakage, its Figs. 2 and 3; golden values at 20/20 um as marks."""
+    from babbitt.report import heel_figures
+
+    case = solve(parse_case(TEXT)).design_cases[1]
+    with heel_figures.style():
+        figures = heel_figures._over_clearance(case), heel_figures._over_gap(case)
+    for figure, names in zip(figures, (heel_figures.OVER_CLEARANCE, heel_figures.OVER_GAP), strict=True):
+        panels = dict(zip(names, figure.axes, strict=True))
+        for name, states in (("rim_temperature", (38.51, 32.37)), ("heel_leakage", (66.84, 115.39))):
+            marks = [line for line in panels[name].lines if line.get_marker() == "o"]
+            assert sorted(float(mark.get_ydata()[0]) for mark in marks) == pytest.approx(sorted(states), rel=1e-3)
+            curves = [line for line in panels[name].lines if len(line.get_xdata()) > 50]
+            assert len(curves) >= 3
+
+
+def test_names_stand_beside_their_own_curves():
+    """At the right edge of the load over the gap the hot curve's name stood beside the cold curve."""
+    from babbitt.report import heel_figures
+
+    case = solve(parse_case(TEXT)).design_cases[1]
+    with heel_figures.style():
+        panel = heel_figures._over_gap(case).axes[heel_figures.OVER_GAP.index("load")]
+    low, high = panel.get_ylim()
+    levels = {text.get_text(): text.xy[1] for text in panel.texts}
+    ends = {"cold": 0.9359, "hot": 0.8894, "smooth": 0.8893}
+    for name, level in levels.items():
+        distances = {other: abs(level - value) for other, value in ends.items()}
+        assert distances[name] <= min(distances.values()) + 0.01 * (high - low)
+
+
+@pytest.mark.parametrize("values", [[0.0, 0.1, 5.0], [1.0, 1.0, 1.0], [0.0, 0.9, 1.0, 1.1, 9.0], [3.0]])
+def test_levels_keep_their_distance_and_their_mean(values):
+    from babbitt.report.drawing import spread_levels
+
+    levels = spread_levels(values, 1.0)
+    assert all(late - early >= 1.0 - 1e-12 for early, late in itertools.pairwise(levels))
+    assert sum(levels) == pytest.approx(sum(values))  # nothing is pushed up or down as a whole
+    far = [0.0, 10.0, 20.0]
+    assert spread_levels(far, 1.0) == far
 
 
 def test_the_report_is_typeset(machine):

@@ -12,6 +12,7 @@ from babbitt.quantities import QUANTITIES
 from babbitt.report.thrust_words import answers
 from babbitt.results import Verdict
 from babbitt.shaft_line.answer import line_answer
+from babbitt.shaft_line.judged import limits_of
 from babbitt.shaft_line.values import line_values
 from babbitt.solving import solve
 
@@ -233,3 +234,24 @@ def test_on_which_pad_each_cause_is_largest_is_said(base):
     for name in ("runout_force", "ripple_force", "dynamic_bound"):
         forces = base.arrays[name][0]
         assert f" (pad {1 + forces.index(max(forces))})" in said
+
+
+def test_a_nonlinear_motion_that_is_not_found_is_told_and_gives_no_value():
+    found = result(
+        ("# nonlinear: true", "nonlinear: true"),
+        ("  - {share: 10 %}                   # blade frequency\n", "  - {share: 10 %, order: 3.14159}\n"),
+    )
+    assert "W210" in [notice.code for notice in found.warnings]
+    assert not [name for name in found.values if name.startswith("nonlinear")]
+
+
+def test_the_nonlinear_film_is_held_against_the_limit_where_it_is_thinner(base):
+    design = parse_case(BASE).line_design()
+    [film] = [check for check in limits_of(design, base.values) if check.code == "C202"]
+    assert film.quantity == "dynamic_minimum_film"
+    [film] = [
+        check
+        for check in limits_of(design, {**base.values, "nonlinear_minimum_film": 9e-6})
+        if check.code == "C202"
+    ]
+    assert (film.quantity, film.value, film.ok) == ("nonlinear_minimum_film", 9e-6, False)

@@ -6,13 +6,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from trawler_line import RIPPLE, RUNOUT, duty, given_pads, line
-from trawler_pads import INERTIA, PAD, SPEED, VISCOSITY
+from trawler_pads import PAD, SPEED, VISCOSITY
 
 from babbitt.notices import InputError
 from babbitt.shaft_line.forced import forced
+from babbitt.shaft_line.line import Seating
 from babbitt.shaft_line.march import march
 from babbitt.shaft_line.model import state_of
-from babbitt.shaft_line.transient import transient
+from babbitt.shaft_line.periodic import NoPeriodicMotionError, periodic_motion
 from babbitt.thrust.carrying import carrying
 from babbitt.thrust.equilibrium import pad_state
 from babbitt.thrust.film_table import film_table
@@ -81,58 +82,90 @@ def test_the_table_holds_the_film_off_its_nodes():
 
 @pytest.mark.parametrize("pivot", [Pivot.POINT, Pivot.LINE])
 def test_small_nonlinear_motion_is_the_linear_one(pivot):
-    """Massless pads in both; the load peak within 0.5 %, what is left of second order in the unloading 1 %.
+    """What is left of 1 % of the excitations is of second order: ten times less at a tenth of them.
 
     Under the tilt of the housing line pivots hold their pads at a slope, which ripple alone does not change.
     """
-    pad = replace(PAD, pivot=pivot)
-    light = replace(duty(), bearing=replace(duty().bearing, pad=pad, pad_mass=0.0, inertia=type(INERTIA)()))
+    of = replace(duty(), bearing=replace(duty().bearing, pad=replace(PAD, pivot=pivot)))
     if pivot is Pivot.LINE:  # a slope beyond the tabulated films would be told
-        light = replace(light, runouts=()).with_tilt(10e-6)
-    state = state_of(light, carrying(pad, VISCOSITY, SPEED))
-    found = transient(state, 0.05)
-    assert found.steady < 5e-3
-    history = 0.05 * state.forced.force_history()
-    assert found.load_peaks.max() == pytest.approx(history.max(), rel=5e-3)
-    assert found.unload_peaks.max() == pytest.approx(-history.min(), rel=1e-2)
-    assert not found.outside
-    assert not found.lifts_off
-    assert not found.touches
+        of = replace(of, runouts=()).with_tilt(10e-6)
+    state = state_of(of, carrying(of.bearing.pad, VISCOSITY, SPEED))
+    left = []
+    for amplitude in (1e-2, 1e-3):
+        found = periodic_motion(state, amplitude)
+        assert found.residual < 1e-6
+        history = amplitude * state.forced.history(state.forced.forces())
+        assert found.load_peaks.max() == pytest.approx(history.max(), rel=3e-3)
+        assert found.unload_peaks.max() == pytest.approx(-history.min(), rel=3e-3)
+        left.append(abs(found.load_peaks.max() / history.max() - 1.0))
+        assert [found.outside, found.lifts_off, found.touches] == [False] * 3
+    assert left[1] < 0.2 * left[0] + 1e-4
+
+
+@pytest.mark.parametrize(
+    ("order", "seat", "ring"), [(13.0, None, 2e10), (13.0, None, math.inf), (8.0, Seating(1e9, 0.0, 12e3), 2e10)]
+)
+def test_lines_that_hardly_damp_have_their_linear_motion_at_small_excitations(order, seat, ring):
+    """On the resonance at 27.9 Hz: marched for two revolutions from the linear answer such lines were off."""
+    thrust = (replace(RIPPLE, order=order),)
+    of = replace(duty(ring=ring), line=replace(line(damping=2e3), seating=seat), thrusts=thrust)
+    state = state_of(of, FILMS)
+    found = periodic_motion(state, 1e-3)
+    history = 1e-3 * state.forced.force_history()
+    assert found.load_peaks.max() == pytest.approx(history.max(), rel=3e-3)
+    assert found.unload_peaks.max() == pytest.approx(-history.min(), rel=3e-3)
+
+
+def test_excitations_without_a_common_period_have_no_motion_that_repeats():
+    state = state_of(replace(duty(), thrusts=(replace(RIPPLE, order=math.pi),)), FILMS)
+    with pytest.raises(NoPeriodicMotionError, match=r"3\.14159.* do not repeat together within 20 revolutions"):
+        periodic_motion(state)
+    twice = state_of(replace(duty(), thrusts=(replace(RIPPLE, order=2.5),)), FILMS)
+    assert periodic_motion(twice, 0.01).angles[-1] > 2.0 * math.pi * 1.99
+
+
+def test_a_motion_that_is_not_found_is_told():
+    """Forty times the runout: every pad loses its load in turn."""
+    state = state_of(duty().with_runout(40.0), FILMS)
+    with pytest.raises(NoPeriodicMotionError, match="no motion that repeats was found beyond"):
+        periodic_motion(state)
 
 
 def test_pads_that_cannot_follow_a_leaning_collar_have_no_nonlinear_motion():
-    """Runout of two lobes, whose height alone counts, is marched; of one lobe it would be wrong."""
+    """Runout of two lobes, whose height alone counts, is followed; of one lobe it would be wrong."""
     of = replace(duty(), bearing=replace(duty().bearing, pad=replace(PAD, pivot=Pivot.LINE))).with_tilt(10e-6)
     films = carrying(of.bearing.pad, VISCOSITY, SPEED)
     with pytest.raises(InputError, match="line pivot holds the tilt") as told:
-        transient(state_of(of, films))
+        periodic_motion(state_of(of, films))
     assert told.value.code == "E101"
     waves = state_of(replace(of, runouts=(replace(RUNOUT, order=2.0),)), films)
-    assert transient(waves, 0.05, revolutions=1).loads.max() > waves.share.loads.max()
+    assert periodic_motion(waves, 0.05).loads.max() > waves.share.loads.max()
 
 
-def test_golden_nonlinear_motion():
-    """Load peak over the linear one 1.005 at once, and the films grow on the mean (rectification)."""
+@pytest.mark.parametrize(("times", "ratio"), [(1.0, 1.005), (2.0, 1.052), (3.0, 1.093)])
+def test_golden_nonlinear_motion(times, ratio):
+    """Load peak over the linear one of a prototype that marches with a stiff solver; the mean film grows."""
     state = state_of(duty(), FILMS)
-    found = transient(state)
-    assert found.load_peaks.max() / state.forced.peaks().max() == pytest.approx(1.005, abs=0.005)
-    assert found.thinnest.min() == pytest.approx(19.77e-6, rel=0.01)
+    found = periodic_motion(state, times)
+    assert found.load_peaks.max() / (times * state.forced.peaks().max()) == pytest.approx(ratio, abs=0.003)
+    if times == 1.0:
+        assert found.minimum_film == pytest.approx(19.77e-6, rel=0.01)
     assert np.all(found.film_shift > 0.0)
     assert np.all(found.load_peaks > 0.0)
     assert np.all(found.unload_peaks > 0.0)
 
 
-@pytest.mark.parametrize("ring", [2e10, math.inf])
-def test_no_film_pulls(ring):
-    """Runout of six times the base case, where linear forces pull: pads lift off, and the mean thrust stays."""
-    shaken = duty().with_runout(6.0)
+@pytest.mark.parametrize(("ring", "times"), [(2e10, 4.5), (math.inf, 4.0)])
+def test_no_film_pulls(ring, times):
+    """Runout at which linear forces pull: pads lift off, and the mean thrust stays."""
+    shaken = duty().with_runout(times)
     state = state_of(replace(shaken, bearing=replace(shaken.bearing, ring_stiffness=ring)), FILMS)
     assert (state.share.loads - state.forced.peaks()).min() < 0.0
-    found = transient(state)
+    found = periodic_motion(state)
     assert found.loads.min() == 0.0
     assert found.lifts_off
     assert 0.0 < found.lifted.max() < 0.5
-    assert found.loads[:-1].sum(axis=1).mean() == pytest.approx(state.share.thrust, rel=0.02)
+    assert found.loads.sum(axis=1).mean() == pytest.approx(state.share.thrust, rel=1e-4)
 
 
 def test_crowned_pads_have_no_similar_films_to_march():

@@ -352,7 +352,7 @@ def test_doubts_carry_their_numbers():
     )
     assert "W115" in codes(tiny.warnings)
     heavy = check(replace(CASE_A, duty=GivenLoad(120e3)))
-    assert "W116" in codes(heavy.warnings)
+    assert "W129" in codes(heavy.warnings)
 
 
 @pytest.mark.parametrize("span", [360, 120])

@@ -253,7 +253,7 @@ def test_the_hottest_oil_known_is_held_against_the_metal(changed, hottest):
     assert "no bearing metal is given" in " ".join(found.assumptions)
     assert [one.code for one in found.not_checked] == ["C103", "C105"]  # pressures are for a metal that is named
     assert found.verdict is Verdict.NO_VERDICT
-    assert "W145" not in {one.code for one in found.warnings}
+    assert "W128" not in {one.code for one in found.warnings}
 
 
 def test_no_temperature_is_passed_over_in_silence():
@@ -290,7 +290,7 @@ def test_babbitt_that_softens_is_beyond_its_limit():
 def test_oil_hotter_at_the_trailing_edges_than_its_data_is_told():
     found = result(oil=BALANCE.replace("45 degC", "95 degC") + "}", thrust="900 kN", tilt=None)
     hottest = found.trailing_temperature - 273.15
-    assert f"{hottest:.1f} °C" in {one.code: one.message for one in found.warnings}["W145"]
+    assert f"{hottest:.1f} °C" in {one.code: one.message for one in found.warnings}["W128"]
 
 
 LINE_PIVOTS = (

@@ -19,6 +19,7 @@ from babbitt.bearings.orbit_answer import (
     orbit_rows,
     orbit_values,
 )
+from babbitt.bearings.own_slope import confirmed_state, doubts_about_slope
 from babbitt.bearings.resting import doubts_about_rest, resting_places
 from babbitt.bearings.thermal_answer import (
     doubts_about_heat,
@@ -53,6 +54,9 @@ METHOD = "film"
 
 AT_A_LINE = 1e-6
 """Angle in rad within which a load points at a line of supply."""
+
+NO_CALM_FILM = "no film was found at this position without the supply pressure; only their sum is known"
+"""Why the flows by film pressure and by supply pressure are missing."""
 
 DRAWN_IN_FROM = 0.02
 """Oil that the sides draw in, over what leaves, from which it is told."""
@@ -92,7 +96,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
     not_made: tuple[Notice, ...] = ()
     arrays, settings = {}, film_settings(case)
     if found.film is not None:
-        state = found.film
+        state, slope = confirmed_state(case, found.film)
         frozen, values, followed = state, film_values(case, state), True
         if case.cavitation is not Cavitation.HALF_SOMMERFELD:
             arrays = {"stiffness": rows_of(state.solution.stiffness), "damping": rows_of(state.solution.damping)}
@@ -121,7 +125,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
             values |= grid_errors(case, state) if case.error_estimate else {}
             checks = (*_limit_checks(case, values), *whirl_checks(case, whirl), clearance_check(case, values))
             not_made = checks_not_made(case, values)
-            warnings = tuple(_doubts(case, state, values, checks, whirl))
+            warnings = (*_doubts(case, state, values, checks, whirl), *doubts_about_slope(slope))
             if state.thermal is not None:
                 values |= stiffness_values(state)
                 warnings = (*warnings, *doubts_about_heat(case, state, values, followed))
@@ -153,6 +157,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
         message,
         settings,
         arrays,
+        {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))},
     )
 
 

@@ -20,7 +20,7 @@ def full_film_share(solution: FilmSolution) -> float:
     """Share of the bearing surface with a full film, grooves, pockets and holes included."""
     from babbitt.bearings.field import field_of
 
-    found = field_of(solution)
+    found = field_of(solution, _first_line(solution))
     return _share(found.theta, found.liquid_fraction >= FULL)
 
 
@@ -37,10 +37,15 @@ def turbulent_share(solution: FilmSolution) -> float:
     film = solution.film
     if film.turbulence is None:
         raise ValueError("the film was solved as laminar")
-    found = field_of(solution)
+    found = field_of(solution, _first_line(solution))
     speed = 0.5 * film.diameter * abs(film.angular_speed)
     reynolds = film.turbulence.density * speed * found.film_thickness / film.viscosity  # nan over grooves: laminar
     return _share(found.theta, reynolds > film.turbulence.onset)
+
+
+def _first_line(solution: FilmSolution) -> float:
+    """Where the film begins, rad: a field that began at a place of the axes would have a line more there."""
+    return float(solution.angles[0, 0])
 
 
 def _share(theta: NDArray[np.float64], where: NDArray[np.bool_]) -> float:

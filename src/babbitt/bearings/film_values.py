@@ -56,6 +56,7 @@ def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "american_sommerfeld_number": 1.0 / (2.0 * math.pi * film.sommerfeld_number),
         "eccentricity_ratio": film.eccentricity_ratio,
         "attitude_angle": film.attitude_angle,
+        **_misalignment_values(case),
         "load_angle": math.atan2(-film.force[1], -film.force[0]),
         "minimum_film_thickness": film.minimum_film_thickness,
         "narrowest_gap_angle": narrowest_gap_angle(film),
@@ -112,6 +113,12 @@ def supply_pressures(case: FilmCase, film: JournalFilm) -> tuple[float, ...]:
     behind = [film.lands[number].end_pressure for number in film.land_order[:grooves]]
     every = [*behind, *(pocket.pressure for pocket in film.pockets)]
     return tuple(every[number] for number in supply_numbers(case, film))
+
+
+def _misalignment_values(case: FilmCase) -> dict[str, float]:
+    """Slopes of the journal axis that the film was solved with; nothing for an aligned journal."""
+    slopes = case.bearing.misalignment
+    return {} if slopes == (0.0, 0.0) else dict(zip(("misalignment_x", "misalignment_y"), slopes, strict=True))
 
 
 def _lobe_values(case: FilmCase, state: FilmState) -> dict[str, float]:

@@ -12,6 +12,7 @@ from babbitt.bearings.layout import supply_numbers
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.thermal_film import film_heat, following_stiffness, thermal_resolution
 from babbitt.bearings.warm_film import FilmState
+from babbitt.design.doubts import BESIDE_THE_END
 from babbitt.notices import Notice
 from babbitt.results import Matrix
 from babbitt.units import ZERO_CELSIUS
@@ -164,7 +165,7 @@ def doubts_about_heat(
     assert state.thermal is not None
     coldest, hottest = case.lubricant.temperature_range
     low, high = float(state.thermal.temperature.min()), values["maximum_temperature"]
-    if low < coldest - 0.05 or high > hottest + 0.05:
+    if low < coldest - BESIDE_THE_END:
         yield Notice(
             "W145",
             f"the film is {low - ZERO_CELSIUS:.1f} to {high - ZERO_CELSIUS:.1f} °C, "

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from babbitt.design.conditions import Designed, surface_speed
 from babbitt.design.screening import ROTORDYNAMIC_CHECK_ABOVE
+from babbitt.lubricants import Lubricant
 from babbitt.notices import Notice
 from babbitt.results import Check
 from babbitt.units import ZERO_CELSIUS
@@ -27,6 +28,57 @@ def doubt_about_pressure(pressure: float, where: str = "in the film") -> Iterato
         yield Notice("W142", f"{pressure * 1e-6:.3g} MPa {where} > {limit}")
 
 
+LARGEST_RISE = 100.0
+"""Heating of the oil in K beyond which no model of a plain bearing holds (an assumption)."""
+
+BESIDE_THE_END = 0.05
+"""K by which a temperature may pass the end of the data: it is shown with one decimal."""
+
+USUAL_CLEARANCES = (0.3e-3, 5e-3)
+"""Clearance over diameter of plain bearings (an assumption)."""
+
+HOTTEST_OIL = ("maximum_temperature", "outlet_temperature", "effective_temperature", "bearing_temperature")
+"""Temperatures of a result in which the oil is not hotter than the hottest of them."""
+
+
+def doubts_about_heating(hottest: float, supplied: float | None, lubricant: Lubricant) -> Iterator[Notice]:
+    """Oil that is heated beyond sense, or above the temperatures of its data.
+
+    Parameters
+    ----------
+    hottest : float
+        The hottest oil known, in K.
+    supplied : float or None
+        Temperature of the oil that enters, in K; None where none is fed.
+    lubricant : Lubricant
+    """
+    if supplied is not None and hottest - supplied > LARGEST_RISE:
+        yield Notice(
+            "W127",
+            f"{hottest - ZERO_CELSIUS:.1f} °C, {hottest - supplied:.0f} K warmer than the oil that enters, "
+            f"> {LARGEST_RISE:.0f} K",
+        )
+    end = lubricant.temperature_range[1]
+    if hottest > end + BESIDE_THE_END:
+        yield Notice(
+            "W128",
+            f"{hottest - ZERO_CELSIUS:.1f} °C > {end - ZERO_CELSIUS:.0f} °C, end of the data of {lubricant.name}",
+        )
+
+
+def _doubts_about_thin_film(case: Designed, film: float) -> Iterator[Notice]:
+    surfaces = case.bearing.surfaces
+    if surfaces is not None and film < (rough := surfaces.roughness_bearing + surfaces.roughness_journal):
+        yield Notice("W129", f"h_min = {film * 1e6:.3g} µm < Rz_B + Rz_J = {rough * 1e6:.3g} µm")
+
+
+def _doubts_about_clearance(clearances: tuple[float, ...]) -> Iterator[Notice]:
+    least, most = USUAL_CLEARANCES
+    outside = [one for one in clearances if not least <= one <= most]
+    if outside:
+        yield Notice("W130", f"ψ = {outside[0] * 1e3:.3g} ‰ lies outside {least * 1e3:g} to {most * 1e3:g} ‰")
+
+
 def doubts_about_film(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
     """Laminar film, range of the lubricant data, rigid surfaces."""
     reynolds, critical = values["film_reynolds_number"], values["critical_reynolds_number"]
@@ -34,13 +86,18 @@ def doubts_about_film(case: Designed, values: Mapping[str, float]) -> Iterator[N
         yield Notice("W101", f"film Reynolds number {reynolds:.0f} > {critical:.0f} = 41.3 sqrt(D/C) (ISO 7902-1)")
     coldest, hottest = case.lubricant.temperature_range
     temperature = values["effective_temperature"]
-    if not coldest <= temperature <= hottest:
+    if temperature < coldest:
         yield Notice(
             "W107",
             f"T_eff = {temperature - ZERO_CELSIUS:.1f} °C lies outside {coldest - ZERO_CELSIUS:.0f} to "
             f"{hottest - ZERO_CELSIUS:.0f} °C, for which {case.lubricant.name} is described",
         )
+    supplied = None if case.oil_supply is None else case.oil_supply.temperature
+    reached = max(values[name] for name in HOTTEST_OIL if name in values)
+    yield from doubts_about_heating(reached, supplied, case.lubricant)
     yield from _doubts_about_cold_oil(case, values)
+    yield from _doubts_about_clearance((values["relative_clearance"], values["operating_relative_clearance"]))
+    yield from _doubts_about_thin_film(case, values["minimum_film_thickness"])
     clearance = 0.5 * values["operating_relative_clearance"] * case.bearing.diameter
     depth, eccentricity = 1.0 - values["minimum_film_thickness"] / clearance, values["eccentricity_ratio"]
     if depth > RIGID_FILM_UP_TO:

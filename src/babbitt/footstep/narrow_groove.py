@@ -126,8 +126,10 @@ class NarrowGrooveAnnulus:
     @cached_property
     def _power_terms(self) -> tuple[float, float]:
         """Wall power over mu, m³/s², without a rise of pressure, and what a rise over mu adds, m³/s."""
-        at_rest, driven = self._wall_power(0.0), self._wall_power(1.0)
-        return at_rest, driven - at_rest
+        # The power is linear in the rise; a rise of the size to come keeps the difference above round-off.
+        rise = self.speed * self.footstep.geometry.length / self.footstep.clearance**2
+        at_rest, driven = self._wall_power(0.0), self._wall_power(rise)
+        return at_rest, (driven - at_rest) / rise
 
     def _wall_power(self, rise: float) -> float:
         """Power of the wall over mu for a rise of pressure over mu."""

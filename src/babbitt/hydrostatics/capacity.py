@@ -41,7 +41,9 @@ def excess_pressure(case: HydrostaticCase, found: Answer) -> float:
 
 
 def journal_capacity(case: HydrostaticCase, depth: float) -> float | None:
-    """Load in its given direction up to an eccentricity."""
+    """Load in its given direction up to an eccentricity; none where the least gap leaves no room for one."""
+    if depth == 0.0:
+        return 0.0
     state = straight_at(case, depth)
     if state is not None and is_pumped(case) and excess_pressure(case, state) > 0.0:
 

@@ -14,7 +14,7 @@ from babbitt.hydrostatics.state import Ending
 
 __all__ = ["HeatedBearing", "heated"]
 
-TOLERANCE = 1e-3
+TOLERANCE = 1e-6
 """K, of the temperature of the oil."""
 
 FIRST_STEP = 1.0

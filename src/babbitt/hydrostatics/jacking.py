@@ -87,12 +87,19 @@ def lift_at(case: JackingCase, gap: float) -> LiftPoint:
     """
     if case.method == "quick":
         return quick_lift(case, gap)
-    bearing = case.bearing
-    oil = FilmOil(case.viscosity, 0.0, UNIT)
-    film = RecessFilm.on(journal_surface(bearing, oil, GRIDS[case.accuracy], thinnest=gap / bearing.clearance))
-    pockets = Pockets(case, film, bearing.clearance - gap)
-    found = pockets.straight_up()
-    lifted = pockets.at(BOTTOM if found is None else found)
+    pockets = Pockets.of(case, gap)
+    return point_at(pockets, gap, pockets.straight_up())
+
+
+def lying_at(case: JackingCase) -> LiftPoint:
+    """The shaft on its roughness at the bottom of the bore, about to lift."""
+    gap = case.roughness
+    return quick_lift(case, gap) if case.method == "quick" else point_at(Pockets.of(case, gap), gap, None)
+
+
+def point_at(pockets: Pockets, gap: float, found: float | None) -> LiftPoint:
+    """What holds the shaft at an angle, or at the bottom of the bore where none was found."""
+    case, lifted = pockets.case, pockets.at(BOTTOM if found is None else found)
     pressure = UNIT * case.load / lifted.up
     flow = lifted.flow * pressure / UNIT
     side = 0.0 if found is not None else lifted.aside * pressure / UNIT
@@ -123,6 +130,14 @@ class Pockets:
     film: RecessFilm
     eccentricity: float
 
+    @classmethod
+    def of(cls, case: JackingCase, gap: float) -> Pockets:
+        """Of a case at a smallest gap, m."""
+        bearing = case.bearing
+        oil, thinnest = FilmOil(case.viscosity, 0.0, UNIT), gap / bearing.clearance
+        surface = journal_surface(bearing, oil, GRIDS[case.accuracy], thinnest=thinnest)
+        return cls(case, RecessFilm.on(surface), bearing.clearance - gap)
+
     def at(self, angle: float) -> Pushed:
         """Forces and flow with the smallest gap at an angle, rad."""
         place = self.eccentricity * np.array([math.cos(angle), math.sin(angle)])
@@ -141,9 +156,13 @@ class Pockets:
         left = right = bottom
         for aside in ASIDE:
             farther = self.at(BOTTOM - aside), self.at(BOTTOM + aside)
-            for first, second in ((farther[0], left), (right, farther[1])):
-                if first.leaning > 0.0 >= second.leaning:
-                    return self._between(first.angle, second.angle)
+            places = [
+                self._between(first.angle, second.angle)
+                for first, second in ((farther[0], left), (right, farther[1]))
+                if first.leaning > 0.0 >= second.leaning
+            ]
+            if places:
+                return min(places, key=lambda angle: abs(angle - BOTTOM))
             left, right = farther
         return None
 
@@ -207,7 +226,7 @@ def gap_for_flow(case: JackingCase, flow: float) -> float:
     low, high = math.log(1e-3 * case.bearing.clearance), math.log(0.9 * case.bearing.clearance)
     if excess(low) > 0.0 or excess(high) < 0.0:
         return math.nan
-    return math.exp(bracketed_root(excess, low, high, 1e-5))
+    return math.exp(bracketed_root(excess, low, high, 1e-11))
 
 
 def lift_curve(case: JackingCase) -> tuple[LiftPoint, ...]:
@@ -228,14 +247,14 @@ def jacking_check(case: JackingCase) -> Result:
     Result
     """
     begun = time.perf_counter()
-    lying = lift_at(case, case.roughness)
+    lying = lying_at(case)
     upper = case.load / case.projected_area
     gap = case.lift_gap
     if gap is None:
         gap = gap_for_flow(case, case.pump_flow or 0.0)
     lifted = lying if math.isnan(gap) else lift_at(case, gap)
     settings = {"method": case.method}
-    failed = failure(case, lying, lifted, gap)
+    failed = failure(case, lifted, gap)
     if failed is not None:
         return Result(
             case.name, case.kind, case.method, failed[0],
@@ -280,19 +299,25 @@ def assumptions(case: JackingCase) -> tuple[str, ...]:
     return (*case.assumptions, "Every pocket gets the same flow, by its restrictor or stage of a flow divider.")
 
 
-def failure(case: JackingCase, lying: LiftPoint, lifted: LiftPoint, gap: float) -> tuple[Outcome, str] | None:
+def failure(case: JackingCase, lifted: LiftPoint, gap: float) -> tuple[Outcome, str] | None:
     """Why the shaft is not held, if it is not."""
     flow = 6e4 * (case.pump_flow or 0.0)
-    if case.lift_gap is None and (gap < case.roughness or (math.isnan(gap) and flow < 6e4 * lying.flow)):
+    least = 6e4 * lift_at(case, case.roughness).flow if case.lift_gap is None else 0.0
+    if case.lift_gap is None and (gap <= case.roughness or (math.isnan(gap) and flow < least)):
         return Outcome.OVERLOADED, (
             f"a pump flow of {flow:.3g} L/min does not lift the shaft off the composite roughness of "
-            f"{1e6 * case.roughness:.4g} µm; that takes more than {6e4 * lying.flow:.3g} L/min. Raise the flow, "
+            f"{1e6 * case.roughness:.4g} µm; that takes more than {least:.3g} L/min. Raise the flow, "
             f"or "
             "take more viscous oil or a larger pocket"
         )
     if math.isnan(gap):
         return Outcome.NOT_CONVERGED, (
             f"a pump flow of {flow:.3g} L/min lifts by more than nine tenths of the clearance; give another flow"
+        )
+    if not lifted.pressure > 0.0:
+        return Outcome.NOT_CONVERGED, (
+            f"at a smallest gap of {1e6 * gap:.4g} µm the pockets push the shaft down; place all of them in the "
+            f"lower half"
         )
     if lifted.is_balanced:
         return None
@@ -317,15 +342,8 @@ def jacking_doubts(case: JackingCase, upper: float, gap: float) -> Iterator[Noti
                      f"{1e-6 * case.relief_pressure:.4g} MPa")  # fmt: skip
     if case.bearing.count > 1 and not case.own_restrictors:
         yield Notice("W320", f"{case.bearing.count} pockets on one pump without restrictors or flow divider")
-        if case.method == "film" and rolls_aside(case, gap):
+        if case.method == "film" and Pockets.of(case, gap).rolls_aside():
             yield Notice("W328", "displaced to one side, the shaft is pushed farther to it")
     if case.method == "quick":
         yield Notice("W321", "pressure on the pocket and half of its axial lands, none around the bore: less "
                      "area, more pressure and flow than by the film")  # fmt: skip
-
-
-def rolls_aside(case: JackingCase, gap: float) -> bool:
-    """Whether a lifted shaft at the bottom of the bore does not come back from the side."""
-    oil = FilmOil(case.viscosity, 0.0, UNIT)
-    surface = journal_surface(case.bearing, oil, GRIDS[case.accuracy], thinnest=gap / case.bearing.clearance)
-    return Pockets(case, RecessFilm.on(surface), case.bearing.clearance - gap).rolls_aside()

@@ -111,7 +111,9 @@ class NetworkState:
 def answering(slope: Array, supply_slope: Array, manifold_slope: complex) -> NDArray[Any]:
     """-dQ/dp of restrictors with what they take off the supply pressure, where that does not stand."""
     own = np.diag(slope)
-    return own if cmath.isinf(manifold_slope) else own - np.outer(supply_slope, slope) / manifold_slope
+    if cmath.isinf(manifold_slope) or not np.any(supply_slope):  # metered flows do not ask for the supply pressure
+        return own
+    return own - np.outer(supply_slope, slope) / manifold_slope
 
 
 def least_eigenvalue(matrix: Array, symmetric: bool) -> float:

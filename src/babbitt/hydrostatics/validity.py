@@ -24,7 +24,7 @@ BEYOND_SENSE = 200.0
 LARGEST_RISE = 100.0
 """K; assumption: one viscosity for the whole film ends here at the latest."""
 OPEN_MASS, OPEN_HEAT = 1e-6, 1e-3
-"""Relative errors of the balances from which there is no verdict; the film's temperature is sought to 1e-3 K."""
+"""Relative errors of the balances from which there is no verdict; the temperature is sought to 1e-6 K."""
 MOST_EDGE_INERTIA, MOST_LOSS, WARMEST = 0.2, 0.2, 20.0
 
 

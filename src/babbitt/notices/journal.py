@@ -209,6 +209,33 @@ JOURNAL: dict[str, Explanation] = {
         "it.",
         "Choose another `accuracy`; that numbers of two accuracies agree is an estimate, too.",
     ),
+    "W127": Explanation(
+        "The oil would be heated beyond the model",
+        "Somewhere the oil would be more than 100 K warmer than it enters. The heat balances of plain bearings "
+        "end there: oil ages, surfaces deform, and the numbers describe no bearing. The 100 K are an assumption.",
+        "Check speed, load and units; more or cooler oil, a larger clearance, a thinner oil.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W128": Explanation(
+        "Oil hotter than its data",
+        "The hottest oil known is above the temperatures for which the lubricant's numbers are meant: viscosity, "
+        "and with it film, friction and temperature, are extrapolated where oil is thinnest.",
+        "Give the lubricant by points that enclose the hottest place; more or cooler oil.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W129": Explanation(
+        "Film outside the validity of the method",
+        "ISO 7902 holds up to an eccentricity ratio of 0.95. No film of smooth surfaces holds where it is thinner "
+        "than the sum of the roughnesses Rz: there the surfaces touch.",
+        "Less load, a more viscous or cooler oil, a larger bearing, smoother surfaces; check the clearance.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W130": Explanation(
+        "Unusual relative clearance",
+        "Clearance over diameter lies outside 0.3 to 5 per mille, where plain bearings run (an assumption). Often "
+        "a percentage or the radial clearance was typed.",
+        "Check `clearance` and its unit: '1.1 permille' is 0.11 %.",
+    ),
     "W131": Explanation(
         "The journal can rest elsewhere",
         "Under the same load the film has more than one equilibrium. The results are those of the one found "
@@ -236,6 +263,20 @@ JOURNAL: dict[str, Explanation] = {
         "The directions of the force around the clearance tell how many equilibria there must be, and another "
         "number was found. One of them may lie nearer to contact than the search looks.",
         "A finer `accuracy`; look at the film at the places in question with `position`.",
+    ),
+    "W135": Explanation(
+        "Stiffness and damping not confirmed",
+        "Central differences of the film's own load, with steps from 2 % of the smallest gap down, differ from "
+        "stiffness and damping by more than 1 % and do not agree with each other: the film ends differently from "
+        "step to step. Results of stability are as uncertain.",
+        "`accuracy: reference`; a margin on threshold speed and critical mass.",
+    ),
+    "W136": Explanation(
+        "Stiffness and damping by differences of the load",
+        "The derivative of the film with its ends frozen differs from the slope of its own load by more than 1 %, "
+        "as beside pockets and holes; the results hold central differences of the load, which count moving ends.",
+        "Nothing; a finer `accuracy` brings both together.",
+        Effect.INFORMATION,
     ),
     "W182": Explanation(
         "Direction of the load not used",

@@ -69,4 +69,12 @@ THRUST: dict[str, Explanation] = {
         "Less runout, a ring that gives way, pads on point pivots, or a case of kind thrust_line, which counts "
         "how line and pads move with the runout.",
     ),
+    "W210": Explanation(
+        "No nonlinear motion that repeats",
+        "The nonlinear motion was asked for, and none was found that repeats with the excitations: they have no "
+        "common period, or the search did not end, as where pads lose their load. No nonlinear value is given; "
+        "the linear answer stands alone.",
+        "Reduce runout, tilt or ripple, or give excitations of whole orders; leave nonlinear out to accept the "
+        "linear answer.",
+    ),
 }

@@ -283,6 +283,15 @@ def _key_results(chapter: Chapter) -> list[Data]:
                     "unit": quantity.display.label,
                 }
             )
+    rows += [
+        {
+            "label": f"{label(name, result.kind)}: {reason}",
+            "symbol": symbol_node(QUANTITIES[name].symbol),
+            "values": [ABSENT] * len(chapter.results),
+            "unit": "",
+        }
+        for name, reason in result.missing.items()
+    ]
     return rows + _supply_rows(result) + _recess_rows(result)
 
 

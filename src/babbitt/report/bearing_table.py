@@ -54,6 +54,8 @@ def bearing_table(result: Result) -> RenderableType:
         if quantity is not None and math.isfinite(value) and name != "wall_time":
             said = meaning(name, result.kind) + beside_coefficient(name, result)
             table.add_row(said, quantity.symbol, quantity.format(value), quantity.display.label)
+    for name, reason in result.missing.items():
+        table.add_row(f"{meaning(name, result.kind)}: {reason}", QUANTITIES[name].symbol, "–", "")
     return Group(
         heading,
         table,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -219,3 +219,20 @@ def limit_line(axes: Axes, y: float, label: str, *, at: float = 0.99, beside: fl
         fontsize=7,
         color="0.3",
     )
+
+
+def spread_levels(values: Sequence[float], apart: float) -> list[float]:
+    """Levels in the order of rising values, at least `apart` from each other and as near to the values as can be.
+
+    The least sum of squared distances: values too close share their distance to both sides (pool adjacent
+    violators).
+    """
+    pools: list[tuple[float, int]] = []  # mean of value less its place in the row, and how many
+    for place, value in enumerate(values):
+        mean, size = value - place * apart, 1
+        while pools and pools[-1][0] > mean:
+            before, count = pools.pop()
+            mean, size = (mean * size + before * count) / (size + count), size + count
+        pools.append((mean, size))
+    means = [mean for mean, size in pools for _ in range(size)]
+    return [mean + place * apart for place, mean in enumerate(means)]

@@ -79,6 +79,7 @@ def _bearing(result: Result) -> dict[str, Any]:
         "governing_check": None if governing is None else governing.code,
         "margin": _number(result.margin),
         "results": numbers if solved else {},
+        "missing": dict(result.missing) if solved else {},
         "checks": [_check(check) for check in result.checks] if solved else [],
         "not_checked": _notices(result.not_checked),
         "warnings": _warnings(result.warnings),

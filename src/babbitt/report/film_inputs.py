@@ -7,9 +7,10 @@ import math
 from babbitt.bearings.bore import Bore, LobedBore, MeasuredBore, PressureDamBore, TaperedBore, WornBore
 from babbitt.bearings.changing_load import ChangingLoad, RotatingLoad, TabulatedLoad
 from babbitt.bearings.heat_model import AxialTemperature, HeatModel
-from babbitt.bearings.model import FilmBearing, Hollow
+from babbitt.bearings.model import FilmBearing, Hollow, OilUnderPressure
 from babbitt.film.heat import ConductingWalls
 from babbitt.film.model import Cavitation, FilmStart, Step
+from babbitt.film.turbulence import TurbulenceLaw
 from babbitt.units import ZERO_CELSIUS
 
 CAVITATION = {
@@ -37,6 +38,18 @@ def said_of_heat(heat: HeatModel | None, temperature: float | None) -> str:
     along = "means over the width" if means else "resolved along the width"
     walls = "walls that take no heat" if heat.walls is None else "bush and journal that conduct"
     return f"around the journal and across the gap, {along}; {walls}"
+
+
+def said_of_flow(law: TurbulenceLaw | None) -> str:
+    """Say whether the film is laminar, and after whom it is turbulent."""
+    return "laminar" if law is None else f"turbulent after {law.name} ({law.source})"
+
+
+def said_of_pressure(oil: OilUnderPressure | None) -> str:
+    """Say how the viscosity grows with the pressure."""
+    if oil is None:
+        return "constant"
+    return f"after {oil.law.value.capitalize()}, {oil.coefficient * 1e9:.4g} 1/GPa at ambient pressure"
 
 
 def said_of_bush(walls: ConductingWalls) -> str:

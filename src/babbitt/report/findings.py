@@ -119,6 +119,20 @@ def lacking(results: Sequence[Result]) -> Iterator[Group]:
             )
 
 
+def missing_values(results: Sequence[Result]) -> tuple[Group, ...]:
+    """Quantities that could not be found, gathered by their reason."""
+    found: dict[str, tuple[list[str], list[str]]] = {}
+    for result in results:
+        for name, reason in result.missing.items():
+            symbols, names = found.setdefault(reason, ([], []))
+            symbols.append(QUANTITIES[name].symbol)
+            names.append(result.name)
+    return tuple(
+        Group("", ", ".join(dict.fromkeys(symbols)), tuple(dict.fromkeys(names)), _names(results), reason)
+        for reason, (symbols, names) in found.items()
+    )
+
+
 def not_checked(results: Sequence[Result]) -> tuple[Group, ...]:
     """Checks that could not be made, one group for all that lack the same data."""
     together: dict[tuple[str, tuple[str, ...]], list[Group]] = {}

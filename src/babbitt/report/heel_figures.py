@@ -1,4 +1,4 @@
-"""Figures of a footstep: its steady states over the clearance, and load and friction over the face gap."""
+"""Figures of a footstep: its steady states over the clearance and over the face gap."""
 
 from __future__ import annotations
 
@@ -11,7 +11,18 @@ from babbitt.footstep.case import HeelCase
 from babbitt.footstep.model import Footstep
 from babbitt.footstep.states import Method, NoSteadyStateError, StateName, SteadyState, steady_states
 from babbitt.quantities import QUANTITIES
-from babbitt.report.drawing import GREY, INK, Array, Drawing, Sheet, axis_label, in_engineers_unit, rendered, style
+from babbitt.report.drawing import (
+    GREY,
+    INK,
+    Array,
+    Drawing,
+    Sheet,
+    axis_label,
+    in_engineers_unit,
+    rendered,
+    spread_levels,
+    style,
+)
 from babbitt.results import Result
 from babbitt.studies.heel_sweep import HeelSweep, sweep_heel
 
@@ -32,6 +43,13 @@ WORDS = {
     StateName.ONLY: "grooved",
     StateName.FOLD: "fold",
 }
+
+
+OVER_CLEARANCE = (
+    "rim_pressure", "maximum_temperature", "rim_temperature", "heel_leakage", "load", "friction_power",
+)  # fmt: skip
+OVER_GAP = ("rim_temperature", "heel_leakage", "load", "friction_power")
+"""Quantities of the panels; temperature of the mixed oil and leakage are curves of the study's Figs. 2 and 3."""
 
 
 def heel_figures(case: HeelCase, result: Result, image_format: str = "svg") -> tuple[Drawing, ...]:
@@ -72,14 +90,16 @@ def _painted(case: HeelCase) -> Iterator[tuple[str, str, Figure]]:
     smooth = "; grey: smooth heel" if case.other is not None or not case.is_grooved else ""
     yield (
         "steady-states",
-        "Steady states over the clearance at the face gap of the case: pressure at the rim, hottest oil, load and "
-        f"friction power. Full lines: stable; broken: not stable{smooth}. Filled: the case.{marks}",
+        "Steady states over the clearance at the face gap of the case: pressure at the rim, hottest oil, mixed "
+        "oil at the rim, leakage, load and friction power, those of Figs. 2 and 3 of the study among them. Full "
+        f"lines: stable; broken: not stable{smooth}. Filled: the case.{marks}",
         _over_clearance(case),
     )
     yield (
         "load-over-gap",
-        "Load and friction power over the face gap at the clearance of the case. Full lines: stable; broken: not "
-        f"stable{smooth}. A load that rises with the gap is a negative stiffness.",
+        "Mixed oil at the rim, leakage, load and friction power over the face gap at the clearance of the case, "
+        f"those of Figs. 2 and 3 of the study. Full lines: stable; broken: not stable{smooth}. A load that rises "
+        "with the gap is a negative stiffness.",
         _over_gap(case),
     )
     if case.map_points > 1 and case.is_grooved:
@@ -128,7 +148,7 @@ def _watch(places: Any) -> Any:
 
 
 def _over_clearance(case: HeelCase) -> Figure:
-    figure, axes = Sheet(166.0, 100.0, 2, 2, left=14.0, across=22.0, between=6.0).panels(sharex=True)
+    figure, axes = Sheet(166.0, 148.0, 3, 2, left=14.0, across=22.0, between=6.0).panels(sharex=True)
     figure.subplots_adjust(right=1.0 - 11.0 / 166.0)
     clearances = np.geomspace(*case.clearance_range, POINTS)
     fold = _fold(case)
@@ -137,28 +157,29 @@ def _over_clearance(case: HeelCase) -> Figure:
         clearances = np.union1d(clearances, near[(near > clearances[0]) & (near < clearances[-1])])
     sweeps = _sweeps(case, np.array([case.footstep.face_gap]), clearances)
     at = 1e6 * case.footstep.clearance
-    names = ("rim_pressure", "maximum_temperature", "load", "friction_power")
-    for panel, name in zip(axes.ravel(), names, strict=True):
+    for panel, name in zip(axes.ravel(), OVER_CLEARANCE, strict=True):
         _name(panel, [end for sweep in sweeps for end in _branches(panel, 1e6 * clearances, sweep, name)])
         _marks(panel, case, at, name)
         panel.set_ylabel(axis_label(QUANTITIES[name]))
         _verticals(panel, case)
-    for panel in axes[1]:
+    for panel in axes[-1]:
         panel.set_xlabel(axis_label(QUANTITIES["heel_clearance"]))
     axes[0][0].set_xlim(*(1e6 * end for end in case.clearance_range))
     return figure
 
 
 def _over_gap(case: HeelCase) -> Figure:
-    figure, axes = Sheet(166.0, 58.0, 1, 2, left=14.0, across=22.0).panels()
+    figure, axes = Sheet(166.0, 100.0, 2, 2, left=14.0, across=22.0, between=6.0).panels(sharex=True)
     figure.subplots_adjust(right=1.0 - 11.0 / 166.0)
     gaps = np.linspace(*case.gap_range, POINTS)
     sweeps = _sweeps(case, gaps, np.array([case.footstep.clearance]))
-    for panel, name in zip(axes[0], ("load", "friction_power"), strict=True):
+    for panel, name in zip(axes.ravel(), OVER_GAP, strict=True):
         _name(panel, [end for sweep in sweeps for end in _branches(panel, 1e6 * gaps, sweep, name)])
         _marks(panel, case, 1e6 * case.footstep.face_gap, name)
-        panel.set(xlabel=axis_label(QUANTITIES["face_gap"]), ylabel=axis_label(QUANTITIES[name]))
+        panel.set_ylabel(axis_label(QUANTITIES[name]))
         panel.set_xlim(*(1e6 * end for end in case.gap_range))
+    for panel in axes[-1]:
+        panel.set_xlabel(axis_label(QUANTITIES["face_gap"]))
     return figure
 
 
@@ -168,7 +189,7 @@ def _branches(panel: Axes, places: Array, sweep: HeelSweep, name: str) -> list[E
     for branch in sweep.names:
         if branch is StateName.FOLD:
             continue
-        values = in_engineers_unit(name, sweep.values(name, branch).ravel())
+        values = in_engineers_unit(name, sweep.values(_attribute(name), branch).ravel())
         stable = sweep.values("stable", branch).ravel()
         colour = GREY if branch is StateName.SMOOTH else INK
         for wanted, line in ((1.0, "-"), (0.0, UNSTABLE)):
@@ -185,19 +206,24 @@ def _branches(panel: Axes, places: Array, sweep: HeelSweep, name: str) -> list[E
 def _name(panel: Axes, ends: list[End]) -> None:
     """Names of curves beside their last points, so far apart that they can be read."""
     low, high = panel.get_ylim()
-    apart, level = 0.075 * (high - low), -np.inf
-    for value, place, name, colour in sorted(ends):
-        level = max(value, level + apart)
+    ends = sorted(ends)
+    levels = spread_levels([value for value, *_ in ends], 0.075 * (high - low))
+    for (_, place, name, colour), level in zip(ends, levels, strict=True):
         panel.annotate(
             name, (place, level), xytext=(3, 0), textcoords="offset points", fontsize=7, va="center", color=colour,
             annotation_clip=False,
         )  # fmt: skip
 
 
+def _attribute(name: str) -> str:
+    """Name of a quantity in a steady state."""
+    return {"heel_leakage": "leakage"}.get(name, name)
+
+
 def _marks(panel: Axes, case: HeelCase, at: float, name: str) -> None:
     """The states of the case itself, open where they are not stable."""
     for state in _states(case):
-        value = float(in_engineers_unit(name, np.array(getattr(state, name))))
+        value = float(in_engineers_unit(name, np.array(getattr(state, _attribute(name)))))
         filled = INK if state.stable else "white"
         panel.plot([at], [value], "o", color=INK, markerfacecolor=filled, zorder=5, clip_on=False)
 

@@ -31,9 +31,11 @@ from babbitt.report.film_inputs import (
     said_of_bore,
     said_of_bush,
     said_of_changing_load,
+    said_of_flow,
     said_of_heat,
     said_of_hollow,
     said_of_journal,
+    said_of_pressure,
     said_of_start,
     said_of_step,
 )
@@ -260,9 +262,11 @@ def _one_dimension_method(case: LongFilmCase | SegmentCase) -> Iterator[Row]:
 
 def _film_method(case: FilmCase) -> Iterator[Row]:
     if case.heat is None:
-        yield Row("Film", "Reynolds equation in two dimensions, laminar, one viscosity")
+        yield Row("Film", "Reynolds equation in two dimensions, one viscosity")
     else:
-        yield Row("Film", "generalised Reynolds equation in two dimensions and energy equation, laminar")
+        yield Row("Film", "generalised Reynolds equation in two dimensions and energy equation")
+    yield Row("Flow", said_of_flow(case.turbulence))
+    yield Row("Viscosity under pressure", said_of_pressure(case.pressure_viscosity))
     yield Row("Temperature", said_of_heat(case.heat, case.effective_temperature))
     if case.heat is not None and case.heat.walls is not None:
         yield Row("Bush and housing", said_of_bush(case.heat.walls))

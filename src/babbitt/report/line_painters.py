@@ -214,12 +214,19 @@ def nonlinear(answer: LineAnswer) -> Figure:
     assert moved is not None
     figure, ((panel,),) = Sheet(81.0, 60.0, left=13.0).panels()
     pad = state.losses.worst_pad
-    linear = (state.share.loads[pad] + state.forced.force_history()[pad]) / 1e3
-    panel.plot(np.degrees(state.forced.angles), linear, color=INK, linestyle="--", linewidth=0.9)
-    panel.plot(np.degrees(moved.angles), moved.loads[:, pad] / 1e3, color=INK, linewidth=1.1)
+    turns = round((moved.angles[-1] + moved.angles[1]) / math.tau)
+    angles = np.append(moved.angles, math.tau * turns)
+    linear = sum(
+        (part.response.forces[pad] * np.exp(1j * part.harmonic.order * angles)).real for part in state.forced.parts
+    )
+    panel.plot(
+        np.degrees(angles), (state.share.loads[pad] + linear) / 1e3, color=INK, linestyle="--", linewidth=0.9
+    )
+    loads = np.append(moved.loads[:, pad], moved.loads[0, pad])
+    panel.plot(np.degrees(angles), loads / 1e3, color=INK, linewidth=1.1)
     panel.axhline(state.share.loads[pad] / 1e3, color=GREY, linewidth=0.6)
-    panel.set_xlim(0.0, 360.0)
-    panel.set_xticks(range(0, 361, 90))
+    panel.set_xlim(0.0, 360.0 * turns)
+    panel.set_xticks(range(0, 360 * turns + 1, 90 * turns))
     panel.set_xlabel("angle of the shaft in °")
     panel.set_ylabel(f"load of pad {pad + 1} in kN")
     return figure

@@ -23,6 +23,7 @@ from babbitt.report.drawing import (
     in_engineers_unit,
     mark,
     rendered,
+    spread_levels,
     style,
 )
 from babbitt.results import Result
@@ -167,9 +168,9 @@ def _temperatures_of_long_film(panel: Axes, result: Result, angles: Array) -> No
 def _named(panel: Axes, edge: float, ends: list[tuple[float, str]]) -> None:
     """Names of curves at the right edge, so far apart that they can be read."""
     low, high = panel.get_ylim()
-    apart, level = 0.09 * (high - low), -math.inf
-    for value, name in sorted(ends):
-        level = max(value, level + apart)
+    ends = sorted(ends)
+    levels = spread_levels([value for value, _ in ends], 0.09 * (high - low))
+    for (_, name), level in zip(ends, levels, strict=True):
         panel.annotate(
             name, (edge, level), xytext=(3, 0), textcoords="offset points", fontsize=7, va="center",
             annotation_clip=False,

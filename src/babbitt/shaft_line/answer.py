@@ -11,10 +11,10 @@ from babbitt.shaft_line.inverse import Admissible, admissible, ring_for_loss
 from babbitt.shaft_line.judged import excess_of
 from babbitt.shaft_line.model import LineState, state_of
 from babbitt.shaft_line.natural import Mode, modes
+from babbitt.shaft_line.periodic import NoPeriodicMotionError, PeriodicMotion, periodic_motion
 from babbitt.shaft_line.resonance import Resonances, resonances_of
 from babbitt.shaft_line.stages import Attribution, attribution
 from babbitt.shaft_line.sweeps import CampbellPoint, RingPoint, ring_sweep, speed_sweep, usual_rings
-from babbitt.shaft_line.transient import Transient, transient
 from babbitt.thrust.design import ThrustState, operating_state
 
 __all__ = ["MODES", "RINGS", "LineAnswer", "line_answer"]
@@ -40,7 +40,9 @@ class LineAnswer:
     half : RingPoint or None
         The stiffest ring that halves the dynamic load.
     campbell : tuple of CampbellPoint
-    nonlinear : Transient or None
+    nonlinear : PeriodicMotion or None
+    not_repeating : str
+        Why no nonlinear motion was found; empty where one was, or none was asked for.
     """
 
     static: ThrustState
@@ -52,7 +54,8 @@ class LineAnswer:
     rings: tuple[RingPoint, ...]
     half: RingPoint | None
     campbell: tuple[CampbellPoint, ...]
-    nonlinear: Transient | None
+    nonlinear: PeriodicMotion | None
+    not_repeating: str
 
     @property
     def best(self) -> RingPoint | None:
@@ -79,6 +82,7 @@ def line_answer(design: LineDesign) -> LineAnswer:
     duty, films = design.duty, static.films
     state = state_of(duty, films, static.share)
     natural = modes(design.line, state.pads, MODES)
+    nonlinear, not_repeating = _nonlinear(state) if design.nonlinear else (None, "")
     rings = usual_rings(duty, state, RINGS)
     return LineAnswer(
         static=static,
@@ -90,5 +94,13 @@ def line_answer(design: LineDesign) -> LineAnswer:
         rings=ring_sweep(duty, films, rings),
         half=ring_for_loss(duty, films, 0.5 * state.losses.mean_bound, rings[::3]),
         campbell=speed_sweep(duty, design.films_at, design.speeds),
-        nonlinear=transient(state) if design.nonlinear else None,
+        nonlinear=nonlinear,
+        not_repeating=not_repeating,
     )
+
+
+def _nonlinear(state: LineState) -> tuple[PeriodicMotion | None, str]:
+    try:
+        return periodic_motion(state), ""
+    except NoPeriodicMotionError as failure:
+        return None, str(failure)

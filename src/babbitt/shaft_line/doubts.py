@@ -42,16 +42,17 @@ def _about_the_motion(answer: LineAnswer) -> Iterator[Notice]:
                 f"excitation {met.excitation / math.tau:.2f} Hz (order {met.order:g}) is {met.separation:.0%} "
                 f"away from {where}",
             )
+    if answer.not_repeating:
+        yield Notice("W210", answer.not_repeating)
     moved = answer.nonlinear
     if moved is not None:
         unloaded, closest = 1 + int(moved.lifted.argmax()), 1 + int(moved.thinnest.min(axis=0).argmin())
         for happens, said in (
             (
                 moved.lifts_off,
-                f"pad {unloaded} carries nothing during {moved.lifted.max():.0%} of the revolution at most; from "
-                f"one revolution to the next loads differ by {moved.steady:.1%} of the largest dynamic one",
+                f"pad {unloaded} carries nothing during {moved.lifted.max():.0%} of the period at most",
             ),
-            (moved.touches, f"pad {closest} comes as close as {moved.thinnest.min() * 1e6:.2f} µm"),
+            (moved.touches, f"pad {closest} comes as close as {moved.minimum_film * 1e6:.2f} µm"),
             (moved.outside, "tilts leave the tabulated films"),
         ):
             if happens:

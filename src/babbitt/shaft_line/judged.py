@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 
 from babbitt.results import Bound, Check
@@ -36,9 +37,10 @@ def limits_of(design: LineDesign, values: Mapping[str, float]) -> Iterator[Check
         Those of `motion_values` and of `babbitt.thrust.values.share_values`.
     """
     thrust = design.thrust
+    film = min(("dynamic_minimum_film", "nonlinear_minimum_film"), key=lambda name: values.get(name, math.inf))
     for code, name, limit, bound, source in (
         ("C201", "loss_mean_bound", design.loss_limit, Bound.AT_MOST, design.loss_limit_source),
-        ("C202", "dynamic_minimum_film", thrust.film_limit, Bound.AT_LEAST, thrust.film_limit_source),
+        ("C202", film, thrust.film_limit, Bound.AT_LEAST, thrust.film_limit_source),
         (
             "C203",
             "unload_margin_bound",

@@ -171,7 +171,7 @@ class FilmPads:
 
     def films(self, frequencies: Array) -> ComplexArray:
         """`film` at many frequencies."""
-        film, moving, free = self._moving(frequencies)
+        film, moving, free = self.moving(frequencies)
         found = film[..., 0, 0]
         if free:
             tilts = np.linalg.solve(moving, -film[..., free, 0][..., None])[..., 0]
@@ -180,7 +180,7 @@ class FilmPads:
 
     def wobbles(self, frequencies: Array) -> ComplexArray:
         """`wobble` at many frequencies."""
-        film, moving, free = self._moving(frequencies)
+        film, moving, free = self.moving(frequencies)
         driven = np.array([-1.0, 1.0j]) / self.bearing.pad.pivot_radius
         answer = np.broadcast_to(driven, (*film.shape[:2], 2)).copy()
         if free:
@@ -191,7 +191,7 @@ class FilmPads:
         whole = self.films(frequencies)
         return np.asarray(np.where(whole == 0.0, 0.0, added / np.where(whole == 0.0, 1.0, whole)))
 
-    def _moving(self, frequencies: Array) -> tuple[ComplexArray, ComplexArray, list[int]]:
+    def moving(self, frequencies: Array) -> tuple[ComplexArray, ComplexArray, list[int]]:
         """K + j nu C, shape (n, z, 3, 3), its free tilts with their inertia, and which those are."""
         nu = np.asarray(frequencies)[:, None, None, None]
         states, inertia = self.share.states, self.bearing.inertia

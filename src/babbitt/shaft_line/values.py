@@ -50,7 +50,7 @@ def line_values(design: LineDesign, answer: LineAnswer) -> dict[str, float]:
         values |= {
             "nonlinear_load_peak": float(moved.load_peaks.max()),
             "nonlinear_unload_peak": float(moved.unload_peaks.max()),
-            "nonlinear_minimum_film": float(moved.thinnest.min()),
+            "nonlinear_minimum_film": moved.minimum_film,
             "mean_film_shift": float(moved.film_shift.max()),
         }
     return values

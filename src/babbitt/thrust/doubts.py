@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from babbitt.design.doubts import doubt_about_pressure
+from babbitt.design.doubts import doubt_about_pressure, doubts_about_heating
 from babbitt.notices import Notice
 from babbitt.thrust.design import ThrustDesign, ThrustState
 from babbitt.thrust.state import CONTACT
 from babbitt.thrust.values import effective_viscosity, hottest_oil, reynolds_number
-from babbitt.units import ZERO_CELSIUS
 
 __all__ = ["LEAST_SHARE", "share_doubts"]
 
@@ -56,6 +55,5 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
         yield Notice("W204", f"Re = {reynolds:.0f} > {LAMINAR_UP_TO:.0f}")
     known = (*hottest_oil(share).values(), *([] if state.temperatures is None else [state.temperatures.trailing]))
     hottest = max(known, default=design.oil.effective_temperature)
-    if hottest is not None and not design.lubricant.covers(hottest):
-        low, high = (kelvin - ZERO_CELSIUS for kelvin in design.lubricant.temperature_range)
-        yield Notice("W145", f"film up to {hottest - ZERO_CELSIUS:.1f} °C, data from {low:.4g} to {high:.4g} °C")
+    if hottest is not None:
+        yield from doubts_about_heating(hottest, design.oil.supply_temperature, design.lubricant)

@@ -91,8 +91,8 @@ def film_table(films: Carrying) -> FilmTable:
     if not isinstance(films, SimilarFilms):
         raise InputError(
             "E201",
-            "the nonlinear transient needs plane laminar pads, whose films are similar; "
-            "leave out the face, the crown and turbulence, or the transient.",
+            "the nonlinear motion needs plane laminar pads, whose films are similar; "
+            "leave out the face, the crown and turbulence, or the nonlinear motion.",
         )
     reference = films.reference
     length, height = pad.outer_radius - pad.inner_radius, reference.height
@@ -118,10 +118,11 @@ def film_table(films: Carrying) -> FilmTable:
 
 def _range(pad: ThrustPad, middle: Array, length: float) -> tuple[Array, Array]:
     """Tilts about the equilibrium, drawn in until no place of the pad comes too close."""
+    own = float(minimum_gap(pad, np.array([1.0, *middle / length])))
     for factor in np.linspace(1.0, 0.05, 40):
         low = middle + factor * np.array([-0.6, 1.4 * middle[1]])
         high = middle + factor * np.array([0.6, -1.4 * middle[1]])
         ends = [np.array([1.0, sx / length, sy / length]) for sx in (low[0], high[0]) for sy in (low[1], high[1])]
-        if float(minimum_gap(pad, np.array(ends)).min()) >= LEAST_GAP:
+        if float(minimum_gap(pad, np.array(ends)).min()) >= min(LEAST_GAP, 0.5 * own):
             break
     return low, high

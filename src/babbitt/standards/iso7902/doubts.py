@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from babbitt.design.doubts import doubt_about_supply, doubts_about_film, doubts_about_running
+from babbitt.design.doubts import (
+    RIGID_FILM_UP_TO,
+    doubt_about_supply,
+    doubts_about_film,
+    doubts_about_running,
+)
 from babbitt.notices import Notice
 from babbitt.results import Check
 from babbitt.standards.iso7902.film import Film
@@ -38,7 +43,7 @@ def doubts_of(
 
 
 def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
-    yield from doubts_about_film(case, values)
+    yield from (doubt for doubt in doubts_about_film(case, values) if doubt.code != "W116")
     least, most = STANDARD_WIDTH_RATIOS
     if not least <= case.bearing.part_width_ratio <= most:
         ratio, of = case.bearing.part_width_ratio, " of each half bearing" if case.bearing.parts > 1 else ""
@@ -46,6 +51,8 @@ def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice
     if case.curves is Curves.CLOSED_FORM:
         yield Notice("W113", "closed forms of DIN 31652: up to 7 % in So and 2.5° in attitude angle")
     eccentricity = values["eccentricity_ratio"]
+    if eccentricity > RIGID_FILM_UP_TO:
+        yield Notice("W129", f"ε = {eccentricity:.3f} > {RIGID_FILM_UP_TO:g}, where ISO 7902 ends")
     if eccentricity < CURVES_FROM:
         yield Notice("W119", f"ε = {eccentricity:.2g} < {CURVES_FROM:g}, the first node of the tables")
     if case.bearing_speed:

@@ -1,0 +1,62 @@
+"""Random plausible bearings of all kinds: no traceback, no hang, no silent imbalance, no choice of axes or units.
+
+    python benchmarks/robustness/bearings.py [number [seed [family]]]
+
+Draws `number` cases (1500) in turns from every family of `FAMILIES`, prints what is wrong with any, and at the end
+how the cases of every family ended and the slowest of them. Ends with 1 where anything is wrong.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter, defaultdict
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+
+from harness import SAME_WARM, SLOWEST, Family, faults_of, in_other_units, reordered
+from journal_cases import JOURNALS
+from journal_frames import mirrored, turned
+
+__all__ = ["FAMILIES"]
+
+NUMBER = 1500
+WRITTEN = {"order": reordered, "units": in_other_units}
+IN_OTHER_AXES = {"turned": turned, "mirrored": mirrored, **WRITTEN}
+
+FAMILIES: dict[str, Family] = {
+    name: Family(
+        draw,
+        IN_OTHER_AXES if name.startswith("film") else WRITTEN,
+        SAME_WARM if "thermal" in name else Family.same,
+    )
+    for name, draw in JOURNALS.items()
+}
+"""Families by name; every kind of bearing adds its own."""
+
+
+def main(number: int, seed: int, only: str) -> int:
+    """Run cases, print what is wrong, and return an exit status."""
+    families = {name: family for name, family in FAMILIES.items() if only in name}
+    ended: dict[str, Counter[str]] = defaultdict(Counter)
+    slowest: dict[str, float] = defaultdict(float)
+    wrong = 0
+    for index in range(number):
+        name = list(families)[index % len(families)]
+        outcome = faults_of(families[name], f"{seed} {name} {index}")
+        ended[name][outcome.status] += 1
+        slowest[name] = max(slowest[name], outcome.seconds)
+        slow = (f"took {outcome.seconds:.0f} s",) if outcome.seconds > SLOWEST else ()
+        for fault in (*outcome.faults, *slow):
+            wrong += 1
+            print(f"{name} {index}: {fault}", flush=True)
+    for name, counts in ended.items():
+        print(f"{name}: {dict(counts)}, slowest {slowest[name]:.1f} s")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    given = sys.argv[1:]
+    sys.exit(
+        main(int(given[0]) if given else NUMBER, int(given[1]) if given[1:] else 1, given[2] if given[2:] else "")
+    )

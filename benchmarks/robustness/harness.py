@@ -1,0 +1,225 @@
+"""What every random bearing must do: end with a status, balance, and be the same in other axes, order and units.
+
+A family is a generator of cases and the ways in which its cases can be written differently. `faults_of` draws one
+case, solves it and names what is wrong; nothing is wrong with a case that is refused or has no solution, as long
+as every way of writing it ends alike.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+import re
+import time
+import warnings
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from decimal import Decimal
+from typing import Any
+
+import numpy as np
+
+from babbitt.cases import case_from_dict
+from babbitt.cases.problems import CaseError
+from babbitt.results import Result
+from babbitt.solving import solve
+
+__all__ = ["Family", "Outcome", "faults_of", "in_other_units", "reordered"]
+
+Case = dict[str, Any]
+Rewriting = Callable[[Case, random.Random], Case]
+
+BALANCE = 1e-6
+"""Bound on the balance errors of mass and heat; beyond it a warning must tell."""
+SAME, SAME_WARM, SAME_UNITS = 1e-9, 1e-6, 1e-6
+"""Bounds on what a turn, the mirror or another order changes, of isothermal and thermal films, and on what other
+units change, whose conversions differ in the last digits."""
+SLOWEST = 60.0
+"""s."""
+OF_AXES = ("_x", "_y", "_xx", "_xy", "_yx", "_yy", "angle")
+"""Ends of the names of results that belong to the axes."""
+SIGNED = ("angular_speed",)
+"""Of results whose sign tells the sense of rotation."""
+AMPLIFIED, AMPLIFICATION = ("critical_mass", "whirl_frequency_ratio", "threshold_speed"), 100.0
+"""Results of stability are differences of nearly equal stiffnesses: their bound is so many times wider."""
+OF_RUN = ("iterations", "wall_time", "balance_error", "inconsistency")
+"""Of results that tell how the solution went."""
+
+
+@dataclass(frozen=True)
+class Family:
+    """Random bearings of one kind.
+
+    Attributes
+    ----------
+    draw : callable
+        Case of a random generator.
+    rewritings : mapping
+        Ways to write the same bearing differently, by name.
+    same : float
+        Bound on the relative change of every value but angles; units have their own.
+    """
+
+    draw: Callable[[random.Random], Case]
+    rewritings: Mapping[str, Rewriting] = field(default_factory=dict)
+    same: float = SAME
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How one case went: what is wrong with it, how it ended, and how long it took in s."""
+
+    faults: tuple[str, ...]
+    status: str
+    seconds: float
+
+
+def faults_of(family: Family, seed: int | str) -> Outcome:
+    """Draw a case by a seed, solve it and its rewritings, and name what is wrong."""
+    rng = random.Random(seed)
+    case = family.draw(rng)
+    start = time.perf_counter()
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            found = answers(case)
+            seconds = time.perf_counter() - start
+            faults = (
+                [] if isinstance(found, str) else [one for result in found for one in imbalances(result, case)]
+            )
+            for name, rewrite in family.rewritings.items():
+                bound = SAME_UNITS if name == "units" else family.same
+                faults += [f"{name}: {one}" for one in changes(found, answers(rewrite(case, rng)), bound)]
+    except Exception as error:  # any traceback is a fault
+        return Outcome((f"{type(error).__name__}: {error}",), "traceback", time.perf_counter() - start)
+    return Outcome(tuple(faults), status_of(found), seconds)
+
+
+def answers(case: Case) -> tuple[Result, ...] | str:
+    """Results of all bearings of a case, or why it is refused."""
+    try:
+        return solve(case_from_dict(case)).results
+    except CaseError as error:
+        fields = {re.sub(r"\[\d+\]", "", problem.field) for problem in error.problems}
+        return "; ".join(sorted(fields))
+
+
+def status_of(found: tuple[Result, ...] | str) -> str:
+    """How a case ended, in a word."""
+    if isinstance(found, str):
+        return "refused"
+    return "solved" if all(result.outcome.solved for result in found) else found[0].outcome.code
+
+
+def imbalances(result: Result, case: Case) -> Iterator[str]:
+    """Balances that do not close and of which no warning tells, and a load that is not carried."""
+    if not result.outcome.solved:
+        return
+    conserving = case.get("cavitation", "mass_conserving") == "mass_conserving"
+    for name in ("mass_balance_error", "energy_balance_error"):
+        error = result.values.get(name, 0.0)
+        if error > BALANCE and (conserving or name[0] == "e") and not result.warnings:
+            yield f"{name} {error:.2g}"
+    given = case.get("load")
+    if isinstance(given, str) and given.endswith(" kN") and "load" in result.values:
+        load = 1e3 * abs(float(given.split()[0]))
+        if abs(result.values["load"] - load) > BALANCE * load:
+            yield f"load {result.values['load']:.9g} N of {load:.9g} N"
+    if not all(math.isfinite(value) for value in result.values.values()):
+        yield "a value is not finite"
+
+
+def changes(one: tuple[Result, ...] | str, other: tuple[Result, ...] | str, bound: float) -> Iterator[str]:
+    """What differs between two answers by more than a bound."""
+    if isinstance(one, str) or isinstance(other, str):
+        if one != other:
+            told = [f"refused for {part}" if isinstance(part, str) else status_of(part) for part in (one, other)]
+            yield " became ".join(told)
+        return
+    for first, second in zip(one, other, strict=True):
+        if first.outcome is not second.outcome:
+            yield f"{first.outcome.name} became {second.outcome.name}"
+            continue
+        if not first.outcome.solved:
+            continue
+        numbers, others = invariants(first), invariants(second)
+        for name in sorted(numbers.keys() | others.keys()):
+            if name not in numbers or name not in others:
+                yield f"{name} is missing in one"
+            elif not close(
+                numbers[name],
+                others[name],
+                bound * (AMPLIFICATION if name in AMPLIFIED else 1.0),
+                scale_of(name, numbers),
+            ):
+                yield f"{name} {numbers[name]:.12g} became {others[name]:.12g}"
+
+
+def close(one: float, other: float, bound: float, scale: float) -> bool:
+    """Whether two values are the same within a bound of their size or of a scale; two that are nothing are."""
+    return abs(one - other) <= bound * max(abs(one), abs(other), scale) + 1e-15
+
+
+def scale_of(name: str, numbers: Mapping[str, float]) -> float:
+    """What a value is a part of: the friction power of heats, the whole flow of flows."""
+    for part, whole in (("heat", "friction_power"), ("flow", "total_flow")):
+        if part in name:
+            return abs(numbers.get(whole, 0.0))
+    return 0.0
+
+
+def invariants(result: Result) -> dict[str, float]:
+    """Values that no choice of axes changes: all but angles, components and senses."""
+    found = {
+        name: abs(value) if name in SIGNED else value for name, value in result.values.items()
+        if not name.endswith(OF_AXES) and not name.endswith(OF_RUN)
+    }  # fmt: skip
+    for name in ("stiffness", "damping"):
+        if name in result.arrays:
+            matrix = np.array(result.arrays[name])
+            size = float(np.linalg.norm(matrix))
+            found[f"{name} size"] = size
+            found[f"{name} trace"] = 1.0 + float(np.trace(matrix)) / size if size else 0.0
+            found[f"{name} skew"] = 1.0 + abs(float(matrix[0, 1] - matrix[1, 0])) / size if size else 0.0
+    return found
+
+
+def reordered(case: Case, rng: random.Random) -> Case:
+    """The same with every mapping and every list of supplies in another order."""
+
+    def mixed(value: Any, name: str = "") -> Any:
+        if isinstance(value, dict):
+            names = list(value)
+            rng.shuffle(names)
+            return {key: mixed(value[key], key) for key in names}
+        if isinstance(value, list) and name in ("grooves", "pockets", "holes"):
+            return [mixed(one) for one in value[::-1]]
+        return value
+
+    return dict(mixed(case))
+
+
+OTHER = {
+    "mm": ("m", "0.001"), "um": ("mm", "0.001"), "kN": ("N", "1000"), "MPa": ("bar", "10"), "kPa": ("Pa", "1000"),
+    "m/s": ("mm/s", "1000"), "W/(m K)": ("mW/(mm K)", "1"), "permille": ("%", "0.1"), "deg": ("deg", "1"),
+}  # fmt: skip
+"""Another unit for the same quantity, and how many of it one is."""
+
+
+def in_other_units(case: Case, _rng: random.Random) -> Case:
+    """The same numbers in other units, converted in decimals; degrees Celsius become kelvins."""
+
+    def converted(value: Any) -> Any:
+        if isinstance(value, dict):
+            return {key: converted(one) for key, one in value.items()}
+        if isinstance(value, list):
+            return [converted(one) for one in value]
+        number, _, unit = value.partition(" ") if isinstance(value, str) else ("", "", "")
+        if unit == "degC":
+            return f"{Decimal(number) + Decimal('273.15')} K"
+        if unit in OTHER:
+            other, factor = OTHER[unit]
+            return f"{Decimal(number) * Decimal(factor):f} {other}"
+        return value
+
+    return dict(converted(case))

@@ -1,0 +1,26 @@
+"""Random plausible bearings of every family: no traceback, no silent imbalance, no choice of axes, order or units.
+
+The same families run by the thousand in `benchmarks/robustness/bearings.py`.
+"""
+
+import pytest
+from harness import faults_of
+
+from bearings import FAMILIES
+
+NUMBER = {
+    "iso7902": 80, "long film": 60, "segments": 4, "film, grooved": 6, "film, pockets": 6, "film, lobed": 3,
+    "film, turbulent": 3, "film, thermal": 3,
+}  # fmt: skip
+"""Cases of the families that are cheap, or dear; of all others `USUAL`."""
+USUAL = 10
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_random_bearings(name: str) -> None:
+    faults = {}
+    for index in range(NUMBER.get(name, USUAL)):
+        outcome = faults_of(FAMILIES[name], f"test {name} {index}")
+        if outcome.faults:
+            faults[index] = outcome.faults
+    assert not faults
