@@ -82,6 +82,12 @@ def test_letters_that_an_encoding_lacks_end_nothing(folder, command, encoding):
     elif encoding == "ascii" and command[0] == "solve":
         assert "Lager Psi u o" in text
         assert " um" in text, "the prefix of a unit is never lost"
+        assert "permille" in text
+        assert "?" not in text
+        table = [line for line in text.splitlines() if line.count("|") == 3]
+        assert len(table) > 20
+        heading, *rows = ([place for place, letter in enumerate(line) if letter == "|"] for line in table)
+        assert sum(row == heading for row in rows) > 0.8 * len(rows), "columns stay where they are"
 
 
 @pytest.mark.parametrize("columns", ["0", "1", "-5", "many", ""])
@@ -166,3 +172,22 @@ def test_a_name_that_moves_the_cursor_is_printed_with_its_escapes(folder):
     ended = launched(folder, "check", "odd\x1b[31m.yaml")
     assert ended.returncode == 0
     assert b"\x1b" not in ended.stdout
+
+
+@pytest.mark.parametrize(
+    ("command", "words"),
+    [
+        (("explain", " w103 "), "W103"),
+        (("list", "Kinds"), "journal"),
+        (("explain", "W1011"), "W101"),
+        (("explain", "?"), "C101, C102"),
+        (("new", "Journal"), "did you mean 'journal'?"),
+        (("list", "oils"), "lubricants"),
+        (("explain", "W\x1b[31m"), "W\\x1b[31m"),
+    ],
+)
+def test_what_is_asked_for_loosely_is_understood_or_hinted_at(run, command, words):
+    status, out, err = run(*command)
+    assert words in out + err
+    assert "\x1b" not in out + err
+    assert status == (0 if command[1].lower().strip() in ("w103", "kinds") else 2)

@@ -286,7 +286,7 @@ def _restrictor(rng: random.Random, flow: float, drop: float, supply: float, vis
         width = flow * 12.0 * viscosity * length / (gap**3 * drop)
         return {
             "kind": kind,
-            "width": f"{max(1e3 * width, 0.12):.4g} mm",
+            "width": f"{min(max(1e3 * width, 0.12), 9e3):.4g} mm",
             "gap": f"{1e3 * gap:.4g} mm",
             "length": _mm(length),
         }

@@ -47,8 +47,15 @@ it."""
 BALANCED = 1e-6
 OF_THE_FRAME = {"wall_time", "iterations", "tilt_x", "tilt_y", "moment_x", "moment_y", "mass_balance_error",
                 "energy_balance_error", "network_stability"}  # fmt: skip
-SLOPES = {"face_gap_stiffness", "load_over_clearance", "thermal_loop_gain"}
-"""By differences, whose round-off is larger."""
+SLOPES = {
+    "face_gap_stiffness",
+    "load_over_clearance",
+    "thermal_loop_gain",
+    "whirl_frequency_ratio",
+    "critical_mass",
+    "threshold_speed",
+}
+"""By differences of values or of stiffnesses, whose round-off is larger."""
 AXES = re.compile(r"^(stiffness|damping)_")
 SMALL = {
     "grid_error": 1e-9,

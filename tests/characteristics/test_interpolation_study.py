@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from babbitt.characteristics.interpolation_study import interpolation_study
+from babbitt.characteristics import curves
+from babbitt.characteristics.interpolation_study import coarse_tables, interpolation_study
 
 # mean and largest |round trip| in per cent, largest X, eps of it; independent computation
 EXPECTED = {
@@ -47,6 +48,19 @@ def test_what_the_study_published():
     assert np.abs(study.round_trip_logarithmic).mean() < 0.03
     assert np.abs(study.round_trip_logarithmic).max() < largest_linear - 0.03
     assert 1.15 < study.largest_ratio < 1.25
+
+
+@pytest.mark.parametrize("eccentricity", [0.1, 0.4, 0.6])
+def test_between_the_columns_a_row_is_bent_and_lines_lie_on_either_side(eccentricity):
+    """Up to ε = 0.6 So is convex over B/D and ln So concave: a chord lies above, one in ln So below."""
+    at = np.array([eccentricity])
+    linear, logarithmic = coarse_tables()
+    for ratio in (0.25, 0.5, 0.75, 1.0):
+        exact = curves(360, ratio).sommerfeld_number(eccentricity)
+        assert linear.level(at, ratio)[0] == pytest.approx(exact, rel=1e-12)
+        assert np.exp(logarithmic.level(at, ratio)[0]) == pytest.approx(exact, rel=1e-12)
+    between = linear.level(at, 0.375)[0], np.exp(logarithmic.level(at, 0.375)[0])
+    assert between[1] < curves(360, 0.375).sommerfeld_number(eccentricity) < between[0]
 
 
 def test_our_round_trip_closes():

@@ -14,7 +14,7 @@ from babbitt_pages.markdown import table, text
 from babbitt_pages.svg import polar
 from example_blocks import DOCS, ROOT, pages
 
-from babbitt.validation import cases
+from babbitt.validation import Evidence, cases, cases_of
 
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 SVG = "{http://www.w3.org/2000/svg}"
@@ -111,7 +111,9 @@ def test_scoreboard_has_every_published_case() -> None:
     for case in cases():
         assert f"(/_generated/validation/{case.name}.md)" in board
         assert f"\n/_generated/validation/{case.name}\n" in board
-    assert board.count("| agrees |") == len(cases())
+    validations, reproductions = board.split("## Reproductions")
+    assert validations.count("| agrees |") == len(cases_of(Evidence.VALIDATION))
+    assert reproductions.count("| reproduced |") == len(cases_of(Evidence.REPRODUCTION))
 
 
 def test_files_are_written_only_when_new(tmp_path: Path) -> None:

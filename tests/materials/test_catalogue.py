@@ -31,6 +31,7 @@ def sourced_values(metal: BearingMetal) -> list[SourcedValue]:
     values += [
         metal.recommended_temperature,
         metal.limiting_temperature,
+        metal.published_outlet_limit,
         metal.thermal_expansion,
         metal.brinell_hardness,
     ]
@@ -40,6 +41,7 @@ def sourced_values(metal: BearingMetal) -> list[SourcedValue]:
 def test_b83_limits():
     """GOST 1320-74: 15/10 MPa, 50 m/s, 75/50 MPa m/s; advice 70 °C, limit 115 °C."""
     b83 = bearing_metal("B83")
+    assert b83.published_outlet_limit.value == pytest.approx(125.0 + 273.15)  # T_lim of the gearbox study
     calm, shock = b83.limits(LoadCharacter.CALM), b83.limits(LoadCharacter.SHOCK)
     assert (calm.specific_load.value, calm.sliding_speed.value, calm.pv.value) == (15e6, 50.0, 75e6)
     assert (shock.specific_load.value, shock.sliding_speed.value, shock.pv.value) == (10e6, 50.0, 50e6)

@@ -117,6 +117,23 @@ def test_every_bearing_of_the_summary_leads_to_its_part():
     assert set(targets) <= {attributes.get("id") for attributes in page.all("h2")}
 
 
+@pytest.mark.usefixtures("no_figures")
+def test_the_bearings_of_a_machine_stand_side_by_side_as_in_the_published_tables():
+    machine = solved("Gear", *GEAR[:3])
+    page = Reader(report(machine, "html")).text
+    told = page[page.index("side by side") :]
+    for result in machine.results:
+        row = told[told.index(result.name) :]
+        celsius = f"{result.effective_temperature - 273.15:.1f}"
+        shown = [f"{result.empirical_film_limit * 1e6:.1f}", celsius]
+        shown += [f"{value * 1e3:.3f}" for value in (result.recommended_relative_clearance,)]
+        shown += [f"{result.stability_relative_clearance * 1e3:.3f}"]
+        places = [row.index(text) for text in shown]
+        assert places == sorted(places), shown
+    alone = Reader(report(solved("One", GEAR[0]), "html")).text
+    assert "side by side" not in alone
+
+
 def test_the_numbers_are_those_of_the_result(one_page):
     result = check(GEAR[0])
     assert f"{result.minimum_film_thickness * 1e6:.1f} µm" in one_page.text

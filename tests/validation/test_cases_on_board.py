@@ -10,8 +10,10 @@ import pytest
 from babbitt.notices import InputError
 from babbitt.validation import (
     AtMost,
+    Evidence,
     Within,
     cases,
+    cases_of,
     figure_file,
     figure_of,
     page,
@@ -71,6 +73,16 @@ def test_a_wrong_number_in_the_data_makes_its_case_fail(case_name, data, change,
     assert not summary(case.run()).agrees
 
 
+def test_what_was_fitted_to_the_values_compared_is_no_validation():
+    fitted = {case.name for case in cases_of(Evidence.REPRODUCTION)}
+    assert fitted == {"reverse_gear", "reverse_gear_spans", "trawler_stages"}
+    assert {case.name for case in cases()} - {case.name for case in cases_of(Evidence.VALIDATION)} == fitted
+    for case in cases_of(Evidence.REPRODUCTION):
+        said = case.story.assumptions.lower()
+        assert any(word in said for word in ("inferred", "all inputs are ours")), case.name
+        assert summary(case.run(), case.evidence).sentence.endswith("no validation.")
+
+
 @CASES
 def test_the_page_holds_every_number_and_the_whole_story(case):
     text, rows = page(case), case.run()
@@ -79,7 +91,8 @@ def test_the_page_holds_every_number_and_the_whole_story(case):
         assert len(part) > 40
         assert part in text
     assert case.story.differences in text
-    assert summary(rows).sentence in text
+    assert summary(rows, case.evidence).sentence in text
+    assert ("no validation" in text) is (case.evidence is Evidence.REPRODUCTION)
     assert f"```{{figure}} {figure_file(case)}" in text
     for row in rows:
         line = " | ".join(cell.replace("|", "\\|") for cell in (*row.cells(), row.source))

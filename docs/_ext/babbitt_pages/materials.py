@@ -39,6 +39,7 @@ def _metal(metal: BearingMetal) -> str:
         *_limit_rows(metal),
         *_rows("recommended temperature", metal.recommended_temperature, " °C", 1.0, -ZERO_CELSIUS),
         *_rows("limiting temperature", metal_temperature_limit(metal), " °C", 1.0, -ZERO_CELSIUS),
+        *_rows("oil outlet, published", metal.published_outlet_limit, " °C", 1.0, -ZERO_CELSIUS),
         *_rows("thermal expansion", metal.thermal_expansion, "·10⁻⁶/K", 1e6),
         *_rows("hardness", metal.brinell_hardness, " HBW"),
     ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from babbitt.validation import ValidationCase, cases, page, save_figure, summary
+from babbitt.validation import Evidence, ValidationCase, cases, cases_of, page, save_figure, summary
 from babbitt_pages.files import write
 from babbitt_pages.markdown import text
 
@@ -12,12 +12,25 @@ from babbitt_pages.markdown import text
 def scoreboard() -> str:
     """Markdown table of all cases with the outcome of each, and the tree of their pages."""
     lines = [
-        "| case | values | judged | set aside | shown only | largest deviation / tolerance | verdict |",
-        "| --- | ---: | ---: | ---: | ---: | ---: | --- |",
-        *(_line(case) for case in cases()),
+        *_table(Evidence.VALIDATION),
+        "",
+        "## Reproductions",
+        "",
+        "The sources of these leave inputs open, which were fitted to the values compared. Agreement shows that "
+        "one set of inputs gives them all; it does not count as validation.",
+        "",
+        *_table(Evidence.REPRODUCTION),
     ]
     tree = "\n".join(f"/_generated/validation/{case.name}" for case in cases())
     return "\n".join(lines) + f"\n\n```{{toctree}}\n:hidden:\n\n{tree}\n```\n"
+
+
+def _table(evidence: Evidence) -> list[str]:
+    return [
+        "| case | values | judged | set aside | shown only | largest deviation / tolerance | verdict |",
+        "| --- | ---: | ---: | ---: | ---: | ---: | --- |",
+        *(_line(case) for case in cases_of(evidence)),
+    ]
 
 
 def write_pages(target: Path) -> None:
@@ -28,8 +41,9 @@ def write_pages(target: Path) -> None:
 
 
 def _line(case: ValidationCase) -> str:
-    found = summary(case.run())
-    verdict = "agrees" if found.agrees else f"{found.differing} differ" if found.differing else "not judged"
+    found = summary(case.run(), case.evidence)
+    agrees = "reproduced" if case.evidence is Evidence.REPRODUCTION else "agrees"
+    verdict = agrees if found.agrees else f"{found.differing} differ" if found.differing else "not judged"
     link = f"[{text(case.title)}](/_generated/validation/{case.name}.md)"
     numbers = (found.values, found.judged, found.suspect, found.shown)
     counts = " | ".join(str(number) for number in numbers)

@@ -19,6 +19,7 @@ from babbitt.bearings.orbit_answer import (
     orbit_rows,
     orbit_values,
 )
+from babbitt.bearings.own_slope import confirmed_state, doubts_about_slope
 from babbitt.bearings.resting import doubts_about_rest, resting_places
 from babbitt.bearings.thermal_answer import (
     doubts_about_heat,
@@ -95,7 +96,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
     not_made: tuple[Notice, ...] = ()
     arrays, settings = {}, film_settings(case)
     if found.film is not None:
-        state = found.film
+        state, slope = confirmed_state(case, found.film)
         frozen, values, followed = state, film_values(case, state), True
         if case.cavitation is not Cavitation.HALF_SOMMERFELD:
             arrays = {"stiffness": rows_of(state.solution.stiffness), "damping": rows_of(state.solution.damping)}
@@ -124,7 +125,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
             values |= grid_errors(case, state) if case.error_estimate else {}
             checks = (*_limit_checks(case, values), *whirl_checks(case, whirl), clearance_check(case, values))
             not_made = checks_not_made(case, values)
-            warnings = tuple(_doubts(case, state, values, checks, whirl))
+            warnings = (*_doubts(case, state, values, checks, whirl), *doubts_about_slope(slope))
             if state.thermal is not None:
                 values |= stiffness_values(state)
                 warnings = (*warnings, *doubts_about_heat(case, state, values, followed))

@@ -164,7 +164,7 @@ def long_films_of(bearing: JournalBearing, case: Case) -> tuple[LongFilmCase, ..
     """
     if unknown_to_long_film(bearing, case):
         return ()
-    seen = bearing.model_copy(update={"method": "long_film"})
+    seen = bearing.without_friction_factor().model_copy(update={"method": "long_film"})
     return tuple(_expanded(seen, case, long_film_case))
 
 

@@ -160,13 +160,16 @@ def heat_goes_with_the_film(bearing: JournalBearing) -> Iterator[Complaint]:
             yield Complaint((name,), says, "thermal: adiabatic or full")
     if own:
         yield from _complaints_about_own_temperatures(bearing)
+        if bearing.friction.factor != 1.0:
+            says = "a film with its own temperatures makes its own friction"
+            yield Complaint(("friction", "factor"), says, "1, or thermal: global")
     if bearing.walls is not None:
         yield from _complaints_about_sizes(bearing, bearing.walls)
 
 
 def unknown_to_own_temperatures(bearing: JournalBearing) -> str:
     """What about a bearing keeps its film from having its own temperatures, and what to do, in words; empty where
-    nothing does."""
+    nothing does. A factor on friction is left to the methods that know it."""
     return next(
         (
             f"{one.says}; take {'.'.join(map(str, one.path))} out of the case to see it"
@@ -190,9 +193,6 @@ def _complaints_about_own_temperatures(bearing: JournalBearing) -> Iterator[Comp
     if bearing.bearing_speed:
         says = "the heat of a bearing that turns is not computed"
         yield Complaint(("bearing_speed",), says, f"0 rpm, or {also}")
-    if bearing.friction.factor != 1.0:
-        says = "a film with its own temperatures makes its own friction"
-        yield Complaint(("friction", "factor"), says, f"1, or {also}")
     for path, hollow in bearing.hollows():
         if hollow.flow:
             says = "a film with its own temperatures is fed by pressure"

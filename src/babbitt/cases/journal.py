@@ -386,6 +386,10 @@ class JournalBearing(Duty, SharedInputs):
     _grooves_stand_still = film_rules.grooves_stand_still
     _heat_goes_with_the_film = heat_goes_with_the_film
 
+    def without_friction_factor(self) -> JournalBearing:
+        """The same bearing for a method that knows no factor on friction."""
+        return self.model_copy(update={"friction": self.friction.model_copy(update={"factor": 1.0})})
+
     def film_starts(self) -> FilmStart:
         """Where the film begins: as given, else nowhere under the half-Sommerfeld condition, else at grooves."""
         unfed = "periodic" if self.cavitation == "half_sommerfeld" else "groove"

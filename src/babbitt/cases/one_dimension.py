@@ -34,6 +34,9 @@ def complaints_about(bearing: JournalBearing) -> Iterator[Complaint]:
     if bearing.method not in METHODS:
         return
     yield from unknown(bearing, METHODS[bearing.method])
+    if bearing.friction.factor != 1.0:
+        says = f"{METHODS[bearing.method]} knows no factor on friction"
+        yield Complaint(("friction", "factor"), says, "1, or leave it out")
     if bearing.method == "long_film":
         yield from _thick_film(bearing)
         yield from heat_exchange.complaints_about(bearing.heat_exchange, bearing.diameter)
@@ -47,7 +50,7 @@ def complaints_about(bearing: JournalBearing) -> Iterator[Complaint]:
 
 
 def unknown(bearing: JournalBearing, method: str) -> Iterator[Complaint]:
-    """Complain about what a method of one dimension does not know."""
+    """Complain about what a method of one dimension does not know, a factor on friction apart."""
     yield from film_alone_knows(bearing, method)
     for name in ("grooves", "pockets", "holes"):
         if is_given(bearing, name):
@@ -57,8 +60,6 @@ def unknown(bearing: JournalBearing, method: str) -> Iterator[Complaint]:
         yield Complaint(("effective_temperature",), says, "method: iso7902 or film, or leave it out")
     if bearing.bearing_speed:
         yield Complaint(("bearing_speed",), f"{method} knows no turning bearing", "0 rpm")
-    if bearing.friction.factor != 1.0:
-        yield Complaint(("friction", "factor"), f"{method} knows no factor on friction", "1, or leave it out")
 
 
 def complaints_about_loads(bearing: JournalBearing) -> Iterator[Complaint]:

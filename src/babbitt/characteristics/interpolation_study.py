@@ -115,6 +115,15 @@ class InterpolationStudy:
         return float(self.eccentricity_ratios[self.ratio.argmax()])
 
 
+def coarse_tables(
+    span_degrees: int = 360, column_width_ratios: tuple[float, ...] = WIDTH_RATIOS
+) -> tuple[CoarseTable, CoarseTable]:
+    """The coarse table of the study, read linearly and logarithmically; parameters as of `interpolation_study`."""
+    rows, columns = np.array(ECCENTRICITY_RATIOS), np.array(column_width_ratios)
+    values = np.stack([curves(span_degrees, x).sommerfeld_number(rows) for x in column_width_ratios], axis=1)
+    return CoarseTable(rows, columns, values), CoarseTable(rows, columns, np.log(values))
+
+
 def interpolation_study(
     span_degrees: int = 360, width_ratio: float = 0.604, column_width_ratios: tuple[float, ...] = WIDTH_RATIOS
 ) -> InterpolationStudy:
@@ -139,9 +148,8 @@ def interpolation_study(
     >>> [round(100 * float(abs(e).max()), 1) for e in (study.round_trip_linear, study.round_trip_logarithmic)]
     [11.7, 5.9]
     """
-    rows, columns = np.array(ECCENTRICITY_RATIOS), np.array(column_width_ratios)
-    values = np.stack([curves(span_degrees, x).sommerfeld_number(rows) for x in column_width_ratios], axis=1)
-    linear, logarithmic = CoarseTable(rows, columns, values), CoarseTable(rows, columns, np.log(values))
+    linear, logarithmic = coarse_tables(span_degrees, column_width_ratios)
+    rows = linear.eccentricity_ratios
     dense = curves(span_degrees, width_ratio)
 
     loads = np.geomspace(0.25, 1.8, 200)
@@ -151,7 +159,7 @@ def interpolation_study(
     return InterpolationStudy(
         span_degrees=span_degrees,
         width_ratio=width_ratio,
-        column_width_ratios=columns,
+        column_width_ratios=linear.width_ratios,
         sommerfeld_numbers=loads,
         round_trip_linear=back_linear / loads - 1.0,
         round_trip_logarithmic=np.exp(back_log) / loads - 1.0,

@@ -7,7 +7,7 @@ import os
 import sys
 from typing import Any, TextIO, cast
 
-from babbitt.files.printing import nearest_letters
+from babbitt.files.printing import nearest_letters, nearest_lines
 
 __all__ = ["prepare_streams"]
 
@@ -25,10 +25,10 @@ class _Output:
 
     def write(self, text: str) -> int:
         try:
-            return self._stream.write(text)
+            self._stream.write(nearest_lines(text, self._stream.encoding or "utf-8"))
         except OSError as error:
             self._drop(error)
-            return len(text)
+        return len(text)
 
     def flush(self) -> None:
         try:

@@ -60,13 +60,16 @@ def validate(
 ) -> None:
     """Run the published cases that ship with the package, side by side with the print.
 
+    Cases whose inputs were fitted to the print are reproductions and say so.
     Exit status 1 if a judged value differs by more than its tolerance.
     """
-    from babbitt.report.validation_table import print_validation
+    from babbitt.report.validation_table import print_count, print_validation
     from babbitt.validation import cases, validation_case
 
     chosen = [validation_case(name) for name in names] if names else list(cases())
     agreed = [print_validation(case) for case in chosen]
+    if len(chosen) > 1:
+        print_count(chosen, agreed)
     if not all(agreed):
         raise typer.Exit(NOT_PASSED)
 
@@ -84,9 +87,10 @@ def list_(
         "kinds": listings.print_kinds,
         "cases": listings.print_cases,
     }
-    if what not in show:
-        raise InputError("E005", f"nothing is listed under {what!r}; there are: {', '.join(show)}")
-    show[what]()
+    asked = what.strip().lower()
+    if asked not in show:
+        raise InputError("E005", f"nothing is listed under '{printable(what)}'; there are: {', '.join(show)}")
+    show[asked]()
 
 
 @app.command()
@@ -94,12 +98,13 @@ def explain(code: Annotated[str, typer.Argument(metavar="CODE", help="Such as W1
     """Explain a code of an error, warning or check, and what to do about it."""
     from difflib import get_close_matches
 
-    found = EXPLANATIONS.get(code.upper())
+    asked = code.strip().upper()
+    found = EXPLANATIONS.get(asked)
     if found is None:
-        near = get_close_matches(code.upper(), EXPLANATIONS, n=1)
-        hint = f"did you mean {near[0]}? " if near else ""
-        raise InputError("E005", f"no code {code!r}; {hint}All: {', '.join(EXPLANATIONS)}")
-    print(f"{code.upper()}  {found.title}\n\n{found.meaning}\n\nWhat to do: {found.remedy}")
+        near = get_close_matches(asked, EXPLANATIONS, n=4)
+        hint = f"did you mean {', '.join(near)}?" if near else f"there are: {', '.join(sorted(EXPLANATIONS))}"
+        raise InputError("E005", f"no code '{printable(code)}'; {hint}")
+    print(f"{asked}  {found.title}\n\n{found.meaning}\n\nWhat to do: {found.remedy}")
 
 
 @app.command()

@@ -6,7 +6,7 @@ import codecs
 import unicodedata
 from typing import Any
 
-__all__ = ["nearest_letters", "printable", "printable_lines", "takes_all_letters"]
+__all__ = ["nearest_letters", "nearest_lines", "printable", "printable_lines", "takes_all_letters"]
 
 LONGEST_NAME = 240
 """Characters of a name that a message shows; file systems allow 255 in each part of a path."""
@@ -38,8 +38,8 @@ def _visible(character: str) -> str:
 
 
 _NEAREST = {
-    "µ": "u", "μ": "u", "°": "deg ", "±": "+-", "×": "x", "·": "*", "–": "-", "—": "-", "−": "-", "…": "...",
-    "≤": "<=", "≥": ">=", "≈": "~", "→": "->", "√": "sqrt", "∞": "inf",
+    "µ": "u", "μ": "u", "°": "deg", "‰": "permille", "±": "+-", "×": "x", "·": "*", "–": "-",
+    "—": "-", "−": "-", "…": "...", "≤": "<=", "≥": ">=", "≈": "~", "→": "->", "√": "sqrt", "∞": "inf",
 }  # fmt: skip
 """ASCII for what an older encoding lacks; a unit must not lose its prefix."""
 
@@ -53,6 +53,39 @@ def nearest_letters(stream: Any) -> None:
         reconfigure(errors=_HANDLER)
 
 
+def nearest_lines(text: str, encoding: str) -> str:
+    """A text with the nearest ASCII letters for those that an encoding lacks; columns stay where they are.
+
+    >>> print(nearest_lines("ψ_eff  |1.2  |‰        |\\nD      |120  |mm       |", "ascii"))
+    psi_eff|1.2  |permille |
+    D      |120  |mm       |
+    """
+    try:
+        text.encode(encoding)
+    except UnicodeEncodeError:
+        return "\n".join(_nearest_line(line, encoding) for line in text.split("\n"))
+    return text
+
+
+def _nearest_line(line: str, encoding: str) -> str:
+    """A line in which spaces that fill a column make room for letters that take more than one place."""
+    written, due = "", 0
+    for place, character in enumerate(line):
+        fills = character == " " and (line[place + 1 : place + 2] in (" ", "|", "") or written.endswith(" "))
+        if due > 0 and fills:
+            due -= 1
+            continue
+        try:
+            character.encode(encoding)
+        except UnicodeEncodeError:
+            near = _nearest(character)
+            due += len(near) - (0 if unicodedata.combining(character) else 1)
+            written += near
+        else:
+            written += character
+    return written
+
+
 def takes_all_letters(stream: Any) -> bool:
     """Whether a stream is in UTF-8; JSON for another one needs escapes."""
     return (getattr(stream, "encoding", None) or "utf-8").lower().replace("-", "").startswith("utf8")
@@ -62,7 +95,7 @@ def _in_ascii(text: str) -> str:
     """The nearest ASCII letters.
 
     >>> _in_ascii("ψ = 1 ‰ at 20 °C, 3 µm²: Öl, p̄"), _in_ascii("≤ Δ 轴")
-    ('psi = 1 ? at 20 deg C, 3 um2: Ol, p', '<= Delta ?')
+    ('psi = 1 permille at 20 degC, 3 um2: Ol, p', '<= Delta ?')
     """
     return "".join(_nearest(character) for character in text)
 

@@ -69,6 +69,9 @@ class BearingMetal:
         Advice for operation, in K.
     limiting_temperature : SourcedValue or None
         Limit, in K.
+    published_outlet_limit : SourcedValue or None
+        Limit of the oil outlet temperature that a published calculation with this metal took, in K. Told, not
+        held: the limits by experience are lower.
     thermal_expansion : SourcedValue or None
         Coefficient of linear expansion of the metal in 1/K. A lining follows its back: for the clearance of a
         lined bearing take the expansion of the shell.
@@ -86,6 +89,7 @@ class BearingMetal:
     shock: LoadLimits = LoadLimits()
     recommended_temperature: SourcedValue | None = None
     limiting_temperature: SourcedValue | None = None
+    published_outlet_limit: SourcedValue | None = None
     thermal_expansion: SourcedValue | None = None
     brinell_hardness: SourcedValue | None = None
     aliases: tuple[str, ...] = ()

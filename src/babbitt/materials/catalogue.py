@@ -102,6 +102,7 @@ def _metal(entry: Mapping[str, Any], sources: Mapping[str, str]) -> BearingMetal
         shock=limits("shock"),
         recommended_temperature=sourced(entry, "recommended_temperature"),
         limiting_temperature=sourced(entry, "limiting_temperature"),
+        published_outlet_limit=sourced(entry, "published_outlet_limit"),
         thermal_expansion=sourced(entry, "thermal_expansion"),
         brinell_hardness=sourced(entry, "brinell_hardness"),
         aliases=tuple(entry.get("aliases", ())),

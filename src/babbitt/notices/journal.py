@@ -264,6 +264,20 @@ JOURNAL: dict[str, Explanation] = {
         "number was found. One of them may lie nearer to contact than the search looks.",
         "A finer `accuracy`; look at the film at the places in question with `position`.",
     ),
+    "W135": Explanation(
+        "Stiffness and damping not confirmed",
+        "Central differences of the film's own load, with steps from 2 % of the smallest gap down, differ from "
+        "stiffness and damping by more than 1 % and do not agree with each other: the film ends differently from "
+        "step to step. Results of stability are as uncertain.",
+        "`accuracy: reference`; a margin on threshold speed and critical mass.",
+    ),
+    "W136": Explanation(
+        "Stiffness and damping by differences of the load",
+        "The derivative of the film with its ends frozen differs from the slope of its own load by more than 1 %, "
+        "as beside pockets and holes; the results hold central differences of the load, which count moving ends.",
+        "Nothing; a finer `accuracy` brings both together.",
+        Effect.INFORMATION,
+    ),
     "W182": Explanation(
         "Direction of the load not used",
         "ISO 7902 takes the load through the middle of the loaded arc, and holes, pockets and grooves at places "

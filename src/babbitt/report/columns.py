@@ -104,6 +104,30 @@ COLUMNS = (
 """All columns; a machine's table has those in which some bearing has a number."""
 
 
+OVERVIEW_COLUMNS = tuple(
+    column_of(name, rank)
+    for rank, name in enumerate(
+        (
+            "specific_load",
+            "minimum_film_thickness",
+            "empirical_film_limit",
+            "geometric_film_limit",
+            "outlet_temperature",
+            "effective_temperature",
+            "side_flow",
+            "supply_flow",
+            "film_reynolds_number",
+            "critical_reynolds_number",
+            "relative_clearance",
+            "recommended_relative_clearance",
+            "stability_relative_clearance",
+            "eccentricity_ratio",
+        )
+    )
+)
+"""Of the bearings of a machine by ISO 7902, in the order of a published gearbox study (2023), Tables 4 and 5."""
+
+
 HEEL_COLUMNS = (
     column_of("load", 0),
     column_of("rim_pressure", 1),
@@ -171,6 +195,11 @@ def columns_of(results: Sequence[Result]) -> tuple[Column, ...]:
     elif kinds and all(kind == "jacking_pocket" or kind.startswith("hydrostatic_") for kind in kinds):
         among = PUMPED_COLUMNS
     return filled(among, results)
+
+
+def overview_columns(results: Sequence[Result]) -> tuple[Column, ...]:
+    """The columns of the overview of bearings by ISO 7902; none for fewer than two of them."""
+    return filled(OVERVIEW_COLUMNS, results) if len(results) > 1 else ()
 
 
 def filled(columns: Sequence[Column], results: Sequence[Result]) -> tuple[Column, ...]:

@@ -13,7 +13,7 @@ from babbitt.report import findings
 from babbitt.report.bearing_content import Data, bearing_content
 from babbitt.report.chapters import Chapter, chapters
 from babbitt.report.check_content import check_content
-from babbitt.report.columns import columns_of, is_film
+from babbitt.report.columns import columns_of, is_film, overview_columns
 from babbitt.report.findings import Group
 from babbitt.report.names import counted_results
 from babbitt.report.symbols import symbol_node
@@ -52,6 +52,7 @@ def content(machine: MachineResult) -> Data:
         "incomplete": any(result.not_checked for result in results),
         "totals": _totals(summed) if summed else None,
         "worst": [_worst_case(results, code) for code in _codes(results)],
+        "overview": _overview(results),
         "findings": _findings(results),
         "bearings": [bearing_content(part) for part in parts],
         "case_text": plain_lines(machine.case_text).strip("\n"),
@@ -106,6 +107,22 @@ def _rows(parts: Sequence[Chapter], results: Sequence[Result]) -> list[Data]:
         }
         for place, result in enumerate(results)
     ]
+
+
+def _overview(results: Sequence[Result]) -> Data:
+    """Bearings by ISO 7902 side by side: film limits, temperatures, flows, clearances and their rules."""
+    shown = [one for one in results if one.method == "iso7902" and one.outcome.solved]
+    columns = overview_columns(shown)
+    cells = [column.cells(shown) for column in columns]
+    return {
+        "columns": [{"heading": _heading(column.heading), "unit": column.unit} for column in columns],
+        "rows": [
+            {"name": plain_text(one.name), "cells": [each[place] for each in cells]}
+            for place, one in enumerate(shown)
+        ]
+        if columns
+        else [],
+    }
 
 
 def _codes(results: Sequence[Result]) -> list[tuple[str, str]]:

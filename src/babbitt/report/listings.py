@@ -91,9 +91,9 @@ def print_cases() -> None:
     """Published cases that `babbitt validate` runs."""
     from babbitt.validation import cases
 
-    table = _table("case", "title", "source")
+    table = _table("case", "kind", "title", "source")
     for case in cases():
-        table.add_row(case.name, case.title, case.story.source)
+        table.add_row(case.name, case.evidence.value, case.title, case.story.source)
     console().print(table)
 
 

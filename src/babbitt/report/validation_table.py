@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from rich.table import Table
 
 from babbitt.report.table import console
-from babbitt.validation import summary
+from babbitt.validation import Evidence, summary
 
 if TYPE_CHECKING:
     from babbitt.validation import ValidationCase
@@ -26,6 +27,16 @@ def print_validation(case: ValidationCase) -> bool:
     for row in rows:
         if row.suspect:
             to.print(f"  set aside: {row.label}. {row.suspect}", markup=False)
-    to.print(summary(rows).sentence, markup=False)
+    to.print(summary(rows, case.evidence).sentence, markup=False)
     to.print()
     return all(row.ok for row in rows)
+
+
+def print_count(chosen: Sequence[ValidationCase], agreed: Sequence[bool]) -> None:
+    """Say how many validations agree, and apart from them how many reproductions."""
+    words = []
+    for evidence in Evidence:
+        found = [ok for case, ok in zip(chosen, agreed, strict=True) if case.evidence is evidence]
+        if found:
+            words.append(f"{evidence.value}s: {sum(found)} of {len(found)} agree")
+    console().print("; ".join(words) + ".", markup=False)

@@ -43,6 +43,7 @@ from babbitt.studies.thermal_variants import (
     OWN,
     ThermalVariant,
     left_out_of_thermal_variants,
+    said_of_factor,
     thermal_variants,
 )
 
@@ -193,7 +194,9 @@ def _compared(bearing: JournalBearing, case: Case) -> Iterator[Comparison]:
     for index, films in enumerate(thermal_variants(bearing, case)):
         by_standard = _variants(standard[index]) if standard else ()
         if long_films:
-            by_standard = (*by_standard, Variant(*LONG_FILM, long_film_check(long_films[index]), detail=1))
+            label, remark = LONG_FILM
+            remark += said_of_factor(bearing)
+            by_standard = (*by_standard, Variant(label, remark, long_film_check(long_films[index]), detail=1))
         by_film = tuple(_film_variant(one) for one in films)
         ordered = (*by_film, *by_standard) if bearing.method == "film" else (*by_standard, *by_film)
         plain = next((one.case for one in films if one.label == GLOBAL), films[0].case)

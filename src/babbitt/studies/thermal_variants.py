@@ -12,7 +12,7 @@ from babbitt.cases.film_heat import unknown_to_own_temperatures
 from babbitt.cases.journal import JournalBearing
 from babbitt.units import ZERO_CELSIUS
 
-__all__ = ["GLOBAL", "OWN", "ThermalVariant", "left_out_of_thermal_variants", "thermal_variants"]
+__all__ = ["GLOBAL", "OWN", "ThermalVariant", "left_out_of_thermal_variants", "said_of_factor", "thermal_variants"]
 
 GLOBAL = "film, one temperature"
 
@@ -67,7 +67,7 @@ def thermal_variants(bearing: JournalBearing, case: Case) -> Iterator[tuple[Ther
     """
     own_films, with_balance = film_cases(bearing, case), film_cases(bearing, case, "global")
     free = not left_out_of_thermal_variants(bearing, case)
-    heated = {name: film_cases(bearing, case, name) for name in OWN if free}
+    heated = {name: film_cases(bearing.without_friction_factor(), case, name) for name in OWN if free}
     for index, own in enumerate(own_films):
         found = {}
         if own.effective_temperature is not None:
@@ -79,9 +79,22 @@ def thermal_variants(bearing: JournalBearing, case: Case) -> Iterator[tuple[Ther
             found[GLOBAL] = with_balance[index]
         found |= {OWN[name]: films[index] for name, films in heated.items()}
         yield tuple(
-            ThermalVariant(_label(name, film), _remark(name, film), film, list(REMARKS).index(name))
+            ThermalVariant(
+                _label(name, film),
+                _remark(name, film) + ("" if film.heat is None else said_of_factor(bearing)),
+                film,
+                list(REMARKS).index(name),
+            )
             for name, film in _ordered(bearing, own, found)
         )
+
+
+def said_of_factor(bearing: JournalBearing) -> str:
+    """Say that a method leaves out the factor on friction of a bearing; empty where it has none."""
+    factor = bearing.friction.factor
+    if factor == 1.0:
+        return ""
+    return f"; without the factor {factor:g} on friction, which ISO 7902 and films of one temperature know"
 
 
 def left_out_of_thermal_variants(bearing: JournalBearing, case: Case) -> str:

@@ -4,10 +4,10 @@ Each case is at once a test (``validation/test_published_cases.py``), a page of 
 `save_figure`) and a run of ``babbitt validate``.
 """
 
-from babbitt.validation.case import Comparison, Story, ValidationCase, Verdict
+from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase, Verdict
 from babbitt.validation.figure import figure_file, figure_of, save_figure
 from babbitt.validation.page import page
-from babbitt.validation.registry import cases, validation_case
+from babbitt.validation.registry import cases, cases_of, validation_case
 from babbitt.validation.summary import Summary, by_quantity, summary
 from babbitt.validation.tolerance import AtLeast, AtMost, Tolerance, Within
 
@@ -15,6 +15,7 @@ __all__ = [
     "AtLeast",
     "AtMost",
     "Comparison",
+    "Evidence",
     "Story",
     "Summary",
     "Tolerance",
@@ -23,6 +24,7 @@ __all__ = [
     "Within",
     "by_quantity",
     "cases",
+    "cases_of",
     "figure_file",
     "figure_of",
     "page",

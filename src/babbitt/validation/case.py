@@ -27,6 +27,18 @@ class Verdict(Enum):
     SHOWN = "not judged"
 
 
+class Evidence(Enum):
+    """What agreement with a case shows.
+
+    VALIDATION: inputs are those of the source, so that agreement speaks for the method. REPRODUCTION: the source
+    leaves inputs open, which were fitted to the very values compared; agreement shows that one set of inputs gives
+    them all, no more.
+    """
+
+    VALIDATION = "validation"
+    REPRODUCTION = "reproduction"
+
+
 @dataclass(frozen=True)
 class Comparison:
     """One published value beside ours.
@@ -180,6 +192,8 @@ class ValidationCase:
         Draws into an empty matplotlib figure.
     caption : str
         What the figure shows.
+    evidence : Evidence
+        Whether it counts as validation.
     """
 
     name: str
@@ -188,3 +202,4 @@ class ValidationCase:
     run: Callable[[], tuple[Comparison, ...]]
     draw: Callable[[Figure], None]
     caption: str
+    evidence: Evidence = Evidence.VALIDATION

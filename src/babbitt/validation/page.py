@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from babbitt.validation.case import Comparison, ValidationCase
+from babbitt.validation.case import Comparison, Evidence, ValidationCase
 from babbitt.validation.figure import figure_file
 from babbitt.validation.summary import Summary, by_quantity, summary
 
@@ -16,6 +16,12 @@ _QUANTITY_COLUMNS = (
     "tolerance of the worst",
     "largest deviation / tolerance",
     "at",
+)
+
+
+FITTED = (
+    "**A reproduction, no validation.** The source leaves inputs open; they were fitted to the values that are "
+    "compared here. Agreement shows that one set of inputs gives them all."
 )
 
 
@@ -37,7 +43,8 @@ def page(case: ValidationCase) -> str:
     parts = [
         f"# {case.title}",
         story.what,
-        f"**{summary(rows).sentence}** Repeat it with `babbitt validate {case.name}`.",
+        *([FITTED] if case.evidence is Evidence.REPRODUCTION else []),
+        f"**{summary(rows, case.evidence).sentence}** Repeat it with `babbitt validate {case.name}`.",
         f"```{{figure}} {figure_file(case)}\n:alt: {case.title}\n\n{case.caption}\n```",
         f"## Source\n\n{story.source}",
         f"## Assumptions\n\n{story.assumptions}",

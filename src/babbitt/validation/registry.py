@@ -5,7 +5,7 @@ from __future__ import annotations
 from difflib import get_close_matches
 
 from babbitt.notices import InputError
-from babbitt.validation.case import ValidationCase
+from babbitt.validation.case import Evidence, ValidationCase
 from babbitt.validation.published import (
     butenschoen_1976,
     closed_forms_din31652,
@@ -84,6 +84,11 @@ _CASES = (
 def cases() -> tuple[ValidationCase, ...]:
     """Every published case, from the film to the whole procedure."""
     return _CASES
+
+
+def cases_of(evidence: Evidence) -> tuple[ValidationCase, ...]:
+    """The published cases that are validations, or those that are reproductions."""
+    return tuple(case for case in _CASES if case.evidence is evidence)
 
 
 def validation_case(name: str) -> ValidationCase:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from babbitt.validation.case import Comparison, Verdict
+from babbitt.validation.case import Comparison, Evidence, Verdict
 
 
 @dataclass(frozen=True)
@@ -19,6 +19,8 @@ class Summary:
         Numbers of rows: all, judged, set aside as doubtful prints, shown as information, judged but disagreeing.
     worst : Comparison or None
         The judged row that uses most of its tolerance.
+    evidence : Evidence
+        Whether agreement counts as validation.
     """
 
     values: int
@@ -27,6 +29,7 @@ class Summary:
     shown: int
     differing: int
     worst: Comparison | None
+    evidence: Evidence = Evidence.VALIDATION
 
     @property
     def agrees(self) -> bool:
@@ -51,15 +54,18 @@ class Summary:
             return f"{counted}."
         largest = f"largest deviation {self.largest_share:.2f} of its tolerance ({self.worst.label})"
         verdict = "all agree" if self.agrees else f"{self.differing} differ"
-        return f"{counted}; {largest}; {verdict}."
+        fitted = "; a reproduction with fitted inputs, no validation"
+        return f"{counted}; {largest}; {verdict}{fitted if self.evidence is Evidence.REPRODUCTION else ''}."
 
 
-def summary(rows: Iterable[Comparison]) -> Summary:
+def summary(rows: Iterable[Comparison], evidence: Evidence = Evidence.VALIDATION) -> Summary:
     """Count and judge the rows of a case.
 
     Parameters
     ----------
     rows : iterable of Comparison
+    evidence : Evidence, optional
+        Of the case.
 
     Returns
     -------
@@ -75,6 +81,7 @@ def summary(rows: Iterable[Comparison]) -> Summary:
         shown=verdicts.count(Verdict.SHOWN),
         differing=verdicts.count(Verdict.DIFFERS),
         worst=max(judged, key=_severity, default=None),
+        evidence=evidence,
     )
 
 

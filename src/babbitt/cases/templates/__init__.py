@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from importlib.resources import files
 
+from babbitt.cases.plain_words import nearest, shown
 from babbitt.notices import InputError
 
 _KINDS = {
@@ -45,5 +46,7 @@ def template(kind: str) -> str:
         E005 for another kind.
     """
     if kind not in _KINDS:
-        raise InputError("E005", f"'{kind[:60]}' is not a kind of case; allowed: {', '.join(_KINDS)}")
+        hint = nearest(kind, _KINDS)
+        says = f"{shown(kind)} is not a kind of case; allowed: {', '.join(_KINDS)}"
+        raise InputError("E005", f"{says}; {hint}" if hint else says)
     return files("babbitt.cases.templates").joinpath(f"{kind}.yaml").read_text(encoding="utf-8")

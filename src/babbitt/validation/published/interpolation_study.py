@@ -8,12 +8,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.characteristics.interpolation_study import WIDTH_RATIOS, InterpolationStudy, interpolation_study
+from babbitt.characteristics import curves
+from babbitt.characteristics.interpolation_study import (
+    WIDTH_RATIOS,
+    InterpolationStudy,
+    coarse_tables,
+    interpolation_study,
+)
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, logarithmic_axis
 from babbitt.validation.tolerance import AtLeast, AtMost, Within
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 _STUDY = "the study, text"
@@ -123,9 +130,13 @@ def _ours() -> Iterator[Comparison]:
 
 
 def draw(figure: Figure) -> None:
-    """Round-trip error over So of all three ways, and what both old ways make of So itself."""
-    figure.set_size_inches(7.2, 4.2)
-    panels = figure.subplot_mosaic([["trip", "forward"], ["ours", "forward"]], height_ratios=[3, 1])
+    """Round-trip error of all three ways, what both old ways make of So, also over B/D, and how to correct it."""
+    figure.set_size_inches(7.2, 7.4)
+    panels = figure.subplot_mosaic(
+        [["trip", "forward"], ["ours", "forward"], ["width", "correction"]], height_ratios=[3, 1, 4]
+    )
+    _draw_over_width(panels["width"])
+    _draw_correction(panels["correction"])
     trip, ours, forward = panels["trip"], panels["ours"], panels["forward"]
     full = study()
     loads = full.sommerfeld_numbers
@@ -152,6 +163,47 @@ def draw(figure: Figure) -> None:
     forward.set_ylabel("error of So in %")
     forward.set_title("forward, against the dense solution")
     forward.legend()
+
+
+def _draw_over_width(axes: Axes) -> None:
+    """So over B/D by both old ways and by the dense solution: at a row of the table, and where X is largest."""
+    ratios = np.linspace(WIDTH_RATIOS[0], WIDTH_RATIOS[-1], 151)
+    linear, logarithmic = coarse_tables()
+    for eccentricity in (linear.eccentricity_ratios[3], study().eccentricity_ratio_of_largest_ratio):
+        at = np.array([eccentricity])
+        old = [float(linear.level(at, x)[0]) for x in ratios]
+        older = [float(np.exp(logarithmic.level(at, x))[0]) for x in ratios]
+        exact = [curves(360, float(x)).sommerfeld_number(float(eccentricity)) for x in ratios]
+        first = eccentricity == linear.eccentricity_ratios[3]
+        for values, line, colour, label in (
+            (exact, "-", GREY, "dense solution"),
+            (old, "-", INK, "linear"),
+            (older, "--", INK, "logarithmic"),
+        ):
+            axes.plot(ratios, values, linestyle=line, color=colour, label=label if first else None)
+        axes.annotate(f"ε = {eccentricity:.2g}", (ratios[-1], exact[-1]), (-4.0, 4.0), textcoords="offset points",
+                      ha="right", fontsize=8.0)  # fmt: skip
+    axes.axvline(_B_OVER_D, color=GREY, linewidth=0.8)
+    axes.set_yscale("log")
+    axes.set_yticks((0.1, 0.2, 0.5, 1.0, 2.0), ["0.1", "0.2", "0.5", "1", "2"])
+    axes.set_yticks([], minor=True)
+    axes.set_xlabel("B/D")
+    axes.set_ylabel("Sommerfeld number So")
+    axes.set_title("So between the columns B/D 0.25, 0.5, 0.75, 1")
+    axes.legend(loc="lower right")
+
+
+def _draw_correction(axes: Axes) -> None:
+    """What So by the old ways must be multiplied with, over X, which an engineer can form from both."""
+    full = study()
+    inner = full.eccentricity_ratios > 0.2 - 1e-9
+    for values, line, label in ((full.linear, "-", "linear"), (full.logarithmic, "--", "logarithmic")):
+        axes.plot(full.ratio[inner], (full.reference / values)[inner], linestyle=line, color=INK, label=label)
+    axes.axhline(1.0, color=GREY, linewidth=0.8)
+    axes.set_xlabel("X, linear over logarithmic So")
+    axes.set_ylabel("So of the dense solution over the read one")
+    axes.set_title("correction over X, ε = 0.2 to 0.95")
+    axes.legend(loc="lower left")
 
 
 CASE = ValidationCase(
@@ -198,6 +250,7 @@ CASE = ValidationCase(
     ),
     run=run,
     draw=draw,
-    caption="Full bearing, B/D = 0.604. Left: what is lost by looking up ε for a load and the load for that ε. "
-    "Right: error of So itself by both old ways.",
+    caption="Full bearing, above B/D = 0.604. Left: what is lost by looking up ε for a load and the load for that "
+    "ε. Right: error of So itself by both old ways. Below: So between the columns of the table, at one of its "
+    "rows and where X is largest; and the factor by which So of both ways is to be corrected, over X.",
 )

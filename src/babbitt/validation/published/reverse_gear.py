@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from babbitt.results import Result
 from babbitt.standards.iso7902.procedure import check, check_at_temperature
 from babbitt.units import ZERO_CELSIUS
-from babbitt.validation.case import Comparison, Story, ValidationCase
+from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import BAND, GREY, INK
 from babbitt.validation.published.reverse_gear_inputs import (
     design_case,
@@ -215,4 +215,5 @@ CASE = ValidationCase(
     draw=draw,
     caption="Deviation of our values from Tables 4 and 5, bearing by bearing; grey bars are the tolerances, "
     "crosses and grey numbers are shown and not judged. Outlet temperatures by our own heat balance.",
+    evidence=Evidence.REPRODUCTION,
 )

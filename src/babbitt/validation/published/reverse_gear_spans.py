@@ -11,7 +11,7 @@ from babbitt.results import Result
 from babbitt.standards.iso7902.model import Friction
 from babbitt.standards.iso7902.procedure import check
 from babbitt.units import ZERO_CELSIUS
-from babbitt.validation.case import Comparison, Story, ValidationCase
+from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import BAND, GREY, INK
 from babbitt.validation.published.reverse_gear_inputs import design_case, published
 from babbitt.validation.tolerance import Within
@@ -204,4 +204,5 @@ CASE = ValidationCase(
     draw=draw,
     caption="Six quantities over the angular span: printed values with their tolerance, our values, and ours "
     "with the default friction model. The printed power at 180° lies off the chart.",
+    evidence=Evidence.REPRODUCTION,
 )

@@ -10,7 +10,7 @@ import numpy as np
 
 from babbitt.shaft_line.stages import stages
 from babbitt.shaft_line.sweeps import ring_sweep
-from babbitt.validation.case import Comparison, Story, ValidationCase
+from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, logarithmic_axis
 from babbitt.validation.published.trawler_line import duty, films
 from babbitt.validation.reference_data import reference_data
@@ -164,4 +164,5 @@ CASE = ValidationCase(
     caption="Printed and computed stages, the line at the usual limit of 50 %; and the dynamic load over the "
     "stiffness of "
     "the backing ring.",
+    evidence=Evidence.REPRODUCTION,
 )

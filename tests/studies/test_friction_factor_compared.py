@@ -1,0 +1,42 @@
+"""A factor on friction in a comparison: methods that know it have it, the others say that they leave it out."""
+
+from babbitt import parse_case
+from babbitt.cases.build import iso7902_cases, long_films_of
+from babbitt.solving import solve_design
+from babbitt.studies.thermal_variants import left_out_of_thermal_variants, thermal_variants
+
+BEARING = """
+kind: journal
+name: Factor
+diameter: 120 mm
+width: 60 mm
+clearance: {kind: fit, bore: H7, journal: e7}
+span: 180 deg
+supply_element: {kind: pocket, width: 40 mm, place: both_sides}
+lubricant: ISO VG 46
+supply: {temperature: 45 degC, pressure: 0.2 MPa}
+materials: {bearing_metal: SnSb8Cu4, bearing: EN-GJL-250, journal: C45}
+load: 12 kN
+speed: 2000 rpm
+"""
+SAID = "without the factor 1.25 on friction, which ISO 7902 and films of one temperature know"
+
+
+def test_thermal_films_are_compared_without_the_factor_and_say_so():
+    case = parse_case(BEARING + "friction: {factor: 1.25}\n")
+    assert left_out_of_thermal_variants(case, case) == ""
+    (films,) = thermal_variants(case, case)
+    own = [one for one in films if one.case.heat is not None]
+    assert [one.label for one in own] == ["adiabatic film", "full thermal film"]
+    for one in films:
+        known = one.case.heat is None
+        assert one.case.friction_factor == (1.25 if known else 1.0)
+        assert (SAID in one.remark) is not known
+        assert any("multiplied by 1.25" in said for said in one.case.assumptions) is known
+
+
+def test_the_other_methods_compute_as_with_and_without_it():
+    plain, case = parse_case(BEARING), parse_case(BEARING + "friction: {factor: 1.25}\n")
+    standard, same = (solve_design(iso7902_cases(one, one)[0]) for one in (case, plain))
+    assert standard.friction_power > 1.1 * same.friction_power  # the hotter film takes back a part
+    assert long_films_of(case, case)[0] == long_films_of(plain, plain)[0]
