@@ -10,8 +10,8 @@ from babbitt.materials.catalogue import (
 from babbitt.materials.experience import (
     empirical_minimum_film_thickness,
     metal_temperature_limit,
-    published_metal_temperature,
     pressure_fed_temperature_limit,
+    published_metal_temperature,
     self_cooled_temperature_limit,
     specific_load_limit,
 )

@@ -60,7 +60,7 @@ def specific_load_limit(family: AlloyFamily, tables: ExperienceLimits | None = N
 def published_metal_temperature(
     metal: BearingMetal | None, tables: ExperienceLimits | None = None
 ) -> SourcedValue | None:
-    """Limiting temperature of a bearing metal, in K: its own, else that of its family; None where neither is known.
+    """Limiting temperature of a bearing metal, in K: its own, else that of its family; None for neither.
 
     Parameters
     ----------
