@@ -80,8 +80,8 @@ def _bearing(rng: random.Random) -> Case:
     rpm = surface / (0.5e-3 * (outer + inner)) * 30.0 / math.pi
     pads: Case = {
         "number": number,
-        "inner_radius": f"{inner:.5g} mm",
-        "outer_radius": f"{outer:.5g} mm",
+        "inner_radius": f"{inner:.4g} mm",
+        "outer_radius": f"{outer:.4g} mm",
         "extent": f"{extent:.4g} deg",
     }
     kind = rng.choice(("point", "point", "point", "line", "fixed"))
@@ -99,7 +99,7 @@ def _bearing(rng: random.Random) -> Case:
         centroid = 2.0 / 3.0 * (outer**3 - inner**3) / (outer**2 - inner**2)
         pads["pivot"] = {
             "kind": kind,
-            "radius": f"{centroid * rng.uniform(0.985, 1.015):.5g} mm",
+            "radius": f"{centroid * rng.uniform(0.985, 1.015):.4g} mm",
             "fraction": fraction,
         }
         if rng.random() < 0.2:
@@ -107,7 +107,7 @@ def _bearing(rng: random.Random) -> Case:
             backward = rng.random() < 0.5
     if rng.random() < 0.3:
         pads["heights"] = [f"{rng.uniform(-5.0, 5.0):.3g} um" for _ in range(number)]
-    case: Case = {"pads": pads, "speed": f"{-rpm if backward else rpm:.5g} rpm"}
+    case: Case = {"pads": pads, "speed": f"{-rpm if backward else rpm:.4g} rpm"}
     grade = rng.choice((32, 46, 68, 100))
     of_oil = rng.choice(("viscosity", "temperature", "heat_balance", "heat_balance"))
     if of_oil == "viscosity":
@@ -137,7 +137,7 @@ def _thrust(rng: random.Random, case: Case) -> str:
     inner, outer = (1e-3 * float(pads[f"{end}_radius"].split()[0]) for end in ("inner", "outer"))
     extent = math.radians(float(pads["extent"].split()[0]))
     area = 0.5 * pads["number"] * extent * (outer**2 - inner**2)
-    return f"{_log(rng, 0.3, 4.0) * area * 1e3:.5g} kN"
+    return f"{_log(rng, 0.3, 4.0) * area * 1e3:.4g} kN"
 
 
 def _runout(rng: random.Random) -> list[Case]:

@@ -15,7 +15,7 @@ from babbitt.thrust.fed_pads import share_of_fed_pads
 from babbitt.thrust.heat import HeatBalance, Temperatures, balanced
 from babbitt.thrust.neighbours import share_with_neighbours
 from babbitt.thrust.runout import RunoutHarmonic
-from babbitt.thrust.sharing import Share, share_at_film, share_of
+from babbitt.thrust.sharing import Share, exactly_shared, share_at_film, share_of
 from babbitt.thrust.standing import standing_at_rest
 from babbitt.thrust.state import PadState, PadTemperatures
 from babbitt.thrust.tabulated import TabulatedFilms
@@ -163,6 +163,8 @@ def operating_state(design: ThrustDesign) -> ThrustState:
     """
     films, together = warm_films(design, design.bearing, design.speed, design.duty)
     share = _share(films, design.bearing, design.duty)
+    if isinstance(films, TabulatedFilms) and isinstance(design.duty, GivenThrust):
+        share = exactly_shared(films, share)
     if together is not None and standing_at_rest(design.bearing).is_even:
         return ThrustState(films, share, together)
     return ThrustState(films, share, temperatures_of_share(films, share))
