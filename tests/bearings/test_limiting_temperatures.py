@@ -82,6 +82,19 @@ def test_without_a_metal_the_general_limit_holds_and_is_named_an_assumption() ->
     assert "assumption" in found.source
 
 
+def test_a_limit_of_the_case_takes_the_place_of_the_general_one_and_leaves_that_of_the_metal(tin: Result) -> None:
+    given = CASE + "limits: {temperature: 140 degC}\n"
+    found = limits(solve(parse_case(given))["Hot"])
+    assert "C108" not in found
+    assert found["C104"].quantity == "maximum_bush_temperature"
+    assert found["C104"].limit == pytest.approx(413.15)
+    of_tin = limits(
+        solve(parse_case(given.replace("{bearing: C10", "{bearing_metal: SnSb8Cu4, bearing: C10")))["Hot"]
+    )
+    assert of_tin["C108"].limit == limits(tin)["C108"].limit
+    assert not of_tin["C108"].ok
+
+
 def test_every_metal_on_board_has_a_limiting_temperature() -> None:
     for metal in bearing_metals():
         limit = metal_temperature_limit(metal)
