@@ -1,7 +1,7 @@
 """TOML and JSON that others wrote, read within bounds.
 
-The readers of the standard library recurse, and that of TOML takes a time that grows with the square of the parts of
-a dotted key.
+The readers of the standard library recurse, and that of TOML takes a time that grows with the square of the
+parts of a dotted key.
 """
 
 from __future__ import annotations
