@@ -17,6 +17,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from harness import SAME_WARM, SLOWEST, Family, faults_of, in_other_units, reordered
 from journal_cases import JOURNALS
 from journal_frames import mirrored, turned
+from thrust_cases import on_other_pads, thrust_case, thrust_line_case
 
 __all__ = ["FAMILIES"]
 
@@ -33,6 +34,12 @@ FAMILIES: dict[str, Family] = {
     for name, draw in JOURNALS.items()
 }
 """Families by name; every kind of bearing adds its own."""
+
+ON_OTHER_PADS = {"turned": on_other_pads, **WRITTEN}
+FAMILIES |= {
+    "thrust": Family(thrust_case, ON_OTHER_PADS, SAME_WARM),
+    "shaft line": Family(thrust_line_case, ON_OTHER_PADS, SAME_WARM),
+}
 
 
 def main(number: int, seed: int, only: str) -> int:

@@ -125,6 +125,10 @@ def imbalances(result: Result, case: Case) -> Iterator[str]:
         load = 1e3 * abs(float(given.split()[0]))
         if abs(result.values["load"] - load) > BALANCE * load:
             yield f"load {result.values['load']:.9g} N of {load:.9g} N"
+    if "pad_load" in result.arrays:
+        carried = sum(result.arrays["pad_load"][0])
+        if abs(carried - result.values["load"]) > BALANCE * carried:
+            yield f"pads carry {carried:.9g} N of {result.values['load']:.9g} N"
     if not all(math.isfinite(value) for value in result.values.values()):
         yield "a value is not finite"
 

@@ -15,12 +15,15 @@ from babbitt.shaft_line.periodic import NoPeriodicMotionError, PeriodicMotion, p
 from babbitt.shaft_line.resonance import Resonances, resonances_of
 from babbitt.shaft_line.stages import Attribution, attribution
 from babbitt.shaft_line.sweeps import CampbellPoint, RingPoint, ring_sweep, speed_sweep, usual_rings
+from babbitt.thrust.carrying import SimilarFilms
 from babbitt.thrust.design import ThrustState, operating_state
+from babbitt.thrust.standing import standing_at_rest
 
 __all__ = ["MODES", "RINGS", "LineAnswer", "line_answer"]
 
 MODES = 4
-RINGS = 40
+RINGS, FEWER_RINGS = 40, 14
+"""Rings of the sweep; fewer where every pad needs a film solved by itself, for the sake of time."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +38,8 @@ class LineAnswer:
     resonances : Resonances
     causes : Attribution
     bearable : Admissible
+    wanted_rings : int
+        How many rings were tried.
     rings : tuple of RingPoint
         From soft to stiff.
     half : RingPoint or None
@@ -51,6 +56,7 @@ class LineAnswer:
     resonances: Resonances
     causes: Attribution
     bearable: Admissible
+    wanted_rings: int
     rings: tuple[RingPoint, ...]
     half: RingPoint | None
     campbell: tuple[CampbellPoint, ...]
@@ -82,8 +88,10 @@ def line_answer(design: LineDesign) -> LineAnswer:
     duty, films = design.duty, static.films
     state = state_of(duty, films, static.share)
     natural = modes(design.line, state.pads, MODES)
+    level = isinstance(films, SimilarFilms) and not standing_at_rest(duty.bearing).is_leaning
+    wanted = RINGS if level else FEWER_RINGS
     nonlinear, not_repeating = _nonlinear(state) if design.nonlinear else (None, "")
-    rings = usual_rings(duty, state, RINGS)
+    rings = usual_rings(duty, state, wanted)
     return LineAnswer(
         static=static,
         state=state,
@@ -91,8 +99,9 @@ def line_answer(design: LineDesign) -> LineAnswer:
         resonances=resonances_of(state, natural),
         causes=attribution(state),
         bearable=admissible(duty, films, excess_of(design)),
+        wanted_rings=wanted,
         rings=ring_sweep(duty, films, rings),
-        half=ring_for_loss(duty, films, 0.5 * state.losses.mean_bound, rings[::3]),
+        half=ring_for_loss(duty, films, 0.5 * state.losses.mean_bound, rings[:: 3 if wanted == RINGS else 1]),
         campbell=speed_sweep(duty, design.films_at, design.speeds),
         nonlinear=nonlinear,
         not_repeating=not_repeating,

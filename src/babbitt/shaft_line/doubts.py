@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 
 from babbitt.notices import Notice
-from babbitt.shaft_line.answer import RINGS, LineAnswer
+from babbitt.shaft_line.answer import LineAnswer
 from babbitt.shaft_line.design import LineDesign
 from babbitt.shaft_line.losses import LINEAR_UP_TO
 from babbitt.shaft_line.resonance import NEAR
@@ -73,7 +73,7 @@ def _about_the_sweeps(design: LineDesign, answer: LineAnswer) -> Iterator[Notice
         yield Notice("W206", f"speed {at:.0f} rpm, map from {low:.0f} to {high:.0f} rpm")
     for what, wanted, found in (
         ("speeds of the map", len(speeds), len(answer.campbell)),
-        ("backing rings", RINGS, len(answer.rings)),
+        ("backing rings", answer.wanted_rings, len(answer.rings)),
     ):
         if found < wanted:
             yield Notice("W208", f"{wanted - found} of {wanted} {what}")

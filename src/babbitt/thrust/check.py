@@ -22,7 +22,7 @@ __all__ = ["thrust_check"]
 
 METHOD = "film"
 TURNS = 24
-"""Positions of the collar at which its runout is shared out slowly."""
+"""Positions of the collar, at least, at which its runout is shared out slowly."""
 TURNING_FILM = "quasi_static_minimum_film_thickness"
 WAVES = 4
 """So many waves around the face are seen at so many positions."""
@@ -99,7 +99,9 @@ def _turned(design: ThrustDesign, state: ThrustState) -> tuple[dict[str, float],
         If the pads find no film at a position of the collar, though they have one on a collar without runout.
     """
     largest, least, thinnest = 0.0, math.inf, math.inf
-    count = TURNS * math.ceil(max(one.order for one in design.runouts) / WAVES)
+    least_count = TURNS * math.ceil(max(one.order for one in design.runouts) / WAVES)
+    number = design.bearing.number
+    count = number * math.ceil(least_count / number)  # whichever pad is called the first
     for turned in 2.0 * np.pi * np.arange(count) / count:
         stands = standing_on_runout(design.bearing, design.runouts, float(turned))
         share = share_of(state.films, design.bearing, state.share.thrust, stands)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from babbitt.notices import InputError
 from babbitt.thrust.balanced_films import BalancedFilms
 from babbitt.thrust.failures import UnsettledFeedError
-from babbitt.thrust.neighbours import FOLLOWING, MOST_ROUNDS, SETTLED, STEP, common_heights, mixed_inlets
+from babbitt.thrust.neighbours import FOLLOWING, MOST_ROUNDS, STEP, common_heights, mixed_inlets
 from babbitt.thrust.sharing import Share
 from babbitt.thrust.standing import standing_at_rest
 from babbitt.thrust.state import PadState, condensed
@@ -22,6 +22,9 @@ from babbitt.thrust.state import PadState, condensed
 __all__ = ["share_of_fed_pads"]
 
 Array = NDArray[np.float64]
+
+SETTLED = 1e-9
+"""Change of the heights, over them, and of the inlet temperatures, over 1000 K: heat is then closed to 1e-8."""
 
 
 def share_of_fed_pads(films: BalancedFilms, share: Share, mean_film: float | None = None) -> Share:

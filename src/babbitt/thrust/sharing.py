@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -74,6 +75,8 @@ class Share:
         sense of rotation.
         """
         bearing = self.bearing
+        if all(state is self.states[0] for state in self.states):
+            return 0j  # pads loaded alike: not what round-off leaves
         moments = np.array([state.moments for state in self.states])
         levers = self.loads * bearing.pad.pivot_radius + moments @ np.array([1.0, 1j * bearing.sense])
         return complex((levers * np.exp(1j * bearing.angles)).sum())
@@ -240,8 +243,7 @@ def _require_carried(films: Carrying, thrust: float, carried: float) -> None:
 def _evenly(films: Carrying, bearing: ThrustBearing, thrust: float, away: float) -> Share:
     """Pads that all stand alike carry alike."""
     try:
-        height = films.height_for(thrust / bearing.number)
-        state = films.state(height)
+        height, state = _alone(films, thrust / bearing.number)
     except HollowPadError as failure:
         raise HollowPadError(failure.crown, failure.most, thrust, bearing.number) from None
     _require_carried(films, thrust, bearing.number * state.load)
@@ -249,3 +251,10 @@ def _evenly(films: Carrying, bearing: ThrustBearing, thrust: float, away: float)
     even = np.ones(bearing.number)
     approach = height - yielding - away
     return Share(bearing, thrust, approach, height * even, state.load * even, (state,) * bearing.number)
+
+
+@lru_cache(maxsize=16)
+def _alone(films: Carrying, load: float) -> tuple[float, PadState]:
+    """Height and film of a pad under a load; kept, since rings of any stiffness load even pads alike."""
+    height = films.height_for(load)
+    return height, films.state(height)
