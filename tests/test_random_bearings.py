@@ -10,7 +10,7 @@ from bearings import FAMILIES
 
 NUMBER = {
     "iso7902": 80, "long film": 60, "segments": 4, "film, grooved": 6, "film, pockets": 6, "film, lobed": 3,
-    "film, turbulent": 3, "film, thermal": 3, "thrust": 5, "shaft line": 3,
+    "film, turbulent": 3, "film, thermal": 3, "thrust": 3, "shaft line": 1,
 }  # fmt: skip
 """Cases of the families that are cheap, or dear; of all others `USUAL`."""
 USUAL = 10

@@ -500,7 +500,7 @@ def test_backward_runs_at_a_negative_speed():
                 "pads": "{number: 8, inner_radius: 190 mm, outer_radius: 375 mm, extent: 36 deg, "
                 "pivot: {kind: point, radius: 192 mm, fraction: 0.6}}"
             },
-            "pads.pivot: at 0.6 of the extent and radius 192 mm no tilt balances the pad",
+            "pads.pivot.radius: with the pivot at 192 mm no tilt balances these plane pads",
         ),
     ],
 )

@@ -44,8 +44,13 @@ class LineDuty:
         return replace(self, bearing=replace(self.bearing, ring_stiffness=stiffness))
 
     def with_tilt(self, offset: float) -> LineDuty:
-        """With another tilt of the housing, m at the outer radius."""
-        return replace(self, bearing=replace(self.bearing, tilt=replace(self.bearing.tilt, offset=offset)))
+        """With another tilt of the housing, m at the outer radius; by itself towards the highest pad."""
+        bearing = self.bearing
+        tilt = replace(bearing.tilt, offset=offset)
+        if bearing.tilt.offset == 0.0 and bearing.tilt.direction == 0.0 and bearing.height_errors:
+            highest = bearing.height_errors.index(max(bearing.height_errors))
+            tilt = replace(tilt, direction=float(bearing.angles[highest]))
+        return replace(self, bearing=replace(bearing, tilt=tilt))
 
     def with_runout(self, factor: float) -> LineDuty:
         """With all runout amplitudes times a factor."""
