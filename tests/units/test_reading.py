@@ -12,7 +12,7 @@ from babbitt.units.reading import _for_pint
 
 REGISTRY = pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
 PAIRS = [(kind.unit, unit) for kind in KINDS.values() if kind.open_to_pint for unit in kind.everyday]
-NOT_IN_PINT = {"1/°C", "Pas", "mPas", "rev", "C", "F", "ppm/K", "P", "mil", "W/m2K"}
+NOT_IN_PINT = {"1/°C", "Pas", "mPas", "rev", "C", "F", "ppm/K", "P", "mil", "W/m2K", "kp", "kilopond"}
 
 
 @pytest.mark.parametrize(("si", "unit"), [pair for pair in PAIRS if pair[1] not in NOT_IN_PINT])
@@ -97,7 +97,7 @@ def test_written_is_read_back(number, pair):
         ("80 MM", "m", ["did you mean 'mm'?"]),
         ("80 q", "m", ["not known", "such as '120 mm'"]),
         ("1.2 permile", "1", ["did you mean 'permille'?"]),
-        ("1 kn", "N", ["is a speed", "did you mean 'kN'?"]),
+        ("1 kn", "N", ["did you mean 'kN'?"]),
         ("1,5 mm", "m", ["comma", "write '1.5 mm'"]),
         ("1,500 rpm", "rad/s", ["'1.500 rpm' or '1500 rpm'"]),
         ("1 500 mm", "m", ["grouped", "write '1500 mm'"]),

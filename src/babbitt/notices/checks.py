@@ -55,8 +55,8 @@ CHECKS: dict[str, Explanation] = {
     "C108": Explanation(
         "Limiting temperature of the metal",
         "The hottest known temperature of bush, wall or film is compared with the limit of the metal, else with "
-        "that of its family, else with the general one of bearing temperatures (an assumption). Of thrust pads it "
-        "is that of the oil, and the metal is B83 where none is given.",
+        "that of its family, else with the limit of the case (C104), else with the general one of bearing "
+        "temperatures (an assumption). Of thrust pads it is that of the oil, of metal B83 if none is given.",
         "More or cooler oil, or another metal.",
         subject=Subject.TEMPERATURE,
     ),

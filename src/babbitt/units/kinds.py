@@ -102,7 +102,8 @@ _ALL = (
         "N",
         "a force",
         "36 kN",
-        {"kN": 1e3, "N": 1.0, "MN": 1e6, "mN": 1e-3, "kgf": KILOGRAM_FORCE, "lbf": POUND_FORCE},
+        {"kN": 1e3, "N": 1.0, "MN": 1e6, "mN": 1e-3, "kgf": KILOGRAM_FORCE, "kp": KILOGRAM_FORCE}
+        | {"kilopond": KILOGRAM_FORCE, "lbf": POUND_FORCE},
     ),
     Kind(
         "Pa",
