@@ -5,7 +5,13 @@ from __future__ import annotations
 import pytest
 
 from babbitt.cases import CaseError, parse_case
-from babbitt.materials import AlloyFamily, bearing_metal, bearing_metals, metal_temperature_limit
+from babbitt.materials import (
+    AlloyFamily,
+    bearing_metal,
+    bearing_metals,
+    metal_temperature_limit,
+    pressure_fed_temperature_limit,
+)
 from babbitt.results import Check, Result, Verdict
 from babbitt.solving import solve
 
@@ -76,12 +82,33 @@ def test_without_a_metal_the_general_limit_holds_and_is_named_an_assumption() ->
     assert "assumption" in found.source
 
 
+def test_a_limit_of_the_case_takes_the_place_of_the_general_one_and_leaves_that_of_the_metal(tin: Result) -> None:
+    given = CASE + "limits: {temperature: 140 degC}\n"
+    found = limits(solve(parse_case(given))["Hot"])
+    assert "C108" not in found
+    assert found["C104"].quantity == "maximum_bush_temperature"
+    assert found["C104"].limit == pytest.approx(413.15)
+    of_tin = limits(
+        solve(parse_case(given.replace("{bearing: C10", "{bearing_metal: SnSb8Cu4, bearing: C10")))["Hot"]
+    )
+    assert of_tin["C108"].limit == limits(tin)["C108"].limit
+    assert not of_tin["C108"].ok
+
+
 def test_every_metal_on_board_has_a_limiting_temperature() -> None:
     for metal in bearing_metals():
         limit = metal_temperature_limit(metal)
         assert "assumption, as" not in limit.source, metal.name
         if metal.limiting_temperature is not None:
             assert limit == metal.limiting_temperature
+
+
+def test_no_family_is_granted_more_than_the_hottest_oil_of_any_bearing() -> None:
+    """Makers grant tin bronze 260 degC, at which no mineral oil lubricates."""
+    hottest_oil = pressure_fed_temperature_limit(600.0).exceptional
+    for metal in bearing_metals():
+        if metal.limiting_temperature is None:
+            assert metal_temperature_limit(metal).value <= hottest_oil, metal.name
 
 
 @pytest.mark.parametrize("name", ["B83", "B88", "SnSb8Cu4", "SnSb12Cu6Pb"])

@@ -228,7 +228,8 @@ def balances(of, place, height):
         motion = np.array([height, lean, slope])
         if (corners @ motion).min() > 2e-7:
             film = sector_film(sector, PlaneMotion(*(LINE.from_pivot() @ motion)), intervals=LINE.intervals)
-            moments.append(float((LINE.from_pivot().T @ film.forces)[2] / film.load / 0.185))
+            if film.load > 0.0:  # a gap that diverges carries nothing
+                moments.append(float((LINE.from_pivot().T @ film.forces)[2] / film.load / 0.185))
     return np.array(moments)
 
 

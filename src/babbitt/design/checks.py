@@ -12,6 +12,7 @@ from babbitt.materials import (
     SourcedValue,
     metal_temperature_limit,
     pressure_fed_temperature_limit,
+    published_metal_temperature,
     self_cooled_temperature_limit,
     specific_load_limit,
 )
@@ -75,7 +76,9 @@ def _not_made(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
             if limit is None:
                 yield Notice(code, f"no public limit of {metal.name} is on board")
     if limiting_temperature(case, values) is None:
-        yield Notice("C108", "no bearing metal is given, and only the temperature of the oil is known")
+        own = case.limits.temperature is not None
+        why = "the limit of the case (C104) holds" if own else "only the temperature of the oil is known"
+        yield Notice("C108", f"no limit of a bearing metal is known; {why}")
     if "transition_speed" not in values:
         missing = "transition_film_thickness" not in values
         yield Notice("C111", "surfaces are not given" if missing else "the film limit exceeds the clearance")
@@ -117,11 +120,15 @@ def hottest_place(values: Mapping[str, float]) -> str:
 def limiting_temperature(case: Designed, values: Mapping[str, float]) -> SourcedValue | None:
     """What the hottest place is held against, in K.
 
-    The limit of the metal, else of its family, else the general one of bearing temperatures. That last one is for
-    places in bush or film: the temperature of oil that leaves has limits of its own (C104), and None stands here.
+    The limit of the metal, else of its family, else the general one of bearing temperatures. That last one, an
+    assumption, is for places in bush or film (the temperature of oil that leaves has limits of its own, C104), and
+    gives way to a limit that the case sets, which holds for the hottest place too. None where nothing is left.
     """
+    metal, tables = case.bearing.metal, case.limits.tables
+    if case.limits.temperature is not None:
+        return published_metal_temperature(metal, tables)
     known = hottest_place(values) in HOTTEST_PLACES
-    return metal_temperature_limit(case.bearing.metal, case.limits.tables) if known or case.bearing.metal else None
+    return metal_temperature_limit(metal, tables) if known or metal else None
 
 
 def film_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:

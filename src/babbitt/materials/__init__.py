@@ -11,6 +11,7 @@ from babbitt.materials.experience import (
     empirical_minimum_film_thickness,
     metal_temperature_limit,
     pressure_fed_temperature_limit,
+    published_metal_temperature,
     self_cooled_temperature_limit,
     specific_load_limit,
 )
@@ -41,6 +42,7 @@ __all__ = [
     "empirical_minimum_film_thickness",
     "experience_limits",
     "metal_temperature_limit",
+    "published_metal_temperature",
     "pressure_fed_temperature_limit",
     "parse_experience_limits",
     "read_experience_limits",

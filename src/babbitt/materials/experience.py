@@ -57,8 +57,10 @@ def specific_load_limit(family: AlloyFamily, tables: ExperienceLimits | None = N
     return (tables or experience_limits()).specific_load.get(family)
 
 
-def metal_temperature_limit(metal: BearingMetal | None, tables: ExperienceLimits | None = None) -> SourcedValue:
-    """Limiting temperature of a bearing metal, in K: its own, else that of its family, else the general one.
+def published_metal_temperature(
+    metal: BearingMetal | None, tables: ExperienceLimits | None = None
+) -> SourcedValue | None:
+    """Limiting temperature of a bearing metal, in K: its own, else that of its family; None for neither.
 
     Parameters
     ----------
@@ -66,6 +68,25 @@ def metal_temperature_limit(metal: BearingMetal | None, tables: ExperienceLimits
         None where the case names none.
     tables : ExperienceLimits, optional
         The user's own instead of the shipped ones; families that they lack have the shipped values.
+    """
+    if metal is None:
+        return None
+    if metal.limiting_temperature is not None:
+        return metal.limiting_temperature
+    for known in (tables, experience_limits()):
+        if known is not None and metal.family in known.metal_temperature:
+            of_family = known.metal_temperature[metal.family]
+            return SourcedValue(of_family.value, f"{metal.family.value} metals: {of_family.source}")
+    return None
+
+
+def metal_temperature_limit(metal: BearingMetal | None, tables: ExperienceLimits | None = None) -> SourcedValue:
+    """Limiting temperature of a bearing metal, in K: its own, else that of its family, else the general one.
+
+    Parameters
+    ----------
+    metal, tables
+        As of `published_metal_temperature`.
 
     Returns
     -------
@@ -77,13 +98,9 @@ def metal_temperature_limit(metal: BearingMetal | None, tables: ExperienceLimits
     >>> round(metal_temperature_limit(None).value - 273.15)
     90
     """
-    if metal is not None:
-        if metal.limiting_temperature is not None:
-            return metal.limiting_temperature
-        for known in (tables, experience_limits()):
-            if known is not None and metal.family in known.metal_temperature:
-                of_family = known.metal_temperature[metal.family]
-                return SourcedValue(of_family.value, f"{metal.family.value} metals: {of_family.source}")
+    published = published_metal_temperature(metal, tables)
+    if published is not None:
+        return published
     general = self_cooled_temperature_limit(tables)
     unknown = "no bearing metal is given" if metal is None else f"nothing is known of {metal.name}"
     return SourcedValue(

@@ -55,8 +55,8 @@ CHECKS: dict[str, Explanation] = {
     "C108": Explanation(
         "Limiting temperature of the metal",
         "The hottest known temperature of bush, wall or film is compared with the limit of the metal, else with "
-        "that of its family, else with the general one of bearing temperatures (an assumption). Of thrust pads it "
-        "is that of the oil, and the metal is B83 where none is given.",
+        "that of its family, else with the limit of the case (C104), else with the general one of bearing "
+        "temperatures (an assumption). Of thrust pads it is that of the oil, of metal B83 if none is given.",
         "More or cooler oil, or another metal.",
         subject=Subject.TEMPERATURE,
     ),
@@ -101,6 +101,12 @@ CHECKS: dict[str, Explanation] = {
         "with the side flow Q3. Where it is less, the heat balance is repeated with it and decides; the "
         "miss itself counts only if that has no equilibrium. What grooves deliver is left to the film.",
         "Wider pockets, more supply pressure, or a full analysis with `method: film`.",
+    ),
+    "C122": Explanation(
+        "Stiffness and damping against the slope of the load",
+        "Central differences of the film's own load are compared with stiffness and damping, where the film has "
+        "nodes of its own (holes, pockets, pressurised grooves, tilt, temperatures).",
+        "A margin on threshold speed and critical mass.",
     ),
     "C114": Explanation(
         "Recommended clearance",

@@ -77,4 +77,33 @@ THRUST: dict[str, Explanation] = {
         "Reduce runout, tilt or ripple, or give excitations of whole orders; leave nonlinear out to accept the "
         "linear answer.",
     ),
+    "W211": Explanation(
+        "Oil or heat of the pads is not conserved",
+        "What enters the film of a pad and what leaves it differ by more than the bound, or friction and the heat "
+        "that the oil carries away do: the film was left before it had settled.",
+        "A straighter housing or less load; thermal: global in place of adiabatic.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W212": Explanation(
+        "A pad with negative damping",
+        "The film of a pad feeds its vibration at a frequency of the line, its tilts following: small motions "
+        "grow by themselves, and no state at rest is to be expected.",
+        "Another place of the pivot, lighter pads, or less load on the pads that carry most.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W213": Explanation(
+        "One pad carries nearly all",
+        "Tilt of the housing and heights of the pads are so much larger than the film that fewer than two pads' "
+        "worth carry the thrust. Such a bearing turns collar or housing until more pads carry, which an axial "
+        "model does not follow.",
+        "Align the housing, adjust the heights of the pads, or give the backing ring more compliance.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W214": Explanation(
+        "Crown of pads on a central pivot assumed",
+        "A plane pad on a pivot in its middle has no balance; real ones carry by the crown that heat and load "
+        "give them. Where none is given it is alpha dT B^2/(8 t) of steel, 5 K through the pad and a thickness of "
+        "a third of its length: assumptions on which film and load depend much. Bending under load is left out.",
+        "Give crown: as measured or computed for the pads, heat and load included.",
+    ),
 }

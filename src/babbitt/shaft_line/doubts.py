@@ -29,6 +29,13 @@ def _about_the_motion(answer: LineAnswer) -> Iterator[Notice]:
             f"film amplitude {relative:.2f} of the static film at pad "
             f"{1 + int(state.film.relative.argmax())} > {LINEAR_UP_TO:g}",
         )
+    for nu in sorted(set(state.frequencies)):
+        damping = state.pads.film(nu).imag / nu
+        if damping.min() < 0.0:
+            yield Notice(
+                "W212",
+                f"pad {1 + int(damping.argmin())} at {nu / math.tau:.2f} Hz, {damping.min():.3g} N s/m",
+            )
     for met in answer.resonances.encounters:
         if met.separation < NEAR:
             where = (

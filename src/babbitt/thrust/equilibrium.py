@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.film.model import Cavitation
 from babbitt.notices import InputError
 from babbitt.thrust.gap import minimum_gap
 from babbitt.thrust.pad import DEGREE, ThrustPad
@@ -82,18 +84,31 @@ def pad_state(
     """
     if not (np.isfinite(height) and height > 0.0):
         raise InputError("E201", f"film at the pivot is {height:g} m; it must be positive.")
-    sector = sector_of(pad, viscosity, angular_speed)
     mesh = (intervals or pad.intervals, degree)
-    free = list(pad.free_tilts)
-    motion = first_motion(pad, height, guess or first_slopes(pad, height), lean)
-    to_film = pad.from_pivot()
+    sector = sector_of(pad, viscosity, angular_speed)
+    slopes = guess or first_slopes(pad, height)
+    try:
+        return _balanced(pad, sector, first_motion(pad, height, slopes, lean), mesh)
+    except UnbalancedPadError:
+        if not pad.free_tilts:
+            raise
+    # streamers bend the moments: where they keep Newton's method from the balance, that of the simpler condition
+    # of Reynolds is next to it
+    simpler = replace(sector, cavitation=Cavitation.REYNOLDS)
+    begin = _balanced(pad, simpler, first_motion(pad, height, slopes, lean), mesh)
+    return _balanced(pad, sector, begin.motion, mesh)
+
+
+def _balanced(pad: ThrustPad, sector: SectorPad, motion: Array, mesh: tuple[int, int]) -> PadState:
+    """Newton's method on the moments of the free tilts."""
+    free, to_film = list(pad.free_tilts), pad.from_pivot()
     film = _film(sector, to_film @ motion, mesh)
     for _ in range(MOST_STEPS):
         forces = to_film.T @ film.forces
         if np.abs(forces[free]).max(initial=0.0) <= MOMENT_TOLERANCE * abs(forces[0]) * (
             pad.outer_radius - pad.inner_radius
         ):
-            return state_of_film(pad, film, motion, viscosity, angular_speed)
+            return state_of_film(pad, film, motion, sector.viscosity, sector.angular_speed)
         stiffness = to_film.T @ film.stiffness @ to_film
         step = np.zeros(3)
         step[free] = np.linalg.solve(stiffness[np.ix_(free, free)], forces[free])
@@ -165,6 +180,7 @@ def sector_of(pad: ThrustPad, viscosity: float, angular_speed: float) -> SectorP
         viscosity,
         angular_speed,
         pad.form(),
+        cavitation=Cavitation.MASS_CONSERVING,
         turbulence=pad.turbulence,
     )
 

@@ -127,6 +127,15 @@ class PadState:
         return self.inner_flow + self.outer_flow
 
     @property
+    def mass_balance_error(self) -> float:
+        """Oil that enters over all edges less what leaves, over half of all that passes them."""
+        net = self.leading_flow - self.trailing_flow - self.side_flow
+        passing = sum(
+            abs(flow) for flow in (self.leading_flow, self.trailing_flow, self.inner_flow, self.outer_flow)
+        )
+        return abs(net) / (0.5 * passing)
+
+    @property
     def motion(self) -> Array:
         """(h_p, alpha_x, alpha_y), m and 1."""
         return np.array([self.height, self.slope_x, self.slope_y])

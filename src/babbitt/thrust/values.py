@@ -12,7 +12,14 @@ from babbitt.thrust.heat import Temperatures
 from babbitt.thrust.sharing import Share
 from babbitt.thrust.state import PadTemperatures, condensed
 
-__all__ = ["effective_viscosity", "hottest_oil", "pad_arrays", "reynolds_number", "share_values"]
+__all__ = [
+    "effective_viscosity",
+    "hottest_oil",
+    "pad_arrays",
+    "reynolds_number",
+    "rise_of_passing_oil",
+    "share_values",
+]
 
 UNKNOWN = 323.15
 """Temperature of oil of which only the viscosity is given, K; an assumption."""
@@ -43,6 +50,7 @@ def share_values(design: ThrustDesign, state: ThrustState) -> dict[str, float]:
         "side_flow": sum(pad.side_flow for pad in share.states),
         **_temperatures(design, state.temperatures, share),
         **hottest_oil(share),
+        "mass_balance_error": max(pad.mass_balance_error for pad in share.states),
         "effective_viscosity": viscosity,
         "film_reynolds_number": reynolds_number(design, share, viscosity, state.temperatures),
         "axial_stiffness": float(sum(condensed(pad, 0.0).real for pad in share.states)),
@@ -78,11 +86,9 @@ def _own_balances(share: Share) -> list[PadTemperatures]:
 def _temperatures(design: ThrustDesign, found: Temperatures | None, share: Share) -> dict[str, float]:
     if found is None:
         prescribed = design.oil.effective_temperature
-        capacity = float(design.lubricant.volumetric_heat_capacity(_property_temperature(design, None)))
-        power = sum(pad.friction_power for pad in share.states)
         own = {} if prescribed is None else {"effective_temperature": prescribed}
         passing = sum(pad.trailing_flow + pad.side_flow for pad in share.states)
-        return {**own, "passing_flow": passing, "temperature_rise": power / (capacity * passing)}
+        return {**own, "passing_flow": passing, "temperature_rise": rise_of_passing_oil(design, share)}
     return {
         "total_flow": found.fresh_flow,
         "supply_temperature": found.supply,
@@ -92,6 +98,13 @@ def _temperatures(design: ThrustDesign, found: Temperatures | None, share: Share
         "outlet_temperature": found.drain,
         "energy_balance_error": abs(found.error),
     }
+
+
+def rise_of_passing_oil(design: ThrustDesign, share: Share) -> float:
+    """By how much the friction of films of a given viscosity would warm the oil that passes the pads, K."""
+    capacity = float(design.lubricant.volumetric_heat_capacity(_property_temperature(design, None)))
+    power = sum(pad.friction_power for pad in share.states)
+    return power / (capacity * sum(pad.trailing_flow + pad.side_flow for pad in share.states))
 
 
 def reynolds_number(design: ThrustDesign, share: Share, viscosity: float, found: Temperatures | None) -> float:

@@ -1,0 +1,72 @@
+"""What lies outside the validity of the model of a thrust bearing has no verdict; oil and heat are balanced."""
+
+import math
+from dataclasses import replace
+
+import pytest
+from trawler_pads import PAD, SPEED, VISCOSITY
+
+from babbitt import parse_case
+from babbitt.cases import template
+from babbitt.results import Verdict
+from babbitt.solving import solve
+from babbitt.thrust.bearing import HousingTilt, ThrustBearing
+from babbitt.thrust.carrying import carrying
+from babbitt.thrust.face import SteppedFace, TaperedFace
+from babbitt.thrust.pad import Pivot
+from babbitt.thrust.sharing import share_of
+
+BASE = template("thrust")
+
+
+def result(*changes):
+    text = BASE
+    for old, new in changes:
+        assert old in text, old
+        text = text.replace(old, new)
+    return solve(parse_case(text)).results[0]
+
+
+@pytest.mark.parametrize("face", [SteppedFace(40e-6, 0.6), TaperedFace(40e-6, 0.7)])
+def test_tilted_fixed_pads_conserve_their_oil(face):
+    """Films that break up behind the land of a pad that diverges: 2.6 % of the oil was made under Reynolds."""
+    pad = replace(PAD, face=face, pivot=Pivot.FIXED)
+    tilted = ThrustBearing(pad, 8, 2e9, tilt=HousingTilt(60e-6, 0.3))
+    share = share_of(carrying(pad, VISCOSITY, SPEED), tilted, 300e3)
+    assert any((state.film.liquid_fraction < 1.0).any() for state in share.states)
+    for state in share.states:
+        net = state.leading_flow - state.trailing_flow - state.inner_flow - state.outer_flow
+        assert abs(net) < 1e-10 * state.leading_flow
+        assert state.mass_balance_error < 1e-10
+
+
+def test_oil_and_heat_are_results():
+    found = result()
+    assert found.mass_balance_error < 1e-10
+    assert found.energy_balance_error < 1e-6
+
+
+def test_one_pad_that_carries_all_has_no_verdict():
+    found = result(
+        ("tilt: {offset: 30 um,", "tilt: {offset: 5 mm,"), ("ring_stiffness: 20 GN/m", "#"), ("runout: 5 um", "#")
+    )
+    assert found.verdict in (Verdict.NO_VERDICT, Verdict.FAIL, Verdict.NO_SOLUTION)
+    assert not found.within_limits
+    light = result(
+        ("tilt: {offset: 30 um,", "tilt: {offset: 5 mm,"), ("ring_stiffness: 20 GN/m", "#"), ("runout: 5 um", "#"),
+        ("thrust: 500 kN", "thrust: 5 kN"),
+    )  # fmt: skip
+    assert light.pad_load_ratio > 7.0
+    assert light.verdict is Verdict.NO_VERDICT
+    assert "W213" in [notice.code for notice in light.warnings]
+
+
+def test_oil_that_friction_would_boil_has_no_verdict():
+    """Of a given viscosity nothing follows the heat: what it would do to the oil is told."""
+    start, end = BASE.index("oil:"), BASE.index("# thermal:")
+    text = BASE[:start] + "oil: {kind: viscosity, viscosity: 45 mPa s}\n" + BASE[end:]
+    found = solve(parse_case(text.replace("125 rpm", "6000 rpm").replace("500 kN", "20 MN"))).results[0]
+    assert found.temperature_rise > 100.0
+    assert "W127" in [notice.code for notice in found.warnings]
+    assert found.verdict in (Verdict.NO_VERDICT, Verdict.FAIL)
+    assert math.isfinite(found.load)
