@@ -98,7 +98,7 @@ def fields(case: FilmCase, result: Result) -> xarray.Dataset:
         variables,
         coords=coords,
         attrs={
-            "title": result.name,
+            "title": str(result.name),  # a plain string: h5py knows no conversion for a kind of its own
             "source": f"Babbitt {__version__}",
             "rotation": case.rotation.value,
             "thermal": result.settings["thermal"],
