@@ -4,7 +4,7 @@ VENV ?= .venv
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip install --quiet --constraint constraints.txt
 
-.PHONY: demo test lint docs bench clean
+.PHONY: demo test minima lint docs bench clean
 
 demo: $(VENV)/.demo  ## solve the marine reverse gear: table, PDF and JSON
 	mkdir -p out
@@ -13,6 +13,14 @@ demo: $(VENV)/.demo  ## solve the marine reverse gear: table, PDF and JSON
 
 test: $(VENV)/.test  ## tests, doctests and published cases
 	$(BIN)/python -m pytest -n auto
+
+minima: $(VENV)-minima/.made  ## a smoke set on the lowest versions that pyproject.toml allows
+	$(VENV)-minima/bin/babbitt check examples/*.yaml
+	$(VENV)-minima/bin/babbitt solve examples/journal.yaml --report out/minima.pdf --json out/minima.json
+	$(VENV)-minima/bin/babbitt solve examples/starved_journal.yaml --fields out/minima.nc
+	$(VENV)-minima/bin/babbitt sweep examples/journal.yaml speed '1000 rpm:2000 rpm:3' --csv out/minima.xlsx
+	$(VENV)-minima/bin/python -m pytest -p no:xdist tests/units tests/cases/test_bad_files.py tests/cases/test_build.py \
+		tests/interop tests/design tests/report/test_export.py
 
 lint: $(VENV)/.lint  ## style, types, direction of imports
 	$(BIN)/ruff check .
@@ -27,7 +35,7 @@ bench: $(VENV)/.demo  ## measure what benchmarks/ promises
 	for script in benchmarks/*.py; do $(BIN)/python $$script || exit 1; done
 
 clean:
-	rm -rf $(VENV) out docs/_build docs/_generated
+	rm -rf $(VENV) $(VENV)-minima out docs/_build docs/_generated
 
 $(VENV)/.pip:
 	$(PYTHON) -m venv $(VENV)
@@ -40,6 +48,13 @@ $(VENV)/.demo: $(VENV)/.pip pyproject.toml constraints.txt
 
 $(VENV)/.test: $(VENV)/.demo
 	$(PIP) --editable '.[report,files]' --group test
+	touch $@
+
+$(VENV)-minima/.made: pyproject.toml constraints-minima.txt
+	$(PYTHON) -m venv $(VENV)-minima
+	$(VENV)-minima/bin/python -m pip install --quiet --upgrade pip
+	$(VENV)-minima/bin/python -m pip install --quiet --constraint constraints-minima.txt --editable '.[report,files]' --group test
+	mkdir -p out
 	touch $@
 
 $(VENV)/.lint: $(VENV)/.test

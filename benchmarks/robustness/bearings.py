@@ -3,7 +3,7 @@
     python benchmarks/robustness/bearings.py [number [seed [family]]]
 
 Draws `number` cases (1500) in turns from every family of `FAMILIES`, prints what is wrong with any, and at the end
-how the cases of every family ended and the slowest of them. Ends with 1 where anything is wrong.
+(or at Ctrl-C) how the cases of every family ended and the slowest of them. Ends with 1 where anything is wrong.
 """
 
 from __future__ import annotations
@@ -43,7 +43,10 @@ def main(number: int, seed: int, only: str) -> int:
     wrong = 0
     for index in range(number):
         name = list(families)[index % len(families)]
-        outcome = faults_of(families[name], f"{seed} {name} {index}")
+        try:
+            outcome = faults_of(families[name], f"{seed} {name} {index}")
+        except KeyboardInterrupt:
+            break
         ended[name][outcome.status] += 1
         slowest[name] = max(slowest[name], outcome.seconds)
         slow = (f"took {outcome.seconds:.0f} s",) if outcome.seconds > SLOWEST else ()

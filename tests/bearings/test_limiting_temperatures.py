@@ -5,7 +5,13 @@ from __future__ import annotations
 import pytest
 
 from babbitt.cases import CaseError, parse_case
-from babbitt.materials import AlloyFamily, bearing_metal, bearing_metals, metal_temperature_limit
+from babbitt.materials import (
+    AlloyFamily,
+    bearing_metal,
+    bearing_metals,
+    metal_temperature_limit,
+    pressure_fed_temperature_limit,
+)
 from babbitt.results import Check, Result, Verdict
 from babbitt.solving import solve
 
@@ -95,6 +101,14 @@ def test_every_metal_on_board_has_a_limiting_temperature() -> None:
         assert "assumption, as" not in limit.source, metal.name
         if metal.limiting_temperature is not None:
             assert limit == metal.limiting_temperature
+
+
+def test_no_family_is_granted_more_than_the_hottest_oil_of_any_bearing() -> None:
+    """Makers grant tin bronze 260 degC, at which no mineral oil lubricates."""
+    hottest_oil = pressure_fed_temperature_limit(600.0).exceptional
+    for metal in bearing_metals():
+        if metal.limiting_temperature is None:
+            assert metal_temperature_limit(metal).value <= hottest_oil, metal.name
 
 
 @pytest.mark.parametrize("name", ["B83", "B88", "SnSb8Cu4", "SnSb12Cu6Pb"])

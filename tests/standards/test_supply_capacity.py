@@ -145,3 +145,13 @@ def test_the_estimate_is_near_the_film_that_conserves_its_oil(fan):
     assert film.outlet_temperature < fan.starved_outlet_temperature
     assert film.outlet_temperature > fan.outlet_temperature + 10.0
     assert 0.7 < film.minimum_film_thickness / fan.starved_minimum_film_thickness < 1.05
+
+
+def test_a_starved_film_beyond_the_tables_of_the_standard_has_no_verdict():
+    """The full film ends below an eccentricity of 0.95, the starved one above: its limits alone say nothing."""
+    case = parse_case(FAN.replace("12 kN", "95 kN").replace("2000 rpm", "400 rpm"))
+    result = solve_design(iso7902_cases(case, case)[0])
+    assert result.eccentricity_ratio < 0.95 < result.starved_eccentricity_ratio
+    outside = [notice for notice in result.warnings if notice.code == "W129"]
+    assert len(outside) == 1
+    assert f"{result.starved_eccentricity_ratio:.3f}" in outside[0].message

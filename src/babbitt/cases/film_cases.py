@@ -72,7 +72,7 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
 def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[Hollow, ...]) -> FilmBearing:
     bearing, materials = inputs.bearing, inputs.materials
     of_bearing, of_journal = expansions(inputs)
-    askew = bearing.misalignment
+    misalignment = bearing.misalignment
     return FilmBearing(
         diameter=bearing.diameter,
         width=inputs.width,
@@ -82,10 +82,11 @@ def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[Hollow, ...]) -> Fil
         hollows=hollows,
         bore=bearing.bore.bore() if bearing.bore is not None else RoundBore(),
         film_start=bearing.film_starts(),
-        misalignment=(askew.x, askew.y) if askew is not None else (0.0, 0.0),
+        misalignment=(misalignment.x, misalignment.y) if misalignment is not None else (0.0, 0.0),
         steps=tuple(step.step() for step in bearing.steps),
         crowning=bearing.crowning.crowning(inputs.width) if bearing.crowning is not None else (),
         displacement=bearing.displacement.field(inputs.width) if bearing.displacement is not None else (),
+        displacement_start=bearing.displacement.start if bearing.displacement is not None else 0.0,
         compliance=tuple(part.compliance(bearing.diameter) for part in bearing.compliance),
         side_pressures=bearing.side_pressures or (0.0, 0.0),
         surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,

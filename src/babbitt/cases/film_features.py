@@ -111,7 +111,7 @@ class SupplyHoleGiven(ClosablePart):
 
 
 class MisalignmentGiven(Part):
-    """How the journal axis stands askew in the bore."""
+    """Misalignment of the journal axis in the bore."""
 
     x: Annotated[float, si("rad", "-0.05 rad", "0.05 rad", "rad")] = Field(
         0.0, description="Slope dx/dz of the journal axis: towards x along the shaft."

@@ -17,11 +17,13 @@ from babbitt.cases.runout import RUNOUT, Runout, RunoutGiven, said_of_runout, wa
 from babbitt.cases.thrust_oil import OilByBalance, ThrustOil
 from babbitt.cases.thrust_pads import PadMaterials, Stiffness, ThrustPads, Tilt, TiltingPivot
 from babbitt.film.turbulence import CONSTANTINESCU, NG_PAN, FilmTurbulence, TurbulenceLaw
+from babbitt.notices import InputError, Notice
 from babbitt.thrust.bearing import HousingTilt, ThrustBearing
 from babbitt.thrust.design import GivenFilm, GivenThrust, ThrustDesign
 from babbitt.thrust.pad import Pivot, ThrustPad
 from babbitt.thrust.state import TiltInertia
 from babbitt.thrust.temperature_limits import TemperatureLimits
+from babbitt.thrust.thermal_crown import ASSUMED_DIFFERENCE
 from babbitt.units import either_sense, si
 from babbitt.units import written as written_plainly
 
@@ -76,7 +78,7 @@ class ThrustBearingInputs(Part):
     @rule
     def _balanced_pivot(self) -> Iterator[Complaint]:
         pivot = self.pads.pivot
-        if isinstance(pivot, TiltingPivot) and self.pads.face is None and self.pads.crown == 0.0:
+        if isinstance(pivot, TiltingPivot) and self.pads.face is None and self.pads.crown_at_work() == 0.0:
             fraction = pivot.fraction if self.speed > 0.0 else 1.0 - pivot.fraction
             if fraction <= 0.5:
                 yield Complaint(
@@ -84,8 +86,38 @@ class ThrustBearingInputs(Part):
                     f"at this sense of rotation the pivot lies at "
                     f"{fraction:g} of the pad from its leading edge, where no plane pad balances",
                     "more than 0.5, behind the middle",
-                    "give a crown, or turn the other way",
+                    "give a crown, or turn the other way; at 0.5 without any crown heat is taken to give one",
                 )
+                return
+            yield from self._balance_of_plane_pads()
+
+    def _balance_of_plane_pads(self) -> Iterator[Complaint]:
+        """Seek the balance of plane laminar pads, which any film, oil and speed share."""
+        from babbitt.thrust.pivot import pivot_fault  # numba is imported when the first film is solved
+
+        try:
+            pad = self._pad()
+        except InputError:
+            return  # told of the radii and angles themselves
+        fault = pivot_fault(replace(pad, turbulence=None))
+        if fault is None:
+            return
+        sense = self.speed > 0.0
+        low, high = (
+            (fault.low, fault.high) if sense or fault.field == "radius" else (1 - fault.high, 1 - fault.low)
+        )
+        if fault.field == "radius":
+            given, unit = written(pad.pivot_radius, "mm"), "mm"
+            allowed = f"about {written(low, unit)} to {written(high, unit)}, the fraction unchanged"
+        else:
+            given = f"{pad.pivot_fraction if sense else 1.0 - pad.pivot_fraction:g}"
+            allowed = f"about {low:.3f} to {high:.3f}, the radius unchanged"
+        yield Complaint(
+            ("pads", "pivot", fault.field),
+            f"with the pivot at {given} no tilt balances these plane pads",
+            allowed if fault.high > 0.0 else "another radius and fraction; the mean radius and 0.6 are usual",
+            code="E202",
+        )
 
     @rule
     def _fixed_pads_run_one_way(self) -> Iterator[Complaint]:
@@ -117,18 +149,10 @@ class ThrustBearingInputs(Part):
             says = "the films have one temperature"
             yield Complaint(("radial_temperature",), says, "mean, or thermal: adiabatic")
 
-    def design(self, name: str, duty: GivenThrust | GivenFilm, runouts: tuple[Runout, ...]) -> ThrustDesign:
-        """Give the bearing of the calculation."""
+    def _pad(self) -> ThrustPad:
+        """Give the laminar pad of the calculation, seen by a collar that turns forward."""
         pads, pivot = self.pads, self.pads.pivot
         tilting = pivot if isinstance(pivot, TiltingPivot) else None
-        law = LAWS.get(self.turbulence)
-        oil = self.oil.oil()
-        if self.thermal == "adiabatic":
-            oil = replace(oil, own_temperatures=True, resolved=self.radial_temperature == "resolved")
-        turbulence = None
-        if law is not None:
-            at = oil.effective_temperature or oil.supply_temperature or 323.15
-            turbulence = FilmTurbulence(law, float(oil.lubricant.density(at)), *TURBULENT_BETWEEN)
         pad = ThrustPad(
             pads.inner_radius,
             pads.outer_radius,
@@ -137,12 +161,25 @@ class ThrustBearingInputs(Part):
             tilting.fraction if tilting else 0.5,
             Pivot(tilting.kind) if tilting else Pivot.FIXED,
             pads.plane_or_face(),
-            pads.crown,
-            turbulence,
+            pads.crown_at_work(),
         )
+        return pad if self.speed > 0.0 else pad.mirrored()
+
+    def design(self, name: str, duty: GivenThrust | GivenFilm, runouts: tuple[Runout, ...]) -> ThrustDesign:
+        """Give the bearing of the calculation."""
+        pads = self.pads
+        law = LAWS.get(self.turbulence)
+        oil = self.oil.oil()
+        if self.thermal == "adiabatic":
+            oil = replace(oil, own_temperatures=True, resolved=self.radial_temperature == "resolved")
+        turbulence = None
+        if law is not None:
+            at = oil.effective_temperature or oil.supply_temperature or 323.15
+            turbulence = FilmTurbulence(law, float(oil.lubricant.density(at)), *TURBULENT_BETWEEN)
+        pad = replace(self._pad(), turbulence=turbulence)
         sense = math.copysign(1.0, self.speed)
         bearing = ThrustBearing(
-            pad if sense > 0.0 else pad.mirrored(),
+            pad,
             pads.number,
             math.inf if self.ring_stiffness is None else self.ring_stiffness,
             pads.mass,
@@ -164,8 +201,17 @@ class ThrustBearingInputs(Part):
             law,
             (*words_of(self), *said_of_runout(runouts)),
             self.assumptions,
-            tuple(about_grouped_digits(self)),
+            (*about_grouped_digits(self), *self._assumed_crown()),
         )
+
+    def _assumed_crown(self) -> Iterator[Notice]:
+        """Tell of the crown that plane pads on a pivot in their middle are taken to have."""
+        if self.pads.crowned_by_heat:
+            yield Notice(
+                "W214",
+                f"crown {1e6 * self.pads.crown_at_work():.1f} µm, {ASSUMED_DIFFERENCE:g} K through pads a third "
+                "as thick as long",
+            )
 
 
 class ThrustCase(ThrustBearingInputs, CaseFile):
@@ -227,6 +273,8 @@ def words_of(case: ThrustBearingInputs) -> Iterator[tuple[str, str]]:
         )
     if pads.crown:
         yield "Crown", written(pads.crown, "um")
+    elif pads.crowned_by_heat:
+        yield "Crown", f"{written(pads.crown_at_work(), 'um')}, an assumption"
     if pads.mass:
         yield "Mass of a pad", written(pads.mass, "kg")
     if pads.inertia_radial or pads.inertia_along:

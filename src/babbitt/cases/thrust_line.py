@@ -168,7 +168,7 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
 
     @rule
     def _similar_films_for_the_nonlinear_motion(self) -> Iterator[Complaint]:
-        own = self.pads.face is not None or self.pads.crown or self.turbulence != "none"
+        own = self.pads.face is not None or self.pads.crown_at_work() or self.turbulence != "none"
         if self.nonlinear and (own or self.thermal == "adiabatic"):
             yield Complaint(
                 ("nonlinear",),

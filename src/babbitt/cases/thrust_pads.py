@@ -13,6 +13,7 @@ from babbitt.cases.part import Complaint, Part, rule
 from babbitt.materials import BearingMetal
 from babbitt.thrust.bearing import HousingTilt
 from babbitt.thrust.face import PlaneFace, SteppedFace, TaperedFace
+from babbitt.thrust.thermal_crown import thermal_crown
 from babbitt.units import si, written
 
 Radius = Annotated[float, si("m", "1 mm", "10 m")]
@@ -142,6 +143,19 @@ class ThrustPads(Part):
                 "a fixed plane pad in oil of one viscosity carries nothing",
                 "a face of kind taper or step, a crown, or a pivot",
             )
+
+    @property
+    def crowned_by_heat(self) -> bool:
+        """Whether plane pads on a pivot in their middle are taken to carry by the crown that heat gives them."""
+        pivot = self.pivot
+        centred = isinstance(pivot, TiltingPivot) and pivot.fraction == 0.5
+        return centred and self.face is None and "crown" not in self.model_fields_set
+
+    def crown_at_work(self) -> float:
+        """Give the crown of the calculation, m: as given, or as heat makes it."""
+        if not self.crowned_by_heat:
+            return self.crown
+        return thermal_crown(0.5 * (self.inner_radius + self.outer_radius) * self.extent)
 
     def plane_or_face(self) -> PlaneFace | TaperedFace | SteppedFace:
         """Give the face of the calculation."""

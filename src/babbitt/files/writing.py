@@ -191,7 +191,7 @@ def _require_folder(path: Path) -> None:
         raise InputError("E007", f"cannot write {printable(path)}: the folder {folder} does not exist")
     if path.exists() and not path.is_file():
         return  # a folder is refused elsewhere; a device or a pipe needs no place beside it
-    try:  # the one honest answer: permissions, full disks and odd file systems are all in it
+    try:  # nothing else tells of permissions, full disks and odd file systems at once
         with tempfile.TemporaryFile(dir=path.resolve().parent):
             pass
     except OSError as error:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from time import perf_counter
 
+from babbitt.design.doubts import LARGEST_RISE
 from babbitt.footstep.axial import centrifugal_pressure
 from babbitt.footstep.case import HeelCase
 from babbitt.footstep.clearances import critical_clearances, fold_clearance
@@ -43,8 +44,6 @@ MANY_GROOVES = 20
 """From which narrow-groove theory meets the film in two dimensions within 1 % (validation: film_groove_pitch)."""
 LUKEWARM = 5.0
 """K; friction that would warm the oil by less may be left out of it."""
-LARGEST_RISE = 100.0
-"""K; assumption: where the oil is warmed by more, one exponent of viscosity and constant properties end."""
 OPEN_BALANCE = 1e-6
 """Relative error of the mass balance at the rim from which a warning is given."""
 

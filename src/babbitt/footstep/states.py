@@ -59,7 +59,7 @@ def steady_states(footstep: Footstep, method: Method = Method.SUPERPOSITION) -> 
     Raises
     ------
     NoSteadyStateError
-        Superposition only: the groove would feed the rim if its oil stayed cold, and the heat robs it of that.
+        Superposition only: the groove would feed the rim if its oil stayed cold, and cannot with its heat.
     """
     if method is Method.NARROW_GROOVE:
         return _warm_states(footstep)

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
+from babbitt.design.doubts import LARGEST_RISE
 from babbitt.hydrostatics.answer import Answer
 from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad, ThrustRing
 from babbitt.hydrostatics.impedance import impedance
@@ -19,10 +20,6 @@ __all__ = ["doubts"]
 
 LAMINAR_FILM, LAMINAR_TUBE = 1000.0, 2000.0
 SLENDER, SMALLEST_ORIFICE = 20.0, 0.3e-3
-BEYOND_SENSE = 200.0
-"""K; assumption: no mineral oil is warmed by more and still a lubricant."""
-LARGEST_RISE = 100.0
-"""K; assumption: one viscosity for the whole film ends here at the latest."""
 OPEN_MASS, OPEN_HEAT = 1e-6, 1e-3
 """Relative errors of the balances from which there is no verdict; the temperature is sought to 1e-6 K."""
 MOST_EDGE_INERTIA, MOST_LOSS, WARMEST = 0.2, 0.2, 20.0
@@ -131,8 +128,7 @@ def of_powers(case: HydrostaticCase, named: Mapping[str, float]) -> Iterator[Not
         yield Notice("W311", f"friction over pumping power is {ratio:.3g}, outside 1 to 3")
     rise = named["temperature_rise"]
     if rise > WARMEST:
-        by = f"{rise:.3g} K" if rise <= BEYOND_SENSE else f"more than {BEYOND_SENSE:.0f} K, which it cannot,"
-        yield Notice("W312", f"the oil warms by {by} between manifold and drain")
+        yield Notice("W312", f"the oil warms by {rise:.3g} K between manifold and drain")
     if rise > LARGEST_RISE:
         yield Notice("W322", f"the oil would warm by {rise:.0f} K > {LARGEST_RISE:.0f} K")
     oil = case.oil

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from babbitt.files.bounded_text import loads_json
 from babbitt.files.reading import read_text
 from babbitt.files.writing import write_text
 from babbitt.interop.coefficients import CoefficientTable
@@ -112,7 +113,7 @@ def read_json(path: str | Path) -> tuple[CoefficientTable, ...]:
         E001 for an unreadable file, E003 for content that is not what `write_json` writes.
     """
     try:
-        content = json.loads(read_text(path))
+        content = loads_json(read_text(path))
     except ValueError as error:
         raise InputError("E003", f"{path}: not JSON ({error})") from None
     if not isinstance(content, dict) or content.get("babbitt_coefficients") != FORMAT:

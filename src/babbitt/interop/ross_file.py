@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 import re
-import tomllib
 from pathlib import Path
 from typing import Any
 
+from babbitt.files.bounded_text import loads_json, loads_toml
 from babbitt.files.reading import read_text
 from babbitt.files.writing import write_text
 from babbitt.notices import InputError
@@ -39,7 +39,7 @@ def read_blocks(path: Path) -> dict[str, Any]:
     InputError
         E001 for an unreadable file, E003 for another suffix or for text that is not of the format.
     """
-    load = json.loads if _is_json(path) else tomllib.loads
+    load = loads_json if _is_json(path) else loads_toml
     text = read_text(path)
     try:
         content = load(text)

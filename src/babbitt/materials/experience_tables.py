@@ -12,7 +12,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from babbitt.materials import bounded_toml
+from babbitt.files.bounded_text import loads_toml
 from babbitt.materials.bearing_metal import AlloyFamily
 from babbitt.materials.sourced import SourcedValue
 from babbitt.notices import InputError
@@ -146,7 +146,7 @@ def parse_experience_limits(text: str, name: str = "<text>") -> ExperienceLimits
         E003 if it is not of the form of the shipped ``limits.toml``.
     """
     try:
-        return _parse(bounded_toml.loads(text))
+        return _parse(loads_toml(text))
     except tomllib.TOMLDecodeError as error:
         raise InputError("E003", f"the limits file {name} is not valid TOML: {error}") from None
     except (KeyError, TypeError, ValueError, AttributeError) as error:

@@ -92,11 +92,11 @@ def film_at_eccentricity(
             film, eccentricity_ratio, grid, thick, pressure, segments, groove_pressure, short, iteration, True,
             (off, bent),
         )  # fmt: skip
-        astray = _astray(asked, state)
+        turn = _turn_to_place(asked, state)
         done = (
             off < TEMPERATURE_TOLERANCE
             and bent < DISPLACEMENT_TOLERANCE * film.clearance
-            and abs(astray) < PLACE_TOLERANCE
+            and abs(turn) < PLACE_TOLERANCE
         )
         if done or iteration == MOST_ITERATIONS:
             return replace(state, converged=done)
@@ -108,8 +108,8 @@ def film_at_eccentricity(
                 film.clearance * float(gap.thickness.min()) / max(film.compliance * float(pressure.max()), 1e-300)
             )
             displaced = displaced + min(RELAXATION, fraction * room) * strain
-        if abs(astray) >= PLACE_TOLERANCE:
-            film, before = _shifted(film, RELAXATION * astray), grid
+        if abs(turn) >= PLACE_TOLERANCE:
+            film, before = _shifted(film, RELAXATION * turn), grid
             grid, gap = Grid.of(film), None
             rigid = _rigid(film, grid, eccentricity_ratio)
             displaced = np.interp(grid.angles, before.angles, displaced)
@@ -126,7 +126,7 @@ def _placed(film: SegmentFilm, start: SegmentFilmState | None) -> SegmentFilm:
     return _shifted(film.with_groove_at(math.pi), film.groove.angle)
 
 
-def _astray(asked: SegmentFilm, state: SegmentFilmState) -> float:
+def _turn_to_place(asked: SegmentFilm, state: SegmentFilmState) -> float:
     """Angle in rad by which the groove of a film must turn to its place in the bush; 0 where it has none."""
     groove = asked.groove
     if groove is None or not groove.at_place_in_bush:
@@ -165,7 +165,7 @@ def film_under_load(film: SegmentFilm, load: float) -> SegmentFilmState:
                 raise  # the oil has no viscosity as it comes: no question of load
             break
         if not state.converged:
-            if abs(_astray(film, state)) >= PLACE_TOLERANCE:
+            if abs(_turn_to_place(film, state)) >= PLACE_TOLERANCE:
                 raise NoFilmError(Outcome.NOT_CONVERGED)  # the groove lies across the start of the film
             break
         best = max(best, state.load)

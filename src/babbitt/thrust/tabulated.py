@@ -26,6 +26,8 @@ NARROW = 1e-5
 """Of the film: how well that on which a hollow pad carries most is known."""
 MOST_STEPS, EXACT = 40, 1e-10
 """Of the search for a height, and the change of the load, over it, that ends it."""
+LEAST_TABLE = 4
+"""Films that make a table."""
 TABLE = (2e-6, 1e-3, 28)
 """Films at which pads are tabulated: thinnest and thickest over the outer radius, and how many."""
 
@@ -158,20 +160,22 @@ def tabulated(pad: ThrustPad, viscosity: float, angular_speed: float) -> Tabulat
     states: list[PadState] = []
     guess: tuple[float, float] | None = None
     for height in np.geomspace(thickest, thinnest, count) * pad.outer_radius:
+        state: PadState | None
         try:
             state = pad_state(pad, float(height), viscosity, angular_speed, guess)
         except InputError:
-            if guess is None:
-                continue
-            break
-        if not state.load > 0.0 or (states and state.load <= states[-1].load):
-            if states:
+            state = None
+        if state is None or not state.load > 0.0 or (states and state.load <= states[-1].load):
+            if len(states) >= LEAST_TABLE:
                 break
+            # films far thicker than a crown hardly carry, and balance by accident only
+            states.clear()
+            guess = None
             continue
         states.append(state)
         share = (thinnest / thickest) ** (1.0 / (count - 1))
         guess = (state.slope_x * share, state.slope_y * share)
-    if len(states) < 4:
+    if len(states) < LEAST_TABLE:
         pad_state(pad, 1e-4 * pad.outer_radius, viscosity, angular_speed)  # says why it does not balance
         require_load(pad, 0.0, 1e-4 * pad.outer_radius)
     return TabulatedFilms.of(states[::-1], viscosity, angular_speed)

@@ -42,8 +42,16 @@ def doubts_of(
     )
 
 
-def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
+def doubts_about_validity(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
+    """Those of any film, and the eccentricity ratio where ISO 7902 ends."""
     yield from (doubt for doubt in doubts_about_film(case, values) if doubt.code != "W116")
+    eccentricity = values["eccentricity_ratio"]
+    if eccentricity > RIGID_FILM_UP_TO:
+        yield Notice("W129", f"ε = {eccentricity:.3f} > {RIGID_FILM_UP_TO:g}, where ISO 7902 ends")
+
+
+def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
+    yield from doubts_about_validity(case, values)
     least, most = STANDARD_WIDTH_RATIOS
     if not least <= case.bearing.part_width_ratio <= most:
         ratio, of = case.bearing.part_width_ratio, " of each half bearing" if case.bearing.parts > 1 else ""
@@ -51,8 +59,6 @@ def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice
     if case.curves is Curves.CLOSED_FORM:
         yield Notice("W113", "closed forms of DIN 31652: up to 7 % in So and 2.5° in attitude angle")
     eccentricity = values["eccentricity_ratio"]
-    if eccentricity > RIGID_FILM_UP_TO:
-        yield Notice("W129", f"ε = {eccentricity:.3f} > {RIGID_FILM_UP_TO:g}, where ISO 7902 ends")
     if eccentricity < CURVES_FROM:
         yield Notice("W119", f"ε = {eccentricity:.2g} < {CURVES_FROM:g}, the first node of the tables")
     if case.bearing_speed:

@@ -13,11 +13,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 
-from babbitt.design.doubts import doubts_about_film
 from babbitt.design.failure import failure
 from babbitt.design.heat_balance import Equilibrium, find_equilibrium
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check
+from babbitt.standards.iso7902.doubts import doubts_about_validity
 from babbitt.standards.iso7902.film import Film, curves_of, starved_film_at
 from babbitt.standards.iso7902.model import DesignCase
 from babbitt.units import ZERO_CELSIUS
@@ -145,7 +145,7 @@ def doubts_about_capacity(
     if "outlet_temperature" in values:
         told = f"T_ex = {values['outlet_temperature'] - ZERO_CELSIUS:.1f} °C, {told}"
     yield Notice("W123", f"{said}; with that flow {told}, and the limits are held against these")
-    for doubt in doubts_about_film(case, values):
+    for doubt in doubts_about_validity(case, values):
         yield Notice(doubt.code, f"with the flow that the supply delivers: {doubt.message}")
 
 
