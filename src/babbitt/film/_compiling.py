@@ -16,7 +16,6 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-import llvmlite
 import numba
 from numba import njit
 from numba.core import config, event, types
@@ -27,7 +26,7 @@ __all__ = ["compiled", "inlined", "inner", "spliced"]
 
 jit: Any = njit  # its published type knows only some of the options
 SOURCES = sorted(Path(__file__).parent.glob("_*.py"))
-VERSIONS = f"{sys.version} numba {numba.__version__} llvmlite {llvmlite.__version__}"
+VERSIONS = f"{sys.version} numba {numba.__version__}"
 
 
 def digest(versions: str) -> str:
