@@ -8,6 +8,7 @@ import pytest
 from rich.console import Console
 
 from babbitt.cases import load_case, parse_case
+from babbitt.film import FilmCase
 from babbitt.report import comparison_table
 from babbitt.report.comparison_figure import write_comparison_plots
 from babbitt.report.comparison_page import write_comparison_page
@@ -52,8 +53,7 @@ def test_temperatures_around_the_bore_are_drawn_where_a_film_of_finite_width_has
     found = compare_methods(load_case(EXAMPLES / f"{name}.yaml"))
     (plot,) = write_comparison_plots(found, tmp_path)
     write_comparison_page(found, tmp_path / "page.html")
-    finite = [one for one in found[0].methods if "maximum_bush_temperature" in one.result.values]
-    assert bool(finite) is around  # the infinitely long films know no temperature of the bush
+    assert any(isinstance(one.design, FilmCase) for one in found[0].methods) is around
     assert ("counter-clockwise" in plot.read_text(encoding="utf-8")) is around
     assert plot.stat().st_size > 5000
 
