@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
+from babbitt.bearings.model import FilmCase
 from babbitt.cases import load_case, parse_case
-from babbitt.film import FilmCase
 from babbitt.report import comparison_table
 from babbitt.report.comparison_figure import write_comparison_plots
 from babbitt.report.comparison_page import write_comparison_page
