@@ -4,13 +4,13 @@ The same families run by the thousand in `benchmarks/robustness/bearings.py`.
 """
 
 import pytest
-from harness import faults_of
 
 from bearings import FAMILIES
 
 NUMBER = {
     "iso7902": 80, "long film": 60, "segments": 4, "film, grooved": 6, "film, pockets": 6, "film, lobed": 3,
-    "film, turbulent": 3, "film, thermal": 3, "thrust": 3, "shaft line": 1,
+    "film, turbulent": 3, "film, thermal": 3, "film, elastic": 1, "pad": 6, "ring": 4, "journal": 5,
+    "jacking": 3, "footstep": 6, "thrust": 3, "shaft line": 1,
 }  # fmt: skip
 """Cases of the families that are cheap, or dear; of all others `USUAL`."""
 USUAL = 10
@@ -20,7 +20,7 @@ USUAL = 10
 def test_random_bearings(name: str) -> None:
     faults = {}
     for index in range(NUMBER.get(name, USUAL)):
-        outcome = faults_of(FAMILIES[name], f"test {name} {index}")
+        outcome = FAMILIES[name](f"test {name} {index}")
         if outcome.faults:
             faults[index] = outcome.faults
     assert not faults

@@ -119,6 +119,12 @@ def test_a_prescribed_temperature_gives_no_verdict_but_can_fail() -> None:
     assert thick.verdict is Verdict.FAIL
 
 
+def test_nothing_held_against_a_limit_is_no_pass() -> None:
+    assert replace(GOOD, kind="jacking_pocket", checks=()).verdict is Verdict.NO_VERDICT
+    advised = replace(FILM, advisory=True)
+    assert replace(GOOD, kind="jacking_pocket", checks=(advised,)).verdict is Verdict.NO_VERDICT
+
+
 def test_json_tells_verdict_governing_check_and_margin(tmp_path) -> None:
     file, record = tmp_path / "a.yaml", tmp_path / "a.json"
     file.write_text(NAMED, encoding="utf-8")

@@ -95,6 +95,33 @@ def film_thermal(rng: Random) -> Case:
     return case
 
 
+def film_elastic(rng: Random) -> Case:
+    """Grooved bore that gives way under its pressure, or is displaced by given amounts."""
+    case = _film(rng, (0.5, 5.0))
+    case["grooves"] = _grooves(rng)
+    kind = rng.choice(("ring", "column", "half_space", "displacement"))
+    outer = rng.uniform(1.2, 2.0) * float(case["diameter"].split()[0])
+    if kind == "displacement":
+        clearance = 0.5 * float(case["clearance"]["mean"].split()[0]) * float(case["diameter"].split()[0])
+        half, first = 0.5 * float(case["width"].split()[0]), rng.randrange(-180, 180)
+        values = [[f"{rng.uniform(-0.1, 0.1) * clearance:.4g} um" for _ in range(3)] for _ in range(12)]
+        case["displacement"] = {
+            "angles": [f"{first + 30 * row - 360 * (first + 330 > 360)} deg" for row in range(12)],
+            "places": [f"{place:.6g} mm" for place in (-half, 0.0, half)],
+            "values": values,
+        }
+    else:
+        case["compliance"] = [
+            {
+                "ring": {"kind": "ring", "outer_diameter": f"{outer:.5g} mm", "elastic_modulus": "200 GPa",
+                         "poisson_ratio": 0.3},
+                "column": {"kind": "column", "displacement_per_pressure": f"{_log(rng, 0.05, 1.0):.3g} um/MPa"},
+                "half_space": {"kind": "half_space", "elastic_modulus": "200 GPa", "poisson_ratio": 0.3},
+            }[kind]
+        ]  # fmt: skip
+    return case
+
+
 def long_film(rng: Random) -> Case:
     """Infinitely long bearing with heat exchange."""
     case = _bearing(rng, "long_film", (0.5, 4.0), widths=(1.2, 1.5))
@@ -184,6 +211,7 @@ JOURNALS: dict[str, Callable[[Random], Case]] = {
     "film, lobed": film_lobed,
     "film, turbulent": film_turbulent,
     "film, thermal": film_thermal,
+    "film, elastic": film_elastic,
     "long film": long_film,
     "segments": segments,
 }

@@ -44,4 +44,17 @@ def placed(case: Case, move: Any) -> Case:
     for name in PLACED:
         if name in case:
             made[name] = [{**one, "angle": angle(one["angle"])} for one in case[name]]
+    if "displacement" in case:
+        made["displacement"] = rows_moved(case["displacement"], move)
     return made
+
+
+def rows_moved(table: Case, move: Any) -> Case:
+    """A table over the bore with every angle moved, its rows rising again."""
+    angles = [math.remainder(round(move(float(given.split()[0])), 9), 360.0) for given in table["angles"]]
+    order = sorted(range(len(angles)), key=angles.__getitem__)
+    return {
+        **table,
+        "angles": [f"{angles[row]:.12g} deg" for row in order],
+        "values": [table["values"][row] for row in order],
+    }

@@ -190,7 +190,7 @@ class Result:
         if not all(check.ok for check in self.limits):
             return Verdict.FAIL
         effects = {warning.effect for warning in self.warnings}
-        if Effect.NO_VERDICT in effects or self.lacking:
+        if Effect.NO_VERDICT in effects or self.lacking or not self.limits:
             return Verdict.NO_VERDICT
         return Verdict.REMARKS if Effect.QUESTIONS_RESULT in effects else Verdict.PASS
 

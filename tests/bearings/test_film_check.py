@@ -137,7 +137,7 @@ def test_the_prescribed_position_gives_back_the_load():
     ratio, attitude = found.eccentricity_ratio, found.attitude_angle
     given = {"effective_temperature": "60 degC", "load": None, "eccentricity_ratio": ratio}
     assert answer(**given).load == pytest.approx(30e3, rel=2e-3)
-    again = answer(**given, attitude_angle=attitude)
+    again = answer(**given, attitude_angle=f"{attitude} rad")
     assert again.load == pytest.approx(30e3, rel=2e-3)
     assert again.attitude_angle == pytest.approx(attitude, abs=2e-3)
 
@@ -251,7 +251,7 @@ def test_a_vanishing_tilt_is_none(feed):
 def test_a_threshold_is_where_the_critical_mass_meets_the_rotor():
     light = {"load": "6 kN", "rotor_mass": "400 kg", "effective_temperature": "60 degC"}
     found = answer(**light)
-    there = answer(**light | {"speed": found.threshold_speed})
+    there = answer(**light | {"speed": f"{found.threshold_speed} rad/s"})
     assert there.critical_mass == pytest.approx(400.0, rel=1e-3)
     (check,) = (check for check in found.checks if check.code == "C115")
     assert not check.advisory
@@ -261,7 +261,7 @@ def test_a_threshold_is_where_the_critical_mass_meets_the_rotor():
 
 def test_the_transition_is_where_the_film_is_as_thin_as_the_surfaces_need():
     found = answer(limits={"transition_film_thickness": "15 um"}, effective_temperature="60 degC")
-    there = answer(speed=found.transition_speed, effective_temperature="60 degC")
+    there = answer(speed=f"{found.transition_speed} rad/s", effective_temperature="60 degC")
     assert there.minimum_film_thickness == pytest.approx(15e-6, rel=1e-4)
 
 

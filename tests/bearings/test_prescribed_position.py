@@ -13,7 +13,9 @@ AT_60 = {"effective_temperature": "60 degC"}
 
 
 def at(x, y):
-    return {"load": None, "position": {"x": x, "y": y}}
+    """Position as text with its unit, or in m."""
+    given = {"x": x, "y": y}
+    return {"load": None, "position": {n: v if isinstance(v, str) else f"{v} m" for n, v in given.items()}}
 
 
 @pytest.mark.parametrize("speed", ["3000 rpm", "-3000 rpm"])

@@ -222,7 +222,7 @@ def overloaded(tmp_path: Path) -> Path:
     """A case without solution: it has keys of its own in the JSON."""
     text = (ROOT / "examples" / "journal.yaml").read_text(encoding="utf-8")
     file = tmp_path / "overloaded.yaml"
-    file.write_text(text.replace("load: 36 kN", "load: 900 kN"), encoding="utf-8")
+    file.write_text(text.replace("load: 24 kN", "load: 900 kN"), encoding="utf-8")
     assert not solve(load_case(file)).solved
     return file
 

@@ -3,6 +3,7 @@
 import gc
 from pathlib import Path
 
+import numba
 import pytest
 from numba import typeof
 from numba.core import config
@@ -16,6 +17,13 @@ def test_folder_follows_every_kernel_source():
     names = {path.name for path in _compiling.SOURCES}
     assert Path(find_equilibria.py_func.__code__.co_filename).name in names
     assert {"_elimination.py", "_surface.py", "_structs.py", "_compiling.py"} <= names
+
+
+def test_folder_follows_the_versions_that_compile():
+    """Machine code of one numba crashes Python under another."""
+    assert numba.__version__ in _compiling.VERSIONS
+    assert _compiling.digest(_compiling.VERSIONS) == _compiling.DIGEST
+    assert _compiling.digest(_compiling.VERSIONS.replace(numba.__version__, "0.0")) != _compiling.DIGEST
 
 
 def test_machine_code_stays_out_of_the_sources(tmp_path, monkeypatch):

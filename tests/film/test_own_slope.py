@@ -6,10 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from babbitt.film.model import ENGINEERING, FilmStart, JournalFilm, Land, Pocket, grooved_bore
+from babbitt.film.heat import FilmHeat, HeatGrid
+from babbitt.film.model import DRAFT, ENGINEERING, FilmStart, JournalFilm, Land, Pocket, grooved_bore
 from babbitt.film.own_slope import CLOSE, confirmed_coefficients
 from babbitt.film.solution import FilmSolution
 from babbitt.film.solve import film_at_position, solve_journal
+from babbitt.film.thermal import solve_thermal_journal
+from babbitt.film.thermal_solution import ThermalFilm
 
 RING = (Land(0.3, 0.3 + 2.0 * math.pi),)
 
@@ -53,6 +56,41 @@ def test_coefficients_are_the_slope_of_the_load(name: str, speed: float) -> None
     assert check is not None
     assert check.confirmed or check.settled
     assert off(better.stiffness, slope_of(found)) < 2.0 * CLOSE  # on other grids
+
+
+def warm_film(pocket: Pocket) -> ThermalFilm:
+    film = JournalFilm(0.1, 0.08, 1e-4, 0.02, 200.0, RING, film_start=FilmStart.PERIODIC, pockets=(pocket,))
+    heat = FilmHeat(
+        lambda t: 0.02 * np.exp(-0.03 * (np.asarray(t) - 318.15)), 1.7e6, 0.13, 318.15, None, HeatGrid()
+    )
+    return solve_thermal_journal(film, heat, (500.0, -1500.0), DRAFT)
+
+
+def test_coefficients_of_a_warm_film_are_the_slope_at_its_temperatures() -> None:
+    """The force of the nodes with their viscosities, differences over steps of other lengths."""
+    found = warm_film(FILMS["one pocket"][1])
+    assert found.film.outcome.solved
+    assert found.nodes is not None
+    better, check = confirmed_coefficients(found.film, DRAFT, found.nodes)
+    assert check is not None
+    assert check.confirmed or check.settled
+    ring, unit = found.nodes.ring, found.nodes.scales.force / found.nodes.scales.length
+
+    def slope(share: float) -> np.ndarray:
+        columns = []
+        for move in share * ring.gap * np.eye(2):
+            force = []
+            for sign in (1.0, -1.0):
+                while ring.sample.evaluate(ring.position + sign * move):
+                    pass
+                force.append(ring.sample.force.copy())
+            columns.append((force[1] - force[0]) / (2.0 * share * ring.gap))
+        return np.array(columns).T * unit
+
+    angle = found.nodes.frame.angle
+    turn = np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
+    own = turn @ ((4.0 * slope(0.008) - slope(0.016)) / 3.0) @ turn.T
+    assert off(better.stiffness, own) < 1.2 * CLOSE
 
 
 def test_what_is_confirmed_stays() -> None:

@@ -117,7 +117,7 @@ def test_work_of_the_pressure_is_dissipated_across_the_gap():
         film, Scales.of(film, SPEED).pressure, np.array([0.3, -0.5]), np.zeros(2), Resolution(6, 384)
     )
     work, coefficients, surface = settled.sample.work, settled.sample.film, settled.sample.ring.surface
-    journal, shell = friction(settled)
+    journal, shell, _ = friction(settled)
     gradient = work.pressure @ surface.slope.T
     along = (coefficients.conductance * np.diff(work.pressure, axis=0) ** 2).sum()
     across = surface.kappa * (coefficients.cubed * gradient**2 @ surface.share).sum()

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
+from babbitt.bearings.model import FilmCase
 from babbitt.cases import load_case, parse_case
 from babbitt.report import comparison_table
 from babbitt.report.comparison_figure import write_comparison_plots
@@ -47,12 +48,13 @@ def test_warnings_and_missed_limits_stand_below_the_columns(monkeypatch):
     assert objected(replace(film, warnings=(), checks=())) == ""
 
 
-@pytest.mark.parametrize("name", ["long_film", "grooved"])
-def test_methods_of_one_dimension_are_drawn_without_a_flow_or_a_field(name, tmp_path):
+@pytest.mark.parametrize(("name", "around"), [("long_film", False), ("grooved", True)])
+def test_temperatures_around_the_bore_are_drawn_where_a_film_of_finite_width_has_them(name, around, tmp_path):
     found = compare_methods(load_case(EXAMPLES / f"{name}.yaml"))
     (plot,) = write_comparison_plots(found, tmp_path)
     write_comparison_page(found, tmp_path / "page.html")
-    assert "counter-clockwise" not in plot.read_text(encoding="utf-8")
+    assert any(isinstance(one.design, FilmCase) for one in found[0].methods) is around
+    assert ("counter-clockwise" in plot.read_text(encoding="utf-8")) is around
     assert plot.stat().st_size > 5000
 
 

@@ -130,7 +130,7 @@ def test_the_first_page_shows_what_is_judged_with_its_limit(line, bearing):
         assert {heading.split(" / ")[0] for heading in shown if " / " in heading} == judged - {"T_ex"}
         assert "–" not in " ".join(shown.values())
         tightest = {}
-        for check in sorted(result.checks, key=lambda one: -one.margin):
+        for check in sorted(result.limits, key=lambda one: -one.margin):
             tightest[check.quantity] = check
         for check in tightest.values():
             quantity = QUANTITIES[check.quantity]

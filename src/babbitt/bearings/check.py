@@ -19,7 +19,7 @@ from babbitt.bearings.orbit_answer import (
     orbit_rows,
     orbit_values,
 )
-from babbitt.bearings.own_slope import confirmed_state, doubts_about_slope
+from babbitt.bearings.own_slope import confirmed_state, doubts_about_slope, slope_not_asked
 from babbitt.bearings.resting import doubts_about_rest, resting_places
 from babbitt.bearings.thermal_answer import (
     doubts_about_heat,
@@ -124,7 +124,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
             values |= _running_values(loaded, state, whirl)
             values |= grid_errors(case, state) if case.error_estimate else {}
             checks = (*_limit_checks(case, values), *whirl_checks(case, whirl), clearance_check(case, values))
-            not_made = checks_not_made(case, values)
+            not_made = (*checks_not_made(case, values), *slope_not_asked(frozen, slope))
             warnings = (*_doubts(case, state, values, checks, whirl), *doubts_about_slope(slope))
             if state.thermal is not None:
                 values |= stiffness_values(state)

@@ -88,7 +88,7 @@ class ElasticFilm(Generic[SolutionT]):
 
 def bore_grid(film: JournalFilm) -> BoreGrid:
     """Grid on which the bore of a film gives way."""
-    return BoreGrid(0.5 * film.diameter, film.width)
+    return BoreGrid(0.5 * film.diameter, film.width, start=film.field_start)
 
 
 def displacement_under(compliances: Sequence[Compliance], found: FilmSolution) -> Array:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from babbitt.bearings.bore import Arc, steps_of
 from babbitt.bearings.model import FilmCase, Hollow
+from babbitt.design.conditions import GivenPosition
 from babbitt.design.numbers import critical_reynolds_number
 from babbitt.film.model import FilmStart, JournalFilm, Land, Pocket
 from babbitt.film.starved import GivenFlow
@@ -71,6 +72,7 @@ def film_of(
         steps=(*steps_of(bearing.bore, case.rotation.sense), *bearing.steps),
         crowning=bearing.crowning,
         displacement=bearing.displacement,
+        field_start=bearing.displacement_start if bearing.displacement else _towards(case),
         side_pressures=bearing.side_pressures,
     )
 
@@ -101,6 +103,13 @@ def closed_pockets(case: FilmCase) -> tuple[int, ...]:
     """Which of the pockets of a film (`JournalFilm.pockets`) are closed: nothing feeds them."""
     pockets = [hollow for hollow in case.bearing.hollows if hollow.width is not None]
     return tuple(number for number, hollow in enumerate(pockets) if hollow.is_closed)
+
+
+def _towards(case: FilmCase) -> float:
+    """Direction of the load, or of the prescribed position: fields are laid from it, for they know no axes."""
+    if isinstance(case.duty, GivenPosition):
+        return math.atan2(case.duty.y, case.duty.x)
+    return case.load_angle
 
 
 def load_vector(case: FilmCase, load: float) -> tuple[float, float]:

@@ -135,6 +135,7 @@ class FilmBearing(Proportions):
     `misalignment` holds the slopes dx/dz and dy/dz of the journal axis in rad. `clearance_tolerance` holds the
     least and the greatest relative clearance where a tolerance is known. `steps`, `crowning`, `displacement` and
     `side_pressures` are those of `babbitt.film.model.JournalFilm`; steps that belong to the bore stand there.
+    `displacement_start` is the angle of the first row of `displacement`, rad.
     `compliance` is what the bore gives way by (`babbitt.film.elastic`); all of it adds up.
     """
 
@@ -150,6 +151,7 @@ class FilmBearing(Proportions):
     steps: tuple[Step, ...] = ()
     crowning: tuple[float, ...] = ()
     displacement: FieldOfFilm = ()
+    displacement_start: float = 0.0
     compliance: tuple[Compliance, ...] = ()
     side_pressures: tuple[float, float] = (0.0, 0.0)
     surfaces: Surfaces | None = None

@@ -8,22 +8,39 @@ from typing import TYPE_CHECKING
 
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState, resolution_of
+from babbitt.film.model import Cavitation
 from babbitt.notices import Notice
 
 if TYPE_CHECKING:
     from babbitt.film.own_slope import SlopeCheck
 
-__all__ = ["confirmed_state", "doubts_about_slope"]
+__all__ = ["confirmed_state", "doubts_about_slope", "slope_not_asked"]
 
 
 def confirmed_state(case: FilmCase, state: FilmState) -> tuple[FilmState, SlopeCheck | None]:
-    """State whose coefficients its own load confirms; films with their own temperatures stay as they are."""
-    if case.heat is not None or not state.solution.outcome.solved or not state.solution.film.is_surface:
+    """State whose coefficients its own load confirms, at temperatures that stay as they are."""
+    thermal = state.thermal
+    if not state.solution.outcome.solved or (thermal is None and not state.solution.film.is_surface):
         return state, None
     from babbitt.film.own_slope import confirmed_coefficients
 
-    solution, check = confirmed_coefficients(state.solution, resolution_of(case))
-    return replace(state, solution=solution), check
+    nodes = thermal.nodes if thermal is not None else None
+    solution, check = confirmed_coefficients(state.solution, resolution_of(case), nodes)
+    if thermal is not None:
+        thermal = replace(thermal, film=solution)
+    return replace(state, solution=solution, thermal=thermal), check
+
+
+def slope_not_asked(state: FilmState, check: SlopeCheck | None) -> Iterator[Notice]:
+    """Why the coefficients were not held against the slope of the load, where they differ from it now and then."""
+    film = state.solution.film
+    exact = state.thermal is None and not film.is_surface
+    if check is not None or exact or film.cavitation is Cavitation.HALF_SOMMERFELD:
+        return
+    if any(pocket.closed for pocket in film.pockets):
+        yield Notice("C122", "closed pockets answer the journal with their pressure")
+    else:
+        yield Notice("C122", "the film was not found once more at its place")
 
 
 def doubts_about_slope(check: SlopeCheck | None) -> Iterator[Notice]:

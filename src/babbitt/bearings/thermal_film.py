@@ -7,7 +7,7 @@ settle around the thermal film.
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cache
 from itertools import pairwise
 from typing import TYPE_CHECKING
@@ -19,7 +19,7 @@ from babbitt.bearings.model import FilmCase
 from babbitt.bearings.thermal_failure import last_film, what_gave_way
 from babbitt.bearings.thermal_search import EXACT, ThermalSearch
 from babbitt.bearings.warm_film import FilmState, operating_film
-from babbitt.design.conditions import GivenEccentricity, GivenPosition
+from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition
 from babbitt.design.feeding import arrival
 from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
 from babbitt.design.oil import bounded_viscosity, highest_usable, properties_at
@@ -47,6 +47,9 @@ SAME_CLEARANCE = 1e-5
 """Share of the clearance by which thermal growth may still change it when the film counts as settled."""
 SAME_TEMPERATURE = 0.05
 """Change of the effective temperature in K at which the heat capacity counts as settled."""
+GROWING = (0.5, 0.65, 0.8, 0.9, 0.95, 1.0)
+"""Shares of the load under which a film is sought, one after the other."""
+ENDED_HOT = (Outcome.THERMAL_RUNAWAY, Outcome.NO_LUBRICANT_DATA, Outcome.NOT_CONVERGED)
 CLOSER_FROM = 5
 """Round from which on films at a given place settle closer."""
 PUSH, FOLLOWED = 0.02, 1e-4
@@ -72,36 +75,74 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
         raise InputError("E101", "a film with its own temperatures needs a supply: the temperature of fresh oil.")
     cold = case.oil_supply.temperature
     bearing = case.bearing
-    state: FilmState | None = None
-    at, before = cold, None
     psi = operating_relative_clearance(
         bearing.relative_clearance, bearing.expansion_bearing, bearing.expansion_journal, cold
     )
-    sought = ThermalSearch()
+    reached = _Reached(psi, cold)
     try:
-        for rounds in range(1, MOST_ROUNDS + 1):
-            if psi <= 0.0:
-                raise NoFilmError(Outcome.NO_CLEARANCE)
-            if rounds == CLOSER_FROM:
-                sought.closer = True
-            state = _warm_state(case, psi, at, sought)
-            grown = _grown_clearance(case, state)
-            if abs(grown - psi) <= SAME_CLEARANCE * psi and abs(state.temperature - at) <= SAME_TEMPERATURE:
-                return Equilibrium(Outcome.CONVERGED, state, rounds, state.temperature)
-            here, at = (psi, grown - psi), state.temperature
-            psi = _secant(before, here)
-            before = here
+        return _settled_clearance(case, reached, ThermalSearch())
     except NoFilmError as failure:
         outcome = failure.outcome
+        if outcome in ENDED_HOT and isinstance(case.duty, GivenLoad):
+            found = _under_growing_load(case, case.duty.load, _Reached(psi, cold))
+            if found is not None:
+                return found
+        psi, at, state = reached.relative_clearance, reached.temperature, reached.state
         if psi > 0.0:
             starved = outcome is Outcome.STARVED_RECESS  # no matter of load
             last = (
                 None if starved else last_film(case, lambda lighter, search: _warm_state(lighter, psi, at, search))
             )
             state, outcome = last or state, what_gave_way(case, outcome, last)
-        reached = state.temperature if state else cold
-        return Equilibrium(outcome, state, 0, reached, failure.capacity, failure.least_flow)
-    return Equilibrium(Outcome.NOT_CONVERGED, state, MOST_ROUNDS, at)
+        warmth = state.temperature if state else cold
+        return Equilibrium(outcome, state, 0, warmth, failure.capacity, failure.least_flow)
+
+
+@dataclass
+class _Reached:
+    """Clearance and temperature (K) of the round that a search is in, and the last film that settled."""
+
+    relative_clearance: float
+    temperature: float
+    state: FilmState | None = None
+
+
+def _settled_clearance(case: FilmCase, reached: _Reached, sought: ThermalSearch) -> Equilibrium[FilmState]:
+    """Film whose clearance is that of its own temperatures; raises `NoFilmError` where a round has no film."""
+    before = None
+    for rounds in range(1, MOST_ROUNDS + 1):
+        psi, at = reached.relative_clearance, reached.temperature
+        if psi <= 0.0:
+            raise NoFilmError(Outcome.NO_CLEARANCE)
+        if rounds == CLOSER_FROM:
+            sought.closer = True
+        state = reached.state = _warm_state(case, psi, at, sought)
+        sought.climbs = False
+        grown = _grown_clearance(case, state)
+        if abs(grown - psi) <= SAME_CLEARANCE * psi and abs(state.temperature - at) <= SAME_TEMPERATURE:
+            return Equilibrium(Outcome.CONVERGED, state, rounds, state.temperature)
+        here, reached.temperature = (psi, grown - psi), state.temperature
+        reached.relative_clearance = _secant(before, here)
+        before = here
+    return Equilibrium(Outcome.NOT_CONVERGED, reached.state, MOST_ROUNDS, reached.temperature)
+
+
+def _under_growing_load(case: FilmCase, load: float, reached: _Reached) -> Equilibrium[FilmState] | None:
+    """Film under a load that grows, clearance and film from step to step; None where a step has none.
+
+    A round that ends hot is no proof: its clearance is that of another temperature, and a search that loses its
+    way ends hot, too.
+    """
+    sought, found = ThermalSearch(), None
+    for share in GROWING:
+        try:
+            found = _settled_clearance(replace(case, duty=GivenLoad(share * load)), reached, sought)
+        except NoFilmError:
+            return None
+        if not found.outcome.solved:
+            return None
+        sought = sought.climbing()
+    return found
 
 
 def film_equilibrium(case: FilmCase) -> Equilibrium[FilmState]:

@@ -115,15 +115,21 @@ class DisplacementGiven(Part):
         """Largest displacement, m."""
         return max((abs(value) for row in self.values or () for value in row), default=0.0)
 
+    @property
+    def start(self) -> float:
+        """Angle of the first row, rad."""
+        return self.angles[0] if self.angles else 0.0
+
     def field(self, width: float) -> FilmField:
-        """Values at equal steps around and across, linear between those given, level beyond the last."""
+        """Values at equal steps around from ``start`` on and across, linear between those given, level beyond."""
         import numpy as np
 
         if self.angles is None or self.places is None or self.values is None:
             raise ValueError("a case that was not validated: the displacement has no table")
-        angles, places = (np.arange(FIELD_SHAPE[0]) * TURN / FIELD_SHAPE[0], np.asarray(_places(FIELD_SHAPE[1])))
+        turned, places = (np.arange(FIELD_SHAPE[0]) * TURN / FIELD_SHAPE[0], np.asarray(_places(FIELD_SHAPE[1])))
         rows = np.array([np.interp(0.5 * width * places, self.places, row) for row in self.values])
-        around = np.array([np.interp(angles, self.angles, column, period=TURN) for column in rows.T]).T
+        at = self.start + turned
+        around = np.array([np.interp(at, self.angles, column, period=TURN) for column in rows.T]).T
         return tuple(tuple(float(value) for value in row) for row in around)
 
     @rule

@@ -1,8 +1,9 @@
 """Decorators of the kernels, and where their machine code is kept.
 
 numba keeps machine code beside the source and checks only the file of the kernel itself: after an edit in a kernel
-that it calls it would run the old code. Here the folder is named after a digest of all kernel sources, in
-``NUMBA_CACHE_DIR`` where that is set and in the user's cache folder otherwise.
+that it calls it would run the old code. Here the folder is named after a digest of all kernel sources and of the
+versions that compile them (machine code of another numba crashes Python), in ``NUMBA_CACHE_DIR`` where that is set
+and in the user's cache folder otherwise.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+import numba
 from numba import njit
 from numba.core import config, event, types
 from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLocator
@@ -24,7 +26,15 @@ __all__ = ["compiled", "inlined", "inner", "spliced"]
 
 jit: Any = njit  # its published type knows only some of the options
 SOURCES = sorted(Path(__file__).parent.glob("_*.py"))
-DIGEST = hashlib.sha256(b"".join(path.read_bytes() for path in SOURCES)).hexdigest()[:16]
+VERSIONS = f"{sys.version} numba {numba.__version__}"
+
+
+def digest(versions: str) -> str:
+    """Digest of the kernel sources and of the versions that compile them."""
+    return hashlib.sha256(b"".join(path.read_bytes() for path in SOURCES) + versions.encode()).hexdigest()[:16]
+
+
+DIGEST = digest(VERSIONS)
 
 
 KINDS = {

@@ -60,20 +60,19 @@ class ComplianceMatrix:
 
     def displacement(self, bore: BoreGrid, pressure: Array) -> Array:
         """See `babbitt.film.elastic.Compliance`."""
-        given = np.array(self.compliance) @ (_sectors(self.angles, bore.rows) @ (pressure @ bore.shares))
+        given = np.array(self.compliance) @ (_sectors(self.angles, bore) @ (pressure @ bore.shares))
         return bore.across(np.interp(bore.theta, self.angles, given, period=TURN))
 
 
 @lru_cache(maxsize=16)
-def _sectors(angles: tuple[float, ...], rows: int) -> Array:
+def _sectors(angles: tuple[float, ...], bore: BoreGrid) -> Array:
     """Mean over the sector around every angle of values at equal steps, each of which stands for its own step."""
     at = np.array(angles)
     behind = np.append(at[1:], at[0] + TURN)
     ends = 0.5 * (at + behind)
     starts = np.concatenate(([ends[-1] - TURN], ends[:-1]))
-    step = TURN / rows
-    middle = np.arange(rows) * step
-    covered = np.zeros((at.size, rows))
+    step, middle = TURN / bore.rows, bore.theta
+    covered = np.zeros((at.size, bore.rows))
     for turn in (-2.0, -1.0, 0.0, 1.0, 2.0):
         low = np.maximum(starts[:, None], middle[None, :] + turn * TURN - 0.5 * step)
         high = np.minimum(ends[:, None], middle[None, :] + turn * TURN + 0.5 * step)

@@ -32,17 +32,25 @@ class BoreGrid:
     radius, width : float
         Of the bore, m.
     rows, columns : int
-        Once around from +x, and from side to side.
+        Once around, and from side to side.
+    start : float
+        Angle of the first row, rad.
     """
 
     radius: float
     width: float
     rows: int = 240
     columns: int = 25
+    start: float = 0.0
 
     @property
     def theta(self) -> Array:
         """Angles of the rows, rad, shape (rows,)."""
+        return self.start + self.turned
+
+    @property
+    def turned(self) -> Array:
+        """Angles from the first row on, rad, shape (rows,)."""
         return np.asarray(np.arange(self.rows, dtype=np.float64) * (TURN / self.rows))
 
     @property

@@ -3,8 +3,8 @@
 A search that starts in the middle can end at another place, or on another grid, when a number differs in its last
 digit, and every turn of the axes changes last digits. Therefore a film is turned until its load points to -y (in
 the mirror, if it turns clockwise and is solved there), and its numbers are rounded far below anything that a film
-feels: a bearing turned with its load is the same film, digit by digit. Films with fields over the bore
-(``displacement``, ``viscosity_field``) stay as they are: their values belong to given angles.
+feels: a bearing turned with its load is the same film, digit by digit. Fields over the bore (``displacement``,
+``viscosity_field``) turn by the angle of their first row.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film.model import FilmStart, JournalFilm, Land
+from babbitt.film.model import Field, FilmStart, JournalFilm, Land
 from babbitt.film.solution import FilmSolution
 
 __all__ = ["LoadFrame"]
@@ -25,7 +25,7 @@ Vector = tuple[float, float]
 TURN = 2.0 * math.pi
 
 ANGLE_DIGITS = 12
-"""Decimals of an angle in rad."""
+"""Decimals of an angle in rad, and of fields in their units."""
 
 DIGITS = 13
 """Significant digits of every other number."""
@@ -54,8 +54,7 @@ class LoadFrame:
     def of(cls, film: JournalFilm, load: Vector) -> LoadFrame:
         """Frame of a film; that of the film itself where it cannot be turned or its load points down already."""
         size, down = math.hypot(*load), math.copysign(1.0, film.angular_speed)
-        tied = film.displacement or film.viscosity_field or film.film_start is FilmStart.WIDEST_GAP
-        if tied or size == 0.0 or not math.isfinite(size):
+        if film.film_start is FilmStart.WIDEST_GAP or size == 0.0 or not math.isfinite(size):
             return cls(film, film, load, 0.0)
         angle = math.remainder(-0.5 * math.pi * down - math.atan2(load[1], load[0]), TURN)
         turned = replace(
@@ -72,6 +71,9 @@ class LoadFrame:
             ),
             steps=tuple(replace(one, centre_angle=turned_angle(one.centre_angle, angle)) for one in film.steps),
             misalignment=turned_vector(film.misalignment, angle),
+            viscosity_field=rounded_field(film.viscosity_field, 1.0),
+            displacement=rounded_field(film.displacement, film.clearance),
+            field_start=turned_angle(film.field_start, angle),
         )
         return cls(film, turned, (0.0, -down * rounded(size)), angle)
 
@@ -109,6 +111,13 @@ class LoadFrame:
 def rounded(value: float) -> float:
     """A number to ``DIGITS`` significant digits."""
     return float(f"{value:.{DIGITS - 1}e}")
+
+
+def rounded_field(field: Field, unit: float) -> Field:
+    """A field to ``ANGLE_DIGITS`` decimals of a unit."""
+    if not field:
+        return field
+    return tuple(map(tuple, (np.round(np.asarray(field) / unit, ANGLE_DIGITS) * unit).tolist()))
 
 
 def turned_angle(given: float, angle: float) -> float:

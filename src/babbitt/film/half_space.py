@@ -86,8 +86,8 @@ def _log_term(arm: Array, high: Array, low: Array) -> Array:
 @lru_cache(maxsize=4)
 def _influence(bore: BoreGrid) -> Array:
     """Harmonics around of the influence of column k on column j, shape (rows // 2 + 1, j, k), m."""
-    step = bore.theta[1]
-    turned = np.minimum(bore.theta, 2.0 * math.pi - bore.theta)  # the shorter way
+    step = bore.turned[1]
+    turned = np.minimum(bore.turned, 2.0 * math.pi - bore.turned)  # the shorter way
     half = 0.5 * bore.width
     z = bore.z
     cell = 0.5 * bore.width / (bore.columns - 1)

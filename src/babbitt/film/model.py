@@ -169,7 +169,7 @@ class Step:
 
 
 Field = tuple[tuple[float, ...], ...]
-"""Values once around from +x (rows, the last a step before the first) and from side to side (columns)."""
+"""Values once around (rows, the last a step before the first) and from side to side (columns)."""
 
 
 @dataclass(frozen=True)
@@ -204,6 +204,8 @@ class JournalFilm:
         What the radius of the journal lacks, m, at equally spaced places from one side to the other.
     displacement : tuple of tuple of float
         What the gap gains by elastic and thermal displacement, m; see ``Field``.
+    field_start : float
+        Angle of the first row of both fields, and of those by which an elastic bore gives way, rad.
     side_pressures : tuple of float
         Gauge pressures at the sides z = -B/2 and B/2, Pa.
     turbulence : FilmTurbulence or None
@@ -228,6 +230,7 @@ class JournalFilm:
     steps: tuple[Step, ...] = ()
     crowning: tuple[float, ...] = ()
     displacement: Field = ()
+    field_start: float = 0.0
     side_pressures: tuple[float, float] = (0.0, 0.0)
     turbulence: FilmTurbulence | None = None
     pressure_viscosity: PressureViscosity | None = None

@@ -1,4 +1,4 @@
-"""Stiffness and damping held against the slope of the film's own load.
+"""Stiffness and damping held against the slope of the film's own load, its temperatures as they are.
 
 The exact derivative of a film with its active set frozen leaves out what moves with the journal between the nodes:
 the end of the film beside pockets and holes, oil that runs out of a ruptured zone. Central differences of the
@@ -15,13 +15,13 @@ from numpy.typing import NDArray
 
 from babbitt.film._equilibrium import CONVERGED
 from babbitt.film.frame import LoadFrame
-from babbitt.film.general import Sample, ring_at
+from babbitt.film.general import Sample, SettledRing, ring_at
 from babbitt.film.model import Cavitation, JournalFilm, Resolution
 from babbitt.film.ring_solution import mirrored
 from babbitt.film.scales import Scales
 from babbitt.film.solution import FilmSolution
 
-__all__ = ["CLOSE", "SlopeCheck", "confirmed_coefficients"]
+__all__ = ["CLOSE", "RestingNodes", "SlopeCheck", "confirmed_coefficients"]
 
 Array = NDArray[np.float64]
 Pair = tuple[Array, Array]
@@ -64,13 +64,32 @@ class SlopeCheck:
         return max(self.stiffness, self.damping) <= CLOSE
 
 
+@dataclass(frozen=True, eq=False)
+class RestingNodes:
+    """A film at rest as it was solved, node by node with the viscosity that every node has.
+
+    Attributes
+    ----------
+    ring : SettledRing
+    frame : LoadFrame
+        From the film as given to that which was solved.
+    scales : Scales
+    """
+
+    ring: SettledRing
+    frame: LoadFrame
+    scales: Scales
+
+
 def can_be_checked(film: JournalFilm) -> bool:
     """Whether coefficients are the slope of the load at standing supplies: not where closed pockets answer."""
     turns = film.angular_speed != 0.0 and film.cavitation is not Cavitation.HALF_SOMMERFELD
-    return turns and film.is_surface and not any(pocket.closed for pocket in film.pockets)
+    return turns and not any(pocket.closed for pocket in film.pockets)
 
 
-def confirmed_coefficients(found: FilmSolution, resolution: Resolution) -> tuple[FilmSolution, SlopeCheck | None]:
+def confirmed_coefficients(
+    found: FilmSolution, resolution: Resolution, nodes: RestingNodes | None = None
+) -> tuple[FilmSolution, SlopeCheck | None]:
     """A film with coefficients that are the slope of its own load, within 1 %.
 
     Parameters
@@ -79,6 +98,8 @@ def confirmed_coefficients(found: FilmSolution, resolution: Resolution) -> tuple
         In equilibrium.
     resolution : Resolution
         Its grid.
+    nodes : RestingNodes or None
+        Of a film with temperatures of its own; None: the film has one temperature.
 
     Returns
     -------
@@ -92,23 +113,30 @@ def confirmed_coefficients(found: FilmSolution, resolution: Resolution) -> tuple
     film = found.film
     if not (found.outcome.solved and can_be_checked(film)):
         return found, None
-    frame = LoadFrame.of(film, (-float(found.force[0]), -float(found.force[1])))
-    x, y = found.position
-    scales = Scales.of(frame.film, abs(film.angular_speed))
-    seen = mirrored(frame.film) if film.angular_speed < 0.0 else frame.film
-    at = np.asarray(frame.place((float(x), float(y)))) * scales.sense / scales.length
-    ring = ring_at(seen, scales.pressure, at, np.zeros(2), resolution)
-    if ring.status != CONVERGED:
+    if nodes is None and film.is_surface:
+        nodes = _nodes_of(found, resolution)
+    if nodes is None or nodes.ring.status != CONVERGED:
         return found, None
+    ring, scales = nodes.ring, nodes.scales
     frozen = ring.sample.stiffness.copy(), ring.sample.damping.copy()
-    slope, check = _slope_beside(ring.sample, at, ring.gap, frozen)
+    slope, check = _slope_beside(ring.sample, ring.position, ring.gap, frozen)
     if slope is None:
         return found, check
-    c, s = math.cos(frame.angle), math.sin(frame.angle)
+    c, s = math.cos(nodes.frame.angle), math.sin(nodes.frame.angle)
     turn = np.array([[c, s], [-s, c]]) @ np.diag(scales.sense)
     unit = scales.force / scales.length
     stiffness, damping = (turn @ one @ turn.T * unit for one in slope)
     return replace(found, stiffness=stiffness, damping=damping / scales.rate), check
+
+
+def _nodes_of(found: FilmSolution, resolution: Resolution) -> RestingNodes:
+    """Nodes of a film of one temperature, solved anew in the frame of its load."""
+    film, (x, y) = found.film, found.position
+    frame = LoadFrame.of(film, (-float(found.force[0]), -float(found.force[1])))
+    scales = Scales.of(frame.film, abs(film.angular_speed))
+    seen = mirrored(frame.film) if film.angular_speed < 0.0 else frame.film
+    at = np.asarray(frame.place((float(x), float(y)))) * scales.sense / scales.length
+    return RestingNodes(ring_at(seen, scales.pressure, at, np.zeros(2), resolution), frame, scales)
 
 
 def _slope_beside(sample: Sample, at: Array, gap: float, frozen: Pair) -> tuple[Pair | None, SlopeCheck]:

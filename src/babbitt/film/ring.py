@@ -256,7 +256,7 @@ def field_at(film: JournalFilm, field: Field, angle: Array, z: Array) -> Array:
     """Values of a field, linear between its own, shape (angles, z)."""
     values = np.asarray(field)
     columns = across(film, values.shape[1])
-    share = (angle % TURN) / TURN * values.shape[0]
+    share = ((angle - film.field_start) % TURN) / TURN * values.shape[0]
     row = share.astype(int) % values.shape[0]
     part = (share - np.floor(share))[:, None]
     around = (1.0 - part) * values[row] + part * values[(row + 1) % values.shape[0]]

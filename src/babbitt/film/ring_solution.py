@@ -54,6 +54,7 @@ def mirrored(film: JournalFilm) -> JournalFilm:
         misalignment=(film.misalignment[0], -film.misalignment[1]),
         viscosity_field=reverse(film.viscosity_field),
         displacement=reverse(film.displacement),
+        field_start=-film.field_start,
     )
 
 

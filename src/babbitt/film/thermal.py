@@ -29,6 +29,7 @@ from babbitt.film.general import Effort, Sample, SettledRing, line_density
 from babbitt.film.general import rest as carry
 from babbitt.film.heat import THERMAL_ENGINEERING, FilmHeat
 from babbitt.film.model import Cavitation, JournalFilm, Resolution
+from babbitt.film.own_slope import RestingNodes
 from babbitt.film.ring import build_ring
 from babbitt.film.ring_mesh import Density
 from babbitt.film.ring_solution import (
@@ -359,7 +360,8 @@ def answer(frame: LoadFrame, seen: JournalFilm, scales: Scales, found: WarmRest,
     streamers = streamer_shear(settled, couette_shear(settled, viscosity))
     torques = warm.friction, warm.friction - turning, streamers
     solution = solution_of(frame.film, scales, settled, torques, begun)
-    return turned_back(frame, thermal_film(solution, scales, warm, supply_order(frame.film, seen)))
+    thermal = thermal_film(solution, scales, warm, supply_order(frame.film, seen))
+    return turned_back(frame, replace(thermal, nodes=RestingNodes(settled, frame, scales)))
 
 
 def turned_back(frame: LoadFrame, found: ThermalFilm) -> ThermalFilm:

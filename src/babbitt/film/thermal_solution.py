@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from babbitt.film._heat_cells import supply_balances
 from babbitt.film.heat import mean_over_layers
+from babbitt.film.own_slope import RestingNodes
 from babbitt.film.ring_solution import twins
 from babbitt.film.scales import Scales
 from babbitt.film.solution import FilmSolution
@@ -82,6 +83,8 @@ class ThermalFilm:
     effective_viscosity : float
         Uniform viscosity of the oil with the same friction power in the same gap by shear, at every place with the
         turbulence that the film has there, Pa s.
+    nodes : RestingNodes or None
+        The film as it was solved.
     """
 
     film: FilmSolution
@@ -99,6 +102,7 @@ class ThermalFilm:
     insulated: bool
     heat: HeatSplit
     effective_viscosity: float
+    nodes: RestingNodes | None = None
 
     @property
     def maximum_temperature(self) -> float:

@@ -102,6 +102,12 @@ CHECKS: dict[str, Explanation] = {
         "miss itself counts only if that has no equilibrium. What grooves deliver is left to the film.",
         "Wider pockets, more supply pressure, or a full analysis with `method: film`.",
     ),
+    "C122": Explanation(
+        "Stiffness and damping against the slope of the load",
+        "Central differences of the film's own load are compared with stiffness and damping, where the film has "
+        "nodes of its own (holes, pockets, pressurised grooves, tilt, temperatures).",
+        "A margin on threshold speed and critical mass.",
+    ),
     "C114": Explanation(
         "Recommended clearance",
         "A recommendation: the mean relative clearance should reach 0.8e-3 U^(1/4), with U in m/s.",

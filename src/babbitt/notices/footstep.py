@@ -48,6 +48,7 @@ FOOTSTEP: dict[str, Explanation] = {
         "Flow in the footstep is not laminar",
         "A Reynolds number of groove, recess or clearance exceeds 1500; all formulas are for laminar films.",
         "Take flows and friction as estimates: turbulence raises friction and lowers the flow at equal pressure.",
+        effect=Effect.NO_VERDICT,
     ),
     "W165": Explanation(
         "Grooves do not close around the heel",

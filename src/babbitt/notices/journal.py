@@ -112,11 +112,13 @@ JOURNAL: dict[str, Explanation] = {
         "Wider pockets or a higher supply pressure; `method: film` with `thermal: adiabatic` tells more.",
     ),
     "W124": Explanation(
-        "No supply flow",
+        "Little or no supply flow",
         "Oil is supplied, yet no pressure presses any through the bearing: no supply element is given, or none "
-        "is left of the supply pressure. The film is taken to draw its side flow all the same, which nothing "
-        "shows to reach it.",
-        "Give the `supply_element` and the pressure of the supply, or compare with `method: film`.",
+        "is left of the supply pressure; or a groove around the whole circumference, out of which pressure alone "
+        "takes the oil, delivers less than the side flow. The film is taken to draw its side flow all the same, "
+        "which nothing shows to reach it; with less it runs hotter and thinner.",
+        "Give the `supply_element` and the pressure of the supply, or compare with `method: film`; more "
+        "supply pressure.",
     ),
     "W121": Explanation(
         "Flow of open grooves",

@@ -98,7 +98,7 @@ def fields(case: FilmCase, result: Result) -> xarray.Dataset:
         variables,
         coords=coords,
         attrs={
-            "title": result.name,
+            "title": str(result.name),  # as plain text: h5py writes no kinds of text of our own
             "source": f"Babbitt {__version__}",
             "rotation": case.rotation.value,
             "thermal": result.settings["thermal"],

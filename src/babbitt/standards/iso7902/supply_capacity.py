@@ -20,6 +20,7 @@ from babbitt.results import Bound, Check
 from babbitt.standards.iso7902.doubts import doubts_about_validity
 from babbitt.standards.iso7902.film import Film, curves_of, starved_film_at
 from babbitt.standards.iso7902.model import DesignCase
+from babbitt.standards.iso7902.supply import CircumferentialGroove
 from babbitt.units import ZERO_CELSIUS
 
 __all__ = [
@@ -130,6 +131,12 @@ def doubts_about_capacity(
         without = case.bearing.supply_element is None
         why = "no supply_element is given" if without else "no pressure is left at the supply element"
         yield Notice("W124", f"{why}: Q_p = 0, yet the film is taken to draw {_litres(film.side_flow)}")
+    elif isinstance(case.bearing.supply_element, CircumferentialGroove) and film.supply_flow < film.side_flow:
+        # no film enters such a groove: pressure alone takes oil from it to the halves on either side
+        pushed, drawn = _litres(film.supply_flow), _litres(film.side_flow)
+        yield Notice(
+            "W124", f"the supply pushes {pushed} through the groove, and the halves are taken to draw {drawn}"
+        )
     if film.supply_capacity is None or not lacks_oil(film):
         return
     capacity, wanted = film.supply_capacity, film.side_flow

@@ -6,7 +6,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from babbitt.bearings.elastic_film import ElasticFilm, elastic_film
+from babbitt.film.elastic_ring import ElasticRing
 from babbitt.film.frame import LoadFrame
+from babbitt.film.half_space import HalfSpace
 from babbitt.film.heat import FilmHeat, HeatGrid
 from babbitt.film.model import DRAFT, FilmStart, JournalFilm, Land, Pocket, Step, grooved_bore
 from babbitt.film.ring_solution import mirrored
@@ -14,7 +17,7 @@ from babbitt.film.solution import FilmSolution
 from babbitt.film.solve import solve_journal
 from babbitt.film.thermal import solve_thermal_journal
 
-KINDS = ("plain", "pressure", "tilt", "pocket", "ring", "lobes", "step", "crown")
+KINDS = ("plain", "pressure", "tilt", "pocket", "ring", "lobes", "step", "crown", "displaced")
 SAME, SAME_WARM = 1e-9, 1e-6
 FRESH = 318.15
 
@@ -55,6 +58,9 @@ def random_film(kind: str, seed: int) -> tuple[JournalFilm, tuple[float, float]]
         film = replace(film, steps=(Step(first + 1.5, 0.6, 0.5 * width, 0.5 * clearance),))
     if kind == "crown":
         film = replace(film, crowning=tuple(rng.uniform(0.0, 0.2, 3) * clearance))
+    if kind == "displaced":
+        field = tuple(map(tuple, (rng.uniform(-0.1, 0.1, (12, 3)) * clearance).tolist()))
+        film = replace(film, displacement=field, field_start=first)
     load, towards = 10.0 ** rng.uniform(-1.5, 0.5) * wedge * width * 0.5 * diameter, rng.uniform(-3.0, 3.0)
     return film, (load * math.cos(towards), load * math.sin(towards))
 
@@ -78,6 +84,7 @@ def turned(film: JournalFilm, load: tuple[float, float], angle: float) -> tuple[
         pockets=tuple(replace(one, centre_angle=one.centre_angle + angle) for one in film.pockets),
         steps=tuple(replace(one, centre_angle=one.centre_angle + angle) for one in film.steps),
         misalignment=vector(film.misalignment),
+        field_start=film.field_start + angle,
     ), vector(load)
 
 
@@ -138,6 +145,36 @@ def test_the_order_of_lands_and_pockets_does_not_matter(kind: str) -> None:
         assert other.outcome is found.outcome
         off = differences(found, other, np.eye(2))
         assert max(off.values()) < SAME, (kind, seed, off)
+
+
+@pytest.mark.parametrize("housing", ["ring", "half-space"])
+def test_a_turned_elastic_bore_is_the_same(housing: str) -> None:
+    """Film and displacement settle beside each other on places that are laid from the load."""
+    film, load = random_film("plain", 1)
+    inner = 0.5 * film.diameter
+    thin = 5.0 * load_pressure(film, load) * inner / film.clearance  # the bore gives way by part of the clearance
+    house = ElasticRing(inner, 1.5 * inner, 5.0 * thin, 0.3) if housing == "ring" else HalfSpace(thin, 0.3)
+
+    def settled(film: JournalFilm, load: tuple[float, float]) -> ElasticFilm[FilmSolution]:
+        laid = replace(film, field_start=math.atan2(load[1], load[0]))
+        return elastic_film(laid, [house], lambda one: solve_journal(one, load, DRAFT), 1e-5)
+
+    found = settled(film, load)
+    assert found.outcome.solved
+    assert np.abs(found.displacement).max() > 0.05 * film.clearance
+    seen = {
+        "turned": (turned(film, load, 1.1), rotation(1.1)),
+        "mirrored": ((mirrored(film), (load[0], -load[1])), np.diag([1.0, -1.0])),
+    }
+    for name, (given, turn) in seen.items():
+        other = settled(*given)
+        off = differences(found.solution, other.solution, turn)
+        assert max(off.values()) < SAME, (name, off)
+        assert np.abs(other.displacement).max() == pytest.approx(np.abs(found.displacement).max(), rel=SAME), name
+
+
+def load_pressure(film: JournalFilm, load: tuple[float, float]) -> float:
+    return math.hypot(*load) / (film.diameter * film.width)
 
 
 def viscosity_of(ambient: float):
