@@ -17,7 +17,10 @@ from babbitt.report.thrust_tables import tables
 from babbitt.report.thrust_words import answers as thrust_answers
 from babbitt.solving import solve
 
-LINE = template("thrust_line").replace("# speeds:", "speeds:").replace("number: 21", "number: 4")
+TEMPLATE = template("thrust_line")
+OIL = TEMPLATE[TEMPLATE.index("oil:") : TEMPLATE.index("ring_stiffness:")]
+GIVEN = TEMPLATE.replace(OIL, "oil: {kind: viscosity, viscosity: 45 mPa s}\n")
+LINE = GIVEN.replace("# speeds:", "speeds:").replace("number: 21", "number: 4").replace("3 um", "4 um")
 
 
 @pytest.fixture(scope="module")

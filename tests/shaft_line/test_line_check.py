@@ -16,7 +16,10 @@ from babbitt.shaft_line.judged import limits_of
 from babbitt.shaft_line.values import line_values
 from babbitt.solving import solve
 
-BASE = template("thrust_line").replace("amplitude: 4 um", "amplitude: 5 um")
+TEMPLATE = template("thrust_line")
+OIL = TEMPLATE[TEMPLATE.index("oil:") : TEMPLATE.index("ring_stiffness:")]
+GIVEN = TEMPLATE.replace(OIL, "oil: {kind: viscosity, viscosity: 45 mPa s}\n")
+BASE = GIVEN.replace("amplitude: 3 um", "amplitude: 5 um")
 
 
 def result(*changes):

@@ -15,9 +15,9 @@ from babbitt.shaft_line.periodic import NoPeriodicMotionError, PeriodicMotion, p
 from babbitt.shaft_line.resonance import Resonances, resonances_of
 from babbitt.shaft_line.stages import Attribution, attribution
 from babbitt.shaft_line.sweeps import CampbellPoint, RingPoint, ring_sweep, speed_sweep, usual_rings
-from babbitt.thrust.carrying import SimilarFilms
 from babbitt.thrust.design import ThrustState, operating_state
 from babbitt.thrust.standing import standing_at_rest
+from babbitt.thrust.warm_films import WarmFilms
 
 __all__ = ["MODES", "RINGS", "LineAnswer", "line_answer"]
 
@@ -88,8 +88,8 @@ def line_answer(design: LineDesign) -> LineAnswer:
     duty, films = design.duty, static.films
     state = state_of(duty, films, static.share)
     natural = modes(design.line, state.pads, MODES)
-    level = isinstance(films, SimilarFilms) and not standing_at_rest(duty.bearing).is_leaning
-    wanted = RINGS if level else FEWER_RINGS
+    similar = duty.bearing.pad.is_plane and not isinstance(films, WarmFilms)
+    wanted = RINGS if similar and not standing_at_rest(duty.bearing).is_leaning else FEWER_RINGS
     nonlinear, not_repeating = _nonlinear(state) if design.nonlinear else (None, "")
     rings = usual_rings(duty, state, wanted)
     return LineAnswer(

@@ -25,6 +25,9 @@ REFERENCE_SHARE = 1e-4
 class Carrying(Protocol):
     """Load of a pad over its film, and the film at any thickness."""
 
+    def __hash__(self) -> int:
+        """By identity: what is found of films is kept with them."""
+
     @property
     def pad(self) -> ThrustPad:
         """The pad."""
