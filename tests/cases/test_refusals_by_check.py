@@ -2,6 +2,7 @@
 
 import pytest
 
+from babbitt import solving
 from babbitt.cases import parse_case, template
 from babbitt.cases.loading import located
 from babbitt.notices import InputError
@@ -20,20 +21,29 @@ def test_pads_that_do_not_balance_are_refused_by_check(run, tmp_path):
     line = text.splitlines().index(next(one for one in text.splitlines() if one.startswith("  pivot:"))) + 1
     status, out, err = run("check", "leaning.yaml", "sound.yaml")
     assert status == 2
-    assert err.startswith(f"leaning.yaml:{line}: pads.pivot: ")
-    assert "[E202]" in err
+    assert err.startswith(f"leaning.yaml:{line}: pads.pivot.radius: ")
     assert "sound.yaml: usable" in out
 
 
-def test_the_other_files_of_a_run_are_solved(run, tmp_path):
-    (tmp_path / "leaning.yaml").write_text(unbalanced())
-    (tmp_path / "sound.yaml").write_text(template("hydrostatic_pad"))
+def test_the_other_files_of_a_run_are_solved(run, tmp_path, monkeypatch):
+    """A refusal that shows only when a case is solved ends that file, not the run."""
+    solve = solving.solve
+
+    def refusing(case, *given):
+        if case.name == "Closed":
+            raise InputError("E101", "load is beyond reach")
+        return solve(case, *given)
+
+    monkeypatch.setattr(solving, "solve", refusing)
+    sound = template("hydrostatic_pad")
+    (tmp_path / "closed.yaml").write_text(sound.replace("name: Round pad", "name: Closed"))
+    (tmp_path / "sound.yaml").write_text(sound)
     (tmp_path / "made").mkdir()
-    status, out, err = run("solve", "leaning.yaml", "sound.yaml", "--json", "made")
+    status, out, err = run("solve", "closed.yaml", "sound.yaml", "--json", "made")
     assert status == 2
-    assert "leaning.yaml:" in err
-    assert "pads.pivot" in err
-    assert parse_case(template("hydrostatic_pad")).name in out
+    assert err.startswith("closed.yaml:")
+    assert "load is beyond reach" in err
+    assert "Round pad" in out
     assert [path.name for path in (tmp_path / "made").iterdir()] == ["sound.json"]
 
 
