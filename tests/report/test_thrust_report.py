@@ -35,11 +35,13 @@ def bearing():
 
 def test_the_report_answers_and_tabulates(line):
     (chapter,) = content(line)["bearings"]
-    assert len(chapter["answers"]) == 7
+    assert len(chapter["answers"]) == 8
     assert [table["title"] for table in chapter["tables"]] == [
         "Pads at rest",
         "Oil of the pads",
         "Pads in motion",
+        "Films at 2.08 Hz",
+        "Films at 8.33 Hz",
         "Damped modes",
         "Peaks of the response",
         "Backing rings",
@@ -53,6 +55,7 @@ def test_the_report_answers_and_tabulates(line):
         "frequency-response",
         "ring-sweep",
         "campbell",
+        "axial-amplitude",
     ]
     assert all(figure["svg"].lstrip().startswith("<?xml") for figure in chapter["figures"])
     titles = [group["title"] for group in chapter["inputs"]]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
@@ -117,13 +117,25 @@ class SpeedRange(Part):
         return tuple(self.lowest + step * k for k in range(self.number))
 
 
+class LineLimits(Part):
+    """Admissible values of the motion."""
+
+    example: ClassVar[str] = "{axial_amplitude: 200 um}"
+
+    axial_amplitude: Annotated[float, si("m", "0.1 um", "10 mm", "um")] = Field(
+        description="Admissible amplitude of axial vibration along the shaft, half of peak to peak."
+    )
+
+
 class ThrustLineCase(ThrustBearingInputs, CaseFile):
     """A file with a shaft line: propeller, shaft, collar, thrust bearing, seating, and what shakes them."""
 
     kind: Literal["thrust_line"] = Field(description="Axial vibration of a shaft line on its thrust bearing.")
     name: Name = Field(description="Name of the line.")
     thrust: Thrust = Field(description="Steady thrust, F_0.")
-    propeller: Propeller = Field(description="The propeller.")
+    propeller: Propeller | None = Field(
+        None, description="The propeller. None: the shaft ends free, as that of a feed pump."
+    )
     shaft: tuple[ShaftPiece, ...] = Field(
         min_length=1, max_length=20, description="Pieces of the shaft from the propeller to the collar."
     )
@@ -136,6 +148,7 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
     loss_limit: Annotated[float, si("1", "0.01", "5")] | None = Field(
         None, description="Limit of dynamic over mean static pad load. None: 50 %, usual in industry."
     )
+    limits: LineLimits | None = Field(None, description="Admissible values besides film_limit and loss_limit.")
     speeds: SpeedRange | None = Field(None, description="Speeds of a Campbell map. None: no map.")
     nonlinear: bool = Field(
         False, description="Solve the nonlinear motion, too: takes seconds, and needs plane laminar pads."
@@ -149,6 +162,17 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
                 "a seating needs a ring of finite stiffness between pads and housing",
                 "ring_stiffness besides it, such as '1000 GN/m' for a stiff ring",
             )
+
+    @rule
+    def _blades_of_a_propeller(self) -> Iterator[Complaint]:
+        for place, one in enumerate(self.ripple):
+            if self.propeller is None and one.order is None:
+                yield Complaint(
+                    ("ripple", place, "order"),
+                    "without a propeller there is no blade frequency",
+                    "order: the frequency over that of the shaft, such as the number of vanes",
+                    "or give the propeller",
+                )
 
     @rule
     def _every_harmonic_once(self) -> Iterator[Complaint]:
@@ -193,8 +217,8 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
     def line_design(self) -> LineDesign:
         """Give the line of the calculation."""
         line = ShaftLine(
-            self.propeller.mass,
-            self.propeller.damping,
+            0.0 if self.propeller is None else self.propeller.mass,
+            0.0 if self.propeller is None else self.propeller.damping,
             tuple(piece.rod() for piece in self.shaft),
             self.collar_mass,
             tuple(piece.end_mass for piece in self.shaft[:-1]),
@@ -212,23 +236,26 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
             given.runouts,
             0.5 if self.loss_limit is None else self.loss_limit,
             "usual limit in industry: 50 % of the static load" if self.loss_limit is None else "given in the case",
+            None if self.limits is None else self.limits.axial_amplitude,
             () if self.speeds is None else self.speeds.speeds(),
             self.nonlinear,
         )
 
     def _thrust_harmonic(self, one: ThrustRipple) -> ThrustHarmonic:
-        order = one.order if one.order is not None else float(self.propeller.blades * (one.blade_multiple or 1))
+        blades = 1 if self.propeller is None else self.propeller.blades
+        order = one.order if one.order is not None else float(blades * (one.blade_multiple or 1))
         amplitude = one.amplitude if one.amplitude is not None else (one.share or 0.0) * self.thrust
         return ThrustHarmonic(order, amplitude, one.phase)
 
 
 def _words(case: ThrustLineCase) -> Iterator[tuple[str, str]]:
+    propeller = case.propeller
     yield (
         "Propeller",
-        (
-            f"{written(case.propeller.mass, 't')} with entrained water, {case.propeller.blades} blades, "
-            f"damping {written(case.propeller.damping, 'kN s/m')}"
-        ),
+        "none, the shaft ends free"
+        if propeller is None
+        else f"{written(propeller.mass, 't')} with entrained water, {propeller.blades} blades, "
+        f"damping {written(propeller.damping, 'kN s/m')}",
     )
     for place, piece in enumerate(case.shaft, start=1):
         bore = f", bore {written(piece.bore, 'mm')}" if piece.bore else ""

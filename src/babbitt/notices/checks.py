@@ -147,6 +147,12 @@ CHECKS: dict[str, Explanation] = {
         "frequency; 20 % are advised. Undamped frequencies on films at rest are information.",
         "Bar the speed range, or move the frequency by seating, ring, shaft or number of blades.",
     ),
+    "C205": Explanation(
+        "Axial vibration of the shaft",
+        "Largest amplitude of axial vibration along the shaft, half of peak to peak, for any phases of the "
+        "excitations, against the admissible one of the case; what sea trials measure.",
+        "Keep away from resonance; less ripple, a stiffer seating or ring, damping at the propeller.",
+    ),
     "C301": Explanation(
         "Least gap",
         "The smallest gap against the least that the case allows.",

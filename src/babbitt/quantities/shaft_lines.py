@@ -39,6 +39,11 @@ SHAFT_LINES: tuple[Quantity, ...] = (
     quantity("natural_frequency_4", "f_4", "rad/s", "Hz", 4, "Fourth axial natural frequency, undamped"),
     quantity("damping_ratio_1", "D_1", "1", "%", 3, "Damping ratio of the first mode"),
     quantity("frequency_separation", "δ_f", "1", "%", 3, "Least distance of an excitation from a resonance"),
+    quantity("axial_amplitude", "U_max", "m", "um", 3, "Largest axial vibration along the shaft, any phases"),
+    quantity("collar_axial_amplitude", "U_2", "m", "um", 3, "Axial vibration of the collar, any phases"),
+    quantity(
+        "far_end_axial_amplitude", "U_1", "m", "um", 3, "Axial vibration of the propeller or free end, any phases"
+    ),
     quantity("admissible_runout", "A_adm", "m", "um", 3, "Largest runout amplitude within all limits"),
     quantity("admissible_tilt", "e_adm", "m", "um", 3, "Largest tilt of the housing within all limits"),
     quantity("admissible_ripple", "Q_adm", "N", "kN", 4, "Largest thrust ripple within all limits"),
@@ -68,6 +73,41 @@ SHAFT_LINES: tuple[Quantity, ...] = (
     quantity("dynamic_peak", "N_peak,i", "N", "kN", 4, "Largest dynamic force of each pad, phases as given"),
     quantity("dynamic_bound", "N_bound,i", "N", "kN", 4, "Largest dynamic force of each pad, any phases"),
     quantity("pad_dynamic_film", "h_dyn,i", "m", "um", 3, "Thinnest dynamic film of each pad, any phases"),
+    quantity(
+        "pad_load_history",
+        "W_i(t)",
+        "1",
+        "",
+        4,
+        "Angle of the shaft (rad), load of each pad (N), phases as given",
+    ),
+    quantity(
+        "pad_stiffness_over_frequency",
+        "k_i(ν)",
+        "1",
+        "",
+        4,
+        "Frequency (rad/s), stiffness of each film (N/m)",
+    ),
+    quantity(
+        "pad_damping_over_frequency", "d_i(ν)", "1", "", 4, "Frequency (rad/s), damping of each film there (N s/m)"
+    ),
+    quantity(
+        "axial_amplitude_along",
+        "U(x)",
+        "1",
+        "",
+        4,
+        "Distance from the propeller, amplitude of each excitation; m",
+    ),
+    quantity(
+        "axial_amplitude_over_speed",
+        "U(n)",
+        "1",
+        "",
+        4,
+        "Speed (rad/s), axial amplitude of collar, propeller or free end, and largest along the shaft (m)",
+    ),
     quantity("damped_modes", "D", "1", "", 4, "Damped frequency (rad/s), damping ratio and number of each mode"),
     quantity(
         "response_peaks",

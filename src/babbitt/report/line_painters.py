@@ -9,6 +9,7 @@ import numpy as np
 
 from babbitt.report.drawing import GREY, INK, PALE, Sheet, limit_line, mark
 from babbitt.shaft_line.answer import LineAnswer
+from babbitt.shaft_line.axial import axial_amplitudes
 from babbitt.shaft_line.resonance import lobes_of
 from babbitt.shaft_line.response import AMPLIFIED, THRUST, pad_forces, static_force
 from babbitt.shaft_line.sweeps import barred_ranges
@@ -205,6 +206,27 @@ def campbell(answer: LineAnswer, limit: float, speed: float) -> Figure:
     below.set_ylabel("dynamic load in %")
     below.set_xlabel("speed in rpm")
     below.set_xlim(rpm[0], rpm[-1])
+    return figure
+
+
+def axial_amplitude(answer: LineAnswer, limit: float | None, speed: float) -> Figure:
+    """Axial vibration of shaft and collar over the speed."""
+    figure, ((panel,),) = Sheet(166.0, 60.0, left=14.0).panels()
+    rpm = np.array([point.speed for point in answer.campbell]) * RPM
+    found = [axial_amplitudes(point.state) for point in answer.campbell]
+    for name, dashes, label in (("largest", "-", "largest along the shaft"), ("collar", "--", "collar")):
+        panel.semilogy(
+            rpm, [1e6 * getattr(one, name) for one in found], dashes, color=INK, linewidth=1.0, label=label
+        )
+    if rpm[0] <= speed * RPM <= rpm[-1]:
+        mark(panel, speed * RPM, 1e6 * axial_amplitudes(answer.state).largest)
+    if limit is not None:
+        limit_line(panel, 1e6 * limit, "admissible", beside=1e6 * found[-1].largest)
+    panel.yaxis.set_major_formatter("{x:g}")
+    panel.set_xlim(rpm[0], rpm[-1])
+    panel.set_xlabel("speed in rpm")
+    panel.set_ylabel("axial amplitude in µm")
+    panel.legend(frameon=False, fontsize=7, loc="upper left", handlelength=2.6)
     return figure
 
 

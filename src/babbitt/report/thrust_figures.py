@@ -133,6 +133,14 @@ def _of_line(design: LineDesign) -> Iterator[Painted]:
             line_painters.campbell(answer, design.loss_limit, design.thrust.speed),
             True,
         )
+    if answer.campbell and state.losses.mean_bound > 0.0:
+        yield (
+            "axial-amplitude",
+            "Axial vibration over the speed for any phases: largest along the shaft (full) and of the collar "
+            "(broken). Filled: the speed of the case.",
+            line_painters.axial_amplitude(answer, design.axial_limit, design.thrust.speed),
+            True,
+        )
     if answer.nonlinear is not None:
         yield (
             "nonlinear",

@@ -76,6 +76,7 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
         "Static load; amplitudes by runout and by thrust ripple; both, as peak with the phases given and as bound "
         "for any; thinnest film with the bound.",
     )
+    yield from _over_frequency(result)
     modes = result.arrays["damped_modes"]
     if modes:
         yield _plain(
@@ -121,6 +122,21 @@ def _tables(result: Result) -> Iterator[dict[str, Any]]:
         "Dynamic over mean static pad load for any phases, each on the pad where it is largest; film amplitude by "
         "runout at a pivot.",
     )
+
+
+def _over_frequency(result: Result) -> Iterator[dict[str, Any]]:
+    stiffness, damping = (result.arrays[f"pad_{name}_over_frequency"] for name in ("stiffness", "damping"))
+    for (nu, *k), (_, *d) in zip(stiffness, damping, strict=True):
+        yield _plain(
+            f"Films at {nu / math.tau:.3g} Hz",
+            ("Pad", "Stiffness", "Damping"),
+            ("", "GN/m", "MNs/m"),
+            [
+                (str(pad), f"{a / 1e9:.4g}", f"{b / 1e6:.4g}")
+                for pad, (a, b) in enumerate(zip(k, d, strict=True), 1)
+            ],
+            "At the frequency of an excitation, tilts free and with their inertia.",
+        )
 
 
 def _by_pad(result: Result, title: str, names: Sequence[str], note: str) -> dict[str, Any]:

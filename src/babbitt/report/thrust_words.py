@@ -79,6 +79,7 @@ def _of_line(result: Result) -> Iterator[str]:
         yield _ring(result)
     if bearable := _bearable(result):
         yield bearable
+    yield _axial(result, checks.get("C205"))
     yield _frequencies(result)
     if "nonlinear_load_peak" in result.values:
         yield _nonlinear(result)
@@ -206,6 +207,18 @@ def _largest(result: Result, name: str, cause: str) -> str:
         more = f", {math.floor(1000.0 * value / result.values['load'] + 1e-9) / 10.0:.1f} % of the thrust"
     then = "then the pads find no film" if end == "no film" else f"then {by} misses its limit"
     return f"{cause} up to {written(name, value)}{more} ({then})"
+
+
+def _axial(result: Result, check: Check | None) -> str:
+    v = result.values
+    held = "; no admissible amplitude is given"
+    if check is not None:
+        held = f", {'within' if check.ok else 'beyond'} the admissible {_micro(check.limit)}"
+    return (
+        f"Axial vibration at the worst phases: {_micro(v['collar_axial_amplitude'])} of the collar, "
+        f"{_micro(v['far_end_axial_amplitude'])} at the other end of the shaft, at most "
+        f"{_micro(v['axial_amplitude'])} along it{held}."
+    )
 
 
 def _frequencies(result: Result) -> str:

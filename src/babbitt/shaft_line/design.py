@@ -28,6 +28,8 @@ class LineDesign:
     runouts : tuple of RunoutHarmonic
     loss_limit : float
         Of L1.
+    axial_limit : float or None
+        Admissible amplitude of axial vibration anywhere along the shaft, m.
     speeds : tuple of float
         Of the sweep, rad/s; empty for none.
     nonlinear : bool
@@ -40,6 +42,7 @@ class LineDesign:
     runouts: tuple[RunoutHarmonic, ...]
     loss_limit: float = 0.5
     loss_limit_source: str = ""
+    axial_limit: float | None = None
     speeds: tuple[float, ...] = ()
     nonlinear: bool = False
     kind: str = "thrust_line"

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 
 from babbitt.results import Bound, Check
+from babbitt.shaft_line.axial import axial_amplitudes
 from babbitt.shaft_line.design import LineDesign
 from babbitt.shaft_line.model import LineState
 from babbitt.thrust.design import ThrustState, temperatures_of_share
@@ -24,6 +25,7 @@ def motion_values(state: LineState) -> dict[str, float]:
         "loss_mean_bound": state.losses.mean_bound,
         "dynamic_minimum_film": float(state.film.thinnest_bound.min()),
         "unload_margin_bound": state.losses.margin_bound,
+        "axial_amplitude": axial_amplitudes(state).largest,
     }
 
 
@@ -50,6 +52,9 @@ def limits_of(design: LineDesign, values: Mapping[str, float]) -> Iterator[Check
         ),
     ):
         yield Check(code, name, values[name], limit, bound, source)
+    if design.axial_limit is not None:
+        name = "axial_amplitude"
+        yield Check("C205", name, values[name], design.axial_limit, Bound.AT_MOST, "given in the case")
     yield from thrust.temperatures.checks(values)
     yield from pressure_checks(thrust.temperatures.given_metal, values)
 

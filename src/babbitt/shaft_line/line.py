@@ -68,7 +68,7 @@ class ShaftLine:
     Attributes
     ----------
     propeller_mass : float
-        m1 with entrained water, kg.
+        m1 with entrained water, kg; 0 for the free end of a shaft without propeller.
     propeller_damping : float
         b0, N s/m.
     rods : tuple of Rod
@@ -89,8 +89,10 @@ class ShaftLine:
     seating: Seating | None = None
 
     def __post_init__(self) -> None:
-        _require_positive("shaft line", propeller_mass=self.propeller_mass, collar_mass=self.collar_mass)
-        _require_not_negative("shaft line", propeller_damping=self.propeller_damping)
+        _require_positive("shaft line", collar_mass=self.collar_mass)
+        _require_not_negative(
+            "shaft line", propeller_mass=self.propeller_mass, propeller_damping=self.propeller_damping
+        )
         if self.joint_masses and len(self.joint_masses) != len(self.rods) - 1:
             raise InputError(
                 "E203",

@@ -17,7 +17,7 @@ from babbitt.shaft_line.impedance import POLE, dynamic_stiffness
 from babbitt.shaft_line.line import ShaftLine
 from babbitt.shaft_line.pads import DynamicPads
 
-__all__ = ["Mode", "modes", "root_count", "undamped_frequencies"]
+__all__ = ["Mode", "along", "modes", "root_count", "undamped_frequencies"]
 
 Array = NDArray[np.float64]
 
@@ -112,7 +112,7 @@ def modes(line: ShaftLine, pads: DynamicPads, number: int) -> tuple[Mode, ...]:
         vector = vectors[:, int(np.abs(values).argmin())]
         joints, z = len(line.masses), pads.phases.size
         moved = np.zeros(z) if math.isinf(pads.ring_stiffness) else vector[joints : joints + z]
-        places, shape = _along(line, vector[:joints], frequency)
+        places, shape = along(line, vector[:joints], frequency)
         housing = float(vector[-1]) if line.seating is not None else 0.0
         largest = max(np.abs(shape).max(), np.abs(moved).max(), abs(housing))
         sign = 1.0 if shape[int(np.abs(shape).argmax())] > 0.0 else -1.0
@@ -121,7 +121,7 @@ def modes(line: ShaftLine, pads: DynamicPads, number: int) -> tuple[Mode, ...]:
     return tuple(made)
 
 
-def _along(line: ShaftLine, joints: Array, frequency: float) -> tuple[Array, Array]:
+def along(line: ShaftLine, joints: Array, frequency: float) -> tuple[Array, Array]:
     """Displacement along the rods: the wave through the motion of both ends."""
     if not line.rods:
         return np.array([0.0]), joints

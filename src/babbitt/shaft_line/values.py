@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from babbitt.results import Matrix
 from babbitt.shaft_line.answer import MODES, LineAnswer
+from babbitt.shaft_line.axial import axial_amplitudes
 from babbitt.shaft_line.design import LineDesign
 from babbitt.shaft_line.inverse import Bearable
 from babbitt.shaft_line.judged import motion_values
@@ -14,13 +17,19 @@ from babbitt.thrust.values import pad_arrays, share_values
 
 __all__ = ["bearables", "line_arrays", "line_values"]
 
+HISTORY = 180
+"""Angles of the shaft, at least, at which pad loads are written."""
+
 
 def line_values(design: LineDesign, answer: LineAnswer) -> dict[str, float]:
     """Named values in SI; those of the static share among them."""
     state, losses = answer.state, answer.state.losses
+    axial = axial_amplitudes(state)
     values = share_values(design.thrust, answer.static)
     values |= {
         **motion_values(state),
+        "collar_axial_amplitude": axial.collar,
+        "far_end_axial_amplitude": axial.far_end,
         "loss_mean_peak": losses.mean_peak,
         "loss_mean_worst_turn": state.worst_turn_loss,
         "loss_own_bound": losses.own_bound,
@@ -72,6 +81,24 @@ def line_arrays(design: LineDesign, answer: LineAnswer) -> dict[str, Matrix]:
     state = answer.state
     forced = state.forced
     arrays = pad_arrays(state.share, design.thrust.speed)
+    frequencies = sorted(set(state.frequencies))
+    films = state.pads.films(np.array(frequencies))
+    for name, values in (
+        ("pad_stiffness_over_frequency", films.real),
+        ("pad_damping_over_frequency", films.imag / np.array(frequencies)[:, None]),
+    ):
+        arrays[name] = tuple((nu, *map(float, row)) for nu, row in zip(frequencies, values, strict=True))
+    axial = axial_amplitudes(state)
+    arrays["axial_amplitude_along"] = tuple(
+        (float(place), *map(float, row)) for place, row in zip(axial.places, axial.each.T, strict=True)
+    )
+    if forced.commensurate:
+        step = max(1, forced.angles.size // HISTORY)
+        loads = state.share.loads[:, None] + forced.force_history()
+        arrays["pad_load_history"] = tuple(
+            (float(angle), *map(float, row))
+            for angle, row in zip(forced.angles[::step], loads.T[::step], strict=True)
+        )
     rows = {
         "runout_force": forced.bounds_of(runout=True),
         "ripple_force": forced.bounds_of(runout=False),
@@ -98,6 +125,10 @@ def line_arrays(design: LineDesign, answer: LineAnswer) -> dict[str, Matrix]:
     )
     if answer.campbell:
         arrays["campbell"] = tuple((p.speed, p.state.losses.mean_bound, *p.frequencies) for p in answer.campbell)
+        arrays["axial_amplitude_over_speed"] = tuple(
+            (p.speed, found.collar, found.far_end, found.largest)
+            for p, found in ((p, axial_amplitudes(p.state)) for p in answer.campbell)
+        )
         arrays["resonances_met"] = tuple(
             (p.speed, met.order, met.resonance, met.separation)
             for p in answer.campbell
