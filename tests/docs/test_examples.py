@@ -163,9 +163,16 @@ def test_every_block_is_run_or_said_to_be_text(page: Path) -> None:
             assert block.stands_for, f"{place}: say with '<!-- file: NAME -->' which file this is"
 
 
-NOT_PASSED = ("trawler_thrust_line.yaml", "grooved.yaml", "long_film.yaml", "pump_footstep.yaml")
-"""A bearing that breaks a limit, as its source says; films of one dimension, whose thickness can keep no limit;
-and a heel with an unstable state."""
+NOT_PASSED = (
+    "trawler_thrust_line.yaml",
+    "grooved.yaml",
+    "long_film.yaml",
+    "pump_footstep.yaml",
+    "pump_footstep_metal.yaml",
+    "output_wheel_load_share.yaml",
+)
+"""A bearing that breaks a limit, as its source says; films of one dimension, whose thickness can keep no limit; a heel
+with an unstable state; a heel and the statics of a shaft, of which nothing is held against a limit."""
 
 
 @pytest.mark.parametrize("file", sorted((ROOT / "examples").glob("*.yaml")), ids=lambda file: file.name)

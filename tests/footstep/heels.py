@@ -2,11 +2,22 @@
 
 import math
 
+from babbitt.cases import template
 from babbitt.footstep.model import Footstep, HeelGeometry, HeelOil, ScrewGroove
 
 GEOMETRY = HeelGeometry(35e-3, 21.8e-3, 14e-3, 5e-3, 5e-3)
 GROOVE = ScrewGroove(math.radians(10.0), 0.3e-3, 1.2e-3, 3.58e-3, 5)
 OIL = HeelOil(0.0225, 298.15, 0.026, 1.76e6, 880.0)
+
+STUDY = (
+    template("screw_heel")
+    .replace("method: narrow_groove ", "method: superposition ")
+    .replace(
+        "\nwall: {temperature: 25 degC, conductance: 10 W/K}",
+        "\n# wall: {temperature: 25 degC, conductance: 10 W/K}",
+    )
+)
+"""The template by the equations of the study, which know no metal."""
 
 
 def footstep(face_gap=20.0, clearance=20.0, **changes):

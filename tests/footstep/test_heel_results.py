@@ -3,13 +3,14 @@
 import json
 
 import pytest
+from heels import STUDY
 
-from babbitt.cases import parse_case, template
+from babbitt.cases import parse_case
 from babbitt.report.export import to_json, write_json
 from babbitt.results import Outcome
 from babbitt.solving import solve
 
-TEXT = template("screw_heel")
+TEXT = STUDY
 
 
 def solved(**changes):

@@ -4,15 +4,16 @@ import itertools
 from io import StringIO
 
 import pytest
+from heels import STUDY
 from rich.console import Console
 
-from babbitt.cases import parse_case, template
+from babbitt.cases import parse_case
 from babbitt.report.content import content
 from babbitt.report.figures import write_plots
 from babbitt.report.table import print_machine
 from babbitt.solving import solve
 
-TEXT = template("screw_heel")
+TEXT = STUDY
 WITHOUT = TEXT.replace("face_gap: 20 um", "face_gap: 12 um").replace("\nclearance: 20 um", "\nclearance: 10 um")
 
 

@@ -4,12 +4,13 @@ import math
 
 import numpy as np
 import pytest
+from heels import STUDY
 
-from babbitt.cases import design_cases, parse_case, template
+from babbitt.cases import design_cases, parse_case
 from babbitt.footstep.states import StateName
 from babbitt.studies.heel_sweep import sweep_heel
 
-FOOTSTEP = design_cases(parse_case(template("screw_heel")))[1].footstep
+FOOTSTEP = design_cases(parse_case(STUDY))[1].footstep
 
 
 def test_grid_of_states():
@@ -40,7 +41,7 @@ def test_both_methods_side_by_side():
     from babbitt.report.comparison_table import print_comparison
     from babbitt.studies.comparison import compare_methods
 
-    (comparison,) = compare_methods(parse_case(template("screw_heel")))
+    (comparison,) = compare_methods(parse_case(STUDY))
     labels = [variant.label for variant in comparison.variants]
     assert labels == [
         "study, smooth heel", "study, hot state", "study, cold state", "narrow grooves, smooth heel",
