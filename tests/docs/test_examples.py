@@ -171,8 +171,8 @@ NOT_PASSED = (
     "pump_footstep_metal.yaml",
     "output_wheel_load_share.yaml",
 )
-"""A bearing that breaks a limit, as its source says; films of one dimension, whose thickness can keep no limit; a heel
-with an unstable state; a heel and the statics of a shaft, of which nothing is held against a limit."""
+"""A bearing that breaks a limit, as its source says; films of one dimension, whose thickness can keep no limit;
+a heel with an unstable state; a heel and the statics of a shaft, of which nothing is held against a limit."""
 
 
 @pytest.mark.parametrize("file", sorted((ROOT / "examples").glob("*.yaml")), ids=lambda file: file.name)
