@@ -271,7 +271,7 @@ def test_waves_of_the_face_pass_the_pads_in_their_order():
         lambda: Rod(30.0, -0.1, 2e11, 7850.0),
         lambda: Rod(30.0, 0.1, 0.0, 7850.0),
         lambda: Rod(30.0, 0.1, 2e11, float("nan")),
-        lambda: ShaftLine(0.0, 0.0, (ROD,), 8e3),
+        lambda: ShaftLine(-1.0, 0.0, (ROD,), 8e3),
         lambda: ShaftLine(1.0, -1.0, (ROD,), 8e3),
         lambda: ShaftLine(1.0, 0.0, (ROD,), 0.0),
         lambda: ShaftLine(1.0, 0.0, (ROD, ROD, ROD), 8e3, joint_masses=(1.0,)),
