@@ -13,8 +13,8 @@ from routh_hurwitz import hurwitz_margins, is_stable
 
 from babbitt.bearings.warm_film import operating_film
 from babbitt.bearings.whirl import at_speed
-from babbitt.film.rotor import RIGID, critical_mass_of_rotor, growth_rates
-from babbitt.film.stability import whirl_frequency
+from babbitt.film.rotor import RIGID, critical_mass_of_rotor, growth_rates, stable_masses_of_rotor
+from babbitt.film.stability import NO_MASS, stable_masses, whirl_frequency
 from babbitt.film.whirl import crossing
 
 entries = st.integers(-100, 100).map(lambda tenths: 0.1 * tenths)
@@ -41,6 +41,14 @@ def whirling_films(draw):
     middle, apart = draw(direct), draw(st.floats(-0.9, 0.9)) * math.sqrt(one * other)
     k = np.array([[middle + 10.0 + apart, one], [-other, middle + 10.0 - apart]])
     return k, np.diag([draw(direct), draw(direct)])
+
+
+@st.composite
+def any_films(draw):
+    """Any stiffness and damping, saddles, unsymmetric and negative damping included."""
+    k, c = (np.array([[draw(entries) for _ in range(2)] for _ in range(2)]) for _ in range(2))
+    assume(abs(np.linalg.det(k)) > 0.05 and abs(np.linalg.det(c)) > 0.05 and abs(np.trace(c)) > 0.05)
+    return k, c
 
 
 @given(films(), st.floats(0.05, 50.0))
@@ -129,3 +137,60 @@ def test_a_threshold_is_not_told_where_films_are_missing_beside_it():
     assert crossing(excess, 100.0) == pytest.approx(115.0, rel=1e-4)
     assert crossing(with_a_hole, 100.0) is None
     assert crossing(lambda speed: math.nan, 100.0) is None
+
+
+@given(any_films(), st.floats(0.01, 100.0))
+def test_a_rotor_is_stable_within_the_stable_masses_and_nowhere_else(film, mass):
+    stable = stable_masses(*film)
+    reserve = stable.reserve(mass)
+    rate = growth_rates(mass, *film).item()
+    assume(abs(rate) > 1e-9 * np.linalg.norm(film[1]) / mass)
+    assert (reserve > 1.0) is (rate < 0.0)
+    assert is_stable(mass, *film) is (reserve > 1.0)
+
+
+@given(any_films(), st.floats(0.01, 100.0), st.floats(1.0, 1e3))
+def test_a_rotor_on_an_elastic_shaft_is_stable_within_its_stable_masses(film, mass, shaft):
+    rate = growth_rates(mass, *film, shaft).item()
+    assume(abs(rate) > 1e-6)
+    assert (stable_masses_of_rotor(*film, shaft).reserve(mass) > 1.0) is (rate < 0.0)
+
+
+REVERSED = {  # K in MN/m and C in MN s/m of mass-conserving films with one groove of 20 deg 30 deg behind the load
+    "light": ([[25.679, 8.902], [160.486, 139.940]], [[-0.019243, 0.081811], [-0.230518, 1.272328]]),
+    "heavy": ([[62.482, 22.519], [335.023, 431.393]], [[-0.064660, 0.267884], [-0.688205, 3.568000]]),
+}
+
+
+def test_light_rotors_whirl_where_the_determinant_of_the_damping_is_negative():
+    stiffness, damping = (1e6 * np.array(one) for one in REVERSED["light"])
+    stable = stable_masses(stiffness, damping)
+    assert stable.least == pytest.approx(802.0, rel=2e-3)
+    assert stable.greatest == math.inf
+    assert growth_rates(300.0, stiffness, damping) > 0.0
+    assert growth_rates(2000.0, stiffness, damping) < 0.0
+
+
+def test_no_rotor_is_stable_where_the_damping_is_reversed_and_the_frequency_is_none():
+    stiffness, damping = (1e6 * np.array(one) for one in REVERSED["heavy"])
+    assert stable_masses(stiffness, damping) == NO_MASS
+    assert (growth_rates(np.geomspace(1.0, 1e6, 13), stiffness, damping) > 0.0).all()
+
+
+def test_a_film_that_only_a_heavy_rotor_can_use_is_checked_from_below():
+    groove = {"grooves": [{"angle": "300 deg", "extent": "20 deg", "pressure": "0 Pa"}]}
+    base = {
+        "diameter": "100 mm", "width": "80 mm", "clearance": {"kind": "relative", "mean": "2 permille"},
+        "lubricant": "ISO VG 32", "effective_temperature": "48 degC", "speed": "3000 rpm", "load": "1 kN",
+    }  # fmt: skip
+    light, heavy = (answer(**base | groove | {"rotor_mass": mass}) for mass in ("300 kg", "2000 kg"))
+    assert light.least_stable_mass == pytest.approx(802.0, rel=0.01)
+    assert light.stable_at_any_mass == 0.0
+    assert "critical_mass" not in light.values
+    assert [check.ok for check in light.checks if check.code == "C115"] == [False]
+    assert [check.ok for check in heavy.checks if check.code == "C115"] == [True]
+    assert "W120" in {warning.code for warning in light.warnings}
+    assert "W120" not in {warning.code for warning in heavy.warnings}
+    never = answer(**base | groove | {"load": "3 kN", "rotor_mass": "300 kg"})
+    assert never.critical_mass == 0.0
+    assert never.verdict.value == "fail"

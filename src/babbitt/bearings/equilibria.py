@@ -22,7 +22,7 @@ from babbitt.film.model import DRAFT, JournalFilm, Resolution
 from babbitt.film.nearby import SAME_PLACE, equilibrium_near
 from babbitt.film.solution import FilmSolution
 from babbitt.film.solve import film_at_position, solve_journal
-from babbitt.film.stability import critical_mass
+from babbitt.film.stability import StableMasses, stable_masses
 
 __all__ = ["RestingPlace", "RestingPlaces", "find_equilibria"]
 
@@ -59,15 +59,14 @@ class RestingPlace:
         return 1 if np.linalg.det(self.film.stiffness) > 0.0 else -1
 
     @property
-    def holds(self) -> bool:
-        """Whether a journal without mass comes back: every motion of C x' = -K x dies away."""
-        decay = np.linalg.solve(self.film.damping, self.film.stiffness)
-        return bool(np.linalg.det(decay) > 0.0 and np.trace(decay) > 0.0)
+    def stable_masses(self) -> StableMasses:
+        """Masses of a rigid rotor that stays here, kg."""
+        return stable_masses(self.film.stiffness, self.film.damping)
 
     @property
-    def critical_mass(self) -> float:
-        """Mass above which a rigid rotor whirls here, kg; zero where not even a massless one stays."""
-        return critical_mass(self.film.stiffness, self.film.damping) if self.holds else 0.0
+    def holds(self) -> bool:
+        """Whether a journal of very little mass comes back."""
+        return self.stable_masses.least == 0.0
 
 
 @dataclass(frozen=True, eq=False)

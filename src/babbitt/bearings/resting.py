@@ -68,5 +68,13 @@ def doubts_about_rest(shown: FilmSolution, found: RestingPlaces | None) -> Itera
 def _said(place: RestingPlace) -> str:
     x, y = place.position
     direction = math.degrees(math.atan2(y, x))
-    kind = "the journal stays there" if place.holds else "it whirls there" if place.index > 0 else "it never stays"
-    return f"e/c = {place.film.eccentricity_ratio:.3f} at {direction:.0f}° from +x, {kind}"
+    return f"e/c = {place.film.eccentricity_ratio:.3f} at {direction:.0f}° from +x, {_stays(place)}"
+
+
+def _stays(place: RestingPlace) -> str:
+    if place.holds:
+        return "the journal stays there"
+    if place.index < 0:
+        return "it never stays"
+    least = place.stable_masses.least
+    return "it whirls there" if math.isinf(least) else f"it whirls there unless heavier than {least:.4g} kg"

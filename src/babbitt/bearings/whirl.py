@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.settling import place_of, settled_film
 from babbitt.bearings.warm_film import FilmState
-from babbitt.film.rotor import RIGID, critical_mass_of_rotor
+from babbitt.film.rotor import RIGID, stable_masses_of_rotor
 from babbitt.film.whirl import ElasticWhirl, Whirl, crossing, rotor_mass, stability_excess
 
 if TYPE_CHECKING:
@@ -29,14 +29,14 @@ def whirl_of(case: FilmCase, state: FilmState) -> Whirl:
     speed = abs(state.solution.film.angular_speed)
     mass, shaft = mass_of_rotor(case, state.load), case.shaft_stiffness
     return Whirl(
-        critical_mass_of_rotor(stiffness, damping),
+        stable_masses_of_rotor(stiffness, damping),
         whirl_frequency(stiffness, damping) / speed,
         mass,
         threshold_speed(case, state, mass),
         None
         if shaft is None
         else ElasticWhirl(
-            critical_mass_of_rotor(stiffness, damping, shaft), threshold_speed(case, state, mass, shaft)
+            stable_masses_of_rotor(stiffness, damping, shaft), threshold_speed(case, state, mass, shaft)
         ),
     )
 
@@ -61,6 +61,8 @@ def threshold_speed(case: FilmCase, state: FilmState, mass: float, shaft_stiffne
         found = at_speed(case, state, speed)
         if not found.outcome.solved:
             return math.nan
-        return stability_excess(critical_mass_of_rotor(found.stiffness, found.damping, shaft_stiffness), mass)
+        return stability_excess(
+            stable_masses_of_rotor(found.stiffness, found.damping, shaft_stiffness).reserve(mass)
+        )
 
     return crossing(excess, abs(state.solution.film.angular_speed))

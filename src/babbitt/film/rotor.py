@@ -1,14 +1,17 @@
-"""The rotor that the film carries, rigid or on an elastic shaft: critical mass, and how fast a whirl grows."""
+"""The rotor that the film carries, rigid or on an elastic shaft: stable masses, and how fast a whirl grows."""
 
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["RIGID", "critical_mass_of_rotor", "growth_rates"]
+if TYPE_CHECKING:
+    from babbitt.film.stability import StableMasses
+
+__all__ = ["RIGID", "critical_mass_of_rotor", "growth_rates", "stable_masses_of_rotor"]
 
 Array = NDArray[np.float64]
 
@@ -16,8 +19,43 @@ RIGID = math.inf
 """Stiffness of a shaft that does not bend, N/m."""
 
 
+def stable_masses_of_rotor(stiffness: Any, damping: Any, shaft_stiffness: float = RIGID) -> StableMasses:
+    """Masses of a rotor, kg per bearing, for which every motion dies away.
+
+    Parameters
+    ----------
+    stiffness, damping : array_like, shape (2, 2)
+        Of the film, N/m and N s/m.
+    shaft_stiffness : float
+        Between the mass and the journal, N/m.
+
+    Returns
+    -------
+    StableMasses
+
+    Notes
+    -----
+    On the threshold everything oscillates with the frequency Ω. The mass m at the end of a shaft of stiffness k
+    moves k / (k - m Ω²) times as far as the journal and pushes it as the effective mass ``m k / (k - m Ω²)`` at
+    the journal would. That mass is the critical one of the rigid rotor, m_0, at the same Ω:
+    ``m = m_0 / (1 + m_0 Ω² / k)``. A film that only a heavy journal bears (det C < 0) bears none on a shaft that
+    bends: the journal, which has no mass of its own there, leaves at once.
+    """
+    from babbitt.film.stability import NO_MASS, StableMasses, stable_masses, whirl_frequency
+
+    film = np.asarray(stiffness, dtype=float), np.asarray(damping, dtype=float)
+    rigid = stable_masses(*film)
+    if math.isinf(shaft_stiffness):
+        return rigid
+    if rigid.least > 0.0:
+        return NO_MASS
+    if math.isinf(rigid.greatest):
+        return rigid
+    return StableMasses(0.0, rigid.greatest / (1.0 + rigid.greatest * whirl_frequency(*film) ** 2 / shaft_stiffness))
+
+
 def critical_mass_of_rotor(stiffness: Any, damping: Any, shaft_stiffness: float = RIGID) -> float:
-    """Mass above which a rotor whirls, kg per bearing; infinite if it never does.
+    """Mass above which a rotor whirls, kg per bearing; infinite if a heavy one never does, zero if any does.
 
     Parameters
     ----------
@@ -30,26 +68,13 @@ def critical_mass_of_rotor(stiffness: Any, damping: Any, shaft_stiffness: float 
     -------
     float
 
-    Notes
-    -----
-    On the threshold everything oscillates with the frequency Ω. The mass m at the end of a shaft of stiffness k
-    moves k / (k - m Ω²) times as far as the journal and pushes it as the effective mass ``m k / (k - m Ω²)`` at
-    the journal would. That mass is the critical one of the rigid rotor, m_0, at the same Ω:
-    ``m = m_0 / (1 + m_0 Ω² / k)``.
-
     Examples
     --------
     >>> film = [[2e8, 1e8], [-3e8, 4e8]], [[1e6, 0.0], [0.0, 2e6]]
     >>> round(critical_mass_of_rotor(*film)), round(critical_mass_of_rotor(*film, shaft_stiffness=1e9))
     (25263, 19945)
     """
-    from babbitt.film.stability import critical_mass, whirl_frequency
-
-    film = np.asarray(stiffness, dtype=float), np.asarray(damping, dtype=float)
-    rigid = critical_mass(*film)
-    if not math.isfinite(rigid):
-        return rigid
-    return rigid / (1.0 + rigid * whirl_frequency(*film) ** 2 / shaft_stiffness)
+    return stable_masses_of_rotor(stiffness, damping, shaft_stiffness).greatest
 
 
 def growth_rates(mass: Any, stiffness: Any, damping: Any, shaft_stiffness: float = RIGID) -> Array:

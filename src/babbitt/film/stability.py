@@ -1,17 +1,24 @@
-"""When a bearing whirls: critical mass and whirl frequency of a rigid journal.
+"""Which masses a bearing carries without whirl, and how fast a rigid journal whirls on the threshold.
 
 Equation of motion of a mass m carried by one film, about equilibrium:  m r'' + C r' + K r = 0. Its characteristic
-polynomial is a quartic in s; on the threshold s = i Omega. Source: Lund J.W., Thomsen K.K. (1978).
+polynomial is a quartic in s; on the threshold s = i Omega. Source: Lund J.W., Thomsen K.K. (1978). The criterion of
+Routh for that quartic asks for tr C > 0, det K > 0, k0 > 0 and
+
+    det C k0 > m (k0^2 - k0 tr K + det K)
+
+with k0 the threshold stiffness. Where det C is positive it bounds the mass from above; where det C is negative, as
+that of mass-conserving films with one groove behind the load may be, from below.
 """
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["critical_mass", "whirl_frequency"]
+__all__ = ["StableMasses", "critical_mass", "stable_masses", "whirl_frequency"]
 
 Matrix = NDArray[np.float64]
 
@@ -24,7 +31,7 @@ def threshold_stiffness(stiffness: Matrix, damping: Matrix) -> float:
 
 
 def whirl_frequency(stiffness: Matrix, damping: Matrix) -> float:
-    """Angular frequency of the whirl on the threshold, rad/s; zero if the bearing cannot whirl.
+    """Angular frequency of the whirl on the threshold, rad/s; zero if no mass is on the threshold.
 
     Omega^2 = ((k0 - Kxx)(k0 - Kyy) - Kxy Kyx) / det C with k0 the threshold stiffness.
     """
@@ -34,10 +41,48 @@ def whirl_frequency(stiffness: Matrix, damping: Matrix) -> float:
     return math.sqrt(squared) if squared > 0.0 else 0.0
 
 
-def critical_mass(stiffness: Matrix, damping: Matrix) -> float:
-    """Mass above which the journal whirls, kg per bearing; infinite if it never does.
+@dataclass(frozen=True)
+class StableMasses:
+    """Masses of a rotor that run without whirl: more than `least` and less than `greatest`, kg per bearing."""
 
-    Zero where it leaves its place at any mass: where the static stiffness is that of a saddle or pushes it off.
+    least: float
+    greatest: float
+
+    def reserve(self, mass: float) -> float:
+        """How many times a rotor's mass, in kg, is within its nearer bound: above 1 where it is stable."""
+        return min(self.greatest / mass, mass / self.least if self.least > 0.0 else math.inf)
+
+
+NO_MASS = StableMasses(math.inf, 0.0)
+"""Where a journal of any mass leaves its place."""
+
+
+def stable_masses(stiffness: Matrix, damping: Matrix) -> StableMasses:
+    """Masses of a rigid journal for which every motion dies away, by the criterion of Routh.
+
+    Parameters
+    ----------
+    stiffness, damping : ndarray, shape (2, 2)
+        N/m and N s/m.
+
+    Returns
+    -------
+    StableMasses
+        `NO_MASS` where it leaves its place at any mass: where the static stiffness is that of a saddle or pushes it
+        off, or where the film feeds its motion.
+    """
+    k0 = threshold_stiffness(stiffness, damping)
+    of_k, of_c = float(np.linalg.det(stiffness)), float(np.linalg.det(damping))
+    if not (np.trace(damping) > 0.0 and of_k > 0.0 and k0 > 0.0):
+        return NO_MASS
+    slope = k0 * k0 - k0 * float(np.trace(stiffness)) + of_k
+    if of_c > 0.0:
+        return StableMasses(0.0, of_c * k0 / slope if slope > 0.0 else math.inf)
+    return StableMasses(of_c * k0 / slope, math.inf) if slope < 0.0 else NO_MASS
+
+
+def critical_mass(stiffness: Matrix, damping: Matrix) -> float:
+    """Mass above which the journal whirls, kg per bearing; infinite if a heavy one never does, zero if any does.
 
     Parameters
     ----------
@@ -48,10 +93,4 @@ def critical_mass(stiffness: Matrix, damping: Matrix) -> float:
     -------
     float
     """
-    stays = np.linalg.det(stiffness) > 0.0 and threshold_stiffness(stiffness, damping) > 0.0
-    if not stays:
-        return 0.0
-    frequency = whirl_frequency(stiffness, damping)
-    if frequency == 0.0:
-        return math.inf
-    return threshold_stiffness(stiffness, damping) / frequency**2
+    return stable_masses(stiffness, damping).greatest

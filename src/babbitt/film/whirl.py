@@ -5,8 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from babbitt.design.roots import find_root
+
+if TYPE_CHECKING:
+    from babbitt.film.stability import StableMasses
 
 __all__ = [
     "SPEED_TOLERANCE",
@@ -38,7 +42,7 @@ class Whirl:
     rotor is rigid; with it, the same for the shaft as stiff as the case says.
     """
 
-    critical_mass: float
+    stable: StableMasses
     frequency_ratio: float
     rotor_mass: float
     threshold_speed: float | None
@@ -47,9 +51,9 @@ class Whirl:
 
 @dataclass(frozen=True)
 class ElasticWhirl:
-    """Critical mass in kg and threshold speed in rad/s of a rotor on its elastic shaft."""
+    """Stable masses in kg and threshold speed in rad/s of a rotor on its elastic shaft."""
 
-    critical_mass: float
+    stable: StableMasses
     threshold_speed: float | None
 
 
@@ -58,11 +62,17 @@ def rotor_mass(given: float | None, load: float) -> float:
     return given if given is not None else load / STANDARD_GRAVITY
 
 
-def stability_excess(critical_mass: float, mass: float) -> float:
-    """How far a rotor is from its threshold: positive where it is stable, smooth about zero, never infinite."""
-    if 0.0 < critical_mass < math.inf:
-        return math.atan(math.log(critical_mass / mass))
-    return math.copysign(2.0, critical_mass - mass)
+def stability_excess(reserve: float) -> float:
+    """How far a rotor is from its threshold: positive where it is stable, smooth about zero, never infinite.
+
+    Parameters
+    ----------
+    reserve : float
+        `babbitt.film.stability.StableMasses.reserve` of its mass.
+    """
+    if 0.0 < reserve < math.inf:
+        return math.atan(math.log(reserve))
+    return math.copysign(2.0, reserve - 1.0)
 
 
 def crossing(excess: Callable[[float], float], speed: float) -> float | None:

@@ -26,17 +26,14 @@ class CarriesRotor(Protocol):
 
 
 def whirl_values(case: CarriesRotor, whirl: Whirl) -> dict[str, float]:
-    """Critical mass, whirl frequency and threshold speed, for a rigid rotor and on its elastic shaft, SI."""
+    """Stable masses, whirl frequency and threshold speed, for a rigid rotor and on its elastic shaft, SI."""
     values = {"rotor_mass": whirl.rotor_mass, "whirl_frequency_ratio": whirl.frequency_ratio}
-    values["stable_at_any_mass"] = float(math.isinf(whirl.critical_mass))
-    if math.isfinite(whirl.critical_mass):
-        values["critical_mass"] = whirl.critical_mass
+    values["stable_at_any_mass"] = float(whirl.stable.least == 0.0 and math.isinf(whirl.stable.greatest))
+    values |= _bounds(whirl)
     if whirl.threshold_speed is not None:
         values["threshold_speed"] = whirl.threshold_speed
     if whirl.elastic is not None and case.shaft_stiffness is not None:
         values["shaft_stiffness"] = case.shaft_stiffness
-        if math.isfinite(whirl.elastic.critical_mass):
-            values["critical_mass_elastic"] = whirl.elastic.critical_mass
         if whirl.elastic.threshold_speed is not None:
             values["threshold_speed_elastic"] = whirl.elastic.threshold_speed
     return values
@@ -48,23 +45,33 @@ def whirl_checks(case: CarriesRotor, whirl: Whirl | None) -> Iterator[Check]:
         return
     own = case.rotor_mass is not None
     source = "rotor_mass of the case" if own else "load over g, as if the load were the weight of the rotor"
-    for name, critical in _critical_masses(whirl).items():
-        if math.isfinite(critical):
-            yield Check("C115", name, critical, whirl.rotor_mass, Bound.AT_LEAST, source, not own)
+    for name, mass in _bounds(whirl).items():
+        bound = Bound.AT_MOST if name == "least_stable_mass" else Bound.AT_LEAST
+        yield Check("C115", name, mass, whirl.rotor_mass, bound, source, not own)
 
 
 def doubts_about_whirl(whirl: Whirl) -> Iterator[Notice]:
-    """A rotor heavier than the least critical mass."""
-    least = min(_critical_masses(whirl).values())
-    if least < whirl.rotor_mass:
-        shaft = " on its elastic shaft" if whirl.elastic is not None else ""
-        yield Notice(
-            "W120",
-            f"critical mass{shaft} {least:.4g} kg < {whirl.rotor_mass:.4g} kg; whirl at "
-            f"{whirl.frequency_ratio:.2f} of the speed",
-        )
+    """A rotor too heavy or too light for the film."""
+    stable = whirl.stable if whirl.elastic is None else whirl.elastic.stable
+    if stable.reserve(whirl.rotor_mass) >= 1.0:
+        return
+    shaft = " on its elastic shaft" if whirl.elastic is not None else ""
+    at = f"; whirl at {whirl.frequency_ratio:.2f} of the speed" if whirl.frequency_ratio > 0.0 else ""
+    if 0.0 < stable.least < math.inf:
+        yield Notice("W120", f"least mass that is stable {stable.least:.4g} kg > {whirl.rotor_mass:.4g} kg{at}")
+    elif stable.greatest == 0.0:
+        yield Notice("W120", f"no rotor{shaft} is stable here, whatever its mass")
+    else:
+        yield Notice("W120", f"critical mass{shaft} {stable.greatest:.4g} kg < {whirl.rotor_mass:.4g} kg{at}")
 
 
-def _critical_masses(whirl: Whirl) -> dict[str, float]:
-    rigid = {"critical_mass": whirl.critical_mass}
-    return rigid if whirl.elastic is None else rigid | {"critical_mass_elastic": whirl.elastic.critical_mass}
+def _bounds(whirl: Whirl) -> dict[str, float]:
+    """Bounds of the stable masses that there are, kg; 0 as critical mass where no mass is stable."""
+    bounds = {}
+    if math.isfinite(whirl.stable.greatest):
+        bounds["critical_mass"] = whirl.stable.greatest
+    if 0.0 < whirl.stable.least < math.inf:
+        bounds["least_stable_mass"] = whirl.stable.least
+    if whirl.elastic is not None and math.isfinite(whirl.elastic.stable.greatest):
+        bounds["critical_mass_elastic"] = whirl.elastic.stable.greatest
+    return bounds

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film.rotor import RIGID, critical_mass_of_rotor
+from babbitt.film.rotor import RIGID, stable_masses_of_rotor
 from babbitt.film.stability import whirl_frequency
 from babbitt.film.whirl import ElasticWhirl, Whirl, crossing, rotor_mass, stability_excess
 from babbitt.hydrostatics.answer import Answer, answer
@@ -40,10 +40,10 @@ def whirl_of(case: HydrostaticCase, found: Answer) -> Whirl | None:
     mass = rotor_mass(case.rotor_mass, load)
     elastic = None
     if shaft is not None:
-        own = critical_mass_of_rotor(*film, shaft_stiffness=shaft)
+        own = stable_masses_of_rotor(*film, shaft_stiffness=shaft)
         elastic = ElasticWhirl(own, threshold_speed(case, found, mass, shaft))
     return Whirl(
-        critical_mass_of_rotor(*film),
+        stable_masses_of_rotor(*film),
         whirl_frequency(*film) / abs(case.duty.angular_speed),
         mass,
         threshold_speed(case, found, mass),
@@ -83,6 +83,6 @@ def threshold_speed(case: HydrostaticCase, found: Answer, mass: float, shaft: fl
         film = coefficients_on_threshold(other, state) if state.ending is Ending.SOLVED else None
         if film is None:
             return math.nan
-        return stability_excess(critical_mass_of_rotor(*film, shaft_stiffness=shaft), mass)
+        return stability_excess(stable_masses_of_rotor(*film, shaft_stiffness=shaft).reserve(mass))
 
     return crossing(excess, abs(case.duty.angular_speed))

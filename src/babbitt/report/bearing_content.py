@@ -94,6 +94,7 @@ KEY_RESULTS = (
     "film_moment_x",
     "film_moment_y",
     "critical_mass",
+    "least_stable_mass",
     "whirl_frequency_ratio",
     "threshold_speed",
     "critical_mass_elastic",

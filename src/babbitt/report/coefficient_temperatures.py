@@ -9,6 +9,7 @@ __all__ = ["beside_coefficient"]
 HELD = {
     **{f"{name}_{axes}": name for name in ("stiffness", "damping") for axes in ("xx", "xy", "yx", "yy")},
     "critical_mass": "stability",
+    "least_stable_mass": "stability",
     "critical_mass_elastic": "stability",
 }
 """Results, and of what in the settings they have their temperatures."""

@@ -140,9 +140,9 @@ def _chart(panel: Axes, case: FilmCase, state: FilmState, by_load: FilmPoints) -
     speed = abs(film.angular_speed)
     here = mass * film.clearance * speed**2 / state.load
     shaft = case.shaft_stiffness if case.shaft_stiffness is not None else RIGID
-    numbers, critical = by_load.sommerfeld_number, mass_number(by_load.critical_mass(shaft), by_load)
-    order = np.argsort(numbers)
-    numbers, critical = numbers[order], critical[order]
+    order = np.argsort(by_load.sommerfeld_number)
+    numbers = by_load.sommerfeld_number[order]
+    least, critical = (mass_number(bound, by_load)[order] for bound in by_load.stable_masses(shaft))
     known = np.isfinite(critical) & (critical > 0.0)
     low, high = here / 10.0**DECADES, here * 10.0**DECADES
     if known.any():
@@ -151,6 +151,10 @@ def _chart(panel: Axes, case: FilmCase, state: FilmState, by_load: FilmPoints) -
     edge = np.clip(critical, low, high)
     panel.fill_between(numbers, edge, high, where=(critical < math.inf).tolist(), color=WHIRLS, linewidth=0.0)
     panel.plot(numbers[known], critical[known], color=INK)
+    if (reversed_there := (least > 0.0) & (least < math.inf)).any():  # light rotors whirl there
+        below = np.clip(least, low, high)
+        panel.fill_between(numbers, low, below, where=reversed_there.tolist(), color=WHIRLS, linewidth=0.0)
+        panel.plot(numbers[reversed_there], least[reversed_there], color=INK)
     if shaft != RIGID:
         rigid = mass_number(by_load.critical_mass(), by_load)[order]
         seen = np.isfinite(rigid) & (rigid > 0.0)

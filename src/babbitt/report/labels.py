@@ -69,6 +69,7 @@ SHORT = {
     "film_moment_y": "Moment of the film",
     "rotor_mass": "Mass of the rotor",
     "critical_mass": "Critical mass",
+    "least_stable_mass": "Least stable mass",
     "whirl_frequency_ratio": "Whirl frequency over speed",
     "threshold_speed": "Threshold speed of whirl",
     "critical_mass_elastic": "Critical mass, elastic shaft",

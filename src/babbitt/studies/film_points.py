@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from babbitt.bearings.model import Accuracy, FilmCase
 from babbitt.bearings.watch import Watch, unwatched
 from babbitt.film.model import FilmStart, JournalFilm, Resolution
-from babbitt.film.rotor import RIGID, critical_mass_of_rotor
+from babbitt.film.rotor import RIGID, stable_masses_of_rotor
 from babbitt.film.solution import attitude_angle, sommerfeld_number
 
 if TYPE_CHECKING:
@@ -79,14 +79,21 @@ class FilmPoints:
         """So of ISO 7902, shape (n,)."""
         return sommerfeld_number(self.film, self.loads, self.speeds)
 
+    def stable_masses(self, shaft_stiffness: float = RIGID) -> tuple[Array, Array]:
+        """Least and greatest mass of a rotor that is stable, kg, shape (n,) each; no numbers without film.
+
+        The least is zero where light rotors are stable, the greatest infinite where heavy ones are; where none is
+        stable the least is infinite and the greatest zero.
+        """
+        least, greatest = np.full(self.loads.shape, np.nan), np.full(self.loads.shape, np.nan)
+        for place in np.flatnonzero(self.solved):
+            found = stable_masses_of_rotor(self.stiffness[place], self.damping[place], shaft_stiffness)
+            least[place], greatest[place] = found.least, found.greatest
+        return least, greatest
+
     def critical_mass(self, shaft_stiffness: float = RIGID) -> Array:
         """Mass above which a rotor whirls, kg, shape (n,); infinite where none does, no number without film."""
-        return np.array(
-            [
-                critical_mass_of_rotor(k, c, shaft_stiffness) if there else math.nan
-                for k, c, there in zip(self.stiffness, self.damping, self.solved, strict=True)
-            ]
-        )
+        return self.stable_masses(shaft_stiffness)[1]
 
 
 def film_points(

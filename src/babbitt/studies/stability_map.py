@@ -47,8 +47,8 @@ class StabilityMap:
     growth : ndarray, shape (n, m)
         Rate of the least damped motion, 1/s: negative where the rotor runs stable, no number where there is no
         film.
-    critical_mass : ndarray, shape (n, m)
-        kg, on this shaft; infinite where no rotor whirls.
+    least_mass, critical_mass : ndarray, shape (n, m)
+        Least and greatest mass of a rotor on this shaft that is stable, kg; zero and infinite where none whirls.
     points : FilmPoints
         The films, n m of them, the speeds of the first load first.
     """
@@ -58,6 +58,7 @@ class StabilityMap:
     masses: Array
     shaft_stiffness: float
     growth: Array
+    least_mass: Array
     critical_mass: Array
     points: FilmPoints
 
@@ -68,8 +69,10 @@ class StabilityMap:
 
     @property
     def reserve(self) -> Array:
-        """Critical mass over that of the rotor, shape (n, m)."""
-        return np.asarray(self.critical_mass / self.masses[:, None])
+        """How many times the mass of the rotor is within the nearer bound of the stable ones, shape (n, m)."""
+        masses = np.broadcast_to(self.masses[:, None], self.critical_mass.shape)
+        above = np.divide(masses, self.least_mass, out=np.full(masses.shape, np.inf), where=self.least_mass != 0.0)
+        return np.asarray(np.minimum(self.critical_mass / masses, above))
 
     def thresholds(self) -> Array:
         """Lowest speed in the map above which the rotor whirls under each load, rad/s, shape (n,).
@@ -133,8 +136,8 @@ def stability_map(
     shape, shaft = (x.size, y.size), case.shaft_stiffness if case.shaft_stiffness is not None else RIGID
     masses = np.array([mass_of_rotor(case, float(load)) for load in x])
     growth = growth_rates(np.repeat(masses, y.size), points.stiffness, points.damping, shaft)
-    critical = points.critical_mass(shaft).reshape(shape)
-    return StabilityMap(x, y, masses, shaft, growth.reshape(shape), critical, points)
+    least, greatest = (bound.reshape(shape) for bound in points.stable_masses(shaft))
+    return StabilityMap(x, y, masses, shaft, growth.reshape(shape), least, greatest, points)
 
 
 def mass_number(mass: float | Array, points: FilmPoints) -> Array:
