@@ -273,7 +273,9 @@ def test_multiples_of_the_mass_stay_on_the_stable_side_of_the_edge_of_whirl():
     loads, speeds = np.array([1e3, 2e3]), np.array([100.0, 200.0, 400.0])
     growth = np.array([[-20.0, -0.1, 5.0], [math.nan, -3.0, 0.0]])
     critical = np.array([[math.inf, 400.0, 60.0], [math.nan, math.inf, 100.0]])
-    found = StabilityMap(loads, speeds, np.full(2, 100.0), math.inf, growth, np.zeros((2, 3)), critical, points=None)
+    found = StabilityMap(
+        loads, speeds, np.full(2, 100.0), math.inf, growth, np.zeros((2, 3)), critical, points=None
+    )
     share = film_stability.whirl_share(found)
     assert share[0].tolist() == pytest.approx([0.0, 0.2, 100.0 / 160.0])
     assert share.mask.tolist() == [[False, False, False], [True, False, False]]

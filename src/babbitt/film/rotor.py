@@ -51,7 +51,9 @@ def stable_masses_of_rotor(stiffness: Any, damping: Any, shaft_stiffness: float 
         return NO_MASS
     if math.isinf(rigid.greatest):
         return rigid
-    return StableMasses(0.0, rigid.greatest / (1.0 + rigid.greatest * whirl_frequency(*film) ** 2 / shaft_stiffness))
+    return StableMasses(
+        0.0, rigid.greatest / (1.0 + rigid.greatest * whirl_frequency(*film) ** 2 / shaft_stiffness)
+    )
 
 
 def critical_mass_of_rotor(stiffness: Any, damping: Any, shaft_stiffness: float = RIGID) -> float:

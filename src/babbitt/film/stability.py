@@ -1,8 +1,8 @@
 """Which masses a bearing carries without whirl, and how fast a rigid journal whirls on the threshold.
 
 Equation of motion of a mass m carried by one film, about equilibrium:  m r'' + C r' + K r = 0. Its characteristic
-polynomial is a quartic in s; on the threshold s = i Omega. Source: Lund J.W., Thomsen K.K. (1978). The criterion of
-Routh for that quartic asks for tr C > 0, det K > 0, k0 > 0 and
+polynomial is a quartic in s; on the threshold s = i Omega. Source: Lund J.W., Thomsen K.K. (1978). The criterion
+of Routh for that quartic asks for tr C > 0, det K > 0, k0 > 0 and
 
     det C k0 > m (k0^2 - k0 tr K + det K)
 
@@ -68,8 +68,8 @@ def stable_masses(stiffness: Matrix, damping: Matrix) -> StableMasses:
     Returns
     -------
     StableMasses
-        `NO_MASS` where it leaves its place at any mass: where the static stiffness is that of a saddle or pushes it
-        off, or where the film feeds its motion.
+        `NO_MASS` where it leaves its place at any mass: where the static stiffness is that of a saddle or pushes
+        it off, or where the film feeds its motion.
     """
     k0 = threshold_stiffness(stiffness, damping)
     of_k, of_c = float(np.linalg.det(stiffness)), float(np.linalg.det(damping))
