@@ -191,7 +191,7 @@ def _doubts(
         flow = values["given_flow"] * 6e4
         yield Notice("W140", f"the supplies fill {fills} of the gap with the {flow:.3g} L/min given")
     if case.bearing_speed:
-        yield Notice("W114", "the bearing rotates; friction power counts the journal speed only")
+        yield Notice("W114", "the bearing rotates; values from experience hold for bearings at rest")
     yield from doubt_about_supply(state.feed is not None and state.feed.starved)
     if values["mass_balance_error"] > OIL_INVENTED_FROM:
         share = values["mass_balance_error"]

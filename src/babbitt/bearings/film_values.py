@@ -13,7 +13,7 @@ from babbitt.bearings.field import highest_pressure, narrowest_gap_angle
 from babbitt.bearings.layout import closed_pockets, supply_numbers, without_pressure
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.thermal_answer import flow_without_pressure, thermal_values
-from babbitt.bearings.warm_film import FilmState
+from babbitt.bearings.warm_film import FilmState, friction_of
 from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import (
     cooling_values,
@@ -41,7 +41,8 @@ def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     """Named results of a bearing in its film, SI."""
     bearing, film, thermal = case.bearing, state.solution, state.thermal
     duty = duty_values(case, state)
-    coefficient = state.friction_power / (state.load * duty["surface_speed"])
+    torque = case.friction_factor * friction_of(case, film)[0]
+    coefficient = 2.0 * torque / (state.load * bearing.diameter)
     values = {
         "diameter": bearing.diameter,
         "width": bearing.width,
@@ -63,7 +64,7 @@ def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "maximum_pressure": highest_pressure(film),
         "friction_number": coefficient / state.relative_clearance,
         "friction_coefficient": coefficient,
-        "friction_torque": case.friction_factor * film.friction_torque,
+        "friction_torque": torque,
         **_without_streamers(case, state),
         "friction_power": state.friction_power,
         **_displacement_values(case, state),

@@ -26,6 +26,7 @@ from babbitt.design.heat_balance import (
 )
 from babbitt.design.oil import properties_at
 from babbitt.design.roots import bracketed_root
+from babbitt.design.values import friction_between
 from babbitt.film.model import JournalFilm, Resolution
 from babbitt.fits import operating_relative_clearance
 from babbitt.results import Outcome
@@ -143,12 +144,18 @@ def film_at_temperature(temperature: float, case: FilmCase, near: tuple[float, f
         viscosity=viscosity,
         volumetric_heat_capacity=heat_capacity,
         load=solution.load,
-        friction_power=case.friction_factor * solution.friction_torque * abs(case.journal_speed),
+        friction_power=case.friction_factor * friction_of(case, solution)[1],
         total_flow=solution.leaving_flow,
         feed=feed,
         solution=solution,
         fed=fed,
     )
+
+
+def friction_of(case: FilmCase, solution: FilmSolution) -> tuple[float, float]:
+    """Torque on the journal in N m and power in W of a film of one temperature, without the factor of the case."""
+    pressure = solution.pressure_torque
+    return friction_between(case, solution.friction_torque - pressure, pressure)
 
 
 def resting_film(case: FilmCase, film: JournalFilm, near: tuple[float, float] | None = None) -> FilmSolution:

@@ -26,19 +26,27 @@ def whirl_of(case: FilmCase, state: FilmState) -> Whirl:
     from babbitt.film.stability import whirl_frequency
 
     stiffness, damping = state.solution.stiffness, state.solution.damping
-    speed = abs(state.solution.film.angular_speed)
     mass, shaft = mass_of_rotor(case, state.load), case.shaft_stiffness
     return Whirl(
         stable_masses_of_rotor(stiffness, damping),
-        whirl_frequency(stiffness, damping) / speed,
+        whirl_frequency(stiffness, damping) / abs(case.journal_speed),
         mass,
-        threshold_speed(case, state, mass),
+        journal_speed_at(case, threshold_speed(case, state, mass)),
         None
         if shaft is None
         else ElasticWhirl(
-            stable_masses_of_rotor(stiffness, damping, shaft), threshold_speed(case, state, mass, shaft)
+            stable_masses_of_rotor(stiffness, damping, shaft),
+            journal_speed_at(case, threshold_speed(case, state, mass, shaft)),
         ),
     )
+
+
+def journal_speed_at(case: FilmCase, hydrodynamic_speed: float | None) -> float | None:
+    """Speed of the journal in rad/s at which film and bearing turn so fast together; None where it turns back."""
+    if hydrodynamic_speed is None:
+        return None
+    speed = hydrodynamic_speed - case.rotation.sense * case.bearing_speed
+    return speed if speed > 0.0 else None
 
 
 def mass_of_rotor(case: FilmCase, load: float) -> float:
@@ -55,7 +63,7 @@ def at_speed(case: FilmCase, state: FilmState, speed: float) -> FilmSolution:
 
 
 def threshold_speed(case: FilmCase, state: FilmState, mass: float, shaft_stiffness: float = RIGID) -> float | None:
-    """Speed in rad/s above which a rotor whirls, nearest to the operating speed; None if none is in sight."""
+    """Hydrodynamic speed in rad/s above which a rotor whirls, nearest to that here; None if none is in sight."""
 
     def excess(speed: float) -> float:
         found = at_speed(case, state, speed)

@@ -178,3 +178,10 @@ def grooves_stand_still(bearing: JournalBearing) -> Iterator[Complaint]:
     if bearing.method == "film" and bearing.bearing_speed and bearing.film_starts() is FilmStart.GROOVE:
         says = "grooves and pockets that turn with the bearing leave no steady film"
         yield Complaint(("bearing_speed",), says, "0 rpm, or film_start: widest_gap")
+    if bearing.method == "film" and bearing.bearing_speed:
+        for field, given in (
+            ("turbulence", bearing.turbulence != "laminar"), ("dynamic_load", bearing.dynamic_load is not None)
+        ):  # fmt: skip
+            if given:
+                says = f"`{field}` is known for a bearing at rest only: shear and film forces have two speeds here"
+                yield Complaint(("bearing_speed",), says, f"0 rpm, or no {field}")

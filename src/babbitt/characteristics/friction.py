@@ -110,5 +110,11 @@ def _friction_number(
     """Friction number of a film that reaches over the Sommerfeld angle `sheared` [rad]."""
     f = functions_for(eccentricity_ratio)
     shear = sheared / (2.0 * sommerfeld_number * f.sqrt(1.0 - eccentricity_ratio**2))
-    number: Value = shear + 0.5 * eccentricity_ratio * f.sin(attitude_angle)
+    number: Value = shear + of_pressure(eccentricity_ratio, attitude_angle)
+    return number
+
+
+def of_pressure(eccentricity_ratio: Value, attitude_angle: Value) -> Value:
+    """Part of the friction number that the pressure on the journal makes, (eps/2) sin beta [rad]."""
+    number: Value = 0.5 * eccentricity_ratio * functions_for(eccentricity_ratio).sin(attitude_angle)
     return number

@@ -194,6 +194,11 @@ def surface_speed(case: Designed) -> float:
     return abs(case.journal_speed) * case.bearing.diameter / 2.0
 
 
+def sliding_speed(case: Designed) -> float:
+    """Speed of the journal's surface along that of the bearing, ``|U_J - U_B|`` in m/s."""
+    return abs(case.journal_speed - case.bearing_speed) * case.bearing.diameter / 2.0
+
+
 def contact_film(case: Designed) -> float | None:
     """Film thickness in m at which mixed friction begins: of the case, else of the surfaces."""
     if case.limits.transition_film_thickness is not None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from babbitt.design.conditions import Designed, contact_film, surface_speed
+from babbitt.design.conditions import Designed, contact_film, sliding_speed, surface_speed
 from babbitt.design.heat_balance import WarmFilm, heat_paths, outlet_temperature
 from babbitt.design.numbers import critical_reynolds_number, film_reynolds_number
 from babbitt.materials import empirical_minimum_film_thickness
@@ -30,6 +30,26 @@ def hydrodynamic_speed(case: Designed) -> float:
     return abs(case.journal_speed + case.bearing_speed)
 
 
+def friction_between(case: Designed, shear: float, pressure: float) -> tuple[float, float]:
+    """Friction torque on the journal in N m, and friction power in W, where the bearing may turn, too.
+
+    The film is that of a bearing at rest in which the journal turns with ``ω_h = ω_J + ω_B``, but its oil is
+    sheared with ``ω_J - ω_B``. With T_s the torque of that shear, ``M_J = T_s + F e sin(β)/2`` on the journal and
+    ``M_B = T_s - F e sin(β)/2`` on the bearing do the work ``P = M_J ω_J - M_B ω_B``.
+
+    Parameters
+    ----------
+    case : Designed
+    shear : float
+        Torque of shear with a bearing at rest and a journal that turns with ω_h, N m.
+    pressure : float
+        Torque ``F e sin(β)/2`` of the pressure on the journal, N m.
+    """
+    turning = case.journal_speed + case.bearing_speed
+    sliding = (case.journal_speed - case.bearing_speed) / turning
+    return sliding * shear + pressure, abs(turning) * (sliding**2 * shear + pressure)
+
+
 def duty_values(case: Designed, film: DesignFilm) -> Named:
     """Load and speed."""
     pressure, speed = film.load / (case.bearing.loaded_width * case.bearing.diameter), surface_speed(case)
@@ -39,14 +59,14 @@ def duty_values(case: Designed, film: DesignFilm) -> Named:
         "angular_speed": abs(case.journal_speed),
         "hydrodynamic_speed": hydrodynamic_speed(case),
         "surface_speed": speed,
-        "pressure_speed_product": pressure * speed,
+        "pressure_speed_product": pressure * sliding_speed(case),
     }
 
 
 def oil_values(case: Designed, film: DesignFilm) -> Named:
     """The oil at the effective temperature, and whether the film is laminar."""
     psi, diameter = film.relative_clearance, case.bearing.diameter
-    reynolds = film_reynolds_number(film.density, surface_speed(case), psi, diameter, film.viscosity)
+    reynolds = film_reynolds_number(film.density, sliding_speed(case), psi, diameter, film.viscosity)
     return {
         "film_reynolds_number": reynolds,
         "critical_reynolds_number": critical_reynolds_number(psi),

@@ -158,6 +158,12 @@ class FilmSolution:
         return float(self.pressure.max())
 
     @property
+    def pressure_torque(self) -> float:
+        """Part of the friction torque by the pressure on the journal, ``F e sin(β)/2``, N m."""
+        (x, y), (fx, fy) = self.position, self.force
+        return 0.5 * math.copysign(1.0, self.film.angular_speed) * float(x * fy - y * fx)
+
+    @property
     def friction_power(self) -> float:
         """W, on the journal."""
         return self.friction_torque * abs(self.film.angular_speed)

@@ -75,9 +75,9 @@ JOURNAL: dict[str, Explanation] = {
     ),
     "W114": Explanation(
         "Rotating bearing",
-        "The friction formula of the procedure holds for a bearing at rest; with a turning bearing only the film "
-        "forces and flows follow the effective speed.",
-        "Take friction power and temperature as estimates.",
+        "Film forces follow the sum of both speeds, shear and friction heat their difference; permissible film "
+        "thickness, recommended clearance and supply are known by experience of bearings at rest.",
+        "Take limits from experience as estimates.",
     ),
     "W115": Explanation(
         "Outside the experience tables",

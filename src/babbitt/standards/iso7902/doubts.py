@@ -62,7 +62,7 @@ def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice
     if eccentricity < CURVES_FROM:
         yield Notice("W119", f"ε = {eccentricity:.2g} < {CURVES_FROM:g}, the first node of the tables")
     if case.bearing_speed:
-        yield Notice("W114", "the bearing rotates; friction power counts the journal speed only")
+        yield Notice("W114", "the bearing rotates; values from experience hold for bearings at rest")
 
 
 def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:

@@ -12,10 +12,10 @@ from babbitt.characteristics import BearingCurves, ClosedFormCurves, curves
 from babbitt.design.conditions import GivenEccentricity, surface_speed
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.design.oil import properties_at
-from babbitt.design.values import hydrodynamic_speed
+from babbitt.design.values import friction_between, hydrodynamic_speed
 from babbitt.fits import operating_relative_clearance
 from babbitt.results import Outcome
-from babbitt.standards.iso7902.friction import friction_number
+from babbitt.standards.iso7902.friction import friction_numbers
 from babbitt.standards.iso7902.model import Curves, DesignCase
 from babbitt.standards.iso7902.supply import Holes, Pockets
 from babbitt.standards.iso7902.supply_pressure import Feed, feed
@@ -139,7 +139,10 @@ def _film(
         if so > shape.largest_sommerfeld_number:
             raise NoFilmError(Outcome.OVERLOADED, scale * shape.largest_sommerfeld_number)
         eccentricity = shape.eccentricity_ratio(so)
-    number = case.friction_factor * friction_number(case.friction, shape, eccentricity, so)
+    lever = case.friction_factor * psi * load * bearing.diameter / 2.0
+    torque, power = friction_between(
+        case, *(lever * number for number in friction_numbers(case.friction, shape, eccentricity, so))
+    )
     flow_scale = bearing.diameter**3 * psi * hydrodynamic_speed(case)
     side_flow_number = shape.side_flow_number(eccentricity)
     sheared = sheared_flow(case, eccentricity, shape.attitude_angle(eccentricity), psi)
@@ -154,8 +157,8 @@ def _film(
         load=load,
         sommerfeld_number=so,
         eccentricity_ratio=eccentricity,
-        friction_number=number,
-        friction_power=number * psi * load * surface_speed(case),
+        friction_number=torque / (psi * load * bearing.diameter / 2.0),
+        friction_power=power,
         side_flow_number=side_flow_number,
         side_flow=side_flow,
         feed=fed,
