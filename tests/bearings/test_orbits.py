@@ -161,3 +161,32 @@ def test_an_orbit_that_does_not_close_is_no_solution():
     ).results  # fmt: skip
     assert result.outcome in (Outcome.SQUEEZED_OUT, Outcome.NOT_PERIODIC)
     assert "cycles" in result.message
+
+
+@pytest.mark.parametrize("mass", [0.0, 100.0])
+def test_a_short_pulse_is_seen_wherever_it_lies_in_the_cycle(mass):
+    """300 kN for 10 of 720 degrees: a march whose steps grow while the load rests would pass over it."""
+    found = []
+    for begins in (10.0, 150.0, 450.0, 650.0):
+        angles = tuple(math.radians(one) for one in (0.0, begins, begins + 5.0, begins + 10.0))
+        pulse = TabulatedLoad(angles, (0.0,) * 4, (0.0, 0.0, -3e5, 0.0), 4.0 * math.pi)
+        found.append(find_orbit(GROOVED, pulse, STEADY, mass=mass))
+    thinnest = [float(one.film_thickness.min()) for one in found]
+    assert {one.outcome for one in found} == {Outcome.CONVERGED}
+    assert thinnest == pytest.approx([thinnest[0]] * 4, rel=2e-3)
+    for one in found:  # the instants see the whole pulse
+        impulse = np.trapezoid(np.vstack([one.load, one.load[:1]]), np.append(one.turned, one.cycle), axis=0)
+        assert impulse == pytest.approx([0.0, STEADY[1] * one.cycle - 3e5 * math.radians(5.0)], rel=1e-9)
+
+
+def test_limits_of_load_and_pressure_hold_for_the_worst_instant():
+    pulse = {"kind": "table", "cycle": "720 deg", "angle": ["0 deg", "450 deg", "455 deg", "460 deg"],
+             "fx": ["0 N"] * 4, "fy": ["0 N", "0 N", "-300 kN", "0 N"]}  # fmt: skip
+    found = answer(
+        effective_temperature="60 degC", dynamic_load=pulse, cavitation="reynolds",
+        limits={"specific_load": "5 MPa"},
+    )  # fmt: skip
+    assert found.orbit_specific_load == pytest.approx(330e3 / (0.2 * 0.12), rel=0.01)
+    held = {check.code: check.ok for check in found.checks if check.quantity == "orbit_specific_load"}
+    assert held["C103"] is False
+    assert found.verdict.value == "fail"

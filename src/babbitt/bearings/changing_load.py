@@ -18,6 +18,10 @@ class ChangingLoad(Protocol):
     def cycle(self) -> float:
         """Angle that the journal turns from one cycle to the next, rad."""
 
+    @property
+    def corners(self) -> tuple[float, ...]:
+        """Angles of a cycle at which the load is not smooth, rad, ascending."""
+
     def at(self, turned: float) -> tuple[float, float]:
         """Components in N when the journal has turned by an angle (rad, counter-clockwise positive)."""
 
@@ -45,6 +49,11 @@ class RotatingLoad:
         """One turn of the load, in rad of the journal."""
         return TURN / abs(self.speed_ratio)
 
+    @property
+    def corners(self) -> tuple[float, ...]:
+        """None: it is smooth."""
+        return ()
+
     def at(self, turned: float) -> tuple[float, float]:
         """Components, N."""
         angle = self.phase + self.speed_ratio * turned
@@ -70,6 +79,11 @@ class TabulatedLoad:
     fx: tuple[float, ...]
     fy: tuple[float, ...]
     cycle: float = TURN
+
+    @property
+    def corners(self) -> tuple[float, ...]:
+        """Its points."""
+        return self.angles
 
     def at(self, turned: float) -> tuple[float, float]:
         """Components, N."""

@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 import time
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,8 +32,15 @@ __all__ = ["Orbit", "find_orbit"]
 
 Array = NDArray[np.float64]
 
-POINTS = 144
-"""Instants of a cycle at which the film is read."""
+POINTS, WITHIN = 144, 8
+"""Instants of a cycle at which the film is read, and how many more from one corner of the load to the next."""
+
+FEW = 72
+"""Corners of the load up to which the march stops at each; beyond, no step is longer than the least distance
+between two."""
+
+MOST_STEPS = 5000
+"""Steps of a cycle to which the corners of a load may hold the march."""
 
 MOST_CYCLES = 40
 """Cycles after which the march ends."""
@@ -78,6 +86,8 @@ class Orbit:
         Smallest film thickness in m, gauge pressure in Pa, torque on the journal in N m.
     clearance, speed : float
         Radial, m; of the journal, rad/s.
+    cycle : float
+        Angle that the journal turns in a cycle, rad.
     load_error : float
         Share of the load that a grid twice as fine does not confirm, at the thinnest film.
     cycles : int
@@ -96,6 +106,7 @@ class Orbit:
     friction_torque: Array
     clearance: float
     speed: float
+    cycle: float
     load_error: float
     cycles: int
     wall_time: float
@@ -119,12 +130,17 @@ class Orbit:
     @property
     def friction_power(self) -> float:
         """Mean of friction torque times speed, W."""
-        return float(self.friction_torque.mean() * abs(self.speed))
+        return self._mean(self.friction_torque) * abs(self.speed)
 
     @property
     def load_power(self) -> float:
         """Mean power with which the moving load drives the film, W."""
-        return float((self.load * self.velocity).sum(axis=1).mean())
+        return self._mean((self.load * self.velocity).sum(axis=1))
+
+    def _mean(self, values: Array) -> float:
+        """Mean over the cycle by the trapezoidal rule."""
+        closed = np.append(self.turned, self.turned[0] + self.cycle)
+        return float(np.trapezoid(np.append(values, values[0]), closed) / self.cycle)
 
 
 def find_orbit(
@@ -178,23 +194,17 @@ def find_orbit(
 
 
 def _marched(journal: MasslessJournal | HeavyJournal, begun: float, watch: Watch) -> Orbit:
-    from scipy.integrate import solve_ivp
-
-    cycle = journal.changing.cycle
-    instants = np.linspace(0.0, cycle, POINTS + 1)
-    state = journal.start(_begin(journal))
-    states, thinnest = state[:, None].repeat(POINTS, axis=1), []
+    instants = _instants(journal.changing)
+    state = journal.start(_begin(journal, instants))
+    states, thinnest = state[:, None].repeat(instants.size - 1, axis=1), []
     outcome, cycles = Outcome.NOT_PERIODIC, 0
     try:
         for cycles in watch(range(1, MOST_CYCLES + 1)):
-            run = solve_ivp(
-                journal.slope, (0.0, cycle), state, method="LSODA", t_eval=instants, jac=journal.jacobian,
-                rtol=ACCURACY, atol=0.1 * ACCURACY,
-            )  # fmt: skip
-            if not run.success:
+            passed = _cycle(journal, instants, state)
+            if passed is None:
                 outcome = Outcome.NOT_CONVERGED
                 break
-            states, after = run.y[:, :-1], run.y[:, -1]
+            states, after = passed[:, :-1], passed[:, -1]
             moved, state = float(np.hypot(*(after - state)[:2])), after
             thinnest.append(_thinnest(journal, states))
             if thinnest[-1] < THINNEST:
@@ -213,15 +223,57 @@ def _marched(journal: MasslessJournal | HeavyJournal, begun: float, watch: Watch
         two = np.full((1, 2), np.nan)
         return Orbit(
             Outcome.NOT_CONVERGED, nothing, two, two, two, nothing, nothing, nothing, journal.c, journal.speed,
-            math.nan, cycles, time.perf_counter() - begun,
+            journal.changing.cycle, math.nan, cycles, time.perf_counter() - begun,
         )  # fmt: skip
 
 
-def _begin(journal: MovingJournal) -> Array:
+def _instants(changing: ChangingLoad) -> Array:
+    """Angles turned at which a cycle is read, its end included: evenly, at the corners of the load and between."""
+    even = np.linspace(0.0, changing.cycle, POINTS + 1)
+    if not 0 < len(changing.corners) <= FEW:
+        return even
+    edges = _edges(changing)
+    between = np.linspace(edges[:-1], edges[1:], WITHIN + 1).ravel()
+    both = np.unique(np.concatenate((even, between)))
+    apart = np.append(True, np.diff(both) > 1e-9 * changing.cycle)
+    return np.asarray(both[apart])
+
+
+def _edges(changing: ChangingLoad) -> Array:
+    """Begin and end of a cycle and the corners of the load at which the march stops."""
+    few = changing.corners if len(changing.corners) <= FEW else ()
+    inner = [corner for corner in few if 1e-9 < corner / changing.cycle < 1.0 - 1e-9]
+    return np.array([0.0, *inner, changing.cycle])
+
+
+def _cycle(journal: MasslessJournal | HeavyJournal, instants: Array, state: Array) -> Array | None:
+    """March through a cycle from corner to corner of its load; states at the instants, None where a march ends.
+
+    Steps that are free to grow while the load rests would pass over a short pulse without seeing it.
+    """
+    from scipy.integrate import solve_ivp
+
+    changing = journal.changing
+    edges, longest, states = _edges(changing), math.inf, [state[:, None]]
+    if len(changing.corners) > FEW:
+        longest = max(float(np.diff(changing.corners).min()), changing.cycle / MOST_STEPS)
+    for begin, end in pairwise(edges):
+        read = instants[(instants > begin + 1e-9 * changing.cycle) & (instants < end - 1e-9 * changing.cycle)]
+        run = solve_ivp(
+            journal.slope, (begin, end), state, method="LSODA", t_eval=np.append(read, end), jac=journal.jacobian,
+            rtol=ACCURACY, atol=0.1 * ACCURACY, max_step=longest,
+        )  # fmt: skip
+        if not run.success:
+            return None
+        state = run.y[:, -1]
+        states.append(run.y)
+    return np.concatenate(states, axis=1)
+
+
+def _begin(journal: MovingJournal, instants: Array) -> Array:
     """Where the mean load would rest the journal, else a little below the centre."""
-    cycle = journal.changing.cycle
-    loads = np.array([journal.load(cycle * place / POINTS) for place in range(POINTS)])
-    mean = loads.mean(axis=0)
+    loads = np.array([journal.load(turned) for turned in instants])
+    mean = np.trapezoid(loads, instants, axis=0) / journal.changing.cycle
     if math.hypot(*mean) > 1e-3 * np.hypot(*loads.T).max() and journal.film.angular_speed:
         rest = solve_journal(journal.film, (float(mean[0]), float(mean[1])), journal.resolution)
         if rest.outcome.solved:
@@ -267,6 +319,7 @@ def _read(
         friction_torque=np.array([film.friction_torque for film in films]),
         clearance=journal.c,
         speed=journal.speed,
+        cycle=journal.changing.cycle,
         load_error=error,
         cycles=cycles,
         wall_time=time.perf_counter() - begun,

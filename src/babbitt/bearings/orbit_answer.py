@@ -7,11 +7,13 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from babbitt.bearings.layout import load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState, is_dear
 from babbitt.bearings.watch import Watch, unwatched
-from babbitt.design.conditions import GivenLoad
+from babbitt.design.conditions import GivenLoad, sliding_speed
 from babbitt.design.doubts import RIGID_FILM_UP_TO, doubt_about_pressure
 from babbitt.film.model import DRAFT, Cavitation
 from babbitt.notices import EXPLANATIONS, Notice
@@ -32,6 +34,10 @@ __all__ = [
 
 GRID_TOLD_FROM = 0.05
 """Share of the load that a finer grid does not confirm, from which the orbit is doubted."""
+
+
+HELD_ON_ORBIT = ("minimum_film_thickness", "maximum_pressure", "specific_load", "pressure_speed_product")
+"""Results of the steady load whose limits hold for the worst instant of an orbit, too."""
 
 
 def orbit_of(case: FilmCase, state: FilmState, watch: Watch = unwatched) -> Orbit | None:
@@ -57,12 +63,16 @@ def orbit_of(case: FilmCase, state: FilmState, watch: Watch = unwatched) -> Orbi
 
 def orbit_values(case: FilmCase, orbit: Orbit) -> dict[str, float]:
     """Named results of an orbit, SI."""
+    largest = float(np.hypot(*orbit.load.T).max())
+    pressure = largest / (case.bearing.loaded_width * case.bearing.diameter)
     return {
         "orbit_largest_eccentricity_ratio": orbit.largest_eccentricity_ratio,
         "orbit_minimum_film_thickness": float(orbit.film_thickness[orbit.thinnest]),
         "orbit_minimum_film_direction": orbit.thinnest_direction,
         "orbit_minimum_film_turned": float(orbit.turned[orbit.thinnest]),
         "orbit_maximum_pressure": float(orbit.maximum_pressure.max()),
+        "orbit_specific_load": pressure,
+        "orbit_pressure_speed_product": pressure * sliding_speed(case),
         "orbit_friction_power": case.friction_factor * orbit.friction_power,
         "orbit_load_power": orbit.load_power,
         "orbit_load_error": orbit.load_error,
@@ -79,10 +89,10 @@ def orbit_rows(orbit: Orbit) -> Matrix:
 
 
 def orbit_checks(checks: tuple[Check, ...], values: dict[str, float]) -> Iterator[Check]:
-    """The limits of the film thickness, asked of the thinnest film of the orbit."""
-    name = "orbit_minimum_film_thickness"
+    """The limits of film thickness, load and pressure, asked of the worst instants of the orbit."""
     for check in checks:
-        if check.quantity == "minimum_film_thickness":
+        name = f"orbit_{check.quantity}"
+        if check.quantity in HELD_ON_ORBIT:
             yield replace(check, quantity=name, value=values[name])
 
 

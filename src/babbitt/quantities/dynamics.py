@@ -102,6 +102,8 @@ DYNAMICS: tuple[Quantity, ...] = (
     quantity("orbit_minimum_film_direction", "φ_min", "rad", "deg", 3, "Direction of the journal there, from +x"),
     quantity("orbit_minimum_film_turned", "τ_min", "rad", "deg", 3, "Angle that the journal has turned by then"),
     quantity("orbit_maximum_pressure", "p_max,o", "Pa", "MPa", 3, "Maximum film pressure on the orbit"),
+    quantity("orbit_specific_load", "p̄_o", "Pa", "MPa", 3, "Largest load on the orbit per projected area"),
+    quantity("orbit_pressure_speed_product", "p̄U_o", "Pa m/s", "pv", 3, "That load per area times sliding speed"),
     quantity(
         "orbit_friction_power", "P_f,o", "W", "kW", 4, "Mean friction power on the orbit, torque times speed"
     ),

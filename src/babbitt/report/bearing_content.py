@@ -104,6 +104,8 @@ KEY_RESULTS = (
     "orbit_minimum_film_direction",
     "orbit_minimum_film_turned",
     "orbit_maximum_pressure",
+    "orbit_specific_load",
+    "orbit_pressure_speed_product",
     "orbit_friction_power",
     "lobe_clearance",
     "preload",
