@@ -301,3 +301,11 @@ def test_numba_comes_with_the_first_film_only():
         "assert 'numba' not in sys.modules"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
+
+
+@pytest.mark.parametrize("limit", [5.0, 45.0, 120.0, 400.0])
+def test_a_film_is_held_against_its_transition_limit_whether_or_not_a_speed_of_transition_exists(limit):
+    found = answer(effective_temperature="60 degC", limits={"transition_film_thickness": f"{limit} um"})
+    (check,) = (check for check in found.checks if check.code == "C111")
+    assert check.ok is (found.minimum_film_thickness >= 1e-6 * limit)
+    assert "C111" not in {notice.code for notice in found.not_checked}

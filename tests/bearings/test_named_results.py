@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from film_bearings import answer
 
 from babbitt.cases import parse_case
 from babbitt.film.model import JournalFilm, Resolution, grooved_bore
@@ -91,3 +92,13 @@ def test_stable_at_any_mass_where_there_is_no_critical_mass(one_temperature):
     assert heavy.stable_at_any_mass == 1.0
     assert heavy.whirl_frequency_ratio == 0.0
     assert "critical_mass" not in heavy.values
+
+
+def test_coefficients_of_tilt_beside_closed_pockets_are_missing_with_a_reason():
+    pockets = [{"angle": "0 deg", "extent": "20 deg"}, {"angle": "180 deg", "extent": "20 deg"},
+               {"angle": "270 deg", "extent": "20 deg", "width": "40 mm", "flow": "0 L/min"}]  # fmt: skip
+    found = answer(
+        grooves=pockets[:2], pockets=pockets[2:], tilt_coefficients=True, effective_temperature="60 degC"
+    )
+    assert "tilt_stiffness_xx" not in found.values
+    assert "closed pockets" in found.missing["tilt_stiffness"]

@@ -73,3 +73,16 @@ def test_refused_where_it_has_no_meaning():
         solve_batch(
             0.1, 0.05, 1e-4, 0.02, 100.0, (0.0, -100.0), grooved_bore((0.0,), 0.3), Cavitation.HALF_SOMMERFELD
         )
+
+
+@pytest.mark.parametrize(
+    "land",
+    [
+        Land(2.0, 7.5, start_pressure=1e6, end_pressure=1e6),
+        Land(2.0, 7.5, end_pressure=1e5),
+        Land(2.0, 7.5, start_fill=0.5),
+    ],
+)
+def test_a_batch_refuses_grooves_that_it_does_not_count(land):
+    with pytest.raises(InputError, match="one by one"):
+        solve_batch(0.1, 0.06, 6e-5, 0.02, 314.0, (0.0, -3e3), (land,))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from time import perf_counter
 
 from babbitt.bearings.film_premises import film_assumptions, film_settings
@@ -48,7 +48,7 @@ from babbitt.film.model import Cavitation
 from babbitt.film.whirl import Whirl
 from babbitt.film.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values
 from babbitt.notices import Notice
-from babbitt.results import Bound, Check, Result
+from babbitt.results import Bound, Check, Matrix, Outcome, Result
 
 METHOD = "film"
 
@@ -110,8 +110,9 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
                 from babbitt.film.tilt import tilt_coefficients
 
                 tilt = tilt_coefficients(state.solution, case.accuracy.resolution)
-                arrays |= {"tilt_stiffness": rows_of(tilt.stiffness), "tilt_damping": rows_of(tilt.damping)}
-                values |= tilt_values(tilt, state.load * case.bearing.width)
+                if tilt.outcome.solved and not closed_pockets(case):
+                    arrays |= {"tilt_stiffness": rows_of(tilt.stiffness), "tilt_damping": rows_of(tilt.damping)}
+                    values |= tilt_values(tilt, state.load * case.bearing.width)
             if state.thermal is not None:
                 arrays |= thermal_rows(case, state.thermal)
                 state, followed = with_own_coefficients(case, state)
@@ -157,8 +158,19 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
         message,
         settings,
         arrays,
-        {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))},
+        {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))}
+        | _tilt_missing(case, outcome, arrays),
     )
+
+
+def _tilt_missing(case: FilmCase, outcome: Outcome, arrays: Mapping[str, Matrix]) -> dict[str, str]:
+    """Why coefficients of tilt that were asked for are not told."""
+    if not case.tilt_coefficients or not outcome.solved or "tilt_stiffness" in arrays:
+        return {}
+    why = "the film of the leaning journal did not converge; another accuracy may"
+    if closed_pockets(case):
+        why = "the pressures of closed pockets follow the journal, and the film of its tilt does not know it"
+    return dict.fromkeys(("tilt_stiffness", "tilt_damping"), why)
 
 
 def _running_values(case: FilmCase, state: FilmState, whirl: Whirl | None) -> dict[str, float]:

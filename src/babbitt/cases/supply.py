@@ -51,6 +51,7 @@ class Supply(Part):
     """Oil fed under pressure. A bearing may give single fields and take the others from its machine."""
 
     example: ClassVar[str] = "{temperature: 50 degC, pressure: 0.2 MPa}"
+    alternatives: ClassVar[tuple[tuple[str, ...], ...]] = (("pressure", "flow"),)
 
     temperature: OilTemperature | None = Field(None, description="Oil temperature at the inlet, T_en.")
     pressure: GaugePressure | None = Field(

@@ -79,9 +79,8 @@ def _not_made(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
         own = case.limits.temperature is not None
         why = "the limit of the case (C104) holds" if own else "only the temperature of the oil is known"
         yield Notice("C108", f"no limit of a bearing metal is known; {why}")
-    if "transition_speed" not in values:
-        missing = "transition_film_thickness" not in values
-        yield Notice("C111", "surfaces are not given" if missing else "the film limit exceeds the clearance")
+    if "transition_film_thickness" not in values:
+        yield Notice("C111", "surfaces are not given")
 
 
 def _without_metal(case: Designed) -> str:
@@ -196,6 +195,10 @@ def validity_checks(values: Mapping[str, float]) -> Iterator[Check]:
         source = "speed at which the film thins to the film limit of the surfaces"
         speed = values["hydrodynamic_speed"]
         yield Check("C111", "hydrodynamic_speed", speed, values["transition_speed"], AT_LEAST, source)
+    elif "transition_film_thickness" in values and "minimum_film_thickness" in values:
+        source = "film limit of the surfaces (no speed of transition is known)"
+        film, needed = values["minimum_film_thickness"], values["transition_film_thickness"]
+        yield Check("C111", "minimum_film_thickness", film, needed, AT_LEAST, source)
 
 
 def clearance_check(case: Designed, values: Mapping[str, float]) -> Check:

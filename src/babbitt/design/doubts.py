@@ -143,6 +143,6 @@ def doubts_about_running(
     if case.oil_supply is None and balanced and too_hot:
         yield Notice("W110", f"T_B = {values['bearing_temperature'] - ZERO_CELSIUS:.0f} °C without pressure feed")
     if "transition_film_thickness" in values and "transition_speed" not in values:
-        yield Notice("W112", "the film limit of the surfaces exceeds the radial clearance: no transition speed")
+        yield Notice("W112", "no speed is known at which the film thins to the film limit of the surfaces")
     if case.limits.minimum_film_thickness is None and "empirical_film_limit" not in values:
         yield Notice("W115", f"no experience value of h_lim for D = {case.bearing.diameter * 1e3:.4g} mm")

@@ -70,7 +70,8 @@ def solve_batch(
     load : array_like, shape (bearings, 2) or (2,)
         N.
     lands : tuple of Land
-        Angles and groove gauge pressures, common to all; round (no clearance, centre or profile of their own).
+        Angles, common to all; round (no clearance, centre or profile of their own), from grooves full of oil at
+        ambient pressure.
     cavitation : Cavitation
     resolution : Resolution
     max_steps : int
@@ -82,11 +83,16 @@ def solve_batch(
     Raises
     ------
     InputError
-        E101 for lands that are not round, or values that are not positive.
+        E101 for lands that are not round, grooves under pressure or not full, or values that are not positive.
     """
     check_lands(lands, 0.0)
     if any(land.clearance is not None or land.centre != (0.0, 0.0) or land.profile for land in lands):
         raise InputError("E101", "a batch takes round lands only; solve lobes and measured bores one by one.")
+    if any(land.start_pressure > 0.0 or land.end_pressure > 0.0 or land.start_fill < 1.0 for land in lands):
+        raise InputError(
+            "E101", "a batch takes grooves full of oil at ambient pressure only; solve others one by one "
+            "(the pressure of a groove acts on the journal, too)."
+        )  # fmt: skip
     if cavitation is Cavitation.HALF_SOMMERFELD:
         raise InputError("E101", "a batch has no half-Sommerfeld condition; solve such films one by one.")
     force = np.atleast_2d(np.asarray(load, dtype=float))

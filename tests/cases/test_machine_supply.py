@@ -1,0 +1,31 @@
+"""Supply of a machine and of its bearings: what a bearing gives takes the place of what the machine gives."""
+
+from __future__ import annotations
+
+import pytest
+
+from babbitt.cases import case_from_dict, design_cases
+
+
+@pytest.mark.parametrize(
+    ("machine", "own", "wanted"),
+    [
+        ({"pressure": "0.2 MPa"}, {"flow": "0.3 L/min"}, (0.0, 0.3 / 6e4)),
+        ({"flow": "0.3 L/min"}, {"pressure": "0.2 MPa"}, (2e5, None)),
+        ({"pressure": "0.2 MPa"}, {"temperature": "50 degC"}, (2e5, None)),
+    ],
+)
+def test_pressure_or_flow_of_a_bearing_replaces_both_of_its_machine(machine, own, wanted):
+    bearing = {
+        "kind": "journal", "name": "A", "method": "film", "diameter": "100 mm", "width": "50 mm",
+        "clearance": {"kind": "relative", "mean": "1.2 permille"}, "load": "6 kN", "speed": "2000 rpm",
+        "grooves": [{"angle": "90 deg", "extent": "20 deg"}], "supply": own,
+    }  # fmt: skip
+    case = case_from_dict(
+        {
+            "kind": "machine", "name": "M", "lubricant": "ISO VG 46", "bearings": [bearing],
+            "materials": {"bearing": "C10", "journal": "C45"}, "supply": {"temperature": "45 degC"} | machine,
+        }
+    )  # fmt: skip
+    (found,) = design_cases(case)
+    assert (found.oil_supply.pressure, found.oil_supply.flow) == pytest.approx(wanted)
