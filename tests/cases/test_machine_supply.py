@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 
 from babbitt.cases import case_from_dict, design_cases
+from babbitt.cases.variation import case_variation
+from babbitt.notices import InputError
 
 
 @pytest.mark.parametrize(
@@ -29,3 +31,21 @@ def test_pressure_or_flow_of_a_bearing_replaces_both_of_its_machine(machine, own
     )  # fmt: skip
     (found,) = design_cases(case)
     assert (found.oil_supply.pressure, found.oil_supply.flow) == pytest.approx(wanted)
+
+
+@pytest.mark.parametrize(
+    ("path", "instead"),
+    [("speed", "operating_points.0.speed"), ("supply.temperature", "operating_points.0.supply_temperature")],
+)
+def test_a_field_that_every_operating_point_overrides_is_not_varied(path, instead, tmp_path):
+    file = tmp_path / "points.yaml"
+    file.write_text(
+        "kind: journal\nname: J\ndiameter: 120 mm\nwidth: 60 mm\nclearance: {kind: relative, mean: 1.2 permille}\n"
+        "span: 360 deg\nlubricant: ISO VG 46\nsupply: {temperature: 45 degC, pressure: 0.2 MPa}\n"
+        "supply_element: {kind: groove_180, width: 5 mm}\nmaterials: {bearing: C10, journal: C45}\nload: 12 kN\n"
+        "operating_points:\n  - {name: a, speed: 1000 rpm, supply_temperature: 40 degC}\n"
+    )
+    varied = {"speed": "2000 rpm", "supply.temperature": "50 degC"}[path]
+    with pytest.raises(InputError, match=instead):
+        case_variation(file, path).case(varied)
+    assert case_variation(file, "load").case("10 kN") is not None

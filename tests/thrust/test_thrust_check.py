@@ -233,7 +233,6 @@ def of_temperature(found):
 @pytest.mark.parametrize(
     ("changed", "hottest"),
     [
-        ({"oil": "{kind: temperature, lubricant: ISO VG 100, temperature: 53 degC}"}, "effective_temperature"),
         (WARM, "hottest_trailing_temperature"),
         (WARM | {"tilt": None}, "trailing_temperature"),
         (WARM | {"thermal": "adiabatic"}, "maximum_temperature"),
@@ -260,8 +259,19 @@ def test_no_temperature_is_passed_over_in_silence():
     notice, *others = result().not_checked
     assert notice.code == "C104"
     assert [one.code for one in others] == ["C103", "C105"]
-    assert "not known" in notice.message
+    assert "no heat balance" in notice.message
     assert [one.code for one in result(materials=METAL).not_checked] == ["C104", "C108"]
+
+
+def test_a_prescribed_temperature_can_miss_a_limit_and_never_keep_it():
+    """The films make heat that nobody has balanced: how hot they become is not known."""
+    oil = "{{kind: temperature, lubricant: ISO VG 100, temperature: {} degC}}"
+    cool, hot = (result(oil=oil.format(given)) for given in (53, 118))
+    assert of_temperature(cool) == {}
+    assert "C104" in {one.code for one in cool.not_checked}
+    assert cool.verdict is Verdict.NO_VERDICT
+    assert {code: check.ok for code, check in of_temperature(hot).items()} == {"C104": False, "C108": False}
+    assert hot.verdict is Verdict.FAIL
 
 
 def test_a_metal_and_a_limit_of_the_case_take_the_place_of_the_assumed():

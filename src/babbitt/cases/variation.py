@@ -22,6 +22,10 @@ ALTERNATIVES = (LOADS, SPEEDS, ("width", "width_ratio"))
 """Fields of which a value in one takes the place of the others."""
 
 
+POINT_FIELDS = (LOADS, SPEEDS, ("supply_pressure", "supply_flow"))
+"""Fields of operating points of which a value in one takes the place of the others of the bearing."""
+
+
 class CaseVariation:
     """A case file one field of which takes other values.
 
@@ -78,6 +82,7 @@ class CaseVariation:
         """
         varied = copy.deepcopy(self.given)
         place, name = self._container(varied), self._steps[-1]
+        self._refuse_if_overridden(place, name)
         for others in ALTERNATIVES:
             if name in others and isinstance(place, dict):
                 for other in others:
@@ -88,6 +93,31 @@ class CaseVariation:
             raise InputError("E005", f"{self.file}: there is no '{self.path}'{_known(place)}") from None
         title = f"{printable(self.file)} with {self.path}: {value}"
         return build_case(varied, title, NamedFiles(self.file.parent, self.reach))
+
+    def _refuse_if_overridden(self, place: Any, name: str) -> None:
+        """Refuse a field of a bearing in whose place its operating points have their own: nothing would change."""
+        path = self._steps
+        owner: Any = self.given
+        below = len(path) > 1 and path[-2] == "supply"
+        if below:
+            name = f"supply_{name}"
+            for step in path[:-2]:
+                owner = owner[_key(owner, step)]
+        else:
+            owner = place
+        points = owner.get("operating_points") if isinstance(owner, dict) else None
+        if not isinstance(points, list):
+            return
+        names = next((group for group in POINT_FIELDS if name in group), (name,))
+        own = [
+            number for number, point in enumerate(points) if isinstance(point, dict) and point.keys() & set(names)
+        ]
+        if own and len(own) == len(points):
+            says = f"every operating point gives its own, so that '{self.path}' changes nothing"
+            also = ", ".join(
+                f"'{'.'.join((*path[: -2 if below else -1], 'operating_points', str(n), name))}'" for n in own
+            )
+            raise InputError("E005", f"{self.file}: {says}; vary {also}")
 
     def _container(self, given: Any) -> Any:
         place = given

@@ -85,8 +85,9 @@ def crossing(excess: Callable[[float], float], speed: float) -> float | None:
         return None
     step = SEARCH_STEP if here > 0.0 else 1.0 / SEARCH_STEP
     near = speed
-    while 1.0 / FASTEST <= near * step / speed <= FASTEST:
-        far = near * step
+    last = speed * (FASTEST if here > 0.0 else 1.0 / FASTEST)
+    while near != last:
+        far = min(near * step, last) if here > 0.0 else max(near * step, last)
         there = excess(far)
         if math.isnan(there):
             return None

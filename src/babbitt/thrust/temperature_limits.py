@@ -20,7 +20,10 @@ __all__ = ["ASSUMED_METAL", "TemperatureLimits", "hottest_of_pads"]
 ASSUMED_METAL = "B83"
 """Assumption where neither metal nor limit is given: tin Babbitt, with which thrust pads are lined as a rule."""
 
-UNKNOWN = "the viscosity of the films is given, their temperature is not known"
+UNKNOWN = "temperature or viscosity of the films is given: no heat balance tells how hot they become"
+
+PRESCRIBED = "effective_temperature"
+"""Of films whose temperature is given: no answer of a heat balance, so that it can miss a limit, never keep it."""
 
 
 @dataclass(frozen=True)
@@ -54,8 +57,12 @@ class TemperatureLimits:
             Named results, K.
         """
         hottest = hottest_of_pads(values)
-        if hottest is None:
-            return
+        if hottest is not None:
+            yield from self._held(values, hottest)
+        elif PRESCRIBED in values:
+            yield from (check for check in self._held(values, PRESCRIBED) if not check.ok)
+
+    def _held(self, values: Mapping[str, float], hottest: str) -> Iterator[Check]:
         if self.highest is not None:
             yield Check("C104", hottest, values[hottest], self.highest, Bound.AT_MOST, USER)
         else:
@@ -73,9 +80,9 @@ class TemperatureLimits:
     def not_checked(self, values: Mapping[str, float]) -> Iterator[Notice]:
         """Which of these checks lack data, and which."""
         if hottest_of_pads(values) is None:
-            yield Notice("C104", UNKNOWN)
-            if self.given_metal is not None:
-                yield Notice("C108", UNKNOWN)
+            missed = {check.code for check in self.checks(values)}
+            codes = ("C104", "C108") if self.given_metal is not None else ("C104",)
+            yield from (Notice(code, UNKNOWN) for code in codes if code not in missed)
             return
         if self.metal is None:
             yield Notice("C108", "no bearing metal is given (materials: bearing_metal)")
@@ -98,6 +105,5 @@ def hottest_of_pads(values: Mapping[str, float]) -> str | None:
         "maximum_temperature",
         "hottest_trailing_temperature",
         "trailing_temperature",
-        "effective_temperature",
     )
     return next((name for name in names if name in values), None)
