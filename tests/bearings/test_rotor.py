@@ -194,3 +194,21 @@ def test_a_film_that_only_a_heavy_rotor_can_use_is_checked_from_below():
     never = answer(**base | groove | {"load": "3 kN", "rotor_mass": "300 kg"})
     assert never.critical_mass == 0.0
     assert never.verdict.value == "fail"
+
+
+def test_at_light_load_a_larger_clearance_invites_whirl_and_a_narrower_bearing_does_not():
+    """What the advice of W120 and C115 says."""
+    light = {
+        "diameter": "100 mm", "load": "3 kN", "speed": "9000 rpm", "effective_temperature": "60 degC",
+        "lubricant": {"kind": "constant", "dynamic_viscosity": "10 mPa s", "density": "860 kg/m3",
+                      "volumetric_heat_capacity": "1.8 MJ/(m3 K)"},
+    }  # fmt: skip
+
+    def critical(width, psi):
+        clearance = {"kind": "relative", "mean": f"{psi} permille"}
+        return answer(**light | {"width": f"{width} mm", "clearance": clearance}).critical_mass
+
+    by_clearance = [critical(60, psi) for psi in (0.6, 1.2, 1.8, 2.4)]
+    assert np.all(np.diff(by_clearance) < 0.0)
+    by_width = [critical(width, 1.2) for width in (100, 60, 30)]
+    assert np.all(np.diff(by_width) > 0.0)

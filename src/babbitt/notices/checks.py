@@ -79,15 +79,17 @@ CHECKS: dict[str, Explanation] = {
         "Whirl screening by Orlov",
         "A screening indicator of the ISO 7902 result, no stability calculation: the relative clearance should "
         "exceed 3.5e-3 sqrt(lambda B/D), else the journal can whirl by itself. It changes no verdict.",
-        "Solve the bearing with `method: film`, whose stiffness and damping decide (C115); a larger clearance, a "
-        "thinner oil, a narrower bearing.",
+        "Solve the bearing with `method: film`, whose stiffness and damping decide (C115), and see C115 for "
+        "what helps.",
     ),
     "C115": Explanation(
         "Critical mass",
         "The mass above which a rigid rotor whirls, and with `shaft_stiffness` that of a rotor on an elastic "
         "shaft, is compared with the mass of the rotor (`rotor_mass`), or, as a recommendation, with the load "
-        "over g.",
-        "A larger clearance, a thinner oil, a narrower bearing, or a bore with preload.",
+        "over g. Few films bear heavy rotors alone: then the least stable mass is compared.",
+        "A bore with preload, tilting pads, or a narrower bearing; at light load also a smaller clearance (mind "
+        "the heat). A larger clearance or a thinner oil helps only where it brings the relative eccentricity above "
+        "about 0.7 to 0.8: try it with a sweep.",
     ),
     "C116": Explanation(
         "Pressure of plain bearings",
@@ -111,7 +113,7 @@ CHECKS: dict[str, Explanation] = {
     "C114": Explanation(
         "Recommended clearance",
         "A recommendation: the mean relative clearance should reach 0.8e-3 U^(1/4), with U in m/s.",
-        "Choose a larger clearance where heat or whirl matter.",
+        "Choose a larger clearance where heat matters; against whirl it can make things worse (C115).",
     ),
     "C130": Explanation(
         "Stability of the steady state",

@@ -200,10 +200,12 @@ JOURNAL: dict[str, Explanation] = {
     ),
     "W120": Explanation(
         "The journal whirls",
-        "The rotor is heavier than the critical mass: in this film it leaves its place and whirls at about half "
-        "the speed. The rotor is rigid, or one mass on an elastic shaft where `shaft_stiffness` is given.",
-        "A larger clearance, a thinner oil, a narrower bearing, a bore with preload, or tilting pads; for a rotor "
-        "of several masses make a rotordynamic analysis with stiffness and damping of the film.",
+        "The rotor is heavier than the critical mass, or lighter than the least stable one: in this film it "
+        "leaves its place and whirls, as a rule at about half the speed. The rotor is rigid, or one mass on an "
+        "elastic shaft where `shaft_stiffness` is given.",
+        "A bore with preload, tilting pads, or a narrower bearing; at light load a smaller clearance (mind the "
+        "heat), while a larger one or a thinner oil helps only above a relative eccentricity of about 0.7 to 0.8. "
+        "For a rotor of several masses make a rotordynamic analysis with stiffness and damping of the film.",
     ),
     "W125": Explanation(
         "No estimate of the grid error",
