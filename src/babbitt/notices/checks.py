@@ -88,8 +88,8 @@ CHECKS: dict[str, Explanation] = {
         "shaft, is compared with the mass of the rotor (`rotor_mass`), or, as a recommendation, with the load "
         "over g. Few films bear heavy rotors alone: then the least stable mass is compared.",
         "A bore with preload, tilting pads, or a narrower bearing; at light load also a smaller clearance (mind "
-        "the heat). A larger clearance or a thinner oil helps only where it brings the relative eccentricity above "
-        "about 0.7 to 0.8: try it with a sweep.",
+        "the heat). A larger clearance or a thinner oil helps only where it brings the relative eccentricity "
+        "above about 0.7 to 0.8: try it with a sweep.",
     ),
     "C116": Explanation(
         "Pressure of plain bearings",
