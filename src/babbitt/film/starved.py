@@ -35,6 +35,10 @@ CLOSENESS = 1e-3
 """Of net flow to given flow: a film jumps a little where a line ruptures, and no fill may meet the flow better."""
 NUDGES = (1.0, 0.995, 1.005)
 """Factors on a fill at which a film is sought where one fill gives none."""
+STEP = 1e-4
+"""Relative step for derivatives: smaller ones meet the noise of the settled film."""
+ROUGHLY = 1e-4
+"""Closeness in the logarithm of a fill that is only the place to start from."""
 MOST_FILMS = 150
 """Films after which the search gives up."""
 
@@ -188,7 +192,7 @@ class _Search:
         if (drawn <= self._flows).all():
             return self.answer(full)
         if self._flows.size == 1:
-            return self.answer(np.array([self.single(0, full, drawn)]))
+            return self.answer(np.array([self.single(0, full, drawn, 1e-13)]))
         return self.answer(self.several(full, drawn))
 
     def film_at(self, states: Array) -> FilmSolution:
@@ -215,8 +219,8 @@ class _Search:
         self._least = total if self._least is None else min(self._least, total)
         return drawn
 
-    def single(self, place: int, states: Array, drawn: Array) -> float:
-        """State of one supply that takes its flow, the others as they are."""
+    def single(self, place: int, states: Array, drawn: Array, closeness: float) -> float:
+        """State of one supply that takes its flow, to some closeness of its logarithm, the others as they are."""
         states = states.copy()
 
         def excess(log_state: float) -> float:
@@ -233,7 +237,7 @@ class _Search:
             if low <= math.log(LEAST_FILL):
                 raise _NoFilmError(self.film_at(states))
             high = low
-        return math.exp(bracketed_root(excess, low, high, 1e-13, 1e-13))
+        return math.exp(bracketed_root(excess, low, high, closeness, closeness))
 
     def several(self, full: Array, drawn: Array) -> Array:
         """States of several supplies: a root of the function of Fischer and Burmeister in both inequalities."""
@@ -253,7 +257,7 @@ class _Search:
 
         begin = np.log(full) - 0.5 * np.log(np.maximum(drawn / self._flows, 1.0))
         for _ in range(3):
-            found = root(disagreement, begin, method="hybr", options={"xtol": 1e-12, "factor": 0.3})
+            found = root(disagreement, begin, method="hybr", options={"xtol": 1e-12, "factor": 0.3, "eps": STEP**2})
             logs = np.clip(found.x, bottom, top)
             if np.abs(disagreement(logs)).max() < CLOSENESS:
                 break
@@ -267,7 +271,7 @@ class _Search:
             states[place] = self._highest
             drawn = self.drawn(states)
             if drawn[place] > self._flows[place]:
-                states[place] = self.single(place, states, drawn)
+                states[place] = self.single(place, states, drawn, ROUGHLY)
         return states
 
     def answer(self, states: Array) -> FedFilm:
