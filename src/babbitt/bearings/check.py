@@ -20,7 +20,13 @@ from babbitt.bearings.orbit_answer import (
     orbit_values,
 )
 from babbitt.bearings.own_slope import confirmed_state, doubts_about_slope, slope_not_asked
-from babbitt.bearings.resting import doubts_about_rest, resting_places
+from babbitt.bearings.resting import (
+    doubts_about_rest,
+    flattered_by_rest,
+    resting_checks,
+    resting_places,
+    resting_values,
+)
 from babbitt.bearings.thermal_answer import (
     doubts_about_heat,
     settings_found,
@@ -34,6 +40,7 @@ from babbitt.bearings.transition import transition_speed
 from babbitt.bearings.warm_film import FilmState, under_found_load
 from babbitt.bearings.watch import Watch, unwatched
 from babbitt.bearings.whirl import whirl_of
+from babbitt.design.bounds import certain, unjudged
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import GivenLoad, contact_film
 from babbitt.design.doubts import (
@@ -124,15 +131,20 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
             whirl = whirl_of(loaded, frozen) if case.cavitation is not Cavitation.HALF_SOMMERFELD else None
             values |= _running_values(loaded, state, whirl)
             values |= grid_errors(case, state) if case.error_estimate else {}
-            checks = (*_limit_checks(case, values), *whirl_checks(case, whirl), clearance_check(case, values))
-            not_made = (*checks_not_made(case, values), *slope_not_asked(frozen, slope))
+            places = resting_places(case, state) if case.heat is None else None
+            values |= resting_values(places)
+            limits = (*_limit_checks(case, values), *resting_checks(case, values))
+            flattered = flattered_by_rest(case, state.solution)
+            checks = (*certain(limits, flattered), *whirl_checks(case, whirl), clearance_check(case, values))
+            not_made = (
+                *checks_not_made(case, values),
+                *unjudged(limits, flattered),
+                *slope_not_asked(frozen, slope),
+            )
             warnings = (*_doubts(case, state, values, checks, whirl), *doubts_about_slope(slope))
             if state.thermal is not None:
                 values |= stiffness_values(state)
                 warnings = (*warnings, *doubts_about_heat(case, state, values, followed))
-            places = resting_places(case, state) if case.heat is None else None
-            if places is not None:
-                values["equilibria"] = float(len(places.places))
             if isinstance(case.duty, GivenLoad):
                 warnings = (*warnings, *doubts_about_rest(state.solution, places))
             orbit = orbit_of(case, state, watch)

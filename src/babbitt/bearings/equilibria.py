@@ -11,8 +11,9 @@ was missed.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,6 +34,10 @@ DIRECTIONS = 16
 
 DEPTHS = (0.2, 0.4, 0.6, 0.8, 0.93, 0.985, 0.998)
 """Rings of the mesh: shares of the way from the centre to contact."""
+
+
+STEEP = 0.5 * math.pi
+"""Turn of the force along one side of a cell, in rad, beyond which its sense is not certain."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,47 +112,89 @@ def find_equilibria(
         if known, or if `babbitt.film.solve.solve_journal` finds them.
     """
     places = [RestingPlace(one) for one in known]
-    wanted = np.asarray(load)
-    for directions in (DIRECTIONS, 2 * DIRECTIONS):
-        for start in _starts(film, wanted, directions):
-            found = equilibrium_near(film, load, (float(start[0]), float(start[1])), resolution)
-            if found is not None and not any(_near(film, found, place.film) for place in places):
-                places.append(RestingPlace(found))
-        if sum(place.index for place in places) == 1:
-            return RestingPlaces(tuple(places))
+
+    def add(found: FilmSolution | None) -> None:
+        if found is not None and not any(_near(film, found, place.film) for place in places):
+            places.append(RestingPlace(found))
+
+    coarse = _Mesh.of(film, np.asarray(load), DIRECTIONS)
+    add_from = partial(_add_from, film, load, resolution, add)
+    add_from(coarse.turning())
+    if RestingPlaces(tuple(places)).complete:
+        return RestingPlaces(tuple(places))
     carried = solve_journal(film, load, resolution)  # it looks closer to contact, on the loaded side
-    if carried.outcome.solved and not any(_near(film, carried, place.film) for place in places):
-        places.append(RestingPlace(carried))
+    add(carried if carried.outcome.solved else None)
+    fine = _Mesh.of(film, np.asarray(load), 2 * DIRECTIONS)
+    for starts in (fine.turning(), fine.steep(), coarse.everywhere() if places else ()):
+        if not RestingPlaces(tuple(places)).complete:
+            add_from(starts)
     return RestingPlaces(tuple(places))
+
+
+def _add_from(
+    film: JournalFilm,
+    load: tuple[float, float],
+    resolution: Resolution,
+    add: Callable[[FilmSolution | None], None],
+    starts: Iterable[Array],
+) -> None:
+    for x, y in starts:
+        add(equilibrium_near(film, load, (float(x), float(y)), resolution))
 
 
 def _near(film: JournalFilm, one: FilmSolution, other: FilmSolution) -> bool:
     return math.hypot(*(one.position - other.position)) < SAME_PLACE * film.clearance
 
 
-def _starts(film: JournalFilm, load: Array, directions: int) -> Iterator[Array]:
-    """Middles of the cells around which the force turns."""
-    towards_load = math.atan2(load[1], load[0])  # rays as the load has them, not the frame
-    angles = towards_load + np.arange(directions) * (2.0 * math.pi / directions)
-    outline = clearance_outline(film, np.asarray(angles, dtype=np.float64))
-    rays = outline[:, None] * np.stack((np.cos(angles), np.sin(angles)), axis=1)
-    nodes = np.concatenate((np.zeros((1, directions, 2)), np.multiply.outer(DEPTHS, rays)))
-    field = np.full(nodes.shape, np.nan)
-    field[0] = _force(film, nodes[0, 0]) + load
-    for place in np.ndindex(len(DEPTHS), directions):
-        ring, ray = place[0] + 1, place[1]
-        field[ring, ray] = _force(film, nodes[ring, ray]) + load
-    towards = np.arctan2(field[..., 1], field[..., 0])
-    after = np.roll(towards, -1, axis=1)
-    around = (towards[:-1], towards[1:], after[1:], after[:-1])
-    turns = sum(
-        (np.remainder(b - a + math.pi, 2.0 * math.pi) - math.pi
-         for a, b in zip(around, (*around[1:], around[0]), strict=True)),
-        np.zeros_like(towards[:-1]),
-    )  # fmt: skip
-    middles = 0.25 * (nodes[:-1] + nodes[1:] + np.roll(nodes, -1, axis=1)[1:] + np.roll(nodes, -1, axis=1)[:-1])
-    for ring, ray in zip(*np.nonzero(np.abs(np.nan_to_num(turns)) > math.pi), strict=True):
-        yield middles[ring, ray]
+@dataclass(frozen=True, eq=False)
+class _Mesh:
+    """Force of film and load over the room of the journal, shape (1 + depths, directions, 2) like its nodes."""
+
+    nodes: Array
+    force: Array
+
+    @classmethod
+    def of(cls, film: JournalFilm, load: Array, directions: int) -> _Mesh:
+        """Where no film is found the journal touches, and contact pushes it inward."""
+        towards_load = math.atan2(load[1], load[0])  # rays as the load has them, not the frame
+        angles = towards_load + np.arange(directions) * (2.0 * math.pi / directions)
+        outline = clearance_outline(film, np.asarray(angles, dtype=np.float64))
+        rays = outline[:, None] * np.stack((np.cos(angles), np.sin(angles)), axis=1)
+        nodes = np.multiply.outer((0.0, *DEPTHS), rays)
+        force = np.empty_like(nodes)
+        force[0] = _force(film, nodes[0, 0]) + load
+        for place in np.ndindex(len(DEPTHS), directions):
+            at = place[0] + 1, place[1]
+            force[at] = _force(film, nodes[at]) + load
+        return cls(nodes, np.where(np.isnan(force), -nodes, force))
+
+    @property
+    def turns(self) -> Array:
+        """Angles in rad, within half a turn, by which the force turns along the four sides of each cell, shape
+        (4, depths, directions): along the inner side, outward, back along the outer side, inward."""
+        towards = np.arctan2(self.force[..., 1], self.force[..., 0])
+        after = np.roll(towards, -1, axis=1)
+        corners = np.stack((towards[:-1], after[:-1], after[1:], towards[1:], towards[:-1]))
+        return np.asarray(np.remainder(np.diff(corners, axis=0) + math.pi, 2.0 * math.pi) - math.pi)
+
+    @property
+    def middles(self) -> Array:
+        """Of the cells, m."""
+        along = self.nodes + np.roll(self.nodes, -1, axis=1)
+        return np.asarray(0.25 * (along[:-1] + along[1:]))
+
+    def turning(self) -> Array:
+        """Middles of the cells around which the force turns."""
+        return np.asarray(self.middles[np.abs(self.turns.sum(axis=0)) > math.pi])
+
+    def steep(self) -> Array:
+        """Middles of the other cells along a side of which the force turns so far that a turn may be missed."""
+        whole = np.abs(self.turns.sum(axis=0)) > math.pi
+        return np.asarray(self.middles[(np.abs(self.turns).max(axis=0) > STEEP) & ~whole])
+
+    def everywhere(self) -> Array:
+        """All nodes, those next to contact first."""
+        return np.asarray(self.nodes[:0:-1].reshape(-1, 2))
 
 
 def _force(film: JournalFilm, at: Array) -> Array:

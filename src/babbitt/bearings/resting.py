@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.bore import LobedBore
@@ -11,9 +12,12 @@ from babbitt.bearings.layout import load_vector
 from babbitt.bearings.model import FilmCase, Search
 from babbitt.bearings.settling import is_saddle
 from babbitt.bearings.warm_film import FilmState
+from babbitt.design.bounds import FILM_CHECKS, NO_BOUNDS, Bounds
+from babbitt.design.checks import film_checks
 from babbitt.design.conditions import GivenLoad
 from babbitt.film.model import Cavitation, FilmStart, JournalFilm
 from babbitt.notices import Notice
+from babbitt.results import Check
 
 if TYPE_CHECKING:
     from babbitt.bearings.equilibria import RestingPlace, RestingPlaces
@@ -23,7 +27,10 @@ SUPPLY_SHARE = 0.5
 """Supply pressure over η ω (R/c)² from which further equilibria are sought. Assumption: two opposite grooves make
 them from 5 on."""
 
-__all__ = ["doubts_about_rest", "resting_places"]
+SAME_FILM = 0.01
+"""Share by which the film elsewhere must be thinner to be told: less is the accuracy of a grid."""
+
+__all__ = ["doubts_about_rest", "flattered_by_rest", "resting_checks", "resting_places", "resting_values"]
 
 
 def resting_places(case: FilmCase, state: FilmState) -> RestingPlaces | None:
@@ -44,11 +51,41 @@ def resting_places(case: FilmCase, state: FilmState) -> RestingPlaces | None:
 def _likely(case: FilmCase, film: JournalFilm) -> bool:
     """Whether further equilibria are worth the time: in lobes, and where supply pressure rivals that of the
     wedge."""
-    if film.film_start is not FilmStart.GROOVE:
+    if film.film_start is FilmStart.WIDEST_GAP:
         return False
     wedge = film.viscosity * abs(film.angular_speed) * (0.5 * film.diameter / film.clearance) ** 2
-    supply = max(max(land.start_pressure, land.end_pressure) for land in film.lands)
+    supply = max(
+        *(max(land.start_pressure, land.end_pressure) for land in film.lands),
+        *(pocket.pressure for pocket in film.pockets),
+        0.0,
+    )
     return isinstance(case.bearing.bore, LobedBore) or supply > SUPPLY_SHARE * wedge
+
+
+def resting_values(found: RestingPlaces | None) -> dict[str, float]:
+    """Number of equilibria, and the thinnest film where the journal stays if it is not the one shown."""
+    if found is None:
+        return {}
+    values = {"equilibria": float(len(found.places))}
+    shown = found.places[0].film.minimum_film_thickness
+    least = min((one.film.minimum_film_thickness for one in found.places if one.holds), default=shown)
+    return values | ({"least_resting_film": least} if least < (1.0 - SAME_FILM) * shown else {})
+
+
+def resting_checks(case: FilmCase, values: Mapping[str, float]) -> Iterator[Check]:
+    """Limits of the film thickness, asked of the thinnest film where the journal may rest as well."""
+    if "least_resting_film" in values:
+        for check in film_checks(case, values):
+            yield replace(check, quantity="least_resting_film", value=values["least_resting_film"])
+
+
+def flattered_by_rest(case: FilmCase, shown: FilmSolution) -> Bounds:
+    """Checks that the film at a saddle flatters."""
+    if not isinstance(case.duty, GivenLoad) or not is_saddle(shown):
+        return NO_BOUNDS
+    return dict.fromkeys(
+        FILM_CHECKS, "the journal leaves the place shown, a saddle; its film elsewhere is not known"
+    )
 
 
 def doubts_about_rest(shown: FilmSolution, found: RestingPlaces | None) -> Iterator[Notice]:

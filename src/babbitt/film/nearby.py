@@ -23,6 +23,9 @@ CONTACT = 1e3
 """Force that pushes a journal back which touches, over the stiffness times the clearance at the start of a
 search."""
 
+CARRIED = 1e-2
+"""Share of the load that the film of an equilibrium may miss."""
+
 SAME_PLACE = 1e-3
 """Distance over the clearance below which two equilibria are one."""
 
@@ -75,8 +78,10 @@ def _in_its_frame(
         found = film_there(place)
         if not found.outcome.solved or np.linalg.matrix_rank(found.stiffness) < 2:  # a dry film holds nothing
             return None
-        step = np.linalg.lstsq(found.stiffness, found.force + wanted, rcond=None)[0]
-        return found if float(np.linalg.norm(step)) < 0.1 * SAME_PLACE * c else None
+        missing = found.force + wanted
+        step = np.linalg.solve(found.stiffness, missing)
+        carried = float(np.linalg.norm(missing)) <= CARRIED * (math.hypot(*load) or unit)
+        return found if carried and float(np.linalg.norm(step)) < 0.1 * SAME_PLACE * c else None
 
     quick = root(residual, np.asarray(start) / c, jac=slope, method="hybr", options={"xtol": 1e-9, "maxfev": 60})
     return settled(quick.x) or settled(

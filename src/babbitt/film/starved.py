@@ -257,7 +257,9 @@ class _Search:
 
         begin = np.log(full) - 0.5 * np.log(np.maximum(drawn / self._flows, 1.0))
         for _ in range(3):
-            found = root(disagreement, begin, method="hybr", options={"xtol": 1e-12, "factor": 0.3, "eps": STEP**2})
+            found = root(
+                disagreement, begin, method="hybr", options={"xtol": 1e-12, "factor": 0.3, "eps": STEP**2}
+            )
             logs = np.clip(found.x, bottom, top)
             if np.abs(disagreement(logs)).max() < CLOSENESS:
                 break

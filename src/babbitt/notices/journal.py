@@ -267,6 +267,7 @@ JOURNAL: dict[str, Explanation] = {
         "The directions of the force around the clearance tell how many equilibria there must be, and another "
         "number was found. One of them may lie nearer to contact than the search looks.",
         "A finer `accuracy`; look at the film at the places in question with `position`.",
+        effect=Effect.NO_VERDICT,
     ),
     "W135": Explanation(
         "Stiffness and damping not confirmed",
