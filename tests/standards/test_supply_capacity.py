@@ -9,6 +9,7 @@ from design_cases import CASE_A, RPM
 from babbitt import parse_case
 from babbitt.cases.build import film_cases, iso7902_cases
 from babbitt.report.verdict import comparison
+from babbitt.results import Bound, Check
 from babbitt.solving import solve_design
 from babbitt.standards.iso7902.model import GivenLoad, OilSupply
 from babbitt.standards.iso7902.procedure import check, check_at_temperature
@@ -19,6 +20,7 @@ from babbitt.standards.iso7902.supply import (
     Holes,
     Pockets,
 )
+from babbitt.standards.iso7902.supply_capacity import worse_of
 
 FAN = """
 kind: journal
@@ -91,6 +93,17 @@ def test_the_limited_film_closes_its_heat_balance():
     assert result.starved_minimum_film_thickness < result.minimum_film_thickness
     by_code = {one.code: one for one in result.checks}
     assert by_code["C101"].value == result.starved_minimum_film_thickness
+
+
+def test_no_limit_of_either_answer_is_lost():
+    """C111 of a film whose clearance closes below the film limit has another quantity and another source."""
+    slow = Check("C111", "hydrodynamic_speed", 200.0, 100.0, Bound.AT_LEAST, "speed of transition")
+    thin = Check("C111", "minimum_film_thickness", 4e-6, 5e-6, Bound.AT_LEAST, "film limit")
+    warm = Check("C104", "outlet_temperature", 350.0, 370.0, Bound.AT_MOST, "experience")
+    metal = Check("C108", "outlet_temperature", 380.0, 373.0, Bound.AT_MOST, "metal")
+    found = worse_of((slow, warm), (thin, metal))
+    assert [(one.code, one.ok) for one in found] == [("C111", False), ("C104", True), ("C108", False)]
+    assert [one.quantity for one in found][::2] == ["starved_minimum_film_thickness", "starved_outlet_temperature"]
 
 
 def test_a_film_that_gets_what_it_wants_has_one_answer():

@@ -78,15 +78,13 @@ def starved_values(values: Values) -> dict[str, float]:
 
 
 def worse_of(checks: Iterable[Check], starved: Iterable[Check]) -> tuple[Check, ...]:
-    """Hold every limit against the worse of both answers."""
-    others = {(check.code, check.source): check for check in starved}
-    return tuple(_worse(check, others.get((check.code, check.source), check)) for check in checks)
-
-
-def _worse(check: Check, starved: Check) -> Check:
-    if starved.margin >= check.margin:
-        return check
-    return replace(starved, quantity=STARVED.get(starved.quantity, starved.quantity))
+    """Hold every limit against the worse of both answers; one that a single answer knows stands by itself."""
+    of_full = {check.code: check for check in checks}
+    of_starved = {
+        check.code: replace(check, quantity=STARVED.get(check.quantity, check.quantity)) for check in starved
+    }
+    both = {**of_full, **of_starved}  # the order of the standard
+    return tuple(min(of_full.get(code, check), check, key=lambda one: one.margin) for code, check in both.items())
 
 
 def capacity_check(film: Film, starved: Equilibrium[Film] | None) -> Iterator[Check]:
