@@ -24,7 +24,7 @@ diameter: 120 mm
 width: 60 mm
 clearance: {kind: relative, mean: 1.5 permille}
 span: 150 deg
-supply_element: {kind: pocket, width: 40 mm, place: both_sides}
+supply_element: {kind: pocket, width: 42 mm, place: both_sides}
 lubricant: ISO VG 46
 supply: {temperature: 45 degC, pressure: 0.2 MPa}
 load: 12 kN

@@ -15,7 +15,7 @@ diameter: 120 mm
 width: 60 mm
 clearance: {kind: relative, mean: 1.5 permille}
 span: 150 deg
-supply_element: {kind: pocket, width: 40 mm, place: both_sides}
+supply_element: {kind: pocket, width: 42 mm, place: both_sides}
 lubricant: ISO VG 46
 supply: {temperature: 45 degC, pressure: 0.2 MPa}
 materials: {bearing_metal: SnSb8Cu4, bearing: C10, journal: C45}
@@ -25,7 +25,7 @@ speed: 2000 rpm
 """
 FILM = (
     ISO.replace("span: 150 deg\n", "method: film\naccuracy: draft\n")
-    .replace("supply_element: {kind: pocket, width: 40 mm, place: both_sides}", "bore: BORE\npockets: POCKETS")
+    .replace("supply_element: {kind: pocket, width: 42 mm, place: both_sides}", "bore: BORE\npockets: POCKETS")
     .replace(
         "POCKETS", "[{angle: 0 deg, extent: 20 deg, width: 40 mm}, {angle: 180 deg, extent: 20 deg, width: 40 mm}]"
     )

@@ -12,7 +12,7 @@ diameter: 120 mm
 width: 60 mm
 clearance: {kind: fit, bore: H7, journal: e7}
 span: 180 deg
-supply_element: {kind: pocket, width: 40 mm, place: both_sides}
+supply_element: {kind: pocket, width: 42 mm, place: both_sides}
 lubricant: ISO VG 46
 supply: {temperature: 45 degC, pressure: 0.2 MPa}
 materials: {bearing_metal: SnSb8Cu4, bearing: EN-GJL-250, journal: C45}

@@ -99,8 +99,8 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C117": Explanation(
         "Supply capacity",
-        "What holes, slots or pockets can deliver, Q_p + sum of (U/2) h b with gap and width at each, is compared "
-        "with the side flow Q3. Where it is less, the heat balance is repeated with it and decides; the "
+        "What holes, slots or pockets can deliver, Q_p + (U/2) h b with gap and width at that before the load, is "
+        "compared with the side flow Q3. Where it is less, the heat balance is repeated with it and decides; the "
         "miss itself counts only if that has no equilibrium. What grooves deliver is left to the film.",
         "Wider pockets, more supply pressure, or a full analysis with `method: film`.",
     ),

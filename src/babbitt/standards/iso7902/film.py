@@ -105,12 +105,12 @@ def starved_film_at(temperature: float, case: DesignCase, shape: BearingCurves) 
 def sheared_flow(
     case: DesignCase, eccentricity_ratio: float, attitude_angle: float, relative_clearance: float
 ) -> float | None:
-    """Oil in m³/s that the journal shears away from holes or pockets: ``Σ (U/2) h_s b``; None for other feeds."""
+    """Oil in m³/s that the journal shears into the loaded film from holes or pockets: ``(U/2) h_s b``; else None."""
     element, bearing = case.bearing.supply_element, case.bearing
     if case.oil_supply is None or not isinstance(element, Holes | Pockets):
         return None
-    gaps = element.arrangement.gap_factor(eccentricity_ratio, attitude_angle)
-    gap = gaps * relative_clearance * bearing.diameter / 2.0
+    factor = element.arrangement.gap_factor(eccentricity_ratio, attitude_angle)
+    gap = factor * relative_clearance * bearing.diameter / 2.0
     return surface_speed(case) / 2.0 * gap * element.axial_width(bearing.width)
 
 

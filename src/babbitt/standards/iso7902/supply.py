@@ -39,18 +39,17 @@ class Arrangement(Enum):
                 return 2.0
 
     def gap_factor(self, eccentricity_ratio: float, attitude_angle: float) -> float:
-        """Film thickness at the element over the radial clearance, summed over the elements.
+        """Film thickness over the radial clearance at the element from which the journal draws the loaded film.
 
-        ``1 + ε cos θ`` with θ from the widest gap, which lies opposite the load less the attitude angle (rad). One
-        element at the side stands before the load, in the sense of rotation.
+        ``1 + ε cos θ`` with θ from the widest gap, which lies opposite the load less the attitude angle (rad). An
+        element at the side stands before the load, in the sense of rotation. Of two the other, behind the load,
+        gives its oil to the unloaded half, from which it comes round to the first: it adds nothing.
         """
         match self:
             case Arrangement.OPPOSITE:
                 return 1.0 + eccentricity_ratio * math.cos(attitude_angle)
-            case Arrangement.SIDE:
+            case Arrangement.SIDE | Arrangement.BOTH_SIDES:
                 return 1.0 + eccentricity_ratio * math.sin(attitude_angle)
-            case Arrangement.BOTH_SIDES:
-                return 2.0
 
 
 class SupplyElement(Protocol):

@@ -1,8 +1,9 @@
 """Whether holes, slots and pockets deliver the oil that the film wants, and the heat balance with what they do.
 
 ISO 7902 lets the film draw its side flow Q₃ whatever feeds it. What an element can deliver is estimated as the
-oil that the supply pressure presses through it and the oil that the journal shears away over its axial width,
-``Q_cap = Q_p + Σ (U/2) h_s b`` with the gap ``h_s = c (1 + ε cos θ_s)`` at the element, θ_s from the widest gap.
+oil that the supply pressure presses through it and the oil that the journal shears into the loaded film over its
+axial width, ``Q_cap = Q_p + (U/2) h_s b`` with the gap ``h_s = c (1 + ε cos θ_s)`` at the element, θ_s from the
+widest gap. Of two elements that before the load counts: the oil of the other comes round to it and is not lost.
 The estimate is an assumption; ``benchmarks/supply_capacity.py`` sets it against films that conserve their oil.
 What grooves deliver is left to the film.
 """
@@ -51,7 +52,7 @@ STARVED = {
 }
 """Results with the flow limited to what the supply delivers, by those with all the oil that the film wants."""
 
-SOURCE = "ISO 7902: the supply delivers Q₃; Q_p + Σ (U/2) h b is an estimate (assumption)"
+SOURCE = "ISO 7902: the supply delivers Q₃; Q_p + (U/2) h b is an estimate (assumption)"
 
 
 def lacks_oil(film: Film) -> bool:
