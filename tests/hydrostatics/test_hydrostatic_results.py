@@ -169,6 +169,19 @@ def test_doubts(code):
     assert code in codes(result)
 
 
+def test_turbulence_bounds_friction_below_and_flow_above():
+    """Shear in a turbulent film is dearer, and the gap lets out less than the laminar law tells."""
+    from babbitt.film.turbulence import NG_PAN
+    from babbitt.notices import EXPLANATIONS
+
+    resistance, shear = (a * 3000.0**b for a, b in (NG_PAN.across, NG_PAN.shear))
+    assert resistance > 0.0
+    assert shear > 0.0
+    remedy = EXPLANATIONS["W305"].remedy
+    assert "friction is a lower bound" in remedy
+    assert "flow through the gap told an upper bound" in remedy
+
+
 def test_no_doubt_about_a_sound_pad():
     assert not codes(hydrostatic_check(pad_case(recesses=Recesses(1e-3, 1.0)))) - {"W311"}
 

@@ -160,6 +160,15 @@ def test_doubts(change, code):
     assert code not in codes(segments_check(replace(PLAIN, duty=GivenEccentricity(0.3))))
 
 
+@pytest.mark.parametrize(("factor", "told"), [(2.9, True), (3.1, False)])
+def test_touch_is_judged_by_the_rms_roughness(factor, told):
+    """Heights of a normal distribution have Rq = sqrt(pi/2) Ra; surfaces begin to touch below 3 sigma."""
+    least = segments_check(replace(PLAIN, duty=GivenEccentricity(0.9))).minimum_film_thickness
+    mean = least / (factor * math.sqrt(math.pi / 2.0) * math.sqrt(2.0))
+    rough = replace(PLAIN, duty=GivenEccentricity(0.9), bearing=replace(PLAIN.bearing, roughness=(mean, mean)))
+    assert ("W155" in codes(segments_check(rough))) is told
+
+
 def test_too_large_a_load_tells_the_best_it_reached():
     result = segments_check(replace(PLAIN, duty=GivenLoad(1e6)))
     assert result.outcome is Outcome.OVERLOADED

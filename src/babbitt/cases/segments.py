@@ -117,7 +117,7 @@ class SegmentsGiven(Part):
         description="Film thickness around the bearing, in place of load or eccentricity; the load is found.",
     )
     roughness: RoughnessGiven | None = Field(
-        None, description="Roughness Ra, to warn of films thinner than three times both together."
+        None, description="Roughness Ra, to warn of films thinner than three times 1.25 Ra of both together."
     )
 
     def points(self) -> tuple[tuple[float, float], ...]:

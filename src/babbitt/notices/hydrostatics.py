@@ -33,7 +33,9 @@ HYDROSTATICS: dict[str, Explanation] = {
     "W305": Explanation(
         "Film not laminar",
         "The Reynolds number of the film exceeds 1000; the laminar film equation ends there.",
-        "Treat friction and flow as lower bounds.",
+        "Turbulence makes the oil stiffer against shear and flow: the friction is a lower bound, the flow through "
+        "the gap told an upper bound, so that the oil may become hotter than told. A more viscous oil, a smaller "
+        "gap or less speed.",
         effect=Effect.NO_VERDICT,
     ),
     "W306": Explanation(

@@ -40,7 +40,8 @@ ONE_DIMENSION: dict[str, Explanation] = {
     ),
     "W155": Explanation(
         "Film thinner than the roughness allows",
-        "The film is thinner than three times the combined roughness, sqrt(Ra_B² + Ra_J²): the surfaces touch.",
+        "The film is thinner than three times the combined roughness σ = sqrt(Rq_B² + Rq_J²), with Rq of about "
+        "1.25 Ra: the surfaces begin to touch.",
         "Smoother surfaces, a more viscous or cooler oil, or less load.",
         effect=Effect.NO_VERDICT,
     ),

@@ -22,7 +22,11 @@ THICK_FROM = 0.005
 """c/R above which the theory of thin films is doubted."""
 
 ROUGHNESS_FACTOR = 3.0
-"""Least film over the combined roughness sqrt(Ra_B² + Ra_J²) that is not doubted."""
+"""Least film over the combined rms roughness σ = sqrt(Rq_B² + Rq_J²) that is not doubted: above about 3 σ surfaces
+are apart (B. J. Hamrock, Fundamentals of Fluid Film Lubrication, 1994)."""
+
+RMS_OVER_MEAN = 1.25
+"""Rq/Ra of heights that are distributed normally, sqrt(pi/2) = 1.253."""
 
 
 def doubts(
@@ -42,12 +46,12 @@ def doubts(
     outside = list(_doubts_about_temperature(case, state))
     yield from outside
     if case.bearing.roughness is not None:
-        combined = math.hypot(*case.bearing.roughness)
+        combined = RMS_OVER_MEAN * math.hypot(*case.bearing.roughness)
         if values["minimum_film_thickness"] < ROUGHNESS_FACTOR * combined:
             yield Notice(
                 "W155",
                 f"h_min = {values['minimum_film_thickness'] * 1e6:.3g} µm < {ROUGHNESS_FACTOR:g} x "
-                f"{combined * 1e6:.3g} µm",
+                f"{combined * 1e6:.3g} µm (rms roughness of both)",
             )
     told = {notice.code for notice in outside}
     yield from (notice for notice in doubts_about_film(case, values) if notice.code not in told)
