@@ -10,7 +10,8 @@ from numpy.testing import assert_allclose
 from published_tables import BUTENSCHOEN
 
 from babbitt.characteristics import ClosedFormCurves, curves
-from babbitt.notices import InputError
+from babbitt.characteristics.closed_forms import DEVIATIONS, LARGEST_ATTITUDE_DEVIATION
+from babbitt.notices import EXPLANATIONS, InputError
 
 
 def test_within_the_errors_known_of_butenschoens_tables():
@@ -21,6 +22,26 @@ def test_within_the_errors_known_of_butenschoens_tables():
         angles = np.degrees(fit.attitude_angle(eps))
         assert_allclose(angles, BUTENSCHOEN["attitude_angle_degrees"][:, column], atol=2.5)
         assert_allclose(8 * fit.side_flow_number(eps), BUTENSCHOEN["side_flow"][:, column], rtol=0.032)
+
+
+def test_between_the_widths_of_the_tables_they_are_off_as_told():
+    """The statement of W113: reached, and not passed."""
+    eps = np.linspace(0.1, 0.99, 90)
+    off = dict.fromkeys(DEVIATIONS, 0.0)
+    low = 0.0
+    for ratio in np.linspace(0.125, 1.0, 36):
+        fit, ours = ClosedFormCurves(float(ratio)), curves(360, float(ratio))
+        misses = {
+            "sommerfeld_number": fit.sommerfeld_number(eps) / ours.sommerfeld_number(eps) - 1.0,
+            "attitude_angle_degrees": np.degrees(fit.attitude_angle(eps) - ours.attitude_angle(eps)),
+            "side_flow": fit.side_flow_number(eps) / ours.side_flow_number(eps) - 1.0,
+        }
+        off = {name: max(off[name], float(abs(miss).max())) for name, miss in misses.items()}
+        low = max(low, math.degrees(abs(fit.attitude_angle(1e-4) - ours.attitude_angle(1e-4))))
+    for name, stated in DEVIATIONS.items():
+        assert 0.85 * stated < off[name] < 1.005 * stated, name
+    assert 0.9 * LARGEST_ATTITUDE_DEVIATION < low < LARGEST_ATTITUDE_DEVIATION
+    assert "11 % in load" in EXPLANATIONS["W113"].meaning
 
 
 @given(st.floats(0.125, 1.0), st.floats(1e-9, 0.99))

@@ -2,8 +2,8 @@
 
 Fitted by Butenschoen (dissertation, Karlsruhe 1976) to his own solutions; coefficients as in DIN 31652-2 and
 in the public source of the multibody code MBDyn. Against his tables for B/D 1/8 ... 1 and eps 0.1 ... 0.99
-they are off by up to 7 % in So, 2.5 deg in the attitude angle and 3.2 % in side flow, so they serve for
-comparison with programs that use them and not as the default.
+they are off by up to 7 % in So, 2.5 deg in the attitude angle and 3.2 % in side flow, between the widths of
+his tables by more (`DEVIATIONS`), so they serve for comparison with programs that use them and not as the default.
 """
 
 from __future__ import annotations
@@ -20,6 +20,9 @@ from babbitt.characteristics.tables import curves
 from babbitt.notices import InputError
 
 WIDTH_RATIOS = (0.125, 1.0)  # the range of Butenschoen's tables; outside, the polynomials mean nothing
+DEVIATIONS = {"sommerfeld_number": 0.11, "attitude_angle_degrees": 2.5, "side_flow": 0.04}
+"""Largest deviation from our own curves over B/D 1/8 ... 1: relative, absolute from eps 0.1 on, relative."""
+LARGEST_ATTITUDE_DEVIATION = 13.0  # deg, at eps towards 0, where the true angle tends to about 90 deg at B/D 1/8
 _MOST_STEPS = 200
 
 

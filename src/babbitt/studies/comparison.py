@@ -20,6 +20,7 @@ from babbitt.cases.every_kind import HydrostaticBearing
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.one_dimension import METHODS
 from babbitt.cases.screw_heel import ScrewHeelCase
+from babbitt.characteristics.closed_forms import DEVIATIONS
 from babbitt.film.model import Cavitation, FilmStart
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.longfilm.check import long_film_check
@@ -264,6 +265,6 @@ def _variants(design: DesignCase) -> tuple[Variant, ...]:
                 found.append(Variant(label, remark, check(plain), plain, is_method=False))
     elif design.curves is Curves.COMPUTED:
         closed = replace(design, curves=Curves.CLOSED_FORM)
-        deviates = "deviates by up to 7 % in So (DIN 31652 fits)"
+        deviates = f"deviates by up to {100.0 * DEVIATIONS['sommerfeld_number']:.0f} % in So (DIN 31652 fits)"
         found.append(Variant("closed forms", deviates, check(closed), closed, is_method=False))
     return tuple(found)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from babbitt.characteristics.closed_forms import DEVIATIONS, LARGEST_ATTITUDE_DEVIATION
 from babbitt.design.doubts import (
     RIGID_FILM_UP_TO,
     doubt_about_supply,
@@ -57,7 +58,12 @@ def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice
         ratio, of = case.bearing.part_width_ratio, " of each half bearing" if case.bearing.parts > 1 else ""
         yield Notice("W102", f"B/D = {ratio:.3g}{of} lies outside {least:g} to {most:g} of ISO 7902-2")
     if case.curves is Curves.CLOSED_FORM:
-        yield Notice("W113", "closed forms of DIN 31652: up to 7 % in So and 2.5° in attitude angle")
+        yield Notice(
+            "W113",
+            f"closed forms of DIN 31652: up to {100.0 * DEVIATIONS['sommerfeld_number']:.0f} % in So and "
+            f"{DEVIATIONS['attitude_angle_degrees']:g}° in attitude angle "
+            f"({LARGEST_ATTITUDE_DEVIATION:.0f}° below ε = 0.1)",
+        )
     eccentricity = values["eccentricity_ratio"]
     if eccentricity < CURVES_FROM:
         yield Notice("W119", f"ε = {eccentricity:.2g} < {CURVES_FROM:g}, the first node of the tables")
