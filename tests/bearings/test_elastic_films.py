@@ -14,11 +14,10 @@ from babbitt.bearings.elastic_film import (
     distortion_by,
     elastic_film,
     elastic_thermal_film,
-    joined_step,
     warm_displacement,
 )
 from babbitt.bearings.field import journal_gap, pressure_on
-from babbitt.film.elastic import ColumnLiner, Compliance, as_field, total_displacement
+from babbitt.film.elastic import ColumnLiner, Compliance, as_field, joined_step, total_displacement
 from babbitt.film.elastic_ring import ElasticRing
 from babbitt.film.half_space import HalfSpace
 from babbitt.film.heat import BushRing, ConductingWalls, FilmHeat

@@ -5,10 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from film_bearings import answer
+from film_bearings import answer, film
 
 from babbitt.bearings.bore import Arc, LobedBore
+from babbitt.bearings.elastic_film import displacement_under
 from babbitt.bearings.equilibria import find_equilibria
+from babbitt.bearings.resting import resting_places
+from babbitt.bearings.warm_film import operating_film
 from babbitt.film.model import (
     DRAFT,
     ENGINEERING,
@@ -177,6 +180,35 @@ def test_a_thinner_film_elsewhere_is_held_against_the_limit():
     for result in found:
         films = [result.minimum_film_thickness, result.values.get("least_resting_film", math.inf)]
         assert all(check.value == min(films) for check in result.checks if check.code == "C101" and not check.ok)
+
+
+@pytest.mark.parametrize(
+    "answers",
+    [
+        {
+            "compliance": [
+                {"kind": "column", "thickness": "2 mm", "elastic_modulus": "3 GPa", "poisson_ratio": 0.35}
+            ]
+        },
+        {"holes": [{"angle": "-60 deg", "diameter": "6 mm", "flow": "0 L/min"}]},
+    ],
+    ids=["soft", "closed"],
+)
+def test_every_place_settles_beside_its_own_bore_and_supplies(answers):
+    one = film(**SADDLE | answers, equilibria="all")
+    state = operating_film(one).film
+    places = resting_places(one, state).places
+    assert len(places) > 1
+    load = np.array([0.0, 300.0])
+    for place in places:
+        found = place.film
+        assert math.hypot(*(found.force + load)) < 0.02 * 300.0
+        if one.bearing.compliance:
+            own = displacement_under(one.bearing.compliance, found)
+            given = np.asarray(found.film.displacement)
+            assert np.abs(own - given).max() < 1e-4 * found.minimum_film_thickness
+        else:
+            assert abs(found.supply_flow[-1]) < 1e-6 * found.leaving_flow
 
 
 def random_film(rng):

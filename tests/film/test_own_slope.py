@@ -2,12 +2,25 @@
 
 import math
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
 
+from babbitt.bearings.elastic_film import displacement_under, elastic_film
+from babbitt.film.elastic import ColumnLiner
 from babbitt.film.heat import FilmHeat, HeatGrid
-from babbitt.film.model import DRAFT, ENGINEERING, FilmStart, JournalFilm, Land, Pocket, grooved_bore
+from babbitt.film.model import (
+    DRAFT,
+    ENGINEERING,
+    Cavitation,
+    FilmStart,
+    JournalFilm,
+    Land,
+    Pocket,
+    Resolution,
+    grooved_bore,
+)
 from babbitt.film.own_slope import CLOSE, confirmed_coefficients
 from babbitt.film.solution import FilmSolution
 from babbitt.film.solve import film_at_position, solve_journal
@@ -109,3 +122,69 @@ def test_films_of_modes_and_closed_pockets_are_not_asked() -> None:
     pockets = (fed.film.pockets[0], replace(fed.film.pockets[1], closed=True))
     closed = film_at_position(replace(fed.film, pockets=pockets), tuple(fed.position))
     assert confirmed_coefficients(closed, ENGINEERING)[1] is None
+
+
+LINER = (ColumnLiner(4e-12),)
+CLOSE_GRID = Resolution(4, 48, tolerance=1e-10)
+FULL = JournalFilm(
+    0.1, 0.05, 1e-4, 0.02, 300.0, (Land(0.0, 2.0 * math.pi),), Cavitation.REYNOLDS,
+    film_start=FilmStart.PERIODIC, cavitation_pressure=-1e9,
+)  # fmt: skip
+"""A ring that never ruptures: around its middle all is linear and alike in every direction."""
+
+
+def with_liner(
+    film: JournalFilm, position: tuple[float, float] = (0.0, 0.0), liner: tuple[ColumnLiner, ...] = LINER
+) -> tuple[FilmSolution, FilmSolution]:
+    """The film on a soft liner at a position, and the same with coefficients that count the liner."""
+    found = elastic_film(film, liner, lambda one: film_at_position(one, position, resolution=CLOSE_GRID), 1e-6)
+    solution = found.solution
+    counted, check = confirmed_coefficients(solution, CLOSE_GRID, None, partial(displacement_under, liner))
+    assert check is not None
+    assert check.settled
+    return solution, counted
+
+
+def test_a_whirl_around_the_middle_is_a_steady_film_at_another_speed() -> None:
+    """Seen from axes that turn with a whirl at W, journal and bore surface turn back at W and the displaced bore
+    stands still: the film is the steady one at w - 2 W. With K = [[k, q], [-q, k]] that makes
+    C = [[2 dq/dw, -2 dk/dw], [2 dk/dw, 2 dq/dw]] to first order in W; a rigid bore has k = 0."""
+    step = 3.0
+    low, here, high = (
+        with_liner(replace(FULL, angular_speed=300.0 + more), liner=(ColumnLiner(5e-11),))[1]
+        for more in (-step, 0.0, step)
+    )
+    rate = (high.stiffness - low.stiffness) / (2.0 * step)
+    expected = 2.0 * np.array([[rate[0, 1], -rate[0, 0]], [rate[0, 0], rate[0, 1]]])
+    assert here.stiffness[0, 0] > 0.3 * abs(here.stiffness[0, 1])  # soft enough to tell
+    np.testing.assert_allclose(here.damping, expected, atol=2e-3 * np.abs(expected).max())
+    (k, q), _ = here.stiffness
+    np.testing.assert_allclose(here.stiffness, [[k, q], [-q, k]], atol=1e-3 * abs(q))
+
+
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+def test_stiffness_in_a_bore_that_gives_way_is_the_slope_of_films_settled_anew(sense: float) -> None:
+    lands = grooved_bore((0.0, math.pi), math.radians(20.0))
+    film = JournalFilm(0.1, 0.05, 75e-6, 0.02, 300.0 * sense, lands)
+    place = np.array([-2e-5 * sense, -4.5e-5])
+    frozen, counted = with_liner(film, tuple(place))
+    step = 0.02 * frozen.minimum_film_thickness
+    slope = np.zeros((2, 2))
+    for axis in range(2):
+        move = np.zeros(2)
+        move[axis] = step
+        fore, back = (with_liner(film, tuple(place + sign * move))[0].force for sign in (1.0, -1.0))
+        slope[:, axis] = (back - fore) / (2.0 * step)
+    # the lines of the grid follow the journal there, and stay here
+    np.testing.assert_allclose(counted.stiffness, slope, atol=0.02 * np.abs(slope).max())
+    assert np.abs(frozen.stiffness - slope).max() > 0.2 * np.abs(slope).max()
+
+
+def test_a_film_on_a_liner_has_an_image() -> None:
+    lands = grooved_bore((0.0, math.pi), math.radians(20.0))
+    film = JournalFilm(0.1, 0.05, 75e-6, 0.02, 300.0, lands)
+    one = with_liner(film, (2e-5, -4.5e-5))[1]
+    other = with_liner(replace(film, angular_speed=-300.0), (-2e-5, -4.5e-5))[1]
+    flip = np.diag([-1.0, 1.0])
+    for mine, image in ((one.stiffness, other.stiffness), (one.damping, other.damping)):
+        np.testing.assert_allclose(flip @ image @ flip, mine, atol=1e-6 * np.abs(mine).max())

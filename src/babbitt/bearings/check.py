@@ -141,7 +141,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
                 *unjudged(limits, flattered),
                 *slope_not_asked(frozen, slope),
             )
-            warnings = (*_doubts(case, state, values, checks, whirl), *doubts_about_slope(slope))
+            warnings = (*_doubts(case, state, values, checks, whirl), *doubts_about_slope(case, slope))
             if state.thermal is not None:
                 values |= stiffness_values(state)
                 warnings = (*warnings, *doubts_about_heat(case, state, values, followed))

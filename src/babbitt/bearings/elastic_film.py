@@ -11,14 +11,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import pairwise
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.bearings.field import pressure_on
-from babbitt.film.elastic import BoreGrid, Compliance, as_field, total_displacement
+from babbitt.film.elastic import BoreGrid, Compliance, as_field, joined_step, total_displacement
 from babbitt.film.ring import field_at
 from babbitt.results import Outcome
 
@@ -53,8 +52,6 @@ MEMORY = 8
 """Steps that are joined."""
 ROOM = 0.3
 """Change of the displacement at most, in clearances, or one least gap: beyond it the film is another."""
-RCOND = 1e-8
-"""Share of the largest below which directions of the joined steps count as the same."""
 GROWS = 1.5
 """Growth of the mismatch by which a step counts as too bold."""
 
@@ -211,16 +208,3 @@ class _Settling(Generic[SolutionT]):
         self, found: SolutionT, displacement: Array, films: int, mismatch: float, outcome: Outcome
     ) -> ElasticFilm[SolutionT]:
         return ElasticFilm(outcome, found, self.bore, displacement, films, mismatch)
-
-
-def joined_step(steps: Sequence[tuple[Array, Array]], damping: float) -> Array:
-    """Next move of a fixed-point iteration from its last places and mismatches (Anderson, type II)."""
-    off = steps[-1][1]
-    if len(steps) == 1:
-        return damping * off
-    moved, changed = (
-        np.array([(after[part] - before[part]).ravel() for before, after in pairwise(steps)]).T for part in (0, 1)
-    )
-    shares = np.linalg.lstsq(changed, off.ravel(), rcond=RCOND)[0]
-    joined = damping * off.ravel() - (moved + damping * changed) @ shares
-    return np.asarray(joined.reshape(off.shape))

@@ -25,7 +25,7 @@ from babbitt.film.solution import FilmSolution
 from babbitt.film.solve import film_at_position, solve_journal
 from babbitt.film.stability import StableMasses, stable_masses
 
-__all__ = ["RestingPlace", "RestingPlaces", "find_equilibria"]
+__all__ = ["RestingPlace", "RestingPlaces", "find_equilibria", "same_place"]
 
 Array = NDArray[np.float64]
 
@@ -114,7 +114,7 @@ def find_equilibria(
     places = [RestingPlace(one) for one in known]
 
     def add(found: FilmSolution | None) -> None:
-        if found is not None and not any(_near(film, found, place.film) for place in places):
+        if found is not None and not any(same_place(film, found, place.film) for place in places):
             places.append(RestingPlace(found))
 
     coarse = _Mesh.of(film, np.asarray(load), DIRECTIONS)
@@ -142,7 +142,8 @@ def _add_from(
         add(equilibrium_near(film, load, (float(x), float(y)), resolution))
 
 
-def _near(film: JournalFilm, one: FilmSolution, other: FilmSolution) -> bool:
+def same_place(film: JournalFilm, one: FilmSolution, other: FilmSolution) -> bool:
+    """Whether two equilibria are one."""
     return math.hypot(*(one.position - other.position)) < SAME_PLACE * film.clearance
 
 

@@ -85,10 +85,13 @@ def displacement_assumptions(case: FilmCase) -> Iterator[str]:
     growth = case.heat.growth if case.heat is not None else None
     if not case.bearing.compliance and growth is None:
         return
-    yield (
-        "Stiffness, damping, thresholds and transition hold for the displacement of the operating point (frozen); "
-        "the journal is rigid."
-    )
+    if case.bearing.compliance:
+        yield (
+            "Stiffness and damping count how the bore gives way to slow motions (first order in the frequency), "
+            "without delay and without mass of its own; the journal is rigid."
+        )
+    if growth is not None:
+        yield "The distortion by heat stays that of the operating point while journal or speed change."
     for one in case.bearing.compliance:
         yield one.premise
     if growth is not None:

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
 
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState, resolution_of
@@ -13,8 +17,9 @@ from babbitt.notices import Notice
 
 if TYPE_CHECKING:
     from babbitt.film.own_slope import SlopeCheck
+    from babbitt.film.solution import FilmSolution
 
-__all__ = ["confirmed_state", "doubts_about_slope", "slope_not_asked"]
+__all__ = ["confirmed_state", "doubts_about_slope", "slope_not_asked", "with_bore"]
 
 
 def confirmed_state(case: FilmCase, state: FilmState) -> tuple[FilmState, SlopeCheck | None]:
@@ -25,10 +30,28 @@ def confirmed_state(case: FilmCase, state: FilmState) -> tuple[FilmState, SlopeC
     from babbitt.film.own_slope import confirmed_coefficients
 
     nodes = thermal.nodes if thermal is not None else None
-    solution, check = confirmed_coefficients(state.solution, resolution_of(case), nodes)
+    solution, check = confirmed_coefficients(state.solution, resolution_of(case), nodes, bore_gain_of(case))
     if thermal is not None:
         thermal = replace(thermal, film=solution)
     return replace(state, solution=solution, thermal=thermal), check
+
+
+def with_bore(case: FilmCase, found: FilmSolution) -> FilmSolution:
+    """A film whose coefficients count how the bore of the case gives way; the same where it is rigid."""
+    if not case.bearing.compliance or not found.outcome.solved:
+        return found
+    from babbitt.film.own_slope import confirmed_coefficients
+
+    return confirmed_coefficients(found, case.accuracy.resolution, None, bore_gain_of(case))[0]
+
+
+def bore_gain_of(case: FilmCase) -> Callable[[FilmSolution], NDArray[np.float64]] | None:
+    """How the bore of a case gives way under the pressure of a film; None where it is rigid."""
+    if not case.bearing.compliance:
+        return None
+    from babbitt.bearings.elastic_film import displacement_under
+
+    return partial(displacement_under, case.bearing.compliance)
 
 
 def slope_not_asked(state: FilmState, check: SlopeCheck | None) -> Iterator[Notice]:
@@ -43,9 +66,13 @@ def slope_not_asked(state: FilmState, check: SlopeCheck | None) -> Iterator[Noti
         yield Notice("C122", "the film was not found once more at its place")
 
 
-def doubts_about_slope(check: SlopeCheck | None) -> Iterator[Notice]:
+def doubts_about_slope(case: FilmCase, check: SlopeCheck | None) -> Iterator[Notice]:
     """What the slope of the load tells of the coefficients, where it does not confirm them."""
-    if check is None or check.confirmed:
+    if check is None:
+        if case.bearing.compliance and case.cavitation is not Cavitation.HALF_SOMMERFELD:
+            yield Notice("W135", "they hold for a bore that stays as it is while the journal moves")
+        return
+    if check.confirmed:
         return
     measured = f"stiffness by {check.stiffness:.1%}, damping by {check.damping:.1%}"
     if check.settled:

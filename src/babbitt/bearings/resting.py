@@ -8,10 +8,11 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.bore import LobedBore
-from babbitt.bearings.layout import load_vector
+from babbitt.bearings.layout import closed_pockets, load_vector
 from babbitt.bearings.model import FilmCase, Search
+from babbitt.bearings.own_slope import with_bore
 from babbitt.bearings.settling import is_saddle
-from babbitt.bearings.warm_film import FilmState
+from babbitt.bearings.warm_film import FilmState, film_resting_near
 from babbitt.design.bounds import FILM_CHECKS, NO_BOUNDS, Bounds
 from babbitt.design.checks import film_checks
 from babbitt.design.conditions import GivenLoad
@@ -45,7 +46,26 @@ def resting_places(case: FilmCase, state: FilmState) -> RestingPlaces | None:
     from babbitt.bearings.equilibria import find_equilibria
 
     load = load_vector(case, case.duty.load)
-    return find_equilibria(film, load, case.accuracy.resolution, (state.solution,))
+    found = find_equilibria(film, load, case.accuracy.resolution, (state.solution,))
+    if len(found.places) == 1 or not (case.bearing.compliance or film.is_starved or closed_pockets(case)):
+        return found
+    return _each_with_its_own(case, state, found)
+
+
+def _each_with_its_own(case: FilmCase, state: FilmState, found: RestingPlaces) -> RestingPlaces:
+    """The places of a film whose bore or supplies answer to it: sought with those of the first place, and settled
+    each with its own. What does not settle leaves the indices incomplete."""
+    from babbitt.bearings.equilibria import RestingPlace, RestingPlaces, same_place
+
+    first, *others = found.places
+    places = [first]
+    for other in others:
+        again = film_resting_near(case, state, other.position)
+        if again is None:
+            continue
+        if not any(same_place(state.solution.film, again, known.film) for known in places):
+            places.append(RestingPlace(with_bore(case, again)))
+    return RestingPlaces(tuple(places))
 
 
 def _likely(case: FilmCase, film: JournalFilm) -> bool:

@@ -7,6 +7,7 @@ function, and `operating_film` is the film where it settles.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from typing import TYPE_CHECKING
@@ -41,6 +42,10 @@ LOAD_TOLERANCE = 1e-9
 
 ELASTIC_CLOSENESS = 1e-5
 """Share of the least gap to which film and displacement of the bore agree; small, for the heat balance sees it."""
+
+
+Settle = Callable[["JournalFilm"], "FilmSolution"]
+"""Solves a film, at its load or position."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,7 +165,38 @@ def friction_of(case: FilmCase, solution: FilmSolution) -> tuple[float, float]:
 
 def resting_film(case: FilmCase, film: JournalFilm, near: tuple[float, float] | None = None) -> FilmSolution:
     """Film that carries the load of the case, or that stands at its prescribed position."""
-    return _accepted(_settled(case, near, film))
+    return _accepted(_settled(case, partial(_in_given_bore, case, near), film))
+
+
+def film_resting_near(case: FilmCase, state: FilmState, place: tuple[float, float]) -> FilmSolution | None:
+    """Equilibrium close to a place in m under the load of the case, None where none is found.
+
+    Bore, closed pockets and starved supplies settle beside that film, not beside the one of the operating point.
+    """
+    from babbitt.film.nearby import equilibrium_near
+    from babbitt.film.solve import film_at_position
+    from babbitt.film.starved import feed_film
+
+    assert isinstance(case.duty, GivenLoad)
+    load, grid = load_vector(case, case.duty.load), resolution_of(case)
+
+    def settle(film: JournalFilm) -> FilmSolution:
+        found = equilibrium_near(film, load, place, grid)
+        if found is None:
+            return replace(film_at_position(film, place, resolution=grid), outcome=Outcome.NOT_CONVERGED)
+        return found
+
+    pressure = state.feed.element_pressure if state.feed else 0.0
+    film = film_of(case, state.relative_clearance, state.viscosity, pressure, state.density)
+    flows = given_flows(case, film)
+    try:
+        if flows:
+            found = feed_film(film, flows, partial(_settled, case, settle)).solution
+        else:
+            found = _settled(case, settle, film)
+    except NoFilmError:
+        return None
+    return found if found.outcome.solved else None
 
 
 def starved_film(
@@ -175,20 +211,18 @@ def starved_film(
     """
     from babbitt.film.starved import feed_film
 
-    fed = feed_film(film, flows, partial(_settled, case, near))
+    fed = feed_film(film, flows, partial(_settled, case, partial(_in_given_bore, case, near)))
     if fed.solution.outcome is Outcome.OVERLOADED:
         raise NoFilmError(Outcome.OVERLOADED, least_flow=fed.least_flow)
     _accepted(fed.solution)
     return fed
 
 
-def _settled(case: FilmCase, near: tuple[float, float] | None, film: JournalFilm) -> FilmSolution:
+def _settled(
+    case: FilmCase, in_given_bore: Callable[[JournalFilm], FilmSolution], film: JournalFilm
+) -> FilmSolution:
     """Film at its load or position, in a bore that gives way where the case has one, with its closed pockets."""
-    settle = (
-        partial(_closed, case, near, ClosedPressures())
-        if closed_pockets(case)
-        else partial(_in_given_bore, case, near)
-    )
+    settle = partial(_closed, case, in_given_bore, ClosedPressures()) if closed_pockets(case) else in_given_bore
     if not case.bearing.compliance:
         return settle(film)
     from babbitt.bearings.elastic_film import elastic_film
@@ -197,14 +231,11 @@ def _settled(case: FilmCase, near: tuple[float, float] | None, film: JournalFilm
     return replace(found.solution, outcome=found.outcome)
 
 
-def _closed(
-    case: FilmCase, near: tuple[float, float] | None, known: ClosedPressures, film: JournalFilm
-) -> FilmSolution:
+def _closed(case: FilmCase, in_given_bore: Settle, known: ClosedPressures, film: JournalFilm) -> FilmSolution:
     """Film whose closed pockets pass on as much oil as reaches them."""
-    settle = partial(_in_given_bore, case, near)
     return closed_film(
-        film, closed_pockets(case), settle, lambda found: found,
-        lambda found, outcome: replace(found, outcome=outcome), known, settle,
+        film, closed_pockets(case), in_given_bore, lambda found: found,
+        lambda found, outcome: replace(found, outcome=outcome), known, in_given_bore,
     )  # fmt: skip
 
 

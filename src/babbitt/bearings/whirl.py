@@ -6,13 +6,17 @@ import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from babbitt.bearings.model import FilmCase
+from babbitt.bearings.own_slope import with_bore
 from babbitt.bearings.settling import place_of, settled_film
 from babbitt.bearings.warm_film import FilmState
 from babbitt.film.rotor import RIGID, stable_masses_of_rotor
 from babbitt.film.whirl import ElasticWhirl, Whirl, crossing, rotor_mass, stability_excess
 
 if TYPE_CHECKING:
+    from babbitt.film.model import JournalFilm
     from babbitt.film.solution import FilmSolution
 
 
@@ -59,14 +63,26 @@ def at_speed(case: FilmCase, state: FilmState, speed: float) -> FilmSolution:
     film = replace(state.solution.film, angular_speed=case.rotation.sense * speed)
     share = -state.load / math.hypot(*state.solution.force)
     load = share * float(state.solution.force[0]), share * float(state.solution.force[1])
-    return settled_film(film, load, case.accuracy.resolution, place_of(state.solution))
+
+    def settle(one: JournalFilm) -> FilmSolution:
+        return settled_film(one, load, case.accuracy.resolution, place_of(state.solution))
+
+    if not case.bearing.compliance:
+        return settle(film)
+    from babbitt.bearings.elastic_film import displacement_under, elastic_film
+    from babbitt.film.elastic import as_field
+
+    own = displacement_under(case.bearing.compliance, state.solution)
+    given = replace(film, displacement=as_field(np.asarray(film.displacement) - own))
+    found = elastic_film(given, case.bearing.compliance, settle, start=own)
+    return replace(found.solution, outcome=found.outcome)
 
 
 def threshold_speed(case: FilmCase, state: FilmState, mass: float, shaft_stiffness: float = RIGID) -> float | None:
     """Hydrodynamic speed in rad/s above which a rotor whirls, nearest to that here; None if none is in sight."""
 
     def excess(speed: float) -> float:
-        found = at_speed(case, state, speed)
+        found = with_bore(case, at_speed(case, state, speed))
         if not found.outcome.solved:
             return math.nan
         return stability_excess(

@@ -55,6 +55,8 @@ class Surface(NamedTuple):
     lever: Array  # lever_d of the points, (motions, points)
     gap_a: Array  # (n, points)
     gap_b: Array
+    opening_a: Array  # rate of that gap by itself, without the motions, (n, points)
+    opening_b: Array
     viscosity: Array  # over the reference viscosity, (n, points)
     drag: Array  # g, (n, points)
     turbulence: (
@@ -259,6 +261,9 @@ def surface_coefficients(surface, at, rate, film):
             film.cubed[i, q] += near
             film.cubed[after, q] += far
             film.inlet[i, j] += share * inlet
+            opens_a, opens_b = half * share * surface.opening_a[i, q], half * share * surface.opening_b[i, q]
+            film.squeeze[i, j] += NEAR * opens_a + FAR * opens_b
+            film.squeeze[after, j] += FAR * opens_a + NEAR * opens_b
             for d in range(motions):
                 film.conductance_d[d, i, j] += along * of_motion[d, 0]
                 film.couette_d[d, i, j] += share * of_motion[d, 1]

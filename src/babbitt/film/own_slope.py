@@ -1,23 +1,28 @@
 """Stiffness and damping held against the slope of the film's own load, its temperatures as they are.
 
 The exact derivative of a film with its active set frozen leaves out what moves with the journal between the nodes:
-the end of the film beside pockets and holes, oil that runs out of a ruptured zone. Central differences of the
-force, over steps that take nodes across, see all of it.
+the end of the film beside pockets and holes, oil that runs out of a ruptured zone; and it leaves the bore where it
+is. Central differences of the force, over steps that take nodes across, see all of it. A bore that gives way has
+no delay: with K and C so that F = -K x - C v to first order in the velocity v, its displacement u settles beside
+the pressure at every position, and moves with du/dt = (du/dx) v, which squeezes the film as the journal does.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film._equilibrium import CONVERGED
+from babbitt.film.elastic import joined_step
 from babbitt.film.frame import LoadFrame
-from babbitt.film.general import Sample, SettledRing, ring_at
+from babbitt.film.general import SettledRing, ring_at
 from babbitt.film.model import Cavitation, JournalFilm, Resolution
-from babbitt.film.ring_solution import mirrored
+from babbitt.film.ring import field_at, gauss_angles
+from babbitt.film.ring_solution import mirrored, true_pressures
 from babbitt.film.scales import Scales
 from babbitt.film.solution import FilmSolution
 
@@ -25,6 +30,8 @@ __all__ = ["CLOSE", "RestingNodes", "SlopeCheck", "confirmed_coefficients"]
 
 Array = NDArray[np.float64]
 Pair = tuple[Array, Array]
+BoreGain = Callable[[FilmSolution], Array]
+"""Gain of the gap by the pressure of a film, m, as a ``babbitt.film.model.Field`` has it."""
 
 STEP = 0.02
 """First step of the journal, over the smallest gap."""
@@ -40,6 +47,10 @@ VELOCITY = 0.5
 
 ROUNDS = 60
 """Of the active set at a displaced journal, at most."""
+
+BORE_CLOSENESS, BORE_ROUNDS, BORE_DAMPING, BORE_MEMORY = 1e-6, 60, 0.6, 8
+"""Share of the smallest gap to which film and bore agree, films until they must, share of a first step that is
+taken, and steps that are joined (see ``babbitt.film.elastic.joined_step``)."""
 
 
 @dataclass(frozen=True)
@@ -88,7 +99,10 @@ def can_be_checked(film: JournalFilm) -> bool:
 
 
 def confirmed_coefficients(
-    found: FilmSolution, resolution: Resolution, nodes: RestingNodes | None = None
+    found: FilmSolution,
+    resolution: Resolution,
+    nodes: RestingNodes | None = None,
+    bore_gain: BoreGain | None = None,
 ) -> tuple[FilmSolution, SlopeCheck | None]:
     """A film with coefficients that are the slope of its own load, within 1 %.
 
@@ -100,6 +114,8 @@ def confirmed_coefficients(
         Its grid.
     nodes : RestingNodes or None
         Of a film with temperatures of its own; None: the film has one temperature.
+    bore_gain : callable or None
+        How the bore gives way under the pressure of a film, beside other displacements; None: it is rigid.
 
     Returns
     -------
@@ -119,7 +135,7 @@ def confirmed_coefficients(
         return found, None
     ring, scales = nodes.ring, nodes.scales
     frozen = ring.sample.stiffness.copy(), ring.sample.damping.copy()
-    slope, check = _slope_beside(ring.sample, ring.position, ring.gap, frozen)
+    slope, check = _slope_beside(_Beside(found, nodes, bore_gain), frozen)
     if slope is None:
         return found, check
     c, s = math.cos(nodes.frame.angle), math.sin(nodes.frame.angle)
@@ -139,18 +155,19 @@ def _nodes_of(found: FilmSolution, resolution: Resolution) -> RestingNodes:
     return RestingNodes(ring_at(seen, scales.pressure, at, np.zeros(2), resolution), frame, scales)
 
 
-def _slope_beside(sample: Sample, at: Array, gap: float, frozen: Pair) -> tuple[Pair | None, SlopeCheck]:
+def _slope_beside(beside: _Beside, frozen: Pair) -> tuple[Pair | None, SlopeCheck]:
     """Slope that takes the place of the frozen coefficients, None where they are confirmed or none is settled."""
-    active = sample.work.wet.copy()
-    step, before, last = STEP * gap, _slope(sample, at, STEP * gap, active), None
+    step = STEP * beside.nodes.ring.gap
+    before, last = _slope(beside, step), None
     check = _check(frozen, before, settled=True)
     if check.confirmed:
         return None, check
     for _ in range(HALVINGS):
         step *= 0.5
-        finer = _slope(sample, at, step, active)
+        finer = _slope(beside, step)
         better = (4.0 * finer[0] - before[0]) / 3.0, (4.0 * finer[1] - before[1]) / 3.0
-        check = _check(frozen, better, settled=last is not None and _check(last, better, settled=True).confirmed)
+        agree = last is not None and _check(last, better, settled=True).confirmed
+        check = _check(frozen, better, settled=agree and beside.settled)
         if check.confirmed:
             return None, check
         if check.settled:
@@ -167,22 +184,85 @@ def _check(one: Pair, slope: Pair, *, settled: bool) -> SlopeCheck:
     return SlopeCheck(off[0], off[1], settled)
 
 
-def _slope(sample: Sample, at: Array, step: float, active: NDArray[np.bool_]) -> Pair:
+def _slope(beside: _Beside, step: float) -> Pair:
     """Central differences of the force over steps of the journal and over its velocity."""
-    stiffness, damping = np.zeros((2, 2)), np.zeros((2, 2))
+    stiffness, damping, still = np.zeros((2, 2)), np.zeros((2, 2)), np.zeros(2)
+    beside.settled = True
     for axis in range(2):
-        move = np.zeros(4)
+        move = np.zeros(2)
         move[axis] = step
-        fore, back = (_force(sample, at + sign * move[:2], np.zeros(4), active) for sign in (1.0, -1.0))
-        stiffness[:, axis] = (back - fore) / (2.0 * step)
-        fore, back = (_force(sample, at, sign * VELOCITY * move, active) for sign in (1.0, -1.0))
-        damping[:, axis] = (back - fore) / (2.0 * VELOCITY * step)
+        fore, back = beside.film(move, still, 0.0), beside.film(-move, still, 0.0)
+        stiffness[:, axis] = (back.force - fore.force) / (2.0 * step)
+        opening = VELOCITY * 0.5 * (fore.gain - back.gain)  # the bore moves as it does from place to place
+        fore, back = (beside.film(still, sign * VELOCITY * move, sign * opening) for sign in (1.0, -1.0))
+        damping[:, axis] = (back.force - fore.force) / (2.0 * VELOCITY * step)
     return stiffness, damping
 
 
-def _force(sample: Sample, at: Array, rate: Array, active: NDArray[np.bool_]) -> Array:
-    sample.work.wet[:] = active
-    for _ in range(ROUNDS):
-        if sample.evaluate(at, rate) == 0:
-            break
-    return sample.force.copy()
+@dataclass(frozen=True, eq=False)
+class _Displaced:
+    """Force of the film at a displaced journal, and what the bore gives way there, (2, n, points)."""
+
+    force: Array
+    gain: Array
+
+
+class _Beside:
+    """Films beside a film at rest, on its nodes; `settled` tells whether all since it was set found their end."""
+
+    def __init__(self, found: FilmSolution, nodes: RestingNodes, bore_gain: BoreGain | None) -> None:
+        ring = nodes.ring.sample.ring
+        self.nodes, self.settled = nodes, True
+        self._sample, self._bore_gain = nodes.ring.sample, bore_gain
+        self._wet = self._sample.work.wet.copy()
+        self._gaps = np.array([ring.surface.gap_a, ring.surface.gap_b])
+        sense, angle = float(nodes.scales.sense[1]), nodes.frame.angle
+        self._angles = [sense * at - angle for at in gauss_angles(ring.theta)]
+        self._seen = replace(
+            found,
+            angles=sense * ring.theta[None, : self._wet.shape[0]] - angle,
+            axial_positions=ring.mesh.nodes * (0.5 * found.film.width),
+            axial_breaks=ring.mesh.breaks,
+        )
+        self._at_rest = self._own_gain()
+
+    def film(self, move: Array, rate: Array, opening: Array | float) -> _Displaced:
+        """Film with the journal displaced and moving, and the bore opening by itself."""
+        sample, at = self._sample, self.nodes.ring.position + move
+        surface = sample.ring.surface
+        surface.opening_a[:], surface.opening_b[:] = np.broadcast_to(opening, self._gaps.shape)
+        sample.work.wet[:] = self._wet
+        gain = np.zeros_like(self._gaps)
+        steps: list[Pair] = []
+        for _ in range(BORE_ROUNDS):
+            self._settle(at, rate)
+            off = self._own_gain() - self._at_rest - gain
+            if float(np.abs(off).max()) <= BORE_CLOSENESS * self.nodes.ring.gap:
+                break
+            steps = [*steps[-BORE_MEMORY:], (gain, off)]
+            gain = gain + joined_step(steps, BORE_DAMPING)
+            surface.gap_a[:], surface.gap_b[:] = self._gaps + gain
+        else:
+            self.settled = False
+        surface.gap_a[:], surface.gap_b[:] = self._gaps
+        surface.opening_a[:], surface.opening_b[:] = 0.0, 0.0
+        return _Displaced(sample.force.copy(), gain)
+
+    def _settle(self, at: Array, rate: Array) -> None:
+        """Rounds of the wet set."""
+        for _ in range(ROUNDS):
+            if self._sample.evaluate(at, rate) == 0:
+                return
+        self.settled = False
+
+    def _own_gain(self) -> Array:
+        """What the bore gives way under the pressure of the last film, in clearances, (2, n, points)."""
+        if self._bore_gain is None:
+            return np.zeros_like(self._gaps)
+        film, ring = self._seen.film, self._sample.ring
+        pressure = true_pressures(ring.surface, self._sample.work.pressure) * self.nodes.scales.pressure
+        void = np.where(self._sample.work.holds, 0.0, 1.0)
+        seen = replace(self._seen, pressure=pressure[None] + film.cavitation_pressure, void=void[None])
+        field = self._bore_gain(seen)
+        z = ring.mesh.points * (0.5 * film.width)
+        return np.array([field_at(film, field, at, z) for at in self._angles]) / film.clearance

@@ -99,6 +99,7 @@ def build_ring(
     surface = Surface(
         **counted(mesh.nodes.size, mesh.points.size, motions),
         step=np.diff(theta), shape_a=shapes[0], shape_b=shapes[1], lever=levers, gap_a=gap_a, gap_b=gap_b,
+        opening_a=np.zeros_like(gap_a), opening_b=np.zeros_like(gap_b),
         viscosity=viscosity, drag=np.ones_like(gap_a), turbulence=turbulence_row(film),
         radius=np.ones_like(mesh.share), share=mesh.share, along=mesh.share, node=mesh.node_of_point,
         slope=mesh.slope, held=held.mask, held_pressure=reduced_in(table, pressure), held_fill=held.fill,
@@ -252,7 +253,7 @@ def across(film: JournalFilm, count: int) -> Array:
     return np.linspace(-0.5 * film.width, 0.5 * film.width, count)
 
 
-def field_at(film: JournalFilm, field: Field, angle: Array, z: Array) -> Array:
+def field_at(film: JournalFilm, field: Field | Array, angle: Array, z: Array) -> Array:
     """Values of a field, linear between its own, shape (angles, z)."""
     values = np.asarray(field)
     columns = across(film, values.shape[1])

@@ -232,6 +232,7 @@ def film_surface(
     return Surface(
         **counted(mesh.nodes.size, mesh.points.size, lever.shape[0]),
         step=np.diff(theta), shape_a=shape_a, shape_b=shape_b, lever=lever, gap_a=gap, gap_b=gap.copy(),
+        opening_a=np.zeros_like(gap), opening_b=np.zeros_like(gap),
         viscosity=ones, drag=ones.copy(), turbulence=np.zeros(0), radius=radius, share=weights * radius,
         along=weights / radius, node=mesh.node_of_point, slope=mesh.slope, held=held,
         held_pressure=np.full(recess.shape, ambient), held_fill=np.ones(recess.shape), piezo=np.zeros((3, 0)),

@@ -274,13 +274,15 @@ JOURNAL: dict[str, Explanation] = {
         "Stiffness and damping not confirmed",
         "Central differences of the film's own load, with steps from 2 % of the smallest gap down, differ from "
         "stiffness and damping by more than 1 % and do not agree with each other: the film ends differently from "
-        "step to step. Results of stability are as uncertain.",
+        "step to step. Or no difference could be taken, and a bore that gives way is not counted in them. Results "
+        "of stability are as uncertain.",
         "`accuracy: reference`; a margin on threshold speed and critical mass.",
     ),
     "W136": Explanation(
         "Stiffness and damping by differences of the load",
         "The derivative of the film with its ends frozen differs from the slope of its own load by more than 1 %, "
-        "as beside pockets and holes; the results hold central differences of the load, which count moving ends.",
+        "as beside pockets and holes and in a bore that gives way; the results hold central differences of the "
+        "load, which count moving ends and a moving bore.",
         "Nothing; a finer `accuracy` brings both together.",
         Effect.INFORMATION,
     ),
