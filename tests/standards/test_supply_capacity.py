@@ -106,7 +106,7 @@ def test_no_limit_of_either_answer_is_lost():
 
 
 def test_two_pockets_feed_the_loaded_film_as_one_does():
-    """The pocket behind the load gives its oil to the unloaded half, which carries it to the one before the load."""
+    """The pocket behind the load gives its oil to the unloaded half, which carries it to that before the load."""
     at = {"side": (180,), "both_sides": (180, 0)}
     flows, capacities = {}, {}
     for place, angles in at.items():

@@ -105,7 +105,7 @@ def starved_film_at(temperature: float, case: DesignCase, shape: BearingCurves) 
 def sheared_flow(
     case: DesignCase, eccentricity_ratio: float, attitude_angle: float, relative_clearance: float
 ) -> float | None:
-    """Oil in m³/s that the journal shears into the loaded film from holes or pockets: ``(U/2) h_s b``; else None."""
+    """Oil that the journal shears into the loaded film from holes or pockets, ``(U/2) h_s b``, m³/s; else None."""
     element, bearing = case.bearing.supply_element, case.bearing
     if case.oil_supply is None or not isinstance(element, Holes | Pockets):
         return None
