@@ -30,6 +30,14 @@ def test_values_are_told_in_the_unit_of_the_first():
     assert values_of("0.001:0.002:2").unit == ""
 
 
+def test_a_number_without_unit_is_no_quantity_where_a_file_refuses_it():
+    assert values_of("1000 rpm, 2000").numbers is None  # 2000 rad/s it was
+    assert values_of("0, 1000 rpm").numbers is None
+    assert values_of("1 kN, 0").numbers == (1.0, 0.0)
+    assert values_of("1 kN:0:2").texts == ("1 kN", "0 kN")
+    assert values_of("860 kg/m3:900:3").numbers == (860.0, 880.0, 900.0)
+
+
 def test_words_have_no_numbers():
     found = values_of("draft, reference")
     assert (found.texts, found.numbers) == (("draft", "reference"), None)
@@ -40,7 +48,8 @@ def test_words_have_no_numbers():
 def test_what_stands_in_a_file_is_read_in_the_same_unit():
     found = values_of("1 kN:2 kN:2")
     assert found.number_of("1500 N") == pytest.approx(1.5)
-    assert found.number_of(1500.0) == pytest.approx(1.5)  # a bare number is in SI
+    assert found.number_of(1500.0) is None  # refused in a file, too
+    assert values_of("860 kg/m3:0.9 g/cm3:3").number_of(880.0) == 880.0  # all write a density in one unit
     assert found.number_of("3 m") is None
     assert found.number_of(None) is None
     assert values_of("draft").number_of("draft") is None
@@ -55,6 +64,8 @@ def test_what_stands_in_a_file_is_read_in_the_same_unit():
         ("1 kN:2 kN:many", "number of values"),
         ("1 kN:2 kN:100000", f"2 to {MOST_VALUES}"),
         ("1 kN:2 rpm:3", "kind of '1 kN'"),
+        ("1000 rpm:2000:3", "'2000' has no unit; write '2000 rpm'"),
+        ("20 degC:0:3", "'0' has no unit; write '0 degC'"),
         ("low:high:3", "no number"),
         (",".join(["1"] * (MOST_VALUES + 1)), "at most"),
     ],

@@ -60,6 +60,10 @@ def test_everyday_factors_are_those_of_pint(si, unit):
         ("10 furlong", "m", 2011.684),  # by pint
         ("3 kilopond", "N", 29.41995),
         ("1 L/hour", "m3/s", 1e-3 / 3600.0),
+        ("1 gal/min", "m3/s", 231.0 * 0.0254**3 / 60.0),  # that of the US, 231 cubic inches
+        ("2 tonne", "kg", 2000.0),
+        ("3000 /min", "rad/s", 100.0 * math.pi),
+        ("100 1/s", "frequency", 200.0 * math.pi),  # of a frequency it is no other than Hz
     ],
 )
 def test_ways_of_writing(text, unit, value):
@@ -98,6 +102,13 @@ def test_written_is_read_back(number, pair):
         ("80 q", "m", ["not known", "such as '120 mm'"]),
         ("1.2 permile", "1", ["did you mean 'permille'?"]),
         ("1 kn", "N", ["did you mean 'kN'?"]),
+        ("300 1/s", "rad/s", ["ambiguous", "write 'rad/s', or 'rev/s' or 'rpm'"]),
+        ("300 s-1", "rad/s", ["ambiguous", "'rad/s'"]),
+        ("300 s⁻¹", "rad/s", ["ambiguous", "'rad/s'"]),
+        ("300/s", "rad/s", ["ambiguous", "'rad/s'"]),
+        ("2 ton", "kg", ["ambiguous", "'t' is the tonne"]),
+        ("2 tons", "kg", ["ambiguous", "'t' is the tonne"]),
+        ("0.9 ton/m3", "kg/m3", ["ambiguous", "'t' is the tonne"]),
         ("1,5 mm", "m", ["comma", "write '1.5 mm'"]),
         ("1,500 rpm", "rad/s", ["'1.500 rpm' or '1500 rpm'"]),
         ("1 500 mm", "m", ["grouped", "write '1500 mm'"]),

@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 
 from babbitt.notices import InputError
-from babbitt.units import QuantityError, read
+from babbitt.units import QuantityError, bare_number, read
 from babbitt.units.kinds import kind_of
 
 MOST_VALUES = 500
@@ -69,7 +69,7 @@ def values_of(text: str) -> SweepValues:
     unit = _unit_of(texts[0])
     numbers = tuple(_in_unit(one, unit) for one in texts) if unit is not None else ()
     known = tuple(number for number in numbers if number is not None)
-    return SweepValues(texts, known if len(known) == len(texts) else None, unit or "")
+    return SweepValues(texts, known, unit or "") if len(known) == len(texts) else SweepValues(texts, None, "")
 
 
 def _spaced(text: str) -> SweepValues:
@@ -79,6 +79,8 @@ def _spaced(text: str) -> SweepValues:
     unit = _unit_of(first_text)
     if unit is None:
         raise _refused(text, f"'{first_text}' is no number with a unit")
+    if _lacks_unit(last_text, unit):
+        raise _refused(text, f"'{last_text}' has no unit; write '{last_text} {unit}'")
     first, last = _in_unit(first_text, unit), _in_unit(last_text, unit)
     if first is None or last is None:
         raise _refused(text, f"'{last_text}' is no quantity of the kind of '{first_text}'")
@@ -103,12 +105,19 @@ def _in_unit(text: str, unit: str) -> float | None:
     if found[2].strip() == unit:
         return float(found[1])
     kind = kind_of(unit)
-    if kind is None:
+    if kind is None or _lacks_unit(text, unit):
         return None
     try:
-        return kind.from_si(read(text, kind.unit), unit)
+        return kind.from_si(read(text, kind.key), unit)
     except QuantityError:
         return None
+
+
+def _lacks_unit(text: str, unit: str) -> bool:
+    """Whether a text is a number without unit where a file refuses one: beside units that people vary."""
+    bare, kind = bare_number(text), kind_of(unit)
+    free = kind is None or kind.one_unit or (bare == 0.0 and not kind.offsets)
+    return bare is not None and not free
 
 
 def _refused(text: str, says: str) -> InputError:

@@ -16,6 +16,9 @@ ZERO_CELSIUS = 273.15
 INCH, POUND_FORCE, KILOGRAM_FORCE, FAHRENHEIT = 0.0254, 4.4482216152605, 9.80665, 5.0 / 9.0
 TURN = 2.0 * math.pi
 
+RADIANS_OR_TURNS = "standards write angular speed so, others turns; write 'rad/s', or 'rev/s' or 'rpm'"
+AMBIGUOUS_TON = "'t' is the tonne, 1000 kg; a US ton is '2000 lb', an imperial one '2240 lb'"
+
 
 @dataclass(frozen=True, eq=False)
 class Kind:
@@ -38,6 +41,8 @@ class Kind:
         takes 1 Hz for 1 rad/s.
     name : str
         Of a kind that shares its unit with another one; else the unit names it.
+    ambiguous : Mapping[str, str]
+        Units that are refused, as people mean different things by them, and what to write.
     one_unit : bool
         Whether all write it in one unit, so that a case file may leave the unit out. Not where people vary it:
         3000 is rpm to one and rad/s to another.
@@ -50,6 +55,7 @@ class Kind:
     offsets: Mapping[str, float] = field(default_factory=dict)
     open_to_pint: bool = True
     name: str = ""
+    ambiguous: Mapping[str, str] = field(default_factory=dict)
     one_unit: bool = False
 
     @property
@@ -127,9 +133,10 @@ _ALL = (
         "3000 rpm",
         {"rpm": TURN / 60.0, "1/min": TURN / 60.0, "min-1": TURN / 60.0, "/min": TURN / 60.0}
         | {"r/min": TURN / 60.0, "rev/min": TURN / 60.0, "turn/min": TURN / 60.0, "U/min": TURN / 60.0}
-        | {"rad/s": 1.0, "Hz": TURN, "kHz": 1e3 * TURN, "1/s": TURN, "s-1": TURN, "/s": TURN, "r/s": TURN}
-        | {"rev/s": TURN, "rps": TURN, "turn/s": TURN, "rad/min": 1.0 / 60.0, "deg/s": TURN / 360.0},
+        | {"rad/s": 1.0, "Hz": TURN, "kHz": 1e3 * TURN, "r/s": TURN, "rev/s": TURN, "rps": TURN, "turn/s": TURN}
+        | {"rad/min": 1.0 / 60.0, "deg/s": TURN / 360.0},
         open_to_pint=False,
+        ambiguous=dict.fromkeys(("1/s", "s-1", "/s"), RADIANS_OR_TURNS),
     ),
     Kind(
         "rad/s",

@@ -12,7 +12,7 @@ import re
 from functools import lru_cache
 from typing import Any
 
-from babbitt.units.kinds import KINDS, Kind, kind_of
+from babbitt.units.kinds import AMBIGUOUS_TON, KINDS, Kind, kind_of
 
 LONGEST = 60
 """Characters; a longer text is no quantity."""
@@ -141,6 +141,8 @@ def _read_text(text: str, kind: Kind) -> float:
         return _finite(number, _quoted(text), kind)
     if unit in kind.everyday:
         return _finite(kind.to_si(number, unit), _quoted(text), kind)
+    if unit in kind.ambiguous:
+        raise QuantityError(f"{_quoted(text)} is ambiguous", _wanted(kind), kind.ambiguous[unit])
     return _finite(_with_pint(number, unit, kind, text), _quoted(text), kind)
 
 
@@ -181,6 +183,8 @@ def _with_pint(number: float, unit: str, kind: Kind, text: str) -> float:
         raise QuantityError(
             f"the unit of {_quoted(text)} is not known", _wanted(kind), _nearest(unit, kind)
         ) from None
+    if any(_is_ton(name) for name, _ in registry.Quantity(1.0, factors).unit_items()):
+        raise QuantityError(f"{_quoted(text)} is ambiguous", _wanted(kind), AMBIGUOUS_TON)
     if (
         not kind.open_to_pint
         or factors.dimensionality != registry.parse_units(_for_pint(kind.unit)).dimensionality
@@ -197,6 +201,11 @@ def _registry() -> Any:
     import pint
 
     return pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
+
+
+def _is_ton(name: str) -> bool:
+    """Whether a unit of pint is its ton, that of the US, with or without prefix."""
+    return any(base == "ton" for _, base, _ in _registry().parse_unit_name(name))
 
 
 def _for_pint(unit: str) -> str:
