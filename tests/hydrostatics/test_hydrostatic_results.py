@@ -264,10 +264,25 @@ def test_jacking_result():
     assert result.breakaway_pressure == pytest.approx(17.963e6, rel=1e-4)
     assert result.pocket_pressure < result.lying_pressure < result.breakaway_pressure
     assert "W314" in codes(result)
-    assert [check.ok for check in result.checks] == [False, True]
-    by_flow = jacking_check(jacking(lift_gap=None, pump_flow=result.total_flow))
+    assert [(check.code, check.ok) for check in result.checks] == [("C301", True), ("C304", False), ("C304", True)]
+    by_flow = jacking_check(jacking(lift_gap=None, pump_flow=jacking_check(jacking()).total_flow))
     assert by_flow.minimum_film_thickness == pytest.approx(40e-6, rel=1e-3)
     assert jacking_check(jacking(lift_gap=None, pump_flow=1.0)).outcome is Outcome.NOT_CONVERGED
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_the_flow_of_the_jacking_pump_limits_the_lift(method):
+    """Wanted 60 um: half of the flow that takes lifts less; its power is that of its own flow."""
+    wanted = jacking_check(jacking(method=method, lift_gap=60e-6))
+    half = jacking_check(jacking(method=method, lift_gap=60e-6, pump_flow=0.5 * wanted.total_flow))
+    assert half.total_flow == pytest.approx(0.5 * wanted.total_flow, rel=1e-8)
+    assert half.minimum_film_thickness < 55e-6
+    assert [(check.code, check.ok) for check in half.checks] == [("C301", False)]
+    assert not half.within_limits
+    assert half.pump_power == pytest.approx(half.pocket_pressure * half.total_flow / 0.8, rel=1e-12)
+    weak = jacking_check(jacking(method=method, lift_gap=60e-6, pump_flow=1e-6 / 6e4))
+    assert weak.outcome is Outcome.OVERLOADED
+    assert "does not lift the shaft" in weak.message
 
 
 def pockets(*degrees):

@@ -214,7 +214,7 @@ def quick_lift(case: JackingCase, gap: float) -> LiftPoint:
 
 
 def gap_for_flow(case: JackingCase, flow: float) -> float:
-    """Smallest gap that a pump flow holds open, m; nan beyond half the clearance.
+    """Smallest gap that a pump flow holds open, m; nan beyond nine tenths of the clearance.
 
     Flow grows with the gap.
     """
@@ -249,9 +249,7 @@ def jacking_check(case: JackingCase) -> Result:
     begun = time.perf_counter()
     lying = lying_at(case)
     upper = case.load / case.projected_area
-    gap = case.lift_gap
-    if gap is None:
-        gap = gap_for_flow(case, case.pump_flow or 0.0)
+    gap = lifted_gap(case)
     lifted = lying if math.isnan(gap) else lift_at(case, gap)
     settings = {"method": case.method}
     failed = failure(case, lifted, gap)
@@ -272,24 +270,35 @@ def jacking_check(case: JackingCase) -> Result:
         "total_flow": lifted.flow,
         "effective_area": lifted.effective_area,
         "pumping_power": lifted.pressure * lifted.flow,
-        "pump_power": lifted.pressure * (case.pump_flow or lifted.flow) / case.pump_efficiency,
+        "pump_power": lifted.pressure * lifted.flow / case.pump_efficiency,
         "effective_viscosity": case.viscosity,
         "attitude_angle": lifted.angle - BOTTOM,
         "mass_balance_error": lifted.mass_balance_error,
         "wall_time": time.perf_counter() - begun,
     }
-    found = []
-    if case.relief_pressure is not None:
-        limit = case.relief_pressure
-        found = [
-            Check("C304", "breakaway_pressure", upper, limit, Bound.AT_MOST, "relief valve of the pump"),
-            Check("C304", "pocket_pressure", lifted.pressure, limit, Bound.AT_MOST, "relief valve of the pump"),
-        ]
     return Result(
-        case.name, case.kind, case.method, Outcome.CONVERGED, named, checks=tuple(found),
+        case.name, case.kind, case.method, Outcome.CONVERGED, named, checks=tuple(checks(case, named)),
         warnings=(*case.doubts, *jacking_doubts(case, upper, gap)), assumptions=assumptions(case),
         settings=settings,
     )  # fmt: skip
+
+
+def lifted_gap(case: JackingCase) -> float:
+    """Smallest gap that the pump holds open, m, or where no flow is given the one that is wanted."""
+    if case.pump_flow is not None:
+        return gap_for_flow(case, case.pump_flow)
+    assert case.lift_gap is not None  # a case has one of them
+    return case.lift_gap
+
+
+def checks(case: JackingCase, named: dict[str, float]) -> Iterator[Check]:
+    """The lift that is wanted against that of the pump's flow, pressures against the relief valve."""
+    if case.pump_flow is not None and case.lift_gap is not None:
+        reached = named["minimum_film_thickness"]
+        yield Check("C301", "minimum_film_thickness", reached, case.lift_gap, Bound.AT_LEAST, "wanted lift_gap")
+    if case.relief_pressure is not None:
+        for name in ("breakaway_pressure", "pocket_pressure"):
+            yield Check("C304", name, named[name], case.relief_pressure, Bound.AT_MOST, "relief valve of the pump")
 
 
 def assumptions(case: JackingCase) -> tuple[str, ...]:
@@ -302,8 +311,8 @@ def assumptions(case: JackingCase) -> tuple[str, ...]:
 def failure(case: JackingCase, lifted: LiftPoint, gap: float) -> tuple[Outcome, str] | None:
     """Why the shaft is not held, if it is not."""
     flow = 6e4 * (case.pump_flow or 0.0)
-    least = 6e4 * lift_at(case, case.roughness).flow if case.lift_gap is None else 0.0
-    if case.lift_gap is None and (gap <= case.roughness or (math.isnan(gap) and flow < least)):
+    least = 6e4 * lift_at(case, case.roughness).flow if case.pump_flow is not None else 0.0
+    if gap <= case.roughness or (math.isnan(gap) and flow < least):
         return Outcome.OVERLOADED, (
             f"a pump flow of {flow:.3g} L/min does not lift the shaft off the composite roughness of "
             f"{1e6 * case.roughness:.4g} µm; that takes more than {least:.3g} L/min. Raise the flow, "

@@ -28,9 +28,9 @@ class JackingCase:
     load : float
         N, downwards (-y).
     lift_gap : float or None
-        Wanted smallest gap, m.
+        Wanted smallest gap, m: a limit beside a pump flow, without one the gap that is solved for.
     pump_flow : float or None
-        All pockets together, m3/s.
+        All pockets together, m3/s; it says how far the shaft is lifted.
     relief_pressure : float or None
         Pa.
     roughness : float

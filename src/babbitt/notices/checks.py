@@ -157,8 +157,8 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C301": Explanation(
         "Least gap",
-        "The smallest gap against the least that the case allows.",
-        "More supply pressure, more recess area, or a stiffer restrictor.",
+        "The smallest gap against the least that the case allows, or that jacking is to reach.",
+        "More supply pressure, more recess area, or a stiffer restrictor; more flow of a jacking pump.",
         subject=Subject.FILM_THICKNESS,
     ),
     "C302": Explanation(

@@ -157,5 +157,5 @@ def _jacking(case: JackingCase, sheet: JackingSheet) -> Iterator[Section]:
         sheet.given("pocket_conductance", f"{found} at that gap", value=conductance),
         sheet.line("total_flow", "pocket_conductance * pocket_pressure"),
         sheet.line("pumping_power", "pocket_pressure * total_flow"),
-        sheet.line("pump_power", "pocket_pressure * pump_delivery / efficiency_of_pump"),
+        sheet.line("pump_power", "pocket_pressure * total_flow / efficiency_of_pump"),
     ))  # fmt: skip

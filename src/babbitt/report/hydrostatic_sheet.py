@@ -52,7 +52,6 @@ class JackingSheet(Worksheet):
             "projected_area": case.projected_area,
             "roughness_height": case.roughness,
             "efficiency_of_pump": case.pump_efficiency,
-            "pump_delivery": case.pump_flow or result.values["total_flow"],
         }
         self.numbers = {name: number for name, number in known.items() if name in VOCABULARY}
 
