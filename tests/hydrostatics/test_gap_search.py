@@ -130,7 +130,7 @@ def test_thinnest_gap_is_the_least_around(name):
     lumps = LUMPS[name]
     at, theta = PLACES[len(lumps.harmonics)], np.linspace(0.0, 2.0 * math.pi, 3601)
     mean, cosine, sine = at @ lumps.harmonics
-    around = lumps.gap - mean - cosine * np.cos(theta) - sine * np.sin(theta)
+    around = lumps.gap - mean - lumps.edge * (cosine * np.cos(theta) + sine * np.sin(theta))
     assert lumps.thinnest(at) == pytest.approx(around.min(), rel=1e-6)
 
 

@@ -539,6 +539,18 @@ def test_lumped_lands_squeeze_at_the_gap_that_was_found():
 
 
 @pytest.mark.parametrize("method", METHODS)
+def test_the_smallest_gap_of_a_tilted_ring_lies_on_its_outer_edge(method):
+    """h_min = h - phi r_4; a moment of 800 N m lays that edge on the runner."""
+    duty = Duty(23843.0, moments=(300.0, -200.0))
+    made = case(RING, duty, method, "hydrostatic_thrust_ring", RING_FEEDING, accuracy="draft")
+    result = hydrostatic_check(made)
+    edge = result.gap - math.hypot(result.tilt_x, result.tilt_y) * RING.radii.outer_radius
+    assert result.minimum_film_thickness == pytest.approx(edge, rel=2e-3)
+    heavy = hydrostatic_check(replace(made, duty=replace(duty, moments=(800.0, 0.0))))
+    assert heavy.outcome is Outcome.OVERLOADED
+
+
+@pytest.mark.parametrize("method", METHODS)
 def test_a_moment_that_tilts_the_runner_onto_the_ring_is_named(method):
     duty = Duty(25e3, moments=(1200.0, -1600.0))
     tilted = case(RING, duty, method, "hydrostatic_thrust_ring", RING_FEEDING, accuracy="draft")

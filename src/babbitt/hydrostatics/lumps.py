@@ -113,6 +113,8 @@ class Lumps:
         Area on which the pressure of one recess acts, m2.
     squeeze : ndarray, shape (motions, motions)
         Damping of the lands times the cube of the mean gap, N s m2.
+    edge : float
+        Radius at which a tilt closes the gap most, over ``radius``.
     """
 
     angles: tuple[float, ...]
@@ -127,11 +129,12 @@ class Lumps:
     harmonics: Array
     share: float
     squeeze: Array
+    edge: float = 1.0
 
     def thinnest(self, at: Array) -> float:
         """Smallest gap at a position, m."""
         mean, cosine, sine = at @ self.harmonics
-        return float(self.gap - mean - math.hypot(cosine, sine))
+        return float(self.gap - mean - self.edge * math.hypot(cosine, sine))
 
     def damping(self, at: Array) -> Array:
         """Of the lands at a position, at its mean gap, shape (motions, motions)."""
@@ -222,5 +225,5 @@ def ring_lumps(ring: ThrustRing, height: float, viscosity: float, speed: float) 
         (1.0 / math.log(r2 / r1) + 1.0 / math.log(r4 / r3)) / 12.0,
         0.5 * (r3 + r4 - r1 - r2), mean, speed, viscosity,
         np.array([[-1.0, 0.0, 0.0], [0.0, 0.0, -mean], [0.0, mean, 0.0]]),
-        lands.effective_area / len(ring.recess_angles), squeeze,
+        lands.effective_area / len(ring.recess_angles), squeeze, r4 / mean,
     )  # fmt: skip
