@@ -2,15 +2,37 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path as FilePath
-from typing import TYPE_CHECKING, Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 from pydantic import Field, PrivateAttr
 
 from babbitt.cases.part import Part
+from babbitt.files.reading import Reach
 
 if TYPE_CHECKING:
     from babbitt.cases.designs import EveryDesign
+
+
+@dataclass(frozen=True)
+class Origin:
+    """What a case was read from.
+
+    Attributes
+    ----------
+    given : Mapping
+        What stood in the file, text or dictionary.
+    file : Path
+        The file; for other cases what messages call it, in the folder from which files are named.
+    reach : Reach
+        Where the case may name other files.
+    """
+
+    given: Mapping[str, Any]
+    file: FilePath
+    reach: Reach
 
 
 class CaseFile(Part):
@@ -20,6 +42,7 @@ class CaseFile(Part):
 
     _text: str = PrivateAttr("")
     _files: tuple[FilePath, ...] = PrivateAttr(())
+    _origin: Origin | None = PrivateAttr(None)
 
     @property
     def text(self) -> str:
@@ -41,6 +64,17 @@ class CaseFile(Part):
         """Give the same case with the files that were read with it."""
         case = self.model_copy()
         case._files = files
+        return case
+
+    @property
+    def origin(self) -> Origin | None:
+        """What the case was read from; None for a case that a program made of its classes."""
+        return self._origin
+
+    def with_origin(self, origin: Origin) -> Self:
+        """Give the same case with what it was read from."""
+        case = self.model_copy()
+        case._origin = origin
         return case
 
     def designs(self) -> tuple[EveryDesign, ...]:

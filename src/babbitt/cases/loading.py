@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from pydantic import ValidationError
 
 from babbitt.cases.bore_file import with_tables
+from babbitt.cases.case_file import Origin
 from babbitt.cases.compliance_file import with_compliances
 from babbitt.cases.displacement_file import with_displacements
 from babbitt.cases.document import DocumentError, Node, read_document
@@ -227,7 +228,8 @@ def _case(given: Any, name: str, root: Node | None, files: NamedFiles) -> Case:
         raise CaseError([_problem(name, root, given, ("kind",), says, ", ".join(KINDS), hint)])
     try:
         read = with_compliances(with_displacements(with_tables(given, files), files), files)
-        return KINDS[kind].model_validate(read, context=AS_WRITTEN).with_files(tuple(files.taken))
+        case = KINDS[kind].model_validate(read, context=AS_WRITTEN).with_files(tuple(files.taken))
+        return case.with_origin(Origin(given, files.folder / FilePath(name).name, files.reach))
     except TableError as error:
         raise CaseError([_problem(name, root, given, error.path, error.says, error.allowed, error.hint)]) from None
     except ValidationError as error:

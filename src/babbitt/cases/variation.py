@@ -6,17 +6,20 @@ import copy
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from babbitt.cases.build import case_hash
 from babbitt.cases.loading import build_case, load_case, read_file
 from babbitt.cases.named_files import NamedFiles
 from babbitt.cases.operating_point import LOADS, SPEEDS
 from babbitt.files.printing import printable
 from babbitt.files.reading import Reach
 from babbitt.notices import InputError
+from babbitt.units import SiNumber
 
 if TYPE_CHECKING:
+    from babbitt.cases.case_file import Origin
     from babbitt.cases.every_kind import Case
 
-__all__ = ["CaseVariation", "case_variation"]
+__all__ = ["CaseVariation", "case_variation", "variation_of"]
 
 ALTERNATIVES = (LOADS, SPEEDS, ("width", "width_ratio"))
 """Fields of which a value in one takes the place of the others."""
@@ -70,8 +73,8 @@ class CaseVariation:
         except (LookupError, TypeError, InputError):
             return None
 
-    def case(self, value: str) -> Case:
-        """The case with a value in the field.
+    def case(self, value: str | SiNumber) -> Case:
+        """The case with a value in the field, as a file has it or as a number in SI.
 
         Raises
         ------
@@ -172,6 +175,38 @@ def case_variation(
         return CaseVariation(file, given, path, reach=reach, inputs=inputs)
     alone = given | {"bearings": [given["bearings"][names.index(bearing)]]}
     return CaseVariation(file, alone, path, ("bearings", "0"), reach, inputs)
+
+
+def variation_of(case: Case, path: str) -> CaseVariation:
+    """Vary one field of a case that was read.
+
+    Parameters
+    ----------
+    case : Case
+        From a file, a text or a dictionary.
+    path : str
+        As in `CaseVariation`.
+
+    Raises
+    ------
+    InputError
+        E005 for an empty path, and for a case that was made of its classes or changed after it was read: what it
+        derived from other fields is not known.
+    """
+    origin = case.origin
+    if not all(path.split(".")):
+        raise InputError("E005", f"'{path}' names no field; write it as load, or clearance.mean")
+    if origin is None:
+        raise InputError("E005", f"{case.name}: only a case from a file, a text or a dictionary can be varied")
+    if case_hash(build_case(origin.given, str(origin.file), _files_of(origin))) != case_hash(case):
+        raise InputError("E005", f"{case.name}: the case was changed after it was read")
+    return CaseVariation(
+        origin.file, copy.deepcopy(dict(origin.given)), path, reach=origin.reach, inputs=case.files
+    )
+
+
+def _files_of(origin: Origin) -> NamedFiles:
+    return NamedFiles(origin.file.parent, origin.reach)
 
 
 def _known(place: Any) -> str:

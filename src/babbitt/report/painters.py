@@ -25,7 +25,7 @@ from babbitt.results import Result
 from babbitt.standards.iso7902.film import curves_of
 from babbitt.standards.iso7902.model import Curves, DesignCase
 from babbitt.standards.iso7902.span import TABULATED_SPANS
-from babbitt.studies.sweep import sweep
+from babbitt.studies.design_sweep import sweep_design
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -40,8 +40,8 @@ def speed_and_load(case: DesignCase, result: Result) -> Figure:
     """Friction coefficient and minimum film thickness over speed and over load (Stribeck)."""
     speed, load = abs(case.journal_speed), result.load
     slowest = min(0.6 * result.values.get("transition_speed", speed / 10.0), speed / 4.0)
-    by_speed = sweep(case, "journal_speed", _about(speed, max(slowest, speed / 100.0), 2.0 * speed))
-    by_load = sweep(case, "duty.load", _about(load, load / 10.0, 4.0 * load))
+    by_speed = sweep_design(case, "journal_speed", _about(speed, max(slowest, speed / 100.0), 2.0 * speed))
+    by_load = sweep_design(case, "duty.load", _about(load, load / 10.0, 4.0 * load))
     figure, axes = Sheet(166.0, 78.0, 2, 2).panels(sharex="col", sharey="row")
     for column, (swept, name, here) in enumerate(((by_speed, "angular_speed", speed), (by_load, "load", load))):
         quantity = QUANTITIES[name]
@@ -155,7 +155,7 @@ def _label_starts(panel: Axes, x: float, starts: list[tuple[float, int]]) -> Non
 def clearance(case: DesignCase, result: Result, smallest: float, largest: float) -> Figure:
     """Effective temperature and minimum film thickness from the smallest to the largest clearance."""
     points = np.linspace(smallest, largest, 41)
-    swept = sweep(case, "bearing.relative_clearance", points)
+    swept = sweep_design(case, "bearing.relative_clearance", points)
     figure, axes = Sheet(81.0, 62.0, 2, 1).panels(sharex=True)
     here = 1e3 * case.bearing.relative_clearance
     for panel, name in zip(axes[:, 0], ("effective_temperature", "minimum_film_thickness"), strict=True):
@@ -172,7 +172,7 @@ def clearance(case: DesignCase, result: Result, smallest: float, largest: float)
 def spans(case: DesignCase, result: Result) -> Figure:
     """Film thickness, temperature, power and flow of the same bearing with other angular spans."""
     tried = [span for span in TABULATED_SPANS if case.curves is Curves.COMPUTED or span == case.bearing.span]
-    swept = sweep(case, "bearing.span", [float(span) for span in tried])
+    swept = sweep_design(case, "bearing.span", [float(span) for span in tried])
     known = ("outlet_temperature", "bearing_temperature", "effective_temperature")
     temperature = next(name for name in known if name in result.values)
     names = ("minimum_film_thickness", temperature, "friction_power", "total_flow")

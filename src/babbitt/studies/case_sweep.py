@@ -11,8 +11,9 @@ from babbitt.notices import InputError
 from babbitt.results import Result
 from babbitt.solving import MachineResult, solve
 from babbitt.studies.sweep_values import SweepValues
+from babbitt.units import SiNumber
 
-__all__ = ["CaseSweep", "sweep_case"]
+__all__ = ["CaseSweep", "SolvedPlaces", "solved_places", "sweep_case"]
 
 Followed = Callable[[Sequence[int]], Iterable[int]]
 
@@ -89,12 +90,37 @@ def sweep_case(
     KeyboardInterrupt
         When no value is finished.
     """
+    found = solved_places(variation, values.texts, watch)
+    return CaseSweep(
+        variation.path,
+        values,
+        values.number_of(variation.present),
+        tuple(found.machines),
+        tuple(found.machines.values()),
+        found.refused,
+        found.interrupted,
+    )
+
+
+@dataclass(frozen=True)
+class SolvedPlaces:
+    """Answers by the places of their values, why other values are refused, and whether all were come to."""
+
+    machines: Mapping[int, MachineResult]
+    refused: Mapping[int, str]
+    interrupted: bool
+
+
+def solved_places(
+    variation: CaseVariation, values: Sequence[str | SiNumber], watch: Followed = lambda places: places
+) -> SolvedPlaces:
+    """Solve a case for each value of one of its fields; arguments and errors are those of `sweep_case`."""
     cases: dict[int, Case] = {}
     machines: dict[int, MachineResult] = {}
     refused: dict[int, InputError] = {}
-    for place, text in enumerate(values.texts):
+    for place, value in enumerate(values):
         try:
-            cases[place] = variation.case(text)
+            cases[place] = variation.case(value)
         except InputError as error:
             refused[place] = error
     interrupted = False
@@ -108,14 +134,6 @@ def sweep_case(
         if not machines:
             raise
         interrupted = True
-    if not machines:
+    if not machines and refused:
         raise refused[min(refused)]
-    return CaseSweep(
-        variation.path,
-        values,
-        values.number_of(variation.present),
-        tuple(machines),
-        tuple(machines.values()),
-        {place: str(refused[place]) for place in sorted(refused)},
-        interrupted,
-    )
+    return SolvedPlaces(machines, {place: str(refused[place]) for place in sorted(refused)}, interrupted)
