@@ -211,6 +211,49 @@ def test_load_capacity_of_a_journal_is_the_load_at_the_least_gap(method, speed):
     assert loaded.minimum_film_thickness == pytest.approx(20e-6, rel=5e-3)
 
 
+@pytest.mark.parametrize("method", METHODS)
+def test_load_capacity_of_a_ring_counts_its_moments(method):
+    """Under that load with the moment the edge stands at the least gap; level, the ring would carry more."""
+    duty = Duty(20e3, moments=(500.0, 0.0))
+    made = case(RING, duty, method, "hydrostatic_thrust_ring", RING_FEEDING, least_gap=15e-6)
+    capacity = hydrostatic_check(made).load_capacity
+    loaded = hydrostatic_check(replace(made, duty=replace(duty, load=capacity)))
+    assert loaded.minimum_film_thickness == pytest.approx(15e-6, rel=1e-3)
+    level = hydrostatic_check(replace(made, duty=replace(duty, moments=(0.0, 0.0)))).load_capacity
+    assert capacity < 0.97 * level
+    heavier = hydrostatic_check(replace(made, duty=replace(duty, load=1.02 * capacity)))
+    assert {check.code: check.ok for check in heavier.checks} == {"C301": False, "C302": False}
+
+
+def test_a_light_runner_tilts_below_its_least_gap():
+    """The moment needs load to be borne: the limit of the load is not what the runner misses."""
+    made = case(RING, Duty(9e3, moments=(300.0, 0.0)), "quick", "hydrostatic_thrust_ring", RING_FEEDING)
+    gap = hydrostatic_check(made).minimum_film_thickness
+    result = hydrostatic_check(replace(made, least_gap=1.1 * gap))
+    assert {check.code: check.ok for check in result.checks} == {"C301": False, "C302": True}
+    none = hydrostatic_check(replace(made, least_gap=result.gap))
+    assert [notice.code for notice in none.not_checked] == ["C302"]
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("speed", [0.0, SPEED])
+def test_load_capacity_of_a_journal_lets_it_move_aside(method, speed):
+    """Three recesses and a load that points at none of them, nor between two."""
+    duty = Duty(8e3, math.radians(-67.5), angular_speed=speed)
+    made = case(journal(number=3), duty, method, fed=feeding(number=3), least_gap=20e-6)
+    capacity = hydrostatic_check(made).load_capacity
+    loaded = hydrostatic_check(replace(made, duty=replace(duty, load=capacity)))
+    assert loaded.minimum_film_thickness == pytest.approx(20e-6, rel=1e-3)
+    held = replace(made, duty=Duty(None, position=standing(loaded, duty), angular_speed=speed))
+    assert hydrostatic_check(held).load_capacity == pytest.approx(capacity, rel=1e-3)
+
+
+def standing(result, duty):
+    """Position of a journal from its eccentricity and attitude."""
+    size, angle = CLEARANCE * result.eccentricity_ratio, duty.load_angle + result.attitude_angle
+    return size * math.cos(angle), size * math.sin(angle)
+
+
 def test_common_pump_runs_out_of_pressure():
     fed = Feeding((CIRCULAR_CAPILLARY,), Pump(5e-6, 1e-13, 4e6))
     result = hydrostatic_check(replace(pad_case(load=9e3), feeding=fed))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -87,7 +88,7 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
     if whirl is not None:
         named |= whirl_values(case, whirl)
     if case.least_gap is not None:
-        limit = capacity(case)
+        limit = capacity(case, found)
         named |= {} if limit is None else {"load_capacity": limit}
     if found.film is not None and found.film.network.converged:
         named["grid_error"] = grid_error(case, found)
@@ -99,7 +100,7 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
         outcome,
         named,
         checks=(*checks(case, found, named), *whirl_checks(case, whirl)),
-        not_checked=() if case.least_gap is not None else (Notice("C301", "no least_gap is given"),),
+        not_checked=tuple(not_checked(case, named)),
         warnings=(*case.doubts, *doubts(case, found, named), *(doubts_about_whirl(whirl) if whirl else ())),
         assumptions=case.assumptions,
         settings=settings,
@@ -207,6 +208,14 @@ def checks(case: HydrostaticCase, found: Answer, named: dict[str, float]) -> lis
         source = USER if case.highest_supply_pressure is not None else "pressure of the supply"
         made.append(Check("C303", name, held, limit, Bound.AT_MOST, source))
     return made
+
+
+def not_checked(case: HydrostaticCase, named: dict[str, float]) -> Iterator[Notice]:
+    """Limits that were held against nothing, and why."""
+    if case.least_gap is None:
+        yield Notice("C301", "no least_gap is given")
+    elif case.duty.load is not None and "load_capacity" not in named:
+        yield Notice("C302", "no load was found whose smallest gap is least_gap")
 
 
 def refuse_contact(case: HydrostaticCase) -> None:

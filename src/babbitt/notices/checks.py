@@ -163,7 +163,8 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C302": Explanation(
         "Load against its limit",
-        "The load against the force of the film at the least gap allowed.",
+        "The load against the one whose equilibrium, in the same direction and with the same moments, has "
+        "the least gap allowed.",
         "More supply pressure or recess area.",
     ),
     "C303": Explanation(
