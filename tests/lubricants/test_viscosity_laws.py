@@ -143,6 +143,29 @@ def test_vogel_is_recovered_from_three_of_its_points(factor, activation, pole):
     assert found.pole == pytest.approx(pole, rel=1e-8)
 
 
+@pytest.mark.parametrize(
+    ("celsius", "holds"),
+    [((20, 30, 40), (15, 50)), ((40, 70, 100), (25, 130)), ((-10, 70, 140), (-20, 150))],
+)
+def test_vogel_holds_around_its_points(celsius, holds):
+    pole = 175.0
+    law = Vogel.through(*((t + 273.15, 6e-5 * math.exp(1000.0 / (t + 273.15 - pole))) for t in celsius))
+    assert law.temperature_range == pytest.approx([t + 273.15 for t in holds])
+
+
+@pytest.mark.parametrize("celsius", [(20, 30, 40), (40, 60, 80), (40, 70, 100), (20, 60, 100)])
+def test_within_its_range_vogel_meets_an_oil_that_was_read_to_one_per_cent(celsius):
+    """Viscosities of a real oil at three temperatures, the middle one read 1 % too high, as in a data sheet."""
+    oil = Walther.through(at(40, 46.0), at(100, 6.8))
+    for wrong in (0.99, 1.0, 1.01):
+        points = [(t + 273.15, oil(t + 273.15) * (wrong if t == celsius[1] else 1.0)) for t in celsius]
+        law = Vogel.through(*points)
+        coldest, warmest = law.temperature_range
+        for kelvin in np.linspace(points[0][0], warmest, 20):
+            assert law(kelvin) == pytest.approx(oil(kelvin), rel=0.04)
+        assert law(coldest) == pytest.approx(oil(coldest), rel=0.12)
+
+
 def test_vogel_through_water_meets_the_iapws_viscosity_between_its_points():
     water = Vogel.through((280.0, 1433.7e-6), (320.0, 577.02e-6), (360.0, 326.10e-6))
     kelvin = np.array([290.0, 300.0, 310.0, 330.0, 340.0, 350.0, 370.0])
