@@ -31,6 +31,10 @@ def doubt_about_pressure(pressure: float, where: str = "in the film") -> Iterato
 LARGEST_RISE = 100.0
 """Heating of the oil in K beyond which no model of a plain bearing holds (an assumption)."""
 
+SETTLED, OPEN_HEAT = 1e-6, 1e-3
+"""Share of the heat that is not accounted for: from which it is told of journal bearings, and from which no kind
+of bearing has a verdict."""
+
 BESIDE_THE_END = 0.05
 """K by which a temperature may pass the end of the data: it is shown with one decimal."""
 
@@ -64,6 +68,14 @@ def doubts_about_heating(hottest: float, supplied: float | None, lubricant: Lubr
             "W128",
             f"{hottest - ZERO_CELSIUS:.1f} °C > {end - ZERO_CELSIUS:.0f} °C, end of the data of {lubricant.name}",
         )
+
+
+def doubt_about_heat_balance(error: float) -> Iterator[Notice]:
+    """Whether the heat balance closes, by its error over the friction power."""
+    if not abs(error) < OPEN_HEAT:
+        yield Notice("W325", f"{abs(error):.2g} of the heat of the film is not accounted for")
+    elif abs(error) > SETTLED:
+        yield Notice("W146", f"{abs(error):.2g} of the friction power is not accounted for")
 
 
 def _doubts_about_thin_film(case: Designed, film: float) -> Iterator[Notice]:
@@ -134,10 +146,11 @@ def doubt_about_supply(starved: bool) -> Iterator[Notice]:
 def doubts_about_running(
     case: Designed, values: Mapping[str, float], checks: tuple[Check, ...]
 ) -> Iterator[Notice]:
-    """Speed, heat without pressure feed, and limits that no experience tells."""
+    """Speed, heat that is not accounted for or has no pressure feed, and limits that no experience tells."""
     speed = surface_speed(case)
     if speed > ROTORDYNAMIC_CHECK_ABOVE:
         yield Notice("W109", f"surface speed {speed:.1f} m/s > {ROTORDYNAMIC_CHECK_ABOVE:g} m/s")
+    yield from doubt_about_heat_balance(values.get("energy_balance_error", 0.0))
     too_hot = any(check.code == "C104" and not check.ok for check in checks)
     balanced = case.cooling is not None and case.effective_temperature is None
     if case.oil_supply is None and balanced and too_hot:

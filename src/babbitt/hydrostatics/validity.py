@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from babbitt.design.doubts import LARGEST_RISE
+from babbitt.design.doubts import LARGEST_RISE, OPEN_HEAT
 from babbitt.hydrostatics.answer import Answer
 from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad, ThrustRing
 from babbitt.hydrostatics.impedance import impedance
@@ -20,8 +20,8 @@ __all__ = ["doubts"]
 
 LAMINAR_FILM, LAMINAR_TUBE = 1000.0, 2000.0
 SLENDER, SMALLEST_ORIFICE = 20.0, 0.3e-3
-OPEN_MASS, OPEN_HEAT = 1e-6, 1e-3
-"""Relative errors of the balances from which there is no verdict; the temperature is sought to 1e-6 K."""
+OPEN_MASS = 1e-6
+"""Relative error of the oil's balance from which there is no verdict; the temperature is sought to 1e-6 K."""
 MOST_EDGE_INERTIA, MOST_LOSS, WARMEST = 0.2, 0.2, 20.0
 
 

@@ -158,7 +158,7 @@ JOURNAL: dict[str, Explanation] = {
     "W146": Explanation(
         "Heat balance of the film left open",
         "Dissipation, heat carried by the oil, and heat taken by bush and journal do not add up to round-off: the "
-        "energy equation was left before it had settled.",
+        "heat balance was left before it had settled, by less than a thousandth (W325 from there on).",
         "Try another `accuracy`; temperatures are right to about this share of their rise.",
     ),
     "W147": Explanation(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from babbitt.design.doubts import LARGEST_RISE, doubt_about_pressure, doubts_about_heating
+from babbitt.design.doubts import LARGEST_RISE, OPEN_HEAT, doubt_about_pressure, doubts_about_heating
 from babbitt.notices import Notice
 from babbitt.thrust.design import ThrustDesign, ThrustState
 from babbitt.thrust.state import CONTACT, condensed
@@ -14,8 +14,8 @@ __all__ = ["LEAST_SHARE", "share_doubts"]
 
 LEAST_SHARE = 0.01
 """Pad load over the mean below which a pad is as good as unloaded."""
-CONSERVED, BALANCED = 1e-6, 1e-3
-"""Errors of oil, over what passes a pad, and of heat, over the friction power, beyond which is no verdict."""
+CONSERVED = 1e-6
+"""Error of oil, over what passes a pad, beyond which is no verdict; of heat `OPEN_HEAT`."""
 FEWEST = 2.0
 """Pads loaded alike, (sum W)^2/sum W^2, that hold a collar square to the shaft at least; of two pads 1.5."""
 LAMINAR_UP_TO = 1000.0
@@ -71,8 +71,8 @@ def _about_the_model(design: ThrustDesign, state: ThrustState) -> Iterator[Notic
     if not lost < CONSERVED:
         yield Notice("W211", f"oil by {lost:.1e} of what passes a pad, bound {CONSERVED:g}")
     heat = 0.0 if state.temperatures is None else abs(state.temperatures.error)
-    if not heat < BALANCED:
-        yield Notice("W211", f"heat by {heat:.1e} of the friction power, bound {BALANCED:g}")
+    if not heat < OPEN_HEAT:
+        yield Notice("W211", f"heat by {heat:.1e} of the friction power, bound {OPEN_HEAT:g}")
     if state.temperatures is None and (rise := rise_of_passing_oil(design, share)) > LARGEST_RISE:
         yield Notice(
             "W127", f"friction warms the oil that passes the pads by {rise:.0f} K, > {LARGEST_RISE:.0f} K"
