@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 from film_bearings import answer, case, film, solved
 
+from babbitt.bearings import warm_film
 from babbitt.bearings.elastic_film import displacement_under, elastic_film
 from babbitt.bearings.field import journal_gap
+from babbitt.bearings.settling import settled_film
 from babbitt.bearings.warm_film import operating_film
 from babbitt.cases import CaseError, load_case
 from babbitt.film.compliance_matrix import ComplianceMatrix
@@ -147,3 +149,23 @@ def test_columns_open_the_middle_and_pinch_the_sides_of_a_short_bearing():
     assert least[0] > least[1] > least[2]
     assert zone[2] > 1.2 * zone[0]
     assert least[2] < 0.55 * middle[2]
+
+
+def test_a_bore_that_gives_way_beside_a_groove_is_solved_from_film_to_film(monkeypatch):
+    """A load just before a groove: every film was sought in all the clearance, 50 of them for one temperature."""
+    searches = []
+
+    def counted(*given):
+        searches.append(given)
+        return settled_film(*given)
+
+    monkeypatch.setattr(warm_film, "settled_film", counted)
+    found = answer(
+        diameter="374.43 mm", width="180.62 mm", clearance={"kind": "relative", "mean": "1.49 permille"},
+        lubricant="ISO VG 68", supply={"temperature": "51.2 degC", "pressure": "0.097 MPa"}, load="138.63 kN",
+        speed="732.68 rpm", accuracy="draft", load_angle="-86.16 deg", effective_temperature="53.2 degC",
+        grooves=[{"angle": "-71.01 deg", "extent": "27.62 deg"}],
+        compliance=[{"kind": "half_space", "elastic_modulus": "200 GPa", "poisson_ratio": 0.3}],
+    )  # fmt: skip
+    assert found.outcome.solved
+    assert len(searches) <= 10

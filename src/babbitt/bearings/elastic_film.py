@@ -43,8 +43,8 @@ SolutionT = TypeVar("SolutionT")
 
 CLOSENESS = 1e-3
 """Share of the least gap to which film and displacement agree."""
-MOST_FILMS = 60
-"""Films after which the displacement counts as not settled."""
+MOST_FILMS, MOST_HALVINGS = 60, 8
+"""Films, and halvings of a step towards films that carry nothing, until the displacement is not settled."""
 DAMPING = 0.6
 """Share of a displacement's change that is taken at first."""
 LEAST_DAMPING = 0.05
@@ -184,14 +184,15 @@ class _Settling(Generic[SolutionT]):
             move = joined_step(steps, damping)
             longest = max(gap, ROOM * self.film.clearance)
             move *= min(1.0, longest / float(np.abs(move).max()))
-            before = found
+            before, halvings = found, 0
             while True:
-                if films >= MOST_FILMS:
+                if films >= MOST_FILMS or halvings > MOST_HALVINGS:
                     return self._ended(before, here, films, mismatch, Outcome.NOT_CONVERGED)
                 found, films = self._solved(here + move), films + 1
                 if self.film_in(found).outcome.solved:
                     break
                 move, damping, steps = 0.5 * move, max(0.5 * damping, LEAST_DAMPING), []
+                halvings += 1
             here = here + move
 
     def _solved(self, displacement: Array) -> SolutionT:

@@ -103,6 +103,10 @@ def _balanced(case: FilmCase, near: tuple[float, float] | None) -> Equilibrium[F
     return find_equilibrium(case, film_at, SPARING)
 
 
+SEARCHED = 10
+"""Films of one elastic bore that are sought in all its clearance."""
+
+
 def resolution_of(case: FilmCase) -> Resolution:
     """Grid of a case, with the tolerance that its heat balance needs."""
     return replace(case.accuracy.resolution, tolerance=LOAD_TOLERANCE)
@@ -225,6 +229,8 @@ def _settled(
     settle = partial(_closed, case, in_given_bore, ClosedPressures()) if closed_pockets(case) else in_given_bore
     if not case.bearing.compliance:
         return settle(film)
+    if isinstance(case.duty, GivenLoad) and not closed_pockets(case):
+        settle = _following(case, case.duty, near)
     from babbitt.bearings.elastic_film import elastic_film
 
     found = elastic_film(film, case.bearing.compliance, settle, ELASTIC_CLOSENESS)
@@ -237,6 +243,33 @@ def _closed(case: FilmCase, in_given_bore: Settle, known: ClosedPressures, film:
         film, closed_pockets(case), in_given_bore, lambda found: found,
         lambda found, outcome: replace(found, outcome=outcome), known, in_given_bore,
     )  # fmt: skip
+
+
+def _following(
+    case: FilmCase, duty: GivenLoad, near: tuple[float, float] | None
+) -> Callable[[JournalFilm], FilmSolution]:
+    """Solve films that differ little, each from the place of the one before it.
+
+    A film that is not found from there is sought far and wide, for the first `SEARCHED` films only: a load beside
+    a groove under pressure can be near the edge of what is carried, and every such search takes a second.
+    """
+    load, grid, films = load_vector(case, duty.load), resolution_of(case), 0
+    last: FilmSolution | None = None
+
+    def solve(film: JournalFilm) -> FilmSolution:
+        from babbitt.film.solve import solve_journal_from
+
+        nonlocal last, films
+        films += 1
+        found = None
+        if last is not None:
+            found = solve_journal_from(film, load, (float(last.position[0]), float(last.position[1])), grid)
+        if found is None or not (found.outcome.solved or films > SEARCHED):
+            found = settled_film(film, load, grid, near)
+        last = found if found.outcome.solved else last
+        return found
+
+    return solve
 
 
 def _in_given_bore(case: FilmCase, near: tuple[float, float] | None, film: JournalFilm) -> FilmSolution:

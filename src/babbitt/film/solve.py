@@ -39,7 +39,7 @@ from babbitt.film.solution import FilmSolution
 from babbitt.notices import InputError
 from babbitt.results import Outcome
 
-__all__ = ["film_at_position", "solve_journal"]
+__all__ = ["film_at_position", "solve_journal", "solve_journal_from"]
 
 Array = NDArray[np.float64]
 
@@ -85,6 +85,17 @@ def solve_journal(
 
         found = from_loaded_side(film, load, resolution, max_steps, found)
     return frame.back(found)
+
+
+def solve_journal_from(
+    film: JournalFilm, load: tuple[float, float], start: tuple[float, float], resolution: Resolution
+) -> FilmSolution:
+    """Find where the film carries a load in N, from the place in m of the journal in a film that hardly differs.
+
+    One search and no other: `solve_journal` finds films far from the start, too.
+    """
+    frame = LoadFrame.of(film, load)
+    return frame.back(equilibrium_from(frame.film, frame.load, resolution, 80, frame.place(start)))
 
 
 def equilibrium_from(
