@@ -230,7 +230,7 @@ def _settled(
     if not case.bearing.compliance:
         return settle(film)
     if isinstance(case.duty, GivenLoad) and not closed_pockets(case):
-        settle = _following(case, case.duty, near)
+        settle = _following(case, case.duty, in_given_bore)
     from babbitt.bearings.elastic_film import elastic_film
 
     found = elastic_film(film, case.bearing.compliance, settle, ELASTIC_CLOSENESS)
@@ -246,7 +246,7 @@ def _closed(case: FilmCase, in_given_bore: Settle, known: ClosedPressures, film:
 
 
 def _following(
-    case: FilmCase, duty: GivenLoad, near: tuple[float, float] | None
+    case: FilmCase, duty: GivenLoad, far_and_wide: Callable[[JournalFilm], FilmSolution]
 ) -> Callable[[JournalFilm], FilmSolution]:
     """Solve films that differ little, each from the place of the one before it.
 
@@ -265,7 +265,7 @@ def _following(
         if last is not None:
             found = solve_journal_from(film, load, (float(last.position[0]), float(last.position[1])), grid)
         if found is None or not (found.outcome.solved or films > SEARCHED):
-            found = settled_film(film, load, grid, near)
+            found = far_and_wide(film)
         last = found if found.outcome.solved else last
         return found
 
