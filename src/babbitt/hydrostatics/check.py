@@ -100,7 +100,7 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
         outcome,
         named,
         checks=(*checks(case, found, named), *whirl_checks(case, whirl)),
-        not_checked=tuple(not_checked(case, named)),
+        not_checked=tuple(not_checked(case, found, named)),
         warnings=(*case.doubts, *doubts(case, found, named), *(doubts_about_whirl(whirl) if whirl else ())),
         assumptions=case.assumptions,
         settings=settings,
@@ -210,12 +210,16 @@ def checks(case: HydrostaticCase, found: Answer, named: dict[str, float]) -> lis
     return made
 
 
-def not_checked(case: HydrostaticCase, named: dict[str, float]) -> Iterator[Notice]:
+def not_checked(case: HydrostaticCase, found: Answer, named: dict[str, float]) -> Iterator[Notice]:
     """Limits that were held against nothing, and why."""
+    loaded = case.duty.load is not None
     if case.least_gap is None:
-        yield Notice("C301", "no least_gap is given")
-    elif case.duty.load is not None and "load_capacity" not in named:
+        for code in ("C301", "C302") if loaded else ("C301",):
+            yield Notice(code, "no least_gap is given")
+    elif loaded and "load_capacity" not in named:
         yield Notice("C302", "no load was found whose smallest gap is least_gap")
+    if highest_pressure(case, found.network) is None:
+        yield Notice("C303", "no highest_pressure of the pump is given (supply)")
 
 
 def refuse_contact(case: HydrostaticCase) -> None:

@@ -278,6 +278,7 @@ def jacking_check(case: JackingCase) -> Result:
     }
     return Result(
         case.name, case.kind, case.method, Outcome.CONVERGED, named, checks=tuple(checks(case, named)),
+        not_checked=tuple(not_checked(case)),
         warnings=(*case.doubts, *jacking_doubts(case, upper, gap)), assumptions=assumptions(case),
         settings=settings,
     )  # fmt: skip
@@ -299,6 +300,14 @@ def checks(case: JackingCase, named: dict[str, float]) -> Iterator[Check]:
     if case.relief_pressure is not None:
         for name in ("breakaway_pressure", "pocket_pressure"):
             yield Check("C304", name, named[name], case.relief_pressure, Bound.AT_MOST, "relief valve of the pump")
+
+
+def not_checked(case: JackingCase) -> Iterator[Notice]:
+    """Limits that were held against nothing, and why; a gap that is given needs no limit."""
+    if case.lift_gap is None:
+        yield Notice("C301", "no lift_gap is given that the pump is to reach")
+    if case.relief_pressure is None:
+        yield Notice("C304", "no relief_pressure is given")
 
 
 def assumptions(case: JackingCase) -> tuple[str, ...]:
