@@ -1,4 +1,7 @@
-"""Temperature of the oil in the film: supply plus the rise by friction and by the pressure lost in it."""
+"""Temperature of the oil in the film: supply plus the rise by friction and by all pressure that it loses.
+
+What it loses in the restrictor warms it before it comes to the film.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,7 @@ from babbitt.design.roots import find_root
 from babbitt.hydrostatics.answer import Answer, answer
 from babbitt.hydrostatics.friction import friction_power
 from babbitt.hydrostatics.model import HydrostaticCase
+from babbitt.hydrostatics.pumping import pumping_power
 from babbitt.hydrostatics.state import Ending
 
 __all__ = ["HeatedBearing", "heated"]
@@ -116,7 +120,7 @@ def _excess(state: HeatedBearing) -> float:
 
 
 def temperature_rise(case: HydrostaticCase, found: Answer) -> float:
-    """Rise of the oil by friction and by the pressure that it loses in the film, K."""
+    """Rise of the oil by friction and by the pressure that it loses in restrictors and film, K."""
     flow = float(found.network.flows.sum())
-    lost = float(found.network.pressures @ found.network.flows) + friction_power(case, found)
+    lost = pumping_power(case, found.network) + friction_power(case, found)
     return lost / (case.oil.density * case.oil.heat_capacity * flow)

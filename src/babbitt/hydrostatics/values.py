@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from babbitt.hydrostatics.answer import Answer
 from babbitt.hydrostatics.friction import friction_power, friction_torque
 from babbitt.hydrostatics.geometry import RecessedJournal
+from babbitt.hydrostatics.heat_balance import temperature_rise
 from babbitt.hydrostatics.impedance import damping_loss, impedance
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.hydrostatics.optimum import least_power_gap, least_power_viscosity, stiffest_ratio
@@ -42,7 +43,7 @@ def values(case: HydrostaticCase, found: Answer) -> dict[str, float]:
         "pump_power": pump_power(case, network),
         "friction_power": friction,
         "power_ratio": friction / pumping,
-        "temperature_rise": (pumping + friction) / (case.oil.density * case.oil.heat_capacity * flow),
+        "temperature_rise": temperature_rise(case, found),
         "effective_viscosity": case.oil.viscosity,
     }
     if case.duty.angular_speed:
