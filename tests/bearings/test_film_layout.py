@@ -3,9 +3,10 @@
 import math
 
 import pytest
-from film_bearings import film
+from film_bearings import answer, case, film
 
 from babbitt.bearings.layout import film_of
+from babbitt.cases import design_cases
 from babbitt.film.model import FilmStart
 
 
@@ -66,7 +67,64 @@ def test_places_are_seen_from_the_load(place, where):
     assert [abs(angle) for angle in angles(by_rule(supply_element=element, span="360 deg"))] == where
 
 
-def test_any_other_arc_ends_at_lines_of_supply():
+HOLE = {"kind": "hole", "diameter": "10 mm", "place": "opposite"}
+SLOT = {"kind": "slot", "length": "60 mm", "width": "8 mm", "place": "opposite"}
+POCKET = {"kind": "pocket", "width": "80 mm", "place": "opposite"}
+
+
+def codes(case):
+    return [doubt.code for doubt in case.doubts]
+
+
+@pytest.mark.parametrize("element", [HOLE, SLOT, POCKET, HOLE | {"place": "side"}])
+@pytest.mark.parametrize("span", ["90 deg", "180 deg"])
+def test_an_element_stands_at_its_place_whatever_the_span(element, span):
+    around, arc = (by_rule(supply_element=element, span=one) for one in ("360 deg", span))
+    assert arc.bearing.hollows == around.bearing.hollows
+    assert "W183" in codes(arc)
+    assert "W183" not in codes(around)
+
+
+def test_holes_at_both_sides_begin_where_the_arc_ends():
+    case = by_rule(supply_element=HOLE | {"place": "both_sides"}, span="150 deg")
+    first, second = case.bearing.hollows
+    assert first.angle + first.extent / 2.0 == pytest.approx(math.radians(-90.0 - 75.0))
+    assert second.angle - second.extent / 2.0 == pytest.approx(math.radians(-90.0 + 75.0))
+    assert codes(case) == []
+
+
+def test_the_film_of_an_arc_fed_by_a_hole_is_as_hot_as_that_hole_leaves_it():
+    fed = {"cavitation": "mass_conserving", "accuracy": "draft", "load": "15 kN"}
+    around, arc = (answer(grooves=None, supply_element=HOLE, span=one, **fed) for one in ("360 deg", "180 deg"))
+    assert arc.values["outlet_temperature"] == pytest.approx(around.values["outlet_temperature"])
+    flooded = answer(grooves=None, span="180 deg", **fed)
+    assert flooded.values["outlet_temperature"] < arc.values["outlet_temperature"] - 5.0
+    assert "W184" in [warning.code for warning in flooded.warnings]
+
+
+@pytest.mark.parametrize("span", ["360 deg", "150 deg"])
+def test_lines_of_supply_that_stand_for_nothing_given_are_told(span):
+    assert codes(by_rule(span=span)) == ["W184"]
+
+
+def test_what_the_film_does_not_read_beside_its_hollows_is_told():
+    (doubt,) = film(supply_element=HOLE, span="180 deg").doubts
+    assert doubt.code == "W183"
+    assert doubt.message.startswith("supply_element, span: ")
+    points = [{"name": "a"}, {"name": "b", "supply_element": SLOT, "span": "120 deg"}]
+    first, second = design_cases(case(operating_points=points))
+    assert first.doubts == ()
+    assert second.doubts[0].message.startswith("operating_points[1].supply_element, operating_points[1].span: ")
+    assert codes(film()) == []
+
+
+def test_the_standard_tells_what_it_does_not_read():
+    (design,) = design_cases(case(method="iso7902", span="360 deg", supply_element=HOLE))
+    (doubt,) = design.doubts
+    assert (doubt.code, doubt.message.split(":")[0]) == ("W183", "grooves")
+
+
+def test_an_arc_without_element_ends_at_lines_of_supply():
     case = by_rule(span="120 deg")
     assert sorted(angles(case)) == [-150.0, -30.0]
     made = film_of(case, 1.5e-3, 0.02, 2e5)

@@ -27,6 +27,7 @@ def doubts_about(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice, 
     return (
         *_about_span(inputs.bearing, point),
         *_about_direction(inputs.bearing),
+        *_about_hollows(inputs.bearing),
         *doubts_about_numbers(inputs, point),
     )
 
@@ -46,6 +47,12 @@ def _about_direction(bearing: JournalBearing) -> Iterator[Notice]:
             f"load_angle {written(bearing.load_angle, '°')}: ISO 7902 centres the arc on the load and counts the "
             "places of holes, pockets and grooves from the load, whatever its direction",
         )
+
+
+def _about_hollows(bearing: JournalBearing) -> Iterator[Notice]:
+    """Tell that the standard does not read grooves, pockets and holes at angles in the bore."""
+    if given := dict.fromkeys(str(path[0]) for path, _ in bearing.hollows()):
+        yield Notice("W183", f"{', '.join(given)}: ISO 7902 knows what feeds the film from supply_element alone")
 
 
 def _about_span(bearing: JournalBearing, point: OperatingPoint | None) -> Iterator[Notice]:

@@ -294,6 +294,22 @@ JOURNAL: dict[str, Explanation] = {
         "`method: film` with `grooves`, `pockets` or `holes` at their angles in the bore.",
         Effect.INFORMATION,
     ),
+    "W183": Explanation(
+        "Input not used",
+        "The method does not read this field of the case: the result would be the same without it. A bearing "
+        "may describe what feeds it twice, by `span` and `supply_element` for ISO 7902, and by `grooves`, "
+        "`pockets` and `holes` for the film; every method reads its own.",
+        "Nothing, where the field is meant for another method (`babbitt compare`); else leave it out, or choose "
+        "the method that reads it.",
+        Effect.INFORMATION,
+    ),
+    "W184": Explanation(
+        "Supply of the film assumed",
+        "The case does not say what feeds the film: it is taken as flooded with oil at the pressure of the supply "
+        "along lines as wide as the bearing. Holes and pockets deliver less; the real film may be hotter and "
+        "thinner.",
+        "Give `supply_element`, or `grooves`, `pockets` or `holes`.",
+    ),
     "W181": Explanation(
         "Digits that may be grouped",
         "A point is the decimal sign: '12.000 N' is twelve newtons. Where exactly three digits stand behind it, "
