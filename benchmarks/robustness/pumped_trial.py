@@ -64,6 +64,8 @@ SMALL = {
     "compressibility_damping_loss": 1e-8,
     "heel_force_along": 1e-9,
     "heel_force_across": 1e-9,
+    "minimum_film_thickness": 1e-14,
+    "lift": 1e-14,
 }
 """Differences allowed of values that are differences themselves, absolute."""
 

@@ -224,6 +224,19 @@ NARROW = {
 """Bores with a tilted journal that are fed by what is narrower than the bearing."""
 
 
+def test_the_lands_beside_a_groove_around_the_bore_carry_the_load():
+    """As ISO 7902 has it: F/((B - b_G) D); a groove that ends somewhere parts nothing."""
+    metal = {"bearing_metal": "SnSb8Cu4", "bearing": "C10", "journal": "C45"}
+    given = {"grooves": None, "effective_temperature": "60 degC", "accuracy": "draft", "materials": metal}
+    parted = answer(**given | NARROW["circumferential groove"])
+    whole = answer(**given | {"pockets": [{"angle": "90 deg", "extent": "60 deg", "width": "20 mm"}]})
+    lands = parted.load / (parted.diameter * (parted.width - 0.02))
+    assert parted.specific_load == pytest.approx(lands, rel=1e-12)
+    assert whole.specific_load == pytest.approx(whole.load / (whole.diameter * whole.width), rel=1e-12)
+    (held,) = (check for check in parted.checks if check.code == "C103")
+    assert held.value == parted.specific_load
+
+
 @pytest.mark.parametrize("feed", NARROW)
 def test_misalignment_thins_the_film_at_the_edges(feed):
     given = {"grooves": None, "effective_temperature": "60 degC"} | NARROW[feed]

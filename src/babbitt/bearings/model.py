@@ -29,6 +29,10 @@ from babbitt.notices import Notice
 __all__ = ["Accuracy", "FilmBearing", "FilmCase", "Hollow", "Rotation", "Search"]
 
 
+WHOLE_TURN = 2.0 * math.pi * (1.0 - 1e-9)
+"""Extent of a hollow, rad, from which it parts the bearing."""
+
+
 class Accuracy(Enum):
     """How fine the grid of the film is."""
 
@@ -158,6 +162,12 @@ class FilmBearing(Proportions):
     metal: BearingMetal | None = None
     load_character: LoadCharacter = LoadCharacter.CALM
     clearance_tolerance: tuple[float, float] | None = None
+
+    @property
+    def loaded_width(self) -> float:
+        """Width in m over which the film carries: that of the lands beside grooves around the whole bore."""
+        around = (one.width for one in self.hollows if one.extent > WHOLE_TURN and one.width is not None)
+        return self.width - sum(around)
 
 
 @dataclass(frozen=True)
