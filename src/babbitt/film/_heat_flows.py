@@ -158,7 +158,7 @@ def gather_flows(surface, film, work, at, columns, flows):
             a, b = 1.0 / ha, 1.0 / hb
             j1 = half * (a + b)
             churned = half * (a * stir_a + b * stir_b)
-            one = share * speed * speed * churned * work.fill[i, j]
+            one = share * speed * speed * churned * max(work.fill[i, j], 0.0)  # see ``liquid``
             sheared = one * flows.shear_viscosity[i, c]
             drawn += sheared
             unit += one

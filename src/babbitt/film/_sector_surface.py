@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._surface_film import Surface, SurfaceWork, counted
+from babbitt.film._surface_film import Surface, SurfaceWork, counted, liquid
 from babbitt.film.axial import AxialMesh, element_axial_mesh
 from babbitt.film.model import END_DAM, Cavitation
 from babbitt.film.ring import gauss_angles
@@ -86,7 +86,7 @@ def form_at(pad: SectorPad, angle: Array, radius: Array) -> Array:
 
 def runner_torque(pad: SectorPad, surface: Surface, work: SurfaceWork, at: Array) -> float:
     """Integral of r (r mu/h + h/(2 r) dp/dtheta) r dr dtheta over mu omega R^4 / h_0."""
-    pressure, fill = work.pressure, work.fill
+    pressure, fill = work.pressure, liquid(work.fill)
     lift = at[:, None] * surface.lever
     ha, hb = surface.gap_a - surface.shape_a.T @ lift, surface.gap_b - surface.shape_b.T @ lift
     node, radius = surface.node, surface.radius

@@ -136,6 +136,12 @@ def new_surface_work(surface: Surface) -> SurfaceWork:
     )  # fmt: skip
 
 
+def liquid(fill: Array) -> Array:
+    """Liquid fraction, none below zero: beside the edge of a streamer the elements of the width may undershoot by
+    some per cent at single nodes, where there is next to no oil."""
+    return np.asarray(np.maximum(fill, 0.0))
+
+
 @inner
 def gap_at(surface, at, i, q):
     """Gap at the two Gauss points of interval i, at point q of the width."""

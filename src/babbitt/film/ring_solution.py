@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.film._equilibrium import CONVERGED, NO_FILM
-from babbitt.film._surface_film import Surface, SurfaceFilm, SurfaceWork
+from babbitt.film._surface_film import Surface, SurfaceFilm, SurfaceWork, liquid
 from babbitt.film._surface_forces import carry_streamers, drain_edge
 from babbitt.film.closed import closed_coefficients
 from babbitt.film.general import OUT_OF_WORK, SettledRing
@@ -97,7 +97,7 @@ def solution_of(
         angles=scales.sense[1] * ring.theta[None, :lines],
         axial_positions=ring.mesh.nodes * (0.5 * film.width),
         pressure=true_pressures(ring.surface, work.pressure)[None] * scales.pressure + film.cavitation_pressure,
-        void=1.0 - work.fill[None],
+        void=1.0 - liquid(work.fill)[None],
         supply_flow=flows.supplies[supply_order(film, settled.film)] * scales.flow,
         inflow=flows.entering * scales.flow,
         outflow=flows.leaving * scales.flow,
@@ -235,7 +235,7 @@ def couette_shear(settled: SettledRing, viscosity: Array) -> Array:
         fa, fb = (turbulence.shear_factor(surface.turbulence[0] * gap / surface.viscosity) for gap in (ha, hb))
         thinness = fa / ha + fb / hb
     half = 0.5 * surface.step[:, None]
-    shear = np.asarray(surface.speed * viscosity * half * thinness * work.fill[:n][:, surface.node])
+    shear = np.asarray(surface.speed * viscosity * half * thinness * liquid(work.fill[:n])[:, surface.node])
     shear[_in_hollow(settled, (np.arange(n) + 1) % work.pressure.shape[0])] = 0.0
     return shear
 

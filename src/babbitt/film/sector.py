@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from babbitt.film._sector_surface import reference_height, runner_torque, sector_mesh, sector_surface
 from babbitt.film._surface_film import (
+    liquid,
     Surface,
     SurfaceWork,
     new_surface_film,
@@ -245,7 +246,7 @@ def sector_answer(
         theta=theta,
         radius=mesh.nodes * pad.outer_radius,
         pressure=work.pressure * unit,
-        liquid_fraction=work.fill.copy(),
+        liquid_fraction=liquid(work.fill),
         forces=-forces * levers * (unit * area),
         stiffness=stiffness * np.outer(levers, 1.0 / lengths) * (unit * area),
         damping=damping * np.outer(levers, 1.0 / lengths) * (unit * area / pad.angular_speed),

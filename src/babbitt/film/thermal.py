@@ -62,9 +62,9 @@ COLDLY_CARRIED = 0.2
 CLOSING, CLOSED, OPEN = 400, 1e-8, 1e-4
 """Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from
 which the film counts as not converged."""
-POLISH, POLISHED, NEARLY = 8, 1e-9, 1e-5
-"""Last steps of the journal at frozen temperatures, at most, the residual force over load that ends them, and that
-from which one step does."""
+POLISH, POLISHED, NEARLY, MISSED = 8, 1e-9, 1e-5, 1e-4
+"""Last steps of the journal at frozen temperatures, at most, the residual force over load that ends them, that from
+which one step does, and that with which the film has not converged."""
 THICK = 0.3
 """Gap, in clearances, down to which lines may stand as for a journal at the usual place."""
 USUAL_PLACE, USUAL_ATTITUDE = 0.6, math.radians(45.0)
@@ -325,7 +325,8 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
 def polished(found: WarmRest) -> WarmRest:
     """Let the film carry the load exactly, its temperatures as they are: Newton steps from the last pass.
 
-    The film is left with the coefficients of its answer (``smooth``); a step from ``NEARLY`` there is the last.
+    The film is left with the coefficients of its answer (``smooth``); a step from ``NEARLY`` there is the last. Where
+    the load is missed by more than ``MISSED`` at the end, the film has not converged.
     """
     sample, at, load, smooth = found.warm.sample, found.position, found.load, False
     whole = 0.0 if load is None else math.hypot(*load)
@@ -341,7 +342,8 @@ def polished(found: WarmRest) -> WarmRest:
         at, gap, smooth = found.position, found.gap, False
     if not smooth:
         sample.evaluate(at, smooth=True)
-    return replace(found, position=at, gap=gap)
+    missed = load is not None and not math.hypot(*(sample.force + load)) <= MISSED * whole + 1e-14
+    return replace(found, position=at, gap=gap, status=TOO_MANY_STEPS if missed else found.status)
 
 
 def answer(frame: LoadFrame, seen: JournalFilm, scales: Scales, found: WarmRest, begun: float) -> ThermalFilm:
@@ -349,6 +351,7 @@ def answer(frame: LoadFrame, seen: JournalFilm, scales: Scales, found: WarmRest,
     warm = found.warm
     if found.status == CONVERGED:
         found = polished(found)
+    if found.status == CONVERGED:
         warm.gather(found.position)
         if not warm.close(CLOSING, CLOSED) < OPEN:
             found = replace(found, status=TOO_MANY_STEPS)

@@ -1,0 +1,124 @@
+"""Random films, isothermal and with temperatures of their own, asked what every film must answer.
+
+    python benchmarks/robustness/films.py [number [seed]]
+
+Load carried, no liquid fraction outside 0 to 1, oil and torque in balance, no oil colder than all that cools it, a
+heat balance that closes, and at the position found the same film as under the load. The bearings are those of
+`benchmarks/film_robustness.py` and `benchmarks/thermal_robustness.py`.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+sys.path.append(str(Path(__file__).parents[1]))
+
+import film_robustness
+import thermal_robustness
+
+from babbitt.bearings.thermal_film import thermal_operating_film
+from babbitt.film.model import Cavitation, JournalFilm
+from babbitt.film.solution import FilmSolution
+from babbitt.film.solve import film_at_position, solve_journal
+
+__all__ = ["film_faults", "thermal_film_faults"]
+
+CARRIED = 1e-4
+"""Residual force over load."""
+BALANCED = 1e-7
+"""Mass balance error, and net flow over all that leaves; films that rupture by the Reynolds condition keep none."""
+CLOSED = 1e-4
+"""Error of the heat balance over the dissipation."""
+SAME = 1e-2
+"""Difference of forces over the load at the position found: lines are laid for another place."""
+ABOUT_THE_CENTRE = ("axial viscosity", "hole", "pockets")
+"""Kinds whose bore is round and fed all over the width or in its middle: the pressure turns it by F e sin beta."""
+
+
+def film_faults(seed: int, number: int) -> Iterator[str]:
+    """What is wrong with random films of one temperature; those without solution are left to their benchmark."""
+    rng = np.random.default_rng(seed)
+    kinds = list(film_robustness.KINDS)
+    for index in range(number):
+        kind = kinds[index % len(kinds)]
+        film, load = film_robustness.random_case(rng, kind)
+        found = solve_journal(film, load)
+        if found.outcome.solved:
+            told = [*_of_film(found), *_of_forces(kind, film, load, found)]
+            yield from (f"film {seed}/{index}, {kind}: {one}" for one in told)
+
+
+def thermal_film_faults(seed: int, number: int) -> Iterator[str]:
+    """What is wrong with random films with temperatures of their own."""
+    rng = np.random.default_rng(seed)
+    kinds = list(thermal_robustness.KINDS)
+    for index in range(number):
+        kind = kinds[index % len(kinds)]
+        case = thermal_robustness.design(thermal_robustness.random_text(rng, kind, index))
+        state = thermal_operating_film(case).film
+        if state is None or state.thermal is None or not state.solution.outcome.solved:
+            continue
+        thermal, told = state.thermal, list(_of_film(state.thermal.film))
+        missed = abs(math.hypot(*thermal.film.force) / state.load - 1.0)
+        if missed > CARRIED:
+            told.append(f"load missed by {missed:.1e}")
+        assert case.heat is not None
+        assert case.oil_supply is not None
+        walls, coldest = case.heat.walls, case.oil_supply.temperature
+        if walls is not None:
+            coldest = min(coldest, walls.bush.ambient_temperature)
+        if float(thermal.temperature.min()) < coldest - 0.05:
+            told.append(f"oil of {float(thermal.temperature.min()):.2f} K, nothing below {coldest:.2f} K")
+        if thermal.heat.balance_error > CLOSED:
+            told.append(f"heat balance open by {thermal.heat.balance_error:.1e}")
+        yield from (f"thermal film {seed}/{index}, {kind}: {one}" for one in told)
+
+
+def _of_film(found: FilmSolution) -> Iterator[str]:
+    if found.void.min() < -1e-12 or found.void.max() > 1.0 + 1e-12:
+        yield f"void from {found.void.min():.3g} to {found.void.max():.3g}"
+    if found.film.cavitation is not Cavitation.MASS_CONSERVING:
+        return
+    if found.mass_balance_error > BALANCED:
+        yield f"mass balance error {found.mass_balance_error:.1e}"
+    net = (found.supply_flow.sum() - found.side_flow.sum()) / found.leaving_flow
+    if abs(net) > BALANCED:
+        yield f"net flow {net:.1e}"
+
+
+def _of_forces(
+    kind: str, film: JournalFilm, load: tuple[float, float], found: FilmSolution
+) -> Iterator[str]:
+    size = math.hypot(*load)
+    missed = math.hypot(*(found.force + load)) / size
+    if missed > CARRIED:
+        yield f"load missed by {missed:.1e}"
+    (x, y), (fx, fy) = found.position, found.force
+    turning = math.copysign(1.0, film.angular_speed) * (x * fy - y * fx)
+    open_by = (found.friction_torque - found.bearing_torque - turning) / found.friction_torque
+    if kind in ABOUT_THE_CENTRE and abs(open_by) > 1e-5:
+        yield f"torque open by {open_by:.1e}"
+    again = film_at_position(film, (float(x), float(y)))
+    if not again.outcome.solved:
+        yield f"at its position {again.outcome.name}"
+    elif math.hypot(*(again.force - found.force)) > SAME * size:
+        yield f"at its position another force by {math.hypot(*(again.force - found.force)) / size:.1e}"
+
+
+def main() -> int:
+    """Print all faults."""
+    number = int(sys.argv[1]) if len(sys.argv) > 1 else 5000
+    seed = int(sys.argv[2]) if len(sys.argv) > 2 else 1
+    faults = [*film_faults(seed, number), *thermal_film_faults(seed, number)]
+    print("\n".join(faults))
+    print(f"{len(faults)} faults in twice {number} films")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
