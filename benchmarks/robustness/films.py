@@ -31,7 +31,7 @@ __all__ = ["film_faults", "thermal_film_faults"]
 CARRIED = 1e-4
 """Residual force over load."""
 BALANCED = 1e-7
-"""Mass balance error, and net flow over all that leaves; films that rupture by the Reynolds condition keep none."""
+"""Mass balance error, and net flow over all that leaves; films under the Reynolds condition keep none."""
 CLOSED = 1e-4
 """Error of the heat balance over the dissipation."""
 SAME = 1e-2
@@ -91,9 +91,7 @@ def _of_film(found: FilmSolution) -> Iterator[str]:
         yield f"net flow {net:.1e}"
 
 
-def _of_forces(
-    kind: str, film: JournalFilm, load: tuple[float, float], found: FilmSolution
-) -> Iterator[str]:
+def _of_forces(kind: str, film: JournalFilm, load: tuple[float, float], found: FilmSolution) -> Iterator[str]:
     size = math.hypot(*load)
     missed = math.hypot(*(found.force + load)) / size
     if missed > CARRIED:

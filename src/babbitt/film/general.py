@@ -286,6 +286,12 @@ def beginning(film: JournalFilm, load: Array) -> Array:
     return np.asarray(STARVED_START / size * load)
 
 
+APPROACH = (0.6, 0.8, 0.9, 0.96, 0.99, 1.0)
+"""Shares of a position over which the journal goes there where the wet set finds no rest at once."""
+WET_ROUNDS = 60
+"""Rounds of the wet set at one place."""
+
+
 def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: Resolution) -> SettledRing:
     """Film at a position and velocity, (2,), or with the tilts of ``build_ring``, (4,)."""
     total, coarse, density, effort = 0, None, None, Effort(math.inf)
@@ -298,12 +304,23 @@ def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: 
         if coarse is not None:
             sample.start_from(coarse)
         density = line_density(film, at, gap)
-        for _ in range(200):
-            total += 1
-            if sample.evaluate(at, rate) == 0:
-                break
-        else:
-            return SettledRing(film, sample, at, TOO_MANY_STEPS, total, gap)
+        settled, rounds = _wet_set(sample, at, rate)
+        total += rounds
+        if not settled:
+            sample.work.wet[:] = True
+            for share in APPROACH:
+                settled, rounds = _wet_set(sample, share * at, rate)
+                total += rounds
         coarse = sample
+    if not settled:
+        return SettledRing(film, sample, at, TOO_MANY_STEPS, total, gap)
     sample.evaluate(at, rate, smooth=True)
     return SettledRing(film, sample, at, CONVERGED, total, gap)
+
+
+def _wet_set(sample: Sample, at: Array, rate: Array) -> tuple[bool, int]:
+    """Rounds of the wet set at one place: whether it rests, and how many they were."""
+    for number in range(1, WET_ROUNDS + 1):
+        if sample.evaluate(at, rate) == 0:
+            return True, number
+    return False, WET_ROUNDS

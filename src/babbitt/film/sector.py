@@ -19,9 +19,9 @@ from numpy.typing import NDArray
 
 from babbitt.film._sector_surface import reference_height, runner_torque, sector_mesh, sector_surface
 from babbitt.film._surface_film import (
-    liquid,
     Surface,
     SurfaceWork,
+    liquid,
     new_surface_film,
     new_surface_work,
     smallest_surface_gap,

@@ -13,7 +13,7 @@ import time
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.film._equilibrium import CONVERGED, NO_FILM, find_equilibrium
+from babbitt.film._equilibrium import CONVERGED, NO_FILM, TOO_MANY_STEPS, find_equilibrium
 from babbitt.film._forces import RESULT_SIZE
 from babbitt.film._grids import new_film
 from babbitt.film._integrals import (
@@ -170,11 +170,7 @@ def film_at_position(
     at = np.asarray(position) * scales.sense / scales.length
     moving = np.asarray(velocity) * scales.sense / (scales.length * scales.rate)
     if film.is_surface:
-        from babbitt.film.general import ring_at
-        from babbitt.film.ring_solution import mirrored, ring_solution
-
-        seen = mirrored(film) if film.angular_speed < 0.0 else film
-        return ring_solution(film, scales, ring_at(seen, scales.pressure, at, moving, resolution), begun)
+        return _ring_at(film, scales, at, moving, resolution, begun)
     bearing, axial = kernel_bearing(film, scales), kernel_operator(resolution.axial_unknowns)
     turn = 0.0
     if film.film_start is FilmStart.WIDEST_GAP:
@@ -187,8 +183,21 @@ def film_at_position(
     )  # fmt: skip
     if film.film_start is FilmStart.WIDEST_GAP:
         turn_with_journal(result, at[0])
+    elif status == TOO_MANY_STEPS:  # lines that share their modes flicker as one; nodes seldom do
+        return _ring_at(film, scales, at, moving, resolution, begun)
     result[:2] += groove_force(bearing)
     return assemble(film, scales, bearing, axial, grid, at, moving, result, status, steps, gap, turn, begun)
+
+
+def _ring_at(
+    film: JournalFilm, scales: Scales, at: Array, moving: Array, resolution: Resolution, begun: float
+) -> FilmSolution:
+    """Film at a dimensionless position and velocity, node by node."""
+    from babbitt.film.general import ring_at
+    from babbitt.film.ring_solution import mirrored, ring_solution
+
+    seen = mirrored(film) if film.angular_speed < 0.0 else film
+    return ring_solution(film, scales, ring_at(seen, scales.pressure, at, moving, resolution), begun)
 
 
 def widest_gap_equilibrium(

@@ -63,8 +63,8 @@ CLOSING, CLOSED, OPEN = 400, 1e-8, 1e-4
 """Rounds that close the heat balance at most, the change of temperature in K at which they end, and that from
 which the film counts as not converged."""
 POLISH, POLISHED, NEARLY, MISSED = 8, 1e-9, 1e-5, 1e-4
-"""Last steps of the journal at frozen temperatures, at most, the residual force over load that ends them, that from
-which one step does, and that with which the film has not converged."""
+"""Last steps of the journal at frozen temperatures, at most, the residual force over load that ends them, that
+from which one step does, and that with which the film has not converged."""
 THICK = 0.3
 """Gap, in clearances, down to which lines may stand as for a journal at the usual place."""
 USUAL_PLACE, USUAL_ATTITUDE = 0.6, math.radians(45.0)
@@ -325,8 +325,8 @@ def rest(warm: WarmRing, load: Array, at: Array, tolerance: float, settled: floa
 def polished(found: WarmRest) -> WarmRest:
     """Let the film carry the load exactly, its temperatures as they are: Newton steps from the last pass.
 
-    The film is left with the coefficients of its answer (``smooth``); a step from ``NEARLY`` there is the last. Where
-    the load is missed by more than ``MISSED`` at the end, the film has not converged.
+    The film is left with the coefficients of its answer (``smooth``); a step from ``NEARLY`` there is the last.
+    Where the load is missed by more than ``MISSED`` at the end, the film has not converged.
     """
     sample, at, load, smooth = found.warm.sample, found.position, found.load, False
     whole = 0.0 if load is None else math.hypot(*load)
