@@ -28,6 +28,7 @@ from babbitt.interop import (
     write_json,
     write_xltrc2,
 )
+from babbitt.interop.ansys import ansys_text
 from babbitt.interop.frame import declaration, declared, settled
 from babbitt.notices import InputError
 
@@ -70,6 +71,27 @@ def test_one_table_needs_no_list(tmp_path):
 def test_the_table_with_units_row_comes_back(tmp_path, name, mass):
     write_xltrc2(table(name=name, mass=mass), tmp_path / "t.csv")
     assert_same(read_xltrc2(tmp_path / "t.csv"), table(name=name, mass=mass), rtol=1e-15, static=False)
+
+
+@pytest.mark.parametrize(
+    ("units", "scale"),
+    [
+        (("kN s/m", "N/m", "kg"), (1e-3, 1.0, 1.0)),
+        (("N-s/mm", "MN/m", "t"), (1e-3, 1e-6, 1e-3)),
+        (("Ns/m", "n/m", "N-s^2/m"), (1.0, 1.0, 1.0)),
+        (("lb-sec/in", "N/m", "lbf-s2/in"), (1.0 / 175.126835246, 1.0, 1.0 / 175.126835246)),
+    ],
+)
+def test_every_column_is_read_in_its_own_unit(tmp_path, units, scale):
+    """The same table told in other units, those of stiffness, damping and mass mixed."""
+    told = table(name="b", mass=MASS)
+    parts = zip(("damping", "stiffness", "mass"), scale, strict=True)
+    write_xltrc2(replace(told, **{part: getattr(told, part) * by for part, by in parts}), tmp_path / "t.csv")
+    text = (tmp_path / "t.csv").read_text()
+    for ours, theirs in zip(("N-s/m", "N/m", "kg"), units, strict=True):
+        text = text.replace(f",{ours}", f",<{ours}>").replace(f"<{ours}>", theirs)
+    (tmp_path / "t.csv").write_text(text)
+    assert_same(read_xltrc2(tmp_path / "t.csv"), told, rtol=1e-9, static=False)
 
 
 def test_the_workbook_comes_back(tmp_path):
@@ -202,8 +224,10 @@ def test_what_is_wrong_in_a_json_is_said(tmp_path, edit, words):
     [
         (lambda text: text.replace("Kxx", "K"), "no row of names"),
         (lambda text: text.replace("Cyx", "C"), "no column cyx"),
-        (lambda text: text.replace("rpm", "Hz"), "'hz'"),
-        (lambda text: text.replace("N/m", "N/mm"), "'n/mm'"),
+        (lambda text: text.replace("rpm", "Hz"), "the unit of speed is 'Hz'"),
+        (lambda text: text.replace("N/m", "N/km"), "the unit of Kxx is 'N/km'"),
+        (lambda text: text.replace("N-s/m", "N/m", 1), "the unit of Cxx is 'N/m'"),
+        (lambda text: text.replace("N-s/m", "", 4), "the unit of Cxx is ''"),
         (lambda text: text.rsplit(",", 1)[0], "is not a number"),
     ],
 )
@@ -231,6 +255,15 @@ def test_what_is_wrong_in_an_ansys_file_is_said(tmp_path, edit, words):
     (tmp_path / "t.txt").write_text("\n".join(edit((tmp_path / "t.txt").read_text().splitlines())))
     with pytest.raises(InputError, match=words):
         read_ansys(tmp_path / "t.txt")
+
+
+@pytest.mark.parametrize("speed", [0.0, 94.2, 999.999999, 1000.0, 12345.678, 999999.99])
+def test_number_and_speed_are_two_words_for_ansys(speed):
+    line = ansys_text(replace(table(speeds=1), speeds=np.array([speed]), static={})).splitlines()[4]
+    assert len(line) == 20
+    step, told = line.split()
+    assert step == "1"
+    assert float(told) == pytest.approx(speed, rel=1e-7, abs=1e-6)
 
 
 def test_a_speed_too_high_for_ansys_is_refused(tmp_path):

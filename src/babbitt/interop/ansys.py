@@ -39,8 +39,9 @@ def ansys_text(table: CoefficientTable) -> str:
     """Write a table in SI units, axes 1 and 2 being x right and y up; added mass has no place in the layout.
 
     The third title tells the temperatures for which the coefficients hold and how they were obtained, as far as it
-    has room. Coefficients keep eight digits. The speed is written with as many decimals as its ten columns hold:
-    Fortran takes the decimal point that it finds before the two decimals of the format.
+    has room. Coefficients keep eight digits. The speed is written with as many decimals as its ten columns hold
+    beside a blank, which parts it from the number of the step for programs that read by words: Fortran takes the
+    decimal point that it finds before the two decimals of the format.
 
     Raises
     ------
@@ -147,15 +148,17 @@ def _origin_read(title: str) -> tuple[str, str]:
 
 
 def _speed_field(speed: float) -> str:
-    """Ten columns with a decimal point.
+    """Ten columns with a decimal point, the first of them blank.
 
     >>> _speed_field(94.24777960769379), _speed_field(0.0)
     (' 94.247780', '  0.000000')
+    >>> _speed_field(1047.1975511965977), _speed_field(999999.99)
+    (' 1047.1976', ' 999999.99')
     """
     for decimals in range(6, 1, -1):
-        text = f"{speed:10.{decimals}f}"
-        if len(text) == 10:
-            return text
+        text = f"{speed:9.{decimals}f}"
+        if len(text) == 9:
+            return f" {text}"
     raise InputError("E003", f"the speed {speed} rad/s does not fit into the ten columns of the Ansys layout")
 
 

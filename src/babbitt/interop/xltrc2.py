@@ -9,6 +9,7 @@ sheet, because readers look for "rpm" and "lb" anywhere on the first.
 from __future__ import annotations
 
 import csv
+import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
@@ -24,6 +25,15 @@ from babbitt.interop.numbers import POUND_PER_INCH, RPM, number
 from babbitt.notices import InputError
 
 _UNITS = {"k": "N/m", "c": "N-s/m", "m": "kg"}
+
+_STIFFNESS = {"N/m": 1.0, "kN/m": 1e3, "MN/m": 1e6, "N/mm": 1e3, "kN/mm": 1e6} | dict.fromkeys(
+    ("lb/in", "lbf/in"), POUND_PER_INCH
+)
+_DAMPING = {unit.replace("/", "-s/"): scale for unit, scale in _STIFFNESS.items()}
+_MASS = {"kg": 1.0, "t": 1e3} | {unit.replace("/", "-s2/"): scale for unit, scale in _STIFFNESS.items()}
+_SPEED = {"rpm": RPM, "rad/s": 1.0}
+_SCALES = {"k": _STIFFNESS, "c": _DAMPING, "m": _MASS}
+"""Units of each kind of column, and what turns them into SI."""
 
 
 def write_xltrc2(table: CoefficientTable, path: str | Path) -> None:
@@ -81,22 +91,21 @@ def read_xltrc2(path: str | Path, *, name: str | None = None, frame: Frame | Non
     head = next((i for i, row in enumerate(rows) if "kxx" in _lower(row)), None)
     if head is None or head + 1 >= len(rows):
         raise InputError("E003", f"{path}: no row of names with 'Kxx' and a row of units below it")
-    titles, units = _lower(rows[head]), _lower(rows[head + 1])
+    titles, units = _lower(rows[head]), [str(cell or "").strip() for cell in rows[head + 1]]
     said = {
         str(row[0]).strip().lower(): str(row[1] or "") for row in [*rows[:head], *notes] if len(row) > 1 and row[0]
     }
-    data = _data(str(path), rows[head + 2 :], titles)
-    per_rpm, per_length = _scales(str(path), titles, units)
+    data = _in_si(str(path), _data(str(path), rows[head + 2 :], titles), dict(zip(titles, units, strict=False)))
 
-    def matrix(letter: str, scale: float) -> Array:
-        return np.array([data[letter + entry] for entry in NAMES]).T.reshape(-1, 2, 2) * scale
+    def matrix(letter: str) -> Array:
+        return np.array([data[letter + entry] for entry in NAMES]).T.reshape(-1, 2, 2)
 
     return CoefficientTable(
         name=name or said.get("bearing") or path.stem,
-        speeds=np.array(data["speed"]) * per_rpm,
-        stiffness=matrix("k", per_length),
-        damping=matrix("c", per_length),
-        mass=matrix("m", per_length) if all("m" + entry in data for entry in NAMES) else None,
+        speeds=np.array(data["speed"]),
+        stiffness=matrix("k"),
+        damping=matrix("c"),
+        mass=matrix("m") if all("m" + entry in data for entry in NAMES) else None,
         frame=settled(str(path), declared(said.get("frame", "")), frame),
         method=said.get("method", ""),
         temperatures=said.get("temperatures", ""),
@@ -134,18 +143,35 @@ def _data(where: str, rows: Iterable[Sequence[Cell]], titles: list[str]) -> dict
     return data
 
 
-def _scales(where: str, titles: list[str], units: list[str]) -> tuple[float, float]:
-    """What turns speed into rad/s and coefficients into SI, from the units row."""
-    by_title = dict(zip(titles, units, strict=False))
-    speed, stiffness = by_title["speed"], by_title["kxx"]
-    if speed not in ("rpm", "rad/s"):
+def _in_si(where: str, data: dict[str, list[float]], units: dict[str, str]) -> dict[str, list[float]]:
+    """Bring every column to SI by its own unit."""
+    scales = {title: _scale(where, title, units.get(title, "")) for title in data}
+    return {title: [scales[title] * value for value in column] for title, column in data.items()}
+
+
+def _scale(where: str, title: str, unit: str) -> float:
+    """What turns a column into SI."""
+    known = _SPEED if title == "speed" else _SCALES[title[0]]
+    spelled = _spelled(unit)
+    lower = {name.lower(): scale for name, scale in known.items() if not name.startswith("M")}
+    if (scale := known.get(spelled, lower.get(spelled.lower()))) is None:
+        shown = title if title == "speed" else title.capitalize()
         raise InputError(
-            "E003", f"{where}: the unit of speed is '{speed}'; the row below the names must say rpm or rad/s"
+            "E003",
+            f"{where}: the unit of {shown} is '{unit}'; the row below the names must say one of "
+            f"{', '.join(known)}",
         )
-    scales = {"n/m": 1.0, "lb/in": POUND_PER_INCH, "lbf/in": POUND_PER_INCH}
-    if stiffness not in scales:
-        raise InputError("E003", f"{where}: the unit of Kxx is '{stiffness}'; allowed: N/m, lb/in")
-    return (RPM if speed == "rpm" else 1.0), scales[stiffness]
+    return scale
+
+
+def _spelled(unit: str) -> str:
+    """Bring the ways of writing a unit to one.
+
+    >>> _spelled("lb*sec/in"), _spelled("N·s/m"), _spelled("lbf s^2/in"), _spelled("Ns/m")
+    ('lb-s/in', 'N-s/m', 'lbf-s2/in', 'N-s/m')
+    """
+    text = re.sub(r"[\s·*.]+", "-", unit.strip()).replace("sec", "s").replace("^", "").replace("²", "2")
+    return re.sub(r"N(s2?/)", r"N-\1", text)
 
 
 def _read_csv(path: Path) -> list[list[Cell]]:
