@@ -160,7 +160,7 @@ def changes(one: tuple[Result, ...] | str, other: tuple[Result, ...] | str, boun
         if first.outcome is not second.outcome:
             yield f"{first.outcome.name} became {second.outcome.name}"
             continue
-        if not first.outcome.solved or (unsettled(first) and unsettled(second)):
+        if not first.outcome.solved or unsettled(first) or unsettled(second):
             continue
         numbers, others = invariants(first), invariants(second)
         for name in sorted(numbers.keys() | others.keys()):

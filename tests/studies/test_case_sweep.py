@@ -72,6 +72,16 @@ def test_a_value_that_leaves_no_film_is_a_status_and_stops_nothing(film):
     assert not found.solved
 
 
+def test_the_checks_that_were_not_made_stand_below_the_verdicts(film, capsys):
+    """Passing rows keep only the limits for which the case has data."""
+    found = sweep_case(case_variation(film, "load"), values_of("20 kN, 30 kN"))
+    missing = {notice.code for machine in found.machines for notice in machine.results[0].not_checked}
+    print_sweep(found)
+    told = [line for line in capsys.readouterr().out.splitlines() if line.startswith("Not checked: ")]
+    assert missing
+    assert {code for code in missing if any(code in line for line in told)} == missing
+
+
 def test_a_shared_field_of_a_machine_changes_every_bearing_and_a_bearing_can_stand_alone():
     gear = EXAMPLES / "marine_reverse_gear.yaml"
     shared = sweep_case(case_variation(gear, "supply.temperature"), values_of("45 degC, 50 degC"))

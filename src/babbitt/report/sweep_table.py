@@ -12,6 +12,7 @@ from babbitt.files.spreadsheet import Cell, rows_text
 from babbitt.interop.unit_names import static_column
 from babbitt.quantities import QUANTITIES
 from babbitt.report.bearing_table import STYLES, engineers_table
+from babbitt.report.findings import not_checked
 from babbitt.report.sweep_columns import sweep_columns
 from babbitt.report.table import console, fitting
 from babbitt.report.text import plain_text
@@ -24,7 +25,10 @@ NOT_TOLD = ("wall_time", "iterations")
 
 
 def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
-    """Print one line a value and bearing: the key results in the engineer's units, and the verdict."""
+    """Print one line a value and bearing: the key results in the engineer's units, and the verdict.
+
+    A verdict counts only what was checked, so the checks that were not made stand below.
+    """
     to = to or console()
     rows = list(sweep.rows())
     results = [result for _, result in rows]
@@ -57,6 +61,8 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
     for place, result in rows:
         if result.verdict is Verdict.NO_SOLUTION:
             to.print(Text(f"{sweep.path} {sweep.values.texts[place]}, {result.name}: {result.outcome.value}"))
+    for group in not_checked(results):
+        to.print(Text(f"Not checked: {group.code}  {group.title}: {group.message}"))
     for reason in sweep.refused.values():
         to.print(Text(plain_text(reason)))
 
