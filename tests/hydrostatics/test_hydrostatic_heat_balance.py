@@ -62,6 +62,17 @@ def test_runaway_ends_in_a_status():
     assert "temperature_rise" not in result.values
 
 
+@pytest.mark.parametrize("given", ["supply_temperature: -30 degC", "supply_temperature: 200 degC",
+                                   "supply_temperature: 40 degC, film_temperature: 200 degC"])  # fmt: skip
+def test_oil_outside_its_data_has_no_verdict(given):
+    text = SPINDLE.format(speed=100, oil="ISO VG 46").replace("supply_temperature: 40 degC", given)
+    (result,) = solve(parse_case(text)).results
+    assert "W326" in {notice.code for notice in result.warnings}
+    assert not result.within_limits
+    (usual,) = solve(parse_case(SPINDLE.format(speed=100, oil="ISO VG 46"))).results
+    assert "W326" not in {notice.code for notice in usual.warnings}
+
+
 def test_given_viscosity_has_no_heat_balance():
     text = SPINDLE.format(speed=1500, oil="ISO VG 46")
     plain = text.replace(

@@ -138,5 +138,5 @@ class HydrostaticFile(CaseFile):
             highest_supply_pressure=self.supply.highest_pressure,
             accuracy=self.accuracy,
             assumptions=tuple(assumptions),
-            doubts=tuple(about_grouped_digits(self)),
+            doubts=(*about_grouped_digits(self), *self.oil.doubts()),
         )

@@ -12,7 +12,8 @@ from babbitt.cases.fields import WholeNumber
 from babbitt.cases.lubricant import LubricantGiven
 from babbitt.cases.own_lubricant import DynamicViscosity
 from babbitt.cases.part import Complaint, Part, exactly_one, is_given, rule
-from babbitt.hydrostatics.model import Oil
+from babbitt.hydrostatics.model import Oil, beyond_data
+from babbitt.notices import Notice
 from babbitt.units import either_sense, si
 
 Length = Annotated[float, si("m", "0.1 mm", "20 m")]
@@ -67,6 +68,15 @@ class HydrostaticOil(Part):
             return supplied, supplied
         film = supplied.at(self.film_temperature)
         return Oil(film.viscosity, film.density, film.heat_capacity, None, self.supply_temperature), supplied
+
+    def doubts(self) -> Iterator[Notice]:
+        """Given temperatures outside the data of the lubricant; a film's own is known with its heat balance."""
+        if self.lubricant is None or self.supply_temperature is None:
+            return
+        lubricant = self.lubricant.lubricant()
+        yield from beyond_data(lubricant, self.supply_temperature, "the oil before the restrictors")
+        if self.film_temperature is not None:
+            yield from beyond_data(lubricant, self.film_temperature, "the film")
 
 
 class RecessOil(Part):

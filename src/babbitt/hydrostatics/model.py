@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from babbitt.hydrostatics.geometry import (
@@ -17,8 +18,9 @@ from babbitt.hydrostatics.impedance import Compressibility
 from babbitt.hydrostatics.network import Feeding
 from babbitt.lubricants import Lubricant
 from babbitt.notices import InputError, Notice
+from babbitt.units import ZERO_CELSIUS
 
-__all__ = ["Duty", "HydrostaticCase", "Oil", "Recesses", "Shape"]
+__all__ = ["Duty", "HydrostaticCase", "Oil", "Recesses", "Shape", "beyond_data"]
 
 Shape = PadShape | ThrustRing | RecessedJournal
 """All shapes."""
@@ -68,6 +70,23 @@ class Oil:
             heat_capacity=heat,
             temperature=temperature,
         )
+
+
+def beyond_data(lubricant: Lubricant, temperature: float, place: str) -> Iterator[Notice]:
+    """Doubt about a lubricant that is used outside the temperatures for which its numbers are meant.
+
+    Parameters
+    ----------
+    lubricant : Lubricant
+    temperature : float
+        K.
+    place : str
+        What has that temperature.
+    """
+    if not lubricant.covers(temperature):
+        low, high = (kelvin - ZERO_CELSIUS for kelvin in lubricant.temperature_range)
+        yield Notice("W326", f"{place} is at {temperature - ZERO_CELSIUS:.0f} °C, the data of {lubricant.name} "
+                     f"reach from {low:.0f} to {high:.0f} °C")  # fmt: skip
 
 
 @dataclass(frozen=True)

@@ -10,11 +10,10 @@ from babbitt.design.doubts import LARGEST_RISE, OPEN_HEAT
 from babbitt.hydrostatics.answer import Answer
 from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad, ThrustRing
 from babbitt.hydrostatics.impedance import impedance
-from babbitt.hydrostatics.model import HydrostaticCase
+from babbitt.hydrostatics.model import HydrostaticCase, beyond_data
 from babbitt.hydrostatics.pumping import is_pumped, law_of
 from babbitt.hydrostatics.restrictors import Capillary, Orifice
 from babbitt.notices import Notice
-from babbitt.units import ZERO_CELSIUS
 
 __all__ = ["doubts"]
 
@@ -132,10 +131,8 @@ def of_powers(case: HydrostaticCase, named: Mapping[str, float]) -> Iterator[Not
     if rise > LARGEST_RISE:
         yield Notice("W322", f"the oil would warm by {rise:.0f} K > {LARGEST_RISE:.0f} K")
     oil = case.oil
-    if oil.lubricant is not None and oil.temperature is not None and not oil.lubricant.covers(oil.temperature):
-        low, high = (kelvin - ZERO_CELSIUS for kelvin in oil.lubricant.temperature_range)
-        yield Notice("W326", f"the film is at {oil.temperature - ZERO_CELSIUS:.0f} °C, the data of "
-                     f"{oil.lubricant.name} reach from {low:.0f} to {high:.0f} °C")  # fmt: skip
+    if oil.lubricant is not None and oil.temperature is not None:
+        yield from beyond_data(oil.lubricant, oil.temperature, "the film")
 
 
 def of_balances(case: HydrostaticCase, named: Mapping[str, float]) -> Iterator[Notice]:

@@ -166,8 +166,9 @@ HYDROSTATICS: dict[str, Explanation] = {
     ),
     "W326": Explanation(
         "Film outside the data of its oil",
-        "The film is warmer or colder than the temperatures for which the numbers of the lubricant are meant.",
-        "Describe the lubricant by points that enclose the operating temperature, or bring the film nearer to "
+        "The film, or the oil before the restrictors, is warmer or colder than the temperatures for which the "
+        "numbers of the lubricant are meant.",
+        "Describe the lubricant by points that enclose the temperatures of operation, or bring the oil nearer to "
         "them.",
         effect=Effect.NO_VERDICT,
     ),
