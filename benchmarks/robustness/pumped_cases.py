@@ -254,7 +254,7 @@ def _pumped(rng: random.Random, kind: str, name: str, number: int, conductance: 
     land = conductance / viscosity
     flow = ratio * supply * land
     case["restrictor"] = _restrictor(rng, flow, (1.0 - ratio) * supply, supply, viscosity)
-    if case["restrictor"]["kind"] not in ("constant_flow",) and rng.random() < 0.15:
+    if case["restrictor"]["kind"] not in ("constant_flow", "metered_flow") and rng.random() < 0.15:
         case["supply"] = {
             "pump_flow": f"{6e4 * number * flow * rng.uniform(1.0, 1.6):.5g} L/min",
             "relief_pressure": f"{1e-6 * supply:.5g} MPa",
@@ -266,7 +266,16 @@ def _pumped(rng: random.Random, kind: str, name: str, number: int, conductance: 
 
 def _restrictor(rng: random.Random, flow: float, drop: float, supply: float, viscosity: float) -> Case:
     kind = rng.choice(
-        ("capillary", "capillary", "orifice", "slot", "constant_flow", "flow_valve", "membrane_valve")
+        (
+            "capillary",
+            "capillary",
+            "orifice",
+            "slot",
+            "constant_flow",
+            "metered_flow",
+            "flow_valve",
+            "membrane_valve",
+        )
     )
     litres = 6e4 * flow
     per_drop = 6e10 * flow / drop
@@ -290,7 +299,7 @@ def _restrictor(rng: random.Random, flow: float, drop: float, supply: float, vis
             "gap": f"{1e3 * gap:.4g} mm",
             "length": _mm(length),
         }
-    if kind == "constant_flow":
+    if kind in ("constant_flow", "metered_flow"):
         return {"kind": kind, "flow": f"{litres:.5g} L/min"}
     if kind == "flow_valve":
         gain = litres / (1e-6 * supply) * _log(rng, 0.02, 1.0)

@@ -34,7 +34,7 @@ from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.lines import ENGINEERING
 from babbitt.hydrostatics.model import Duty, Oil, Recesses
 from babbitt.hydrostatics.network import Feeding
-from babbitt.hydrostatics.restrictors import Capillary, CheckValve, ConstantFlow, FlowValve, Orifice
+from babbitt.hydrostatics.restrictors import Capillary, CheckValve, ConstantFlow, FlowValve, MeteredFlow, Orifice
 from babbitt.hydrostatics.supply import FixedPressure, Pump
 from babbitt.hydrostatics.surfaces import FilmOil, journal_surface
 from babbitt.notices import InputError
@@ -535,12 +535,20 @@ def pumped(case_of, flow, **changes):
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_constant_flows_are_metered_from_the_supply_pressure(method):
-    result = hydrostatic_check(pumped(pad_case(method=method, load=11e3), 4e-6))
+def test_a_pump_of_its_own_spends_the_pressure_of_its_recess(method):
+    """Whatever it could reach: a metering stage spends the pressure of the supply that feeds it."""
+    result, metered = (
+        hydrostatic_check(replace(pad_case(method=method, load=11e3), feeding=feeding(law(4e-6), 1)))
+        for law in (ConstantFlow, MeteredFlow)
+    )
     (pressure,) = result.arrays["recess_pressure"][0]
     assert pressure == pytest.approx(11e3 / result.effective_area, rel=1e-9)
-    assert result.pumping_power == pytest.approx(5e6 * 4e-6, rel=1e-9)
-    assert result.pump_power == pytest.approx(5e6 * 4e-6 / 0.8, rel=1e-9)
+    for one, pumped_to in ((result, pressure), (metered, 5e6)):
+        assert one.pumping_power == pytest.approx(pumped_to * 4e-6, rel=1e-9)
+        assert one.pump_power == pytest.approx(pumped_to * 4e-6 / 0.8, rel=1e-9)
+        warmed = one.temperature_rise * 870.0 * 2000.0 * 4e-6
+        assert warmed == pytest.approx(one.pumping_power + one.friction_power, rel=1e-9)
+    assert metered.gap == pytest.approx(result.gap, rel=1e-12)
     assert "W313" not in codes(result)
     (check,) = (check for check in result.checks if check.code == "C303")
     assert (check.value, check.limit, check.ok) == (pytest.approx(pressure), 5e6, True)
@@ -550,8 +558,8 @@ def test_the_leakage_of_such_a_pump_costs_power_and_warms_no_film():
     fed = feeding(ConstantFlow(4e-6, 4e-13), 1)
     result = hydrostatic_check(replace(pad_case(method="quick", load=11e3), feeding=fed))
     (pressure,) = result.arrays["recess_pressure"][0]
-    assert result.pump_power == pytest.approx(5e6 * 4e-6 / 0.8, rel=1e-9)
-    assert result.pumping_power == pytest.approx(5e6 * (4e-6 - 4e-13 * pressure), rel=1e-9)
+    assert result.pump_power == pytest.approx(pressure * 4e-6 / 0.8, rel=1e-9)
+    assert result.pumping_power == pytest.approx(pressure * (4e-6 - 4e-13 * pressure), rel=1e-9)
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -25,14 +25,14 @@ from babbitt.hydrostatics.lumped import centred_stiffness, lumped_at
 from babbitt.hydrostatics.lumps import journal_lumps
 from babbitt.hydrostatics.model import Duty, Oil, Recesses
 from babbitt.hydrostatics.network import Feeding
-from babbitt.hydrostatics.restrictors import Capillary, ConstantFlow, MembraneValve
+from babbitt.hydrostatics.restrictors import Capillary, MembraneValve, MeteredFlow
 from babbitt.hydrostatics.single_recess import pad_at
 from babbitt.hydrostatics.state import state_at
 from babbitt.hydrostatics.supply import FixedPressure, Pump
 from babbitt.hydrostatics.surfaces import FilmOil, ring_surface
 
 OIL = Compressibility(5e-6, 1.2e9)
-PUMP = ConstantFlow(4e-6)
+PUMP = MeteredFlow(4e-6)
 
 
 def printed(text):

@@ -13,6 +13,7 @@ from babbitt.hydrostatics.restrictors import (
     ConstantFlow,
     FlowValve,
     MembraneValve,
+    MeteredFlow,
     Orifice,
     Slot,
 )
@@ -160,6 +161,7 @@ def test_one_recess_behind_a_valve_has_its_exact_pressure(gain):
         (lambda: Orifice(1e-3, 0.0), "density"),
         (lambda: Slot(0.01, 0.0, 0.02, 0.03), "gap"),
         (lambda: ConstantFlow(-1e-6), "flow"),
+        (lambda: MeteredFlow(0.0), "flow"),
         (lambda: ConstantFlow(1e-6, -1.0), "leakage"),
         (lambda: FlowValve(1e-6, 1e-12, 0.0), "open_conductance"),
         (lambda: MembraneValve(0.0, 1e-7), "conductance"),

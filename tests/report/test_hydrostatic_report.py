@@ -61,6 +61,10 @@ CASES = {
     "orifice": restricted("{kind: orifice, diameter: 0.4 mm}", method="quick"),
     "slot": restricted("{kind: slot, width: 8 mm, gap: 0.1 mm, length: 20 mm}", method="quick"),
     "constant flow": restricted("{kind: constant_flow, flow: 0.2 L/min}", method="quick"),
+    "metered flow": restricted("{kind: metered_flow, flow: 0.2 L/min}", method="quick"),
+    "metered flow above the supply": restricted(
+        "{kind: metered_flow, flow: 0.2 L/min}", method="quick", supply="{pressure: 2 MPa}"
+    ),
     "constant flow, leaking": restricted(
         "{kind: constant_flow, flow: 0.2 L/min, leakage: 0.01 L/(min MPa)}", method="quick"
     ),
@@ -99,6 +103,7 @@ CASES = {
     "ring": changed(RING, method="quick"),
     "ring, backward": changed(RING, method="quick", speed="-1000 rpm"),
     "ring, pumps": changed(RING, method="quick", restrictor="{kind: constant_flow, flow: 0.7 L/min}"),
+    "ring, metered": changed(RING, method="quick", restrictor="{kind: metered_flow, flow: 0.7 L/min}"),
     "journal, film": JOURNAL,
     "journal": changed(JOURNAL, method="quick"),
     "journal, backward": changed(JOURNAL, method="quick", speed="-1500 rpm"),

@@ -13,7 +13,7 @@ from babbitt.cases.fields import Name, Prose
 from babbitt.cases.grouped_digits import about_grouped_digits
 from babbitt.cases.part import Complaint, exactly_one, is_given, refused, rule
 from babbitt.cases.recess_parts import Frequency, Gap, HydrostaticOil, Load, RecessOil
-from babbitt.cases.restrictors import ConstantFlowGiven, HydrostaticSupply, RestrictorGiven
+from babbitt.cases.restrictors import ConstantFlowGiven, HydrostaticSupply, MeteredFlowGiven, RestrictorGiven
 from babbitt.hydrostatics.geometry import AnnularPad, CircularPad
 from babbitt.hydrostatics.impedance import Compressibility
 from babbitt.hydrostatics.model import Duty, HydrostaticCase, Recesses, Shape
@@ -86,19 +86,25 @@ class HydrostaticFile(CaseFile):
         if is_given(self, "restrictors") and len(given) != count:
             says = f"{len(given)} restrictor{'s' * (len(given) != 1)} for {count} recess{'es' * (count > 1)}"
             yield Complaint(("restrictors",), says, "one for every recess", "restrictor is for all alike")
-        pumped = [isinstance(one, ConstantFlowGiven) for one in given]
+        pumped = [isinstance(one, ConstantFlowGiven | MeteredFlowGiven) for one in given]
         if any(pumped) and not all(pumped):
-            says = "constant_flow has a pump for its recess, and other recesses hang on the supply"
-            allowed = "constant_flow for all recesses, or other restrictors for all"
+            kind = given[pumped.index(True)].kind
+            says = f"{kind} has a flow of its own for its recess, and other recesses hang on the supply"
+            allowed = f"{kind} for all recesses, or other restrictors for all"
             yield Complaint(("restrictors", pumped.index(True)), says, allowed)
 
     @rule
     def _one_pump_too_many(self) -> Iterator[Complaint]:
         own = self.restrictors[0] if self.restrictors else self.restrictor
-        if isinstance(own, ConstantFlowGiven) and is_given(self.supply, "pump_flow"):
+        if not is_given(self.supply, "pump_flow"):
+            return
+        if isinstance(own, ConstantFlowGiven):
             says = "constant_flow has a pump for every recess, and the supply names one pump for all"
             hint = "the pressure that the pumps of the recesses can reach; restrictor.flow is what each delivers"
             yield Complaint(("supply", "pump_flow"), says, "pressure", hint)
+        if isinstance(own, MeteredFlowGiven):
+            says = "metered_flow needs a supply that stands at its pressure, and this one delivers a flow"
+            yield Complaint(("supply", "pump_flow"), says, "pressure", "that of the pump's relief valve")
 
     def designs(self) -> tuple[HydrostaticCase, ...]:
         """Give the case of the calculation."""

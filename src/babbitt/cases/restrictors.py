@@ -17,6 +17,7 @@ from babbitt.hydrostatics.restrictors import (
     ConstantFlow,
     FlowValve,
     MembraneValve,
+    MeteredFlow,
     Orifice,
     Restrictor,
     Slot,
@@ -96,12 +97,12 @@ class SlotGiven(WithCheckValve):
 
 
 class ConstantFlowGiven(Part):
-    """A pump, or a stage of a flow divider, for every recess."""
+    """A pump for every recess."""
 
     example: ClassVar[str] = "{kind: constant_flow, flow: 0.75 L/min}"
 
     kind: Literal["constant_flow"] = Field(
-        description="A pump for every recess; `supply.pressure` is what it can reach."
+        description="A pump for every recess, at its pressure; `supply.pressure` is what the pump can reach."
     )
     flow: FlowRate = Field(description="Flow of one.")
     leakage: Leakage = Field(0.0, description="What it delivers less for every pascal.")
@@ -109,6 +110,21 @@ class ConstantFlowGiven(Part):
     def restrictor(self, viscosity: float, density: float) -> Restrictor:
         """Give the restrictor of the calculation."""
         return ConstantFlow(self.flow, self.leakage)
+
+
+class MeteredFlowGiven(Part):
+    """A metering stage before every recess, fed by the common supply."""
+
+    example: ClassVar[str] = "{kind: metered_flow, flow: 0.75 L/min}"
+
+    kind: Literal["metered_flow"] = Field(
+        description="A constant flow that a valve meters from `supply.pressure`, to which all oil is pumped."
+    )
+    flow: FlowRate = Field(description="Flow of one.")
+
+    def restrictor(self, viscosity: float, density: float) -> Restrictor:
+        """Give the restrictor of the calculation."""
+        return MeteredFlow(self.flow)
 
 
 class FlowValveGiven(Part):
@@ -139,7 +155,13 @@ class MembraneValveGiven(Part):
 
 
 RestrictorGiven = Annotated[
-    CapillaryGiven | OrificeGiven | SlotGiven | ConstantFlowGiven | FlowValveGiven | MembraneValveGiven,
+    CapillaryGiven
+    | OrificeGiven
+    | SlotGiven
+    | ConstantFlowGiven
+    | MeteredFlowGiven
+    | FlowValveGiven
+    | MembraneValveGiven,
     Discriminator("kind"),
 ]
 """All restrictors."""

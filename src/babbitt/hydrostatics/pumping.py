@@ -1,7 +1,8 @@
 """Power that the pumps spend, and the pressure that they must hold.
 
-All oil is pumped to the supply pressure, P = p_s sum Q_k, constant flows too: they are metered from that pressure.
-Where a recess asks for more than that, its pump or stage of a flow divider has to hold what the recess asks for.
+Oil from the supply is pumped to its pressure, P = p_s sum Q_k, metered flows too; where a recess asks for more,
+its stage has to get what the recess asks for. A pump of a recess holds the pressure of the recess alone,
+P = sum p_k Q_k.
 Oil that a recess pushes back through its restrictor returns to the manifold and needs not be pumped again.
 """
 
@@ -12,10 +13,18 @@ from numpy.typing import NDArray
 
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.hydrostatics.network import NetworkState
-from babbitt.hydrostatics.restrictors import CheckValve, ConstantFlow, Restrictor
+from babbitt.hydrostatics.restrictors import CheckValve, ConstantFlow, MeteredFlow, Restrictor
 from babbitt.hydrostatics.supply import Pump
 
-__all__ = ["held_pressure", "highest_pressure", "is_pumped", "law_of", "pump_power", "pumping_power"]
+__all__ = [
+    "has_own_pump",
+    "held_pressure",
+    "highest_pressure",
+    "is_pumped",
+    "law_of",
+    "pump_power",
+    "pumping_power",
+]
 
 
 def law_of(restrictor: Restrictor) -> Restrictor:
@@ -24,8 +33,13 @@ def law_of(restrictor: Restrictor) -> Restrictor:
 
 
 def is_pumped(case: HydrostaticCase) -> bool:
-    """Whether every recess has its own pump."""
-    return all(isinstance(law_of(one), ConstantFlow) for one in case.feeding.restrictors)
+    """Whether every recess has its flow from a pump of its own or a metering stage."""
+    return all(isinstance(law_of(one), ConstantFlow | MeteredFlow) for one in case.feeding.restrictors)
+
+
+def has_own_pump(restrictor: Restrictor) -> bool:
+    """Whether a pump feeds this recess alone."""
+    return isinstance(law_of(restrictor), ConstantFlow)
 
 
 def pumping_power(case: HydrostaticCase, network: NetworkState) -> float:
@@ -34,9 +48,12 @@ def pumping_power(case: HydrostaticCase, network: NetworkState) -> float:
 
 
 def pumped_to(case: HydrostaticCase, network: NetworkState) -> NDArray[np.float64]:
-    """Gauge pressure to which the oil of every recess is pumped, Pa: of the supply, or what its own pump needs."""
+    """Gauge pressure to which the oil of every recess is pumped, Pa."""
     standing = np.full(network.pressures.size, network.supply_pressure)
-    return np.maximum(network.pressures, standing) if is_pumped(case) else standing
+    if not is_pumped(case):
+        return standing
+    own = np.array([has_own_pump(one) for one in case.feeding.restrictors])
+    return np.where(own, network.pressures, np.maximum(network.pressures, standing))
 
 
 def pump_power(case: HydrostaticCase, network: NetworkState) -> float:
@@ -44,7 +61,7 @@ def pump_power(case: HydrostaticCase, network: NetworkState) -> float:
     supply = case.feeding.supply
     if is_pumped(case):
         laws = (law_of(one) for one in case.feeding.restrictors)
-        moved = np.array([one.flow for one in laws if isinstance(one, ConstantFlow)])
+        moved = np.array([one.flow for one in laws if isinstance(one, ConstantFlow | MeteredFlow)])
         return float(pumped_to(case, network) @ moved) / case.pump_efficiency
     flow = supply.flow if isinstance(supply, Pump) else float(network.flows.sum())
     return network.supply_pressure * flow / case.pump_efficiency

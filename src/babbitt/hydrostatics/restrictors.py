@@ -18,6 +18,7 @@ __all__ = [
     "ConstantFlow",
     "FlowValve",
     "MembraneValve",
+    "MeteredFlow",
     "Orifice",
     "Restrictor",
     "Slot",
@@ -144,7 +145,7 @@ class Slot:
 
 @dataclass(frozen=True)
 class ConstantFlow:
-    """A pump (or a stage of a flow divider) for every recess: Q = Q_p - k p.
+    """A pump for every recess: Q = Q_p - k p. It spends the pressure of its recess.
 
     Attributes
     ----------
@@ -165,6 +166,20 @@ class ConstantFlow:
     def law(self, recess_pressure: float, supply_pressure: float) -> Law:
         """Flow and slopes; the supply pressure has no say."""
         return self.flow - self.leakage * recess_pressure, -self.leakage, 0.0
+
+
+@dataclass(frozen=True)
+class MeteredFlow:
+    """A metering stage before every recess: a constant flow, m3/s, throttled from the pressure of the supply."""
+
+    flow: float
+
+    def __post_init__(self) -> None:
+        positive(flow=self.flow)
+
+    def law(self, recess_pressure: float, supply_pressure: float) -> Law:
+        """Flow and slopes; neither pressure has a say."""
+        return self.flow, 0.0, 0.0
 
 
 @dataclass(frozen=True)
@@ -238,5 +253,5 @@ class CheckValve:
         return self.restrictor.law(recess_pressure, supply_pressure)
 
 
-Restrictor = Capillary | Orifice | Slot | ConstantFlow | FlowValve | MembraneValve | CheckValve
+Restrictor = Capillary | Orifice | Slot | ConstantFlow | MeteredFlow | FlowValve | MembraneValve | CheckValve
 """All laws."""

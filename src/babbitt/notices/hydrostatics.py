@@ -82,9 +82,10 @@ HYDROSTATICS: dict[str, Explanation] = {
     ),
     "W313": Explanation(
         "Pump too weak",
-        "The supply pressure exceeds what the pump can hold, or, with `constant_flow`, a recess the pressure of "
-        "the supply, which its pump is to reach: the recess then gets less oil than the calculation gives it.",
-        "Another pump, or wider restrictors; with `constant_flow` more recess area or less load.",
+        "The supply pressure exceeds what the pump can hold, or, with `constant_flow` or `metered_flow`, a recess "
+        "the pressure of the supply, which its pump is to reach: the recess then gets less oil than "
+        "the calculation gives it.",
+        "Another pump, or wider restrictors; with given flows more recess area or less load.",
     ),
     "W314": Explanation(
         "Breakaway above the relief valve",

@@ -12,7 +12,7 @@ from babbitt.hydrostatics.geometry import AnnularPad, CircularPad, RecessedJourn
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.hydrostatics.pumping import law_of
-from babbitt.hydrostatics.restrictors import CheckValve, ConstantFlow
+from babbitt.hydrostatics.restrictors import CheckValve, ConstantFlow, MeteredFlow
 from babbitt.hydrostatics.supply import FixedPressure
 from babbitt.report.calculation import Section
 from babbitt.report.hydrostatic_sheet import HydrostaticSheet, JackingSheet
@@ -115,6 +115,8 @@ def _whole(case: HydrostaticCase, sheet: HydrostaticSheet) -> Iterator[Line]:
     elif alike and isinstance(first, ConstantFlow):
         loss = " - stage_leakage * mean_pressure_ratio * supply_pressure" if first.leakage else ""
         yield sheet.line("total_flow", f"recess_number * (stage_flow{loss})", digits=6)
+    elif alike and isinstance(first, MeteredFlow):
+        yield sheet.line("total_flow", "recess_number * stage_flow", digits=6)
     else:
         yield sheet.given("total_flow", "sum over the restrictors")
     if isinstance(case.shape, RecessedJournal):

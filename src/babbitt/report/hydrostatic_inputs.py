@@ -14,6 +14,7 @@ from babbitt.hydrostatics.restrictors import (
     ConstantFlow,
     FlowValve,
     MembraneValve,
+    MeteredFlow,
     Orifice,
     Restrictor,
     Slot,
@@ -94,6 +95,8 @@ def said_of_restrictor(restrictor: Restrictor) -> str:
             return f"slot {_mm(restrictor.width)} × {_mm(restrictor.gap)} × {_mm(restrictor.length)} mm"
         case ConstantFlow():
             return f"pump of {6e4 * restrictor.flow:.4g} L/min"
+        case MeteredFlow():
+            return f"metering stage of {6e4 * restrictor.flow:.4g} L/min"
         case FlowValve():
             return f"flow valve {6e4 * restrictor.flow:.4g} L/min + {6e10 * restrictor.gain:.4g} L/(min MPa)"
         case MembraneValve():

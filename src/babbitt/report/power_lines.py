@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from babbitt.hydrostatics.geometry import RecessedJournal, RectangularPad, ThrustRing
 from babbitt.hydrostatics.model import HydrostaticCase
-from babbitt.hydrostatics.pumping import is_pumped
+from babbitt.hydrostatics.pumping import has_own_pump, is_pumped
 from babbitt.hydrostatics.supply import Pump
 from babbitt.report.hydrostatic_sheet import HydrostaticSheet
 from babbitt.report.land_lines import journal_friction, pad_friction, ring_friction
@@ -58,11 +58,12 @@ def _friction(case: HydrostaticCase, sheet: HydrostaticSheet) -> Iterator[Line]:
 def _pumping(case: HydrostaticCase, sheet: HydrostaticSheet) -> Iterator[Line]:
     supply, own = case.feeding.supply, is_pumped(case)
     above = own and sheet["one_recess_pressure"] > sheet["supply_pressure"]
-    if above and case.count > 1:
-        yield sheet.given("pumping_power", "sum over the recesses, each at the pressure of its pump")
+    each = above or any(map(has_own_pump, case.feeding.restrictors))
+    if each and case.count > 1:
+        yield sheet.given("pumping_power", "sum over the recesses, each at the pressure of its oil")
         yield sheet.given("pump_power", "the same with leakage, over the efficiency")
         return
-    pressure = "one_recess_pressure" if above else "supply_pressure"
+    pressure = "one_recess_pressure" if each else "supply_pressure"
     yield sheet.line("pumping_power", f"{pressure} * total_flow", digits=6)
     if own and not case.feeding.is_uniform:
         yield sheet.given("pump_power", "sum over the recesses, with leakage, over the efficiency")

@@ -12,6 +12,7 @@ from babbitt.hydrostatics.restrictors import (
     ConstantFlow,
     FlowValve,
     MembraneValve,
+    MeteredFlow,
     Orifice,
     Restrictor,
     Slot,
@@ -86,6 +87,9 @@ def _flow(sheet: Worksheet, law: Restrictor, drop: float) -> str:
         case ConstantFlow():
             sheet.note(stage_flow=law.flow, stage_leakage=law.leakage)
             return "stage_flow - stage_leakage * one_recess_pressure" if law.leakage else "stage_flow"
+        case MeteredFlow():
+            sheet.note(stage_flow=law.flow)
+            return "stage_flow"
         case FlowValve():
             sheet.note(stage_flow=law.flow, valve_gain=law.gain, open_conductance=law.open_conductance)
             is_open = law.open_conductance * drop < law.flow + law.gain * sheet["one_recess_pressure"]
