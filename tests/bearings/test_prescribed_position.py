@@ -5,8 +5,12 @@ import math
 import pytest
 from film_bearings import answer, case, solved
 
+from babbitt.bearings.unloaded import NEEDS_A_LOAD
+from babbitt.cases import design_cases
 from babbitt.cases.build import iso7902_cases
+from babbitt.report.film_figures import all_figures
 from babbitt.results import Outcome
+from babbitt.solving import solve_design
 from babbitt.studies.comparison import compare_methods
 
 AT_60 = {"effective_temperature": "60 degC"}
@@ -101,3 +105,37 @@ def test_the_threshold_of_whirl_is_that_of_the_load_found():
     there = answer(**AT_60, rotor_mass="3 t", **place)  # its load angle is -90 deg, which nothing depends on
     assert there.threshold_speed == pytest.approx(found.threshold_speed, rel=5e-3)
     assert there.critical_mass == pytest.approx(found.critical_mass, rel=5e-3)
+
+
+CENTRED = {
+    "position": {"x": "0 um", "y": "0 um"}, "effective_temperature": "50 degC", "load": None, "accuracy": "draft"
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "fed",
+    [
+        {"grooves": None, "film_start": "periodic", "cavitation": "half_sommerfeld"},
+        {"grooves": None, "film_start": "periodic", "cavitation": "reynolds"},
+        {"grooves": None, "film_start": "periodic", "cavitation": "reynolds", "error_estimate": True},
+        {"grooves": None, "film_start": "widest_gap", "cavitation": "reynolds"},
+        {"rotor_mass": "100 kg"},
+    ],
+)
+def test_a_centred_journal_carries_nothing_and_has_petroffs_torque(fed):
+    result = answer(**CENTRED | fed)
+    values, clearance = result.values, result.values["operating_relative_clearance"] * 0.1
+    assert values["load"] == values["sommerfeld_number"] == 0.0
+    assert values.keys().isdisjoint(NEEDS_A_LOAD)
+    assert result.missing.keys() >= set(NEEDS_A_LOAD)
+    shear = values["effective_viscosity"] * values["angular_speed"] * 0.1 / clearance
+    if "film_start" in fed:  # grooves take a part of the bore, and are not full of shear
+        assert values["friction_torque"] == pytest.approx(shear * math.pi * 0.2 * 0.12 * 0.1, rel=1e-3)
+    assert all(math.isfinite(value) for value in values.values())
+
+
+def test_figures_of_a_centred_journal_vary_no_load():
+    (design,) = design_cases(case(**CENTRED, grooves=None, film_start="periodic", cavitation="reynolds"))
+    drawn = [drawing.name for drawing in all_figures(design, solve_design(design))]
+    assert "pressure-map" in drawn
+    assert "stability-map" not in drawn

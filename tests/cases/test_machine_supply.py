@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from babbitt.cases import case_from_dict, design_cases
+from babbitt.cases import CaseError, case_from_dict, design_cases
 from babbitt.cases.variation import case_variation
 from babbitt.notices import InputError
 
@@ -49,3 +49,28 @@ def test_a_field_that_every_operating_point_overrides_is_not_varied(path, instea
     with pytest.raises(InputError, match=instead):
         case_variation(file, path).case(varied)
     assert case_variation(file, "load").case("10 kN") is not None
+
+
+COOLED = {
+    "kind": "journal", "name": "A", "diameter": "100 mm", "width": "50 mm", "span": "360 deg",
+    "clearance": {"kind": "relative", "mean": "1.2 permille"}, "load": "2 kN", "speed": "300 rpm",
+    "lubricant": "ISO VG 46", "materials": {"bearing": "C10", "journal": "C45"},
+    "cooling": {"surface": "0.3 m2", "ambient_temperature": "20 degC"},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("method", ["iso7902", "film"])
+@pytest.mark.parametrize(
+    ("field", "value"),
+    [("supply_temperature", "40 degC"), ("supply_pressure", "0.2 MPa"), ("supply_flow", "1 L/min")],
+)
+def test_an_operating_point_changes_no_supply_that_there_is_not(method, field, value):
+    points = [{"name": "cold"}, {"name": "fed", field: value}]
+    with pytest.raises(CaseError, match=rf"{field}.*there is none"):
+        case_from_dict(COOLED | {"method": method, "operating_points": points})
+
+
+def test_operating_points_may_give_the_whole_supply():
+    points = [{"name": "fed", "supply_temperature": "40 degC", "supply_pressure": "0.2 MPa"}]
+    (design,) = design_cases(case_from_dict(COOLED | {"supply": {}, "operating_points": points}))
+    assert (design.oil_supply.temperature, design.oil_supply.pressure) == pytest.approx((313.15, 2e5))

@@ -37,6 +37,7 @@ from babbitt.bearings.thermal_answer import (
 from babbitt.bearings.thermal_failure import thermal_failure
 from babbitt.bearings.thermal_film import film_equilibrium
 from babbitt.bearings.transition import transition_speed
+from babbitt.bearings.unloaded import missing_without_load
 from babbitt.bearings.warm_film import FilmState, under_found_load
 from babbitt.bearings.watch import Watch, unwatched
 from babbitt.bearings.whirl import whirl_of
@@ -171,7 +172,8 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
         settings,
         arrays,
         {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))}
-        | _tilt_missing(case, outcome, arrays),
+        | _tilt_missing(case, outcome, arrays)
+        | missing_without_load(case, found.film),
     )
 
 
@@ -226,7 +228,7 @@ def _doubts(
         yield Notice("W141", f"the sides draw in {flow:.2g} L/min")
     yield from doubt_about_pressure(values["maximum_pressure"])
     yield from _doubts_about_grooves(case, state, values)
-    if case.error_estimate and "position_error" not in values and "load_error" not in values:
+    if case.error_estimate and "stiffness_error" not in values:
         yield Notice("W125", "the film on the finer grid was not found")
     if whirl is not None:
         yield from doubts_about_whirl(whirl)

@@ -13,6 +13,7 @@ from babbitt.bearings.field import highest_pressure, narrowest_gap_angle
 from babbitt.bearings.layout import closed_pockets, supply_numbers, without_pressure
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.thermal_answer import flow_without_pressure, thermal_values
+from babbitt.bearings.unloaded import NEEDS_A_LOAD, NOTHING_CARRIED, is_unloaded
 from babbitt.bearings.warm_film import FilmState, friction_of
 from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import (
@@ -42,7 +43,7 @@ def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     bearing, film, thermal = case.bearing, state.solution, state.thermal
     duty = duty_values(case, state)
     torque = case.friction_factor * friction_of(case, film)[0]
-    coefficient = 2.0 * torque / (state.load * bearing.diameter)
+    coefficient = math.nan if is_unloaded(case, state) else 2.0 * torque / (state.load * bearing.diameter)
     values = {
         "diameter": bearing.diameter,
         "width": bearing.width,
@@ -54,7 +55,7 @@ def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
         "angular_speed": case.journal_speed,
         **oil_values(case, state),
         "sommerfeld_number": film.sommerfeld_number,
-        "american_sommerfeld_number": 1.0 / (2.0 * math.pi * film.sommerfeld_number),
+        "american_sommerfeld_number": _american_number(film.sommerfeld_number),
         "eccentricity_ratio": film.eccentricity_ratio,
         "attitude_angle": film.attitude_angle,
         **_misalignment_values(case),
@@ -81,7 +82,13 @@ def film_values(case: FilmCase, state: FilmState) -> dict[str, float]:
     for name, matrix in (("stiffness", film.stiffness), ("damping", film.damping)):
         values |= {f"{name}_{axes}": float(one) for axes, one in zip(AXES, matrix.ravel(), strict=True)}
     values["mass_balance_error"] = film.mass_balance_error
+    if is_unloaded(case, state):
+        values |= dict.fromkeys(NOTHING_CARRIED, 0.0) | dict.fromkeys(NEEDS_A_LOAD, math.nan)
     return values
+
+
+def _american_number(sommerfeld_number: float) -> float:
+    return 1.0 / (2.0 * math.pi * sommerfeld_number) if sommerfeld_number > 0.0 else math.nan
 
 
 def _one_temperature(case: FilmCase, state: FilmState) -> dict[str, float]:

@@ -11,6 +11,7 @@ import numpy as np
 from babbitt.bearings.layout import load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.settling import place_of, settled_film
+from babbitt.bearings.unloaded import is_unloaded
 from babbitt.bearings.warm_film import FilmState, resolution_of
 from babbitt.design.conditions import GivenLoad
 from babbitt.film.model import Resolution
@@ -74,7 +75,7 @@ def grid_errors(case: FilmCase, state: FilmState) -> dict[str, float]:
         if better.outcome.solved:
             ratio = fine.intervals / grid.intervals
             rest = ratio**2 / (ratio**2 - 1.0)
-            return {name: rest * share for name, share in _differences(case, state.solution, better)}
+            return {name: rest * share for name, share in _differences(case, state, better)}
     return {}
 
 
@@ -88,12 +89,13 @@ def _on_grid(case: FilmCase, state: FilmState, grid: Resolution) -> FilmSolution
     return film_at_position(film, (x, y), resolution=grid)
 
 
-def _differences(case: FilmCase, found: FilmSolution, better: FilmSolution) -> Iterator[tuple[str, float]]:
+def _differences(case: FilmCase, state: FilmState, better: FilmSolution) -> Iterator[tuple[str, float]]:
+    found = state.solution
     if isinstance(case.duty, GivenLoad):
         thickness = better.minimum_film_thickness
         yield "minimum_film_thickness_error", abs(thickness - found.minimum_film_thickness) / thickness
         yield "position_error", float(np.hypot(*(better.position - found.position))) / found.film.clearance
-    else:
+    elif not is_unloaded(case, state):
         yield "load_error", _share(better.force - found.force, better.force)
     yield "stiffness_error", _share(better.stiffness - found.stiffness, better.stiffness)
     yield "damping_error", _share(better.damping - found.damping, better.damping)

@@ -11,6 +11,7 @@ import numpy as np
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.own_slope import with_bore
 from babbitt.bearings.settling import place_of, settled_film
+from babbitt.bearings.unloaded import is_unloaded
 from babbitt.bearings.warm_film import FilmState
 from babbitt.film.rotor import RIGID, stable_masses_of_rotor
 from babbitt.film.whirl import ElasticWhirl, Whirl, crossing, rotor_mass, stability_excess
@@ -30,7 +31,8 @@ def whirl_of(case: FilmCase, state: FilmState) -> Whirl:
     from babbitt.film.stability import whirl_frequency
 
     stiffness, damping = state.solution.stiffness, state.solution.damping
-    mass, shaft = mass_of_rotor(case, state.load), case.shaft_stiffness
+    mass = mass_of_rotor(case, 0.0 if is_unloaded(case, state) else state.load)
+    shaft = case.shaft_stiffness
     return Whirl(
         stable_masses_of_rotor(stiffness, damping),
         whirl_frequency(stiffness, damping) / abs(case.journal_speed),
@@ -79,7 +81,12 @@ def at_speed(case: FilmCase, state: FilmState, speed: float) -> FilmSolution:
 
 
 def threshold_speed(case: FilmCase, state: FilmState, mass: float, shaft_stiffness: float = RIGID) -> float | None:
-    """Hydrodynamic speed in rad/s above which a rotor whirls, nearest to that here; None if none is in sight."""
+    """Hydrodynamic speed in rad/s above which a rotor whirls, nearest to that here; None if none is in sight.
+
+    Nor is one where the film carries nothing: no load holds the journal at another place at another speed.
+    """
+    if is_unloaded(case, state):
+        return None
 
     def excess(speed: float) -> float:
         found = with_bore(case, at_speed(case, state, speed))

@@ -15,6 +15,8 @@ from babbitt.cases.supply import Supply
 from babbitt.lubricants import Lubricant
 from babbitt.units import written
 
+SUPPLY_OF_A_POINT = ("supply_temperature", "supply_pressure", "supply_flow")
+
 WHERE = "at the bearing or for the whole machine"
 
 
@@ -64,6 +66,7 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
         )
     if supply is None and bearing.method == "film" and bearing.thermal in OWN_TEMPERATURES:
         yield lacks("", "supply", f"supply: a film with thermal: {bearing.thermal} needs the oil that enters")
+    yield from _points_change_a_supply(bearing, supply, path)
     if supply is not None:
         points = bearing.operating_points
         if supply.temperature is None and not _all_give(points, "supply_temperature"):
@@ -92,6 +95,18 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
     for part in ("bearing", "journal"):
         if getattr(materials, part) is None:
             yield lacks(part, "materials", "a name of the catalogue, or {thermal_expansion: 11e-6 1/K}")
+
+
+def _points_change_a_supply(bearing: JournalBearing, supply: Supply | None, path: Path) -> Iterator[Complaint]:
+    """Complain about operating points that change a supply which there is not."""
+    if supply is not None:
+        return
+    for index, point in enumerate(bearing.operating_points):
+        given = [name for name in SUPPLY_OF_A_POINT if getattr(point, name) is not None]
+        if given:
+            says = "an operating point changes the supply, and there is none: oil is not fed"
+            allowed = "supply besides it, `supply: {}` where every operating point gives temperature and pressure"
+            yield Complaint((*path, "operating_points", index, given[0]), says, allowed)
 
 
 def _all_give(points: tuple[object, ...], *names: str) -> bool:

@@ -50,7 +50,8 @@ class StableMasses:
 
     def reserve(self, mass: float) -> float:
         """How many times a rotor's mass, in kg, is within its nearer bound: above 1 where it is stable."""
-        return min(self.greatest / mass, mass / self.least if self.least > 0.0 else math.inf)
+        heaviest = self.greatest / mass if mass > 0.0 else math.inf
+        return min(heaviest, mass / self.least if self.least > 0.0 else math.inf)
 
 
 NO_MASS = StableMasses(math.inf, 0.0)

@@ -174,6 +174,7 @@ def _moving(state: FilmState, result: Result) -> Iterator[Painted]:
 
 
 def _swept(case: FilmCase, state: FilmState, result: Result) -> Iterator[Painted]:
+    from babbitt.bearings.unloaded import is_unloaded
     from babbitt.report import film_curves, film_stability
     from babbitt.report.progress import shown
     from babbitt.studies.locus import locus_over_load, locus_over_speed
@@ -181,6 +182,8 @@ def _swept(case: FilmCase, state: FilmState, result: Result) -> Iterator[Painted
 
     if case.cavitation is Cavitation.HALF_SOMMERFELD:
         return  # a film without stiffness and damping
+    if is_unloaded(case, state):
+        return  # no load to vary
 
     beside = "."
     if state.thermal is not None:
