@@ -52,3 +52,15 @@ def test_a_film_that_reforms_without_oil_is_doubted():
     assert "W122" in {notice.code for notice in reynolds.warnings}
     assert conserving.values["mass_balance_error"] < 1e-9
     assert "W122" not in {notice.code for notice in conserving.warnings}
+
+
+def test_oil_of_a_pocket_with_its_own_pressure_passes_no_tube_of_the_system():
+    fed = "{temperature: 50 degC, pressure: 0.1 MPa, tubes: [{diameter: 6 mm, length: 2 m}]}"
+    base = BASE.replace("{temperature: 50 degC, pressure: 0.02 MPa}", fed)
+    both = "pockets:\n  - {angle: 90 deg, extent: 40 deg, width: 40 mm}\n"
+    both += "  - {angle: -90 deg, extent: 30 deg, width: 40 mm, pressure: 3 MPa}\n"
+    found = solve(parse_case(base + "load: 5 kN\n" + both)).results[0].values
+    # the narrow tube would lose more than 0.1 MPa to the whole flow; the upper pocket draws next to nothing
+    assert found["total_flow"] > 2.0 / 6e4
+    assert found["tube_loss"] < 2e4
+    assert found["element_pressure"] == pytest.approx(1e5 - found["tube_loss"])

@@ -123,6 +123,15 @@ def test_cavity_below_ambient():
     assert -3e4 < found.solution.film.lands[0].start_pressure < 0.0
 
 
+def test_a_clockwise_film_is_the_mirror_image_with_cavities_below_ambient():
+    """One groove starved at the cavitation pressure, one full above it: the fill belongs to its own groove."""
+    ahead = replace(TWO_GROOVES, cavitation_pressure=-5e4)
+    here, there = fed(ahead, 8.0, 0.1), fed(replace(ahead, angular_speed=-200.0), 0.1, 8.0)
+    assert here.fill[1] < 1.0
+    assert there.fill == pytest.approx(here.fill[::-1], rel=1e-6)
+    assert there.solution.minimum_film_thickness == pytest.approx(here.solution.minimum_film_thickness, rel=1e-6)
+
+
 def test_too_little_oil_is_told_with_the_least_that_will_do():
     found = fed(POCKET, 1e-6)
     assert found.solution.outcome is Outcome.OVERLOADED

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from babbitt.bearings.bore import Arc, steps_of
 from babbitt.bearings.model import FilmCase, Hollow
@@ -14,7 +15,18 @@ from babbitt.film.starved import GivenFlow
 from babbitt.film.turbulence import FilmTurbulence
 from babbitt.notices import InputError
 
-__all__ = ["closed_pockets", "film_of", "given_flows", "load_vector", "supply_numbers", "without_pressure"]
+if TYPE_CHECKING:
+    from babbitt.film.solution import FilmSolution
+
+__all__ = [
+    "closed_pockets",
+    "film_of",
+    "flow_of_the_system",
+    "given_flows",
+    "load_vector",
+    "supply_numbers",
+    "without_pressure",
+]
 
 TURN = 2.0 * math.pi
 
@@ -97,6 +109,16 @@ def given_flows(case: FilmCase, film: JournalFilm) -> tuple[GivenFlow, ...]:
         members = tuple(number for hollow, number in numbered if hollow.pressure is None and hollow.flow is None)
         given += [GivenFlow(members, case.oil_supply.flow)] if members else []
     return tuple(given)
+
+
+def flow_of_the_system(case: FilmCase, solution: FilmSolution) -> float:
+    """Oil in m3/s that comes to a film through tubes and holes of the oil supply.
+
+    What leaves the film less the net flow of hollows that have a pressure or flow of their own.
+    """
+    numbered = zip(case.bearing.hollows, supply_numbers(case, solution.film), strict=True)
+    own = [number for hollow, number in numbered if hollow.pressure is not None or hollow.flow is not None]
+    return max(float(solution.side_flow.sum() - solution.supply_flow[own].sum()), 0.0)
 
 
 def closed_pockets(case: FilmCase) -> tuple[int, ...]:

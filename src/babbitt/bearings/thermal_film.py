@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.bearings.closed_pockets import ClosedPressures, closed_film
 from babbitt.bearings.heat_model import AxialTemperature
-from babbitt.bearings.layout import closed_pockets, film_of, load_vector
+from babbitt.bearings.layout import closed_pockets, film_of, flow_of_the_system, load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.thermal_failure import last_film, what_gave_way
 from babbitt.bearings.thermal_search import EXACT, ThermalSearch
@@ -192,7 +192,7 @@ def _warm_state(case: FilmCase, psi: float, temperature: float, search: ThermalS
         film = film_of(case, psi, cold_viscosity, pressure, density)
         return _accepted(_in_its_bore(case, film, heat, search), oil)
 
-    feed = arrival(supply, oil, lambda pressure: float(solved(pressure).film.side_flow.sum()))
+    feed = arrival(supply, oil, lambda pressure: flow_of_the_system(case, solved(pressure).film))
     thermal = solved(feed.element_pressure)
     viscosity = thermal.effective_viscosity
     solution = replace(thermal.film, film=replace(thermal.film.film, viscosity=viscosity))

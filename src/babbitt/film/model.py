@@ -393,7 +393,8 @@ FULL = 1.0 - 1e-9
 
 def check_fills(film: JournalFilm) -> None:
     """Refuse fills beyond 0 to 1, starved supplies under pressure, starved films that do not count oil."""
-    supplies = [(land.start_fill, land.start_pressure) for land in film.lands]
+    forward = film.angular_speed >= 0.0  # oil enters a land at its end where the journal turns back
+    supplies = [(land.start_fill, land.start_pressure if forward else land.end_pressure) for land in film.lands]
     supplies += [(pocket.fill, pocket.pressure) for pocket in film.pockets]
     for fill, pressure in supplies:
         if not 0.0 < fill <= 1.0:
