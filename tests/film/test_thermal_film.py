@@ -223,6 +223,18 @@ def test_turbulence_heats_more_and_still_closes_the_balance():
     assert turbulent.film.friction_torque > 1.1 * laminar.film.friction_torque
 
 
+def test_the_unit_of_viscosity_changes_no_turbulent_film():
+    """The Prandtl number that stirs the heat is that of the oil where it is, not of the unit."""
+    law = FilmTurbulence(NG_PAN, 860.0, 100.0, 200.0)
+    fast = replace(BEARING, clearance=2.0 * BEARING.clearance, angular_speed=400.0, turbulence=law)
+    one, other = (
+        solve_thermal_journal(replace(fast, viscosity=unit * fast.viscosity), FULL, WEIGHT) for unit in (1.0, 0.1)
+    )
+    assert other.film.minimum_film_thickness == pytest.approx(one.film.minimum_film_thickness, rel=2e-4)
+    assert other.film.friction_torque == pytest.approx(one.film.friction_torque, rel=2e-4)
+    assert other.temperature.max() == pytest.approx(one.temperature.max(), abs=0.05)
+
+
 def test_a_turbulent_film_below_its_onset_is_the_laminar_one():
     far = replace(BEARING, turbulence=FilmTurbulence(NG_PAN, 860.0, 2e4, 4e4))
     laminar, asked = (solve_thermal_journal(film, FULL, WEIGHT) for film in (BEARING, far))

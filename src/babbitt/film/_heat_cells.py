@@ -64,9 +64,9 @@ def bernoulli(x):
 def fill_cells(surface, columns, flows, conduction, stirred, insulated, fresh, viscosity, cells):
     """Factors and sources of all cells; ``conduction`` is k / (rho c omega c^2), ``fresh`` enters at the sides.
 
-    Turbulence conducts between layers: k (1 + s (f - 1)) with f the turbulent over the laminar shear and s,
-    ``stirred``, the Prandtl number over that of turbulence; the halves of the outer layers beside the walls stay
-    laminar.
+    Turbulence conducts between layers: k (1 + s (f - 1)) with f the turbulent over the laminar shear and s the
+    Prandtl number of the oil of the cell over that of turbulence, ``stirred`` at unit viscosity; the halves of the
+    outer layers beside the walls stay laminar.
     """
     lines, n = flows.gap.shape[0], surface.step.size
     layers, last = len(columns.layers), flows.gap.shape[1] - 1
@@ -90,7 +90,8 @@ def fill_cells(surface, columns, flows, conduction, stirred, insulated, fresh, v
                 eta += columns.layer[k]
             for k in range(layers):
                 spread[k] = spread[k] / total if total > 0.0 else columns.layer[k]
-            stirring, across = conduct * (1.0 + stirred * (flows.stir[i, c] - 1.0)), 0.0
+            prandtl = stirred * flows.shear_viscosity[east, c]
+            stirring, across = conduct * (1.0 + prandtl * (flows.stir[i, c] - 1.0)), 0.0
             for k in range(layers):
                 diagonal[k] = AT_REST
                 low[k] = 0.0

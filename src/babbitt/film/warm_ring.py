@@ -68,7 +68,7 @@ class WarmRing:
     rise : float
         mu omega R^2 / (rho c c^2): temperature per unit of dissipation over flow, K.
     stirred : float
-        Prandtl number of the oil over that of turbulence; zero where the film is laminar.
+        Prandtl number of oil of unit viscosity over that of turbulence; zero where the film is laminar.
     dissipation, friction : float
         Of the last pass, in units of mu omega^2 R^3 B / c.
     effective_viscosity : float
@@ -309,7 +309,7 @@ def harmonics_of(theta: Array) -> Array:
 
 
 def stirring_of(film: JournalFilm, heat: FilmHeat) -> float:
-    """Prandtl number of the oil over ``TURBULENT_PRANDTL``; zero for a laminar film."""
+    """Prandtl number of oil of unit viscosity over ``TURBULENT_PRANDTL``; zero for a laminar film."""
     if film.turbulence is None:
         return 0.0
     capacity = heat.volumetric_heat_capacity / film.turbulence.density
