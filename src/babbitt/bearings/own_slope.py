@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState, resolution_of
-from babbitt.film.model import Cavitation
+from babbitt.film.model import Cavitation, Resolution
 from babbitt.notices import Notice
 
 if TYPE_CHECKING:
     from babbitt.film.own_slope import SlopeCheck
     from babbitt.film.solution import FilmSolution
 
-__all__ = ["confirmed_state", "doubts_about_slope", "slope_not_asked", "with_bore"]
+__all__ = ["confirmed_film", "confirmed_state", "doubts_about_slope", "slope_not_asked", "with_bore"]
 
 
 def confirmed_state(case: FilmCase, state: FilmState) -> tuple[FilmState, SlopeCheck | None]:
@@ -38,11 +38,16 @@ def confirmed_state(case: FilmCase, state: FilmState) -> tuple[FilmState, SlopeC
 
 def with_bore(case: FilmCase, found: FilmSolution) -> FilmSolution:
     """A film whose coefficients count how the bore of the case gives way; the same where it is rigid."""
-    if not case.bearing.compliance or not found.outcome.solved:
+    return confirmed_film(case, found, case.accuracy.resolution) if case.bearing.compliance else found
+
+
+def confirmed_film(case: FilmCase, found: FilmSolution, grid: Resolution) -> FilmSolution:
+    """A film of one temperature with coefficients that its own load confirms, the bore counted."""
+    if not (found.outcome.solved and found.film.is_surface):
         return found
     from babbitt.film.own_slope import confirmed_coefficients
 
-    return confirmed_coefficients(found, case.accuracy.resolution, None, bore_gain_of(case))[0]
+    return confirmed_coefficients(found, grid, None, bore_gain_of(case))[0]
 
 
 def bore_gain_of(case: FilmCase) -> Callable[[FilmSolution], NDArray[np.float64]] | None:
