@@ -50,6 +50,13 @@ def test_the_case_gives_the_reference_share():
     assert len(found.arrays["full_stiffness"]) == 3
 
 
+def test_what_found_no_film_keeps_its_warnings():
+    """A stiffness that may have been read 1000 times too low is doubted where there is no film, too."""
+    lost = result(oil=f"{BALANCE}}}", thrust="90 MN", tilt=None, ring_stiffness="20.000 GN/m")
+    assert not lost.outcome.solved
+    assert "W181" in {notice.code for notice in lost.warnings}
+
+
 @pytest.mark.parametrize("carry_over", [0.0, 0.5, 0.85])
 def test_the_heat_balance_closes(carry_over):
     """P = rho c Q_fresh (T_drain - T_s), and mixing at the leading edges: Q_in T_in = lambda Q_t T_t + Q_fresh

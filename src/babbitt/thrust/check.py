@@ -51,7 +51,8 @@ def thrust_check(design: ThrustDesign) -> Result:
             failure.outcome,
             {},
             message=failure.said,
-            assumptions=_assumptions(design),
+            warnings=design.doubts,
+            assumptions=(*design.lubricant.assumptions, *design.assumptions, *_assumptions(design)),
         )
     values = share_values(design, state)
     of_runout: list[Notice] = []
