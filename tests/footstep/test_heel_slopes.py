@@ -9,8 +9,9 @@ from heels import GEOMETRY, OIL, footstep
 
 from babbitt.footstep.axial import axial_damping, centrifugal_pressure
 from babbitt.footstep.clearances import at_clearance, critical_clearances, fold_clearance
-from babbitt.footstep.eccentric import leak_factor, side_force_of_leakage
+from babbitt.footstep.eccentric import leak_factor, mean_inverse_gap, side_force_of_leakage
 from babbitt.footstep.model import Wall
+from babbitt.footstep.narrow_groove import NarrowGrooveAnnulus
 from babbitt.footstep.states import Method, NoSteadyStateError, steady_states
 from babbitt.footstep.turning_heel import turning_force
 
@@ -80,6 +81,26 @@ def test_leakage_of_eccentric_heels():
     centred, aside = (steady_states(footstep(groove=None, eccentricity_ratio=e))[0] for e in (0.0, 0.5))
     assert aside.leakage > centred.leakage
     assert aside.load < centred.load
+
+
+@pytest.mark.parametrize(("eccentricity", "tilt"), [(0.9, 0.0), (0.3, 3e-4), (0.0, -4e-4)])
+def test_friction_of_eccentric_heels(eccentricity, tilt):
+    """The mean of 1/h: 1/sqrt(1 - eps²) of a parallel heel, and that of narrow grooves where there are none."""
+    centred, aside = (
+        footstep(groove=None, eccentricity_ratio=e, tilt=t) for e, t in ((0.0, 0.0), (eccentricity, tilt))
+    )
+    factor = mean_inverse_gap(aside) * aside.clearance
+    if tilt == 0.0:
+        assert factor == pytest.approx(1.0 / math.sqrt(1.0 - eccentricity**2), rel=1e-14)
+    power, plain = (float(NarrowGrooveAnnulus(one).wall_power(0.0)) for one in (aside, centred))
+    assert factor == pytest.approx(power / plain, rel=1e-5)
+    shear = [
+        steady_states(replace(one, oil=replace(one.oil, exponent=0.0)))[0].friction_power
+        for one in (centred, aside)
+    ]
+    cylinder = 2.0 * math.pi * centred.geometry.length * centred.geometry.radius**3 * centred.angular_speed**2
+    more = centred.oil.viscosity * cylinder * (factor - 1.0) / centred.clearance
+    assert shear[1] - shear[0] == pytest.approx(more, rel=1e-9)
 
 
 def test_side_force_of_a_tilted_heel():

@@ -1,4 +1,4 @@
-"""The eccentric or tilted smooth clearance: how much more leaks, and the force of its pressure to one side.
+"""The eccentric or tilted smooth clearance: how much more leaks and rubs, and the side force of its pressure.
 
 Short-annulus film: oil runs along the heel only, ``q(theta) = (p1 - p_a)/(12 mu Int dz/h³)``. For a parallel heel
 this gives the factor 1 + 3/2 eps² known for eccentric annuli (F. M. White, Viscous Fluid Flow). A tilted heel
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from babbitt.footstep.model import Footstep
 
-__all__ = ["leak_factor", "side_force_of_leakage"]
+__all__ = ["leak_factor", "mean_inverse_gap", "side_force_of_leakage"]
 
 Array = NDArray[np.float64]
 AROUND = 256
@@ -43,6 +43,28 @@ def leak_factor(rim: float, outer: float) -> float:
         return 1.0 + 1.5 * rim**2
     cosine = np.cos(2.0 * math.pi * np.arange(AROUND) / AROUND)
     return float(np.mean(1.0 / _resistance(1.0 + rim * cosine, 1.0 + outer * cosine)))
+
+
+def mean_inverse_gap(footstep: Footstep, depth: float = 0.0) -> float:
+    """Mean of 1/h over the heel, 1/m: its shear over that of a gap of one metre.
+
+    Parameters
+    ----------
+    footstep : Footstep
+    depth : float
+        By which the gap is everywhere wider, as over a groove, m.
+
+    Notes
+    -----
+    Around the heel the mean is ``1/sqrt(h0² - (delta eps)²)`` with h0 = delta + depth, along it eps runs straight
+    from end to end; the mean of both is a difference of arc sines.
+    """
+    rim, outer = footstep.end_eccentricities
+    middle = footstep.clearance + depth
+    share = footstep.clearance / middle
+    if rim == outer:
+        return 1.0 / (middle * math.sqrt(1.0 - (share * rim) ** 2))
+    return (math.asin(share * rim) - math.asin(share * outer)) / (share * (rim - outer)) / middle
 
 
 def side_force_of_leakage(footstep: Footstep, rim_pressure: float) -> float:

@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.footstep.eccentric import leak_factor
+from babbitt.footstep.eccentric import leak_factor, mean_inverse_gap
 from babbitt.footstep.face import Face, log_growth, number
 from babbitt.footstep.model import BackflowViscosity, Footstep, FrictionViscosity
 
@@ -153,7 +153,8 @@ class GroovedHeel:
         else:
             viscosity = oil.at(mixed)
         length = self.channel.length * groove.starts
-        over_gap = groove.land_width / step.clearance + groove.groove_width / (step.clearance + groove.depth)
+        over_gap = groove.land_width * mean_inverse_gap(step)
+        over_gap += groove.groove_width * mean_inverse_gap(step, groove.depth)
         cylinder = viscosity * length * over_gap * (step.groove_speed * part.radius) ** 2
         inner = hot if self._feeds_hot(at) else outlet
         face_viscosity = oil.at(inner) if self._feeds_hot(at) else oil.at(0.5 * (oil.temperature + outlet))
@@ -210,7 +211,7 @@ class SmoothHeel:
         """Friction power in W (P2, P3, P4)."""
         step, oil, part = self.footstep, self.footstep.oil, self.footstep.geometry
         outlet = float(at.face_temperature)
-        cylinder = 2.0 * math.pi * part.radius * part.length / step.clearance
+        cylinder = 2.0 * math.pi * part.radius * part.length * mean_inverse_gap(step)
         power = oil.at(outlet) * cylinder * (step.groove_speed * part.radius) ** 2
         return power + self.face.shear_power(oil.at(0.5 * (oil.temperature + outlet)), step.groove_speed)
 

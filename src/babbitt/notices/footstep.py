@@ -96,9 +96,8 @@ FOOTSTEP: dict[str, Explanation] = {
     ),
     "W170": Explanation(
         "Eccentric grooved heel",
-        "The leakage of an eccentric or tilted grooved heel counts the local clearance only; forces to the side "
-        "are "
-        "computed for the smooth heel alone, and friction by superposition as for a concentric one.",
+        "Leakage and friction of an eccentric or tilted grooved heel count the local clearance only; side forces "
+        "are computed for the smooth heel alone.",
         "Read side forces from the smooth heel as an order of magnitude.",
     ),
     "W171": Explanation(
