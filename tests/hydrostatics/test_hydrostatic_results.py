@@ -529,6 +529,28 @@ def test_numbers_of_validity_are_told():
     assert friction == pytest.approx(pumping, rel=1e-9)
 
 
+@pytest.mark.parametrize("gap", [30e-6, 50e-6, 80e-6])
+def test_the_gap_of_least_power_does_not_depend_on_where_one_starts(gap):
+    """At one recess pressure: P_p as h^3, lands as 1/h, recesses as they are; found by trying gaps."""
+    lands = lands_of(CIRCULAR)
+
+    def at(height):
+        flow = 2.5e6 * lands.conductance(height, 0.03)
+        made = pad_case(ConstantFlow(flow), None, "quick", recesses=Recesses(0.5e-3, 4.0))
+        return hydrostatic_check(replace(made, duty=Duty(None, gap=height, angular_speed=200.0)))
+
+    best = at(gap).least_power_gap
+    powers = [one.pumping_power + one.friction_power for one in map(at, (0.97 * best, best, 1.03 * best))]
+    assert powers[1] < min(powers[0], powers[2])
+
+
+def test_drained_recesses_do_not_feed_each_other():
+    """Every recess lets out to ambient alone: the stiffest ratio is that of a pad."""
+    drained = case(journal(groove=6.0), Duty(5e3, -0.5 * math.pi), "quick")
+    assert hydrostatic_check(drained).stiffest_pressure_ratio == 0.5
+    assert hydrostatic_check(replace(drained, shape=journal())).stiffest_pressure_ratio > 0.51
+
+
 def pumped(case_of, flow, **changes):
     """With a pump for every recess, each of which reaches 5 MPa."""
     return replace(case_of, feeding=feeding(ConstantFlow(flow), len(case_of.feeding.restrictors)), **changes)

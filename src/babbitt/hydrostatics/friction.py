@@ -17,7 +17,7 @@ from babbitt.hydrostatics.closed_forms import lands_of
 from babbitt.hydrostatics.geometry import AnnularPad, CircularPad, RecessedJournal, RectangularPad, ThrustRing
 from babbitt.hydrostatics.model import HydrostaticCase
 
-__all__ = ["friction_power", "friction_torque"]
+__all__ = ["friction_power", "friction_torque", "land_friction_power"]
 
 Array = NDArray[np.float64]
 
@@ -26,11 +26,18 @@ def friction_power(case: HydrostaticCase, found: Answer) -> float:
     """W."""
     shape = case.shape
     if isinstance(shape, RectangularPad):
-        speed, gap = case.duty.sliding_speed, found.rest_gap + float(found.at[0])
-        lands = (shape.area - shape.recess_area) / gap
         recess = case.recesses.friction_factor * shape.recess_area / case.recesses.depth
-        return case.oil.viscosity * speed**2 * (lands + recess)
+        return land_friction_power(case, found) + case.oil.viscosity * case.duty.sliding_speed**2 * recess
     return abs(friction_torque(case, found) * case.duty.angular_speed)
+
+
+def land_friction_power(case: HydrostaticCase, found: Answer) -> float:
+    """Part of the shear over the lands, W: what falls as the gap grows."""
+    shape = case.shape
+    if isinstance(shape, RectangularPad):
+        gap = found.rest_gap + float(found.at[0])
+        return case.oil.viscosity * case.duty.sliding_speed**2 * (shape.area - shape.recess_area) / gap
+    return case.oil.viscosity * case.duty.angular_speed**2 * lands(case, found)
 
 
 def friction_torque(case: HydrostaticCase, found: Answer) -> float:
@@ -38,11 +45,15 @@ def friction_torque(case: HydrostaticCase, found: Answer) -> float:
     if case.duty.angular_speed == 0.0 or isinstance(case.shape, RectangularPad):
         return 0.0
     shear = case.oil.viscosity * case.duty.angular_speed
-    lands = (
-        film_lands(found.film.film, found.at, case.reach) if found.film is not None else quick_lands(case, found)
-    )
     recesses = case.recesses.friction_factor * recess_inertia(case) / case.recesses.depth
-    return shear * (lands + recesses) + pressure_torque(case, found)
+    return shear * (lands(case, found) + recesses) + pressure_torque(case, found)
+
+
+def lands(case: HydrostaticCase, found: Answer) -> float:
+    """Integral of r^2/h over the lands, m3."""
+    if found.film is None:
+        return quick_lands(case, found)
+    return film_lands(found.film.film, found.at, case.reach)
 
 
 def pressure_torque(case: HydrostaticCase, found: Answer) -> float:

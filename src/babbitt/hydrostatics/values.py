@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.hydrostatics.answer import Answer
-from babbitt.hydrostatics.friction import friction_power, friction_torque
+from babbitt.hydrostatics.friction import friction_power, friction_torque, land_friction_power
 from babbitt.hydrostatics.geometry import RecessedJournal
 from babbitt.hydrostatics.heat_balance import temperature_rise
 from babbitt.hydrostatics.impedance import damping_loss, impedance
@@ -73,7 +73,7 @@ def values(case: HydrostaticCase, found: Answer) -> dict[str, float]:
     if best is not None and case.feeding.is_uniform:
         named["stiffest_pressure_ratio"] = best
     if friction > 0.0 and pumping > 0.0:
-        named["least_power_gap"] = least_power_gap(mean_gap(found), pumping, friction)
+        named["least_power_gap"] = least_power_gap(mean_gap(found), pumping, land_friction_power(case, found))
         named["least_power_viscosity"] = least_power_viscosity(case.oil.viscosity, pumping, friction)
     if found.film is not None:
         named |= {"cavitated_share": found.film.dry_share, "mass_balance_error": found.film.mass_balance_error}

@@ -33,9 +33,8 @@ def power_lines(case: HydrostaticCase, sheet: HydrostaticSheet) -> Iterator[Line
     whole = f"({lost})" if rubs else lost
     yield sheet.line("oil_warming", f"{whole} / (volumetric_heat_capacity * total_flow)", "no heat to the walls")
     if rubs:
-        name = "radial_clearance" if case.is_journal else "gap"
-        remark = "of least power at these pressures, restrictors made to suit"
-        yield sheet.line("least_power_gap", f"{name} * (friction_power / (3 * pumping_power))**(1 / 4)", remark)
+        remark = "where lands rub with three times the pumping power, at these pressures, restrictors made to suit"
+        yield sheet.given("least_power_gap", remark)
 
 
 def _friction(case: HydrostaticCase, sheet: HydrostaticSheet) -> Iterator[Line]:
