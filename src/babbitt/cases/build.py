@@ -17,7 +17,12 @@ from babbitt.cases.journal import JournalBearing
 from babbitt.cases.machine import JournalCase, Machine
 from babbitt.cases.one_dimension_cases import long_film_case, segment_case
 from babbitt.cases.part import Part
-from babbitt.cases.standard_rules import film_alone_knows, half_bearings_are_in_the_tables, width_is_in_the_tables
+from babbitt.cases.standard_rules import (
+    film_alone_knows,
+    half_bearings_are_in_the_tables,
+    width_is_in_the_closed_forms,
+    width_is_in_the_tables,
+)
 from babbitt.longfilm.model import LongFilmCase
 from babbitt.result_names import ResultName
 from babbitt.standards.iso7902.model import DesignCase
@@ -94,6 +99,7 @@ def unknown_to_iso7902(bearing: JournalBearing, case: Case) -> str:
         next(film_alone_knows(bearing, "it"), None)
         or next(width_is_in_the_tables(bearing), None)
         or next(half_bearings_are_in_the_tables(bearing), None)
+        or next(width_is_in_the_closed_forms(bearing), None)
     )
     if unfit is not None:
         return unfit.says

@@ -30,6 +30,7 @@ def standard_knows_the_bearing(bearing: JournalBearing) -> Iterator[Complaint]:
         yield from width_is_in_the_tables(bearing)
         yield from load_points_between_its_pockets(bearing)
         yield from half_bearings_are_in_the_tables(bearing)
+        yield from width_is_in_the_closed_forms(bearing)
 
 
 def width_is_in_the_tables(bearing: JournalBearing) -> Iterator[Complaint]:
@@ -39,6 +40,20 @@ def width_is_in_the_tables(bearing: JournalBearing) -> Iterator[Complaint]:
         says = f"ISO 7902 has no characteristics for a bearing of B/D {width / bearing.diameter:.3g}"
         allowed = f"{_widths(bearing, LARGEST_TABULATED_RATIO)}, or method: film, or long_film from B/D 2"
         yield Complaint(("width" if bearing.width is not None else "width_ratio",), says, allowed)
+
+
+def width_is_in_the_closed_forms(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about closed forms for a bearing wider or narrower than those to which they were fitted."""
+    if bearing.characteristics != "closed_form" or bearing.actual_width is None:
+        return
+    least, most = CLOSED_FORM_WIDTH_RATIOS
+    for point in bearing.operating_points or (None,):
+        half = half_bearing_width(bearing.element_at(point), bearing.actual_width)
+        ratio = (bearing.actual_width if half is None else half) / bearing.diameter
+        if ratio > most or (half is None and ratio < least):
+            says = f"the closed forms of DIN 31652 hold for B/D {least:g} to {most:g}, and it is {ratio:.3g}"
+            yield Complaint(("characteristics",), says, "computed")
+            return
 
 
 def width_is_plausible(bearing: JournalBearing) -> Iterator[Complaint]:

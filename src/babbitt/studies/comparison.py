@@ -21,6 +21,7 @@ from babbitt.cases.journal import JournalBearing
 from babbitt.cases.one_dimension import METHODS
 from babbitt.cases.screw_heel import ScrewHeelCase
 from babbitt.characteristics.closed_forms import DEVIATIONS
+from babbitt.characteristics.closed_forms import WIDTH_RATIOS as CLOSED_FORM_WIDTH_RATIOS
 from babbitt.film.model import Cavitation, FilmStart
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.longfilm.check import long_film_check
@@ -119,6 +120,7 @@ CAVITATION_LABELS = {
 HALF_SOMMERFELD = ("film, half-Sommerfeld", "counts suctions of the full film as nothing; knows no flow")
 
 ISO_LABEL = "ISO 7902"
+CLOSED_FORMS = "closed forms"
 
 LONG_FILM = (
     "long film",
@@ -230,8 +232,14 @@ def _left_out(bearing: JournalBearing, case: Case) -> Iterator[str]:
         f"{ISO_LABEL} is": unknown_to_iso7902(bearing, case),
         f"{' and '.join(OWN.values())} are": left_out_of_thermal_variants(bearing, case),
         f"{LONG_FILM[0]} is": unknown_to_long_film(bearing, case),
+        f"{CLOSED_FORMS} are": next(_beyond_closed_forms(bearing, case), ""),
     }
     yield from (f"{which} left out: {reason}" for which, reason in reasons.items() if reason)
+
+
+def _beyond_closed_forms(bearing: JournalBearing, case: Case) -> Iterator[str]:
+    full = (design for design in iso7902_cases(bearing, case) if design.bearing.span == 360)
+    yield from filter(None, map(unknown_to_closed_forms, full))
 
 
 def _film_variant(one: ThermalVariant) -> Variant:
@@ -255,16 +263,22 @@ def _cavitation_variants(film: FilmCase) -> tuple[Variant, ...]:
     return tuple(found)
 
 
+def unknown_to_closed_forms(design: DesignCase) -> str:
+    """Why the closed forms do not reach a full bearing, in words; empty where they do."""
+    (least, most), ratio = CLOSED_FORM_WIDTH_RATIOS, design.bearing.part_width_ratio
+    return "" if least <= ratio <= most else f"they hold for B/D {least:g} to {most:g}, and it is {ratio:.3g}"
+
+
 def _variants(design: DesignCase) -> tuple[Variant, ...]:
     common = "assumes one temperature for the whole film; rupture as on a centred arc; rigid parallel surfaces"
     found = [Variant(ISO_LABEL, common, check(design), design)]
     if design.bearing.span < 360:  # all friction models agree on a full bearing
         for model, (label, remark) in FRICTION_LABELS.items():
-            plain = replace(design, friction=model, friction_factor=1.0)
-            if plain != design:
-                found.append(Variant(label, remark, check(plain), plain, is_method=False))
-    elif design.curves is Curves.COMPUTED:
+            other = replace(design, friction=model)
+            if other != design:
+                found.append(Variant(label, remark, check(other), other, is_method=False))
+    elif design.curves is Curves.COMPUTED and not unknown_to_closed_forms(design):
         closed = replace(design, curves=Curves.CLOSED_FORM)
         deviates = f"deviates by up to {100.0 * DEVIATIONS['sommerfeld_number']:.0f} % in So (DIN 31652 fits)"
-        found.append(Variant("closed forms", deviates, check(closed), closed, is_method=False))
+        found.append(Variant(CLOSED_FORMS, deviates, check(closed), closed, is_method=False))
     return tuple(found)
