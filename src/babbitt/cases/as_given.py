@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from babbitt.cases.case_file import CaseFile
 from babbitt.cases.clearance import (
     ClearanceGiven,
     DeviationsClearance,
@@ -64,12 +65,22 @@ def words_of(
         Label and words.
     """
     return (
+        *_of_words(bearing),
         *_of_geometry(bearing, point),
         *_of_clearance(bearing, clearance_case),
         *_of_materials(materials),
         *_of_operation(bearing, point),
         *_of_cooling(cooling),
     )
+
+
+def _of_words(bearing: JournalBearing) -> Iterator[Words]:
+    """What a bearing of a machine says of itself; what a whole file says stands before the bearings."""
+    if isinstance(bearing, CaseFile):
+        return
+    for label, words in (("Source of the numbers", bearing.source), ("Notes", bearing.notes)):
+        if words:
+            yield label, words
 
 
 def _of_geometry(bearing: JournalBearing, point: OperatingPoint | None) -> Iterator[Words]:

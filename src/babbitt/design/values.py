@@ -56,7 +56,7 @@ def duty_values(case: Designed, film: DesignFilm) -> Named:
     return {
         "load": film.load,
         "specific_load": pressure,
-        "angular_speed": abs(case.journal_speed),
+        "angular_speed": case.journal_speed,
         "hydrodynamic_speed": hydrodynamic_speed(case),
         "surface_speed": speed,
         "pressure_speed_product": pressure * sliding_speed(case),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -295,12 +296,16 @@ def _key_results(chapter: Chapter) -> list[Data]:
         }
         for name, reason in result.missing.items()
     ]
-    return rows + _supply_rows(result) + _recess_rows(result)
+    return rows + _supply_rows(chapter.results) + _recess_rows(result)
 
 
-def _supply_rows(result: Result) -> list[Data]:
-    """Fresh oil, oil that goes back and temperature of every supply of a film with its own temperatures."""
+def _supply_rows(results: Sequence[Result]) -> list[Data]:
+    """Fresh oil, oil that goes back and temperature of every supply of films with their own temperatures.
+
+    Of the results side by side each has its own value.
+    """
     rows = []
+    result = next((one for one in results if "groove_angles" in one.arrays and one.outcome.solved), results[0])
     names = {
         "groove_pressures": "pressure",
         "groove_fresh_flows": "fresh oil",
@@ -312,10 +317,16 @@ def _supply_rows(result: Result) -> list[Data]:
         for name, said in names.items():
             if name not in result.arrays:
                 continue
-            value = result.arrays[name][0][place - 1]
-            if name != "groove_returned_flows" or value > 0.0:
-                rows.append(_single_row(name, f"Supply {place} at {where}, {said}", value, str(place)))
+            values = [_of_supply(one, name, place) for one in results]
+            if name != "groove_returned_flows" or any(value > 0.0 for value in values):
+                rows.append(_row(name, f"Supply {place} at {where}, {said}", values, str(place)))
     return rows
+
+
+def _of_supply(result: Result, name: str, place: int) -> float:
+    """A value of a supply, not a number where the result has none."""
+    values = result.arrays.get(name, ((),))[0] if result.outcome.solved else ()
+    return values[place - 1] if place <= len(values) else math.nan
 
 
 def _recess_rows(result: Result) -> list[Data]:
@@ -336,12 +347,16 @@ def _recess_rows(result: Result) -> list[Data]:
 
 
 def _single_row(name: str, said: str, value: float, index: str) -> Data:
+    return _row(name, said, [value], index)
+
+
+def _row(name: str, said: str, values: Sequence[float], index: str) -> Data:
     quantity = QUANTITIES[name]
     symbol = f"{quantity.symbol.partition('_')[0]}_{index}" if index else quantity.symbol
     return {
         "label": said,
         "symbol": symbol_node(symbol),
-        "values": [quantity.format(value)],
+        "values": [quantity.format(value) if math.isfinite(value) else ABSENT for value in values],
         "unit": matrix_unit(quantity, index),
     }
 

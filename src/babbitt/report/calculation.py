@@ -104,7 +104,8 @@ def _load_and_speed(sheet: Worksheet) -> Iterator[Line]:
         yield sheet.line("half_bearing_width", "(width - groove_width) / 2", halves)
         yield sheet.line("half_bearing_width_ratio", "half_bearing_width / diameter")
     yield sheet.line("specific_load", f"load / ({_loaded_width(sheet)} * diameter)")
-    yield sheet.line("surface_speed", "angular_speed * diameter / 2")
+    backward = sheet["angular_speed"] < 0.0
+    yield sheet.line("surface_speed", f"{'abs(angular_speed)' if backward else 'angular_speed'} * diameter / 2")
 
 
 def _validity(sheet: Worksheet) -> Iterator[Line]:

@@ -16,8 +16,9 @@ from babbitt.footstep.case import HeelCase
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
+from babbitt.quantities import QUANTITIES
 from babbitt.report.names import split_clearance
-from babbitt.results import Result
+from babbitt.results import Check, Result
 from babbitt.segments.model import SegmentCase
 from babbitt.shaft_line.design import LineDesign
 from babbitt.thrust.design import ThrustDesign
@@ -44,9 +45,16 @@ class Chapter:
 
     @property
     def shown(self) -> Member:
-        """The member shown in full: the solved one that comes closest to a limit, the mean if none is checked."""
+        """The member shown in full: the solved one that misses most limits.
+
+        Of several that miss as many the one that comes closest to a limit, or is farthest beyond; the mean if none
+        is checked.
+        """
         solved = [member for member in self.members if member.result.outcome.solved] or list(self.members)
-        return min(solved, key=lambda member: (_least_margin(member.result), member.clearance != "mean"))
+        return min(
+            solved,
+            key=lambda member: (-_misses(member.result), _least_margin(member.result), member.clearance != "mean"),
+        )
 
     @property
     def shown_case(self) -> EveryDesign | None:
@@ -64,7 +72,19 @@ class Chapter:
 
 
 def _least_margin(result: Result) -> float:
-    return min((check.margin for check in result.limits), default=math.inf)
+    return min((_margin(check, result) for check in result.limits), default=math.inf)
+
+
+def _misses(result: Result) -> int:
+    return sum(not check.ok for check in result.limits)
+
+
+def _margin(check: Check, result: Result) -> float:
+    """Distance to a limit relative to it; of a temperature, to the rise above the oil supplied that it allows."""
+    cold = result.values.get("supply_temperature", math.nan)
+    if not QUANTITIES[check.quantity].display.offset or not check.limit > cold:
+        return check.margin
+    return (check.limit - check.value) / (check.limit - cold)
 
 
 def chapters(cases: Sequence[EveryDesign], results: Sequence[Result]) -> tuple[Chapter, ...]:

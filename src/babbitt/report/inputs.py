@@ -199,11 +199,17 @@ def _geometry(case: DesignCase) -> Iterator[Row]:
         yield from _element(bearing.supply_element)
 
 
+def _holes(number: float) -> str:
+    """How many round holes; a slot is as many equivalent ones as come out, which is no whole number."""
+    if number == 1.0:
+        return "Hole"
+    return f"{number:.0f} holes" if number.is_integer() else f"{number:.4g} holes (a slot: equivalent holes)"
+
+
 def _element(element: SupplyElement) -> Iterator[Row]:
     match element:
         case Holes():
-            kind = "Hole" if element.number == 1.0 else f"{element.number:.4g} holes (a slot: equivalent holes)"
-            yield Row("Supply element", f"{kind} {PLACES[element.arrangement]}")
+            yield Row("Supply element", f"{_holes(element.number)} {PLACES[element.arrangement]}")
             yield _named("hole_diameter", element.diameter)
         case Pockets():
             yield Row("Supply element", f"Pocket {PLACES[element.arrangement]}")
