@@ -46,7 +46,7 @@ FAMILIES: dict[str, Trial] = {
         Family(
             draw,
             IN_OTHER_AXES if name.startswith("film") else WRITTEN,
-            SAME_WARM if "thermal" in name else Family.same,
+            SAME_WARM if "thermal" in name or "turbulent" in name else Family.same,
         ),
     )
     for name, draw in JOURNALS.items()

@@ -37,10 +37,11 @@ from babbitt.hydrostatics.network import Feeding
 from babbitt.hydrostatics.restrictors import Capillary, CheckValve, ConstantFlow, FlowValve, MeteredFlow, Orifice
 from babbitt.hydrostatics.supply import FixedPressure, Pump
 from babbitt.hydrostatics.surfaces import FilmOil, journal_surface
+from babbitt.hydrostatics.validity import of_powers
 from babbitt.notices import InputError
 from babbitt.quantities import QUANTITIES
 from babbitt.report.export import to_json
-from babbitt.results import Outcome
+from babbitt.results import Outcome, Verdict
 from babbitt.studies.comparison import compare_methods
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -427,6 +428,21 @@ def test_open_restrictors_are_to_be_narrowed():
         result = hydrostatic_check(made)
         assert result.outcome is Outcome.OVERLOADED
         assert advice in result.message
+
+
+def test_a_given_viscosity_that_the_heat_contradicts_has_no_verdict():
+    """At a rise of 66 K a film of mineral oil is thinner by far than one at the temperature of its supply."""
+
+    def turning(times):
+        return hydrostatic_check(case(duty=Duty(10e3, -0.5 * math.pi, angular_speed=times * SPEED)))
+
+    warm, hot = turning(2.0), turning(3.3)
+    assert 20.0 < warm.temperature_rise < 40.0 < hot.temperature_rise < 100.0
+    assert "W322" not in codes(warm)
+    assert "W322" in codes(hot)
+    assert hot.verdict is Verdict.NO_VERDICT
+    balanced = {"temperature_rise": hot.temperature_rise, "power_ratio": 2.0, "energy_balance_error": 0.0}
+    assert "W322" not in {notice.code for notice in of_powers(case(), balanced)}
 
 
 def test_absurd_heat_and_negative_damping_have_no_verdict():

@@ -22,6 +22,9 @@ SLENDER, SMALLEST_ORIFICE = 20.0, 0.3e-3
 OPEN_MASS = 1e-6
 """Relative error of the oil's balance from which there is no verdict; the temperature is sought to 1e-6 K."""
 MOST_EDGE_INERTIA, MOST_LOSS, WARMEST = 0.2, 0.2, 20.0
+LARGEST_RISE_UNBALANCED = 40.0
+"""K, where viscosity or temperature of the film is given and no heat balance made (an assumption): the film is half
+of it warmer than its supply, and mineral oils have half their viscosity then."""
 
 
 def doubts(case: HydrostaticCase, found: Answer, named: Mapping[str, float]) -> Iterator[Notice]:
@@ -128,8 +131,11 @@ def of_powers(case: HydrostaticCase, named: Mapping[str, float]) -> Iterator[Not
     rise = named["temperature_rise"]
     if rise > WARMEST:
         yield Notice("W312", f"the oil warms by {rise:.3g} K between manifold and drain")
-    if rise > LARGEST_RISE:
-        yield Notice("W322", f"the oil would warm by {rise:.0f} K > {LARGEST_RISE:.0f} K")
+    balanced = "energy_balance_error" in named
+    bound = LARGEST_RISE if balanced else LARGEST_RISE_UNBALANCED
+    if rise > bound:
+        given = "" if balanced else "; viscosity or temperature of the film is given, which it would then not have"
+        yield Notice("W322", f"the oil would warm by {rise:.0f} K > {bound:.0f} K{given}")
     oil = case.oil
     if oil.lubricant is not None and oil.temperature is not None:
         yield from beyond_data(oil.lubricant, oil.temperature, "the film")

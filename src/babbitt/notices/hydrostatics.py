@@ -134,8 +134,10 @@ HYDROSTATICS: dict[str, Explanation] = {
     "W322": Explanation(
         "Oil warmed beyond the model",
         "Between manifold and drain the oil would be warmed by more than 100 K (an assumption): one viscosity for "
-        "the whole film and no heat to the metal are then no model of the bearing.",
-        "More flow (a wider gap, wider restrictors), a thinner oil, less speed or supply pressure.",
+        "the whole film and no heat to the metal are then no model of the bearing. Where viscosity or temperature "
+        "of the film is given, by more than 40 K: the film would have about half the viscosity that it is given.",
+        "Give the oil by its supply temperature, so that the heat balance finds that of the film; more flow (a "
+        "wider gap, wider restrictors), a thinner oil, less speed or supply pressure.",
         effect=Effect.NO_VERDICT,
     ),
     "W323": Explanation(
