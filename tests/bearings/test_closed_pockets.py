@@ -68,6 +68,16 @@ def test_what_reaches_a_closed_pocket_goes_on(heated):
     assert result.mass_balance_error < 1e-8
 
 
+def test_stiffness_with_a_closed_pocket_is_told_as_not_held_against_the_load(heated):
+    """The pocket answers a displacement with its pressure, which steps at standing supplies do not know."""
+    thermal, result, _ = heated
+    unmade = {notice.code: notice.message for notice in result.not_checked}
+    assert unmade["C122"] == "closed pockets answer the journal with their pressure"
+    assert not {"W135", "W136"} & {notice.code for notice in result.warnings}
+    open_one = film_check(of_model(thermal, TEXT.replace("flow: 0 L/min", "pressure: 0.1 MPa")))
+    assert "C122" not in {notice.code for notice in open_one.not_checked}
+
+
 def test_its_pressure_lies_between_those_of_the_film_around_it(heated):
     _, result, state = heated
     ((groove, closed),) = result.arrays["groove_pressures"]
