@@ -23,8 +23,9 @@ OPEN_MASS = 1e-6
 """Relative error of the oil's balance from which there is no verdict; the temperature is sought to 1e-6 K."""
 MOST_EDGE_INERTIA, MOST_LOSS, WARMEST = 0.2, 0.2, 20.0
 LARGEST_RISE_UNBALANCED = 40.0
-"""K, where viscosity or temperature of the film is given and no heat balance made (an assumption): half of it makes
-the film warmer than its supply, and halves the viscosity of mineral oils."""
+"""K, where viscosity or temperature of the film is given and no heat balance made (an assumption).
+
+The film is half of it warmer than its supply, which halves the viscosity of mineral oils."""
 
 
 def doubts(case: HydrostaticCase, found: Answer, named: Mapping[str, float]) -> Iterator[Notice]:
