@@ -280,6 +280,27 @@ def test_common_pump_runs_out_of_pressure():
     assert result.pump_power > result.pumping_power / 0.8
 
 
+def test_overflow_of_the_relief_valve_closes_the_powers():
+    """Shaft power of the pump times its efficiency is what reaches the recesses and what the valve wastes."""
+    fed = Feeding((CIRCULAR_CAPILLARY,), Pump(5e-6, 0.0, 4e6))
+    result = hydrostatic_check(replace(pad_case(load=9e3), feeding=fed))
+    assert result.relief_flow == pytest.approx(5e-6 - result.total_flow, rel=1e-9)
+    assert 0.8 * result.pump_power == pytest.approx(result.pumping_power + result.relief_power, rel=1e-9)
+    shut = hydrostatic_check(replace(pad_case(load=9e3), feeding=replace(fed, supply=Pump(2e-6, 0.0, 9e6))))
+    assert "relief_flow" not in shut.values
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_direction_of_the_load_at_a_given_place(method):
+    """The load that is found there, in the direction that is told, brings the journal back to it."""
+    place = Duty(None, position=(0.2 * CLEARANCE, -0.3 * CLEARANCE), angular_speed=SPEED)
+    held = hydrostatic_check(case(duty=place, method=method))
+    under = hydrostatic_check(case(duty=Duty(held.load, held.load_angle, angular_speed=SPEED), method=method))
+    assert under.eccentricity_ratio == pytest.approx(math.hypot(0.2, 0.3), rel=1e-6)
+    assert under.attitude_angle == pytest.approx(held.attitude_angle, abs=1e-6)
+    assert "load_angle" not in under.values
+
+
 def test_warm_film_of_a_lubricant():
     given = template("hydrostatic_pad").replace(
         "oil: {viscosity: 30 mPa s, density: 870 kg/m3, heat_capacity: 2000 J/(kg K)}",

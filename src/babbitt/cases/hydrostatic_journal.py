@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from babbitt.cases.hydrostatic_file import HydrostaticFile
-from babbitt.cases.part import Complaint, exactly_one, rule
+from babbitt.cases.part import Complaint, exactly_one, is_given, rule
 from babbitt.cases.recess_parts import Angle, Gap, Length, RecessRow, Speed
 from babbitt.cases.recess_rules import clearance_is_small, in_order, lands_between
 from babbitt.hydrostatics.geometry import RecessedJournal
@@ -53,6 +53,9 @@ class HydrostaticJournalCase(HydrostaticFile):
     @rule
     def _load_or_position(self) -> Iterator[Complaint]:
         yield from exactly_one(self, "load", "eccentricity_ratio")
+        if is_given(self, "load") and is_given(self, "attitude_angle"):
+            says = "attitude_angle is of a given position, but the load is given"
+            yield Complaint(("attitude_angle",), says, "eccentricity_ratio in place of the load", "remove one")
 
     @property
     def recess_count(self) -> int:

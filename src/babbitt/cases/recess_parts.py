@@ -117,6 +117,8 @@ class RecessRow(Part):
     def _all_angles(self) -> Iterator[Complaint]:
         if self.angles and len(self.angles) != self.number:
             yield Complaint(("angles",), f"{len(self.angles)} angles for {self.number} recesses", "one for each")
+        if self.angles and is_given(self, "first"):
+            yield Complaint(("first",), "given besides angles", "first, or angles", "remove one")
 
     @property
     def middles(self) -> tuple[float, ...]:

@@ -82,9 +82,9 @@ class ThrustPads(Part):
     face: FaceGiven | None = Field(None, description="What is taken off the face. None: plane.")
     crown: Annotated[float, si("m", "-1 mm", "1 mm", "um")] = Field(
         0.0,
-        description="Spherical crown: how much farther from the collar the middle of each edge is than the "
-        "middle of "
-        "the pad. It stands for grinding, or for bending and heat as known from elsewhere.",
+        description="Crown: how much farther from the collar the middle of every edge is than the middle of the "
+        "pad, by parabolas along and across; a sphere where the pad is as long as wide. It stands for grinding, "
+        "or for bending and heat as known from elsewhere.",
     )
     mass: PartMass = Field(0.0, description="Mass of one pad.")
     inertia_radial: Inertia = Field(0.0, description="Moment of inertia of a pad for tilting along the radius.")

@@ -46,6 +46,8 @@ def values(case: HydrostaticCase, found: Answer) -> dict[str, float]:
         "temperature_rise": temperature_rise(case, found),
         "effective_viscosity": case.oil.viscosity,
     }
+    if network.overflow > 0.0:
+        named |= {"relief_flow": network.overflow, "relief_power": supply * network.overflow}
     if case.duty.angular_speed:
         named |= {
             "friction_torque": abs(friction_torque(case, found)),
@@ -93,8 +95,10 @@ def place(case: HydrostaticCase, found: Answer) -> dict[str, float]:
         shift = math.atan2(float(at[1]), float(at[0]))
         size = float(np.hypot(*at))
         angle = math.remainder(sense * (shift - load_angle), 2.0 * math.pi) if size > 1e-9 * case.rest_gap else 0.0
+        found_angle = {"load_angle": load_angle} if case.duty.load is None else {}
         return {
             "load": float(np.hypot(*force)),
+            **found_angle,
             "specific_load": float(np.hypot(*force)) / (case.shape.diameter * case.shape.width),
             "eccentricity_ratio": size / case.shape.clearance,
             "attitude_angle": angle,

@@ -12,6 +12,8 @@ HYDROSTATICS: tuple[Quantity, ...] = (
     quantity("restrictor_flow", "Q_r", "m3/s", "L/min", 4, "Oil flow through every restrictor"),
     quantity("pumping_power", "P_p", "W", "kW", 4, "Flow times the pressure to which it is pumped"),
     quantity("pump_power", "P_pu", "W", "kW", 4, "Power at the shaft of the pump"),
+    quantity("relief_flow", "Q_v", "m3/s", "L/min", 4, "Oil over the relief valve of the pump"),
+    quantity("relief_power", "P_v", "W", "kW", 4, "Power lost over the relief valve"),
     quantity("power_ratio", "P_f/P_p", "1", "", 3, "Friction power over pumping power"),
     quantity("temperature_rise", "ΔT", "K", "K", 3, "Rise of the oil between manifold and drain"),
     quantity("effective_area", "A_e", "m2", "cm2", 4, "Load over recess pressure"),

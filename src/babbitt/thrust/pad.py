@@ -52,8 +52,8 @@ class ThrustPad:
     face : PlaneFace, TaperedFace or SteppedFace
         What is taken off the pad.
     crown : float
-        Height of a spherical crown, m: how much farther the middle of the leading and trailing edge lies from the
-        runner than the middle of the pad. Negative: hollow.
+        Height of the crown, m: how much farther the middle of every edge lies from the runner than the middle of
+        the pad, by parabolas along and across. A sphere where the pad is as long as wide. Negative: hollow.
     turbulence : FilmTurbulence or None
         None: laminar.
     """
