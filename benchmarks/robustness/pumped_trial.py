@@ -45,8 +45,8 @@ SAME, SAME_WARM = 1e-9, 1e-6
 """Relative difference allowed between two views of one bearing: films of one temperature, and those that seek
 it."""
 BALANCED = 1e-6
-OF_THE_FRAME = {"wall_time", "iterations", "tilt_x", "tilt_y", "moment_x", "moment_y", "mass_balance_error",
-                "energy_balance_error", "network_stability"}  # fmt: skip
+OF_THE_FRAME = {"wall_time", "iterations", "load_angle", "tilt_x", "tilt_y", "moment_x", "moment_y",
+                "mass_balance_error", "energy_balance_error", "network_stability"}  # fmt: skip
 SLOPES = {
     "face_gap_stiffness",
     "load_over_clearance",
