@@ -1,6 +1,7 @@
 """Cooling, half tolerance and root finder by closed forms, through whole cases."""
 
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -8,6 +9,7 @@ from babbitt import solve
 from babbitt.cases import case_from_dict, design_cases
 from babbitt.design.cooling import heat_transfer_coefficient, pedestal_surface
 from babbitt.design.roots import find_root
+from babbitt.solving import solve_design
 
 RING = {
     "kind": "journal",
@@ -55,13 +57,21 @@ def test_a_pedestal_is_half_its_height_and_its_width_around():
     assert pedestal_surface(0.4, 0.1) == pytest.approx(math.pi * 0.4 * 0.3, rel=1e-15)
 
 
-def test_the_middle_of_a_tolerance_is_half_the_sum_of_its_limits():
-    """The mean that a drawing gives need not lie in the middle; that of the limits does."""
+def test_the_mean_clearance_is_that_computed_with():
+    """The mean that a drawing gives need not lie in the middle of its limits."""
     clearance = {"kind": "relative", "mean": "1.2 permille", "minimum": "1 permille", "maximum": "2 permille"}
     supply = {"temperature": "40 degC", "pressure": "0.1 MPa"}
     (case,) = design_cases(case_from_dict(RING | {"clearance": clearance, "supply": supply}))
     assert case.bearing.relative_clearance == pytest.approx(1.2e-3)
-    assert case.bearing.mean_relative_clearance == pytest.approx(1.5e-3, rel=1e-12)
+    assert case.bearing.mean_relative_clearance == pytest.approx(1.2e-3, rel=1e-12)
+    judged = next(check for check in solve_design(case).checks if check.code == "C114")
+    assert judged.value == pytest.approx(1.2e-3, rel=1e-12)
+    every = design_cases(
+        case_from_dict(RING | {"clearance": clearance, "supply": supply, "clearance_cases": "all"})
+    )
+    assert [one.bearing.mean_relative_clearance for one in every] == pytest.approx([1.2e-3] * 3)
+    unnamed = replace(case.bearing, mean_clearance=None)  # a design without a mean of its own
+    assert unnamed.mean_relative_clearance == pytest.approx(1.5e-3, rel=1e-12)
     (plain,) = design_cases(case_from_dict(RING | {"supply": supply}))
     assert plain.bearing.mean_relative_clearance == plain.bearing.relative_clearance
 

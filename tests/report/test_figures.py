@@ -107,6 +107,19 @@ def test_the_label_of_the_load_number_stays_within_the_axes(name, eccentricity):
     assert label.y1 <= frame.y1
 
 
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+@pytest.mark.parametrize("share", [-0.5, 0.25])
+def test_speeds_are_varied_in_the_sense_of_journal_and_bearing(sense, share):
+    speed = abs(CASES["full"].journal_speed)
+    case = replace(CASES["full"], journal_speed=sense * speed, bearing_speed=share * sense * speed)
+    result = check(case)
+    swept = painters.speed_sweep(case, result)
+    here = int(np.argmin(np.abs(np.abs(swept.points) - speed)))
+    assert swept["minimum_film_thickness"][here] == pytest.approx(result.minimum_film_thickness)
+    assert np.all(np.sign(swept.points) == sense)
+    assert np.all((swept.points + case.bearing_speed) * sense > 0.0)
+
+
 def test_a_load_beyond_the_film_is_a_gap_and_no_error():
     case = replace(CASES["full"], duty=GivenLoad(60e3))
     result = check(case)

@@ -162,6 +162,7 @@ class FilmBearing(Proportions):
     metal: BearingMetal | None = None
     load_character: LoadCharacter = LoadCharacter.CALM
     clearance_tolerance: tuple[float, float] | None = None
+    mean_clearance: float | None = None
 
     @property
     def loaded_width(self) -> float:

@@ -194,5 +194,5 @@ def _expanded(bearing: JournalBearing, case: Case, make: Maker[DesignT]) -> Iter
         for clearance_case in ("minimum", "mean", "maximum") if every else ("mean",):
             of_point = "" if point is None else point.name
             name = ResultName(bearing.name, of_point, clearance_case if every else "")
-            at = Point(name, point, clearance_case, getattr(relative, clearance_case), tolerance)
+            at = Point(name, point, clearance_case, getattr(relative, clearance_case), tolerance, relative.mean)
             yield make(joined, at)

@@ -93,4 +93,5 @@ def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[Hollow, ...]) -> Fil
         metal=materials.metal(),
         load_character=LoadCharacter(materials.load_character or LoadCharacter.CALM),
         clearance_tolerance=at.tolerance,
+        mean_clearance=at.mean,
     )

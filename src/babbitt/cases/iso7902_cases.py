@@ -67,4 +67,5 @@ def _iso_bearing(inputs: Inputs, at: Point) -> Bearing:
         metal=materials.metal(),
         load_character=LoadCharacter(materials.load_character or LoadCharacter.CALM),
         clearance_tolerance=at.tolerance,
+        mean_clearance=at.mean,
     )

@@ -37,7 +37,7 @@ class Point:
     """Where a bearing is computed: operating point (None: the bearing as such), clearance case, relative
     clearance.
 
-    `clearance` and `tolerance` hold at 20 °C; `clearance_case` is ``minimum``, ``mean`` or ``maximum``.
+    `clearance`, `tolerance` and `mean` hold at 20 °C; `clearance_case` is ``minimum``, ``mean`` or ``maximum``.
     """
 
     name: str
@@ -45,6 +45,7 @@ class Point:
     clearance_case: str
     clearance: float
     tolerance: tuple[float, float] | None
+    mean: float
 
 
 def inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> Inputs:

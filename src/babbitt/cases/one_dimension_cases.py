@@ -71,6 +71,7 @@ def _sizes(inputs: Inputs, at: Point) -> dict[str, Any]:
         "metal": materials.metal(),
         "load_character": LoadCharacter(materials.load_character or LoadCharacter.CALM),
         "clearance_tolerance": at.tolerance,
+        "mean_clearance": at.mean,
     }
 
 

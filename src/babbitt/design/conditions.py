@@ -125,6 +125,7 @@ class Proportions:
     width: float
     relative_clearance: float
     clearance_tolerance: tuple[float, float] | None
+    mean_clearance: float | None
 
     @property
     def width_ratio(self) -> float:
@@ -138,7 +139,9 @@ class Proportions:
 
     @property
     def mean_relative_clearance(self) -> float:
-        """Relative clearance in the middle of its tolerance, at 20 °C."""
+        """Mean relative clearance of the case at 20 °C; without it that in the middle of the tolerance."""
+        if self.mean_clearance is not None:
+            return self.mean_clearance
         tolerance = self.clearance_tolerance
         return sum(tolerance) / 2.0 if tolerance else self.relative_clearance
 

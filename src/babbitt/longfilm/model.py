@@ -233,6 +233,7 @@ class LongFilmBearing(Proportions):
     metal: BearingMetal | None = None
     load_character: LoadCharacter = LoadCharacter.CALM
     clearance_tolerance: tuple[float, float] | None = None
+    mean_clearance: float | None = None
 
 
 @dataclass(frozen=True)

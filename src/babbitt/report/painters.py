@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -26,6 +27,7 @@ from babbitt.standards.iso7902.film import curves_of
 from babbitt.standards.iso7902.model import Curves, DesignCase
 from babbitt.standards.iso7902.span import TABULATED_SPANS
 from babbitt.studies.design_sweep import sweep_design
+from babbitt.studies.sweep import Sweep
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -39,8 +41,7 @@ POINTS = 61
 def speed_and_load(case: DesignCase, result: Result) -> Figure:
     """Friction coefficient and minimum film thickness over speed and over load (Stribeck)."""
     speed, load = abs(case.journal_speed), result.load
-    slowest = min(0.6 * result.values.get("transition_speed", speed / 10.0), speed / 4.0)
-    by_speed = sweep_design(case, "journal_speed", _about(speed, max(slowest, speed / 100.0), 2.0 * speed))
+    by_speed = speed_sweep(case, result)
     by_load = sweep_design(case, "duty.load", _about(load, load / 10.0, 4.0 * load))
     figure, axes = Sheet(166.0, 78.0, 2, 2).panels(sharex="col", sharey="row")
     for column, (swept, name, here) in enumerate(((by_speed, "angular_speed", speed), (by_load, "load", load))):
@@ -49,7 +50,9 @@ def speed_and_load(case: DesignCase, result: Result) -> Figure:
             panel = axes[row][column]
             shown = QUANTITIES[found]
             panel.set(xscale="log", yscale="log")
-            panel.plot(in_engineers_unit(name, swept.points), in_engineers_unit(found, swept[found]), color=INK)
+            panel.plot(
+                in_engineers_unit(name, np.abs(swept.points)), in_engineers_unit(found, swept[found]), color=INK
+            )
             mark(panel, quantity.shown(here), shown.shown(result.values[found]))
             if column == 0:
                 panel.set_ylabel(axis_label(shown))
@@ -62,8 +65,26 @@ def speed_and_load(case: DesignCase, result: Result) -> Figure:
     for panel in axes[:, 0]:
         plain_ticks(panel.yaxis)
     if "transition_speed" in result.values:
-        _transition(axes[0][0], axes[1][0], QUANTITIES["transition_speed"].shown(result.transition_speed))
+        slow = journal_speed_of(case, result.transition_speed)
+        _transition(axes[0][0], axes[1][0], QUANTITIES["transition_speed"].shown(slow))
     return figure
+
+
+def speed_sweep(case: DesignCase, result: Result) -> Sweep:
+    """The design check over the speed of the journal, which keeps its sense: the bearing may turn, too."""
+    speed, sense = abs(case.journal_speed), math.copysign(1.0, case.journal_speed)
+    transition = result.values.get("transition_speed")
+    slow = 0.0 if transition is None else 0.6 * journal_speed_of(case, transition)
+    slowest = max(min(slow if slow > 0.0 else speed / 10.0, speed / 4.0), speed / 100.0)
+    against = max(-sense * case.bearing_speed, 0.0)  # no film below the speed at which the bearing turns back
+    if slowest <= against:
+        slowest = against + 0.05 * (speed - against)
+    return sweep_design(case, "journal_speed", sense * _about(speed, slowest, 2.0 * speed))
+
+
+def journal_speed_of(case: DesignCase, hydrodynamic_speed: float) -> float:
+    """Speed of the journal in rad/s, positive in its sense, at a hydrodynamic speed of journal and bearing."""
+    return hydrodynamic_speed - math.copysign(1.0, case.journal_speed) * case.bearing_speed
 
 
 def _about(centre: float, low: float, high: float) -> Array:

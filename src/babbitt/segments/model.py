@@ -226,6 +226,7 @@ class SegmentBearing(Proportions):
     metal: BearingMetal | None = None
     load_character: LoadCharacter = LoadCharacter.CALM
     clearance_tolerance: tuple[float, float] | None = None
+    mean_clearance: float | None = None
     roughness: tuple[float, float] | None = None
 
 

@@ -72,6 +72,7 @@ class Bearing(Proportions):
     metal: BearingMetal | None = None
     load_character: LoadCharacter = LoadCharacter.CALM
     clearance_tolerance: tuple[float, float] | None = None
+    mean_clearance: float | None = None
 
     @property
     def parts(self) -> int:
