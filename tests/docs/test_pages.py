@@ -111,7 +111,9 @@ def test_scoreboard_has_every_published_case() -> None:
     for case in cases():
         assert f"(/_generated/validation/{case.name}.md)" in board
         assert f"\n/_generated/validation/{case.name}\n" in board
-    validations, reproductions = board.split("## Reproductions")
+    validations, rest = board.split("## Reproductions")
+    reproductions, own = rest.split("## Own values, regression")
+    assert own.count("| unchanged |") == len(cases_of(Evidence.REGRESSION))
     assert validations.count("| agrees |") == len(cases_of(Evidence.VALIDATION))
     assert reproductions.count("| reproduced |") == len(cases_of(Evidence.REPRODUCTION))
 

@@ -33,6 +33,9 @@ def test_bounds_are_one_sided():
     assert AtMost().share(1300.0, 1162.0) < 1.0 < AtMost().share(1300.0, 1301.0)
     assert AtLeast().share(8.0, 11.7) < 1.0 < AtLeast().share(8.0, 7.9)
     assert AtLeast().share(8.0, 0.0) == math.inf
+    assert AtLeast().share(8.0, -11.7) == math.inf  # of the wrong sign, it passed
+    assert AtMost().share(1300.0, -5.0) == math.inf
+    assert AtMost().share(1300.0, 0.0) == 0.0
 
 
 def test_verdicts():

@@ -20,6 +20,13 @@ def scoreboard() -> str:
         "one set of inputs gives them all; it does not count as validation.",
         "",
         *_table(Evidence.REPRODUCTION),
+        "",
+        "## Own values, regression",
+        "",
+        "The references of these are ours: another solver or program, or a relation between our own values. "
+        "Agreement shows that both say the same and that nothing changed; it does not count as validation.",
+        "",
+        *_table(Evidence.REGRESSION),
     ]
     tree = "\n".join(f"/_generated/validation/{case.name}" for case in cases())
     return "\n".join(lines) + f"\n\n```{{toctree}}\n:hidden:\n\n{tree}\n```\n"
@@ -42,7 +49,7 @@ def write_pages(target: Path) -> None:
 
 def _line(case: ValidationCase) -> str:
     found = summary(case.run(), case.evidence)
-    agrees = "reproduced" if case.evidence is Evidence.REPRODUCTION else "agrees"
+    agrees = {Evidence.REPRODUCTION: "reproduced", Evidence.REGRESSION: "unchanged"}.get(case.evidence, "agrees")
     verdict = agrees if found.agrees else f"{found.differing} differ" if found.differing else "not judged"
     link = f"[{text(case.title)}](/_generated/validation/{case.name}.md)"
     numbers = (found.values, found.judged, found.suspect, found.shown)

@@ -60,7 +60,8 @@ def validate(
 ) -> None:
     """Run the published cases that ship with the package, side by side with the print.
 
-    Cases whose inputs were fitted to the print are reproductions and say so.
+    Cases whose inputs were fitted to the print are reproductions, those held against own values regressions,
+    and say so.
     Exit status 1 if a judged value differs by more than its tolerance.
     """
     from babbitt.report.validation_table import print_count, print_validation

@@ -14,6 +14,13 @@ if TYPE_CHECKING:
     from babbitt.validation import ValidationCase
 
 
+_PLURALS = {
+    Evidence.VALIDATION: "validations",
+    Evidence.REPRODUCTION: "reproductions",
+    Evidence.REGRESSION: "own values, regression",
+}
+
+
 def print_validation(case: ValidationCase) -> bool:
     """Run a published case, print it side by side, and say whether every judged value agrees."""
     rows = case.run()
@@ -33,10 +40,10 @@ def print_validation(case: ValidationCase) -> bool:
 
 
 def print_count(chosen: Sequence[ValidationCase], agreed: Sequence[bool]) -> None:
-    """Say how many validations agree, and apart from them how many reproductions."""
+    """Say how many validations agree, and apart from them how many reproductions and regressions."""
     words = []
     for evidence in Evidence:
         found = [ok for case, ok in zip(chosen, agreed, strict=True) if case.evidence is evidence]
         if found:
-            words.append(f"{evidence.value}s: {sum(found)} of {len(found)} agree")
+            words.append(f"{_PLURALS[evidence]}: {sum(found)} of {len(found)} agree")
     console().print("; ".join(words) + ".", markup=False)

@@ -32,11 +32,13 @@ class Evidence(Enum):
 
     VALIDATION: inputs are those of the source, so that agreement speaks for the method. REPRODUCTION: the source
     leaves inputs open, which were fitted to the very values compared; agreement shows that one set of inputs gives
-    them all, no more.
+    them all, no more. REGRESSION: the reference is ours, another solver or program or a relation between our own
+    values; agreement shows that nothing changed and that both say the same, not that they are right.
     """
 
     VALIDATION = "validation"
     REPRODUCTION = "reproduction"
+    REGRESSION = "regression"
 
 
 @dataclass(frozen=True)

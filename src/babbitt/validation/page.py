@@ -25,6 +25,13 @@ FITTED = (
 )
 
 
+OWN = (
+    "**Own values, regression, no validation.** The reference is ours: another solver or program, or a relation "
+    "between our own values. Agreement shows that both say the same and that nothing changed."
+)
+REMARKS = {Evidence.REPRODUCTION: FITTED, Evidence.REGRESSION: OWN}
+
+
 def page(case: ValidationCase) -> str:
     """Write the page of a case: story, summary, figure and all values side by side.
 
@@ -43,7 +50,7 @@ def page(case: ValidationCase) -> str:
     parts = [
         f"# {case.title}",
         story.what,
-        *([FITTED] if case.evidence is Evidence.REPRODUCTION else []),
+        *([REMARKS[case.evidence]] if case.evidence in REMARKS else []),
         f"**{summary(rows, case.evidence).sentence}** Repeat it with `babbitt validate {case.name}`.",
         f"```{{figure}} {figure_file(case)}\n:alt: {case.title}\n\n{case.caption}\n```",
         f"## Source\n\n{story.source}",

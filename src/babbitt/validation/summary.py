@@ -8,6 +8,12 @@ from dataclasses import dataclass
 
 from babbitt.validation.case import Comparison, Evidence, Verdict
 
+NO_VALIDATION = {
+    Evidence.REPRODUCTION: "; a reproduction with fitted inputs, no validation",
+    Evidence.REGRESSION: "; own values, regression, no validation",
+}
+"""What the sentence adds where agreement does not count as validation."""
+
 
 @dataclass(frozen=True)
 class Summary:
@@ -54,8 +60,7 @@ class Summary:
             return f"{counted}."
         largest = f"largest deviation {self.largest_share:.2f} of its tolerance ({self.worst.label})"
         verdict = "all agree" if self.agrees else f"{self.differing} differ"
-        fitted = "; a reproduction with fitted inputs, no validation"
-        return f"{counted}; {largest}; {verdict}{fitted if self.evidence is Evidence.REPRODUCTION else ''}."
+        return f"{counted}; {largest}; {verdict}{NO_VALIDATION.get(self.evidence, '')}."
 
 
 def summary(rows: Iterable[Comparison], evidence: Evidence = Evidence.VALIDATION) -> Summary:

@@ -54,8 +54,8 @@ class AtMost:
     """The source gives an upper bound of a positive quantity: "not above"."""
 
     def share(self, published: float, computed: float) -> float:
-        """Computed over published value."""
-        return computed / published
+        """Computed over published value; a value of the wrong sign keeps no bound."""
+        return computed / published if computed >= 0.0 else math.inf
 
     def describe(self) -> str:
         """The kind of bound."""
@@ -67,8 +67,8 @@ class AtLeast:
     """The source gives a lower bound of a positive quantity: "more than"."""
 
     def share(self, published: float, computed: float) -> float:
-        """Published over computed value."""
-        return published / computed if computed else math.inf
+        """Published over computed value; a value of the wrong sign keeps no bound."""
+        return published / computed if computed > 0.0 else math.inf
 
     def describe(self) -> str:
         """The kind of bound."""

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from babbitt.characteristics import curves
 from babbitt.film.model import Land
 from babbitt.film.solution import FilmSolution
-from babbitt.validation.case import Comparison, Story, ValidationCase
+from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import INK, MARKERS, eccentricity_axis
 from babbitt.validation.published.film_bearings import CLEARANCE, at_position, film_of, round_film
 from babbitt.validation.tolerance import Within
@@ -123,4 +123,5 @@ CASE = ValidationCase(
     draw=draw,
     caption="Engine less tables: So in per cent and β in degrees over eccentricity, full bearing (open) and half "
     "bearing (filled). The tolerances, 0.1 % and 0.05°, lie far outside the frames.",
+    evidence=Evidence.REGRESSION,
 )

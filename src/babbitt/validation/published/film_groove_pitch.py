@@ -9,7 +9,7 @@ import numpy as np
 
 from babbitt.film.groove_pitch import GroovePitch, PitchFilm, pitch_film
 from babbitt.footstep.narrow_groove import NarrowGrooveAnnulus
-from babbitt.validation.case import Comparison, Story, ValidationCase
+from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.published.screw_heel_common import CUBIC_MILLIMETRE, footstep
 from babbitt.validation.tolerance import Within
@@ -119,4 +119,5 @@ CASE = ValidationCase(
     caption="Left: deviation of the film from the theory. Right: pressure across one pitch of the pump's "
     "groove, no "
     "pressure difference between its ends.",
+    evidence=Evidence.REGRESSION,
 )

@@ -13,7 +13,7 @@ from babbitt.standards.iso7902.model import Bearing, DesignCase, Friction, Given
 from babbitt.standards.iso7902.procedure import check
 from babbitt.standards.iso7902.supply import Arrangement, Holes, Pockets
 from babbitt.units import ZERO_CELSIUS
-from babbitt.validation.case import Comparison, Story, ValidationCase
+from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import draw_deviations
 from babbitt.validation.tolerance import Within
 
@@ -128,4 +128,5 @@ CASE = ValidationCase(
     run=run,
     draw=draw,
     caption="Deviation from the prototype in units of the tolerance.",
+    evidence=Evidence.REGRESSION,
 )

@@ -15,7 +15,7 @@ from babbitt.footstep.narrow_groove import NarrowGrooveAnnulus
 from babbitt.footstep.states import Method, NoSteadyStateError, StateName, SteadyState, steady_states
 from babbitt.footstep.superposition import GrooveChannel
 from babbitt.units import ZERO_CELSIUS
-from babbitt.validation.case import Comparison, Story, ValidationCase
+from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.published.screw_heel_common import (
     CUBIC_MILLIMETRE,
@@ -227,4 +227,5 @@ CASE = ValidationCase(
     draw=draw,
     caption="Load over clearance for three face gaps. Full lines: stable; broken: not stable; grey: smooth heel; "
     "points: the prototype, open where not stable.",
+    evidence=Evidence.REGRESSION,
 )

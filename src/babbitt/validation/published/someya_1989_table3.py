@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.validation.case import Comparison, Story, ValidationCase
+from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, LINES, MARKERS, draw_deviations, logarithmic_axis
 from babbitt.validation.published.film_bearings import CLEARANCE, film_of
 from babbitt.validation.published.lund_thomsen_1978 import two_lobes
@@ -150,4 +150,5 @@ CASE = ValidationCase(
     caption="Locus and stiffness of the two-lobe bearing: engine (grey) and print; the shift that the stiffness "
     "promises over the slope of the locus, which must be 1; and deviations in units of the tolerance, crosses "
     "not judged.",
+    evidence=Evidence.REGRESSION,
 )
