@@ -192,3 +192,13 @@ def test_largest_load_is_accepted_to_the_last_bit(span, width_ratio):
         assert shape.eccentricity_ratio(load) == pytest.approx(0.99, rel=1e-12)
         assert shape.eccentricity_ratio(load) <= 0.99
         assert shape.eccentricity_ratio(np.array([load]))[0] <= 0.99
+
+
+@pytest.mark.parametrize(
+    ("width_ratio", "degrees", "orlov"), [(0.125, 89.9, 0.83), (0.5, 88.4, 0.72), (1.0, 85.0, 0.69)]
+)
+def test_what_the_documentation_says_of_light_loads_and_of_orlov(width_ratio, degrees, orlov):
+    """The angle that the full bearing tends to without load, and the eccentricity at So = 1.95 B/D."""
+    full = curves(360, width_ratio)
+    assert math.degrees(full.attitude_angle(1e-5)) == pytest.approx(degrees, abs=0.06)
+    assert full.eccentricity_ratio(1.95 * width_ratio) == pytest.approx(orlov, abs=0.006)

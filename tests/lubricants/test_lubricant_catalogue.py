@@ -133,6 +133,8 @@ def test_ipm_10_of_the_heat_exchange_study():
     entry = lubricant("IPM-10")
     kelvin = np.array([50, 70, 90, 130.0]) + CELSIUS
     assert_allclose(entry.dynamic_viscosity(kelvin) * 1e3, [8.3775, 4.5094, 2.7915, 1.3970], atol=6e-5)
+    assert any("assumed by the study" in said for said in entry.assumptions)
+    assert not entry.covers(CELSIUS - 40.0)
     assert_allclose(entry.heat_capacity(kelvin), [1974.1, 2066.2, 2158.3, 2342.5], atol=0.1)
 
 

@@ -388,7 +388,7 @@ def test_a_written_file_has_ordinary_permissions(tmp_path):
 @pytest.mark.parametrize("package", ["typst", "matplotlib"])
 def test_a_missing_extra_is_named_with_the_cure(tmp_path, monkeypatch, package):
     monkeypatch.setitem(sys.modules, package, None)
-    with pytest.raises(InputError, match=re.escape("pip install 'babbitt[report]'")) as refused:
+    with pytest.raises(InputError, match=re.escape("pip install '.[report]' in a clone")) as refused:
         write_report(solved("x", GEAR[0]), tmp_path / "report.pdf")
     assert refused.value.code == "E007"
     assert package in refused.value.message

@@ -11,6 +11,7 @@ from typing import Any
 
 from babbitt.files.marks import CREATOR
 from babbitt.notices import InputError
+from babbitt.notices.unusable import how_to_install
 
 __all__ = ["Cell", "openpyxl_library", "plain_word", "read_rows", "rows_text", "workbook", "written_word"]
 
@@ -97,8 +98,8 @@ def openpyxl_library(where: object) -> Any:
     except ImportError:
         raise InputError(
             "E007",
-            f"{where}: workbooks need the package openpyxl, which is not installed. Install it with: "
-            "pip install 'babbitt[files]', or pip install openpyxl; .csv needs nothing",
+            f"{where}: workbooks need the package openpyxl, which is not installed. "
+            f"{how_to_install('openpyxl', 'files')}; .csv needs nothing",
         ) from None
 
 

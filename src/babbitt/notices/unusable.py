@@ -40,8 +40,8 @@ UNUSABLE: dict[str, Explanation] = {
         "Output cannot be written",
         "The folder does not exist or is not writable, a file of that name is an input of the run or no output of "
         "Babbitt, or an extra needed for this format is not installed.",
-        "Check the path, or choose another name; `pip install 'babbitt[report]'` installs what PDF, HTML and "
-        "plots need.",
+        "Check the path, or choose another name; `pip install '.[report]'` in a clone of Babbitt installs what "
+        "PDF, HTML and plots need.",
     ),
     "E101": Explanation(
         "Film cannot be laid out",
@@ -91,3 +91,12 @@ UNUSABLE: dict[str, Explanation] = {
         "Give the damping of propeller, films or seating, or change speed, stiffness or mass.",
     ),
 }
+
+
+def how_to_install(package: str, extra: str) -> str:
+    """How to get a package that an extra needs: Babbitt is installed from a clone, no index has it.
+
+    >>> how_to_install("matplotlib", "report")
+    "Install it with: pip install '.[report]' in a clone of Babbitt, or pip install matplotlib"
+    """
+    return f"Install it with: pip install '.[{extra}]' in a clone of Babbitt, or pip install {package}"

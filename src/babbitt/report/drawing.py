@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from babbitt.files.marks import CREATOR
 from babbitt.notices import InputError
+from babbitt.notices.unusable import how_to_install
 from babbitt.quantities import QUANTITIES, Quantity
 
 if TYPE_CHECKING:
@@ -113,8 +114,7 @@ def missing_extra(package: str, purpose: str) -> InputError:
     """The error for an extra that is not installed."""
     return InputError(
         "E007",
-        f"{purpose} need the package {package}, which is not installed. "
-        "Install it with: pip install 'babbitt[report]'",
+        f"{purpose} need the package {package}, which is not installed. {how_to_install(package, 'report')}",
     )
 
 

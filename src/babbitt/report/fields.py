@@ -17,6 +17,7 @@ from babbitt.bearings.temperature_field import temperature_over, temperature_thr
 from babbitt.bearings.warm_film import under_found_load
 from babbitt.files.writing import require_writable, write_file
 from babbitt.notices import InputError
+from babbitt.notices.unusable import how_to_install
 from babbitt.quantities import QUANTITIES
 from babbitt.report.text import plain_text
 from babbitt.results import Result
@@ -258,6 +259,5 @@ def _named(units: str, meaning: str) -> dict[str, str]:
 def _missing(package: str) -> InputError:
     return InputError(
         "E007",
-        f"fields need the package {package}, which is not installed. "
-        "Install it with: pip install 'babbitt[files]'",
+        f"fields need the package {package}, which is not installed. {how_to_install(package, 'files')}",
     )

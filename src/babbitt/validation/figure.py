@@ -47,7 +47,7 @@ def figure_file(case: ValidationCase) -> str:
 def figure_of(case: ValidationCase) -> Figure:
     """Draw the figure of a case.
 
-    Needs matplotlib (``pip install 'babbitt[report]'``).
+    Needs matplotlib (``pip install '.[report]'`` in a clone).
 
     Parameters
     ----------
