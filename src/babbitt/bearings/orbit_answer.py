@@ -89,10 +89,10 @@ def orbit_rows(orbit: Orbit) -> Matrix:
 
 
 def orbit_checks(checks: tuple[Check, ...], values: dict[str, float]) -> Iterator[Check]:
-    """The limits of film thickness, load and pressure, asked of the worst instants of the orbit."""
+    """The limits of film thickness, load and pressure, asked of the worst instants of the orbit that are known."""
     for check in checks:
         name = f"orbit_{check.quantity}"
-        if check.quantity in HELD_ON_ORBIT:
+        if check.quantity in HELD_ON_ORBIT and math.isfinite(values[name]):
             yield replace(check, quantity=name, value=values[name])
 
 

@@ -10,10 +10,22 @@ from babbitt.cases.joined_inputs import Inputs
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.load_direction import DOWNWARD
 from babbitt.cases.operating_point import OperatingPoint
-from babbitt.cases.part import is_given
+from babbitt.cases.part import Part, is_given
 from babbitt.cases.supply_element import UnevenPockets
 from babbitt.notices import Notice
 from babbitt.units import written
+
+OF_THE_FILM = ("cavitation", "cavitation_pressure", "film_start", "error_estimate", "equilibria")
+OF_THE_ROTOR = ("rotor_mass", "shaft_stiffness")
+OF_THE_STANDARD = ("span", "supply_element", "characteristics", "friction.model")
+OF_THE_FEED = ("supply.pressure", "supply.tubes", "supply.holes")
+NOT_READ = {
+    "iso7902": (*OF_THE_ROTOR, *OF_THE_FILM, "accuracy"),
+    "film": ("characteristics", "friction.model"),
+    "long_film": (*OF_THE_ROTOR, *OF_THE_FILM, *OF_THE_STANDARD, *OF_THE_FEED),
+    "segments": (*OF_THE_ROTOR, *OF_THE_FILM, *OF_THE_STANDARD, *OF_THE_FEED, "accuracy"),
+}
+"""Fields that a method accepts, since a bearing may be compared by several, and does not read."""
 
 
 def doubts_about(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice, ...]:
@@ -33,10 +45,24 @@ def doubts_about(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice, 
 
 
 def doubts_about_numbers(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice, ...]:
-    """Give the doubts about how the numbers of one bearing at one operating point are written."""
+    """Give the doubts about how one bearing at one operating point is written; what its method does not read."""
     bearing = inputs.bearing.model_copy(update={"operating_points": ()})
     at = () if point is None else ("operating_points", inputs.bearing.operating_points.index(point))
-    return (*inputs.shared_doubts, *about_grouped_digits(bearing), *about_grouped_digits(point, *at))
+    numbers = about_grouped_digits(bearing), about_grouped_digits(point, *at)
+    return (*inputs.shared_doubts, *_about_fields_not_read(bearing), *numbers[0], *numbers[1])
+
+
+def _about_fields_not_read(bearing: JournalBearing) -> Iterator[Notice]:
+    """Tell of the fields that the method of a bearing does not read."""
+    given = [name for name in NOT_READ[bearing.method] if _is_given(bearing, name)]
+    if given:
+        yield Notice("W183", f"{', '.join(given)}: method {bearing.method} does not read this")
+
+
+def _is_given(part: Part, path: str) -> bool:
+    """As `is_given`, for a field of a block, too."""
+    name, _, rest = path.partition(".")
+    return is_given(part, name) and (not rest or _is_given(getattr(part, name), rest))
 
 
 def _about_direction(bearing: JournalBearing) -> Iterator[Notice]:

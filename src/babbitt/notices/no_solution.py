@@ -29,9 +29,9 @@ NO_SOLUTION: dict[str, Explanation] = {
         "The iteration used up its steps without meeting its tolerance; the last state is no operating point. A "
         "film with its own temperatures mostly ends so near the largest load that it carries; the message tells "
         "the largest load with a film.",
-        "Less load; move supplies out of the loaded zone and try another accuracy; a bore that gives way by far "
-        "more than the film is thick may be too soft for this load; if the bearing is an ordinary one, report the "
-        "case to the developers.",
+        "Less load, or a position farther from contact; move supplies out of the loaded zone and try another "
+        "accuracy; a bore that gives way by far more than the film is thick may be too soft for this load; if the "
+        "bearing is an ordinary one, report the case to the developers.",
     ),
     "S005": Explanation(
         "Lubricant data end",

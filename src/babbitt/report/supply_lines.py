@@ -108,7 +108,7 @@ def _place(arrangement: Arrangement) -> str:
 _GAP = {
     Arrangement.OPPOSITE: "radial_clearance * (1 + eccentricity_ratio * cos(attitude_angle))",
     Arrangement.SIDE: "radial_clearance * (1 + eccentricity_ratio * sin(attitude_angle))",
-    Arrangement.BOTH_SIDES: "2 * radial_clearance",
+    Arrangement.BOTH_SIDES: "radial_clearance * (1 + eccentricity_ratio * sin(attitude_angle))",
 }
 
 
@@ -117,7 +117,7 @@ def capacity_lines(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
     element = case.bearing.supply_element
     if "supply_capacity" not in sheet or not isinstance(element, Holes | Pockets):
         return
-    both = ", sum of both" if element.arrangement is Arrangement.BOTH_SIDES else ""
+    both = " before the load" if element.arrangement is Arrangement.BOTH_SIDES else ""
     yield sheet.line("supply_gap", _GAP[element.arrangement], f"gap at the supply element{both}")
     size = "pocket_width" if isinstance(element, Pockets) else "hole_diameter"
     side_by_side = isinstance(element, Holes) and element.number != 1.0
