@@ -124,7 +124,7 @@ def film_elastic(rng: Random) -> Case:
 
 def long_film(rng: Random) -> Case:
     """Infinitely long bearing with heat exchange."""
-    case = _bearing(rng, "long_film", (0.5, 4.0), widths=(1.2, 1.5))
+    case = _bearing(rng, "long_film", (0.5, 4.0), widths=(1.2, 5.0))
     outer = float(case["diameter"].split()[0]) * rng.uniform(1.15, 1.6)
     case["heat_exchange"] = {
         "bush": {"outer_diameter": f"{outer:.5g} mm", "conductivity": "45 W/(m K)"},

@@ -9,8 +9,8 @@ from film_bearings import answer, film
 
 from babbitt.bearings.bore import Arc, LobedBore
 from babbitt.bearings.elastic_film import displacement_under
-from babbitt.bearings.equilibria import find_equilibria
-from babbitt.bearings.resting import resting_places
+from babbitt.bearings.equilibria import RestingPlaces, find_equilibria
+from babbitt.bearings.resting import doubts_about_rest, resting_places
 from babbitt.bearings.warm_film import operating_film
 from babbitt.film.model import (
     DRAFT,
@@ -23,6 +23,7 @@ from babbitt.film.model import (
     grooved_bore,
 )
 from babbitt.film.solve import film_at_position, solve_journal
+from babbitt.notices import EXPLANATIONS, Effect
 
 VERTICAL = (-math.pi / 2.0, math.pi / 2.0)
 SLOW = JournalFilm(0.2, 0.12, 150e-6, 0.02, 10.0, grooved_bore(VERTICAL, 0.35, 5e5), Cavitation.REYNOLDS)
@@ -108,6 +109,18 @@ SLOW_CASE = {
     "speed": "60 rpm",
     "effective_temperature": "50 degC",
 }
+
+
+def test_places_of_which_one_is_missing_have_no_verdict():
+    """The indices of all places sum to one: two that hold leave out the one between them."""
+    found = find_equilibria(SLOW, (0.0, 0.0))
+    held = tuple(place for place in found.places if place.index == 1)
+    assert found.complete
+    assert len(held) == 2
+    shown = held[0].film
+    assert "W134" not in {notice.code for notice in doubts_about_rest(shown, found)}
+    assert "W134" in {notice.code for notice in doubts_about_rest(shown, RestingPlaces(held))}
+    assert EXPLANATIONS["W134"].effect is Effect.NO_VERDICT
 
 
 def test_a_saddle_is_not_shown_and_the_other_places_are_named():

@@ -7,11 +7,14 @@ import pytest
 from trawler_pads import PAD, SPEED, VISCOSITY
 
 from babbitt import parse_case
-from babbitt.cases import template
+from babbitt.cases import design_cases, template
+from babbitt.notices import EXPLANATIONS, Effect
 from babbitt.results import Verdict
 from babbitt.solving import solve
 from babbitt.thrust.bearing import HousingTilt, ThrustBearing
 from babbitt.thrust.carrying import carrying
+from babbitt.thrust.design import bearing_state
+from babbitt.thrust.doubts import share_doubts
 from babbitt.thrust.face import SteppedFace, TaperedFace
 from babbitt.thrust.pad import Pivot
 from babbitt.thrust.sharing import share_of
@@ -44,6 +47,28 @@ def test_oil_and_heat_are_results():
     found = result()
     assert found.mass_balance_error < 1e-10
     assert found.energy_balance_error < 1e-6
+
+
+def test_oil_or_heat_that_is_lost_and_damping_below_zero_have_no_verdict(monkeypatch):
+    """Bounds: 1e-6 of the oil that passes a pad, 1e-3 of the friction power."""
+    (design,) = design_cases(parse_case(BASE))
+    state = bearing_state(design)
+
+    def told(found):
+        return {notice.code for notice in share_doubts(design, found)} & {"W211", "W212"}
+
+    def losing(share):
+        pads = tuple(replace(pad, leading_flow=pad.leading_flow * (1.0 + share)) for pad in state.share.states)
+        return replace(state, share=replace(state.share, states=pads))
+
+    def open_by(error):
+        return replace(state, temperatures=replace(state.temperatures, error=error))
+
+    assert told(state) == told(losing(2e-7)) == told(open_by(5e-4)) == set()
+    assert told(losing(1e-5)) == told(open_by(-2e-3)) == told(open_by(math.nan)) == {"W211"}
+    monkeypatch.setattr("babbitt.thrust.doubts.condensed", lambda *given: -1j)
+    assert told(state) == {"W212"}
+    assert all(EXPLANATIONS[code].effect is Effect.NO_VERDICT for code in ("W211", "W212"))
 
 
 def test_one_pad_that_carries_all_has_no_verdict():
