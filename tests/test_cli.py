@@ -136,7 +136,17 @@ def test_cite_names_the_standard_and_the_lubricant(run, tmp_path):
     (tmp_path / "case.yaml").write_text(template("journal"))
     status, out, _ = run("cite", "case.yaml")
     assert status == 0
-    assert "ISO 7902-1" in out
+    assert "ISO 7902-1:2020" in out
+    assert "ASTM D341" in out
+
+
+def test_cite_names_every_law_that_the_film_takes(run, tmp_path):
+    film = GROOVED.replace("effective_temperature: 60 degC\n", "") + "thermal: adiabatic\nturbulence: ng_pan\n"
+    (tmp_path / "film.yaml").write_text(film)
+    status, out, _ = run("cite", "film.yaml")
+    assert status == 0
+    assert all(author in out for author in ("Ng, Pan", "Dowson", "Reynolds", "Lund"))
+    assert out.count("Reynolds: On the theory") == 1
 
 
 def test_explain_and_version(run):

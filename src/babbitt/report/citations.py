@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from babbitt import __version__
 from babbitt.bearings.bore import WornBore
-from babbitt.bearings.model import FilmCase
+from babbitt.bearings.model import FilmCase, PressureLaw
 from babbitt.cases import Case, design_cases
 from babbitt.cases.designs import EveryDesign
 from babbitt.film.model import Cavitation
@@ -13,7 +15,7 @@ from babbitt.footstep.states import Method
 from babbitt.hydrostatics.jacking_model import JackingCase
 from babbitt.hydrostatics.model import HydrostaticCase
 from babbitt.longfilm.model import LongFilmCase
-from babbitt.lubricants import Lubricant
+from babbitt.lubricants import AstmD341, Exponential, Lubricant, Vogel, Walther
 from babbitt.segments.model import SegmentCase
 from babbitt.shaft_line.design import LineDesign
 from babbitt.standards.iso7902.model import Curves, DesignCase
@@ -21,7 +23,8 @@ from babbitt.thrust.design import ThrustDesign
 
 BABBITT = f"The Babbitt developers: Babbitt {__version__}, calculation and design of fluid-film bearings, 2026."
 ISO_7902 = (
-    "ISO 7902-1, ISO 7902-2, ISO 7902-3: Hydrodynamic plain journal bearings under steady-state conditions, "
+    "ISO 7902-1:2020, with ISO 7902-2 and ISO 7902-3: Hydrodynamic plain journal bearings under steady-state "
+    "conditions, "
     "circular cylindrical bearings (procedure; the characteristics are computed by Babbitt, not copied)."
 )
 REYNOLDS = (
@@ -73,7 +76,24 @@ SIDORIKA = (
     "Eastern-European "
     "Journal of Enterprise Technologies 4/7 (70) (2014)."
 )
-VISCOSITY = "ASTM D341: Viscosity-temperature equations and charts for liquid petroleum or hydrocarbon products."
+DOWSON = (
+    "D. Dowson: A generalized Reynolds equation for fluid-film lubrication. International Journal of Mechanical "
+    "Sciences 4 (1962) 159-170."
+)
+BARUS = (
+    "C. Barus: Isothermals, isopiestics and isometrics relative to viscosity. American J. Science 45 (1893) 87-96."
+)
+ROELANDS = (
+    "C. J. A. Roelands: Correlational aspects of the viscosity-temperature-pressure relationship of lubricating "
+    "oils. Thesis, Delft 1966."
+)
+WALTHER = "ASTM D341: Viscosity-temperature equations and charts for liquid petroleum or hydrocarbon products."
+VOGEL = (
+    "H. Vogel: Das Temperaturabhängigkeitsgesetz der Viskosität von Flüssigkeiten. Physikalische Zeitschrift 22 "
+    "(1921) 645-646."
+)
+VISCOSITY_LAWS: dict[type, str] = {Walther: WALTHER, AstmD341: WALTHER, Vogel: VOGEL, Exponential: REYNOLDS}
+"""Sources of the laws of viscosity over temperature."""
 
 
 def citations_of(case: Case) -> tuple[str, ...]:
@@ -113,9 +133,24 @@ def citations_of(case: Case) -> tuple[str, ...]:
         found.append(REYNOLDS)
     if any(isinstance(design, LineDesign) for design in designs):
         found += [SIDORIKA, WITTRICK]
+    found += [source for design in designs for source in _laws(design)]
     oils = {oil.name: oil for oil in map(_oil, designs) if oil is not None}
     found += [f"{oil.name}: {oil.source}" for oil in oils.values()]
-    return tuple(found)
+    return tuple(dict.fromkeys(found))
+
+
+def _laws(design: EveryDesign) -> Iterator[str]:
+    """Sources of the laws of a design: turbulence, own temperatures, viscosity over pressure and temperature."""
+    if isinstance(design, FilmCase | ThrustDesign) and design.turbulence is not None:
+        yield design.turbulence.source
+    if isinstance(design, FilmCase):
+        if design.heat is not None:
+            yield DOWSON
+        if design.pressure_viscosity is not None:
+            yield BARUS if design.pressure_viscosity.law is PressureLaw.BARUS else ROELANDS
+    oil = _oil(design)
+    if oil is not None and (source := VISCOSITY_LAWS.get(type(oil.viscosity_law))) is not None:
+        yield source
 
 
 def _oil(design: EveryDesign) -> Lubricant | None:

@@ -9,8 +9,8 @@ from babbitt.cases.plain_words import nearest, shown
 from babbitt.notices import InputError
 
 _KINDS = {
-    "journal": "one journal bearing, ISO 7902",
-    "machine": "several bearings that share oil and supply, ISO 7902",
+    "journal": "one journal bearing, by ISO 7902 or its film",
+    "machine": "several journal bearings that share oil and supply",
     "overhung_coupling": "load share of two bearings with an overhung coupling",
     "screw_heel": "footstep of a pump's screw, smooth or grooved heel",
     "hydrostatic_pad": "hydrostatic pad with one recess: round, annular, rectangular",
