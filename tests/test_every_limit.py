@@ -1,0 +1,127 @@
+"""Every limit of a kind is a check or is listed as not made; every outcome of an inner solve is read."""
+
+import ast
+from pathlib import Path
+
+import pytest
+import yaml
+
+import babbitt
+from babbitt.cases import case_from_dict, template
+from babbitt.solving import solve
+
+JOURNAL = {"C101", "C102", "C103", "C104", "C105", "C106", "C107", "C108", "C111"}
+LIMITS = {
+    "hydrostatic_journal": {"C301", "C302", "C303"},
+    "hydrostatic_pad": {"C301", "C302", "C303"},
+    "hydrostatic_thrust_ring": {"C301", "C302", "C303"},
+    "jacking_pocket": {"C304"},
+    "thrust": {"C103", "C104", "C105", "C108", "C202"},
+    "thrust_line": {"C103", "C104", "C105", "C108", "C201", "C202", "C203", "C204", "C205"},
+}
+"""Limits of the kinds besides journal bearings."""
+OPTIONAL = ("limits", "materials", "surfaces", "least_gap", "relief_pressure", "supply_limit")
+"""Blocks and fields without which a limit has nothing to hold."""
+
+LEFT_OUT = ({}, {"surfaces"}, {"materials"}, {"limits"}, {"surfaces", "materials", "limits"})
+
+
+def codes(result):
+    """Of checks, and of those that could not be made."""
+    return {one.code for one in (*result.checks, *result.not_checked)}
+
+
+JOURNALS = {
+    "iso7902": {"span": "360 deg", "supply_element": {"kind": "hole", "diameter": "5 mm", "place": "opposite"}},
+    "film": {"grooves": [{"angle": "0 deg", "extent": "20 deg"}]},
+    "adiabatic film": {"grooves": [{"angle": "0 deg", "extent": "20 deg"}], "thermal": "adiabatic"},
+    "long_film": {
+        "width": "130 mm",
+        "heat_exchange": {
+            "bush": {"outer_diameter": "130 mm", "conductivity": "45 W/(m K)"},
+            "ambient": {"temperature": "20 degC", "coefficient": "50 W/(m2 K)"},
+        },
+    },
+    "segments": {"segments": {"groove": {"kind": "through", "angle_from_load": "-20 deg", "width": "5 mm"}}},
+}
+
+
+@pytest.mark.parametrize("without", LEFT_OUT, ids=lambda one: "+".join(sorted(one)) or "all")
+@pytest.mark.parametrize("method", JOURNALS)
+def test_every_limit_of_a_journal_bearing_is_held_or_listed(method, without):
+    fields = {
+        "kind": "journal",
+        "name": "Bearing",
+        "method": method.split()[-1],
+        "diameter": "100 mm",
+        "width": "60 mm",
+        "clearance": {"kind": "relative", "mean": "1.2 permille"},
+        "materials": {"bearing": "C10", "journal": "C45", "bearing_metal": "SnSb12Cu6Pb"},
+        "lubricant": "ISO VG 46",
+        "supply": {"temperature": "50 degC", "pressure": "0.1 MPa"},
+        "surfaces": {"kind": "direct", "roughness_bearing": "4 um", "roughness_journal": "2 um"},
+        "limits": {"minimum_film_thickness": "9 um"},
+        "load": "15 kN",
+        "speed": "3000 rpm",
+    }
+    given = {name: value for name, value in (fields | JOURNALS[method]).items() if name not in without}
+    if "materials" in without:
+        given["materials"] = {"bearing": "C10", "journal": "C45"}
+    (result,) = solve(case_from_dict(given)).results
+    assert codes(result) >= JOURNAL
+
+
+@pytest.mark.parametrize("kind", LIMITS)
+@pytest.mark.parametrize("without", ["nothing", "all that may be left out"])
+def test_every_limit_of_another_kind_is_held_or_listed(kind, without):
+    given = yaml.safe_load(template(kind))
+    if without != "nothing":
+        given = {name: value for name, value in given.items() if name not in OPTIONAL}
+    for result in solve(case_from_dict(given)).results:
+        assert codes(result) >= LIMITS[kind]
+
+
+SOLVERS = {
+    "solve_journal", "film_at_position", "settled_film", "solve_thermal_journal",
+    "thermal_film_at", "elastic_film", "elastic_thermal_film", "feed_film", "closed_film", "tilt_coefficients",
+    "operating_film", "thermal_operating_film", "film_equilibrium", "solve_sector", "find_equilibrium",
+}  # fmt: skip
+"""What returns an outcome that a caller must read, or hand on."""
+
+
+def functions():
+    """Functions of the package, with the file they stand in."""
+    for path in sorted(Path(babbitt.__file__).parent.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.FunctionDef):
+                yield path, node
+
+
+def reads_or_hands_on(function, call):
+    """Whether a function reads an outcome, or returns the solution that it asked for."""
+    nodes = list(ast.walk(function))
+    named = {one.attr for one in nodes if isinstance(one, ast.Attribute)}
+    named |= {one.id for one in nodes if isinstance(one, ast.Name) and isinstance(one.ctx, ast.Store)}
+    if named & {"outcome", "solved", "status"}:
+        return True
+    returned = [one.value for one in nodes if isinstance(one, ast.Return) and one.value is not None]
+    names = {
+        target.id
+        for one in nodes
+        if isinstance(one, ast.Assign) and any(part is call for part in ast.walk(one.value))
+        for target in ast.walk(one.targets[0])
+        if isinstance(target, ast.Name)
+    }
+    inside = [part for value in returned for part in ast.walk(value)]
+    return call in inside or any(isinstance(part, ast.Name) and part.id in names for part in inside)
+
+
+def test_every_outcome_of_an_inner_solve_is_read():
+    silent = [
+        f"{path.name}: {function.name}, line {call.lineno}: {call.func.id}"
+        for path, function in functions()
+        for call in ast.walk(function)
+        if isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id in SOLVERS
+        if not reads_or_hands_on(function, call)
+    ]
+    assert silent == []
