@@ -54,6 +54,15 @@ def test_a_film_that_reforms_without_oil_is_doubted():
     assert "W122" not in {notice.code for notice in conserving.warnings}
 
 
+def test_a_load_points_beside_no_groove_that_surrounds_the_journal():
+    around = solve(
+        parse_case(BASE + "load: 600 N\npockets:\n  - {angle: 90 deg, extent: 360 deg, width: 10 mm}\n")
+    )
+    below = solve(parse_case(BASE + "load: 600 N\npockets:\n  - {angle: -90 deg, extent: 20 deg, width: 10 mm}\n"))
+    assert "W143" not in [warning.code for warning in around.results[0].warnings]
+    assert "W143" in [warning.code for warning in below.results[0].warnings]
+
+
 def test_oil_of_a_pocket_with_its_own_pressure_passes_no_tube_of_the_system():
     fed = "{temperature: 50 degC, pressure: 0.1 MPa, tubes: [{diameter: 6 mm, length: 2 m}]}"
     base = BASE.replace("{temperature: 50 degC, pressure: 0.02 MPa}", fed)

@@ -212,3 +212,11 @@ def test_at_light_load_a_larger_clearance_invites_whirl_and_a_narrower_bearing_d
     assert np.all(np.diff(by_clearance) < 0.0)
     by_width = [critical(width, 1.2) for width in (100, 60, 30)]
     assert np.all(np.diff(by_width) > 0.0)
+
+
+def test_threshold_speed_and_critical_mass_of_a_thermal_film_agree():
+    light = {"thermal": "adiabatic", "accuracy": "draft", "load": "6 kN", "speed": "6000 rpm"}
+    critical = answer(**light).values["critical_mass"]
+    heavy, calm = (answer(**light, rotor_mass=f"{share * critical} kg").values for share in (1.01, 0.99))
+    assert heavy["threshold_speed"] < heavy["angular_speed"] < calm["threshold_speed"]
+    assert calm["threshold_speed"] < 1.1 * heavy["threshold_speed"]

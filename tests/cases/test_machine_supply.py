@@ -74,3 +74,15 @@ def test_operating_points_may_give_the_whole_supply():
     points = [{"name": "fed", "supply_temperature": "40 degC", "supply_pressure": "0.2 MPa"}]
     (design,) = design_cases(case_from_dict(COOLED | {"supply": {}, "operating_points": points}))
     assert (design.oil_supply.temperature, design.oil_supply.pressure) == pytest.approx((313.15, 2e5))
+
+
+@pytest.mark.parametrize("field", [{"supply_pressure": "0.3 MPa"}, {"supply_flow": "2 L/min"}])
+def test_a_film_of_one_dimension_tells_that_no_pressure_or_flow_drives_it(field):
+    fed = {name: value for name, value in COOLED.items() if name != "cooling"}
+    fed |= {"method": "long_film", "supply": {"temperature": "45 degC"}}
+    plain, driven = design_cases(
+        case_from_dict(fed | {"operating_points": [{"name": "plain"}, {"name": "driven"} | field]})
+    )
+    told = "pressure, flow and element are ignored"
+    assert not any(told in said for said in plain.assumptions)
+    assert any(told in said for said in driven.assumptions)

@@ -79,7 +79,6 @@ def test_refused_where_it_has_no_meaning():
     "land",
     [
         Land(2.0, 7.5, start_pressure=1e6, end_pressure=1e6),
-        Land(2.0, 7.5, end_pressure=1e5),
         Land(2.0, 7.5, start_fill=0.5),
     ],
 )

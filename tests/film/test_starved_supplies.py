@@ -132,6 +132,12 @@ def test_a_clockwise_film_is_the_mirror_image_with_cavities_below_ambient():
     assert there.solution.minimum_film_thickness == pytest.approx(here.solution.minimum_film_thickness, rel=1e-6)
 
 
+def test_edges_of_one_groove_have_one_pressure():
+    unlike = tuple(replace(land, end_pressure=1e5) for land in TWO_GROOVES.lands)
+    with pytest.raises(InputError, match="a groove has one pressure"):
+        replace(TWO_GROOVES, lands=unlike)
+
+
 def test_too_little_oil_is_told_with_the_least_that_will_do():
     found = fed(POCKET, 1e-6)
     assert found.solution.outcome is Outcome.OVERLOADED

@@ -9,7 +9,7 @@ import pytest
 from babbitt.film.heat import BushRing, ConductingWalls, FilmHeat, HeatGrid, JournalHeat, mean_over_layers
 from babbitt.film.model import Cavitation, FilmStart, JournalFilm, Land, Pocket, Resolution, grooved_bore
 from babbitt.film.piezoviscosity import Barus
-from babbitt.film.solve import solve_journal
+from babbitt.film.solve import film_at_position, solve_journal
 from babbitt.film.thermal import solve_thermal_journal, thermal_film_at
 from babbitt.film.turbulence import NG_PAN, FilmTurbulence
 from babbitt.notices import InputError
@@ -113,6 +113,22 @@ def test_torque_on_the_bearing_of_one_viscosity_is_that_of_shear_and_pressure_on
     bore = solve_journal(replace(film, axial_viscosity=(1.0, 1.0)), WEIGHT, Resolution(4, 96, 24, 1e-7))
     assert warm.bearing_torque == pytest.approx(bore.bearing_torque, rel=1e-3)
     assert warm.friction_torque == pytest.approx(bore.friction_torque, rel=1e-3)
+
+
+@pytest.mark.parametrize("speed", [94.2478, -94.2478])
+def test_torque_on_the_bore_of_a_lemon_is_that_of_its_shear_by_both_films(speed):
+    """Its arcs have other centres than the bearing: the couple of load and reaction is not all that differs."""
+    clearance = BEARING.clearance
+    arcs = ((0.035, math.pi - 0.035, -clearance), (math.pi + 0.035, 2.0 * math.pi - 0.035, clearance))
+    lands = tuple(Land(a, b, clearance=2.0 * clearance, centre=(0.0, y)) for a, b, y in arcs)
+    film, grid = replace(BEARING, angular_speed=speed, lands=lands), Resolution(4, 96, 24, 1e-3)
+    constant = replace(ADIABATIC, viscosity=lambda temperature: np.full_like(temperature, film.viscosity))
+    warm = solve_thermal_journal(film, constant, WEIGHT, grid).film
+    bore = film_at_position(replace(film, axial_viscosity=(1.0, 1.0)), tuple(warm.position), resolution=grid)
+    assert warm.friction_torque == pytest.approx(bore.friction_torque, rel=1e-3)
+    assert warm.bearing_torque == pytest.approx(bore.bearing_torque, rel=1e-3)
+    whole = bore.friction_torque - 2.0 * bore.pressure_torque
+    assert abs(bore.bearing_torque / whole - 1.0) > 0.005
 
 
 def test_reversal_mirrors_the_temperatures():

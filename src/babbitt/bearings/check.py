@@ -60,6 +60,9 @@ from babbitt.results import Bound, Check, Matrix, Outcome, Result
 
 METHOD = "film"
 
+ALMOST_A_TURN = math.radians(359.0)
+"""Extent in rad from which a groove surrounds the journal."""
+
 AT_A_LINE = 1e-6
 """Angle in rad within which a load points at a line of supply."""
 
@@ -252,6 +255,8 @@ def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, fl
             said += ", as oil flows from a side into them" if state.solution.side_inflow > 0.0 else ""
         yield Notice("W121", f"{said}: a rough estimate")
     for groove in case.bearing.hollows:
+        if groove.extent > ALMOST_A_TURN:  # no load could point beside it
+            continue
         aside = abs(math.remainder(values["load_angle"] - groove.angle, 2.0 * math.pi))
         if aside <= 0.5 * groove.extent + AT_A_LINE:
             load, first, last = (

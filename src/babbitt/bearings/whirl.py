@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -88,12 +89,20 @@ def threshold_speed(case: FilmCase, state: FilmState, mass: float, shaft_stiffne
     if is_unloaded(case, state):
         return None
 
-    def excess(speed: float) -> float:
+    @cache
+    def reserve(speed: float) -> float:
         found = with_bore(case, at_speed(case, state, speed))
         if not found.outcome.solved:
             return math.nan
-        return stability_excess(
-            stable_masses_of_rotor(found.stiffness, found.damping, shaft_stiffness).reserve(mass)
-        )
+        return stable_masses_of_rotor(found.stiffness, found.damping, shaft_stiffness).reserve(mass)
 
-    return crossing(excess, abs(state.solution.film.angular_speed))
+    here = abs(state.solution.film.angular_speed)
+    # films of one viscosity tell how the reserve changes with the speed, the film itself how large it is here
+    own = stable_masses_of_rotor(state.solution.stiffness, state.solution.damping, shaft_stiffness).reserve(mass)
+    share = _ratio(own, reserve(here)) if state.thermal is not None else 1.0
+    return crossing(lambda speed: stability_excess(share * reserve(speed)), here)
+
+
+def _ratio(own: float, other: float) -> float:
+    """Ratio of two reserves, 1 where one of them has no size."""
+    return own / other if 0.0 < own < math.inf and 0.0 < other < math.inf else 1.0

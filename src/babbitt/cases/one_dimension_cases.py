@@ -110,8 +110,10 @@ def _supply(inputs: Inputs, at: Point) -> OilSupply:
 def _ignored(inputs: Inputs, at: Point) -> tuple[str, ...]:
     bearing, found = inputs.bearing, []
     method = METHODS[bearing.method].capitalize()
-    if bearing.element_at(at.given) is not None or (inputs.supply is not None and inputs.supply.pressure):
-        found.append(f"{method} takes oil of the supply temperature; supply pressure and element are ignored.")
+    supplies = (inputs.supply.pressure, inputs.supply.flow) if inputs.supply is not None else ()
+    own = (at.given.supply_pressure, at.given.supply_flow) if at.given is not None else ()
+    if bearing.element_at(at.given) is not None or any((*supplies, *own)):
+        found.append(f"{method} takes oil of the supply temperature; pressure, flow and element are ignored.")
     if inputs.cooling is not None:
         found.append(f"{method} ignores `cooling`; heat leaves as the method itself describes.")
     if inputs.supply is not None and inputs.supply.circulation_time is None:

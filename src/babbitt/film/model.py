@@ -343,6 +343,11 @@ def check_lands(lands: tuple[Land, ...], cavitation_pressure: float) -> None:
         if land.end_angle - land.start_angle > distance * (1.0 + 1e-12) + 1e-12:
             raise InputError("E101", f"the land that starts at {land.start_angle} rad overlaps that which starts "
                              f"at {following.start_angle} rad.")  # fmt: skip
+        if not math.isclose(land.end_pressure, following.start_pressure, rel_tol=1e-9, abs_tol=1e-6):
+            here, there = land.end_pressure, following.start_pressure
+            raise InputError(
+                "E101", f"a groove has one pressure; that behind {land.end_angle} rad has {here} and {there} Pa."
+            )
 
 
 def check_round(film: JournalFilm) -> None:

@@ -208,17 +208,25 @@ def supply_order(film: JournalFilm, seen: JournalFilm) -> list[int]:
 def friction(settled: SettledRing) -> tuple[float, float, float]:
     """Torques on journal and bearing: Couette shear with the liquid fraction, and -+ (h/2) dp/dtheta; and the part
     of the shear by streamers."""
-    sample, surface = settled.sample, settled.sample.ring.surface
-    work, node = sample.work, surface.node
+    surface, work = settled.sample.ring.surface, settled.sample.work
+    n = surface.step.size
+    after = (np.arange(n) + 1) % work.pressure.shape[0]
+    viscosity = surface.viscosity * (0.5 * (work.stiffening[:n] + work.stiffening[after]))[:, surface.node]
+    shear = couette_shear(settled, viscosity)
+    couette, hydraulic = float((shear @ surface.share).sum()), slope_torque(settled)
+    return couette + hydraulic, couette - hydraulic, streamer_shear(settled, shear)
+
+
+def slope_torque(settled: SettledRing) -> float:
+    """Half of what the torque on the journal has more than that by shear on the bore: (h/2) dp/dtheta over the
+    film, whatever its viscosity across the gap."""
+    surface, work = settled.sample.ring.surface, settled.sample.work
     ha, hb = _gaps(settled)
     n = surface.step.size
     after = (np.arange(n) + 1) % work.pressure.shape[0]
-    viscosity = surface.viscosity * (0.5 * (work.stiffening[:n] + work.stiffening[after]))[:, node]
-    shear = couette_shear(settled, viscosity)
     pressure = true_pressures(surface, work.pressure)
-    slope = 0.25 * (ha + hb) * (pressure[after] - pressure[:n])[:, node]
-    couette, hydraulic = float((shear @ surface.share).sum()), float((slope @ surface.share).sum())
-    return couette + hydraulic, couette - hydraulic, streamer_shear(settled, shear)
+    slope = 0.25 * (ha + hb) * (pressure[after] - pressure[:n])[:, surface.node]
+    return float((slope @ surface.share).sum())
 
 
 def couette_shear(settled: SettledRing, viscosity: Array) -> Array:

@@ -83,7 +83,8 @@ class FilmSolution:
     side_inflow : float
         What the sides draw in, m3/s: nothing where their pressure is that of the cavity.
     friction_torque, bearing_torque : float
-        On the journal and on the bearing, N m, against and with the rotation.
+        On the journal and by shear on the bore, N m, against and with the rotation. They differ by the couple of
+        load and reaction in a round bore; where its arcs have other centres, pressure turns it, too.
     streamer_torque : float
         Part of both by shear of the oil that the ruptured film carries, N m.
     mass_balance_error : float

@@ -35,6 +35,7 @@ from babbitt.film.ring_mesh import Density
 from babbitt.film.ring_solution import (
     couette_shear,
     mirrored,
+    slope_torque,
     solution_of,
     streamer_shear,
     supply_order,
@@ -356,12 +357,10 @@ def answer(frame: LoadFrame, seen: JournalFilm, scales: Scales, found: WarmRest,
         if not warm.close(CLOSING, CLOSED) < OPEN:
             found = replace(found, status=TOO_MANY_STEPS)
     settled = SettledRing(seen, warm.sample, found.position, found.status, found.passes, found.gap)
-    x, y = found.position
-    turning = float(x * warm.sample.force[1] - y * warm.sample.force[0])  # of load and reaction, e apart
     surface = warm.sample.ring.surface
     viscosity = warm.flows.shear_viscosity[: surface.step.size][:, warm.columns.column[surface.node]]
     streamers = streamer_shear(settled, couette_shear(settled, viscosity))
-    torques = warm.friction, warm.friction - turning, streamers
+    torques = warm.friction, warm.friction - 2.0 * slope_torque(settled), streamers
     solution = solution_of(frame.film, scales, settled, torques, begun)
     thermal = thermal_film(solution, scales, warm, supply_order(frame.film, seen))
     return turned_back(frame, replace(thermal, nodes=RestingNodes(settled, frame, scales)))
