@@ -510,6 +510,18 @@ def test_a_film_without_operating_point_leaves_no_fields(run, tmp_path):
     assert not (tmp_path / "film.nc").exists()
 
 
+@pytest.mark.parametrize(
+    ("package", "option", "name"), [("typst", "--report", "out.pdf"), ("matplotlib", "--plots", "out")]
+)
+def test_a_missing_extra_is_told_before_anything_is_solved(run, tmp_path, monkeypatch, package, option, name):
+    (tmp_path / "case.yaml").write_text(template("journal"))
+    monkeypatch.setitem(sys.modules, package, None)
+    status, out, err = run("solve", "case.yaml", "--json", "out.json", option, name)
+    assert (status, out) == (2, "")
+    assert f"pip install {package}" in err
+    assert not (tmp_path / "out.json").exists()
+
+
 def test_fields_need_a_film_a_suffix_and_their_extra(run, tmp_path, monkeypatch):
     (tmp_path / "film.yaml").write_text(GROOVED)
     (tmp_path / "journal.yaml").write_text(template("journal"))

@@ -117,6 +117,10 @@ def compare(
 
     case = load_case(file, reach(allow_outside))
     require_distinct([path for path in (report, plots) if path is not None], inputs_of([file], case.files))
+    if report is not None or plots is not None:
+        from babbitt.report.drawing import require_extra
+
+        require_extra("matplotlib", "plots")
     if report is not None:
         from babbitt.report.comparison_page import require_page
 

@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -108,6 +109,18 @@ def style() -> Iterator[None]:
         raise missing_extra("matplotlib", "plots") from None
     with matplotlib.rc_context(STYLE):
         yield
+
+
+def require_extra(package: str, purpose: str) -> None:
+    """Refuse what needs a package that is not installed, before any work is done.
+
+    Raises
+    ------
+    InputError
+        E007.
+    """
+    if find_spec(package) is None:
+        raise missing_extra(package, purpose)
 
 
 def missing_extra(package: str, purpose: str) -> InputError:

@@ -88,14 +88,15 @@ def outputs(
     ------
     InputError
         E007 for a path that cannot be written, an unknown suffix, one file for several outputs, an output that
-        would replace an input of the run or a file that is no output of Babbitt, or fields for which an extra is
-        not installed.
+        would replace an input of the run or a file that is no output of Babbitt, or a format for which an extra
+        is not installed.
     """
     alone = len(files) == 1
     targets = [Target(json, report, plots, fields)] if alone else _one_each(files, json, report, plots, fields)
     _refuse_collisions(inputs_of(files, tables), targets)
     for target in targets:
         _require_suffix(target.report)
+        _require_extras(target)
         if target.fields is not None:
             from babbitt.report.fields import require_netcdf
 
@@ -145,6 +146,17 @@ def _refuse_collisions(inputs: Mapping[Path, str], targets: Sequence[Target]) ->
         [path for target in targets for path in (*target.files(), *([target.plots] if target.plots else []))],
         inputs,
     )
+
+
+def _require_extras(target: Target) -> None:
+    """Refuse report and plots whose packages are missing before a case is solved and its JSON written."""
+    if target.report is None and target.plots is None:
+        return
+    from babbitt.report.drawing import require_extra
+
+    if target.report is not None:
+        require_extra("typst", "reports")
+    require_extra("matplotlib", "plots")
 
 
 def _require_suffix(report: Path | None) -> None:
