@@ -443,7 +443,7 @@ def test_a_missing_extra_is_named(package, tmp_path, monkeypatch):
 
     monkeypatch.setitem(sys.modules, package, None)
     case, result, _ = bearing("two")
-    with pytest.raises(InputError, match=r"babbitt\[files\]"):
+    with pytest.raises(InputError, match=r"'\.\[files\]' in a clone"):
         write_fields(case, result, tmp_path / "film.nc")
     assert list(tmp_path.iterdir()) == []
 

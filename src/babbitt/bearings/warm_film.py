@@ -226,7 +226,7 @@ def _settled(
     if not case.bearing.compliance:
         return settle(film)
     if isinstance(case.duty, GivenLoad) and not closed_pockets(case):
-        settle = _following(case, case.duty, in_given_bore)
+        settle = following(load_vector(case, case.duty.load), resolution_of(case), in_given_bore, SEARCHED)
     from babbitt.bearings.elastic_film import elastic_film
 
     found = elastic_film(film, case.bearing.compliance, settle, ELASTIC_CLOSENESS)
@@ -241,15 +241,13 @@ def _closed(case: FilmCase, in_given_bore: Settle, known: ClosedPressures, film:
     )  # fmt: skip
 
 
-def _following(
-    case: FilmCase, duty: GivenLoad, far_and_wide: Callable[[JournalFilm], FilmSolution]
-) -> Callable[[JournalFilm], FilmSolution]:
+def following(load: tuple[float, float], grid: Resolution, far_and_wide: Settle, searches: int) -> Settle:
     """Solve films that differ little, each from the place of the one before it.
 
-    A film that is not found from there is sought far and wide, for the first `SEARCHED` films only: a load beside
+    A film that is not found from there is sought far and wide, for the first `searches` films only: a load beside
     a groove under pressure can be near the edge of what is carried, and every such search takes a second.
     """
-    load, grid, films = load_vector(case, duty.load), resolution_of(case), 0
+    films = 0
     last: FilmSolution | None = None
 
     def solve(film: JournalFilm) -> FilmSolution:
@@ -260,7 +258,7 @@ def _following(
         found = None
         if last is not None:
             found = solve_journal_from(film, load, (float(last.position[0]), float(last.position[1])), grid)
-        if found is None or not (found.outcome.solved or films > SEARCHED):
+        if found is None or not (found.outcome.solved or films > searches):
             found = far_and_wide(film)
         last = found if found.outcome.solved else last
         return found

@@ -13,7 +13,7 @@ from babbitt.bearings.model import FilmCase
 from babbitt.bearings.own_slope import with_bore
 from babbitt.bearings.settling import place_of, settled_film
 from babbitt.bearings.unloaded import is_unloaded
-from babbitt.bearings.warm_film import FilmState
+from babbitt.bearings.warm_film import FilmState, following
 from babbitt.film.rotor import RIGID, stable_masses_of_rotor
 from babbitt.film.whirl import ElasticWhirl, Whirl, crossing, rotor_mass, stability_excess
 
@@ -77,7 +77,8 @@ def at_speed(case: FilmCase, state: FilmState, speed: float) -> FilmSolution:
 
     own = displacement_under(case.bearing.compliance, state.solution)
     given = replace(film, displacement=as_field(np.asarray(film.displacement) - own))
-    found = elastic_film(given, case.bearing.compliance, settle, start=own)
+    follow = following(load, case.accuracy.resolution, settle, 1)  # the displacement is known nearly
+    found = elastic_film(given, case.bearing.compliance, follow, start=own)
     return replace(found.solution, outcome=found.outcome)
 
 
