@@ -1,0 +1,24 @@
+"""Answers and reports of every template and example are those of the goldens."""
+
+import pytest
+
+from golden import CASES, answer, differences, same_text, stored, tolerance_of
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_answer_is_that_of_the_golden(name):
+    kept, now = stored(name), answer(name)
+    found = list(differences(kept, now, tolerance_of(kept)))
+    assert not found, "\n".join(found[:20])
+
+
+def test_texts_may_differ_in_the_last_digit_alone():
+    assert same_text("h = 24.31 µm at 45 °C", "h = 24.32 µm at 45 °C")
+    assert not same_text("h = 24.31 µm at 45 °C", "h = 24.33 µm at 45 °C")
+    assert not same_text("h = 24.31 µm", "h = 24.31 mm")
+
+
+def test_a_changed_number_or_a_lost_entry_is_found():
+    assert list(differences({"a": 1.0}, {"a": 1.0 + 1e-6}, 1e-7))
+    assert list(differences({"a": 1.0, "b": 2}, {"a": 1.0}, 1e-7))
+    assert not list(differences({"stiffness": 1.0}, {"stiffness": 1.0 + 1e-6}, 1e-7))
