@@ -1,16 +1,28 @@
 """Where machine code is kept, and what is said while it is made."""
 
-import gc
+import os
+import shutil
+import subprocess
+import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import numba
 import pytest
 from numba import typeof
-from numba.core import config
 
+import babbitt
 from babbitt.film import _compiling
 from babbitt.film._batch import find_equilibria
 from babbitt.film.operators import kernel_operator
+
+PACKAGE = Path(babbitt.__file__).parent
+
+
+def run(code: str, source: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    """What a fresh Python says that finds the package in a folder."""
+    settings = {**os.environ, "PYTHONPATH": str(source), **environment}
+    return subprocess.run([sys.executable, "-c", code], env=settings, capture_output=True, text=True, check=True)
 
 
 def test_folder_follows_every_kernel_source():
@@ -26,44 +38,72 @@ def test_folder_follows_the_versions_that_compile():
     assert _compiling.digest(_compiling.VERSIONS.replace(numba.__version__, "0.0")) != _compiling.DIGEST
 
 
-def test_machine_code_stays_out_of_the_sources(tmp_path, monkeypatch):
-    monkeypatch.setattr(config, "CACHE_DIR", str(tmp_path))
-    function = find_equilibria.py_func
-    locator = _compiling.Locator.from_function(function, function.__code__.co_filename)
-    assert locator is not None
-    assert Path(locator.get_cache_path()).parent == tmp_path
-    assert locator.get_source_stamp() == _compiling.DIGEST
+CALLER = """from {package}._compiling import compiled
+from {package}._callee import shifted
+
+@compiled
+def doubled(x):
+    return 2.0 * shifted(x)
+"""
+
+CALLEE = """from {package}._compiling import inner
+
+@inner
+def shifted(x):
+    return x + {shift}
+"""
 
 
-def test_kernels_work_where_nothing_can_be_written(tmp_path, monkeypatch):
+def test_an_edit_in_a_callee_of_another_file_is_seen(tmp_path):
+    """Plain caches of numba look at the file of the caller alone and would give the old answer."""
+    folder = Path(_compiling.__file__).parent
+    package = ".".join(["babbitt", *folder.relative_to(PACKAGE).parts])
+    source = tmp_path / "source"
+    shutil.copytree(PACKAGE, source / "babbitt", ignore=shutil.ignore_patterns("__pycache__"))
+    copy = source / Path(*package.split("."))
+    (copy / "_caller.py").write_text(CALLER.format(package=package))
+    code = f"from {package}._caller import doubled as f; f(1.5); print(f(1.5), f.stats.cache_hits)"
+    code = code.replace("f.stats.cache_hits", "sum(f.stats.cache_hits.values())")
+    said = []
+    for shift in (1.0, 1.0, 3.0):
+        (copy / "_callee.py").write_text(CALLEE.format(package=package, shift=shift))
+        os.utime(copy / "_callee.py", (1e9, 1e9))
+        said.append(run(code, source, NUMBA_CACHE_DIR=str(tmp_path / "cache")).stdout.split())
+    assert said == [["5.0", "0"], ["5.0", "1"], ["9.0", "0"]]
+    assert not [*source.rglob("*.nbi")]  # machine code stays out of the sources
+
+
+def test_kernels_work_where_nothing_can_be_written(tmp_path):
     blocked = tmp_path / "file"
     blocked.write_text("")
-    monkeypatch.setattr(config, "CACHE_DIR", str(blocked))
-
-    @_compiling.compiled
-    def double(x):
-        return 2.0 * x
-
-    assert double(1.5) == pytest.approx(3.0)
-
-
-def test_one_line_tells_what_is_compiled(capsys, monkeypatch):
-    monkeypatch.setattr(_compiling, "_announced", set())
-    axial = typeof(kernel_operator(4))
-    _compiling.announce(axial)
-    _compiling.announce(axial)
-    _compiling.announce(typeof(1.0))
-    assert capsys.readouterr().err.splitlines() == [
-        "babbitt: compiling the kernels for films of grooved and lobed bores, once: about 15 s"
-    ]
+    code = (
+        "from babbitt.film._compiling import FOLDER, compiled\n"
+        "from babbitt.film.operators import kernel_operator\n"
+        "@compiled\n"
+        "def double(operator, x):\n"
+        "    return 2.0 * x\n"
+        "print(FOLDER, double(kernel_operator(4), 1.5))\n"
+    )
+    ended = run(code, PACKAGE.parent, NUMBA_CACHE_DIR=str(blocked))
+    assert ended.stdout.split() == ["None", "3.0"]
 
 
-def test_collector_of_garbage_is_held_off_while_kernels_compile_and_only_then():
-    unswept = _compiling.Unswept()
+def compiling(kernel, *arguments):
+    """An event of numba: a kernel begins to compile for some arguments."""
+    return SimpleNamespace(data={"dispatcher": kernel, "args": tuple(map(typeof, arguments))})
+
+
+@pytest.mark.parametrize("folder", [None, Path("cache")])
+def test_one_line_tells_what_is_compiled(capsys, folder):
+    report = _compiling.Report(folder)
+    foreign = SimpleNamespace(py_func=compiling)
+    report.on_start(compiling(foreign, kernel_operator(4)))
+    report.on_start(compiling(find_equilibria, 1.0))
+    assert capsys.readouterr().err == ""
     for _ in range(2):
-        unswept.on_start(None)
-        assert not gc.isenabled()
-    unswept.on_end(None)
-    assert not gc.isenabled()  # the outer kernel still compiles
-    unswept.on_end(None)
-    assert gc.isenabled()
+        report.on_start(compiling(find_equilibria, kernel_operator(4)))
+    uncached = [_compiling.UNCACHED] if folder is None else []
+    assert capsys.readouterr().err.splitlines() == [
+        *uncached,
+        "babbitt: compiling the kernels for films of grooved and lobed bores, once: about 15 s",
+    ]

@@ -3,29 +3,30 @@
 numba keeps machine code beside the source and checks only the file of the kernel itself: after an edit in a kernel
 that it calls it would run the old code. Here the folder is named after a digest of all kernel sources and of the
 versions that compile them (machine code of another numba crashes Python), in ``NUMBA_CACHE_DIR`` where that is set
-and in the user's cache folder otherwise.
+and in the user's cache folder otherwise. Only what numba documents is used: ``config.CACHE_DIR`` while kernels are
+decorated, and events of compilation.
 """
 
 from __future__ import annotations
 
-import gc
 import hashlib
+import os
 import sys
+import tempfile
 from collections.abc import Callable
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import numba
-from numba import njit
-from numba.core import config, event, types
-from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLocator
-from numba.misc.appdirs import AppDirs
+from numba import config, njit, types
+from numba.core import event
+from platformdirs import user_cache_path
 
 __all__ = ["compiled", "inlined", "inner", "spliced"]
 
 jit: Any = njit  # its published type knows only some of the options
-SOURCES = sorted(Path(__file__).parent.glob("_*.py"))
+settings: Any = config  # numba's settings have no published types
+SOURCES = sorted(Path(__file__).parent.rglob("_*.py"))
 VERSIONS = f"{sys.version} numba {numba.__version__}"
 
 
@@ -34,8 +35,22 @@ def digest(versions: str) -> str:
     return hashlib.sha256(b"".join(path.read_bytes() for path in SOURCES) + versions.encode()).hexdigest()[:16]
 
 
-DIGEST = digest(VERSIONS)
+def writable_folder(folder: Path) -> Path | None:
+    """Make a folder and give it, or None where nothing can be written in it."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryFile(dir=folder).close()
+    except OSError:
+        return None
+    return folder
 
+
+DIGEST = digest(VERSIONS)
+CACHE = Path(settings.CACHE_DIR or user_cache_path("babbitt", appauthor=False)) / f"kernels-{DIGEST}"
+FOLDER = writable_folder(CACHE)
+"""Where machine code is kept; None: every process compiles anew."""
+
+UNCACHED = f"babbitt: {CACHE} cannot be written: kernels are compiled anew in every process; set NUMBA_CACHE_DIR"
 
 KINDS = {
     "Axial": "films of grooved and lobed bores, once: about 15 s",
@@ -43,102 +58,49 @@ KINDS = {
 }
 
 
-def announce(first: Any) -> None:
-    """Say once for each kind of film that its kernels are being compiled; the first argument tells the kind."""
-    kind = KINDS.get(first.instance_class.__name__) if isinstance(first, types.NamedTuple) else None
-    if kind and first not in _announced:
-        _announced.add(first)
-        print(f"babbitt: compiling the kernels for {kind}", file=sys.stderr)
+class Report(event.Listener):
+    """Says once for each kind of film that its kernels are being compiled; their first argument tells the kind."""
 
-
-_announced: set[object] = set()
-
-
-class Locator(_CacheLocator):
-    """Folder of the machine code of one kernel."""
-
-    def __init__(self, function: Callable[..., Any], source: str) -> None:
-        self._file, self._line = Path(source).stem, function.__code__.co_firstlineno
-        self._folder = Path(getattr(config, "CACHE_DIR", "") or AppDirs("babbitt", appauthor=False).user_cache_dir)
-
-    def get_cache_path(self) -> str:
-        """Folder; another one after every edit of a kernel."""
-        return str(self._folder / f"film-{DIGEST}")
-
-    def get_source_stamp(self) -> str:
-        """What the machine code was made from."""
-        return DIGEST
-
-    def get_disambiguator(self) -> str:
-        """Tells kernels of one name apart."""
-        return f"{self._file}-{self._line}"
-
-    @classmethod
-    def from_function(cls, py_func: Callable[..., Any], py_file: str) -> Locator | None:
-        """Locator, or None where the folder cannot be written."""
-        locator = cls(py_func, py_file)
-        try:
-            locator.ensure_cache_path()
-        except OSError:
-            return None
-        return locator
-
-
-class Store(CompileResultCacheImpl):
-    """How numba writes and reads machine code, in our folder."""
-
-    _locator_classes = [Locator]  # noqa: RUF012
-
-
-class KernelCache(FunctionCache):
-    """Cache that speaks up when nothing is in it."""
-
-    _impl_class = Store
-
-    def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """Machine code for argument types, or None."""
-        found = super().load_overload(sig, target_context)
-        if found is None and sig:
-            announce(sig[0])
-        return found
-
-
-class Unswept(event.Listener):
-    """Holds the collector of cyclic garbage off while a kernel compiles.
-
-    It would find little among the compiler's hundred thousands of objects, and take a tenth of the time.
-    """
-
-    depth = 0
-    was_on = False
+    def __init__(self, folder: Path | None) -> None:
+        self.folder = folder
+        self.said: set[str] = set()
 
     def on_start(self, event: Any) -> None:
-        """A kernel, or one that it calls, begins to compile."""
-        if self.depth == 0:
-            self.was_on = gc.isenabled()
-            gc.disable()
-        self.depth += 1
+        """A kernel begins to compile because no machine code of it was found."""
+        function, arguments = event.data["dispatcher"].py_func, event.data["args"]
+        if not function.__module__.startswith("babbitt.") or not arguments:
+            return
+        first = arguments[0]
+        kind = KINDS.get(first.instance_class.__name__) if isinstance(first, types.NamedTuple) else None
+        if kind and kind not in self.said:
+            if self.folder is None and not self.said:
+                print(UNCACHED, file=sys.stderr)
+            self.said.add(kind)
+            print(f"babbitt: compiling the kernels for {kind}", file=sys.stderr)
 
     def on_end(self, event: Any) -> None:
-        """The outermost one gives back what it found."""
-        self.depth -= 1
-        if self.depth == 0 and self.was_on:
-            gc.enable()
+        """A kernel is compiled."""
 
 
-event.register("numba:compile", Unswept())
+event.register("numba:compile", Report(FOLDER))
 
 
 def kernel(**options: Any) -> Callable[[Callable[..., Any]], Any]:
     """Decorator: IEEE division, no lock of the interpreter, cached where a folder can be written."""
 
     def decorate(function: Callable[..., Any]) -> Any:
-        dispatcher = jit(
-            error_model="numpy", nogil=True, fastmath={"contract", "reassoc"}, no_cfunc_wrapper=True, **options
-        )(function)
-        with suppress(RuntimeError):  # no folder: compiled anew in every process
-            dispatcher._cache = KernelCache(function)
-        return dispatcher
+        before, settings.CACHE_DIR = settings.CACHE_DIR, os.fspath(FOLDER or "")
+        try:
+            return jit(
+                error_model="numpy",
+                nogil=True,
+                fastmath={"contract", "reassoc"},
+                no_cfunc_wrapper=True,
+                cache=FOLDER is not None,
+                **options,
+            )(function)
+        finally:
+            settings.CACHE_DIR = before
 
     return decorate
 
