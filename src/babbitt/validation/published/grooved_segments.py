@@ -204,8 +204,9 @@ CASE = ValidationCase(
         ),
         source=(
             "A published segment-wise heat balance of a thick-walled babbitt bearing with one groove (D = 100 mm, "
-            "L = 70 mm, ψ = 1.53 ‰, 10 m/s, 6.5 MPa, groove 6 mm wide). It prints no computed numbers and its "
-            "temperature curves are lost. What is marked as own reference is a second calculation, not a print."
+            "L = 70 mm, ψ = 1.53 ‰, 10 m/s, 6.5 MPa, groove 6 mm wide). It prints no computed numbers, its "
+            "temperature curves are lost, and author, title and journal could not be looked up. What "
+            "is marked as own reference is a second calculation, not a print."
         ),
         assumptions=(
             "Oil (19.5 mPa s at 50 °C, exponent 2.2, 2000 J/(kg K), 880 kg/m³), supply at 40 °C, groove 150° from "

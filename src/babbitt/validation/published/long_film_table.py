@@ -118,7 +118,8 @@ CASE = ValidationCase(
         ),
         source=(
             "Table 1 of a published thermo-hydrodynamic model of a journal bearing (gear box of a geared "
-            "turbofan), columns 3000 and 12000 rpm; D = 80 mm, L = 105 mm, oil IPM-10 at 70 °C."
+            "turbofan), columns 3000 and 12000 rpm; D = 80 mm, L = 105 mm, oil IPM-10 at 70 °C. Its author, "
+            "title and journal could not be looked up."
         ),
         assumptions=(
             "Not published and fitted or assumed: radial clearance (56.33, 56.76 and 55.5 µm for the three modes; "
