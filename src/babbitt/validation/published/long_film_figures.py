@@ -72,8 +72,8 @@ def _bush() -> Iterator[Comparison]:
             )  # fmt: skip
         apart = 100.0 * abs(at[3000] - at[12000])
         yield Comparison(
-            "difference between speeds", f"ε = 0.8, {mode.value}", 1.0, apart, AtMost(SetBy.SPECIFICATION), "percentage points",
-            "figure 4", 1,
+            "difference between speeds", f"ε = 0.8, {mode.value}", 1.0, apart,
+            AtMost(SetBy.SPECIFICATION), "percentage points", "figure 4", 1,
         )  # fmt: skip
 
 

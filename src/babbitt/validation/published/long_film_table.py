@@ -132,8 +132,8 @@ CASE = ValidationCase(
         tolerances=(
             "Set by the specification of the method: each entry 2.5 % with the mean flow and 4.5 % with the local "
             "flow; root mean square 1.2 % with the mean flow. The specification has 1.4 % with the local flow; "
-            "1.42 % is found over these two columns, and 1.5 % is our own bound. The default mode is judged by its "
-            "root mean square alone: 6 %, of the specification."
+            "1.42 % is found over these two columns, and 1.5 % is our own bound. The default mode is judged by "
+            "its root mean square alone: 6 %, of the specification."
         ),
         differences=(
             "The pressure equation of the source was differentiated as if viscosity were constant. With the "
