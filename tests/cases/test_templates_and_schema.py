@@ -1,12 +1,16 @@
 """Templates run as they stand; the shipped schema is that of the models and every field says what it is."""
 
 import json
+import re
 import tomllib
+from importlib.resources import files
 from pathlib import Path
+from typing import get_args
 
 import jsonschema
 import pytest
 import yaml
+from pydantic import TypeAdapter
 
 from babbitt.cases import KINDS, case_schema, design_cases, kinds, parse_case, template
 from babbitt.cases.document import read_document
@@ -15,6 +19,7 @@ from babbitt.cases.schema import shipped_schema, written_schema
 from babbitt.notices import InputError
 from babbitt.results import Verdict
 from babbitt.solving import solve
+from babbitt.units import AS_WRITTEN
 
 BAD = Path(__file__).parent / "bad"
 VALIDATOR = jsonschema.Draft202012Validator(case_schema())
@@ -47,18 +52,85 @@ def test_template_suits_the_schema(kind):
     VALIDATOR.validate(read_document(template(kind)).plain())
 
 
-def test_alternatives_in_the_comments_of_a_template_can_be_used():
-    lines = template("journal").splitlines()
-    alternatives = [
-        line.removeprefix("# ") for line in lines if line.startswith(("# clearance:", "# supply_element:"))
+COMMENTED = re.compile(r"^(\s*)# (\s*(?:- )?(?:\w+:(?: |$)|\{).*)$")
+"""A comment that is a field to uncomment; any other is prose."""
+
+
+def written_out(kind):
+    """The nodes of a template with every comment that is a field uncommented; keys may be there several times."""
+    return yaml.compose("\n".join(COMMENTED.sub(r"\1\2", line) for line in template(kind).splitlines()))
+
+
+def parts_of(annotation):
+    if isinstance(annotation, type) and issubclass(annotation, Part):
+        yield annotation
+    for inner in get_args(annotation):
+        yield from parts_of(inner)
+
+
+def reachable(part, found):
+    if part not in found:
+        found.add(part)
+        for field in part.model_fields.values():
+            for inner in parts_of(field.annotation):
+                reachable(inner, found)
+    return found
+
+
+def home(part, name):
+    """The class that brings a field in, and the field: what a family shares is shown once."""
+    return next(base for base in reversed(part.__mro__) if name in getattr(base, "model_fields", {})), name
+
+
+def shown_in(node, candidates):
+    """Fields that a node writes, each by the part that it belongs to."""
+    if isinstance(node, yaml.SequenceNode):
+        for one in node.value:
+            yield from shown_in(one, candidates)
+    if not isinstance(node, yaml.MappingNode):
+        return
+    kind = {value.value for key, value in node.value if key.value == "kind"}
+    suit = [
+        part
+        for part in candidates
+        if "kind" not in part.model_fields
+        or not kind
+        or kind & set(get_args(part.model_fields["kind"].annotation))
     ]
-    alternatives += [line.removeprefix("# ") for line in lines if line.startswith(("# lubricant:", "# cooling:"))]
-    alternatives += [line.removeprefix("# ") for line in lines if line.startswith(("# limits:", "# assumptions:"))]
-    assert len(alternatives) >= 14
-    given = yaml.safe_load(template("journal"))
-    for line in alternatives:
-        field, value = next(iter(yaml.safe_load(line).items()))
-        assert parse_case(json.dumps(given | {field: value})).kind == "journal"
+    for key, value in node.value:
+        owners = [part for part in suit if key.value in part.model_fields]
+        assert owners, f"{key.value} in line {key.start_mark.line + 1} is no field of {suit}"
+        for part in owners:
+            yield home(part, key.value)
+            yield from shown_in(value, list(parts_of(part.model_fields[key.value].annotation)))
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_template_shows_every_field_of_its_kind(kind):
+    shown = set(shown_in(written_out(kind), [KINDS[kind]]))
+    missing = {name for name in KINDS[kind].model_fields if home(KINDS[kind], name) not in shown}
+    assert not missing
+
+
+def test_every_field_of_the_case_language_is_in_a_template():
+    shown = {one for kind, model in KINDS.items() for one in shown_in(written_out(kind), [model])}
+    every = {
+        home(part, name)
+        for model in KINDS.values()
+        for part in reachable(model, set())
+        for name in part.model_fields
+    }
+    assert not {f"{part.__name__}.{name}" for part, name in every - shown}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_alternatives_in_the_comments_of_a_template_can_be_used(kind):
+    for key, value in written_out(kind).value:
+        given = yaml.SafeLoader("").construct_document(value)
+        if key.value == "limits" and "tables" in given:
+            given["tables"] = files("babbitt.materials").joinpath("limits.toml").read_text(encoding="utf-8")
+        field = TypeAdapter(KINDS[kind].model_fields[key.value].rebuild_annotation())
+        field.validate_python(given, context=AS_WRITTEN)
 
 
 def test_a_speed_of_either_sense_suits_the_schema():

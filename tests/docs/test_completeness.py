@@ -6,7 +6,7 @@ import importlib
 import json
 import pkgutil
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import get_args
 
@@ -24,8 +24,18 @@ from babbitt.cli.interruption import INTERRUPTED
 from babbitt.lubricants import catalogue
 from babbitt.materials import bearing_metals, structural_materials
 from babbitt.notices import EXPLANATIONS
-from babbitt.quantities import QUANTITIES
+from babbitt.quantities import QUANTITIES, Quantity
+from babbitt.quantities.dynamics import DYNAMICS
+from babbitt.quantities.footstep import FOOTSTEP
+from babbitt.quantities.hydrostatics import HYDROSTATICS
+from babbitt.quantities.journal import JOURNAL
+from babbitt.quantities.one_dimension import ONE_DIMENSION
+from babbitt.quantities.shaft_lines import SHAFT_LINES
+from babbitt.quantities.shafts import SHAFTS
+from babbitt.quantities.thrust import THRUST
 from babbitt.report.export import to_json
+from babbitt.report.hydrostatic_words import HYDROSTATIC_WORDS
+from babbitt.report.vocabulary import VOCABULARY
 from babbitt.results import Outcome
 from babbitt.solving import solve
 from babbitt.standards.iso7902.model import Curves, Friction
@@ -33,6 +43,17 @@ from babbitt.units import KINDS as UNIT_KINDS
 
 NOT_FOR_USERS = {"babbitt.report.outputs", *(f"babbitt.cli.{name}" for name in cli.__all__)}
 """Names of public packages that only the command line needs."""
+
+
+OF_HEELS = frozenset(
+    name
+    for name in VOCABULARY
+    if name.startswith(("heel_", "groove_", "screw_", "recess_", "bore_", "face_", "rim_", "land_s", "inlet_visc"))
+    and name not in QUANTITIES
+    and name not in {one.name for one in HYDROSTATIC_WORDS}
+    and name != "groove_width"
+)
+"""What the calculation of a footstep says on its way."""
 
 
 def page(name: str) -> str:
@@ -79,6 +100,49 @@ def test_every_code_is_explained(code: str) -> None:
 def test_every_quantity_is_listed(name: str) -> None:
     row = next(line for line in quantities.page().splitlines() if line.startswith(f"| `{name}` |"))
     assert QUANTITIES[name].meaning.split("*")[0] in row.replace("\\", "")
+
+
+ONE_SYMBOL = (
+    {"film_thickness", "face_gap", "gap"},  # each the gap of its kind of bearing
+    {"groove_temperature", "groove_temperatures"},  # the highest of them, and all
+    {"film_moment_x", "moment_x"},  # journals; thrust rings
+    {"film_moment_y", "moment_y"},
+    {"segment_2_flow", "face_flow"},  # films by segments; footsteps
+    {"land_conductance", "pocket_conductance"},  # bearings with recesses; jacking pockets
+    {"recess_pressure", "one_recess_pressure"},  # of all recesses, and of one
+    {"restrictor_flow", "one_restrictor_flow"},
+    {"temperature_rise", "oil_warming"},  # the same, written as a step
+    {"total_flow", "duct_flow"},  # all oil, and that of one duct: the same where there is one
+)
+"""Quantities of one symbol: the same thing, or of kinds of bearing that no report shows together."""
+
+LOCAL = {name: one for name, one in VOCABULARY.items() if name not in QUANTITIES}
+RECESSED = {one.name: one for one in HYDROSTATIC_WORDS}
+
+
+@pytest.mark.parametrize(
+    "shown",
+    [
+        QUANTITIES.values(),
+        [*HYDROSTATICS, *RECESSED.values()],
+        [*JOURNAL, *(one for name, one in LOCAL.items() if name not in RECESSED and name not in OF_HEELS)],
+        [*FOOTSTEP, *(LOCAL[name] for name in OF_HEELS)],
+    ],
+    ids=["results", "recessed bearings", "journals by the standard", "footsteps"],
+)
+def test_no_symbol_has_two_meanings(shown: Iterable[Quantity]) -> None:
+    names: dict[str, set[str]] = {}
+    for one in shown:
+        names.setdefault(one.symbol, set()).add(one.name)
+    several = {symbol: same for symbol, same in names.items() if len(same) > 1}
+    assert not {symbol: same for symbol, same in several.items() if same not in ONE_SYMBOL}
+
+
+def test_no_quantity_takes_the_name_of_another() -> None:
+    every = [*JOURNAL, *DYNAMICS, *ONE_DIMENSION, *FOOTSTEP, *HYDROSTATICS, *SHAFTS, *THRUST, *SHAFT_LINES]
+    meanings: dict[str, Quantity] = {}
+    for one in every:
+        assert meanings.setdefault(one.name, one) == one, one.name
 
 
 def test_every_result_is_a_known_quantity() -> None:

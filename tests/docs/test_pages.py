@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import doctest
 import re
+import tomllib
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
@@ -31,6 +32,21 @@ def test_links_between_files_lead_somewhere(page: Path) -> None:
             assert name in {case.name for case in cases()}, f"{page.name}: {target}"
             continue
         assert (page.parent / path).exists(), f"{page.name}: {target}"
+
+
+def test_links_of_the_package_page_are_absolute() -> None:
+    """What an index shows of README has no repository around it."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    hook = project["tool"]["hatch"]["metadata"]["hooks"]["fancy-pypi-readme"]
+    assert "readme" in project["project"]["dynamic"]
+    shown = "".join((ROOT / one["path"]).read_text(encoding="utf-8") for one in hook["fragments"])
+    assert LINK.search(shown)
+    for one in hook["substitutions"]:
+        shown, count = re.subn(one["pattern"], one["replacement"], shown)
+        assert count, f"{one['pattern']} matches nothing"
+    assert all(target.startswith("https://") for target in LINK.findall(shown))
+    assert "Two pages of the report" not in shown
+    assert "how to choose" in shown
 
 
 def test_every_page_is_reached_from_a_tree() -> None:

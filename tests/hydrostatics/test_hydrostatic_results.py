@@ -556,7 +556,7 @@ def test_numbers_of_validity_are_told():
     assert ring.restrictor_reynolds_number == pytest.approx(
         4.0 * 870.0 * flow / (math.pi * 0.8e-3 * 0.02), rel=1e-12
     )
-    tilts = np.array(ring.arrays["tilt_stiffness"])
+    tilts = np.array(ring.arrays["runner_tilt_stiffness"])
     assert tilts == pytest.approx(np.array(ring.arrays["runner_stiffness"])[1:, 1:], rel=1e-12)
     assert np.linalg.eigvalsh(0.5 * (tilts + tilts.T)).min() == pytest.approx(ring.least_tilt_stiffness, rel=1e-12)
     made = replace(pad_case(), oil=Oil(pad_case().oil.viscosity, 870.0, 2000.0))

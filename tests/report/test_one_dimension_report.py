@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from babbitt.cases import load_case, parse_case
+from babbitt.materials import bearing_metal
 from babbitt.report.citations import citations_of
 from babbitt.report.comparison_table import compared_rows
 from babbitt.report.content import content
@@ -102,5 +103,22 @@ def test_grooves_side_by_side():
 
 
 def test_sources_are_cited():
-    for name, words in (("long_film", "Long film"), ("grooved", "Heat balance by segments")):
-        assert any(words in cited for cited in citations_of(load_case(EXAMPLES / f"{name}.yaml")))
+    """Studies that nobody could look up say so."""
+    unfound = {
+        "long_film": "Long film",
+        "grooved": "Heat balance by segments",
+        "marine_reverse_gear": "Marine reverse gear",
+        "output_wheel_load_share": "Marine reverse gear",
+    }
+    for name, words in unfound.items():
+        cited = citations_of(load_case(EXAMPLES / f"{name}.yaml"))
+        assert any(one.startswith(words) and "counts as an assumption" in one for one in cited)
+    assert not any("counts as" in one for one in citations_of(load_case(EXAMPLES / "journal.yaml")))
+
+
+def test_a_limit_of_a_study_that_cannot_be_looked_up_is_an_assumption():
+    assert bearing_metal("B83").limiting_temperature.source.startswith("assumption")
+
+
+def test_the_standard_is_cited_with_its_year():
+    assert any("ISO 7902-1:2020" in one for one in citations_of(load_case(EXAMPLES / "journal.yaml")))

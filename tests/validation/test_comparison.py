@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt.validation import AtLeast, AtMost, Comparison, Verdict, Within, by_quantity, summary
+from babbitt.validation import AtLeast, AtMost, Comparison, SetBy, Verdict, Within, by_quantity, summary
 
 ROW = Comparison("So", "ε = 0.5", 2.0, 2.01, Within(relative=0.01), "", "table 1", 3)
 
@@ -30,12 +30,23 @@ def test_the_wider_of_both_tolerances_counts():
 
 
 def test_bounds_are_one_sided():
-    assert AtMost().share(1300.0, 1162.0) < 1.0 < AtMost().share(1300.0, 1301.0)
-    assert AtLeast().share(8.0, 11.7) < 1.0 < AtLeast().share(8.0, 7.9)
-    assert AtLeast().share(8.0, 0.0) == math.inf
-    assert AtLeast().share(8.0, -11.7) == math.inf  # of the wrong sign, it passed
-    assert AtMost().share(1300.0, -5.0) == math.inf
-    assert AtMost().share(1300.0, 0.0) == 0.0
+    most, least = AtMost(SetBy.SOURCE), AtLeast(SetBy.SOURCE)
+    assert most.share(1300.0, 1162.0) < 1.0 < most.share(1300.0, 1301.0)
+    assert least.share(8.0, 11.7) < 1.0 < least.share(8.0, 7.9)
+    assert least.share(8.0, 0.0) == math.inf
+    assert least.share(8.0, -11.7) == math.inf  # of the wrong sign, it passed
+    assert most.share(1300.0, -5.0) == math.inf
+    assert most.share(1300.0, 0.0) == 0.0
+
+
+@pytest.mark.parametrize("bound", [AtMost, AtLeast])
+def test_a_bound_names_who_set_it(bound):
+    with pytest.raises(TypeError):
+        bound()
+    for who in SetBy:
+        row = Comparison("root mean square", "", 1.5, 1.5, bound(who), "%")
+        assert row.ok
+        assert row.cells()[5].endswith(f"({who})")
 
 
 def test_verdicts():

@@ -168,7 +168,7 @@ def arrays(case: HydrostaticCase, found: Answer) -> dict[str, Matrix]:
     if stiffness.shape[0] > 1 and (case.is_journal or prefix == "runner_"):
         named |= {f"{prefix}stiffness": matrix(stiffness), f"{prefix}damping": matrix(damping)}
         if prefix == "runner_":
-            named["tilt_stiffness"] = matrix(stiffness[1:, 1:])
+            named["runner_tilt_stiffness"] = matrix(stiffness[1:, 1:])
     if case.frequencies:
         at = [impedance(found.response, network, case.compressibility, one) for one in case.frequencies]
         size = 1 if prefix == "pad_" else stiffness.shape[0]

@@ -111,7 +111,7 @@ DYNAMICS: tuple[Quantity, ...] = (
     quantity("orbit_load_power", "P_F,o", "W", "kW", 3, "Mean power that the moving load does on the film"),
     quantity(
         "orbit_load_error",
-        "δ_F",
+        "δ_F,o",
         "1",
         "",
         2,

@@ -31,7 +31,7 @@ FOOTSTEP: tuple[Quantity, ...] = (
         "groove_outlet_temperature", "θ₁′", "K", "degC", 4, "Temperature of the oil at the end of the groove"
     ),
     quantity("face_outlet_temperature", "θ₁″", "K", "degC", 4, "Temperature of the oil that leaves the face gap"),
-    quantity("rim_temperature", "θ", "K", "degC", 4, "Temperature of the mixed oil at the rim"),
+    quantity("rim_temperature", "θ_m", "K", "degC", 4, "Temperature of the mixed oil at the rim"),
     quantity("face_film_temperature", "θ_f", "K", "degC", 4, "Temperature of the film in face gap and recess"),
     quantity("clearance_film_temperature", "θ_c", "K", "degC", 4, "Temperature of the film in the clearance"),
     quantity("face_gap_stiffness", "K_a", "N/m", "N/um", 3, "Axial stiffness, -dF over the face gap"),

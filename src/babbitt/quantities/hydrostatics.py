@@ -19,18 +19,22 @@ HYDROSTATICS: tuple[Quantity, ...] = (
     quantity("effective_area", "A_e", "m2", "cm2", 4, "Load over recess pressure"),
     quantity("gap_stiffness", "K_z", "N/m", "MN/m", 4, "Stiffness of the pad along its axis, slow motion"),
     quantity("gap_damping", "C_z", "N s/m", "kNs/m", 4, "Damping of the pad along its axis, slow motion"),
-    quantity("least_tilt_stiffness", "K_φ", "N m/rad", "kNm/mrad", 4, "Least stiffness against tilting"),
-    quantity("tilt_stiffness", "K_φφ", "N m/rad", "kNm/mrad", 4, "Stiffness against the tilts about x and y"),
+    quantity("least_tilt_stiffness", "K_φ,min", "N m/rad", "kNm/mrad", 4, "Least stiffness against tilting"),
     quantity(
-        "runner_stiffness", "K", "N/m", "MN/m", 4, "Stiffness of the runner in z and the tilts about x and y"
+        "runner_tilt_stiffness", "K_φφ", "N m/rad", "kNm/mrad", 4, "Stiffness against the tilts about x and y"
     ),
-    quantity("runner_damping", "C", "N s/m", "kNs/m", 4, "Damping of the runner in z and the tilts about x and y"),
+    quantity(
+        "runner_stiffness", "K_z,φ", "N/m", "MN/m", 4, "Stiffness of the runner in z and the tilts about x and y"
+    ),
+    quantity(
+        "runner_damping", "C_z,φ", "N s/m", "kNs/m", 4, "Damping of the runner in z and the tilts about x and y"
+    ),
     quantity("dynamic_frequency", "f_d", "rad/s", "Hz", 4, "Frequencies of the dynamic coefficients"),
     quantity("dynamic_stiffness", "K_ν", "N/m", "MN/m", 4, "Stiffness at every frequency, row by row"),
     quantity("dynamic_damping", "C_ν", "N s/m", "kNs/m", 4, "Damping at every frequency, row by row"),
     quantity(
         "compressibility_damping_loss",
-        "δ_C",
+        "δ_κ",
         "1",
         "percent",
         3,
@@ -40,7 +44,7 @@ HYDROSTATICS: tuple[Quantity, ...] = (
     quantity("stiffest_pressure_ratio", "β_opt", "1", "", 3, "Pressure ratio of greatest stiffness, gap given"),
     quantity("least_power_gap", "h_P", "m", "um", 3, "Gap or clearance of least total power at these pressures"),
     quantity("least_power_viscosity", "η_P", "Pa s", "mPas", 4, "Viscosity of least total power at this gap"),
-    quantity("load_capacity", "W_max", "N", "kN", 4, "Load at the least gap allowed"),
+    quantity("load_capacity", "F_max", "N", "kN", 4, "Load at the least gap allowed"),
     quantity("tilt_x", "φ_x", "rad", "mrad", 4, "Tilt of the runner about x"),
     quantity("tilt_y", "φ_y", "rad", "mrad", 4, "Tilt of the runner about y"),
     quantity("moment_x", "M_x", "N m", "Nm", 4, "Moment of the film about x"),

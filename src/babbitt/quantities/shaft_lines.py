@@ -38,7 +38,7 @@ SHAFT_LINES: tuple[Quantity, ...] = (
     quantity("natural_frequency_3", "f_3", "rad/s", "Hz", 4, "Third axial natural frequency, undamped"),
     quantity("natural_frequency_4", "f_4", "rad/s", "Hz", 4, "Fourth axial natural frequency, undamped"),
     quantity("damping_ratio_1", "D_1", "1", "%", 3, "Damping ratio of the first mode"),
-    quantity("frequency_separation", "δ_f", "1", "%", 3, "Least distance of an excitation from a resonance"),
+    quantity("frequency_separation", "Δf", "1", "%", 3, "Least distance of an excitation from a resonance"),
     quantity("axial_amplitude", "U_max", "m", "um", 3, "Largest axial vibration along the shaft, any phases"),
     quantity("collar_axial_amplitude", "U_2", "m", "um", 3, "Axial vibration of the collar, any phases"),
     quantity(
@@ -67,7 +67,7 @@ SHAFT_LINES: tuple[Quantity, ...] = (
         "Nonlinear motion: largest load below the static one",
     ),
     quantity("nonlinear_minimum_film", "h_nl", "m", "um", 3, "Nonlinear motion: thinnest film"),
-    quantity("mean_film_shift", "Δh", "m", "um", 3, "Nonlinear motion: largest mean film less the static one"),
+    quantity("mean_film_shift", "Δh_m", "m", "um", 3, "Nonlinear motion: largest mean film less the static one"),
     quantity("runout_force", "N_R,i", "N", "kN", 4, "Amplitude of each pad force by runout"),
     quantity("ripple_force", "N_Q,i", "N", "kN", 4, "Amplitude of each pad force by thrust ripple"),
     quantity("dynamic_peak", "N_peak,i", "N", "kN", 4, "Largest dynamic force of each pad, phases as given"),
@@ -108,7 +108,7 @@ SHAFT_LINES: tuple[Quantity, ...] = (
         4,
         "Speed (rad/s), axial amplitude of collar, propeller or free end, and largest along the shaft (m)",
     ),
-    quantity("damped_modes", "D", "1", "", 4, "Damped frequency (rad/s), damping ratio and number of each mode"),
+    quantity("damped_modes", "ζ_n", "1", "", 4, "Damped frequency (rad/s), damping ratio and number of each mode"),
     quantity(
         "response_peaks",
         "N/N_0",

@@ -38,7 +38,7 @@ THRUST: tuple[Quantity, ...] = (
     ),
     quantity("axial_stiffness", "K_ax", "N/m", "GN/m", 4, "Stiffness of all films at rest, tilts free"),
     quantity("axial_damping", "C_ax", "N s/m", "MNs/m", 4, "Damping of all films at the frequency of the shaft"),
-    quantity("ring_stiffness", "c", "N/m", "GN/m", 4, "Stiffness of the backing ring per pad"),
+    quantity("ring_stiffness", "k_r", "N/m", "GN/m", 4, "Stiffness of the backing ring per pad"),
     quantity("pad_load", "W_i", "N", "kN", 4, "Static load of each pad"),
     quantity("pad_film_thickness", "h_i", "m", "um", 3, "Static film at the pivot of each pad"),
     quantity("pad_minimum_film_thickness", "h_min,i", "m", "um", 3, "Thinnest static film of each pad"),

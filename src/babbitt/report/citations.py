@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from babbitt import __version__
 from babbitt.bearings.bore import WornBore
@@ -18,7 +18,7 @@ from babbitt.longfilm.model import LongFilmCase
 from babbitt.lubricants import AstmD341, Exponential, Lubricant, Vogel, Walther
 from babbitt.segments.model import SegmentCase
 from babbitt.shaft_line.design import LineDesign
-from babbitt.standards.iso7902.model import Curves, DesignCase
+from babbitt.standards.iso7902.model import Curves, DesignCase, Friction
 from babbitt.thrust.design import ThrustDesign
 
 BABBITT = f"The Babbitt developers: Babbitt {__version__}, calculation and design of fluid-film bearings, 2026."
@@ -49,13 +49,19 @@ DUFRANE = (
     "operating speeds. "
     "Journal of Lubrication Technology 105 (1983) 313-317."
 )
+UNFOUND = "Author, title and journal could not be looked up: what rests on it alone counts as an assumption."
 LONG_FILM = (
-    "Long film with heat exchange: a published thermo-hydrodynamic model of a gear box bearing, reconstructed "
-    "and made to conserve the flow by Babbitt (`babbitt validate long_film_table`)."
+    "Long film with heat exchange: an unnamed thermo-hydrodynamic model of a gear box bearing of a geared "
+    "turbofan, reconstructed and made to conserve the flow by Babbitt (`babbitt validate long_film_table`). "
+    f"{UNFOUND}"
 )
 SEGMENTS = (
-    "Heat balance by segments: a published method for a bearing with a groove in the loaded zone, reconstructed "
-    "by Babbitt (`babbitt validate grooved_segments`)."
+    "Heat balance by segments: an unnamed method for a bearing with a groove in the loaded zone, reconstructed "
+    f"by Babbitt (`babbitt validate grooved_segments`). {UNFOUND}"
+)
+REVERSE_GEAR = (
+    "Marine reverse gear: a study of its bearings, 2023, vol. 15, no. 5, p. 825 ff. of a Russian journal "
+    f"(`babbitt validate reverse_gear`). {UNFOUND}"
 )
 KIRICHENKO = (
     "A. S. Kirichenko: study of a hydrostatic footstep with a screw-grooved heel in a three-screw pump. "
@@ -109,6 +115,8 @@ def citations_of(case: Case) -> tuple[str, ...]:
     kinds = {design.curves for design in standard}
     if Curves.COMPUTED in kinds or films or long_films or segments:
         found.append(REYNOLDS)
+    if _rests_on_the_reverse_gear(case, designs):
+        found.append(REVERSE_GEAR)
     if Curves.CLOSED_FORM in kinds:
         found.append(DIN_31652)
     if any(film.cavitation is Cavitation.MASS_CONSERVING for film in films):
@@ -137,6 +145,16 @@ def citations_of(case: Case) -> tuple[str, ...]:
     oils = {oil.name: oil for oil in map(_oil, designs) if oil is not None}
     found += [f"{oil.name}: {oil.source}" for oil in oils.values()]
     return tuple(dict.fromkeys(found))
+
+
+def _rests_on_the_reverse_gear(case: Case, designs: Iterable[EveryDesign]) -> bool:
+    """Whether a number comes from that study alone: limits of its metal, its friction, its load share."""
+    metals = [getattr(getattr(design, "bearing", design), "metal", None) for design in designs]
+    return (
+        case.kind == "overhung_coupling"
+        or any(metal is not None and metal.name == "B83" for metal in metals)
+        or any(isinstance(design, DesignCase) and design.friction is Friction.CURVE360 for design in designs)
+    )
 
 
 def _laws(design: EveryDesign) -> Iterator[str]:

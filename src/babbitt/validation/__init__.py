@@ -9,13 +9,14 @@ from babbitt.validation.figure import figure_file, figure_of, save_figure
 from babbitt.validation.page import page
 from babbitt.validation.registry import cases, cases_of, validation_case
 from babbitt.validation.summary import Summary, by_quantity, summary
-from babbitt.validation.tolerance import AtLeast, AtMost, Tolerance, Within
+from babbitt.validation.tolerance import AtLeast, AtMost, SetBy, Tolerance, Within
 
 __all__ = [
     "AtLeast",
     "AtMost",
     "Comparison",
     "Evidence",
+    "SetBy",
     "Story",
     "Summary",
     "Tolerance",

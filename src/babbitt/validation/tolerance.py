@@ -4,7 +4,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from enum import StrEnum
 from typing import Protocol
+
+
+class SetBy(StrEnum):
+    """Who says that a value may not pass a bound: the source, the specification of the method, or we."""
+
+    SOURCE = "source"
+    SPECIFICATION = "specification"
+    OWN = "own value"
 
 
 class Tolerance(Protocol):
@@ -51,7 +60,15 @@ class Within:
 
 @dataclass(frozen=True)
 class AtMost:
-    """The source gives an upper bound of a positive quantity: "not above"."""
+    """An upper bound of a positive quantity: "not above".
+
+    Examples
+    --------
+    >>> AtMost(SetBy.OWN).describe()
+    'at most (own value)'
+    """
+
+    set_by: SetBy
 
     def share(self, published: float, computed: float) -> float:
         """Computed over published value; a value of the wrong sign keeps no bound."""
@@ -59,12 +76,14 @@ class AtMost:
 
     def describe(self) -> str:
         """The kind of bound."""
-        return "at most"
+        return f"at most ({self.set_by})"
 
 
 @dataclass(frozen=True)
 class AtLeast:
-    """The source gives a lower bound of a positive quantity: "more than"."""
+    """A lower bound of a positive quantity: "more than"."""
+
+    set_by: SetBy
 
     def share(self, published: float, computed: float) -> float:
         """Published over computed value; a value of the wrong sign keeps no bound."""
@@ -72,4 +91,4 @@ class AtLeast:
 
     def describe(self) -> str:
         """The kind of bound."""
-        return "at least"
+        return f"at least ({self.set_by})"

@@ -12,18 +12,18 @@ from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import BAND, GREY, INK, MARKERS
 from babbitt.validation.published.long_film_bearing import relative_load, solved
 from babbitt.validation.reference_data import reference_data
-from babbitt.validation.tolerance import AtMost, Within
+from babbitt.validation.tolerance import AtMost, SetBy, Within
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _ENTRY = {Discretisation.PUBLISHED_MEAN: 0.025, Discretisation.PUBLISHED_LITERAL: 0.045}
 _ROOT_MEAN_SQUARE = {
-    Discretisation.PUBLISHED_MEAN: 1.2,
-    Discretisation.PUBLISHED_LITERAL: 1.5,
-    Discretisation.CONSISTENT: 6.0,
+    Discretisation.PUBLISHED_MEAN: (1.2, SetBy.SPECIFICATION),
+    Discretisation.PUBLISHED_LITERAL: (1.5, SetBy.OWN),
+    Discretisation.CONSISTENT: (6.0, SetBy.SPECIFICATION),
 }
-"""Percent."""
+"""Bound in percent, and who set it: 1.4 % with the local flow is missed by 0.02 over these two columns."""
 
 
 def deviations(discretisation: Discretisation) -> dict[tuple[int, float], float]:
@@ -73,12 +73,13 @@ def _rows() -> Iterator[Comparison]:
                 2,
                 information="" if entry is not None else "the print carries the error of its pressure equation",
             )
+        bound, set_by = _ROOT_MEAN_SQUARE[mode]
         yield Comparison(
             "root mean square",
             mode.value,
-            _ROOT_MEAN_SQUARE[mode],
+            bound,
             root_mean_square(mode),
-            AtMost(),
+            AtMost(set_by),
             "%",
             "table 1",
             1,
@@ -118,7 +119,8 @@ CASE = ValidationCase(
         ),
         source=(
             "Table 1 of a published thermo-hydrodynamic model of a journal bearing (gear box of a geared "
-            "turbofan), columns 3000 and 12000 rpm; D = 80 mm, L = 105 mm, oil IPM-10 at 70 °C."
+            "turbofan), columns 3000 and 12000 rpm; D = 80 mm, L = 105 mm, oil IPM-10 at 70 °C. Its author, "
+            "title and journal could not be looked up."
         ),
         assumptions=(
             "Not published and fitted or assumed: radial clearance (56.33, 56.76 and 55.5 µm for the three modes; "
@@ -128,8 +130,10 @@ CASE = ValidationCase(
             "Pa), Reynolds' rupture."
         ),
         tolerances=(
-            "Set by us: each entry 2.5 % with the mean flow and 4.5 % with the local flow; root mean square 1.2 % "
-            "and, over these two columns, 1.5 %. The default mode is judged by its root mean square alone: 6 %."
+            "Set by the specification of the method: each entry 2.5 % with the mean flow and 4.5 % with the local "
+            "flow; root mean square 1.2 % with the mean flow. The specification has 1.4 % with the local flow; "
+            "1.42 % is found over these two columns, and 1.5 % is our own bound. The default mode is judged by "
+            "its root mean square alone: 6 %, of the specification."
         ),
         differences=(
             "The pressure equation of the source was differentiated as if viscosity were constant. With the "

@@ -14,7 +14,7 @@ from babbitt.units import ZERO_CELSIUS
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.published.screw_heel_common import SOURCE, footstep, smooth, states
-from babbitt.validation.tolerance import AtLeast, AtMost, Tolerance, Within
+from babbitt.validation.tolerance import AtLeast, AtMost, SetBy, Tolerance, Within
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -125,7 +125,7 @@ def _reproduced() -> Iterator[Claim]:
     )  # fmt: skip
     yield Claim(
         "the temperature at small clearance does not exceed 70 °C", "θ", "δ = δ_cr", "°C", 70.0,
-        hot.temperature - ZERO_CELSIUS, cold.temperature - ZERO_CELSIUS, AtMost(),
+        hot.temperature - ZERO_CELSIUS, cold.temperature - ZERO_CELSIUS, AtMost(SetBy.SOURCE),
     )  # fmt: skip
     yield Claim(
         "the temperature is about 15 K above that of the smooth heel", "θ − θ_smooth", "h = δ = 20 µm", "K", 15.0,
@@ -144,7 +144,7 @@ def _reproduced() -> Iterator[Claim]:
         )  # fmt: skip
     yield Claim(
         "the load rises with the face gap", "T(60 µm)/T(20 µm)", "δ = 20 µm", "", 1.0,
-        *_both(lambda name: _over(lambda s: s.load, name, (20.0, 20.0), (60.0, 20.0))), AtLeast(),
+        *_both(lambda name: _over(lambda s: s.load, name, (20.0, 20.0), (60.0, 20.0))), AtLeast(SetBy.SOURCE),
     )  # fmt: skip
     yield Claim(
         "and saturates at the pressure of the recess", "p₁(60 µm)/p₂", "δ = 20 µm", "", 1.0,
@@ -153,15 +153,15 @@ def _reproduced() -> Iterator[Claim]:
     )  # fmt: skip
     yield Claim(
         "the leakage rises with the face gap", "Q_l(60 µm)/Q_l(20 µm)", "δ = 20 µm", "", 1.0,
-        *_both(lambda name: _over(lambda s: s.leakage, name, (20.0, 20.0), (60.0, 20.0))), AtLeast(),
+        *_both(lambda name: _over(lambda s: s.leakage, name, (20.0, 20.0), (60.0, 20.0))), AtLeast(SetBy.SOURCE),
     )  # fmt: skip
     yield Claim(
         "and with the clearance", "Q_l(40 µm)/Q_l(20 µm)", "h = 20 µm", "", 1.0,
-        *_both(lambda name: _over(lambda s: s.leakage, name, (20.0, 20.0), (20.0, 40.0))), AtLeast(),
+        *_both(lambda name: _over(lambda s: s.leakage, name, (20.0, 20.0), (20.0, 40.0))), AtLeast(SetBy.SOURCE),
     )  # fmt: skip
     yield Claim(
         "the load falls with the clearance", "T(15 µm)/T(10 µm)", "h = 20 µm", "", 1.0,
-        *_both(lambda name: _over(lambda s: s.load, name, (20.0, 10.0), (20.0, 15.0))), AtMost(),
+        *_both(lambda name: _over(lambda s: s.load, name, (20.0, 10.0), (20.0, 15.0))), AtMost(SetBy.SOURCE),
     )  # fmt: skip
 
 
@@ -183,7 +183,7 @@ def _refuted() -> Iterator[Claim]:
         yield Claim(
             "the leakage is several orders of magnitude above that of the smooth heel", "Q_l/Q_l,smooth",
             f"h = 20 µm, δ = {clearance:g} µm", "", 100.0,
-            *_ratios(lambda s: s.leakage, 20.0, clearance), AtLeast(),
+            *_ratios(lambda s: s.leakage, 20.0, clearance), AtLeast(SetBy.OWN),
             "the leakage follows pressure and viscosity at the rim, and neither differs by orders",
         )  # fmt: skip
     yield Claim(
