@@ -100,5 +100,6 @@ class JackingPocketCase(CaseFile):
         return JackingCase(
             self.name, self.method, bearing, self.viscosity, self.load, self.lift_gap, self.pump_flow,
             self.relief_pressure, self.roughness, self.pump_efficiency, self.accuracy, self.own_restrictors,
-            assumptions=(*self.assumptions, *assumed), doubts=(*about_grouped_digits(self), *self._fields_not_read()),
+            assumptions=(*self.assumptions, *assumed),
+            doubts=(*about_grouped_digits(self), *self._fields_not_read()),
         )  # fmt: skip

@@ -216,7 +216,9 @@ def heel_cases(case: ScrewHeelCase) -> tuple[HeelCase, ...]:
 def _fields_not_read(case: ScrewHeelCase) -> Iterator[Notice]:
     """Tell of fields that make no difference to a smooth heel where it alone is computed."""
     if case.variants == "smooth":
-        yield from not_read(case, "a smooth heel has no groove", "groove", *(f"options.{one}" for one in OF_GROOVES))
+        yield from not_read(
+            case, "a smooth heel has no groove", "groove", *(f"options.{one}" for one in OF_GROOVES)
+        )
 
 
 def _given(case: ScrewHeelCase) -> Iterator[tuple[str, str]]:
