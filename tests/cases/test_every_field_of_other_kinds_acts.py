@@ -1,4 +1,4 @@
-"""Every optional field of the kinds besides journal bearings changes the answer, is refused, or is told not to be read.
+"""Every optional field of the other kinds changes the answer, is refused, or is told not to be read.
 
 What only the report shows (notes, source, ranges of figures) changes the report.
 """
@@ -205,7 +205,10 @@ TESTED = {
     "quick pad": (PAD | QUICK, OF_ALL_RECESSES | {"sliding_speed": "0.7 m/s"}),
     "lubricated pad": (PAD | {"oil": LUBRICANT}, OF_ALL_RECESSES),
     "quick lubricated pad": (PAD | QUICK | {"oil": LUBRICANT}, OF_ALL_RECESSES),
-    "pumped pad": (PAD | {"supply": {"pump_flow": "0.4 L/min"}}, OF_ALL_RECESSES | {"supply.pump_flow": "0.5 L/min"}),
+    "pumped pad": (
+        PAD | {"supply": {"pump_flow": "0.4 L/min"}},
+        OF_ALL_RECESSES | {"supply.pump_flow": "0.5 L/min"},
+    ),
     "orifice": (PAD | {"restrictor": {"kind": "orifice", "diameter": "0.4 mm"}}, {"restrictor.discharge": 0.7}),
     "pump of its own": (
         PAD | {"restrictor": {"kind": "constant_flow", "flow": "0.25 L/min"}},
@@ -214,7 +217,10 @@ TESTED = {
     "unlike restrictors": (
         {name: value for name, value in PAD.items() if name != "restrictor"}
         | {"restrictors": [{"kind": "orifice", "diameter": "0.4 mm"}]},
-        {"restrictors": [{"kind": "orifice", "diameter": "0.5 mm"}], "restrictor": {"kind": "orifice", "diameter": "1 mm"}},
+        {
+            "restrictors": [{"kind": "orifice", "diameter": "0.5 mm"}],
+            "restrictor": {"kind": "orifice", "diameter": "1 mm"},
+        },
     ),
     "sliding pad": (
         given("hydrostatic_pad", "speed", accuracy="draft", sliding_speed="0.5 m/s", load="20 kN",
@@ -389,7 +395,7 @@ def test_every_optional_field_is_asked(kind):
         re.sub(r"\.\d+", "", path)
         for base, fields in TESTED.values()
         if base["kind"] == kind or {base["kind"], kind} <= {"thrust", "thrust_line"}
-        or base["kind"].startswith("hydrostatic") and kind.startswith("hydrostatic")
+        or (base["kind"].startswith("hydrostatic") and kind.startswith("hydrostatic"))
         for path in fields
     }  # fmt: skip
     asked |= {f"figures.{name}" for name in RANGES} | {"figures", "method", "options", "groove"}
