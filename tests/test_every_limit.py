@@ -20,6 +20,16 @@ LIMITS = {
     "thrust_line": {"C103", "C104", "C105", "C108", "C201", "C202", "C203", "C204", "C205"},
 }
 """Limits of the kinds besides journal bearings."""
+METHODS = {
+    **{kind: ("film", "quick") for kind in LIMITS if kind.startswith("hydrostatic") or kind == "jacking_pocket"},
+    "thrust": ("heat_balance", "adiabatic", "temperature", "viscosity"),
+    "thrust_line": ("heat_balance", "viscosity"),
+}
+"""Ways of computing a kind: methods, or oils of thrust bearings."""
+OILS = {
+    "temperature": {"kind": "temperature", "lubricant": "ISO VG 100", "temperature": "53 degC"},
+    "viscosity": {"kind": "viscosity", "viscosity": "45 mPa s"},
+}
 OPTIONAL = ("limits", "materials", "surfaces", "least_gap", "relief_pressure", "supply_limit")
 """Blocks and fields without which a limit has nothing to hold."""
 
@@ -71,10 +81,16 @@ def test_every_limit_of_a_journal_bearing_is_held_or_listed(method, without):
     assert codes(result) >= JOURNAL
 
 
-@pytest.mark.parametrize("kind", LIMITS)
+@pytest.mark.parametrize(("kind", "method"), [(kind, one) for kind, ways in METHODS.items() for one in ways])
 @pytest.mark.parametrize("without", ["nothing", "all that may be left out"])
-def test_every_limit_of_another_kind_is_held_or_listed(kind, without):
+def test_every_limit_of_another_kind_is_held_or_listed(kind, method, without):
     given = yaml.safe_load(template(kind))
+    if not kind.startswith("thrust"):
+        given["method"] = method
+    elif method == "adiabatic":
+        given["thermal"] = method
+    else:
+        given["oil"] = OILS.get(method, given["oil"])
     if without != "nothing":
         given = {name: value for name, value in given.items() if name not in OPTIONAL}
     for result in solve(case_from_dict(given)).results:

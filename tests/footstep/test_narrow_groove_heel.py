@@ -9,10 +9,11 @@ from heels import GROOVE, OIL, footstep
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt.footstep.model import HeelOptions, Wall
+from babbitt.footstep.model import BackflowViscosity, FaceOutlet, FrictionViscosity, HeelOptions, Wall
 from babbitt.footstep.narrow_groove import NarrowGrooveAnnulus
 from babbitt.footstep.states import Method, StateName, steady_states
 from babbitt.footstep.warm_films import WarmFilms
+from babbitt.notices import InputError
 
 
 def test_without_depth_the_groove_is_a_plain_clearance():
@@ -107,3 +108,20 @@ def test_constant_viscosity_is_the_linear_network():
     rise = (annulus.dragged_flow + face * (0.63e6 - 0.101e6)) / (face + leak)
     assert state.rim_pressure - 0.101e6 == pytest.approx(rise, rel=1e-9)
     assert WarmFilms(step).residual(np.asarray(-state.leakage)) == pytest.approx(0.0, abs=1e-3)
+
+
+OF_THE_STUDY = {
+    "friction_viscosity": FrictionViscosity.MIXED,
+    "face_outlet": FaceOutlet.PRINTED,
+    "backflow_viscosity": BackflowViscosity.GROOVE,
+    "entry_loss": 1.0,
+    "speed_reduction": 0.25,
+}
+
+
+@pytest.mark.parametrize("name", OF_THE_STUDY)
+def test_options_of_the_study_are_refused_in_python_too(name):
+    step = footstep(options=HeelOptions(**{name: OF_THE_STUDY[name]}))
+    with pytest.raises(InputError, match=name):
+        steady_states(step, Method.NARROW_GROOVE)
+    assert steady_states(step)

@@ -10,7 +10,7 @@ from babbitt.cases.joined_inputs import Inputs
 from babbitt.cases.journal import JournalBearing
 from babbitt.cases.load_direction import DOWNWARD
 from babbitt.cases.operating_point import OperatingPoint
-from babbitt.cases.part import Part, is_given
+from babbitt.cases.part import is_given, not_read
 from babbitt.cases.supply_element import UnevenPockets
 from babbitt.notices import Notice
 from babbitt.units import written
@@ -54,15 +54,7 @@ def doubts_about_numbers(inputs: Inputs, point: OperatingPoint | None) -> tuple[
 
 def _about_fields_not_read(bearing: JournalBearing) -> Iterator[Notice]:
     """Tell of the fields that the method of a bearing does not read."""
-    given = [name for name in NOT_READ[bearing.method] if _is_given(bearing, name)]
-    if given:
-        yield Notice("W183", f"{', '.join(given)}: method {bearing.method} does not read this")
-
-
-def _is_given(part: Part, path: str) -> bool:
-    """As `is_given`, for a field of a block, too."""
-    name, _, rest = path.partition(".")
-    return is_given(part, name) and (not rest or _is_given(getattr(part, name), rest))
+    yield from not_read(bearing, f"method {bearing.method} does not read this", *NOT_READ[bearing.method])
 
 
 def _about_direction(bearing: JournalBearing) -> Iterator[Notice]:

@@ -11,12 +11,13 @@ from pydantic import Field
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose
 from babbitt.cases.grouped_digits import about_grouped_digits
-from babbitt.cases.part import Complaint, exactly_one, is_given, refused, rule
+from babbitt.cases.part import Complaint, exactly_one, is_given, not_read, refused, rule
 from babbitt.cases.recess_parts import Frequency, Gap, HydrostaticOil, Load, RecessOil
 from babbitt.cases.restrictors import ConstantFlowGiven, HydrostaticSupply, MeteredFlowGiven, RestrictorGiven
 from babbitt.hydrostatics.geometry import AnnularPad, CircularPad
 from babbitt.hydrostatics.impedance import Compressibility
 from babbitt.hydrostatics.model import Duty, HydrostaticCase, Recesses, Shape
+from babbitt.notices import Notice
 
 
 class HydrostaticFile(CaseFile):
@@ -106,6 +107,16 @@ class HydrostaticFile(CaseFile):
             says = "metered_flow needs a supply that stands at its pressure, and this one delivers a flow"
             yield Complaint(("supply", "pump_flow"), says, "pressure", "that of the pump's relief valve")
 
+    def _fields_not_read(self) -> Iterator[Notice]:
+        """Tell of fields that make no difference to this bearing."""
+        if self.method == "quick":
+            yield from not_read(self, "closed forms and lumped lands have no grid", "accuracy")
+        if self.oil.lubricant is not None:
+            yield from not_read(self, "a lubricant has its own", "oil.density", "oil.heat_capacity")
+        else:
+            why = "viscosity is given as it is in film and restrictors"
+            yield from not_read(self, why, "oil.supply_temperature", "oil.film_temperature")
+
     def designs(self) -> tuple[HydrostaticCase, ...]:
         """Give the case of the calculation."""
         return (self.design(),)
@@ -144,5 +155,5 @@ class HydrostaticFile(CaseFile):
             highest_supply_pressure=self.supply.highest_pressure,
             accuracy=self.accuracy,
             assumptions=tuple(assumptions),
-            doubts=(*about_grouped_digits(self), *self.oil.doubts()),
+            doubts=(*about_grouped_digits(self), *self._fields_not_read(), *self.oil.doubts()),
         )

@@ -10,11 +10,12 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from babbitt.cases.hydrostatic_file import HydrostaticFile
-from babbitt.cases.part import Complaint, exactly_one, is_given, rule
+from babbitt.cases.part import Complaint, exactly_one, is_given, not_read, rule
 from babbitt.cases.recess_parts import Angle, Gap, Length, RecessRow, Speed
 from babbitt.cases.recess_rules import clearance_is_small, in_order, lands_between
 from babbitt.hydrostatics.geometry import RecessedJournal
 from babbitt.hydrostatics.model import Duty, HydrostaticCase
+from babbitt.notices import Notice
 from babbitt.units import si
 
 
@@ -86,6 +87,13 @@ class HydrostaticJournalCase(HydrostaticFile):
             position=(e * math.cos(angle), e * math.sin(angle)),
             angular_speed=self.speed,
         )
+
+    def _fields_not_read(self) -> Iterator[Notice]:
+        """As of all hydrostatic bearings; lumped lands do not rupture."""
+        yield from super()._fields_not_read()
+        if self.method == "quick":
+            why = "lumped lands are full of oil at any pressure; only the recesses are held against it"
+            yield from not_read(self, why, "cavitation_pressure")
 
     def design(self) -> HydrostaticCase:
         """Give the case of the calculation."""

@@ -12,12 +12,13 @@ from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose
 from babbitt.cases.grouped_digits import about_grouped_digits
 from babbitt.cases.own_lubricant import DynamicViscosity
-from babbitt.cases.part import Complaint, is_given, refused, rule
+from babbitt.cases.part import Complaint, is_given, not_read, refused, rule
 from babbitt.cases.recess_parts import Gap, Length, Load, RecessRow
 from babbitt.cases.recess_rules import clearance_is_small, in_order, lands_between
 from babbitt.cases.restrictors import FlowRate, SupplyPressure
 from babbitt.hydrostatics.geometry import RecessedJournal
 from babbitt.hydrostatics.jacking_model import JackingCase
+from babbitt.notices import Notice
 from babbitt.units import si, written
 
 
@@ -76,6 +77,14 @@ class JackingPocketCase(CaseFile):
             yield Complaint(("pockets", field), "no pocket lies in the lower half, where the shaft lies",
                             "angles below the horizontal, such as -90 deg")  # fmt: skip
 
+    def _fields_not_read(self) -> Iterator[Notice]:
+        """Tell of fields that make no difference to these pockets."""
+        if self.method == "quick":
+            yield from not_read(self, "strips around a pocket have no grid and end at no groove",
+                                "accuracy", "pockets.drain_groove")  # fmt: skip
+        if self.pockets.number == 1:
+            yield from not_read(self, "a single pocket gets the flow of the pump either way", "own_restrictors")
+
     def designs(self) -> tuple[JackingCase, ...]:
         """Give the case of the calculation."""
         return (self.design(),)
@@ -91,5 +100,6 @@ class JackingPocketCase(CaseFile):
         return JackingCase(
             self.name, self.method, bearing, self.viscosity, self.load, self.lift_gap, self.pump_flow,
             self.relief_pressure, self.roughness, self.pump_efficiency, self.accuracy, self.own_restrictors,
-            assumptions=(*self.assumptions, *assumed), doubts=tuple(about_grouped_digits(self)),
+            assumptions=(*self.assumptions, *assumed),
+            doubts=(*about_grouped_digits(self), *self._fields_not_read()),
         )  # fmt: skip

@@ -27,7 +27,7 @@ from pydantic_core import InitErrorDetails, PydanticCustomError
 
 from babbitt.cases.grouped_digits import grouped_fields
 from babbitt.cases.plain_words import ERROR_TYPE, Path, is_echo, is_missing, misspelt, refusal
-from babbitt.notices import InputError
+from babbitt.notices import InputError, Notice
 
 
 @dataclass(frozen=True)
@@ -131,6 +131,18 @@ def refused(path: Path, attempt: Callable[[], object]) -> Iterator[Complaint]:
 def is_given(part: Part, name: str) -> bool:
     """Whether a field was written in the file, be it usable or not."""
     return name in part.model_fields_set and vars(part).get(name, part) is not None
+
+
+def not_read(part: Part, why: str, *paths: str) -> Iterator[Notice]:
+    """Tell of fields that are given and that nothing reads, by their paths from a piece, such as ``pads.mass``."""
+    if given := [path for path in paths if _is_given_at(part, path)]:
+        yield Notice("W183", f"{', '.join(given)}: {why}")
+
+
+def _is_given_at(part: Part, path: str) -> bool:
+    """As `is_given`, for a field of a block, too."""
+    name, _, rest = path.partition(".")
+    return is_given(part, name) and (not rest or _is_given_at(getattr(part, name), rest))
 
 
 def exactly_one(part: Part, *names: str) -> Iterator[Complaint]:

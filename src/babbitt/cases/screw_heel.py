@@ -20,7 +20,7 @@ from babbitt.cases.heel_parts import (
     HeelPart,
     WallPart,
 )
-from babbitt.cases.part import Complaint, rule
+from babbitt.cases.part import Complaint, not_read, rule
 from babbitt.footstep.case import HeelCase
 from babbitt.footstep.model import (
     PITCH_TOLERANCE,
@@ -36,7 +36,11 @@ from babbitt.footstep.model import (
     Wall,
 )
 from babbitt.footstep.states import Method
+from babbitt.notices import Notice
 from babbitt.units import si, written
+
+OF_GROOVES = ("friction_viscosity", "backflow_viscosity", "local_loss_coefficient")
+"""Options that only a grooved heel reads."""
 
 
 class ScrewHeelCase(CaseFile):
@@ -202,11 +206,19 @@ def heel_cases(case: ScrewHeelCase) -> tuple[HeelCase, ...]:
             (ranges.clearance_from, ranges.clearance_to),
             ranges.map_points,
             tuple(_given(case)),
-            tuple(about_grouped_digits(case)),
+            (*about_grouped_digits(case), *_fields_not_read(case)),
             assumptions=case.assumptions,
         )
         for grooved, footstep in made.items()
     )
+
+
+def _fields_not_read(case: ScrewHeelCase) -> Iterator[Notice]:
+    """Tell of fields that make no difference to a smooth heel where it alone is computed."""
+    if case.variants == "smooth":
+        yield from not_read(
+            case, "a smooth heel has no groove", "groove", *(f"options.{one}" for one in OF_GROOVES)
+        )
 
 
 def _given(case: ScrewHeelCase) -> Iterator[tuple[str, str]]:

@@ -12,9 +12,9 @@ from pydantic import Field
 from babbitt.cases.case_file import CaseFile
 from babbitt.cases.fields import Name, Prose
 from babbitt.cases.grouped_digits import about_grouped_digits
-from babbitt.cases.part import Complaint, Part, exactly_one, rule
+from babbitt.cases.part import Complaint, Part, exactly_one, not_read, rule
 from babbitt.cases.runout import RUNOUT, Runout, RunoutGiven, said_of_runout, waves_given_twice
-from babbitt.cases.thrust_oil import OilByBalance, ThrustOil
+from babbitt.cases.thrust_oil import GivenViscosity, OilByBalance, ThrustOil
 from babbitt.cases.thrust_pads import PadMaterials, Stiffness, ThrustPads, Tilt, TiltingPivot
 from babbitt.film.turbulence import CONSTANTINESCU, NG_PAN, FilmTurbulence, TurbulenceLaw
 from babbitt.notices import InputError, Notice
@@ -32,6 +32,7 @@ LAWS: dict[str, TurbulenceLaw] = {"ng_pan": NG_PAN, "constantinescu": CONSTANTIN
 TURBULENT_BETWEEN = (500.0, 1000.0)
 """Local Reynolds numbers between which turbulence sets in: the usual choice with Ng and Pan's theory."""
 USUAL_FILM_LIMIT = 10e-6
+INERTIAS = ("pads.inertia_radial", "pads.inertia_along")
 
 
 class ThrustBearingInputs(Part):
@@ -201,8 +202,19 @@ class ThrustBearingInputs(Part):
             law,
             (*words_of(self), *said_of_runout(runouts)),
             self.assumptions,
-            (*about_grouped_digits(self), *self._assumed_crown()),
+            (*about_grouped_digits(self), *self._fields_not_read(), *self._assumed_crown()),
         )
+
+    def _fields_not_read(self) -> Iterator[Notice]:
+        """Tell of fields that make no difference to this bearing."""
+        pivot = self.pads.pivot
+        if not isinstance(pivot, TiltingPivot):
+            yield from not_read(self, "fixed pads do not tilt", *INERTIAS)
+        elif pivot.kind == "line":
+            yield from not_read(self, "pads on a line pivot do not tilt along the radius", INERTIAS[0])
+        if isinstance(self.oil, GivenViscosity):
+            why = "the viscosity of the films is given, and no temperature is known that could be held against it"
+            yield from not_read(self, why, "temperature_limit")
 
     def _assumed_crown(self) -> Iterator[Notice]:
         """Tell of the crown that plane pads on a pivot in their middle are taken to have."""
@@ -232,6 +244,11 @@ class ThrustCase(ThrustBearingInputs, CaseFile):
     @rule
     def _every_wave_once(self) -> Iterator[Complaint]:
         yield from waves_given_twice(self.runout)
+
+    def _fields_not_read(self) -> Iterator[Notice]:
+        """As of every thrust bearing; a mass swings in a shaft line alone."""
+        yield from not_read(self, "films of a steady thrust do not feel the mass of a pad", "pads.mass")
+        yield from super()._fields_not_read()
 
     def designs(self) -> tuple[ThrustDesign, ...]:
         """Give the bearing of the calculation."""

@@ -13,7 +13,7 @@ from babbitt.footstep.axial import axial_damping, load_slope
 from babbitt.footstep.draining import DrainedHeel, cold_groove_drains
 from babbitt.footstep.eccentric import side_force_of_leakage
 from babbitt.footstep.face import number
-from babbitt.footstep.model import Footstep
+from babbitt.footstep.model import Footstep, HeelOptions
 from babbitt.footstep.stability import (
     RimDisturbance,
     Stability,
@@ -24,6 +24,7 @@ from babbitt.footstep.stability import (
 from babbitt.footstep.steady_state import Method, NoSteadyStateError, StateName, SteadyState
 from babbitt.footstep.superposition import Balance, GroovedHeel, SmoothHeel
 from babbitt.footstep.warm_films import WarmFilms, WarmState
+from babbitt.notices import InputError
 
 __all__ = ["Method", "NoSteadyStateError", "StateName", "SteadyState", "draining_states", "steady_states"]
 
@@ -60,14 +61,28 @@ def steady_states(footstep: Footstep, method: Method = Method.SUPERPOSITION) -> 
     ------
     NoSteadyStateError
         Superposition only: the groove would feed the rim if its oil stayed cold, and cannot with its heat.
+    InputError
+        E130 where narrow-groove theory is given options of the study's equations.
     """
     if method is Method.NARROW_GROOVE:
+        _refuse_options_of_the_study(footstep.options)
         return _warm_states(footstep)
     if footstep.groove is None:
         return (_smooth_state(footstep),)
     if cold_groove_drains(footstep):
         return draining_states(footstep)
     return _grooved_states(footstep)
+
+
+def _refuse_options_of_the_study(options: HeelOptions) -> None:
+    usual = HeelOptions()
+    for name in ("friction_viscosity", "face_outlet", "backflow_viscosity", "entry_loss", "speed_reduction"):
+        if getattr(options, name) != getattr(usual, name):
+            raise InputError(
+                "E130",
+                f"options: {name} belongs to the equations of the study, and narrow-groove theory does not know "
+                "it; leave it out, or take Method.SUPERPOSITION",
+            )
 
 
 def draining_states(footstep: Footstep) -> tuple[SteadyState, ...]:

@@ -81,8 +81,7 @@ class TemperatureLimits:
         """Which of these checks lack data, and which."""
         if hottest_of_pads(values) is None:
             missed = {check.code for check in self.checks(values)}
-            codes = ("C104", "C108") if self.given_metal is not None else ("C104",)
-            yield from (Notice(code, UNKNOWN) for code in codes if code not in missed)
+            yield from (Notice(code, UNKNOWN) for code in ("C104", "C108") if code not in missed)
             return
         if self.metal is None:
             yield Notice("C108", "no bearing metal is given (materials: bearing_metal)")
