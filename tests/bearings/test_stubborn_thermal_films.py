@@ -207,7 +207,8 @@ def test_a_load_into_a_groove_ends_alike_in_every_unit(speed):
     (result,) = solve(
         case_from_dict(
             {
-                "kind": "journal", "name": "Into its groove", "method": "film", "accuracy": "draft", "thermal": "full",
+                "kind": "journal", "name": "Into its groove",
+                "method": "film", "accuracy": "draft", "thermal": "full",
                 "diameter": "148.65 mm", "width": "85.632 mm", "load": "41.204 kN", "load_angle": "-167.52 deg",
                 "clearance": {"kind": "relative", "mean": "1.785 permille"}, "lubricant": "ISO VG 46",
                 "supply": {"temperature": "52.4 degC", "pressure": "0.24 MPa"}, "speed": speed,
