@@ -9,12 +9,13 @@ from babbitt.bearings.model import FilmCase
 from babbitt.bearings.thermal_failure import thermal_failure, what_gave_way
 from babbitt.bearings.thermal_film import SAME_CLEARANCE, film_heat, thermal_operating_film
 from babbitt.bearings.warm_film import operating_film
-from babbitt.cases import design_cases, parse_case
+from babbitt.cases import case_from_dict, design_cases, parse_case
 from babbitt.design.conditions import GivenLoad
 from babbitt.design.heat_balance import Equilibrium
 from babbitt.film.thermal import thermal_film_at
 from babbitt.fits import operating_relative_clearance
 from babbitt.results import Outcome
+from babbitt.solving import solve
 
 
 def bearing(heat, size, clearance, supplies, oil, supply, pressure, speed):
@@ -198,3 +199,29 @@ def test_a_search_without_an_answer_tells_the_last_film_and_what_to_try():
     assert f"h_min = {1e6 * last.solution.minimum_film_thickness:.3g} µm" in said
     assert "Try: less load" in said
     assert math.isfinite(last.thermal.maximum_temperature)
+
+
+@pytest.mark.parametrize("speed", ["-820.89 rpm", "-85.96340 rad/s"])
+def test_a_load_into_a_groove_ends_alike_in_every_unit(speed):
+    """The last film is nearly as thick as the clearance: nothing has closed, and round-off decides nothing."""
+    (result,) = solve(
+        case_from_dict(
+            {
+                "kind": "journal", "name": "Into its groove",
+                "method": "film", "accuracy": "draft", "thermal": "full",
+                "diameter": "148.65 mm", "width": "85.632 mm", "load": "41.204 kN", "load_angle": "-167.52 deg",
+                "clearance": {"kind": "relative", "mean": "1.785 permille"}, "lubricant": "ISO VG 46",
+                "supply": {"temperature": "52.4 degC", "pressure": "0.24 MPa"}, "speed": speed,
+                "materials": {"bearing_metal": "SnSb8Cu4", "bearing": "C10", "journal": "C45"},
+                "grooves": [{"angle": "-163.06 deg", "extent": "28.65 deg"}],
+                "walls": {
+                    "bush": {"outer_diameter": "185.81 mm", "conductivity": "46 W/(m K)"},
+                    "housing": {
+                        "outer_diameter": "278.72 mm", "ambient_temperature": "25 degC",
+                        "heat_transfer_coefficient": "20 W/(m2 K)",
+                    },
+                },
+            }
+        )
+    ).results  # fmt: skip
+    assert result.outcome is Outcome.NOT_CONVERGED

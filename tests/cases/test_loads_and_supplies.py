@@ -128,3 +128,26 @@ def test_grooves_with_pressures_of_their_own_need_no_supply_pressure():
             | film
             | {"span": "180 deg", "grooves": [grooves[0], shared[1]], "supply": {"temperature": "50 degC"}}
         )
+
+
+def test_a_film_that_hardly_carries_lies_below_the_nodes_of_the_tables():
+    light, usual = solved(load="4 N", speed="6000 rpm"), solved()
+    assert light.values["eccentricity_ratio"] < 0.01 < usual.values["eccentricity_ratio"]
+    assert "W119" in [one.code for one in light.warnings]
+    assert "W119" not in [one.code for one in usual.warnings]
+
+
+def test_a_film_colder_than_the_data_of_its_oil_is_told():
+    frost, mild = (
+        solved(
+            method="film",
+            thermal="adiabatic",
+            load="2 kN",
+            speed="100 rpm",
+            supply={"temperature": temperature, "pressure": "0.2 MPa"},
+        )
+        for temperature in ("-20 degC", "20 degC")
+    )
+    (said,) = [one.message for one in frost.warnings if one.code == "W145"]
+    assert "ISO VG 46 is described from 0 to 120 °C" in said
+    assert "W145" not in [one.code for one in mild.warnings]

@@ -37,6 +37,11 @@ def test_all_states_of_the_pump():
     assert hot.critical_clearance == pytest.approx(10.482e-6, abs=1e-9)
     assert [result.settings["stable"] for result in machine.results] == ["yes", "no", "yes"]
     assert [result.checks[0].ok for result in machine.results] == [True, False, True]
+    for result in machine.results:
+        (gain,) = [check for check in result.checks if check.code == "C130"]
+        assert gain.value == result.values["thermal_loop_gain"]
+        assert gain.advisory
+        assert (gain.value < gain.limit == 1.0) == gain.ok == (result.settings["stable"] == "yes")
     assert "W160" in codes(hot)
     assert "W166" in codes(cold)
     assert "W160" not in codes(cold)
@@ -55,6 +60,7 @@ def test_no_steady_state_says_why():
     smooth, grooved = machine.results
     assert smooth.outcome.solved
     assert grooved.outcome is Outcome.NO_STEADY_STATE
+    assert grooved.outcome.code == "S020"
     assert not machine.solved
     assert "receives more oil than the clearance carries away" in grooved.message
     assert "10.482 µm" in grooved.message

@@ -8,10 +8,21 @@ from trawler_pads import PAD, SPEED, bearing
 
 from babbitt.lubricants import lubricant
 from babbitt.thrust.bearing import HousingTilt, ThrustBearing
-from babbitt.thrust.design import GivenFilm, GivenThrust, Oil, ThrustDesign, bearing_state, operating_state
+from babbitt.thrust.check import thrust_check
+from babbitt.thrust.design import (
+    GivenFilm,
+    GivenThrust,
+    Oil,
+    ThrustDesign,
+    bearing_state,
+    operating_state,
+    share_on,
+)
 from babbitt.thrust.face import TaperedFace
 from babbitt.thrust.failures import ThermalRunawayError
 from babbitt.thrust.pad import Pivot
+from babbitt.thrust.runout import RunoutHarmonic
+from babbitt.thrust.standing import standing_at_rest, standing_on_runout
 
 VG_100 = lubricant("ISO VG 100")
 SUPPLY, CARRIED = 318.15, 0.75
@@ -119,3 +130,47 @@ def test_the_housing_may_come_closest_anywhere():
     at_pad_three = replace(turned.bearing, tilt=HousingTilt(60e-6, np.pi / 2.0))
     one, other = bearing_state(replace(turned, bearing=at_pad_three)), bearing_state(design(60e-6))
     assert np.roll(other.share.heights, 2) == pytest.approx(one.share.heights, rel=1e-6)
+
+
+@pytest.mark.parametrize("own", [False, True], ids=["global", "adiabatic"])
+def test_a_collar_that_leans_loads_pads_as_a_housing_that_leans(own):
+    """The runout A at r_p is the plane of a housing tilted by A r_o/r_p: pads take in the same hot oil."""
+    runout = 20e-6
+    tilted, level = (
+        design(tilt, oil=replace(OIL, own_temperatures=own))
+        for tilt in (runout * PAD.outer_radius / PAD.pivot_radius, 0.0)
+    )
+    leaning, straight = bearing_state(tilted).share, bearing_state(level)
+    standing = standing_on_runout(level.bearing, (RunoutHarmonic(1.0, runout),), 0.0)
+    turned = share_on(straight.films, straight.share, standing)
+    assert turned.largest_over_mean == pytest.approx(leaning.largest_over_mean, rel=1e-5 if own else 1e-6)
+    assert turned.heights == pytest.approx(leaning.heights, rel=1e-5 if own else 1e-6)
+
+
+def test_a_runout_that_vanishes_leaves_the_answer_at_rest():
+    still = thrust_check(replace(design(30e-6), runouts=(RunoutHarmonic(1.0, 1e-15),))).values
+    assert still["quasi_static_load_ratio"] == pytest.approx(still["pad_load_ratio"], rel=1e-6)
+    assert still["quasi_static_minimum_film_thickness"] == pytest.approx(still["minimum_film_thickness"], rel=1e-6)
+
+
+@pytest.mark.parametrize("own", [False, True], ids=["global", "adiabatic"])
+def test_the_share_at_rest_is_found_again_from_near_and_far(own):
+    tilted = design(30e-6, oil=replace(OIL, own_temperatures=own))
+    at_rest, standing = bearing_state(tilted), standing_at_rest(tilted.bearing)
+    again = share_on(at_rest.films, at_rest.share, standing)
+    assert again.largest_over_mean == pytest.approx(at_rest.share.largest_over_mean, rel=1e-6)
+    level = bearing_state(design(0.0, oil=tilted.oil)).share
+    share = share_on(at_rest.films, replace(level, bearing=tilted.bearing), standing)
+    assert share.heights == pytest.approx(at_rest.share.heights, rel=1e-5 if own else 1e-6)
+
+
+def test_positions_within_a_pitch_stand_for_all_where_the_bearing_is_even():
+    """Turned by a pitch, pads only have other names."""
+    even = bearing_state(design())
+    shares = [
+        share_on(
+            even.films, even.share, standing_on_runout(even.share.bearing, (RunoutHarmonic(1.0, 10e-6),), turned)
+        )
+        for turned in (0.3, 0.3 + np.pi / 4.0)
+    ]
+    assert np.roll(shares[0].heights, 1) == pytest.approx(shares[1].heights, rel=1e-8)

@@ -30,6 +30,9 @@ An assumption: no source draws this line.
 CLOSED = 3e-3
 """Least gap of the last film, in clearances, up to which a heavier load closes it: three times what the film
 method takes for a film. An assumption, too."""
+OPEN = 0.5
+"""Least gap of the last film, in clearances, from which the search lost its way, however it ended; it does so
+where a load points into a groove. An assumption, too."""
 
 
 def last_film(case: FilmCase, film_at: Callable[[FilmCase, ThermalSearch], FilmState]) -> FilmState | None:
@@ -78,6 +81,7 @@ def what_gave_way(case: FilmCase, outcome: Outcome, last: FilmState | None) -> O
 
     A gap that closes grows hot at its thinnest place without bound, whatever closed it: a tilted journal that
     touches at an edge is no matter of heat. Nor does a film come to rest where the last one is as good as closed.
+    A film that is thick at the last has not closed: whether the search says so is a matter of round-off.
 
     Parameters
     ----------
@@ -89,13 +93,17 @@ def what_gave_way(case: FilmCase, outcome: Outcome, last: FilmState | None) -> O
     """
     if last is None or last.thermal is None or case.oil_supply is None:
         return outcome
-    thin = last.solution.minimum_film_thickness <= CLOSED * last.solution.film.clearance
+    left = last.solution.minimum_film_thickness / last.solution.film.clearance
+    closed = Outcome.NOT_CONVERGED if left > OPEN else Outcome.OVERLOADED
+    if outcome is Outcome.OVERLOADED:
+        return closed
+    thin = left <= CLOSED
     hot = outcome in (Outcome.THERMAL_RUNAWAY, Outcome.NO_LUBRICANT_DATA)
     if not hot and not (thin and outcome is Outcome.NOT_CONVERGED):
         return outcome
     fresh = case.oil_supply.temperature
     risen = last.thermal.maximum_temperature - fresh
-    return outcome if risen > HOT * (highest_usable(case.lubricant) - fresh) else Outcome.OVERLOADED
+    return outcome if risen > HOT * (highest_usable(case.lubricant) - fresh) else closed
 
 
 def thermal_failure(case: FilmCase, found: Equilibrium[FilmState]) -> str:

@@ -10,12 +10,11 @@ import numpy as np
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Outcome, Result
 from babbitt.thrust.assumed import oil_assumptions
-from babbitt.thrust.design import ThrustDesign, ThrustState, bearing_state
+from babbitt.thrust.design import ThrustDesign, ThrustState, bearing_state, share_on
 from babbitt.thrust.doubts import LEAST_SHARE, share_doubts
 from babbitt.thrust.failures import NoPadFilmError
 from babbitt.thrust.pressure_limits import pressure_checks, pressures_not_checked
-from babbitt.thrust.sharing import share_of
-from babbitt.thrust.standing import standing_on_runout
+from babbitt.thrust.standing import standing_at_rest, standing_on_runout
 from babbitt.thrust.values import pad_arrays, share_values
 
 __all__ = ["thrust_check"]
@@ -99,13 +98,14 @@ def _turned(design: ThrustDesign, state: ThrustState) -> tuple[dict[str, float],
     NoPadFilmError
         If the pads find no film at a position of the collar, though they have one on a collar without runout.
     """
-    largest, least, thinnest = 0.0, math.inf, math.inf
+    largest, least, thinnest, share = 0.0, math.inf, math.inf, state.share
     least_count = TURNS * math.ceil(max(one.order for one in design.runouts) / WAVES)
     number = design.bearing.number
     count = number * math.ceil(least_count / number)  # whichever pad is called the first
-    for turned in 2.0 * np.pi * np.arange(count) / count:
+    alike = standing_at_rest(design.bearing).is_even  # then a turn by one pitch gives pads other names only
+    for turned in 2.0 * np.pi * np.arange(count // number if alike else count) / count:
         stands = standing_on_runout(design.bearing, design.runouts, float(turned))
-        share = share_of(state.films, design.bearing, state.share.thrust, stands)
+        share = share_on(state.films, share, stands)
         largest = max(largest, share.largest_over_mean)
         least = min(least, float(share.loads.min()) / share.mean_load)
         thinnest = min(thinnest, *(pad.minimum_film_thickness for pad in share.states))

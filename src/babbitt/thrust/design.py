@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 from babbitt.film.turbulence import TurbulenceLaw
@@ -10,13 +11,13 @@ from babbitt.notices import Notice
 from babbitt.thrust.balanced_films import BalancedFilms, temperatures_together
 from babbitt.thrust.bearing import HousingTilt, ThrustBearing
 from babbitt.thrust.carrying import Carrying, carrying
-from babbitt.thrust.failures import HollowPadError
+from babbitt.thrust.failures import HollowPadError, NoPadFilmError
 from babbitt.thrust.fed_pads import share_of_fed_pads
 from babbitt.thrust.heat import HeatBalance, Temperatures, balanced
-from babbitt.thrust.neighbours import share_with_neighbours
+from babbitt.thrust.neighbours import SETTLED, share_with_neighbours
 from babbitt.thrust.runout import RunoutHarmonic
 from babbitt.thrust.sharing import Share, exactly_shared, share_at_film, share_of
-from babbitt.thrust.standing import standing_at_rest
+from babbitt.thrust.standing import Standing, standing_at_rest
 from babbitt.thrust.state import PadState, PadTemperatures
 from babbitt.thrust.tabulated import TabulatedFilms
 from babbitt.thrust.temperature_limits import TemperatureLimits
@@ -31,9 +32,13 @@ __all__ = [
     "ThrustState",
     "bearing_state",
     "operating_state",
+    "share_on",
     "temperatures_of_share",
     "warm_films",
 ]
+
+NEARLY = 3e-7
+"""Change of heights and inlets that ends the search at a place of a turning collar."""
 
 
 @dataclass(frozen=True)
@@ -194,13 +199,45 @@ def bearing_state(design: ThrustDesign) -> ThrustState:
     if standing_at_rest(bearing).is_even:
         return state
     film = design.duty.film if isinstance(design.duty, GivenFilm) else None
+    share = _fed_by_neighbours(films, state.share, standing_at_rest(bearing), film)
     if isinstance(films, WarmFilms):
-        share = share_with_neighbours(films, state.share, film)
         return ThrustState(films, share, own_temperatures(films.oil, share.states, bearing.sense))
     if isinstance(films, BalancedFilms):
-        share = share_of_fed_pads(films, state.share, film)
         return ThrustState(films, share, temperatures_together(films, share.states, bearing.sense))
     return state
+
+
+def share_on(films: Carrying, near: Share, standing: Standing) -> Share:
+    """The share of pads that stand otherwise; those with temperatures take in the oil of the pad before.
+
+    Parameters
+    ----------
+    films : Carrying
+    near : Share
+        Of pads that stand nearly so, from which the search begins.
+    standing : Standing
+        How the pads stand to the collar.
+
+    Raises
+    ------
+    NoPadFilmError
+    """
+    if isinstance(films, WarmFilms | BalancedFilms):
+        with suppress(NoPadFilmError):
+            return _fed_by_neighbours(films, near, standing, tolerance=NEARLY)
+    begin = share_of(films, near.bearing, near.thrust, standing)
+    return _fed_by_neighbours(films, begin, standing, tolerance=NEARLY)
+
+
+def _fed_by_neighbours(
+    films: Carrying, share: Share, standing: Standing, mean_film: float | None = None, tolerance: float = SETTLED
+) -> Share:
+    """The same share where films have no temperature."""
+    if isinstance(films, WarmFilms):
+        return share_with_neighbours(films, share, mean_film, standing, tolerance)
+    if isinstance(films, BalancedFilms):
+        return share_of_fed_pads(films, share, mean_film, standing)
+    return share
 
 
 def warm_films(

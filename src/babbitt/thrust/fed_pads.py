@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from babbitt.notices import InputError
 from babbitt.thrust.balanced_films import BalancedFilms
 from babbitt.thrust.failures import UnsettledFeedError
-from babbitt.thrust.neighbours import FOLLOWING, MOST_ROUNDS, STEP, common_heights, mixed_inlets
+from babbitt.thrust.neighbours import FOLLOWING, MOST_ROUNDS, STEP, Mixing, common_heights, mixed_inlets
 from babbitt.thrust.sharing import Share
-from babbitt.thrust.standing import standing_at_rest
+from babbitt.thrust.standing import Standing, standing_at_rest
 from babbitt.thrust.state import PadState, condensed
 
 __all__ = ["share_of_fed_pads"]
@@ -27,7 +27,9 @@ SETTLED = 1e-9
 """Change of the heights, over them, and of the inlet temperatures, over 1000 K: heat is then closed to 1e-8."""
 
 
-def share_of_fed_pads(films: BalancedFilms, share: Share, mean_film: float | None = None) -> Share:
+def share_of_fed_pads(
+    films: BalancedFilms, share: Share, mean_film: float | None = None, standing: Standing | None = None
+) -> Share:
     """The share of pads that take in the oil of the pad before.
 
     Parameters
@@ -37,6 +39,8 @@ def share_of_fed_pads(films: BalancedFilms, share: Share, mean_film: float | Non
         Of pads that take in that of their like, from which the search begins.
     mean_film : float, optional
         Mean film at the pivots that is kept, m, in place of the thrust.
+    standing : Standing, optional
+        How the pads stand to the collar; as the bearing has it at rest when omitted.
 
     Raises
     ------
@@ -44,8 +48,8 @@ def share_of_fed_pads(films: BalancedFilms, share: Share, mean_film: float | Non
         If the pads go on to change each other.
     ThermalRunawayError
     """
-    bearing, states, heights = share.bearing, share.states, share.heights.copy()
-    stands = standing_at_rest(bearing)
+    bearing, states, heights, mixing = share.bearing, share.states, share.heights.copy(), Mixing()
+    stands = standing_at_rest(bearing) if standing is None else standing
     inlets, known = _inlets(films, states, bearing.sense), heights
     for _ in range(MOST_ROUNDS):
         try:
@@ -57,17 +61,18 @@ def share_of_fed_pads(films: BalancedFilms, share: Share, mean_film: float | Non
             if np.array_equal(heights, known):
                 break
             heights = 0.5 * (heights + known)
+            mixing.forget()
             continue
         known = heights
         loads = np.array([state.load for state in states])
         stiffness = FOLLOWING * np.array([condensed(one, 0.0).real if one.load > 0.0 else 0.0 for one in states])
         thrust = share.thrust if mean_film is None else float(loads.sum())
-        approach, new = common_heights(bearing, thrust, mean_film, heights, loads, stiffness)
+        approach, new = common_heights(bearing, stands, thrust, mean_film, heights, loads, stiffness)
         wanted = _inlets(films, states, bearing.sense)
         moved = max(float(np.abs(new / heights - 1.0).max()), 1e-3 * float(np.abs(wanted - inlets).max()))
         if moved < SETTLED:
             return Share(bearing, thrust, approach, heights, loads, states)
-        heights, inlets = new, inlets + STEP * (wanted - inlets)
+        heights, inlets = mixing.following(heights, new, inlets, inlets + STEP * (wanted - inlets))
     raise UnsettledFeedError
 
 

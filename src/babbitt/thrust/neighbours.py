@@ -20,18 +20,18 @@ from babbitt.thrust.bearing import ThrustBearing
 from babbitt.thrust.equilibrium import UnbalancedPadError
 from babbitt.thrust.failures import UnsettledPadError
 from babbitt.thrust.sharing import Share
-from babbitt.thrust.standing import standing_at_rest
+from babbitt.thrust.standing import Standing, standing_at_rest
 from babbitt.thrust.state import PadState, condensed
 from babbitt.thrust.warm import PadOil, WarmStart, warm_pad
 from babbitt.thrust.warm_films import WarmFilms
 
-__all__ = ["common_heights", "mixed_inlets", "share_with_neighbours"]
+__all__ = ["Mixing", "common_heights", "mixed_inlets", "share_with_neighbours"]
 
 Array = NDArray[np.float64]
 
 MOST_ROUNDS = 60
 SETTLED = 1e-7
-"""Change of the heights, over them, and of the inlet temperatures, over 1000 K."""
+"""Change of the heights, over them, and of the inlet temperatures, over 1000 K, at most."""
 CLOSED = 1e-8
 """Change of the inlet temperatures, K, at which the heat of the bearing is closed."""
 STEP = 0.8
@@ -40,9 +40,53 @@ FOLLOWING = 0.8
 """Stiffness when temperatures follow over that at frozen temperatures; only the number of rounds depends on it."""
 REACH = 0.3
 """Largest change of a height in a round, over it."""
+REMEMBERED = 6
+"""Rounds from whose changes the next one is chosen."""
 
 
-def share_with_neighbours(films: WarmFilms, share: Share, mean_film: float | None = None) -> Share:
+class Mixing:
+    """Heights and inlet temperatures of the next round, from the changes of the last ones (D. G. Anderson, 1965).
+
+    Heat goes round the bearing in small shares, and plain rounds would follow it for long.
+    """
+
+    def __init__(self) -> None:
+        self._results: list[Array] = []
+        self._changes: list[Array] = []
+
+    def forget(self) -> None:
+        """Begin anew, where the last round led nowhere."""
+        self._results.clear()
+        self._changes.clear()
+
+    def following(self, heights: Array, new: Array, inlets: Array, mixed: Array) -> tuple[Array, Array]:
+        """Those of the next round.
+
+        Parameters
+        ----------
+        heights, new : ndarray, shape (z,)
+            Of this round and what it gives, m.
+        inlets, mixed : ndarray, shape (z,)
+            Of this round and what it gives, K.
+        """
+        result = np.concatenate([np.log(new), 1e-3 * mixed])
+        self._results.append(result)
+        self._changes.append(result - np.concatenate([np.log(heights), 1e-3 * inlets]))
+        del self._results[: -1 - REMEMBERED], self._changes[: -1 - REMEMBERED]
+        if len(self._changes) > 1:
+            shares = np.linalg.lstsq(np.diff(self._changes, axis=0).T, self._changes[-1], rcond=1e-10)[0]
+            result = result - np.diff(self._results, axis=0).T @ shares
+        bounded = np.exp(np.clip(result[: heights.size] - np.log(heights), -REACH, REACH))
+        return np.asarray(heights * bounded), 1e3 * result[heights.size :]
+
+
+def share_with_neighbours(
+    films: WarmFilms,
+    share: Share,
+    mean_film: float | None = None,
+    standing: Standing | None = None,
+    tolerance: float = SETTLED,
+) -> Share:
     """The share of pads that take in the oil of the pad before.
 
     Parameters
@@ -52,6 +96,10 @@ def share_with_neighbours(films: WarmFilms, share: Share, mean_film: float | Non
         Of pads that take in that of their like, from which the search begins.
     mean_film : float, optional
         Mean film at the pivots that is kept, m, in place of the thrust.
+    standing : Standing, optional
+        How the pads stand to the collar; as the bearing has it at rest when omitted.
+    tolerance : float
+        Change of the heights, over them, and of the inlet temperatures, over 1000 K, that ends the search.
 
     Raises
     ------
@@ -59,11 +107,11 @@ def share_with_neighbours(films: WarmFilms, share: Share, mean_film: float | Non
         If the pads go on to change each other.
     """
     bearing, oil = share.bearing, films.oil
-    stands = standing_at_rest(bearing)
+    stands = standing_at_rest(bearing) if standing is None else standing
     leans = [stands.lean(place) for place in range(bearing.number)]
     pads = [_first(films, state) for state in share.states]
     inlets = _inlets(oil, [pad.state for pad in pads], bearing.sense)
-    heights = share.heights.copy()
+    heights, mixing = share.heights.copy(), Mixing()
     for _ in range(MOST_ROUNDS):
         try:
             pads = [
@@ -76,12 +124,12 @@ def share_with_neighbours(films: WarmFilms, share: Share, mean_film: float | Non
         loads = np.array([state.load for state in states])
         stiffness = FOLLOWING * np.array([condensed(one, 0.0).real for one in states])
         thrust = share.thrust if mean_film is None else float(loads.sum())
-        approach, new = common_heights(bearing, thrust, mean_film, heights, loads, stiffness)
+        approach, new = common_heights(bearing, stands, thrust, mean_film, heights, loads, stiffness)
         wanted = _inlets(oil, list(states), bearing.sense)
         moved = max(float(np.abs(new / heights - 1.0).max()), 1e-3 * float(np.abs(wanted - inlets).max()))
-        if moved < SETTLED:
+        if moved < tolerance:
             return Share(bearing, thrust, approach, heights, loads, _closed(oil, pads, bearing.sense))
-        heights, inlets = new, inlets + STEP * (wanted - inlets)
+        heights, inlets = mixing.following(heights, new, inlets, inlets + STEP * (wanted - inlets))
     raise UnsettledPadError
 
 
@@ -139,6 +187,7 @@ def mixed_inlets(carried: Array, sent: Array, entering: Array, cold: float, sens
 
 def common_heights(
     bearing: ThrustBearing,
+    stands: Standing,
     thrust: float,
     mean_film: float | None,
     heights: Array,
@@ -152,6 +201,7 @@ def common_heights(
     Parameters
     ----------
     bearing : ThrustBearing
+    stands : Standing
     thrust : float
         F_0, N.
     mean_film : float or None
@@ -160,7 +210,7 @@ def common_heights(
         h_i m, W_i N, k_i N/m.
     """
     giving = 1.0 + stiffness / bearing.ring_stiffness
-    at_rest = heights - loads / bearing.ring_stiffness - bearing.departures()
+    at_rest = heights - loads / bearing.ring_stiffness - stands.departures
     together = stiffness / giving
     if mean_film is None:
         approach = float((loads.sum() - thrust + together @ at_rest) / together.sum())
