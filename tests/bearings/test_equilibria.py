@@ -9,8 +9,8 @@ from film_bearings import answer, film
 
 from babbitt.bearings.bore import Arc, LobedBore
 from babbitt.bearings.elastic_film import displacement_under
-from babbitt.bearings.equilibria import RestingPlaces, find_equilibria
-from babbitt.bearings.resting import doubts_about_rest, resting_places
+from babbitt.bearings.equilibria import RestingPlace, RestingPlaces, find_equilibria
+from babbitt.bearings.resting import doubts_about_rest, resting_places, resting_values
 from babbitt.bearings.warm_film import operating_film
 from babbitt.film.model import (
     DRAFT,
@@ -22,7 +22,9 @@ from babbitt.film.model import (
     Pocket,
     grooved_bore,
 )
+from babbitt.film.rotor import growth_rates
 from babbitt.film.solve import film_at_position, solve_journal
+from babbitt.film.stability import StableMasses
 from babbitt.notices import EXPLANATIONS, Effect
 
 VERTICAL = (-math.pi / 2.0, math.pi / 2.0)
@@ -121,6 +123,18 @@ def test_places_of_which_one_is_missing_have_no_verdict():
     assert "W134" not in {notice.code for notice in doubts_about_rest(shown, found)}
     assert "W134" in {notice.code for notice in doubts_about_rest(shown, RestingPlaces(held))}
     assert EXPLANATIONS["W134"].effect is Effect.NO_VERDICT
+
+
+def test_a_thinner_film_where_only_a_heavy_journal_stays_is_held_against_the_limits():
+    shown, other = (place.film for place in find_equilibria(SLOW, (0.0, 0.0)).places if place.index == 1)
+    k, c = np.diag([2e8, 4e8]), np.array([[1e6, 2e6], [2e6, 1e6]])
+    thin = 0.5 * shown.minimum_film_thickness
+    heavy = RestingPlace(replace(other, stiffness=k, damping=c, minimum_film_thickness=thin))
+    assert heavy.stable_masses == StableMasses(pytest.approx(9e4), math.inf)
+    assert growth_rates([8e4, 1e5], k, c)[1] < 0.0 < growth_rates([8e4, 1e5], k, c)[0]
+    assert resting_values(RestingPlaces((RestingPlace(shown), heavy)))["least_resting_film"] == thin
+    never = RestingPlace(replace(heavy.film, damping=-c))
+    assert "least_resting_film" not in resting_values(RestingPlaces((RestingPlace(shown), never)))
 
 
 def test_a_saddle_is_not_shown_and_the_other_places_are_named():

@@ -36,10 +36,25 @@ load: 40 kN
 speed: 10000 rpm
 """
 
+BY_THE_STANDARD = """
+kind: journal
+name: Hot
+diameter: 120 mm
+width: 60 mm
+clearance: {kind: relative, mean: 1.4 permille}
+span: 360 deg
+supply_element: {kind: groove_180, width: 5 mm}
+lubricant: ISO VG 32
+supply: {temperature: 50 degC, pressure: 0.2 MPa}
+materials: {bearing: C10, journal: C45}
+load: 20 kN
+speed: 3000 rpm
+"""
 
-def solved(metal: str) -> Result:
+
+def solved(metal: str, case: str = CASE) -> Result:
     given = f"{{bearing_metal: {metal}, bearing: C10" if metal else "{bearing: C10"
-    return solve(parse_case(CASE.replace("{bearing: C10", given)))["Hot"]
+    return solve(parse_case(case.replace("{bearing: C10", given)))["Hot"]
 
 
 def limits(result: Result) -> dict[str, Check]:
@@ -93,6 +108,14 @@ def test_a_limit_of_the_case_takes_the_place_of_the_general_one_and_leaves_that_
     )
     assert of_tin["C108"].limit == limits(tin)["C108"].limit
     assert not of_tin["C108"].ok
+
+
+def test_outlet_temperatures_are_not_held_against_the_general_limit_of_bushes() -> None:
+    """C104 holds the outlet; a metal of which nothing is known adds nothing to that."""
+    for metal in ("", "{name: Mine, specific_load: 20 MPa}"):
+        found = limits(solved(metal, BY_THE_STANDARD))
+        assert found["C104"].quantity == "outlet_temperature"
+        assert "C108" not in found
 
 
 def test_every_metal_on_board_has_a_limiting_temperature() -> None:

@@ -169,6 +169,17 @@ def test_a_supply_that_presses_no_oil_through_is_told(span):
     assert check(still).supply_capacity < check(CASE_A).supply_capacity
 
 
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+def test_a_bush_that_turns_delivers_as_one_at_rest_to_a_journal_with_the_sum_of_both_speeds(sense):
+    """Counter-rotating surfaces draw less oil through the film, and shear less out of the pocket."""
+    case = fed_by(Pockets(0.02, Arrangement.SIDE))
+    turning = replace(case, journal_speed=sense * 3000 * RPM, bearing_speed=-sense * 1500 * RPM)
+    at_rest = replace(case, journal_speed=sense * 1500 * RPM)
+    found, expected = check_at_temperature(turning, 335.0), check_at_temperature(at_rest, 335.0)
+    for name in ("side_flow", "supply_flow", "supply_capacity"):
+        assert found.values[name] == pytest.approx(expected.values[name], rel=1e-12)
+
+
 def test_what_a_groove_delivers_is_left_to_the_film():
     result = check(fed_by(HalfCircumferentialGroove(0.006)))
     assert {notice.code: notice.message for notice in result.not_checked}["C117"].endswith("`method: film`")

@@ -12,8 +12,9 @@ from routh_hurwitz import is_stable
 
 from babbitt.bearings.warm_film import operating_film
 from babbitt.bearings.whirl import threshold_speed
+from babbitt.film.rotor import growth_rates, stable_masses_of_rotor
 from babbitt.film.whirl import STANDARD_GRAVITY
-from babbitt.studies.stability_map import stability_map
+from babbitt.studies.stability_map import StabilityMap, stability_map
 
 LOBES = [{"angle": f"{angle} deg", "extent": "15 deg"} for angle in (90, 210, 330)]
 BEARINGS = {
@@ -96,3 +97,23 @@ def test_a_softer_shaft_whirls_earlier_at_every_load():
     both = np.isfinite(stiff.thresholds()) & np.isfinite(mapped("elastic").thresholds())
     assert both.sum() > 5
     assert (mapped("elastic").thresholds()[both] < stiff.thresholds()[both]).all()
+
+
+def test_a_film_that_no_small_mass_survives_is_not_stable_under_a_shaft_without_journal_mass():
+    """Neither K nor C is definite: the six eigenvalues of a journal without mass miss the motion that grows."""
+    film, mass, shaft, nothing = (
+        ([[-0.9, -0.4], [0.1, 1.5]], [[-0.2, 0.5], [1.4, 0.5]]),
+        10.0,
+        0.5,
+        np.zeros((2, 2)),
+    )
+    growth, bounds = growth_rates(mass, *film, shaft), stable_masses_of_rotor(*film, shaft)
+    inertia = np.diag([mass, mass, 1e-9, 1e-9])  # of rotor and journal
+    k = np.block([[shaft * np.eye(2), -shaft * np.eye(2)], [-shaft * np.eye(2), shaft * np.eye(2) + film[0]]])
+    c = np.block([[nothing, nothing], [nothing, np.array(film[1])]])
+    step = np.block([[np.zeros((4, 4)), np.eye(4)], [-np.linalg.solve(inertia, k), -np.linalg.solve(inertia, c)]])
+    assert np.linalg.eigvals(step).real.max() > 0.0
+    one = np.ones(1)
+    masses = (np.array([[bound]]) for bound in (bounds.least, bounds.greatest))
+    seen = StabilityMap(one, one, mass * one, shaft, growth.reshape(1, 1), *masses, None)
+    assert not seen.stable.any()

@@ -73,6 +73,11 @@ class RestingPlace:
         """Whether a journal of very little mass comes back."""
         return self.stable_masses.least == 0.0
 
+    @property
+    def may_hold(self) -> bool:
+        """Whether a journal of some mass comes back."""
+        return math.isfinite(self.stable_masses.least)
+
 
 @dataclass(frozen=True, eq=False)
 class RestingPlaces:

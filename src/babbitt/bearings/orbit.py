@@ -40,7 +40,7 @@ FEW = 72
 between two."""
 
 MOST_STEPS = 5000
-"""Steps of a cycle to which the corners of a load may hold the march."""
+"""Steps of a cycle to which the corners of a load may hold the march, and corners at which it is read."""
 
 MOST_CYCLES = 40
 """Cycles after which the march ends."""
@@ -228,13 +228,17 @@ def _marched(journal: MasslessJournal | HeavyJournal, begun: float, watch: Watch
 
 
 def _instants(changing: ChangingLoad) -> Array:
-    """Angles turned at which a cycle is read, its end included: evenly, at the corners of the load and between."""
-    even = np.linspace(0.0, changing.cycle, POINTS + 1)
-    if not 0 < len(changing.corners) <= FEW:
-        return even
-    edges = _edges(changing)
-    between = np.linspace(edges[:-1], edges[1:], WITHIN + 1).ravel()
-    both = np.unique(np.concatenate((even, between)))
+    """Angles turned at which a cycle is read, its end included: evenly, at the corners of the load and between.
+
+    Between the corners of a fine table the load is too short to be read once more.
+    """
+    even, own = np.linspace(0.0, changing.cycle, POINTS + 1), np.asarray(changing.corners)
+    if own.size > FEW:
+        own = own[:: math.ceil(own.size / MOST_STEPS)]
+    elif own.size:
+        edges = _edges(changing)
+        own = np.linspace(edges[:-1], edges[1:], WITHIN + 1).ravel()
+    both = np.unique(np.concatenate((even, own)))
     apart = np.append(True, np.diff(both) > 1e-9 * changing.cycle)
     return np.asarray(both[apart])
 

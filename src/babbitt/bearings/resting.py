@@ -83,12 +83,12 @@ def _likely(case: FilmCase, film: JournalFilm) -> bool:
 
 
 def resting_values(found: RestingPlaces | None) -> dict[str, float]:
-    """Number of equilibria, and the thinnest film where the journal stays if it is not the one shown."""
+    """Number of equilibria, and the thinnest film where a journal may stay if it is not the one shown."""
     if found is None:
         return {}
     values = {"equilibria": float(len(found.places))}
     shown = found.places[0].film.minimum_film_thickness
-    least = min((one.film.minimum_film_thickness for one in found.places if one.holds), default=shown)
+    least = min((one.film.minimum_film_thickness for one in found.places if one.may_hold), default=shown)
     return values | ({"least_resting_film": least} if least < (1.0 - SAME_FILM) * shown else {})
 
 

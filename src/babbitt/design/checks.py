@@ -124,10 +124,9 @@ def limiting_temperature(case: Designed, values: Mapping[str, float]) -> Sourced
     gives way to a limit that the case sets, which holds for the hottest place too. None where nothing is left.
     """
     metal, tables = case.bearing.metal, case.limits.tables
-    if case.limits.temperature is not None:
+    if case.limits.temperature is not None or hottest_place(values) not in HOTTEST_PLACES:
         return published_metal_temperature(metal, tables)
-    known = hottest_place(values) in HOTTEST_PLACES
-    return metal_temperature_limit(metal, tables) if known or metal else None
+    return metal_temperature_limit(metal, tables)
 
 
 def film_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:

@@ -64,8 +64,12 @@ class StabilityMap:
 
     @property
     def stable(self) -> NDArray[np.bool_]:
-        """Where every motion dies away, shape (n, m); false where there is no film."""
-        return np.asarray(self.growth < 0.0)
+        """Where the rotor is within the bounds of the stable masses, shape (n, m); false where there is no film.
+
+        Every motion dies away there. `growth` says the same, but for a shaft that bends on a saddle with damping
+        that feeds (det K < 0, det C < 0): the motion that grows is that of the journal, which has no mass there.
+        """
+        return np.asarray(self.reserve > 1.0)
 
     @property
     def reserve(self) -> Array:

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from babbitt.characteristics import BearingCurves, ClosedFormCurves, curves
-from babbitt.design.conditions import GivenEccentricity, surface_speed
+from babbitt.design.conditions import GivenEccentricity
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.design.oil import properties_at
 from babbitt.design.values import friction_between, hydrodynamic_speed
@@ -105,13 +105,13 @@ def starved_film_at(temperature: float, case: DesignCase, shape: BearingCurves) 
 def sheared_flow(
     case: DesignCase, eccentricity_ratio: float, attitude_angle: float, relative_clearance: float
 ) -> float | None:
-    """Oil that the journal shears into the loaded film from holes or pockets, ``(U/2) h_s b``, m³/s; else None."""
+    """Oil sheared out of holes or pockets into the film, ``(U/2) h_s b`` with U of ``ω_h``, m³/s; else None."""
     element, bearing = case.bearing.supply_element, case.bearing
     if case.oil_supply is None or not isinstance(element, Holes | Pockets):
         return None
     factor = element.arrangement.gap_factor(eccentricity_ratio, attitude_angle)
     gap = factor * relative_clearance * bearing.diameter / 2.0
-    return surface_speed(case) / 2.0 * gap * element.axial_width(bearing.width)
+    return hydrodynamic_speed(case) * bearing.diameter / 4.0 * gap * element.axial_width(bearing.width)
 
 
 def _film(
