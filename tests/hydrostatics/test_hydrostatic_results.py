@@ -421,6 +421,14 @@ def test_jacking_lifts_off_the_roughness_or_not_at_all():
 
 
 @pytest.mark.parametrize("method", METHODS)
+def test_a_lift_below_a_thousandth_of_the_clearance_is_found(method):
+    """Above a roughness of 0.05 um, with a clearance of 150 um."""
+    flow = lift_at(jacking(method=method), 0.1e-6).flow
+    lifted = jacking_check(jacking(method=method, lift_gap=None, roughness=0.05e-6, pump_flow=flow))
+    assert lifted.minimum_film_thickness == pytest.approx(0.1e-6, rel=1e-6)
+
+
+@pytest.mark.parametrize("method", METHODS)
 def test_flow_valve_that_opens_faster_than_thin_lands_let_out(method):
     """11 kN on the round pad: G p = Q_0 + k p with p = W/A_e gives 43.84 um, whatever thinner gaps do."""
     valve = FlowValve(0.2e-3 / 60.0, 0.05e-9 / 60.0, 5e-9 / 60.0)
