@@ -71,6 +71,19 @@ def test_both_methods_tell_nearly_the_same(kind):
     assert film.mass_balance_error < 1e-8
 
 
+@pytest.mark.parametrize("kind", ["hydrostatic_thrust_ring", "hydrostatic_journal"])
+def test_the_quick_method_carries_a_load_far_below_what_the_recesses_push(kind):
+    """A journal moves by load over stiffness; the gap of a ring is 50 times that of its capacity."""
+    text = template(kind).replace("method: film", "method: quick").replace("moments: [200 N m, 0 N m]", "")
+    heavy, light = (
+        solve(parse_case(text.replace(f"load: {load}", "load: 1 N"))).results[0]
+        for load in ("none", "10 kN" if "journal" in kind else "25 kN")
+    )
+    assert light.outcome is Outcome.CONVERGED
+    assert light.load == pytest.approx(1.0, rel=1e-6)
+    assert light.load_capacity == pytest.approx(heavy.load_capacity, rel=0.2)
+
+
 @pytest.mark.parametrize("method", METHODS)
 def test_every_shape_carries_its_load(method):
     shapes = (

@@ -16,8 +16,8 @@ from babbitt.hydrostatics.state import Ending
 
 __all__ = ["capacity"]
 
-STRIDE, MOST_STRIDES = 1.3, 40
-"""Ratio of two loads that are tried one after the other, and how many: five orders of magnitude."""
+STRIDE, MOST_STRIDES = 1.3, 60
+"""Ratio of two loads that are tried one after the other, and how many: nearly seven orders of magnitude."""
 TOLERANCE = 1e-5
 """Of the load, relative."""
 CONTACT = -1.0
