@@ -85,6 +85,16 @@ def test_the_quick_method_carries_a_load_far_below_what_the_recesses_push(kind):
 
 
 @pytest.mark.parametrize("method", METHODS)
+def test_a_ring_that_a_moment_tilts_below_its_least_gap_at_every_load_has_no_capacity(method):
+    """700 N m on a ring of 100 mm radius: lighter loads than 7 kN have their resultant outside of it."""
+    text = template("hydrostatic_thrust_ring").replace("method: film", f"method: {method}")
+    result = solve(parse_case(text.replace("200 N m", "700 N m"))).results[0]
+    assert result.minimum_film_thickness < 20e-6
+    assert "load_capacity" not in result.values
+    assert "C302" in {notice.code for notice in result.not_checked}
+
+
+@pytest.mark.parametrize("method", METHODS)
 def test_every_shape_carries_its_load(method):
     shapes = (
         pad_case(method=method),

@@ -101,7 +101,10 @@ def towards_kept(case: HydrostaticCase, load: float, here: float) -> tuple[float
             if heavier < 0.0:
                 return load, load * STRIDE
         return None
+    lightest = float(np.hypot(*case.duty.moments)) / case.reach  # films push: their resultant lies within the edge
     for _ in range(MOST_STRIDES):
+        if load / STRIDE < lightest:
+            return None
         if margin(case, load / STRIDE) >= 0.0:
             return load / STRIDE, load
         load /= STRIDE
