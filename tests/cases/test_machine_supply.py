@@ -51,6 +51,44 @@ def test_a_field_that_every_operating_point_overrides_is_not_varied(path, instea
     assert case_variation(file, "load").case("10 kN") is not None
 
 
+@pytest.mark.parametrize(
+    ("path", "value", "own", "instead"),
+    [
+        ("supply.temperature", "50 degC", "supply: {temperature: 45 degC}", "bearings.1.supply.temperature"),
+        ("supply.pressure", "0.3 MPa", "method: film, supply: {flow: 1 L/min}", "bearings.0.supply.pressure"),
+        ("lubricant", "ISO VG 32", "lubricant: ISO VG 68", "bearings.0.lubricant"),
+        (
+            "supply.temperature",
+            "50 degC",
+            "operating_points: [{name: a, supply_temperature: 40 degC}]",
+            "bearings.1.operating_points.0.supply_temperature",
+        ),
+        (
+            "bearings.0.supply_element.width",
+            "4 mm",
+            "operating_points: [{name: a, supply_element: {kind: groove_180, width: 6 mm}}]",
+            "bearings.0.operating_points.0.supply_element",
+        ),
+    ],
+)
+def test_a_field_of_a_machine_that_every_bearing_overrides_is_not_varied(path, value, own, instead, tmp_path):
+    rest = (
+        "span: 180 deg, diameter: 120 mm, width: 60 mm, load: 6 kN, speed: 1000 rpm, "
+        "clearance: {kind: relative, mean: 1.2 permille}, supply_element: {kind: groove_180, width: 5 mm}"
+    )
+    file = tmp_path / "machine.yaml"
+    shared = (
+        "kind: machine\nname: M\nlubricant: ISO VG 46\nmaterials: {bearing: C10, journal: C45}\n"
+        "supply: {temperature: 45 degC, pressure: 0.2 MPa}\nbearings:\n"
+    )
+    first = f"  - {{kind: journal, name: A, {rest}, {own}}}\n"
+    file.write_text(f"{shared}{first}  - {{kind: journal, name: B, {rest}, {own}}}\n")
+    with pytest.raises(InputError, match=instead):
+        case_variation(file, path).case(value)
+    file.write_text(f"{shared}{first.replace(own, '')}  - {{kind: journal, name: B, {rest}, {own}}}\n")
+    assert case_variation(file, path).case(value) is not None
+
+
 COOLED = {
     "kind": "journal", "name": "A", "diameter": "100 mm", "width": "50 mm", "span": "360 deg",
     "clearance": {"kind": "relative", "mean": "1.2 permille"}, "load": "2 kN", "speed": "300 rpm",

@@ -37,6 +37,9 @@ BY_FORMULA = ("iso7902", "quick", "statics", "superposition")
 LOOSE = ("stiffness", "damping", "mass", "threshold", "whirl", "error", "stability", "amplif")
 NUMBER = re.compile(r"[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
+ROUND_OFF = 1e-12
+"""Below which errors of balances are round-off, as numbers and in texts."""
+
 
 def answer(name: str) -> dict[str, Any]:
     """Results and report of one case, without what is volatile."""
@@ -76,7 +79,7 @@ def differences(kept: Any, now: Any, tolerance: float, where: str = "") -> Itera
         for place, (one, other) in enumerate(zip(kept, now, strict=False)):
             yield from differences(one, other, tolerance, f"{where}/{place}")
     elif isinstance(kept, float) and isinstance(now, int | float) and not isinstance(now, bool):
-        if not math.isclose(kept, now, rel_tol=tolerance, abs_tol=1e-12):
+        if not math.isclose(kept, now, rel_tol=tolerance, abs_tol=ROUND_OFF):
             yield f"{where}: {kept!r} in the golden, {now!r} in the answer"
     elif isinstance(kept, str) and isinstance(now, str):
         if not same_text(kept, now):
@@ -92,7 +95,7 @@ def same_text(kept: str, now: str) -> bool:
     if NUMBER.sub("#", kept) != NUMBER.sub("#", now):
         return False
     pairs = zip(NUMBER.findall(kept), NUMBER.findall(now), strict=True)
-    return all(abs(_value(one) - _value(other)) <= 1.01 * _step(one) for one, other in pairs)
+    return all(abs(_value(one) - _value(other)) <= max(1.01 * _step(one), ROUND_OFF) for one, other in pairs)
 
 
 def _value(text: str) -> float:

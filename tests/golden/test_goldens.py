@@ -16,6 +16,8 @@ def test_texts_may_differ_in_the_last_digit_alone():
     assert same_text("h = 24.31 µm at 45 °C", "h = 24.32 µm at 45 °C")
     assert not same_text("h = 24.31 µm at 45 °C", "h = 24.33 µm at 45 °C")
     assert not same_text("h = 24.31 µm", "h = 24.31 mm")
+    assert same_text("5.57e-13", "5.40e-13")  # round-off of a balance
+    assert not same_text("5.57e-9", "5.40e-9")
 
 
 def test_a_changed_number_or_a_lost_entry_is_found():

@@ -71,6 +71,29 @@ def test_both_methods_tell_nearly_the_same(kind):
     assert film.mass_balance_error < 1e-8
 
 
+@pytest.mark.parametrize("kind", ["hydrostatic_thrust_ring", "hydrostatic_journal"])
+def test_the_quick_method_carries_a_load_far_below_what_the_recesses_push(kind):
+    """A journal moves by load over stiffness; the gap of a ring is 50 times that of its capacity."""
+    text = template(kind).replace("method: film", "method: quick").replace("moments: [200 N m, 0 N m]", "")
+    heavy, light = (
+        solve(parse_case(text.replace(f"load: {load}", "load: 1 N"))).results[0]
+        for load in ("none", "10 kN" if "journal" in kind else "25 kN")
+    )
+    assert light.outcome is Outcome.CONVERGED
+    assert light.load == pytest.approx(1.0, rel=1e-6)
+    assert light.load_capacity == pytest.approx(heavy.load_capacity, rel=0.2)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_ring_that_a_moment_tilts_below_its_least_gap_at_every_load_has_no_capacity(method):
+    """700 N m on a ring of 100 mm radius: lighter loads than 7 kN have their resultant outside of it."""
+    text = template("hydrostatic_thrust_ring").replace("method: film", f"method: {method}")
+    result = solve(parse_case(text.replace("200 N m", "700 N m"))).results[0]
+    assert result.minimum_film_thickness < 20e-6
+    assert "load_capacity" not in result.values
+    assert "C302" in {notice.code for notice in result.not_checked}
+
+
 @pytest.mark.parametrize("method", METHODS)
 def test_every_shape_carries_its_load(method):
     shapes = (
@@ -418,6 +441,14 @@ def test_jacking_lifts_off_the_roughness_or_not_at_all():
     needed = float(weak.message.split("more than ")[1].split(" L/min")[0])
     for share, outcome in ((0.98, Outcome.OVERLOADED), (1.02, Outcome.CONVERGED)):
         assert jacking_check(jacking(lift_gap=None, pump_flow=share * needed / 6e4)).outcome is outcome
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_lift_below_a_thousandth_of_the_clearance_is_found(method):
+    """Above a roughness of 0.05 um, with a clearance of 150 um."""
+    flow = lift_at(jacking(method=method), 0.1e-6).flow
+    lifted = jacking_check(jacking(method=method, lift_gap=None, roughness=0.05e-6, pump_flow=flow))
+    assert lifted.minimum_film_thickness == pytest.approx(0.1e-6, rel=1e-6)
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -59,6 +59,12 @@ def test_the_recommended_clearance_is_held_against_the_clearance_of_the_point():
         assert found[name][1] == pytest.approx(value, rel=1e-12, nan_ok=True), name
 
 
+def test_spans_are_varied_in_radians():
+    found = sweep(parse_case(TEXT), "span", [math.radians(150.0), math.radians(180.0)])
+    assert found["angular_span"] == pytest.approx(np.radians([150.0, 180.0]))
+    assert found.solved.all()
+
+
 def test_factors_are_not_rounded():
     arc = TEXT.replace("speed: 2000 rpm", "speed: 2000 rpm\nfriction: {factor: 1}")
     friction = sweep(parse_case(arc), "friction.factor", [1.0, 1.2, 1.4])["friction_torque"]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from pydantic import AfterValidator, Field
 
 from babbitt.standards.iso7902.span import TABULATED_SPANS
-from babbitt.units import AS_WRITTEN, QuantityError, bare_number, read
+from babbitt.units import AS_WRITTEN, QuantityError, SiNumber, bare_number, read
 
 if TYPE_CHECKING:
     from pydantic import GetCoreSchemaHandler, GetJsonSchemaHandler, ValidationInfo
@@ -73,7 +73,7 @@ class TabulatedSpan:
         return ", ".join(f"{span} deg" for span in TABULATED_SPANS)
 
     def _validated(self, given: object, info: ValidationInfo) -> int:
-        bare = bare_number(given)
+        bare = None if isinstance(given, SiNumber) else bare_number(given)
         if bare is not None and (info.context is AS_WRITTEN or isinstance(given, str)):
             hint = f"write '{bare:.12g} deg'" if bare in TABULATED_SPANS else ""
             raise QuantityError(f"{bare:.12g} has no unit", self.allowed, hint)

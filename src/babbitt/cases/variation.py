@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import copy
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from babbitt.cases.build import case_hash
+from babbitt.cases.cooling import Cooling
 from babbitt.cases.loading import build_case, load_case, read_file
+from babbitt.cases.materials import Materials
 from babbitt.cases.named_files import NamedFiles
 from babbitt.cases.operating_point import LOADS, SPEEDS
+from babbitt.cases.supply import Supply
 from babbitt.files.printing import printable
 from babbitt.files.reading import Reach
 from babbitt.notices import InputError
@@ -27,6 +31,14 @@ ALTERNATIVES = (LOADS, SPEEDS, ("width", "width_ratio"))
 
 POINT_FIELDS = (LOADS, SPEEDS, ("supply_pressure", "supply_flow"))
 """Fields of operating points of which a value in one takes the place of the others of the bearing."""
+
+SHARED: Mapping[str, tuple[tuple[str, ...], ...]] = {
+    "lubricant": (),
+    "supply": Supply.alternatives,
+    "cooling": Cooling.alternatives,
+    "materials": Materials.alternatives,
+}
+"""Parts that a machine gives to its bearings, and their fields that take the place of each other."""
 
 
 class CaseVariation:
@@ -85,7 +97,7 @@ class CaseVariation:
         """
         varied = copy.deepcopy(self.given)
         place, name = self._container(varied), self._steps[-1]
-        self._refuse_if_overridden(place, name)
+        self._refuse_if_overridden()
         for others in ALTERNATIVES:
             if name in others and isinstance(place, dict):
                 for other in others:
@@ -97,29 +109,26 @@ class CaseVariation:
         title = f"{printable(self.file)} with {self.path}: {value}"
         return build_case(varied, title, NamedFiles(self.file.parent, self.reach))
 
-    def _refuse_if_overridden(self, place: Any, name: str) -> None:
-        """Refuse a field of a bearing in whose place its operating points have their own: nothing would change."""
-        path = self._steps
-        owner: Any = self.given
-        below = len(path) > 1 and path[-2] == "supply"
-        if below:
-            name = f"supply_{name}"
-            for step in path[:-2]:
-                owner = owner[_key(owner, step)]
+    def _refuse_if_overridden(self) -> None:
+        """Refuse a field in whose place all bearings or operating points have their own: nothing would change."""
+        first, *rest = self._steps
+        bearings = self.given.get("bearings")
+        if not isinstance(bearings, list):
+            instead = _of_points(self.given, (), first, rest)
+        elif first == "bearings":
+            owner = bearings[int(rest[0])]
+            instead = _of_points(owner, (first, rest[0]), rest[1], rest[2:]) if len(rest) > 1 else []
         else:
-            owner = place
-        points = owner.get("operating_points") if isinstance(owner, dict) else None
-        if not isinstance(points, list):
-            return
-        names = next((group for group in POINT_FIELDS if name in group), (name,))
-        own = [
-            number for number, point in enumerate(points) if isinstance(point, dict) and point.keys() & set(names)
-        ]
-        if own and len(own) == len(points):
-            says = f"every operating point gives its own, so that '{self.path}' changes nothing"
-            also = ", ".join(
-                f"'{'.'.join((*path[: -2 if below else -1], 'operating_points', str(n), name))}'" for n in own
-            )
+            own = [
+                _of_bearing(one, first, rest, f"bearings.{number}") or _of_points(one, path, first, rest)
+                for number, one in enumerate(bearings)
+                for path in [("bearings", str(number))]
+            ]
+            instead = [one for found in own for one in found] if all(own) else []
+        if instead:
+            whose = "bearing or operating point" if isinstance(bearings, list) else "operating point"
+            says = f"every {whose} gives its own, so that '{self.path}' changes nothing"
+            also = ", ".join(f"'{one}'" for one in instead)
             raise InputError("E005", f"{self.file}: {says}; vary {also}")
 
     def _container(self, given: Any) -> Any:
@@ -203,6 +212,30 @@ def variation_of(case: Case, path: str) -> CaseVariation:
     return CaseVariation(
         origin.file, copy.deepcopy(dict(origin.given)), path, reach=origin.reach, inputs=case.files
     )
+
+
+def _of_points(bearing: Any, path: tuple[str, ...], part: str, rest: Sequence[str]) -> list[str]:
+    """Fields of the operating points of a bearing in the place of one of its own; empty where a point has none."""
+    points = bearing.get("operating_points") if isinstance(bearing, dict) else None
+    name = f"supply_{rest[0]}" if part == "supply" and rest else part
+    names = next((group for group in POINT_FIELDS if name in group), (name,))
+    if not isinstance(points, list):
+        return []
+    own = [number for number, point in enumerate(points) if isinstance(point, dict) and point.keys() & set(names)]
+    found = [".".join((*path, "operating_points", str(number), name)) for number in own]
+    return found if len(own) == len(points) else []
+
+
+def _of_bearing(bearing: Any, part: str, rest: Sequence[str], path: str) -> list[str]:
+    """Field of a bearing in the place of one of its machine; empty where it has none."""
+    own = bearing.get(part) if isinstance(bearing, dict) else None
+    if part not in SHARED or own is None:
+        return []
+    if part == "lubricant":
+        return [f"{path}.lubricant"]
+    names = next((group for group in SHARED[part] if rest and rest[0] in group), tuple(rest[:1]))
+    given = isinstance(own, dict) and bool(own.keys() & set(names))
+    return [f"{path}.{part}.{rest[0]}"] if given else []
 
 
 def _files_of(origin: Origin) -> NamedFiles:

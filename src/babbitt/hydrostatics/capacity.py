@@ -16,8 +16,8 @@ from babbitt.hydrostatics.state import Ending
 
 __all__ = ["capacity"]
 
-STRIDE, MOST_STRIDES = 1.3, 40
-"""Ratio of two loads that are tried one after the other, and how many: five orders of magnitude."""
+STRIDE, MOST_STRIDES = 1.3, 60
+"""Ratio of two loads that are tried one after the other, and how many: nearly seven orders of magnitude."""
 TOLERANCE = 1e-5
 """Of the load, relative."""
 CONTACT = -1.0
@@ -101,7 +101,10 @@ def towards_kept(case: HydrostaticCase, load: float, here: float) -> tuple[float
             if heavier < 0.0:
                 return load, load * STRIDE
         return None
+    lightest = float(np.hypot(*case.duty.moments)) / case.reach  # films push: their resultant lies within the edge
     for _ in range(MOST_STRIDES):
+        if load / STRIDE < lightest:
+            return None
         if margin(case, load / STRIDE) >= 0.0:
             return load / STRIDE, load
         load /= STRIDE

@@ -223,7 +223,8 @@ def gap_for_flow(case: JackingCase, flow: float) -> float:
     def excess(log_gap: float) -> float:
         return math.log(lift_at(case, math.exp(log_gap)).flow / flow)
 
-    low, high = math.log(1e-3 * case.bearing.clearance), math.log(0.9 * case.bearing.clearance)
+    least = min(1e-3 * case.bearing.clearance, case.roughness)
+    low, high = math.log(least), math.log(0.9 * case.bearing.clearance)
     if excess(low) > 0.0 or excess(high) < 0.0:
         return math.nan
     return math.exp(bracketed_root(excess, low, high, 1e-11))

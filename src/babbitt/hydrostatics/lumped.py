@@ -26,6 +26,8 @@ Array = NDArray[np.float64]
 TURN = 2.0 * math.pi
 FLAT = 1e-9
 """Of the largest stiffness: what is less is none."""
+ROUND_OFF = 1e-12
+"""Of what all recesses push, whatever their direction: no load is met more closely than that."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,7 +124,8 @@ def lumped_under(lumps: Lumps, feeding: Feeding, load: Array, state: LumpedState
     for _ in range(80):
         residual = state.response.force + load
         short = float(np.abs(residual * arm).max())
-        if short < 1e-10 * size:
+        pushed = float((np.abs(lumps.area) @ np.abs(state.network.pressures) * arm).max())
+        if short < max(1e-10 * size, ROUND_OFF * pushed):
             return state
         best = max(best, 1.0 - short / size)
         stiffness, damping = static_coefficients(state.response, state.network)
