@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from time import perf_counter
 
 from babbitt.bearings.film_premises import film_assumptions, film_settings
 from babbitt.bearings.film_values import fills_of, film_values, rows_of, supply_pressures, tilt_values
 from babbitt.bearings.grid_error import grid_errors
-from babbitt.bearings.layout import closed_pockets, without_pressure
+from babbitt.bearings.layout import closed_pockets, with_flow_of_ducts, without_pressure
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.orbit_answer import (
     orbit_checks,
@@ -35,7 +36,7 @@ from babbitt.bearings.thermal_answer import (
     with_own_coefficients,
 )
 from babbitt.bearings.thermal_failure import thermal_failure
-from babbitt.bearings.thermal_film import film_equilibrium
+from babbitt.bearings.thermal_film import film_within_ducts
 from babbitt.bearings.transition import transition_speed
 from babbitt.bearings.unloaded import missing_without_load
 from babbitt.bearings.warm_film import FilmState, under_found_load
@@ -52,6 +53,7 @@ from babbitt.design.doubts import (
     doubts_about_running,
 )
 from babbitt.design.failure import failure
+from babbitt.design.feeding import Arrival
 from babbitt.film.model import Cavitation
 from babbitt.film.whirl import Whirl
 from babbitt.film.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values
@@ -97,7 +99,10 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
     supply ``T_eff`` is that of the bearing.
     """
     start = perf_counter()
-    found = film_equilibrium(case)
+    asked = case
+    case, found, beyond = film_within_ducts(case)
+    if beyond is not None:
+        case = replace(case, doubts=(*case.doubts, *_doubts_about_ducts(asked, case, beyond)))
     outcome, message = found.outcome, ""
     if not outcome.solved:
         message = failure(case, found) if case.heat is None else thermal_failure(case, found)
@@ -159,6 +164,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
                 arrays["orbit"] = orbit_rows(orbit)
                 checks = (*checks, *orbit_checks(checks, values))
                 warnings = (*warnings, *orbit_doubts(case, orbit))
+        values |= _supply_of_ducts(asked, beyond)
         values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
     return Result(
@@ -178,6 +184,26 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
         | _tilt_missing(case, outcome, arrays)
         | missing_without_load(case, found.film),
     )
+
+
+def _doubts_about_ducts(asked: FilmCase, case: FilmCase, beyond: Arrival) -> Iterator[Notice]:
+    """Tell of a film that would draw more oil than tubes and holes pass, and of one that is not limited to that."""
+    yield from doubt_about_supply(beyond.limit, beyond.flow)
+    if case is asked:
+        yield Notice("W186", "the film is solved as if it got the oil all the same")
+
+
+def _supply_of_ducts(asked: FilmCase, beyond: Arrival | None) -> dict[str, float]:
+    """The supply of a film whose tubes and holes pass less than it would draw; else empty."""
+    if beyond is None or beyond.limit is None or asked.oil_supply is None:
+        return {}
+    return {
+        "supply_pressure": asked.oil_supply.pressure,
+        "element_pressure": beyond.element_pressure,
+        "tube_loss": beyond.tube_loss,
+        "hole_loss": beyond.hole_loss,
+        "supply_limit": beyond.limit,
+    }
 
 
 def _tilt_missing(case: FilmCase, outcome: Outcome, arrays: Mapping[str, Matrix]) -> dict[str, str]:
@@ -221,7 +247,6 @@ def _doubts(
         yield Notice("W140", f"the supplies fill {fills} of the gap with the {flow:.3g} L/min given")
     if case.bearing_speed:
         yield Notice("W114", "the bearing rotates; values from experience hold for bearings at rest")
-    yield from doubt_about_supply(state.feed is not None and state.feed.starved)
     if values["mass_balance_error"] > OIL_INVENTED_FROM:
         share = values["mass_balance_error"]
         yield Notice("W122", f"{share:.0%} of the oil that passes the film comes from nowhere")

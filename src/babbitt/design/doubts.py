@@ -137,10 +137,14 @@ def _doubts_about_cold_oil(case: Designed, values: Mapping[str, float]) -> Itera
         )
 
 
-def doubt_about_supply(starved: bool) -> Iterator[Notice]:
-    """Whether any supply pressure is left at the supply element."""
-    if starved:
-        yield Notice("W111", "losses in tubes and holes use up the whole supply pressure; supply flow taken as 0")
+def doubt_about_supply(limit: float | None, wanted: float) -> Iterator[Notice]:
+    """Whether tubes and holes pass what the film wants; m³/s, no limit where they do."""
+    if limit is not None:
+        yield Notice(
+            "W111",
+            f"at the whole supply pressure tubes and holes pass {limit * 6e4:.3g} L/min, and the film wants "
+            f"{wanted * 6e4:.3g} L/min: no pressure is left at the supply element",
+        )
 
 
 def doubts_about_running(

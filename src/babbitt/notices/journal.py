@@ -56,8 +56,9 @@ JOURNAL: dict[str, Explanation] = {
     ),
     "W111": Explanation(
         "Supply pressure used up",
-        "The pressure losses on the way consume the supply pressure: nothing is left to push oil through the "
-        "supply element, and the side flow may not be made good.",
+        "At the whole supply pressure tubes and holes pass less oil than the film wants: nothing is left to push "
+        "oil through the supply element, and the film gets what they pass. ISO 7902 repeats its heat balance with "
+        "that flow; the film of one temperature is solved as starved.",
         "Larger tubes and holes, or a higher supply pressure.",
     ),
     "W112": Explanation(
@@ -106,20 +107,35 @@ JOURNAL: dict[str, Explanation] = {
     ),
     "W123": Explanation(
         "Supply delivers less than the film wants",
-        "What holes, slots or pockets can deliver, Q_p and the oil that the journal shears away over their width, "
+        "What the supply can deliver, Q_p and the oil that the journal shears away over the width of the supply "
+        "element (none out of a groove all around), at most what tubes and holes pass, "
         "is less than the side flow with which ISO 7902 closes its heat balance. That is repeated with the lesser "
         "flow; its temperatures and films, named starved, are held against the limits. The estimate of what is "
         "delivered is an assumption, within a factor of about two of films that conserve their oil.",
-        "Wider pockets or a higher supply pressure; `method: film` with `thermal: adiabatic` tells more.",
+        "Wider pockets or grooves, wider tubes and holes, or a higher supply pressure; `method: film` with "
+        "`thermal: adiabatic` tells more.",
     ),
     "W124": Explanation(
-        "Little or no supply flow",
-        "Oil is supplied, yet no pressure presses any through the bearing: no supply element is given, or none "
-        "is left of the supply pressure; or a groove around the whole circumference, out of which pressure alone "
-        "takes the oil, delivers less than the side flow. The film is taken to draw its side flow all the same, "
-        "which nothing shows to reach it; with less it runs hotter and thinner.",
-        "Give the `supply_element` and the pressure of the supply, or compare with `method: film`; more "
-        "supply pressure.",
+        "No supply flow",
+        "Oil is supplied, yet no pressure presses any through the supply element, or none is given: only the "
+        "journal draws oil to the film.",
+        "The pressure of the supply and its `supply_element`, or compare with `method: film`.",
+    ),
+    "W186": Explanation(
+        "Film not limited to its supply",
+        "At the whole supply pressure tubes and holes pass less oil than the film draws. Only a film of one "
+        "temperature that conserves its oil and carries a constant load is solved with the lesser flow; this one is "
+        "cooled by oil that does not reach it.",
+        "Larger tubes and holes, a higher supply pressure, or `thermal: global` with `cavitation: mass_conserving`.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W185": Explanation(
+        "Nothing tells that oil reaches the film",
+        "No supply element is given, or the supply delivers nothing: a groove all around without pressure, tubes or "
+        "holes without pressure. The heat balance takes the film to draw its side flow all the same. Without oil "
+        "no film and no temperature of it is known.",
+        "Give the `supply_element` and the pressure of the supply; or `method: film`.",
+        effect=Effect.NO_VERDICT,
     ),
     "W121": Explanation(
         "Flow of open grooves",

@@ -73,7 +73,8 @@ def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice
 
 def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:
     element = case.bearing.supply_element
-    yield from doubt_about_supply(film.feed is not None and film.feed.starved)
+    if film.feed is not None:
+        yield from doubt_about_supply(film.feed.limit, film.side_flow)
     if element is None:
         return
     if isinstance(element, Holes | Pockets):
