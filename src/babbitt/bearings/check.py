@@ -10,7 +10,7 @@ from time import perf_counter
 from babbitt.bearings.film_premises import film_assumptions, film_settings
 from babbitt.bearings.film_values import fills_of, film_values, rows_of, supply_pressures, tilt_values
 from babbitt.bearings.grid_error import grid_errors
-from babbitt.bearings.layout import closed_pockets, with_flow_of_ducts, without_pressure
+from babbitt.bearings.layout import closed_pockets, supply_numbers, without_pressure
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.orbit_answer import (
     orbit_checks,
@@ -47,6 +47,7 @@ from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import GivenLoad, contact_film
 from babbitt.design.doubts import (
     PLAIN_BEARING_UP_TO,
+    doubt_about_hole,
     doubt_about_pressure,
     doubt_about_supply,
     doubts_about_film,
@@ -56,7 +57,7 @@ from babbitt.design.failure import failure
 from babbitt.design.feeding import Arrival
 from babbitt.film.model import Cavitation
 from babbitt.film.whirl import Whirl
-from babbitt.film.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values
+from babbitt.film.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values, without_critical_mass
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Matrix, Outcome, Result
 
@@ -111,6 +112,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
     warnings = case.doubts
     not_made: tuple[Notice, ...] = ()
     arrays, settings = {}, film_settings(case)
+    no_mass = ""
     if found.film is not None:
         state, slope = confirmed_state(case, found.film)
         frozen, values, followed = state, film_values(case, state), True
@@ -142,6 +144,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
             values |= grid_errors(case, state) if case.error_estimate else {}
             places = resting_places(case, state) if case.heat is None else None
             values |= resting_values(places)
+            no_mass = without_critical_mass(whirl)
             limits = (*_limit_checks(case, values), *resting_checks(case, values))
             flattered = flattered_by_rest(case, state.solution)
             checks = (*certain(limits, flattered), *whirl_checks(case, whirl), clearance_check(case, values))
@@ -149,6 +152,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
                 *checks_not_made(case, values),
                 *unjudged(limits, flattered),
                 *slope_not_asked(frozen, slope),
+                *((Notice("C115", no_mass),) if no_mass else ()),
             )
             warnings = (*_doubts(case, state, values, checks, whirl), *doubts_about_slope(case, slope))
             if state.thermal is not None:
@@ -181,6 +185,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
         settings,
         arrays,
         {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))}
+        | ({"critical_mass": no_mass} if no_mass else {})
         | _tilt_missing(case, outcome, arrays)
         | missing_without_load(case, found.film),
     )
@@ -255,6 +260,7 @@ def _doubts(
         flow = film.side_inflow * 6e4
         yield Notice("W141", f"the sides draw in {flow:.2g} L/min")
     yield from doubt_about_pressure(values["maximum_pressure"])
+    yield from _doubts_about_holes(case, state)
     yield from _doubts_about_grooves(case, state, values)
     if case.error_estimate and "stiffness_error" not in values:
         yield Notice("W125", "the film on the finer grid was not found")
@@ -262,6 +268,24 @@ def _doubts(
         yield from doubts_about_whirl(whirl)
     solved = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
     yield from (doubt for doubt in doubts_about_running(case, values, checks) if doubt.code not in solved)
+
+
+def _doubts_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
+    """The hole that costs most of the supply pressure, if that is notable; those of a flow or pressure of their own
+    are fed by it."""
+    supply, film = case.oil_supply, state.solution
+    if supply is None or supply.flow is not None:
+        return
+    numbered = zip(case.bearing.hollows, supply_numbers(case, film.film), strict=True)
+    passed = [
+        (float(film.supply_flow[number]), hollow.bore_hole)
+        for hollow, number in numbered
+        if hollow.bore_hole is not None and hollow.pressure is None and hollow.flow is None
+    ]
+    if passed:
+        flow, diameter = max(passed, key=lambda one: one[0] / one[1] ** 2)
+        density = case.lubricant.density(supply.temperature)
+        yield from doubt_about_hole(supply, diameter, max(flow, 0.0), density)
 
 
 def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, float]) -> Iterator[Notice]:

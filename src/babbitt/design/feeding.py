@@ -25,6 +25,7 @@ class Arrival:
     flow: float
     limit: float | None = None
 
+
 def arrival(supply: OilSupply, oil: Lubricant, flow_at: Callable[[float], float]) -> Arrival:
     """Balance the pressure at the supply element with the losses of the flow it drives.
 

@@ -22,7 +22,8 @@ JOURNAL: dict[str, Explanation] = {
     "W103": Explanation(
         "Supply element outside the range of its flow formula",
         "The corrections q_H and q_P of holes and pockets hold for a width of 0.05 to 0.7 of that of the "
-        "bearing; outside, that of the nearest bound is used. The logarithm takes the true width up to 0.9.",
+        "bearing; outside, that of the nearest bound is used. The logarithm takes the true width up to 0.9. Grooves "
+        "wider than 0.7 leave lands that the flow along them, which is not counted, may starve.",
         "Take the supply flow as an estimate; a film method gives the flow of the real pocket.",
     ),
     "W104": Explanation(
@@ -128,6 +129,18 @@ JOURNAL: dict[str, Explanation] = {
         "cooled by oil that does not reach it.",
         "Larger tubes and holes, a higher supply pressure, or `thermal: global` with `cavitation: mass_conserving`.",
         effect=Effect.NO_VERDICT,
+    ),
+    "W187": Explanation(
+        "Loss in the supply hole not counted",
+        "The oil is so fast in a hole of the bearing that entrance and exit cost more than a tenth of the supply "
+        "pressure. Only losses in `supply.tubes` and `supply.holes` are counted.",
+        "Give the hole under `supply.holes`, too; a larger hole.",
+    ),
+    "W188": Explanation(
+        "Span wider than a half groove leaves",
+        "A groove around the unloaded half ends the film: the loaded arc is 180 deg. Characteristics of a wider "
+        "arc flatter the bearing.",
+        "`span: 180 deg`.",
     ),
     "W185": Explanation(
         "Nothing tells that oil reaches the film",
