@@ -192,7 +192,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
 
 
 def _doubts_about_ducts(asked: FilmCase, case: FilmCase, beyond: Arrival) -> Iterator[Notice]:
-    """Tell of a film that would draw more oil than tubes and holes pass, and of one that is not limited to that."""
+    """Tell of a film that would draw more oil than tubes and holes pass, and of one not limited to that."""
     yield from doubt_about_supply(beyond.limit, beyond.flow)
     if case is asked:
         yield Notice("W186", "the film is solved as if it got the oil all the same")
@@ -271,8 +271,7 @@ def _doubts(
 
 
 def _doubts_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
-    """The hole that costs most of the supply pressure, if that is notable; those of a flow or pressure of their own
-    are fed by it."""
+    """The hole that costs most of the supply pressure, if that is notable."""
     supply, film = case.oil_supply, state.solution
     if supply is None or supply.flow is not None:
         return

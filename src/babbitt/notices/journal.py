@@ -22,8 +22,8 @@ JOURNAL: dict[str, Explanation] = {
     "W103": Explanation(
         "Supply element outside the range of its flow formula",
         "The corrections q_H and q_P of holes and pockets hold for a width of 0.05 to 0.7 of that of the "
-        "bearing; outside, that of the nearest bound is used. The logarithm takes the true width up to 0.9. Grooves "
-        "wider than 0.7 leave lands that the flow along them, which is not counted, may starve.",
+        "bearing; outside, that of the nearest bound is used. The logarithm takes the true width up to 0.9. "
+        "Grooves wider than 0.7 leave narrow lands, and pass much oil by a formula that nothing confirms there.",
         "Take the supply flow as an estimate; a film method gives the flow of the real pocket.",
     ),
     "W104": Explanation(
@@ -125,9 +125,9 @@ JOURNAL: dict[str, Explanation] = {
     "W186": Explanation(
         "Film not limited to its supply",
         "At the whole supply pressure tubes and holes pass less oil than the film draws. Only a film of one "
-        "temperature that conserves its oil and carries a constant load is solved with the lesser flow; this one is "
-        "cooled by oil that does not reach it.",
-        "Larger tubes and holes, a higher supply pressure, or `thermal: global` with `cavitation: mass_conserving`.",
+        "temperature that conserves its oil and carries a constant load is solved with the lesser flow; this one "
+        "is cooled by oil that does not reach it.",
+        "Larger tubes and holes, more supply pressure, or `thermal: global` with `cavitation: mass_conserving`.",
         effect=Effect.NO_VERDICT,
     ),
     "W187": Explanation(
@@ -144,9 +144,9 @@ JOURNAL: dict[str, Explanation] = {
     ),
     "W185": Explanation(
         "Nothing tells that oil reaches the film",
-        "No supply element is given, or the supply delivers nothing: a groove all around without pressure, tubes or "
-        "holes without pressure. The heat balance takes the film to draw its side flow all the same. Without oil "
-        "no film and no temperature of it is known.",
+        "No supply element is given, or the supply delivers nothing: a groove all around without pressure, tubes "
+        "or holes without pressure. The heat balance takes the film to draw its side flow all the same. Without "
+        "oil no film and no temperature of it is known.",
         "Give the `supply_element` and the pressure of the supply; or `method: film`.",
         effect=Effect.NO_VERDICT,
     ),

@@ -12,8 +12,8 @@ from babbitt.standards.iso7902.model import DesignCase
 class Feed:
     """Supply of the film: number Qp*, flow in m³/s, pressure at the element and losses in Pa.
 
-    `limit` is the flow in m³/s that tubes and holes pass at the whole supply pressure, where the film wants more: the
-    element is then at ambient pressure.
+    `limit` is the flow in m³/s that tubes and holes pass at the whole supply pressure, where the film wants more:
+    the element is then at ambient pressure.
     """
 
     flow_number: float
