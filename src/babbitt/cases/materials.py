@@ -104,11 +104,12 @@ class Metal(Part):
             return None
 
     def _with_own_limits(self, known: BearingMetal) -> BearingMetal:
-        loads = {
-            name: SourcedValue(value, OWN)
-            for name in ("specific_load", "sliding_speed", "load_times_speed")
-            if (value := getattr(self, name)) is not None
+        own = {
+            "specific_load": self.specific_load,
+            "sliding_speed": self.sliding_speed,
+            "pv": self.load_times_speed,
         }
+        loads = {name: SourcedValue(value, OWN) for name, value in own.items() if value is not None}
         heat = known.limiting_temperature if self.temperature is None else SourcedValue(self.temperature, OWN)
         return replace(
             known,
