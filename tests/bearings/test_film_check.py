@@ -9,7 +9,7 @@ import pytest
 from film_bearings import GROOVES, answer, case, solved
 
 from babbitt.bearings.bore import Arc, LobedBore, MeasuredBore, TaperedBore, WornBore
-from babbitt.results import Outcome
+from babbitt.results import Outcome, Verdict
 from babbitt.solving import solve
 
 PLAIN = {
@@ -130,6 +130,16 @@ def test_losses_on_the_way_cost_pressure():
     narrow = {"diameter": "8 mm", "length": "5 m"}
     starved = answer(supply={"temperature": "45 degC", "pressure": "0.15 MPa", "tubes": [narrow]})
     assert "W111" in {notice.code for notice in starved.warnings}
+    assert starved.total_flow < fed.total_flow
+    assert starved.supply_limit == pytest.approx(starved.given_flow)
+    assert starved.total_flow <= starved.supply_limit * 1.01
+    assert starved.effective_temperature > fed.effective_temperature
+    assert starved.tube_loss == pytest.approx(0.15e6)
+    warm = answer(
+        supply={"temperature": "45 degC", "pressure": "0.15 MPa", "tubes": [narrow]}, thermal="adiabatic"
+    )
+    assert {"W111", "W186"} <= {notice.code for notice in warm.warnings}
+    assert warm.verdict in (Verdict.FAIL, Verdict.NO_VERDICT)
 
 
 def test_the_prescribed_position_gives_back_the_load():

@@ -94,3 +94,23 @@ def test_heat_that_is_not_accounted_for_is_told(error, code):
     values = {**check(CASE_A).values, "energy_balance_error": error}
     running = {notice.code for notice in doubts_about_running(CASE_A, values, ())}
     assert running & {"W146", "W325"} == set(told)
+
+
+def test_a_film_that_bears_every_rotor_says_why_it_has_no_critical_mass():
+    pockets = [{"angle": f"{angle} deg", "extent": "20 deg", "width": "40 mm"} for angle in (0, 180)]
+    steady = answer(grooves=None, pockets=pockets, load_angle="-60 deg")
+    assert ("critical_mass" in steady.values) != ("critical_mass" in steady.missing)
+    assert any(one.code == "C115" for one in (*steady.checks, *steady.not_checked))
+    assert steady.stable_at_any_mass == 1.0
+    assert "any mass" in steady.missing["critical_mass"]
+
+
+def test_a_film_without_oil_is_told_to_be_fed():
+    dry = answer(
+        grooves=None,
+        span="360 deg",
+        supply_element={"kind": "groove_360", "width": "8 mm"},
+        supply={"temperature": "45 degC", "pressure": "0 MPa"},
+    )
+    assert not dry.outcome.solved
+    assert "no pressure presses oil into the film. Try: a supply pressure" in dry.message

@@ -6,7 +6,7 @@ import pytest
 from film_bearings import answer, case, film
 
 from babbitt.bearings.layout import film_of
-from babbitt.cases import design_cases
+from babbitt.cases import CaseError, design_cases
 from babbitt.film.model import FilmStart
 
 
@@ -155,3 +155,11 @@ def test_pockets_without_grooves_close_the_ring():
 def test_own_hollows_replace_the_element():
     element = {"kind": "hole", "diameter": "10 mm", "place": "opposite"}
     assert film(supply_element=element, span="360 deg").bearing.hollows == film().bearing.hollows
+
+
+def test_a_slot_lies_along_the_shaft():
+    (hollow,) = by_rule(supply_element=SLOT).bearing.hollows
+    assert hollow.width == pytest.approx(0.060)
+    for length, width in (("96 mm", "80 mm"), ("80 mm", "80 mm")):
+        with pytest.raises(CaseError, match="one around the bore is a pocket"):
+            by_rule(supply_element=SLOT | {"length": length}, width=width)

@@ -413,3 +413,21 @@ def test_several_holes_do_not_interact():
 
     assert told(3)
     assert not told(1)
+
+
+def doubts_of_a(**changes):
+    return {notice.code: notice.message for notice in built(**changes).doubts}
+
+
+def test_a_span_wider_than_a_half_groove_leaves_is_told():
+    groove = {"kind": "groove_180", "width": "6 mm"}
+    assert "W188" in doubts_of_a(supply_element=groove, span="360 deg")
+    for span in ("180 deg", "120 deg"):
+        assert "W188" not in doubts_of_a(supply_element=groove, span=span)
+    assert "W188" not in doubts_of_a(supply_element=groove | {"kind": "groove_360"}, span="360 deg")
+
+
+def test_a_load_into_a_pocket_that_the_standard_does_not_read_is_told():
+    pockets = [{"angle": f"{angle} deg", "extent": "20 deg", "width": "40 mm"} for angle in (0, 180)]
+    assert "into pockets.1" in doubts_of_a(pockets=pockets, load_angle="172 deg")["W143"]
+    assert "W143" not in doubts_of_a(pockets=pockets, load_angle="-90 deg")

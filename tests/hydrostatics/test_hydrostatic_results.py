@@ -347,7 +347,7 @@ def test_interior_of_a_template_can_be_changed():
     for old, new in (
         ("pad: {kind: circular, diameter: 100 mm, recess_diameter: 50 mm}",
          "pad: {kind: rectangular, length: 200 mm, width: 100 mm, recess_length: 160 mm, recess_width: 60 mm}"),
-        ("speed: 500 rpm ", "sliding_speed: 0.5 m/s "),
+        ("speed: 500 rpm", "sliding_speed: 0.5 m/s"),
     ):  # fmt: skip
         assert old in text
         text = text.replace(old, new)
@@ -548,7 +548,7 @@ def test_comparison_leaves_out_what_does_not_reach():
     for old, new in (
         ("pad: {kind: circular, diameter: 100 mm, recess_diameter: 50 mm}",
          "pad: {kind: rectangular, length: 200 mm, width: 100 mm, recess_length: 130 mm, recess_width: 30 mm}"),
-        ("speed: 500 rpm ", "sliding_speed: 0.5 m/s "),
+        ("speed: 500 rpm", "sliding_speed: 0.5 m/s"),
     ):  # fmt: skip
         assert old in text
         text = text.replace(old, new)

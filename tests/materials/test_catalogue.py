@@ -5,6 +5,7 @@ from importlib.resources import files
 
 import pytest
 
+from babbitt.cases.materials import Metal
 from babbitt.materials import (
     AlloyFamily,
     BearingMetal,
@@ -229,3 +230,19 @@ def test_an_own_metal_has_no_limits_unless_given():
     mine = BearingMetal("mine", AlloyFamily.COPPER_TIN, "none", SourcedText("CuSn9", "certificate"))
     assert mine.limits(LoadCharacter.SHOCK).specific_load is None
     assert mine.limiting_temperature is None
+
+
+def test_own_limits_beside_a_name_of_the_catalogue_leave_its_others():
+    known, given = bearing_metal("B83"), Metal.model_validate({"name": "b83", "specific_load": "100 MPa"}).metal()
+    assert given.calm.specific_load.value == given.shock.specific_load.value == 100e6
+    assert given.calm.specific_load.source == "metal of the case"
+    assert (given.name, given.family) == (known.name, known.family)
+    assert (given.calm.sliding_speed, given.calm.pv) == (known.calm.sliding_speed, known.calm.pv)
+    assert given.limiting_temperature == known.limiting_temperature
+    cooler = Metal.model_validate({"name": "B83", "temperature": "90 degC"}).metal()
+    assert cooler.limiting_temperature.value == pytest.approx(363.15)
+    assert cooler.calm == known.calm
+    own = Metal.model_validate({"name": "mine", "load_times_speed": "30 MPa m/s"}).metal()
+    assert (own.family, own.calm.pv.value, own.calm.specific_load) == (AlloyFamily.OTHER, 30e6, None)
+    with_product = Metal.model_validate({"name": "B83", "load_times_speed": "30 MPa m/s"}).metal()
+    assert with_product.calm.pv.value == 30e6

@@ -13,6 +13,7 @@ from babbitt.report import comparison_table
 from babbitt.report.comparison_figure import write_comparison_plots
 from babbitt.report.comparison_page import write_comparison_page
 from babbitt.report.comparison_table import objected, print_comparison
+from babbitt.results import Verdict
 from babbitt.studies.comparison import compare_methods
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -72,3 +73,14 @@ def test_methods_stand_from_the_one_that_sees_least_with_the_one_asked_for_marke
         for name in ("film_dissipation", "heat_to_oil", "heat_film_to_bush", "heat_film_to_journal")
     )
     assert born == pytest.approx(oil + bush + journal, rel=1e-8)
+
+
+def test_methods_that_disagree_are_named():
+    (found,) = compare_methods(parse_case(OVERLOADED))
+    (bad,) = [one for one in found.variants if one.label == "film, one temperature"]
+    assert bad.result.verdict is Verdict.FAIL
+    kept = tuple(check for check in bad.result.checks if check.ok)
+    good = replace(bad, label="mild", result=replace(bad.result, warnings=(), checks=kept, not_checked=()))
+    said = "The methods disagree: limits kept by mild are missed by film, one temperature."
+    assert comparison_table.contradiction([good, bad]) == said
+    assert comparison_table.contradiction([good]) == comparison_table.contradiction([bad]) == ""

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from babbitt.cases import design_cases, load_case
+from babbitt.design.conditions import surface_speed
 from babbitt.solving import solve
-from babbitt.standards.iso7902.film import surface_speed
 from babbitt.validation.reference_data import reference_data
 
 EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "marine_reverse_gear.yaml"

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from time import perf_counter
 
 from babbitt.bearings.film_premises import film_assumptions, film_settings
 from babbitt.bearings.film_values import fills_of, film_values, rows_of, supply_pressures, tilt_values
 from babbitt.bearings.grid_error import grid_errors
-from babbitt.bearings.layout import closed_pockets, without_pressure
+from babbitt.bearings.layout import closed_pockets, supply_numbers, without_pressure
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.orbit_answer import (
     orbit_checks,
@@ -35,7 +36,7 @@ from babbitt.bearings.thermal_answer import (
     with_own_coefficients,
 )
 from babbitt.bearings.thermal_failure import thermal_failure
-from babbitt.bearings.thermal_film import film_equilibrium
+from babbitt.bearings.thermal_film import film_within_ducts
 from babbitt.bearings.transition import transition_speed
 from babbitt.bearings.unloaded import missing_without_load
 from babbitt.bearings.warm_film import FilmState, under_found_load
@@ -46,15 +47,17 @@ from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import GivenLoad, contact_film
 from babbitt.design.doubts import (
     PLAIN_BEARING_UP_TO,
+    doubt_about_hole,
     doubt_about_pressure,
     doubt_about_supply,
     doubts_about_film,
     doubts_about_running,
 )
 from babbitt.design.failure import failure
+from babbitt.design.feeding import Arrival
 from babbitt.film.model import Cavitation
 from babbitt.film.whirl import Whirl
-from babbitt.film.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values
+from babbitt.film.whirl_answer import doubts_about_whirl, whirl_checks, whirl_values, without_critical_mass
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check, Matrix, Outcome, Result
 
@@ -97,7 +100,10 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
     supply ``T_eff`` is that of the bearing.
     """
     start = perf_counter()
-    found = film_equilibrium(case)
+    asked = case
+    case, found, beyond = film_within_ducts(case)
+    if beyond is not None:
+        case = replace(case, doubts=(*case.doubts, *_doubts_about_ducts(asked, case, beyond)))
     outcome, message = found.outcome, ""
     if not outcome.solved:
         message = failure(case, found) if case.heat is None else thermal_failure(case, found)
@@ -106,6 +112,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
     warnings = case.doubts
     not_made: tuple[Notice, ...] = ()
     arrays, settings = {}, film_settings(case)
+    no_mass = ""
     if found.film is not None:
         state, slope = confirmed_state(case, found.film)
         frozen, values, followed = state, film_values(case, state), True
@@ -137,6 +144,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
             values |= grid_errors(case, state) if case.error_estimate else {}
             places = resting_places(case, state) if case.heat is None else None
             values |= resting_values(places)
+            no_mass = without_critical_mass(whirl)
             limits = (*_limit_checks(case, values), *resting_checks(case, values))
             flattered = flattered_by_rest(case, state.solution)
             checks = (*certain(limits, flattered), *whirl_checks(case, whirl), clearance_check(case, values))
@@ -144,6 +152,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
                 *checks_not_made(case, values),
                 *unjudged(limits, flattered),
                 *slope_not_asked(frozen, slope),
+                *((Notice("C115", no_mass),) if no_mass else ()),
             )
             warnings = (*_doubts(case, state, values, checks, whirl), *doubts_about_slope(case, slope))
             if state.thermal is not None:
@@ -159,6 +168,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
                 arrays["orbit"] = orbit_rows(orbit)
                 checks = (*checks, *orbit_checks(checks, values))
                 warnings = (*warnings, *orbit_doubts(case, orbit))
+        values |= _supply_of_ducts(asked, beyond)
         values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
     return Result(
@@ -175,9 +185,30 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
         settings,
         arrays,
         {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))}
+        | ({"critical_mass": no_mass} if no_mass else {})
         | _tilt_missing(case, outcome, arrays)
         | missing_without_load(case, found.film),
     )
+
+
+def _doubts_about_ducts(asked: FilmCase, case: FilmCase, beyond: Arrival) -> Iterator[Notice]:
+    """Tell of a film that would draw more oil than tubes and holes pass, and of one not limited to that."""
+    yield from doubt_about_supply(beyond.limit, beyond.flow)
+    if case is asked:
+        yield Notice("W186", "the film is solved as if it got the oil all the same")
+
+
+def _supply_of_ducts(asked: FilmCase, beyond: Arrival | None) -> dict[str, float]:
+    """The supply of a film whose tubes and holes pass less than it would draw; else empty."""
+    if beyond is None or beyond.limit is None or asked.oil_supply is None:
+        return {}
+    return {
+        "supply_pressure": asked.oil_supply.pressure,
+        "element_pressure": beyond.element_pressure,
+        "tube_loss": beyond.tube_loss,
+        "hole_loss": beyond.hole_loss,
+        "supply_limit": beyond.limit,
+    }
 
 
 def _tilt_missing(case: FilmCase, outcome: Outcome, arrays: Mapping[str, Matrix]) -> dict[str, str]:
@@ -221,7 +252,6 @@ def _doubts(
         yield Notice("W140", f"the supplies fill {fills} of the gap with the {flow:.3g} L/min given")
     if case.bearing_speed:
         yield Notice("W114", "the bearing rotates; values from experience hold for bearings at rest")
-    yield from doubt_about_supply(state.feed is not None and state.feed.starved)
     if values["mass_balance_error"] > OIL_INVENTED_FROM:
         share = values["mass_balance_error"]
         yield Notice("W122", f"{share:.0%} of the oil that passes the film comes from nowhere")
@@ -230,6 +260,7 @@ def _doubts(
         flow = film.side_inflow * 6e4
         yield Notice("W141", f"the sides draw in {flow:.2g} L/min")
     yield from doubt_about_pressure(values["maximum_pressure"])
+    yield from _doubts_about_holes(case, state)
     yield from _doubts_about_grooves(case, state, values)
     if case.error_estimate and "stiffness_error" not in values:
         yield Notice("W125", "the film on the finer grid was not found")
@@ -237,6 +268,23 @@ def _doubts(
         yield from doubts_about_whirl(whirl)
     solved = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
     yield from (doubt for doubt in doubts_about_running(case, values, checks) if doubt.code not in solved)
+
+
+def _doubts_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
+    """The hole that costs most of the supply pressure, if that is notable."""
+    supply, film = case.oil_supply, state.solution
+    if supply is None or supply.flow is not None:
+        return
+    numbered = zip(case.bearing.hollows, supply_numbers(case, film.film), strict=True)
+    passed = [
+        (float(film.supply_flow[number]), hollow.bore_hole)
+        for hollow, number in numbered
+        if hollow.bore_hole is not None and hollow.pressure is None and hollow.flow is None
+    ]
+    if passed:
+        flow, diameter = max(passed, key=lambda one: one[0] / one[1] ** 2)
+        density = case.lubricant.density(supply.temperature)
+        yield from doubt_about_hole(supply, diameter, max(flow, 0.0), density)
 
 
 def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, float]) -> Iterator[Notice]:

@@ -10,7 +10,7 @@ from babbitt.bearings.bore import Arc, steps_of
 from babbitt.bearings.model import FilmCase, Hollow
 from babbitt.design.conditions import GivenPosition
 from babbitt.design.numbers import critical_reynolds_number
-from babbitt.film.model import FilmStart, JournalFilm, Land, Pocket
+from babbitt.film.model import Cavitation, FilmStart, JournalFilm, Land, Pocket
 from babbitt.film.starved import GivenFlow
 from babbitt.film.turbulence import FilmTurbulence
 from babbitt.notices import InputError
@@ -25,6 +25,7 @@ __all__ = [
     "given_flows",
     "load_vector",
     "supply_numbers",
+    "with_flow_of_ducts",
     "without_pressure",
 ]
 
@@ -109,6 +110,19 @@ def given_flows(case: FilmCase, film: JournalFilm) -> tuple[GivenFlow, ...]:
         members = tuple(number for hollow, number in numbered if hollow.pressure is None and hollow.flow is None)
         given += [GivenFlow(members, case.oil_supply.flow)] if members else []
     return tuple(given)
+
+
+def with_flow_of_ducts(case: FilmCase, flow: float) -> FilmCase | None:
+    """The case fed with the flow in m3/s that its tubes and holes pass at most, where its film can be starved.
+
+    None for films with their own temperatures, orbits, and films that conserve no oil or are fed nowhere.
+    """
+    supply = case.oil_supply
+    counted = case.cavitation is Cavitation.MASS_CONSERVING and case.heat is None and case.changing_load is None
+    fed = any(hollow.pressure is None and hollow.flow is None for hollow in case.bearing.hollows)
+    if supply is None or not (counted and fed) or case.bearing.film_start is FilmStart.WIDEST_GAP or flow <= 0.0:
+        return None
+    return replace(case, oil_supply=replace(supply, pressure=0.0, flow=flow, tubes=(), holes=()))
 
 
 def flow_of_the_system(case: FilmCase, solution: FilmSolution) -> float:

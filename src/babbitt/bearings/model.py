@@ -103,6 +103,8 @@ class Hollow:
         Gauge, Pa; None is that of the oil supply behind its losses.
     flow : float or None
         m3/s in place of a pressure; 0 closes a hollow narrower than the bearing.
+    bore_hole : float or None
+        Diameter in m of a round hole, through which the oil comes; None for grooves and pockets.
     """
 
     angle: float
@@ -111,6 +113,7 @@ class Hollow:
     axial_position: float = 0.0
     pressure: float | None = None
     flow: float | None = None
+    bore_hole: float | None = None
 
     @property
     def is_closed(self) -> bool:
@@ -129,7 +132,7 @@ class Hollow:
     ) -> Hollow:
         """A round hole as a square of the same area; ``bore`` is the diameter of the bearing, all m."""
         side = 0.5 * math.sqrt(math.pi) * diameter
-        return cls(angle, 2.0 * side / bore, side, axial_position, pressure, flow)
+        return cls(angle, 2.0 * side / bore, side, axial_position, pressure, flow, diameter)
 
 
 @dataclass(frozen=True)

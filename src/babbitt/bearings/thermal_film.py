@@ -14,13 +14,19 @@ from typing import TYPE_CHECKING
 
 from babbitt.bearings.closed_pockets import ClosedPressures, closed_film
 from babbitt.bearings.heat_model import AxialTemperature
-from babbitt.bearings.layout import closed_pockets, film_of, flow_of_the_system, load_vector
+from babbitt.bearings.layout import (
+    closed_pockets,
+    film_of,
+    flow_of_the_system,
+    load_vector,
+    with_flow_of_ducts,
+)
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.thermal_failure import last_film, what_gave_way
 from babbitt.bearings.thermal_search import EXACT, ThermalSearch
 from babbitt.bearings.warm_film import FilmState, operating_film
 from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition
-from babbitt.design.feeding import arrival
+from babbitt.design.feeding import Arrival, arrival
 from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
 from babbitt.design.oil import bounded_viscosity, highest_usable, properties_at
 from babbitt.design.roots import bracketed_root
@@ -146,8 +152,28 @@ def _under_growing_load(case: FilmCase, load: float, reached: _Reached) -> Equil
 
 
 def film_equilibrium(case: FilmCase) -> Equilibrium[FilmState]:
-    """Film of a case in equilibrium, by its thermal model."""
-    return operating_film(case) if case.heat is None else thermal_operating_film(case)
+    """Film of a case in equilibrium, by its thermal model, with no more oil than its ducts pass where it can."""
+    return film_within_ducts(case)[1]
+
+
+def film_within_ducts(case: FilmCase) -> tuple[FilmCase, Equilibrium[FilmState], Arrival | None]:
+    """Film of a case in equilibrium that gets no more oil than tubes and holes pass at the whole supply pressure.
+
+    Returns
+    -------
+    case : FilmCase
+        That of the film found: where tubes and holes pass less than it would draw, fed with their flow in place of
+        the pressure, if such a film can be starved (`with_flow_of_ducts`).
+    found : Equilibrium
+    arrival : Arrival or None
+        What the unlimited film would draw, and the limit; None where the supply passes that.
+    """
+    found = operating_film(case) if case.heat is None else thermal_operating_film(case)
+    feed = found.film.feed if found.film is not None and found.outcome.solved else None
+    if feed is None or feed.limit is None:
+        return case, found, None
+    limited = with_flow_of_ducts(case, feed.limit)
+    return (case, found, feed) if limited is None else (limited, operating_film(limited), feed)
 
 
 def _secant(last: tuple[float, float] | None, here: tuple[float, float]) -> float:

@@ -11,7 +11,7 @@ from babbitt.cases.journal import JournalBearing
 from babbitt.cases.load_direction import DOWNWARD
 from babbitt.cases.operating_point import OperatingPoint
 from babbitt.cases.part import is_given, not_read
-from babbitt.cases.supply_element import UnevenPockets
+from babbitt.cases.supply_element import GrooveElement, UnevenPockets
 from babbitt.notices import Notice
 from babbitt.units import written
 
@@ -71,11 +71,23 @@ def _about_hollows(bearing: JournalBearing) -> Iterator[Notice]:
     """Tell that the standard does not read grooves, pockets and holes at angles in the bore."""
     if given := dict.fromkeys(str(path[0]) for path, _ in bearing.hollows()):
         yield Notice("W183", f"{', '.join(given)}: ISO 7902 knows what feeds the film from supply_element alone")
+    for path, given_hollow in bearing.hollows():
+        hollow = given_hollow.hollow(bearing.diameter)
+        aside = abs(math.remainder(bearing.load_angle - hollow.angle, 2.0 * math.pi))
+        if aside <= 0.5 * hollow.extent:
+            where, name = written(bearing.load_angle, "°"), ".".join(map(str, path))
+            yield Notice(
+                "W143", f"the load acts at {where}, into {name}, and ISO 7902 takes a film without it there"
+            )
 
 
 def _about_span(bearing: JournalBearing, point: OperatingPoint | None) -> Iterator[Notice]:
     """Warn where a conventional span stands for the arc between uneven pockets."""
     element = bearing.element_at(point)
+    if isinstance(element, GrooveElement) and element.kind == "groove_180":
+        span = bearing.span_at(point)
+        if span is not None and span > 180:
+            yield Notice("W188", f"span {span}° beside a groove_180: the groove leaves an arc of 180°")
     if not isinstance(element, UnevenPockets):
         return
     conventional, span = element.conventional_span(), bearing.span_at(point)

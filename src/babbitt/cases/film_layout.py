@@ -157,9 +157,7 @@ def _of_element(element: SupplyElementGiven, angle: float, diameter: float, widt
                 place = ((number + 0.5) / element.number - 0.5) * width
                 yield Hollow.hole(angle, element.diameter, diameter, place)
         case SlotElement():
-            along = element.length < width
-            size, around = (element.length, element.width) if along else (element.width, element.length)
-            yield Hollow(angle, 2.0 * around / diameter, size)
+            yield Hollow(angle, 2.0 * element.width / diameter, element.length)
         case PocketElement():
             yield Hollow(angle, element.extent or POCKET_EXTENT, element.width)
         case _:
@@ -171,7 +169,7 @@ def _said_of(element: SupplyElementGiven) -> Iterator[str]:
         case HoleElement():
             yield "A hole is a square of the same area in the film."
         case SlotElement():
-            yield "The longer side of the slot lies along the shaft, if it fits into the width."
+            yield "The longer side of the slot lies along the shaft."
         case PocketElement() if element.extent is None:
             yield f"Each pocket extends {written(POCKET_EXTENT, 'deg')} around the bore."
         case _:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
@@ -19,6 +20,7 @@ from babbitt.materials import (
     bearing_metal,
     structural_material,
 )
+from babbitt.notices import InputError
 from babbitt.units import si
 
 OWN = "metal of the case"
@@ -64,7 +66,10 @@ StructureGiven = Annotated[Structure, Shorthand(_named, "a name in the catalogue
 
 
 class Metal(Part):
-    """A bearing metal: a name of the catalogue, or a metal of one's own with its limits."""
+    """A bearing metal: a name of the catalogue, or a metal of one's own with its limits.
+
+    Limits beside a name of the catalogue stand in place of the catalogue's; its others remain.
+    """
 
     example: ClassVar[str] = "{name: Own bronze, family: copper-tin, specific_load: 12 MPa, temperature: 140 degC}"
 
@@ -90,14 +95,39 @@ class Metal(Part):
         if not self._is_own():
             yield from refused(("name",), lambda: bearing_metal(self.name))
 
+    def _in_the_catalogue(self) -> BearingMetal | None:
+        try:
+            return bearing_metal(self.name)
+        except InputError:
+            if not self._is_own():
+                raise
+            return None
+
+    def _with_own_limits(self, known: BearingMetal) -> BearingMetal:
+        own = {
+            "specific_load": self.specific_load,
+            "sliding_speed": self.sliding_speed,
+            "pv": self.load_times_speed,
+        }
+        loads = {name: SourcedValue(value, OWN) for name, value in own.items() if value is not None}
+        heat = known.limiting_temperature if self.temperature is None else SourcedValue(self.temperature, OWN)
+        return replace(
+            known,
+            family=known.family if self.family is None else AlloyFamily(self.family),
+            calm=replace(known.calm, **loads),
+            shock=replace(known.shock, **loads),
+            limiting_temperature=heat,
+        )
+
     def _is_own(self) -> bool:
         own = (self.family, self.specific_load, self.sliding_speed, self.load_times_speed, self.temperature)
         return any(value is not None for value in own)
 
     def metal(self) -> BearingMetal:
         """Give the metal with its limits, those of one's own for loads of every character."""
-        if not self._is_own():
-            return bearing_metal(self.name)
+        known = self._in_the_catalogue()
+        if known is not None:
+            return self._with_own_limits(known)
 
         def given(value: float | None) -> SourcedValue | None:
             return None if value is None else SourcedValue(value, OWN)

@@ -50,15 +50,15 @@ class HoleElement(Part):
 class SlotElement(Part):
     """A slot at each place, computed as round holes of the same perimeter and area."""
 
-    kind: Literal["slot"] = Field(description="Slots, computed as equivalent holes.")
-    length: Hollow = Field(description="Longer side of the slot.")
+    kind: Literal["slot"] = Field(description="Slots along the shaft, computed as equivalent holes.")
+    length: Hollow = Field(description="Longer side of the slot, along the shaft.")
     width: Hollow = Field(description="Shorter side of the slot.")
     place: Place = Field(description=PLACE)
 
     @property
     def axial_size(self) -> float:
-        """Size along the shaft in m: at least the shorter side, since the direction is not asked for."""
-        return self.width
+        """Size along the shaft in m: the longer side."""
+        return self.length
 
     @rule
     def _longer_side_first(self) -> Iterator[Complaint]:
@@ -176,14 +176,16 @@ def half_bearing_width(element: SupplyElementGiven | None, width: float) -> floa
 
 def complaints_about(element: SupplyElementGiven, width: float, diameter: float) -> Iterator[Complaint]:
     """Complain about an element that does not fit into its bearing."""
-    name = "diameter" if isinstance(element, HoleElement) else "width"
+    name = {HoleElement: "diameter", SlotElement: "length"}.get(type(element), "width")
     if element.axial_size >= width:
-        what = "groove" if isinstance(element, GrooveElement) else element.kind.replace("_", " ")
+        what = {GrooveElement: "groove", UnevenPockets: "pocket"}.get(type(element), element.kind)
+        turned = isinstance(element, SlotElement)
         yield Complaint(
             ("supply_element", name),
             f"the {what} reaches outside the bearing: {written(element.axial_size, 'mm')} in a width of "
             f"{written(width, 'mm')}",
             f"less than {written(width, 'mm')}",
+            "a slot lies along the shaft; one around the bore is a pocket with its extent" if turned else "",
         )
     elif isinstance(element, HoleElement) and element.number * element.diameter > math.pi * diameter:
         together = written(element.number * element.diameter, "mm")
@@ -192,10 +194,8 @@ def complaints_about(element: SupplyElementGiven, width: float, diameter: float)
         yield Complaint(
             ("supply_element", "number"), says, f"up to the circumference, {around}", "fewer or smaller holes"
         )
-    elif isinstance(element, SlotElement):
-        if element.length >= math.pi * diameter:
-            says = f"the slot is longer than the circumference {written(math.pi * diameter, 'mm')}"
-            yield Complaint(("supply_element", "length"), says)
-        elif (hole := equivalent_holes(element.length, element.width)[0]) >= width:
-            says = f"the equivalent hole of the slot, {written(hole, 'mm')}, is wider than the bearing"
-            yield Complaint(("supply_element", "width"), says, f"less than {written(width, 'mm')}")
+    elif (
+        isinstance(element, SlotElement) and (hole := equivalent_holes(element.length, element.width)[0]) >= width
+    ):
+        says = f"the equivalent hole of the slot, {written(hole, 'mm')}, is wider than the bearing"
+        yield Complaint(("supply_element", "width"), says, f"less than {written(width, 'mm')}")

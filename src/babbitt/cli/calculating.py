@@ -248,8 +248,9 @@ def export(
         raise typer.Exit(NO_SOLUTION)
     table = mirrored(run.table()) if other_end else run.table()
     write_table(table, output, format_name)
+    speeds_written = f"{table.speeds.size} speed{'s' if table.speeds.size > 1 else ''}"
     print(
-        f"wrote {printable(output)}: {table.speeds.size} speeds; {declaration(table.frame)}; "
+        f"wrote {printable(output)}: {speeds_written}; {declaration(table.frame)}; "
         f"temperatures: {table.temperatures}",
         file=sys.stderr,
     )

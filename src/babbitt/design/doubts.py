@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 
-from babbitt.design.conditions import Designed, surface_speed
+from babbitt.design.conditions import Designed, OilSupply, surface_speed
 from babbitt.design.screening import ROTORDYNAMIC_CHECK_ABOVE
 from babbitt.lubricants import Lubricant
 from babbitt.notices import Notice
@@ -137,10 +138,35 @@ def _doubts_about_cold_oil(case: Designed, values: Mapping[str, float]) -> Itera
         )
 
 
-def doubt_about_supply(starved: bool) -> Iterator[Notice]:
-    """Whether any supply pressure is left at the supply element."""
-    if starved:
-        yield Notice("W111", "losses in tubes and holes use up the whole supply pressure; supply flow taken as 0")
+def doubt_about_supply(limit: float | None, wanted: float) -> Iterator[Notice]:
+    """Whether tubes and holes pass what the film wants; m³/s, no limit where they do."""
+    if limit is not None:
+        yield Notice(
+            "W111",
+            f"at the whole supply pressure tubes and holes pass {limit * 6e4:.3g} L/min, and the film wants "
+            f"{wanted * 6e4:.3g} L/min: no pressure is left at the supply element",
+        )
+
+
+SHARE_OF_A_HOLE = 0.1
+"""Loss in a supply hole over the supply pressure from which it is told."""
+
+
+def doubt_about_hole(supply: OilSupply, diameter: float, flow: float, density: float) -> Iterator[Notice]:
+    """Whether a supply hole (m) costs a notable part of the supply pressure that nothing counts; m³/s, kg/m³.
+
+    The loss is 1.5 velocity heads, entrance and exit, as of `supply.holes`.
+    """
+    if supply.holes or supply.pressure <= 0.0:
+        return
+    velocity = flow / (math.pi / 4.0 * diameter**2)
+    loss = 1.5 * density * velocity**2 / 2.0
+    if loss > SHARE_OF_A_HOLE * supply.pressure:
+        yield Notice(
+            "W187",
+            f"{velocity:.1f} m/s in a hole of {diameter * 1e3:.3g} mm cost about {loss * 1e-3:.3g} kPa of the "
+            f"{supply.pressure * 1e-3:.3g} kPa supplied, which are not counted",
+        )
 
 
 def doubts_about_running(

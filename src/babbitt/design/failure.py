@@ -48,6 +48,10 @@ def failure(case: Designed, found: Equilibrium[FilmT]) -> str:
         case _:
             far = f"the last effective temperature was {reached}"
     remedy = EXPLANATIONS[found.outcome.code].remedy
+    supply = case.oil_supply
+    if supply is not None and supply.flow is None and supply.pressure <= 0.0:
+        far += "; no pressure presses oil into the film"
+        remedy = f"A supply pressure, or {remedy[0].lower()}{remedy[1:]}"
     return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"
 
 

@@ -13,16 +13,17 @@ from babbitt.lubricants import Lubricant
 
 @dataclass(frozen=True)
 class Arrival:
-    """Pressure at the supply element and losses on the way in Pa, and the whole flow in m³/s.
+    """Pressure at the supply element and losses on the way in Pa, and the whole flow in m³/s that the film wants.
 
-    `starved` means that the losses would eat all the supply pressure; the element is then at ambient pressure.
+    `limit` is known where the losses would eat all the supply pressure: the flow in m³/s that tubes and holes pass
+    at the whole of it. The element is then at ambient pressure, and the losses are those of that flow.
     """
 
     element_pressure: float
     tube_loss: float
     hole_loss: float
     flow: float
-    starved: bool = False
+    limit: float | None = None
 
 
 def arrival(supply: OilSupply, oil: Lubricant, flow_at: Callable[[float], float]) -> Arrival:
@@ -48,7 +49,21 @@ def arrival(supply: OilSupply, oil: Lubricant, flow_at: Callable[[float], float]
         flow = flow_at(pressure)
         return supply.pressure - losses(supply.tubes, flow) - losses(supply.holes, flow) - pressure
 
-    starved = surplus(0.0) <= 0.0
-    pressure = 0.0 if starved else bracketed_root(surplus, 0.0, supply.pressure, 1e-6, 1e-12)
+    if surplus(0.0) <= 0.0:
+        wanted = flow_at(0.0)
+        limit = _most_passed(supply, losses, wanted)
+        return Arrival(0.0, losses(supply.tubes, limit), losses(supply.holes, limit), wanted, limit)
+    pressure = bracketed_root(surplus, 0.0, supply.pressure, 1e-6, 1e-12)
     flow = flow_at(pressure)
-    return Arrival(pressure, losses(supply.tubes, flow), losses(supply.holes, flow), flow, starved)
+    return Arrival(pressure, losses(supply.tubes, flow), losses(supply.holes, flow), flow)
+
+
+def _most_passed(supply: OilSupply, losses: Callable[[tuple[Duct, ...], float], float], too_much: float) -> float:
+    """Flow in m³/s that tubes and holes pass at the whole supply pressure; one of `too_much` would need more."""
+    if supply.pressure <= 0.0:
+        return 0.0
+
+    def needed(flow: float) -> float:
+        return losses(supply.tubes, flow) + losses(supply.holes, flow) - supply.pressure
+
+    return bracketed_root(needed, 0.0, too_much, 0.0, 1e-12)

@@ -10,7 +10,7 @@ from babbitt.film.whirl import Whirl
 from babbitt.notices import Notice
 from babbitt.results import Bound, Check
 
-__all__ = ["CarriesRotor", "doubts_about_whirl", "whirl_checks", "whirl_values"]
+__all__ = ["CarriesRotor", "doubts_about_whirl", "whirl_checks", "whirl_values", "without_critical_mass"]
 
 
 class CarriesRotor(Protocol):
@@ -48,6 +48,15 @@ def whirl_checks(case: CarriesRotor, whirl: Whirl | None) -> Iterator[Check]:
     for name, mass in _bounds(whirl).items():
         bound = Bound.AT_MOST if name == "least_stable_mass" else Bound.AT_LEAST
         yield Check("C115", name, mass, whirl.rotor_mass, bound, source, not own)
+
+
+def without_critical_mass(whirl: Whirl | None) -> str:
+    """Why no bound of the mass of the rotor is known; empty where there is one, or no whirl was asked for."""
+    if whirl is None or _bounds(whirl):
+        return ""
+    if whirl.stable.least == 0.0 and math.isinf(whirl.stable.greatest):
+        return "the film bears a rotor of any mass without whirl"
+    return "stiffness and damping tell no critical mass"
 
 
 def doubts_about_whirl(whirl: Whirl) -> Iterator[Notice]:

@@ -22,7 +22,8 @@ JOURNAL: dict[str, Explanation] = {
     "W103": Explanation(
         "Supply element outside the range of its flow formula",
         "The corrections q_H and q_P of holes and pockets hold for a width of 0.05 to 0.7 of that of the "
-        "bearing; outside, that of the nearest bound is used. The logarithm takes the true width up to 0.9.",
+        "bearing; outside, that of the nearest bound is used. The logarithm takes the true width up to 0.9. "
+        "Grooves wider than 0.7 leave narrow lands, and pass much oil by a formula that nothing confirms there.",
         "Take the supply flow as an estimate; a film method gives the flow of the real pocket.",
     ),
     "W104": Explanation(
@@ -56,8 +57,9 @@ JOURNAL: dict[str, Explanation] = {
     ),
     "W111": Explanation(
         "Supply pressure used up",
-        "The pressure losses on the way consume the supply pressure: nothing is left to push oil through the "
-        "supply element, and the side flow may not be made good.",
+        "At the whole supply pressure tubes and holes pass less oil than the film wants: nothing is left to push "
+        "oil through the supply element, and the film gets what they pass. ISO 7902 repeats its heat balance with "
+        "that flow; the film of one temperature is solved as starved.",
         "Larger tubes and holes, or a higher supply pressure.",
     ),
     "W112": Explanation(
@@ -106,20 +108,47 @@ JOURNAL: dict[str, Explanation] = {
     ),
     "W123": Explanation(
         "Supply delivers less than the film wants",
-        "What holes, slots or pockets can deliver, Q_p and the oil that the journal shears away over their width, "
+        "What the supply can deliver, Q_p and the oil that the journal shears away over the width of the supply "
+        "element (none out of a groove all around), at most what tubes and holes pass, "
         "is less than the side flow with which ISO 7902 closes its heat balance. That is repeated with the lesser "
         "flow; its temperatures and films, named starved, are held against the limits. The estimate of what is "
         "delivered is an assumption, within a factor of about two of films that conserve their oil.",
-        "Wider pockets or a higher supply pressure; `method: film` with `thermal: adiabatic` tells more.",
+        "Wider pockets or grooves, wider tubes and holes, or a higher supply pressure; `method: film` with "
+        "`thermal: adiabatic` tells more.",
     ),
     "W124": Explanation(
-        "Little or no supply flow",
-        "Oil is supplied, yet no pressure presses any through the bearing: no supply element is given, or none "
-        "is left of the supply pressure; or a groove around the whole circumference, out of which pressure alone "
-        "takes the oil, delivers less than the side flow. The film is taken to draw its side flow all the same, "
-        "which nothing shows to reach it; with less it runs hotter and thinner.",
-        "Give the `supply_element` and the pressure of the supply, or compare with `method: film`; more "
-        "supply pressure.",
+        "No supply flow",
+        "Oil is supplied, yet no pressure presses any through the supply element, or none is given: only the "
+        "journal draws oil to the film.",
+        "The pressure of the supply and its `supply_element`, or compare with `method: film`.",
+    ),
+    "W186": Explanation(
+        "Film not limited to its supply",
+        "At the whole supply pressure tubes and holes pass less oil than the film draws. Only a film of one "
+        "temperature that conserves its oil and carries a constant load is solved with the lesser flow; this one "
+        "is cooled by oil that does not reach it.",
+        "Larger tubes and holes, more supply pressure, or `thermal: global` with `cavitation: mass_conserving`.",
+        effect=Effect.NO_VERDICT,
+    ),
+    "W187": Explanation(
+        "Loss in the supply hole not counted",
+        "The oil is so fast in a hole of the bearing that entrance and exit cost more than a tenth of the supply "
+        "pressure. Only losses in `supply.tubes` and `supply.holes` are counted.",
+        "Give the hole under `supply.holes`, too; a larger hole.",
+    ),
+    "W188": Explanation(
+        "Span wider than a half groove leaves",
+        "A groove around the unloaded half ends the film: the loaded arc is 180 deg. Characteristics of a wider "
+        "arc flatter the bearing.",
+        "`span: 180 deg`.",
+    ),
+    "W185": Explanation(
+        "Nothing tells that oil reaches the film",
+        "No supply element is given, or the supply delivers nothing: a groove all around without pressure, tubes "
+        "or holes without pressure. The heat balance takes the film to draw its side flow all the same. Without "
+        "oil no film and no temperature of it is known.",
+        "Give the `supply_element` and the pressure of the supply; or `method: film`.",
+        effect=Effect.NO_VERDICT,
     ),
     "W121": Explanation(
         "Flow of open grooves",

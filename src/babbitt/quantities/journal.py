@@ -68,6 +68,9 @@ JOURNAL: tuple[Quantity, ...] = (
     quantity("supply_flow_number", "Q_p*", "1", "", 4, "Supply flow Qp η/(D³ ψ³ p_en)"),
     quantity("supply_flow", "Q_p", "m3/s", "L/min", 3, "Oil flow due to the supply pressure"),
     quantity("supply_capacity", "Q_cap", "m3/s", "L/min", 3, "Oil flow that the supply can deliver"),
+    quantity(
+        "supply_limit", "Q_max", "m3/s", "L/min", 3, "Oil flow of tubes and holes at the whole supply pressure"
+    ),
     quantity("starved_total_flow", "Q_st", "m3/s", "L/min", 3, "Oil flow limited to what the supply delivers"),
     quantity("starved_outlet_temperature", "T_ex,st", "K", "degC", 3, "Outlet temperature with the limited flow"),
     quantity(

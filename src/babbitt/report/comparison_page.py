@@ -9,7 +9,7 @@ from pathlib import Path
 
 from babbitt.files.writing import require_writable, write_file
 from babbitt.notices import InputError
-from babbitt.report.comparison_table import AS_ASKED, compared_rows, head, objected
+from babbitt.report.comparison_table import AS_ASKED, compared_rows, contradiction, head, objected
 from babbitt.report.document import GENERATOR_TAG, TEMPLATES
 from babbitt.report.drawing import rendered, style
 from babbitt.report.text import plain_text
@@ -119,6 +119,8 @@ def _figure(comparison: Comparison) -> Iterator[str]:
 
 
 def _remarks(variants: Sequence[Variant]) -> Iterator[str]:
+    if disagree := contradiction(variants):
+        yield f'<p class="finding"><b>{_text(disagree)}</b></p>'
     for one in variants:
         said = f"<b>{_text(one.label)}</b>: {_text(one.remark)}."
         if not one.result.outcome.solved:

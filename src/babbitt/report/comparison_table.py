@@ -16,7 +16,7 @@ from babbitt.report.meanings import meaning
 from babbitt.report.table import console
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import governing, margin
-from babbitt.results import Result
+from babbitt.results import Result, Verdict
 from babbitt.studies.comparison import Comparison, Variant
 from babbitt.studies.temperature_cost import cost_of_one_temperature
 
@@ -211,7 +211,18 @@ SILENT_AT_ZERO = ("heat_film_to_bush", "heat_film_to_journal", "heat_to_surround
 """What is left out where it is zero by every method."""
 
 
+def contradiction(variants: Sequence[Variant]) -> str:
+    """Say which methods fail what others pass; empty where none does."""
+    passing = [one.label for one in variants if one.result.within_limits]
+    failing = [one.label for one in variants if one.result.verdict is Verdict.FAIL]
+    if not passing or not failing:
+        return ""
+    return f"The methods disagree: limits kept by {', '.join(passing)} are missed by {', '.join(failing)}."
+
+
 def _print_remarks(to: Console, variants: Sequence[Variant]) -> None:
+    if said := contradiction(variants):
+        to.print(f"  {said}", markup=False)
     for variant in variants:
         to.print(f"  {variant.label}: {variant.remark}", markup=False)
         result = variant.result

@@ -113,26 +113,17 @@ _GAP = {
 
 
 def capacity_lines(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
-    """What holes and pockets can deliver, and the heat balance with that flow where it is less than Q₃."""
-    element = case.bearing.supply_element
-    if "supply_capacity" not in sheet or not isinstance(element, Holes | Pockets):
+    """What the supply can deliver, and the heat balance with that flow where it is less than Q₃."""
+    if "supply_capacity" not in sheet:
         return
-    both = " before the load" if element.arrangement is Arrangement.BOTH_SIDES else ""
-    yield sheet.line("supply_gap", _GAP[element.arrangement], f"gap at the supply element{both}")
-    size = "pocket_width" if isinstance(element, Pockets) else "hole_diameter"
-    side_by_side = isinstance(element, Holes) and element.number != 1.0
-    expression = f"hole_number * {size}" if side_by_side else size
-    if element.axial_width(case.bearing.width) == case.bearing.width:
-        expression = "width"
-    yield sheet.line("supply_axial_width", expression)
-    yield sheet.line("supply_capacity", "supply_flow + surface_speed / 2 * supply_gap * supply_axial_width")
+    yield from _capacity(case, sheet)
     if "starved_total_flow" not in sheet:
         return
     yield sheet.given("starved_effective_temperature", "closes the balance with the flow that the supply delivers")
     yield sheet.given("starved_eccentricity_ratio", "by the steps above at that temperature")
     yield sheet.given("starved_minimum_film_thickness")
     yield sheet.given("starved_friction_power")
-    yield sheet.given("starved_total_flow", "Q_p and the flow sheared from the supply element")
+    yield sheet.given("starved_total_flow", "what the supply delivers there")
     if "starved_outlet_temperature" in sheet:
         yield sheet.given("starved_outlet_temperature")
     if case.cooling is None:
@@ -145,13 +136,38 @@ def capacity_lines(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
         )
 
 
+def _capacity(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
+    """What pressure and the journal take from the supply element, or tubes and holes where they pass less."""
+    element = case.bearing.supply_element
+    if "supply_limit" in sheet:
+        yield sheet.given("supply_limit", "tubes and holes pass no more at the whole supply pressure")
+        yield sheet.given("supply_capacity", "by pressure and shear, behind tubes and holes that pass it")
+        return
+    if isinstance(element, CircumferentialGroove):
+        yield sheet.line("supply_capacity", "supply_flow", "pressure alone takes oil out of a groove all around")
+        return
+    if not isinstance(element, Holes | Pockets | HalfCircumferentialGroove):
+        return
+    once = isinstance(element, Holes | Pockets) and element.arrangement is not Arrangement.BOTH_SIDES
+    both = "" if once else " before the load"
+    at = "the edge of the groove" if isinstance(element, HalfCircumferentialGroove) else "the supply element"
+    yield sheet.line("supply_gap", _GAP[element.arrangement], f"gap at {at}{both}")
+    size = {Pockets: "pocket_width", Holes: "hole_diameter"}.get(type(element), "groove_width")
+    side_by_side = isinstance(element, Holes) and element.number != 1.0
+    expression = f"hole_number * {size}" if side_by_side else size
+    if element.axial_width(case.bearing.width) == case.bearing.width:
+        expression = "width"
+    yield sheet.line("supply_axial_width", expression)
+    yield sheet.line("supply_capacity", "supply_flow + surface_speed / 2 * supply_gap * supply_axial_width")
+
+
 def loss_lines(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
     """Velocity, friction factor and pressure loss of each duct, and what is left at the element."""
     oil = case.oil_supply
     if oil is None or not (oil.tubes or oil.holes) or "element_pressure" not in sheet:
         return
     sheet.note(
-        duct_flow=sheet["total_flow"],
+        duct_flow=sheet["supply_limit"] if "supply_limit" in sheet else sheet["total_flow"],
         inlet_density=case.lubricant.density(oil.temperature),
         inlet_kinematic_viscosity=case.lubricant.kinematic_viscosity(oil.temperature),
     )

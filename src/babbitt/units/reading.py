@@ -150,8 +150,9 @@ def _refuse_grouped_digits(text: str) -> None:
     if match := _COMMA.fullmatch(text):
         whole, rest, unit = match.groups()
         hint = f"write '{whole}.{rest}{unit}'"
-        if len(rest) == 3:
-            hint += f" or '{whole}{rest}{unit}'"
+        if len(rest) == 3:  # not '12.000', which stands for thousands as often
+            plain = f"{float(f'{whole}.{rest}'):g}"
+            hint = f"write '{whole}{rest}{unit}' if thousands are meant, or '{plain}{unit}'"
         raise QuantityError(f"{_quoted(text)} has a comma", "a decimal point", hint)
     if match := _THOUSANDS.fullmatch(text):
         digits = re.sub(r"[ '_\u00a0\u202f]", "", match[1])

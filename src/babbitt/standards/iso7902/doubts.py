@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 from babbitt.characteristics.closed_forms import DEVIATIONS, LARGEST_ATTITUDE_DEVIATION
 from babbitt.design.doubts import (
     RIGID_FILM_UP_TO,
+    doubt_about_hole,
     doubt_about_supply,
     doubts_about_film,
     doubts_about_running,
@@ -19,6 +20,9 @@ from babbitt.standards.iso7902.screening import Transition
 from babbitt.standards.iso7902.supply import (
     FIT_RANGE,
     LOGARITHM_UP_TO,
+    Arrangement,
+    CircumferentialGroove,
+    HalfCircumferentialGroove,
     Holes,
     Pockets,
     fitted_width,
@@ -73,9 +77,23 @@ def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice
 
 def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:
     element = case.bearing.supply_element
-    yield from doubt_about_supply(film.feed is not None and film.feed.starved)
+    if film.feed is not None:
+        yield from doubt_about_supply(film.feed.limit, film.side_flow)
     if element is None:
         return
+    if isinstance(element, Holes) and case.oil_supply is not None:
+        supply, passed = case.oil_supply, film.total_flow
+        if film.supply_capacity is not None and film.supply_capacity < film.side_flow:
+            passed = film.supply_capacity
+        holes = element.number * (2.0 if element.arrangement is Arrangement.BOTH_SIDES else 1.0)
+        density = case.lubricant.density(supply.temperature)
+        yield from doubt_about_hole(supply, element.diameter, passed / holes, density)
+    if isinstance(element, CircumferentialGroove | HalfCircumferentialGroove):
+        s = element.relative_width(case.bearing.width)
+        if s > FIT_RANGE[1]:
+            yield Notice(
+                "W103", f"relative width {s:.3f} of the groove is above {FIT_RANGE[1]:g}: narrow lands beside it"
+            )
     if isinstance(element, Holes | Pockets):
         s = element.relative_width(case.bearing.width)
         if not FIT_RANGE[0] - 1e-9 <= s <= FIT_RANGE[1] + 1e-9:

@@ -17,7 +17,7 @@ from babbitt.fits import operating_relative_clearance
 from babbitt.results import Outcome
 from babbitt.standards.iso7902.friction import friction_numbers
 from babbitt.standards.iso7902.model import Curves, DesignCase
-from babbitt.standards.iso7902.supply import Holes, Pockets
+from babbitt.standards.iso7902.supply import CircumferentialGroove, HalfCircumferentialGroove, Holes, Pockets
 from babbitt.standards.iso7902.supply_pressure import Feed, feed
 
 
@@ -88,39 +88,39 @@ def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
         When the relative clearance is not positive at this temperature, So exceeds the largest tabulated one, or
         a law of the lubricant has no usable value.
     """
-    return _film(temperature, case, shape, lambda wanted, sheared: wanted)
+    return _film(temperature, case, shape)
 
 
 def starved_film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
-    """Film at an effective temperature in K whose flow is limited to what holes or pockets deliver.
+    """Film at an effective temperature in K whose flow is limited to what its supply delivers.
 
     Its position and its friction are those of the full film: starvation hurts by the heat. Parameters and errors
     as of `film_at`.
     """
-    return _film(
-        temperature, case, shape, lambda wanted, sheared: wanted if sheared is None else min(wanted, sheared)
-    )
+    return _film(temperature, case, shape, limited=True)
 
 
 def sheared_flow(
     case: DesignCase, eccentricity_ratio: float, attitude_angle: float, relative_clearance: float
 ) -> float | None:
-    """Oil sheared out of holes or pockets into the film, ``(U/2) h_s b`` with U of ``ω_h``, m³/s; else None."""
+    """Oil sheared into the loaded film from the supply element, ``(U/2) h_s b`` with U of ``ω_h``, m³/s.
+
+    None without an element. A groove around the whole circumference lies along the motion: nothing is sheared out.
+    """
     element, bearing = case.bearing.supply_element, case.bearing
-    if case.oil_supply is None or not isinstance(element, Holes | Pockets):
+    if case.oil_supply is None or element is None:
+        return None
+    if isinstance(element, CircumferentialGroove):
+        return 0.0
+    if not isinstance(element, Holes | Pockets | HalfCircumferentialGroove):
         return None
     factor = element.arrangement.gap_factor(eccentricity_ratio, attitude_angle)
     gap = factor * relative_clearance * bearing.diameter / 2.0
     return hydrodynamic_speed(case) * bearing.diameter / 4.0 * gap * element.axial_width(bearing.width)
 
 
-def _film(
-    temperature: float,
-    case: DesignCase,
-    shape: BearingCurves,
-    drawn: Callable[[float, float | None], float],
-) -> Film:
-    """Film at a temperature; `drawn` makes its side flow of the one wanted and the one sheared from its supply."""
+def _film(temperature: float, case: DesignCase, shape: BearingCurves, limited: bool = False) -> Film:
+    """Film at a temperature, with all the oil that it wants or limited to what its supply delivers."""
     bearing, oil = case.bearing, case.lubricant
     psi = operating_relative_clearance(
         bearing.relative_clearance, bearing.expansion_bearing, bearing.expansion_journal, temperature
@@ -146,8 +146,12 @@ def _film(
     flow_scale = bearing.diameter**3 * psi * hydrodynamic_speed(case)
     side_flow_number = shape.side_flow_number(eccentricity)
     sheared = sheared_flow(case, eccentricity, shape.attitude_angle(eccentricity), psi)
-    side_flow = drawn(bearing.parts * side_flow_number * flow_scale, sheared)
+    side_flow = bearing.parts * side_flow_number * flow_scale
+    if limited and sheared is not None:
+        side_flow = min(side_flow, sheared)
     fed = feed(case, eccentricity, psi, viscosity, side_flow)
+    if limited and fed is not None and fed.limit is not None:
+        side_flow = fed.limit  # tubes and holes pass no more; nothing is left to press oil through the element
     return Film(
         temperature=temperature,
         relative_clearance=psi,
@@ -162,5 +166,15 @@ def _film(
         side_flow_number=side_flow_number,
         side_flow=side_flow,
         feed=fed,
-        supply_capacity=None if sheared is None or fed is None else fed.flow + sheared,
+        supply_capacity=_capacity(fed, sheared, lambda flow: feed(case, eccentricity, psi, viscosity, flow)),
     )
+
+
+def _capacity(fed: Feed | None, sheared: float | None, fed_at: Callable[[float], Feed | None]) -> float | None:
+    """What the supply can deliver in m³/s: by pressure and shear, and no more than tubes and holes pass."""
+    if fed is None:
+        return None
+    if fed.limit is None:
+        return None if sheared is None else fed.flow + sheared
+    less = None if sheared is None else fed_at(sheared)  # with less flow some pressure may be left at the element
+    return fed.limit if sheared is None or less is None or less.limit is not None else less.flow + sheared

@@ -176,6 +176,8 @@ def _values(case: DesignCase, film: Film, change: Transition | None) -> dict[str
         values["element_pressure"] = film.feed.element_pressure
         values["tube_loss"] = film.feed.tube_loss
         values["hole_loss"] = film.feed.hole_loss
+        if film.feed.limit is not None:
+            values["supply_limit"] = film.feed.limit
     if film.supply_capacity is not None:
         values["supply_capacity"] = film.supply_capacity
     values |= cooling_values(case, film) | limit_values(case)

@@ -183,9 +183,18 @@ class CircumferentialGroove:
 
 @dataclass(frozen=True)
 class HalfCircumferentialGroove:
-    """A groove around the unloaded half (180°)."""
+    """A groove around the unloaded half (180°), which ends where the loaded half begins."""
 
     width: float
+
+    @property
+    def arrangement(self) -> Arrangement:
+        """Where the journal draws the loaded film from it: at its edge at the side before the load."""
+        return Arrangement.SIDE
+
+    def axial_width(self, bearing_width: float) -> float:
+        """Width in m over which the groove gives oil to the film."""
+        return min(self.width, bearing_width)
 
     def relative_width(self, bearing_width: float) -> float:
         """Groove width over bearing width."""

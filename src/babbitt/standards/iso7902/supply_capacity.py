@@ -1,11 +1,12 @@
-"""Whether holes, slots and pockets deliver the oil that the film wants, and the heat balance with what they do.
+"""Whether the supply delivers the oil that the film wants, and the heat balance with what it does.
 
 ISO 7902 lets the film draw its side flow Q₃ whatever feeds it. What an element can deliver is estimated as the
 oil that the supply pressure presses through it and the oil that the journal shears into the loaded film over its
 axial width, ``Q_cap = Q_p + (U/2) h_s b`` with the gap ``h_s = c (1 + ε cos θ_s)`` at the element, θ_s from the
 widest gap. Of two elements that before the load counts: the oil of the other comes round to it and is not lost.
+A half groove gives its oil at its edge before the load, a groove all around by pressure alone. No more comes than
+tubes and holes pass at the whole supply pressure.
 The estimate is an assumption; ``benchmarks/supply_capacity.py`` sets it against films that conserve their oil.
-What grooves deliver is left to the film.
 """
 
 from __future__ import annotations
@@ -21,7 +22,6 @@ from babbitt.results import Bound, Check
 from babbitt.standards.iso7902.doubts import doubts_about_validity
 from babbitt.standards.iso7902.film import Film, curves_of, starved_film_at
 from babbitt.standards.iso7902.model import DesignCase
-from babbitt.standards.iso7902.supply import CircumferentialGroove
 from babbitt.units import ZERO_CELSIUS
 
 __all__ = [
@@ -56,7 +56,7 @@ SOURCE = "ISO 7902: the supply delivers Q₃; Q_p + (U/2) h b is an estimate (as
 
 
 def lacks_oil(film: Film) -> bool:
-    """Whether holes or pockets deliver less than the side flow of the film."""
+    """Whether the supply delivers less than the side flow of the film."""
     return film.supply_capacity is not None and film.supply_capacity < film.side_flow
 
 
@@ -105,10 +105,7 @@ def capacity_not_checked(case: DesignCase, film: Film) -> Iterator[Notice]:
     """Say why the supply capacity was not compared."""
     if case.oil_supply is None or film.supply_capacity is not None:
         return
-    if case.bearing.supply_element is None:
-        yield Notice("C117", "no supply_element is given")
-    else:
-        yield Notice("C117", "what a groove delivers is left to `method: film`")
+    yield Notice("C117", "no supply_element is given")
 
 
 def doubts_about_capacity(
@@ -126,19 +123,20 @@ def doubts_about_capacity(
     values : Mapping[str, float]
         Named results of the starved film, if there is one.
     """
-    if film.feed is not None and film.supply_flow <= 0.0 and not film.feed.starved:
-        without = case.bearing.supply_element is None
-        why = "no supply_element is given" if without else "no pressure is left at the supply element"
-        yield Notice("W124", f"{why}: Q_p = 0, yet the film is taken to draw {_litres(film.side_flow)}")
-    elif isinstance(case.bearing.supply_element, CircumferentialGroove) and film.supply_flow < film.side_flow:
-        # no film enters such a groove: pressure alone takes oil from it to the halves on either side
-        pushed, drawn = _litres(film.supply_flow), _litres(film.side_flow)
-        yield Notice(
-            "W124", f"the supply pushes {pushed} through the groove, and the halves are taken to draw {drawn}"
-        )
-    if film.supply_capacity is None or not lacks_oil(film):
+    if case.oil_supply is None:
         return
     capacity, wanted = film.supply_capacity, film.side_flow
+    if case.bearing.supply_element is None:
+        balanced = case.effective_temperature is None
+        said = f"no supply_element is given: Q_p = 0, yet the film is taken to draw {_litres(wanted)}"
+        yield Notice("W185" if balanced else "W124", said)
+    elif capacity is not None and capacity <= 0.0:
+        yield Notice("W185", f"no pressure presses oil through the supply, and the film wants {_litres(wanted)}")
+    elif film.supply_flow <= 0.0 and film.feed is not None and film.feed.limit is None:
+        said = "no pressure is left at the supply element: Q_p = 0, and only the journal draws oil from it"
+        yield Notice("W124", said)
+    if capacity is None or not lacks_oil(film):
+        return
     said = f"the supply delivers about {_litres(capacity)} of Q₃ = {_litres(wanted)} ({capacity / wanted:.2f})"
     if starved is None:
         yield Notice("W123", f"{said}; no heat balance is made that would tell the consequence")

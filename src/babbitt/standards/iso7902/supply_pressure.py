@@ -12,7 +12,8 @@ from babbitt.standards.iso7902.model import DesignCase
 class Feed:
     """Supply of the film: number Qp*, flow in m³/s, pressure at the element and losses in Pa.
 
-    `starved` means that the losses would eat all the supply pressure; the element is then at ambient pressure.
+    `limit` is the flow in m³/s that tubes and holes pass at the whole supply pressure, where the film wants more:
+    the element is then at ambient pressure.
     """
 
     flow_number: float
@@ -20,7 +21,7 @@ class Feed:
     element_pressure: float
     tube_loss: float
     hole_loss: float
-    starved: bool = False
+    limit: float | None = None
 
 
 def feed(
@@ -33,9 +34,9 @@ def feed(
     supply, element, bearing = case.oil_supply, case.bearing.supply_element, case.bearing
     if supply is None:
         return None
-    if element is None:
-        return Feed(0.0, 0.0, supply.pressure, 0.0, 0.0)
-    number = element.supply_flow_number(eccentricity_ratio, bearing.width, bearing.width_ratio)
+    number = 0.0
+    if element is not None:
+        number = element.supply_flow_number(eccentricity_ratio, bearing.width, bearing.width_ratio)
     conductance = number * bearing.diameter**3 * relative_clearance**3 / viscosity
     found = arrival(supply, case.lubricant, lambda pressure: side_flow + conductance * pressure)
     return Feed(
@@ -44,5 +45,5 @@ def feed(
         found.element_pressure,
         found.tube_loss,
         found.hole_loss,
-        found.starved,
+        found.limit,
     )
