@@ -62,12 +62,10 @@ def test_an_edit_in_a_callee_of_another_file_is_seen(tmp_path):
     shutil.copytree(PACKAGE, source / "babbitt", ignore=shutil.ignore_patterns("__pycache__"))
     copy = source / Path(*package.split("."))
     (copy / "_caller.py").write_text(CALLER.format(package=package))
-    code = f"from {package}._caller import doubled as f; f(1.5); print(f(1.5), f.stats.cache_hits)"
-    code = code.replace("f.stats.cache_hits", "sum(f.stats.cache_hits.values())")
+    code = f"from {package}._caller import doubled as f; print(f(1.5), sum(f.stats.cache_hits.values()))"
     said = []
     for shift in (1.0, 1.0, 3.0):
         (copy / "_callee.py").write_text(CALLEE.format(package=package, shift=shift))
-        os.utime(copy / "_callee.py", (1e9, 1e9))
         said.append(run(code, source, NUMBA_CACHE_DIR=str(tmp_path / "cache")).stdout.split())
     assert said == [["5.0", "0"], ["5.0", "1"], ["9.0", "0"]]
     assert not [*source.rglob("*.nbi")]  # machine code stays out of the sources
