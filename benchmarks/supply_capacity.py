@@ -2,8 +2,8 @@
 
     python benchmarks/supply_capacity.py [number [seed [grooves]]]
 
-Random bearings, half of them fed by holes and half by pockets, or by grooves all around and half grooves, of which as many are computed as needed for
-`number` with a supply capacity below the side flow Q3 of the standard: diameters 40 to 400 mm, B/D 0.4 to 1, 0.3
+Random bearings, half of them fed by holes and half by pockets, or by grooves all around and half
+grooves, of which as many are computed as needed for `number` with a supply capacity below the side flow Q3 of the standard: diameters 40 to 400 mm, B/D 0.4 to 1, 0.3
 to 3 MPa, 3 to 40 m/s, clearances 0.9 to 1.6 times that of Vogelpohl's rule, oils ISO VG 32 to 100 at 40 to 50 degC
 and 0.5 to 3 bar.
 Each is computed by the standard with all the oil that its film wants, by the standard with the flow limited to the
@@ -92,7 +92,8 @@ def main(wanted: int = 30, seed: int = 15, fed: str = "holes") -> None:
         thin = [iso.minimum_film_thickness, iso.starved_minimum_film_thickness, film.minimum_film_thickness]
         rows.append((*flows, *hot, *thin, film.maximum_temperature))
         print(
-            f"{number:4d} {element.kind:10s} {getattr(element, 'place', ''):10s} s = {element.axial_size / case.width:.2f}",
+            f"{number:4d} {element.kind:10s} {getattr(element, 'place', ''):10s}",
+            f"s = {element.axial_size / case.width:.2f}",
             *(f"{6e4 * flow:6.2f}" for flow in flows), "|",
             *(f"{one - 273.15:6.1f}" for one in hot), f"(T_max {film.maximum_temperature - 273.15:.1f}) |",
             *(f"{one * 1e6:6.1f}" for one in thin), flush=True,
