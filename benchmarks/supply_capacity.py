@@ -2,12 +2,12 @@
 
     python benchmarks/supply_capacity.py [number [seed [grooves]]]
 
-Random bearings, half of them fed by holes and half by pockets, or by grooves all around and half
-grooves, of which as many are computed as needed for `number` with a supply capacity below the side flow Q3 of the standard: diameters 40 to 400 mm, B/D 0.4 to 1, 0.3
-to 3 MPa, 3 to 40 m/s, clearances 0.9 to 1.6 times that of Vogelpohl's rule, oils ISO VG 32 to 100 at 40 to 50 degC
-and 0.5 to 3 bar.
-Each is computed by the standard with all the oil that its film wants, by the standard with the flow limited to the
-supply capacity, and by `method: film, thermal: adiabatic`. One line a bearing, and the quartiles of the ratios.
+Random bearings, half of them fed by holes and half by pockets, or by grooves all around and half grooves, of which
+as many are computed as needed for `number` with a supply capacity below the side flow Q3 of the standard:
+diameters 40 to 400 mm, B/D 0.4 to 1, 0.3 to 3 MPa, 3 to 40 m/s, clearances 0.9 to 1.6 times that of Vogelpohl's
+rule, oils ISO VG 32 to 100 at 40 to 50 degC and 0.5 to 3 bar. Each is computed by the standard with all the oil
+that its film wants, by the standard with the flow limited to the supply capacity, and by `method: film, thermal:
+adiabatic`. One line a bearing, and the quartiles of the ratios.
 """
 
 import math
