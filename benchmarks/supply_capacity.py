@@ -1,13 +1,13 @@
-"""What holes and pockets deliver: the estimate of the ISO 7902 check set against films that conserve their oil.
+"""What a supply delivers: the estimate of the ISO 7902 check set against films that conserve their oil.
 
-    python benchmarks/supply_capacity.py [number [seed]]
+    python benchmarks/supply_capacity.py [number [seed [grooves]]]
 
-Random bearings, half of them fed by holes and half by pockets, of which as many are computed as needed for
-`number` with a supply capacity below the side flow Q3 of the standard: diameters 40 to 400 mm, B/D 0.4 to 1, 0.3
-to 3 MPa, 3 to 40 m/s, clearances 0.9 to 1.6 times that of Vogelpohl's rule, oils ISO VG 32 to 100 at 40 to 50 degC
-and 0.5 to 3 bar.
-Each is computed by the standard with all the oil that its film wants, by the standard with the flow limited to the
-supply capacity, and by `method: film, thermal: adiabatic`. One line a bearing, and the quartiles of the ratios.
+Random bearings, half of them fed by holes and half by pockets, or by grooves all around and half grooves, of which
+as many are computed as needed for `number` with a supply capacity below the side flow Q3 of the standard:
+diameters 40 to 400 mm, B/D 0.4 to 1, 0.3 to 3 MPa, 3 to 40 m/s, clearances 0.9 to 1.6 times that of Vogelpohl's
+rule, oils ISO VG 32 to 100 at 40 to 50 degC and 0.5 to 3 bar. Each is computed by the standard with all the oil
+that its film wants, by the standard with the flow limited to the supply capacity, and by `method: film, thermal:
+adiabatic`. One line a bearing, and the quartiles of the ratios.
 """
 
 import math
@@ -35,19 +35,31 @@ def pocket(rng: Random, width: float) -> str:
     return f"{{kind: pocket, width: {wide:.2f} mm, place: {place}, extent: {extent:.0f} deg}}"
 
 
-def bearing(rng: Random, number: int) -> str:
+def groove_360(rng: Random, width: float) -> str:
+    return f"{{kind: groove_360, width: {rng.uniform(0.05, 0.2) * width * 1e3:.2f} mm}}"
+
+
+def groove_180(rng: Random, width: float) -> str:
+    return f"{{kind: groove_180, width: {rng.uniform(0.05, 0.2) * width * 1e3:.2f} mm}}"
+
+
+ELEMENTS = {"holes": (hole, pocket), "grooves": (groove_360, groove_180)}
+
+
+def bearing(rng: Random, number: int, fed: str) -> str:
     diameter = math.exp(rng.uniform(math.log(0.04), math.log(0.4)))
     width, speed = rng.uniform(0.4, 1.0) * diameter, math.exp(rng.uniform(math.log(3.0), math.log(40.0)))
     pressure = math.exp(rng.uniform(math.log(0.3e6), math.log(3e6)))
     clearance = rng.uniform(0.9, 1.6) * 0.8e-3 * speed**0.25
-    element = (hole, pocket)[number % 2](rng, width)
+    element = ELEMENTS[fed][number % 2](rng, width)
+    span = 180 if "groove_180" in element else 360
     return f"""
 kind: journal
 name: bearing {number}
 diameter: {diameter * 1e3:.3f} mm
 width: {width * 1e3:.3f} mm
 clearance: {{kind: relative, mean: {clearance * 1e3:.4f} permille}}
-span: 360 deg
+span: {span} deg
 supply_element: {element}
 lubricant: ISO VG {rng.choice(GRADES)}
 supply: {{temperature: {rng.uniform(40, 50):.1f} degC, pressure: {rng.uniform(0.05, 0.3):.3f} MPa}}
@@ -57,13 +69,13 @@ surface_speed: {speed:.3f} m/s
 """
 
 
-def main(wanted: int = 30, seed: int = 15) -> None:
+def main(wanted: int = 30, seed: int = 15, fed: str = "holes") -> None:
     rng, number, rows = np.random.default_rng(seed), 0, []
     flow, heat, gap = "Q3   Q_cap  Q_st  Q_film  L/min", "T_ex   T_st  T_film", "h_min h_st h_film um"
     print(f"             element              {flow} |  {heat} |  {gap}")
     while len(rows) < wanted and number < 20 * wanted:
         number += 1
-        text = bearing(rng, number)
+        text = bearing(rng, number, fed)
         case = parse_case(text)
         iso = solve_design(iso7902_cases(case, case)[0])
         if not iso.outcome.solved or iso.supply_capacity >= iso.side_flow:
@@ -80,7 +92,8 @@ def main(wanted: int = 30, seed: int = 15) -> None:
         thin = [iso.minimum_film_thickness, iso.starved_minimum_film_thickness, film.minimum_film_thickness]
         rows.append((*flows, *hot, *thin, film.maximum_temperature))
         print(
-            f"{number:4d} {element.kind:7s} {element.place:10s} s = {element.axial_size / case.width:.2f}",
+            f"{number:4d} {element.kind:10s} {getattr(element, 'place', ''):10s}",
+            f"s = {element.axial_size / case.width:.2f}",
             *(f"{6e4 * flow:6.2f}" for flow in flows), "|",
             *(f"{one - 273.15:6.1f}" for one in hot), f"(T_max {film.maximum_temperature - 273.15:.1f}) |",
             *(f"{one * 1e6:6.1f}" for one in thin), flush=True,
@@ -103,4 +116,4 @@ def main(wanted: int = 30, seed: int = 15) -> None:
 
 
 if __name__ == "__main__":
-    main(*(int(one) for one in sys.argv[1:]))
+    main(*(int(one) for one in sys.argv[1:3]), *sys.argv[3:])

@@ -4,7 +4,7 @@ import math
 
 import pytest
 from design_cases import CASE_A
-from film_bearings import GROOVES, answer
+from film_bearings import GROOVES, answer, solved
 
 from babbitt.design.doubts import doubt_about_heat_balance, doubts_about_running
 from babbitt.standards.iso7902.procedure import check
@@ -98,7 +98,17 @@ def test_heat_that_is_not_accounted_for_is_told(error, code):
 
 def test_a_film_that_bears_every_rotor_says_why_it_has_no_critical_mass():
     pockets = [{"angle": f"{angle} deg", "extent": "20 deg", "width": "40 mm"} for angle in (0, 180)]
-    steady = answer(grooves=None, pockets=pockets, load_angle="-60 deg")
+    steady = answer(
+        grooves=None,
+        pockets=pockets,
+        load_angle="-60 deg",
+        diameter="120 mm",
+        width="80 mm",
+        clearance={"kind": "relative", "mean": "1.3 permille"},
+        supply={"temperature": "45 degC", "pressure": "0.2 MPa"},
+        load="12 kN",
+        speed="2000 rpm",
+    )
     assert ("critical_mass" in steady.values) != ("critical_mass" in steady.missing)
     assert any(one.code == "C115" for one in (*steady.checks, *steady.not_checked))
     assert steady.stable_at_any_mass == 1.0
@@ -106,11 +116,11 @@ def test_a_film_that_bears_every_rotor_says_why_it_has_no_critical_mass():
 
 
 def test_a_film_without_oil_is_told_to_be_fed():
-    dry = answer(
+    (dry,) = solved(
         grooves=None,
         span="360 deg",
         supply_element={"kind": "groove_360", "width": "8 mm"},
         supply={"temperature": "45 degC", "pressure": "0 MPa"},
-    )
+    ).results
     assert not dry.outcome.solved
     assert "no pressure presses oil into the film. Try: a supply pressure" in dry.message

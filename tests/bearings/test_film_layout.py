@@ -158,8 +158,8 @@ def test_own_hollows_replace_the_element():
 
 
 def test_a_slot_lies_along_the_shaft():
-    (hollow,) = by_rule(supply_element=SLOT).bearing.hollows
+    (hollow,) = by_rule(supply_element=SLOT, span="360 deg").bearing.hollows
     assert hollow.width == pytest.approx(0.060)
     for length, width in (("96 mm", "80 mm"), ("80 mm", "80 mm")):
         with pytest.raises(CaseError, match="one around the bore is a pocket"):
-            by_rule(supply_element=SLOT | {"length": length}, width=width)
+            by_rule(supply_element=SLOT | {"length": length}, width=width, span="360 deg")

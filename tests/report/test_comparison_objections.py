@@ -66,7 +66,8 @@ def test_methods_stand_from_the_one_that_sees_least_with_the_one_asked_for_marke
     assert labels[-2:] == ["adiabatic film", "full thermal film"]
     assert found.asked.label == "full thermal film"
     rows = {row.meaning: row.cells for row in comparison_table.compared_rows(found.methods)}
-    assert rows["Margin of the temperature to its limit"][0] == "+35.3 K"
+    # with the oil that its half groove delivers
+    assert rows["Margin of the temperature to its limit"][0] == "+16.9 K"
     assert rows["Oil temperature at the outlet, T_ex"][2] == "–"  # the temperature is prescribed
     born, oil, bush, journal = (
         found.asked.result.values[name]

@@ -49,13 +49,14 @@ def input_rows(machine: MachineResult) -> dict[str, str]:
 def test_flows_that_are_not_found_are_told_with_the_reason(monkeypatch: pytest.MonkeyPatch) -> None:
     """Q3 and Q_p vanished without a word where the film without supply pressure is not found."""
     known = solve(parse_case(CASE))
-    assert not known.results[0].missing
+    assert set(known.results[0].missing) == {"critical_mass"}
+    assert known.results[0].stable_at_any_mass == 1.0
     assert {"side_flow", "supply_flow"} <= set(known.results[0].values)
     lost = SimpleNamespace(outcome=Outcome.NOT_CONVERGED)
     monkeypatch.setattr("babbitt.film.solve.film_at_position", lambda *_, **__: lost)
     machine = solve(parse_case(CASE))
     (result,) = machine.results
-    assert set(result.missing) == {"side_flow", "supply_flow"}
+    assert set(result.missing) == {"side_flow", "supply_flow", "critical_mass"}
     assert result.total_flow == pytest.approx(known.results[0].total_flow, rel=1e-12)
     text = " ".join(printed(machine).split())
     assert text.count("without the supply pressure") >= 2
@@ -63,7 +64,7 @@ def test_flows_that_are_not_found_are_told_with_the_reason(monkeypatch: pytest.M
     labels = " ".join(row["label"] for row in bearing_content(chapter)["results"])
     assert labels.count("without the supply pressure") == 2
     (bearing,) = to_json(machine)["bearings"]
-    assert set(bearing["missing"]) == {"side_flow", "supply_flow"}
+    assert set(bearing["missing"]) == {"side_flow", "supply_flow", "critical_mass"}
     assert "side_flow" not in bearing["results"]
 
 

@@ -176,7 +176,8 @@ def half_bearing_width(element: SupplyElementGiven | None, width: float) -> floa
 
 def complaints_about(element: SupplyElementGiven, width: float, diameter: float) -> Iterator[Complaint]:
     """Complain about an element that does not fit into its bearing."""
-    name = {HoleElement: "diameter", SlotElement: "length"}.get(type(element), "width")
+    sizes: dict[type[Part], str] = {HoleElement: "diameter", SlotElement: "length"}
+    name = sizes.get(type(element), "width")
     if element.axial_size >= width:
         what = {GrooveElement: "groove", UnevenPockets: "pocket"}.get(type(element), element.kind)
         turned = isinstance(element, SlotElement)
