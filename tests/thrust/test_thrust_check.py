@@ -290,7 +290,7 @@ def test_a_metal_and_a_limit_of_the_case_take_the_place_of_the_assumed():
     assert result(**WARM, temperature_limit=f"{hottest + 1.0} degC", materials=METAL).within_limits
     named = result(**WARM, materials=METAL)
     assert set(of_temperature(named)) == {"C104", "C108", "C109"}
-    assert "assumption" not in of_temperature(named)["C108"].source
+    assert "reverse-gear study" in of_temperature(named)["C108"].source
     assert of_temperature(named)["C109"].advisory
     soft = result(**WARM, materials="{bearing_metal: SnSb8Cu4}")
     assert "tin-based" in of_temperature(soft)["C108"].source
