@@ -16,6 +16,7 @@ from typing import Any
 
 import babbitt
 from babbitt.cases import kinds
+from babbitt.quantities import QUANTITIES
 from babbitt.report import content as report_content
 from babbitt.report.export import to_json
 
@@ -36,6 +37,11 @@ FORMULAS, FILMS, COEFFICIENTS = 1e-10, 1e-7, 1e-4
 BY_FORMULA = ("iso7902", "quick", "statics", "superposition")
 LOOSE = ("stiffness", "damping", "mass", "threshold", "whirl", "error", "stability", "amplif")
 NUMBER = re.compile(r"[-−]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+
+ROUND_OFF = 1e-10
+"""In the engineer's unit: what is smaller is zero, and its digits differ from processor to processor."""
+ENTRY_ROUND_OFF = 1e-12
+"""The same of an entry of an array, over its largest."""
 
 
 def answer(name: str) -> dict[str, Any]:
@@ -62,27 +68,38 @@ def stored(name: str) -> dict[str, Any]:
     return kept
 
 
-def differences(kept: Any, now: Any, tolerance: float, where: str = "") -> Iterator[str]:
-    """Where two pieces of data differ by more than numbers may."""
+def differences(
+    kept: Any, now: Any, tolerance: float, where: str = "", nothing: float = ROUND_OFF
+) -> Iterator[str]:
+    """Where two pieces of data differ by more than numbers may; differences up to `nothing` are none."""
     if isinstance(kept, dict) and isinstance(now, dict):
         for key in sorted(kept.keys() ^ now.keys()):
             yield f"{where}/{key}: only in the {'golden' if key in kept else 'answer'}"
         for key in kept.keys() & now.keys():
             own = COEFFICIENTS if any(word in key for word in LOOSE) else tolerance
-            yield from differences(kept[key], now[key], max(own, tolerance), f"{where}/{key}")
+            unit = QUANTITIES[key].display.scale if key in QUANTITIES else 1.0
+            zero = max(ROUND_OFF / unit, ENTRY_ROUND_OFF * largest(kept[key]))
+            yield from differences(kept[key], now[key], max(own, tolerance), f"{where}/{key}", zero)
     elif isinstance(kept, list) and isinstance(now, list):
         if len(kept) != len(now):
             yield f"{where}: {len(kept)} entries in the golden, {len(now)} in the answer"
         for place, (one, other) in enumerate(zip(kept, now, strict=False)):
-            yield from differences(one, other, tolerance, f"{where}/{place}")
+            yield from differences(one, other, tolerance, f"{where}/{place}", nothing)
     elif isinstance(kept, float) and isinstance(now, int | float) and not isinstance(now, bool):
-        if not math.isclose(kept, now, rel_tol=tolerance, abs_tol=1e-12):
+        if not math.isclose(kept, now, rel_tol=tolerance, abs_tol=nothing):
             yield f"{where}: {kept!r} in the golden, {now!r} in the answer"
     elif isinstance(kept, str) and isinstance(now, str):
         if not same_text(kept, now):
             yield f"{where}: {kept!r} in the golden, {now!r} in the answer"
     elif kept != now:
         yield f"{where}: {kept!r} in the golden, {now!r} in the answer"
+
+
+def largest(data: Any) -> float:
+    """The largest entry of an array of numbers; 0 of anything else."""
+    if isinstance(data, list):
+        return max(map(largest, data), default=0.0)
+    return abs(data) if isinstance(data, float) else 0.0
 
 
 def same_text(kept: str, now: str) -> bool:
@@ -92,7 +109,7 @@ def same_text(kept: str, now: str) -> bool:
     if NUMBER.sub("#", kept) != NUMBER.sub("#", now):
         return False
     pairs = zip(NUMBER.findall(kept), NUMBER.findall(now), strict=True)
-    return all(abs(_value(one) - _value(other)) <= 1.01 * _step(one) for one, other in pairs)
+    return all(abs(_value(one) - _value(other)) <= max(1.01 * _step(one), ROUND_OFF) for one, other in pairs)
 
 
 def _value(text: str) -> float:

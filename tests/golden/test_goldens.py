@@ -16,9 +16,20 @@ def test_texts_may_differ_in_the_last_digit_alone():
     assert same_text("h = 24.31 µm at 45 °C", "h = 24.32 µm at 45 °C")
     assert not same_text("h = 24.31 µm at 45 °C", "h = 24.33 µm at 45 °C")
     assert not same_text("h = 24.31 µm", "h = 24.31 mm")
+    assert same_text("5.57e-13", "5.40e-13")  # round-off of a balance
+    assert not same_text("5.57e-9", "5.40e-9")
 
 
 def test_a_changed_number_or_a_lost_entry_is_found():
     assert list(differences({"a": 1.0}, {"a": 1.0 + 1e-6}, 1e-7))
     assert list(differences({"a": 1.0, "b": 2}, {"a": 1.0}, 1e-7))
     assert not list(differences({"stiffness": 1.0}, {"stiffness": 1.0 + 1e-6}, 1e-7))
+
+
+def test_round_off_is_told_from_numbers_by_the_size_of_what_they_measure():
+    matrix = {"tilt_stiffness": [[1e8, -3e-9], [0.0, 1e8]]}
+    assert not list(differences(matrix, {"tilt_stiffness": [[1e8, 2e-9], [0.0, 1e8]]}, 1e-7))
+    assert list(differences(matrix, {"tilt_stiffness": [[1e8, 1.0], [0.0, 1e8]]}, 1e-7))
+    assert not list(differences({"friction_power": -2.427e-8}, {"friction_power": -2.426e-8}, 1e-7))
+    assert list(differences({"friction_power": 2.427}, {"friction_power": 2.426}, 1e-7))
+    assert list(differences({"minimum_film_thickness": 2e-6}, {"minimum_film_thickness": 2.00001e-6}, 1e-7))
