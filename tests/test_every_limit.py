@@ -7,7 +7,8 @@ import pytest
 import yaml
 
 import babbitt
-from babbitt.cases import case_from_dict, template
+from babbitt.cases import case_from_dict, kinds, template
+from babbitt.results import Verdict
 from babbitt.solving import solve
 
 JOURNAL = {"C101", "C102", "C103", "C104", "C105", "C106", "C107", "C108", "C111"}
@@ -16,12 +17,16 @@ LIMITS = {
     "hydrostatic_pad": {"C301", "C302", "C303"},
     "hydrostatic_thrust_ring": {"C301", "C302", "C303"},
     "jacking_pocket": {"C304"},
+    "overhung_coupling": set(),
+    "screw_heel": {"C130", "C131"},
     "thrust": {"C103", "C104", "C105", "C108", "C202"},
     "thrust_line": {"C103", "C104", "C105", "C108", "C201", "C202", "C203", "C204", "C205"},
 }
-"""Limits of the kinds besides journal bearings."""
+"""Limits of the kinds besides journal bearings; a coupling's statics tell loads, and hold them against nothing."""
 METHODS = {
     **{kind: ("film", "quick") for kind in LIMITS if kind.startswith("hydrostatic") or kind == "jacking_pocket"},
+    "overhung_coupling": ("statics",),
+    "screw_heel": ("superposition", "narrow_groove", "narrow_groove to metal"),
     "thrust": ("heat_balance", "adiabatic", "temperature", "viscosity"),
     "thrust_line": ("heat_balance", "viscosity"),
 }
@@ -85,7 +90,13 @@ def test_every_limit_of_a_journal_bearing_is_held_or_listed(method, without):
 @pytest.mark.parametrize("without", ["nothing", "all that may be left out"])
 def test_every_limit_of_another_kind_is_held_or_listed(kind, method, without):
     given = yaml.safe_load(template(kind))
-    if not kind.startswith("thrust"):
+    if kind == "screw_heel":
+        given["method"] = method.split()[0]
+        if "metal" not in method:
+            del given["wall"]
+    elif kind == "overhung_coupling":
+        assert "method" not in given
+    elif not kind.startswith("thrust"):
         given["method"] = method
     elif method == "adiabatic":
         given["thermal"] = method
@@ -95,6 +106,17 @@ def test_every_limit_of_another_kind_is_held_or_listed(kind, method, without):
         given = {name: value for name, value in given.items() if name not in OPTIONAL}
     for result in solve(case_from_dict(given)).results:
         assert codes(result) >= LIMITS[kind]
+
+
+def test_every_kind_is_asked():
+    assert {"journal", "machine"} | set(LIMITS) == set(kinds())
+
+
+def test_a_kind_that_is_held_against_nothing_has_no_verdict():
+    """Loads of a shaft pass no bearing."""
+    (result,) = solve(case_from_dict(yaml.safe_load(template("overhung_coupling")))).results
+    assert result.checks == ()
+    assert result.verdict is Verdict.NO_VERDICT
 
 
 SOLVERS = {

@@ -8,6 +8,7 @@ import pytest
 from film_bearings import answer, solved
 
 from babbitt.bearings.changing_load import RotatingLoad, TabulatedLoad
+from babbitt.bearings.moving_journal import HeavyJournal
 from babbitt.bearings.orbit import find_orbit
 from babbitt.film.model import DRAFT, ENGINEERING, Cavitation, FilmStart, JournalFilm, Land, grooved_bore
 from babbitt.film.solve import film_at_position, solve_journal
@@ -63,17 +64,53 @@ def test_a_load_at_half_the_speed_squeezes_the_film_out():
     assert find_orbit(RING, RotatingLoad(2e4, 0.5)).outcome is Outcome.SQUEEZED_OUT
 
 
-def test_a_small_rotating_load_moves_the_journal_as_stiffness_and_damping_say():
+@pytest.mark.parametrize("ratio", [1.0, -1.0])
+@pytest.mark.parametrize("mass", [0.0, 2000.0])
+def test_an_unbalance_moves_the_journal_as_stiffness_damping_and_mass_say(mass, ratio):
+    """(K + i w C - w² m) r = F: a small force that turns, forward and backward."""
     small = 400.0
-    for mass in (0.0, 2000.0):
-        orbit = find_orbit(GROOVED, RotatingLoad(small), STEADY, mass=mass, resolution=ENGINEERING)
-        assert orbit.outcome is Outcome.CONVERGED
-        rest = solve_journal(GROOVED, STEADY)
-        dynamic = rest.stiffness + 1j * SPEED * rest.damping - mass * SPEED**2 * np.eye(2)
-        amplitude = np.linalg.solve(dynamic, np.array([small, -1j * small]))  # Re exp(i w t) is (cos, sin)
-        turning = np.exp(-1j * orbit.turned)
-        found = 2.0 * (orbit.position * turning[:, None]).mean(axis=0)
-        np.testing.assert_allclose(found, amplitude, rtol=0.05, atol=0.02 * np.abs(amplitude).max())
+    orbit = find_orbit(GROOVED, RotatingLoad(small, ratio), STEADY, mass=mass, resolution=ENGINEERING)
+    assert orbit.outcome is Outcome.CONVERGED
+    rest = solve_journal(GROOVED, STEADY)
+    dynamic = rest.stiffness + 1j * SPEED * rest.damping - mass * SPEED**2 * np.eye(2)
+    force = np.array([small, -1j * ratio * small])  # Re exp(i w t) is (cos, sin), or backward (cos, -sin)
+    amplitude = np.linalg.solve(dynamic, force)
+    turning = np.exp(-1j * orbit.turned)
+    found = 2.0 * (orbit.position * turning[:, None]).mean(axis=0)
+    np.testing.assert_allclose(found, amplitude, rtol=0.0, atol=0.01 * np.abs(amplitude).max())
+    velocity = 2.0 * (orbit.velocity * turning[:, None]).mean(axis=0)
+    np.testing.assert_allclose(velocity, 1j * SPEED * found, rtol=0.0, atol=5e-3 * SPEED * np.abs(found).max())
+
+
+@pytest.mark.parametrize("mass", [0.0, 2000.0])
+def test_the_mean_force_of_a_turn_is_the_static_load(mass):
+    """A closed orbit changes no momentum, however far its journal moves: here by half the clearance."""
+    orbit = find_orbit(GROOVED, MIXED, STEADY, mass=mass)
+    assert orbit.outcome is Outcome.CONVERGED
+    assert np.ptp(orbit.position, axis=0).max() > 0.3 * GROOVED.clearance
+    thin = replace(GROOVED, cavitation=Cavitation.REYNOLDS)
+    states = zip(orbit.position, orbit.velocity, strict=True)
+    force = np.array([film_at_position(thin, tuple(place), tuple(pace), DRAFT).force for place, pace in states])
+    np.testing.assert_allclose(force.mean(axis=0), [0.0, -STEADY[1]], atol=1e-3 * MIXED.magnitude)
+    np.testing.assert_allclose(orbit.load.mean(axis=0), STEADY, atol=1e-9 * MIXED.magnitude)
+
+
+def test_an_orbit_with_mass_closes_where_its_velocity_comes_back():
+    """A free motion passes by the place of the begin with a velocity of its own; told by a second integrator."""
+    from scipy.integrate import solve_ivp
+
+    load, mass = RotatingLoad(400.0, 0.25, 6.1), 1760.0
+    orbit = find_orbit(GROOVED, load, STEADY, mass=mass)
+    assert orbit.outcome is Outcome.CONVERGED
+    thin = replace(GROOVED, cavitation=Cavitation.REYNOLDS)
+    journal = HeavyJournal(thin, np.array(STEADY), load, SPEED, DRAFT, mass)
+    begin = np.concatenate((orbit.position[0], orbit.velocity[0] / SPEED)) / GROOVED.clearance
+    run = solve_ivp(
+        journal.slope, (0.0, orbit.cycle), begin, method="Radau", jac=journal.jacobian, rtol=1e-5, atol=1e-7
+    )
+    for part in (slice(0, 2), slice(2, 4)):
+        apart = np.hypot(*(run.y[part, -1] - begin[part]))
+        assert apart < 1.5e-3 * np.ptp(run.y[part], axis=1).max()
 
 
 def test_the_film_carries_the_load_at_every_instant(mixed):

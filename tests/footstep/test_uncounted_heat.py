@@ -11,7 +11,7 @@ from babbitt.footstep.check import heel_results
 from babbitt.footstep.face import Face
 from babbitt.footstep.model import Wall
 from babbitt.footstep.states import Method, steady_states
-from babbitt.footstep.uncounted_heat import uncounted_heat
+from babbitt.footstep.uncounted_heat import leaving_flow, needed_flow, uncounted_heat
 
 
 def test_the_shear_of_a_smooth_heel_warms_nothing():
@@ -69,17 +69,30 @@ def test_no_oil_that_leaves_takes_no_heat():
 
 @pytest.mark.parametrize(("clearance", "advised"), [(10.0, True), (60.0, False)])
 def test_a_rise_that_oil_cannot_have_is_advice(clearance, advised):
-    """Flow falls with the cube of the clearance, and friction rises: 100 K lie between."""
+    """Flow falls with the cube of the clearance, and friction rises: 100 K lie between. C131 tells either side."""
     (result,) = heel_results(HeelCase("Heel", footstep(groove=None, clearance=clearance)))
     (told,) = (notice.message for notice in result.warnings if notice.code == "W171")
-    heat = [check for check in result.checks if check.code == "C131"]
-    assert bool(heat) is advised
+    (check,) = (check for check in result.checks if check.code == "C131")
+    assert check.advisory
+    assert check.ok is not advised
     assert ("W176" in {notice.code for notice in result.warnings}) is advised  # then there is no verdict
-    if advised:
-        (check,) = heat
-        assert not check.ok
-        assert check.value == pytest.approx(result.heel_leakage, rel=1e-12)
+    assert check.value == pytest.approx(result.heel_leakage, rel=1e-12)
     assert "warmed by" in told
+
+
+@pytest.mark.parametrize("method", Method)
+@pytest.mark.parametrize("clearance", [8.0, 10.0, 20.0, 40.0, 60.0])
+def test_the_needed_oil_warms_by_the_rise_it_is_told_for(method, clearance):
+    """Beside the metal, which takes its conductance times that rise: the check and the rise are one statement."""
+    step = footstep(groove=None, clearance=clearance)
+    for asked in (step, replace(step, wall=Wall(298.15, 0.05))) if method is Method.NARROW_GROOVE else (step,):
+        (state,) = steady_states(asked, method)
+        heat, rise = uncounted_heat(asked, state, method)
+        needed = needed_flow(asked, state, method, 100.0)
+        metal = 0.0 if asked.wall is None else 0.05
+        if needed > 0.0:
+            assert heat / (1.76e6 * needed + metal) == pytest.approx(100.0, rel=1e-12)
+        assert (leaving_flow(state, method) >= needed) is (rise <= 100.0)
 
 
 @pytest.mark.parametrize(

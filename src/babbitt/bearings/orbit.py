@@ -47,7 +47,8 @@ MOST_CYCLES = 40
 
 CLOSED = 1e-3
 """Distance between begin and end of a cycle that counts as closed, over the thinnest film and the size of the
-orbit: a journal that sinks slowly moves little, but loses a share of its film in each cycle."""
+orbit: a journal that sinks slowly moves little, but loses a share of its film in each cycle. With mass
+the velocity must come back, too: a free motion that dies out may pass by the place where the cycle began."""
 
 FAR = 0.05
 """Distance over the clearance between begin and end of a cycle, above which the journal wanders rather than
@@ -205,13 +206,13 @@ def _marched(journal: MasslessJournal | HeavyJournal, begun: float, watch: Watch
                 outcome = Outcome.NOT_CONVERGED
                 break
             states, after = passed[:, :-1], passed[:, -1]
-            moved, state = float(np.hypot(*(after - state)[:2])), after
+            moved, apart = float(np.hypot(*(after - state)[:2])), _apart(state, after, states)
+            state = after
             thinnest.append(_thinnest(journal, states))
             if thinnest[-1] < THINNEST:
                 outcome = Outcome.SQUEEZED_OUT
                 break
-            size = float(np.ptp(states[:2], axis=1).max())
-            if cycles > 1 and moved < max(CLOSED * min(thinnest[-1], size), ACCURACY):
+            if cycles > 1 and apart < max(CLOSED * min(thinnest[-1], _size(states[:2])), ACCURACY):
                 outcome = Outcome.CONVERGED
                 break
         else:
@@ -272,6 +273,23 @@ def _cycle(journal: MasslessJournal | HeavyJournal, instants: Array, state: Arra
         state = run.y[:, -1]
         states.append(run.y)
     return np.concatenate(states, axis=1)
+
+
+def _apart(begin: Array, end: Array, states: Array) -> float:
+    """Distance between begin and end of a cycle: of the places or, with mass, of the velocities if that is larger.
+
+    Velocities count by the time in which the journal passes its orbit, so that a share of the largest velocity
+    counts as that share of the size. A cycle whose velocity comes back changes no momentum: its mean film force is
+    the mean load.
+    """
+    place, velocity = np.hypot(*(end - begin)[:2]), (end - begin)[2:]
+    quickest = _size(states[2:]) if velocity.size else 0.0
+    return float(max(place, np.hypot(*velocity) * _size(states[:2]) / quickest) if quickest > 0.0 else place)
+
+
+def _size(path: Array) -> float:
+    """Larger extent of a path in the plane."""
+    return float(np.ptp(path, axis=1).max())
 
 
 def _begin(journal: MovingJournal, instants: Array) -> Array:

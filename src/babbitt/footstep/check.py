@@ -24,7 +24,7 @@ from babbitt.footstep.states import (
 )
 from babbitt.footstep.superposition import GroovedHeel
 from babbitt.footstep.turning_heel import turning_force
-from babbitt.footstep.uncounted_heat import leaving_flow, uncounted_heat, uncounted_share
+from babbitt.footstep.uncounted_heat import leaving_flow, needed_flow, uncounted_heat, uncounted_share
 from babbitt.notices import EXPLANATIONS, Notice
 from babbitt.result_names import ResultName
 from babbitt.results import Bound, Check, Outcome, Result
@@ -145,7 +145,7 @@ def _result(
             "C130", "thermal_loop_gain", state.loop_gain, 1.0, Bound.AT_MOST,
             "less of a disturbance of temperature must come back than there was", advisory=True,
         ),
-        *_heat_checks(case, state),
+        _heat_check(case, state),
     )  # fmt: skip
     return Result(
         ResultName(case.name, state=title), case.kind, case.method.value, Outcome.CONVERGED, values, checks,
@@ -154,14 +154,12 @@ def _result(
     )  # fmt: skip
 
 
-def _heat_checks(case: HeelCase, state: SteadyState) -> Iterator[Check]:
-    """Advise where the oil that leaves could not take the heat left out of it: such a state cannot last."""
-    heat, rise = uncounted_heat(case.footstep, state, case.method)
-    if rise > LARGEST_RISE:
-        name = "heel_leakage" if case.method is Method.SUPERPOSITION else "heel_net_flow"
-        needed = heat / (case.footstep.oil.heat_capacity * LARGEST_RISE)
-        yield Check("C131", name, leaving_flow(state, case.method), needed, Bound.AT_LEAST,
-                    f"friction heat at a rise of {LARGEST_RISE:.0f} K", advisory=True)  # fmt: skip
+def _heat_check(case: HeelCase, state: SteadyState) -> Check:
+    """Advice: the oil that leaves must be able to take the heat left out of it, else such a state cannot last."""
+    name = "heel_leakage" if case.method is Method.SUPERPOSITION else "heel_net_flow"
+    needed = needed_flow(case.footstep, state, case.method, LARGEST_RISE)
+    return Check("C131", name, leaving_flow(state, case.method), needed, Bound.AT_LEAST,
+                 f"friction heat at a rise of {LARGEST_RISE:.0f} K", advisory=True)  # fmt: skip
 
 
 def _values(case: HeelCase, state: SteadyState) -> dict[str, float]:

@@ -8,7 +8,7 @@ from babbitt.footstep.model import Footstep
 from babbitt.footstep.states import Method
 from babbitt.footstep.steady_state import SteadyState
 
-__all__ = ["leaving_flow", "uncounted_heat", "uncounted_share"]
+__all__ = ["leaving_flow", "needed_flow", "uncounted_heat", "uncounted_share"]
 
 
 def uncounted_heat(step: Footstep, state: SteadyState, method: Method) -> tuple[float, float]:
@@ -32,17 +32,27 @@ def uncounted_heat(step: Footstep, state: SteadyState, method: Method) -> tuple[
         W and K. The rise is that of the oil that leaves and of the metal, as far as there is one; infinite where
         nothing could take the heat.
     """
-    oil = step.oil
-    metal, conductance = 0.0, 0.0
-    if method is Method.NARROW_GROOVE and step.wall is not None:
-        conductance = step.wall.conductance
+    oil, conductance = step.oil, _conductance(step, method)
+    metal = 0.0
+    if step.wall is not None:
         films = state.rim_temperature + state.face_temperature
-        metal = 0.5 * step.wall.conductance * (films - 2.0 * step.wall.temperature)
+        metal = 0.5 * conductance * (films - 2.0 * step.wall.temperature)
     heat = given_power(step, state) - metal - oil.heat_capacity * _carried(step, state, method)
     takes = oil.heat_capacity * leaving_flow(state, method) + conductance
     if takes <= 0.0:
         return heat, math.inf if heat > 0.0 else 0.0
     return heat, heat / takes
+
+
+def needed_flow(step: Footstep, state: SteadyState, method: Method, rise: float) -> float:
+    """Oil that must leave to take the heat left out of it, beside the metal, at a rise of temperature, m3/s."""
+    heat, _ = uncounted_heat(step, state, method)
+    return max(heat / rise - _conductance(step, method), 0.0) / step.oil.heat_capacity
+
+
+def _conductance(step: Footstep, method: Method) -> float:
+    """To the metal, W/K; narrow-groove theory alone knows it."""
+    return step.wall.conductance if method is Method.NARROW_GROOVE and step.wall is not None else 0.0
 
 
 def uncounted_share(step: Footstep, state: SteadyState, method: Method) -> float:

@@ -7,9 +7,9 @@ from babbitt.notices.explanation import Effect, Explanation
 FOOTSTEP: dict[str, Explanation] = {
     "C131": Explanation(
         "Oil enough for the friction heat",
-        "The oil that leaves against what would carry off, at a rise of 100 K, the heat that the method leaves "
-        "out of it. With less the state cannot last as computed: metal takes the heat, or the films are far "
-        "warmer.",
+        "The oil that leaves against what would carry off, at a rise of 100 K and beside the metal, the heat that "
+        "the method leaves out of it. With less the state cannot last as computed: metal takes the heat, or "
+        "the films are far warmer.",
         "Take `method: narrow_groove` with `wall`, which says where the heat goes.",
     ),
     "W160": Explanation(
