@@ -290,6 +290,9 @@ APPROACH = (0.6, 0.8, 0.9, 0.96, 0.99, 1.0)
 """Shares of a position over which the journal goes there where the wet set finds no rest at once."""
 WET_ROUNDS = 60
 """Rounds of the wet set at one place."""
+CALM = 1e-4
+"""Change of the force over the last half of the rounds, relative, up to which nodes that change sides for ever are
+let be: what an equilibrium with such nodes may miss of its load (`rest`)."""
 
 
 def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: Resolution) -> SettledRing:
@@ -319,8 +322,11 @@ def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: 
 
 
 def _wet_set(sample: Sample, at: Array, rate: Array) -> tuple[bool, int]:
-    """Rounds of the wet set at one place: whether it rests, and how many they were."""
+    """Rounds of the wet set at one place: whether it rests or hardly changes the force, and how many they were."""
+    forces = []
     for number in range(1, WET_ROUNDS + 1):
         if sample.evaluate(at, rate) == 0:
             return True, number
-    return False, WET_ROUNDS
+        forces.append(sample.force.copy())
+    change = np.ptp(np.array(forces[WET_ROUNDS // 2 :]), axis=0)
+    return bool(np.linalg.norm(change) <= CALM * np.linalg.norm(sample.force)), WET_ROUNDS
