@@ -1,5 +1,6 @@
 """Orbits under changing loads: closed forms, balances, symmetries, and the linear film as their limit."""
 
+import itertools
 import math
 from dataclasses import replace
 
@@ -7,6 +8,8 @@ import numpy as np
 import pytest
 from film_bearings import answer, solved
 
+from babbitt.bearings import moving_journal
+from babbitt.bearings import orbit as orbit_module
 from babbitt.bearings.changing_load import RotatingLoad, TabulatedLoad
 from babbitt.bearings.moving_journal import HeavyJournal
 from babbitt.bearings.orbit import find_orbit
@@ -215,6 +218,37 @@ def test_a_short_pulse_is_seen_wherever_it_lies_in_the_cycle(mass):
     for one in found:  # the instants see the whole pulse
         impulse = np.trapezoid(np.vstack([one.load, one.load[:1]]), np.append(one.turned, one.cycle), axis=0)
         assert impulse == pytest.approx([0.0, STEADY[1] * one.cycle - 3e5 * math.radians(5.0)], rel=1e-9)
+
+
+def test_a_march_is_bounded_in_films(monkeypatch):
+    """A load at half the speed sinks the journal ever more slowly: nothing but a bound ends it early."""
+    whole = find_orbit(RING, RotatingLoad(1e4, 0.5), (0.0, -100.0))
+    asked = []
+    monkeypatch.setattr(
+        moving_journal, "film_at_position", lambda *given: asked.append(1) or film_at_position(*given)
+    )
+    for module in (moving_journal, orbit_module):
+        monkeypatch.setattr(module, "MOST_FILMS", 500)
+    found = find_orbit(RING, RotatingLoad(1e4, 0.5), (0.0, -100.0))
+    assert 2 <= found.cycles < whole.cycles
+    assert len(asked) < 4 * 500
+    assert found.outcome in (Outcome.SQUEEZED_OUT, Outcome.NOT_PERIODIC)
+    assert np.isfinite(found.film_thickness).all()
+
+
+def test_a_march_that_loses_its_film_keeps_its_last_cycle(monkeypatch):
+    films = itertools.count()
+
+    def lost_for_a_while(*given):
+        found = film_at_position(*given)
+        return replace(found, outcome=Outcome.NOT_CONVERGED) if next(films) == 600 else found
+
+    monkeypatch.setattr(moving_journal, "film_at_position", lost_for_a_while)
+    found = find_orbit(GROOVED, MIXED, STEADY, mass=2000.0)
+    assert found.outcome is Outcome.NOT_CONVERGED
+    assert found.cycles >= 1
+    assert np.isfinite(found.film_thickness).all()
+    assert 0.2 * GROOVED.clearance < found.film_thickness.min() < GROOVED.clearance
 
 
 def test_limits_of_load_and_pressure_hold_for_the_worst_instant():

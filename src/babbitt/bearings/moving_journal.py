@@ -18,7 +18,7 @@ from babbitt.film.solution import FilmSolution
 from babbitt.film.solve import film_at_position
 from babbitt.results import Outcome
 
-__all__ = ["HeavyJournal", "MasslessJournal", "MovingJournal", "NoMotionError"]
+__all__ = ["MOST_FILMS", "HeavyJournal", "MasslessJournal", "MovingJournal", "NoMotionError"]
 
 Array = NDArray[np.float64]
 
@@ -26,8 +26,13 @@ BALANCED, BALANCED_WHILE_MARCHING = 1e-7, 1e-4
 """Last Newton step of the velocity, relative; the error is of its square."""
 
 
+MOST_FILMS = 20_000
+"""Films of a march after which no further cycle begins, and of which no cycle takes twice as many more: ordinary
+orbits take one to ten thousand (an assumption)."""
+
+
 class NoMotionError(Exception):
-    """The film gave no answer, or no velocity at which it carries the load."""
+    """The film gave no answer, or no velocity at which it carries the load, or the march took too many films."""
 
 
 class MovingJournal:
@@ -39,6 +44,7 @@ class MovingJournal:
         self.film, self.steady, self.changing, self.resolution = film, steady, changing, resolution
         self.speed = speed
         self.c, self.rate = film.clearance, abs(speed)
+        self.films = 0
         self._last_velocity = np.zeros(2)
 
     def load(self, turned: float) -> Array:
@@ -48,6 +54,9 @@ class MovingJournal:
 
     def film_at(self, place: Array, velocity: Array) -> FilmSolution | None:
         """Film at a place and velocity; None where the journal touches the bore."""
+        self.films += 1
+        if self.films > 3 * MOST_FILMS:
+            raise NoMotionError
         c, unit = self.c, self.c * self.rate
         found = film_at_position(
             self.film, (place[0] * c, place[1] * c), (velocity[0] * unit, velocity[1] * unit), self.resolution

@@ -20,7 +20,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.bearings.changing_load import ChangingLoad
-from babbitt.bearings.moving_journal import HeavyJournal, MasslessJournal, MovingJournal, NoMotionError
+from babbitt.bearings.moving_journal import (
+    MOST_FILMS,
+    HeavyJournal,
+    MasslessJournal,
+    MovingJournal,
+    NoMotionError,
+)
 from babbitt.bearings.watch import Watch, unwatched
 from babbitt.film.model import DRAFT, Cavitation, JournalFilm, Resolution
 from babbitt.film.solution import FilmSolution
@@ -196,36 +202,49 @@ def find_orbit(
 
 def _marched(journal: MasslessJournal | HeavyJournal, begun: float, watch: Watch) -> Orbit:
     instants = _instants(journal.changing)
-    state = journal.start(_begin(journal, instants))
-    states, thinnest = state[:, None].repeat(instants.size - 1, axis=1), []
-    outcome, cycles = Outcome.NOT_PERIODIC, 0
     try:
-        for cycles in watch(range(1, MOST_CYCLES + 1)):
-            passed = _cycle(journal, instants, state)
-            if passed is None:
-                outcome = Outcome.NOT_CONVERGED
-                break
-            states, after = passed[:, :-1], passed[:, -1]
-            moved, apart = float(np.hypot(*(after - state)[:2])), _apart(state, after, states)
-            state = after
-            thinnest.append(_thinnest(journal, states))
-            if thinnest[-1] < THINNEST:
-                outcome = Outcome.SQUEEZED_OUT
-                break
-            if cycles > 1 and apart < max(CLOSED * min(thinnest[-1], _size(states[:2])), ACCURACY):
-                outcome = Outcome.CONVERGED
-                break
-        else:
-            thins = thinnest[-1] < (1.0 - STILL_THINNING) * thinnest[-2]
-            outcome = Outcome.SQUEEZED_OUT if thins and moved < FAR else outcome
+        states, outcome, moved, cycles = _last_cycle(journal, instants, watch)
+        journal.films = 0
         return _read(journal, instants[:-1], states, outcome, moved > FAR, cycles, begun)
     except NoMotionError:
         nothing = np.full(1, np.nan)
         two = np.full((1, 2), np.nan)
         return Orbit(
             Outcome.NOT_CONVERGED, nothing, two, two, two, nothing, nothing, nothing, journal.c, journal.speed,
-            journal.changing.cycle, math.nan, cycles, time.perf_counter() - begun,
+            journal.changing.cycle, math.nan, 0, time.perf_counter() - begun,
         )  # fmt: skip
+
+
+def _last_cycle(
+    journal: MasslessJournal | HeavyJournal, instants: Array, watch: Watch
+) -> tuple[Array, Outcome, float, int]:
+    """States of the cycle in which the orbit closes or the march ends, outcome, distance moved, and cycles."""
+    state = journal.start(_begin(journal, instants))
+    known: Array | None = None
+    thinnest: list[float] = []
+    moved, cycles = 0.0, 0
+    for cycles in watch(range(1, MOST_CYCLES + 1)):
+        try:
+            passed = _cycle(journal, instants, state)
+        except NoMotionError:
+            passed = None
+        if passed is None:
+            if known is None:
+                raise NoMotionError
+            return known, Outcome.NOT_CONVERGED, moved, cycles - 1
+        known, after = passed[:, :-1], passed[:, -1]
+        moved, apart = float(np.hypot(*(after - state)[:2])), _apart(state, after, known)
+        state = after
+        thinnest.append(_thinnest(journal, known))
+        if thinnest[-1] < THINNEST:
+            return known, Outcome.SQUEEZED_OUT, moved, cycles
+        if cycles > 1 and apart < max(CLOSED * min(thinnest[-1], _size(known[:2])), ACCURACY):
+            return known, Outcome.CONVERGED, moved, cycles
+        if journal.films > MOST_FILMS and cycles > 1:
+            break
+    thins = thinnest[-1] < (1.0 - STILL_THINNING) * thinnest[-2]
+    assert known is not None
+    return known, Outcome.SQUEEZED_OUT if thins and moved < FAR else Outcome.NOT_PERIODIC, moved, cycles
 
 
 def _instants(changing: ChangingLoad) -> Array:
