@@ -220,6 +220,27 @@ def test_a_short_pulse_is_seen_wherever_it_lies_in_the_cycle(mass):
         assert impulse == pytest.approx([0.0, STEADY[1] * one.cycle - 3e5 * math.radians(5.0)], rel=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("given", "thins", "named", "not_named"),
+    [
+        (ROTATING, 1.0, "preload", "moving_mass"),
+        (ROTATING | {"moving_mass": "100 kg"}, 1.0, "moving_mass", "steady load"),
+        (ROTATING, -1.0, "ratio of the speeds", "moving_mass"),
+        ({"kind": "table", "cycle": "360 deg", "angle": ["0 deg", "180 deg"], "fx": ["0 N", "0 N"],
+          "fy": ["0 N", "-10 kN"]}, -1.0, "steady load", "ratio"),
+    ],
+)  # fmt: skip
+def test_a_remedy_names_only_what_the_case_has(given, thins, named, not_named, monkeypatch):
+    monkeypatch.setattr(orbit_module, "MOST_CYCLES", 2)  # too few to close, whatever is thought of the last film
+    monkeypatch.setattr(orbit_module, "CLOSED", 0.0)
+    monkeypatch.setattr(orbit_module, "ACCURACY", 1e-7)
+    monkeypatch.setattr(orbit_module, "STILL_THINNING", thins)
+    (found,) = solved(effective_temperature="60 degC", dynamic_load=given, cavitation="reynolds").results
+    assert found.outcome is (Outcome.NOT_PERIODIC if thins > 0.0 else Outcome.SQUEEZED_OUT)
+    assert named in found.message
+    assert not_named not in found.message
+
+
 def test_a_march_is_bounded_in_films(monkeypatch):
     """A load at half the speed sinks the journal ever more slowly: nothing but a bound ends it early."""
     whole = find_orbit(RING, RotatingLoad(1e4, 0.5), (0.0, -100.0))

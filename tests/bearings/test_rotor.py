@@ -16,6 +16,7 @@ from babbitt.bearings.whirl import at_speed
 from babbitt.film.rotor import RIGID, critical_mass_of_rotor, growth_rates, stable_masses_of_rotor
 from babbitt.film.stability import NO_MASS, stable_masses, whirl_frequency
 from babbitt.film.whirl import crossing
+from babbitt.notices import EXPLANATIONS
 
 entries = st.integers(-100, 100).map(lambda tenths: 0.1 * tenths)
 direct = st.integers(2, 100).map(lambda tenths: 0.1 * tenths)
@@ -212,6 +213,31 @@ def test_at_light_load_a_larger_clearance_invites_whirl_and_a_narrower_bearing_d
     assert np.all(np.diff(by_clearance) < 0.0)
     by_width = [critical(width, 1.2) for width in (100, 60, 30)]
     assert np.all(np.diff(by_width) > 0.0)
+
+
+@pytest.mark.parametrize("code", ["C112", "C115", "W120"])
+def test_advice_against_whirl_names_first_what_helps_at_any_load(code):
+    """At light load a larger clearance and a thinner oil bring whirl nearer."""
+    remedy = EXPLANATIONS[code].remedy.lower()
+    helps = [
+        remedy.find(word) for word in ("preload", "tilting pads", "narrower", "`method: film`") if word in remedy
+    ]
+    misleads = [remedy.find(word) for word in ("larger clearance", "thinner oil") if word in remedy]
+    assert all(min(helps) < place for place in misleads)
+
+
+def test_the_recommended_clearance_warns_of_whirl():
+    assert "against whirl it can make things worse" in EXPLANATIONS["C114"].remedy
+
+
+@pytest.mark.parametrize(("here", "sought"), [(100.0, 995.0), (100.0, 940.0), (100.0, 11.0)])
+def test_a_threshold_is_sought_up_to_ten_times_the_speed_and_down_to_a_tenth(here, sought):
+    """The last step of the search ends at the bound, not before it (it ended at 9.31 times)."""
+    rises = sought > here
+    found = crossing(lambda speed: (sought - speed) / sought, here)
+    assert found == pytest.approx(sought, rel=1e-3)
+    beyond = 1010.0 if rises else 9.9
+    assert crossing(lambda speed: (beyond - speed) / beyond, here) is None
 
 
 def test_threshold_speed_and_critical_mass_of_a_thermal_film_agree():

@@ -37,6 +37,12 @@ def test_kinds_are_those_that_can_be_loaded():
         template("jurnal")
 
 
+def test_the_list_of_kinds_names_the_films_of_a_journal():
+    """It called journal and machine bearings those of ISO 7902 alone."""
+    assert "film" in kinds()["journal"]
+    assert "ISO 7902 only" not in " ".join(kinds().values())
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_template_runs_as_it_stands(kind):
     case = parse_case(template(kind))

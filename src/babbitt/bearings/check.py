@@ -163,7 +163,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
             orbit = orbit_of(case, state, watch)
             if orbit is not None:
                 outcome = orbit.outcome
-                message = "" if outcome.solved else orbit_failure(orbit)
+                message = "" if outcome.solved else orbit_failure(case, orbit)
                 values |= orbit_values(case, orbit)
                 arrays["orbit"] = orbit_rows(orbit)
                 checks = (*checks, *orbit_checks(checks, values))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from babbitt.bearings.changing_load import TabulatedLoad
 from babbitt.bearings.layout import load_vector
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.warm_film import FilmState, is_dear
@@ -17,7 +18,7 @@ from babbitt.design.conditions import GivenLoad, sliding_speed
 from babbitt.design.doubts import RIGID_FILM_UP_TO, doubt_about_pressure
 from babbitt.film.model import DRAFT, Cavitation
 from babbitt.notices import EXPLANATIONS, Notice
-from babbitt.results import Check, Matrix
+from babbitt.results import Check, Matrix, Outcome
 
 if TYPE_CHECKING:
     from babbitt.bearings.orbit import Orbit
@@ -119,9 +120,19 @@ def orbit_assumptions(case: FilmCase) -> Iterator[str]:
         yield "The journal of the orbit has no mass: the film balances the load at every instant."
 
 
-def orbit_failure(orbit: Orbit) -> str:
-    """How far an orbit came that does not close, and what to try."""
+MASSLESS_REMEDY = "A bore with preload, or another load."
+"""What to try where an orbit of a journal without mass does not close: no mass can be made smaller."""
+TABLE_REMEDY = "A steady load besides, more oil, or less load."
+"""What to try where a load by table squeezes the film out: it has no ratio of the speeds."""
+
+
+def orbit_failure(case: FilmCase, orbit: Orbit) -> str:
+    """How far an orbit came that does not close, and what to try of what the case has."""
     remedy = EXPLANATIONS[orbit.outcome.code].remedy
+    if orbit.outcome is Outcome.NOT_PERIODIC and not case.moving_mass:
+        remedy = MASSLESS_REMEDY
+    if orbit.outcome is Outcome.SQUEEZED_OUT and isinstance(case.changing_load, TabulatedLoad):
+        remedy = TABLE_REMEDY
     far = f"after {orbit.cycles} cycles"
     if math.isfinite(float(orbit.film_thickness.min())):
         far += f" the thinnest film was {1e6 * float(orbit.film_thickness.min()):.3g} µm"
