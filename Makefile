@@ -12,7 +12,7 @@ demo: $(VENV)/.demo  ## solve the marine reverse gear: table, PDF and JSON
 	@ls -l out/marine_reverse_gear.pdf out/marine_reverse_gear.json
 
 test: $(VENV)/.test  ## tests, doctests and published cases
-	$(BIN)/python -m pytest -n auto
+	$(BIN)/python -m pytest -n auto --dist worksteal
 
 minima: $(VENV)-minima/.made  ## a smoke set on the lowest versions that pyproject.toml allows
 	$(VENV)-minima/bin/babbitt check examples/*.yaml

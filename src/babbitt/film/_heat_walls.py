@@ -134,9 +134,10 @@ def ask_walls(surface, columns, flows, cells, walls, temperature, groove, part, 
 
     A film that was held back, its ``change`` being more than ``MOST_RISE``, does not. Returns the larger change.
     """
+    # int(): for a literal number of sweeps the compiler would make a kernel of its own, here and in `close_energy`
     answered = move_walls(walls, wall_step(columns, cells, walls, temperature), part)
     if change <= MOST_RISE:
-        sweep_energy(surface, columns, flows, cells, walls, temperature, groove, 1, 0.0)
+        sweep_energy(surface, columns, flows, cells, walls, temperature, groove, int(1), 0.0)
     return max(change, answered)
 
 
@@ -149,7 +150,7 @@ def close_energy(surface, columns, flows, cells, walls, temperature, groove, mos
     change = 0.0
     for _ in range(most):
         enough = max(tolerance, 0.02 * change)  # walls that answer to a film on its way are thrown off theirs
-        change = sweep_energy(surface, columns, flows, cells, walls, temperature, groove, 16, enough)
+        change = sweep_energy(surface, columns, flows, cells, walls, temperature, groove, int(16), enough)
         if not walls.insulated:
             change = max(change, move_walls(walls, wall_step(columns, cells, walls, temperature), 1.0))
         if change < tolerance:
