@@ -90,7 +90,9 @@ def find_depth(axial, bearing, n_coarse, n_fine, load, tolerance, max_steps, res
         bar = 1e-3 if n != n_fine else tolerance
         for _ in range(max_steps):
             eps = 1.0 / (1.0 + math.exp(-logit))
-            status, steps, gap, grid = film_at(axial, bearing, n_coarse, n, eps, 0.0, 0.0, 0.0, int(MOST_FILMS), result)
+            status, steps, gap, grid = film_at(
+                axial, bearing, n_coarse, n, eps, 0.0, 0.0, 0.0, int(MOST_FILMS), result
+            )
             total += steps
             if status != CONVERGED:
                 return eps, status, total, gap, grid
