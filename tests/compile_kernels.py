@@ -2,8 +2,8 @@
 
     python tests/compile_kernels.py
 
-Workers that begin with an empty cache would each compile the same kernels. Every half has the kernels of one kind of
-grid: the usual one of half a symmetric bearing, whose loops are unrolled, and all others.
+Workers that begin with an empty cache would each compile the same kernels. Every half has the kernels of one kind
+of grid: the usual one of half a symmetric bearing, whose loops are unrolled, and all others.
 """
 
 from __future__ import annotations
