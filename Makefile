@@ -4,6 +4,9 @@ VENV ?= .venv
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip install --quiet --constraint constraints.txt
 
+# Tests start Python anew many times: let it keep what it compiles.
+unexport PYTHONDONTWRITEBYTECODE
+
 # What solves no film, or few: for the inner loop.
 FAST := src tests/cases tests/characteristics tests/design tests/docs tests/files tests/fits tests/interop \
 	tests/longfilm tests/lubricants tests/materials tests/segments tests/shafts tests/standards tests/units

@@ -8,6 +8,8 @@ from babbitt.cases import CaseError, case_from_dict
 from babbitt.notices import InputError
 from babbitt.solving import solve
 
+pytestmark = pytest.mark.slow
+
 COMMON = {
     "kind": "journal",
     "name": "Bearing",

@@ -25,6 +25,8 @@ from babbitt.notices import InputError
 from babbitt.report import content as report_content
 from babbitt.solving import solve
 
+pytestmark = pytest.mark.slow
+
 KINDS = {
     "thrust": ThrustCase,
     "thrust_line": ThrustLineCase,
