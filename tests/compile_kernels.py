@@ -31,16 +31,17 @@ BEARING: Fields = {
 WARM: Fields = {
     "thermal": "full",
     "accuracy": "draft",
-    "temperature_coefficients": "following",
     "walls": {"bush": {"outer_diameter": "260 mm", "conductivity": "45 W/(m K)"}},
 }
 POCKET: Fields = {"grooves": None, "pockets": [{"angle": "90 deg", "extent": "20 deg", "width": "60 mm"}]}
-WIDEST: Fields = {"grooves": None, "film_start": "widest_gap"}
+WIDEST: Fields = {"grooves": None, "film_start": "widest_gap", "cavitation": "reynolds"}
 TILTED: Fields = {"misalignment": {"x": "0.05 mrad", "y": "0 mrad"}}
 FINE: Fields = {"accuracy": "reference"}
+REYNOLDS: Fields = {"cavitation": "reynolds"}
+FOLLOWING: Fields = {"temperature_coefficients": "following"}
 HALVES: tuple[tuple[Fields, ...], ...] = (
-    ({}, POCKET, WARM, WIDEST),
-    (FINE, TILTED, WARM | TILTED, WIDEST | FINE),
+    ({}, REYNOLDS, POCKET, WIDEST, WARM),
+    (FINE, FINE | REYNOLDS, TILTED, FINE | WIDEST, WARM | TILTED | FOLLOWING),
 )
 
 
