@@ -115,11 +115,11 @@ def test_the_mirror_image_turns_the_other_way(mixed):
 
 
 def test_a_table_of_the_same_load_gives_the_same_orbit(mixed):
-    angles = np.arange(288) * (2.0 * math.pi / 288)
+    angles = np.arange(144) * (2.0 * math.pi / 144)
     fx, fy = np.array([MIXED.at(angle) for angle in angles]).T
     table = find_orbit(GROOVED, TabulatedLoad(tuple(angles), tuple(fx), tuple(fy)), STEADY)
-    np.testing.assert_allclose(table.turned[::2], mixed.turned, rtol=1e-12)
-    np.testing.assert_allclose(table.position[::2], mixed.position, atol=2e-3 * GROOVED.clearance)
+    np.testing.assert_allclose(table.turned, mixed.turned, rtol=1e-12)
+    np.testing.assert_allclose(table.position, mixed.position, atol=2e-3 * GROOVED.clearance)
 
 
 def test_a_mass_above_the_critical_one_leaves_its_orbit():
