@@ -264,7 +264,8 @@ def field_at(film: JournalFilm, field: Field | Array, angle: Array, z: Array) ->
     place = np.interp(z, columns, np.arange(columns.size))
     column = np.minimum(place.astype(int), max(columns.size - 2, 0))
     aside = place - column
-    return (1.0 - aside) * around[:, column] + aside * around[:, np.minimum(column + 1, columns.size - 1)]
+    after = np.minimum(column + 1, columns.size - 1)
+    return np.asarray((1.0 - aside) * around[:, column] + aside * around[:, after])
 
 
 def gap_over_lands(film: JournalFilm, angle: Array) -> Array:
