@@ -4,7 +4,14 @@ VENV ?= .venv
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip install --quiet --constraint constraints.txt
 
-.PHONY: demo test minima lint docs bench clean
+# Tests start Python anew many times: let it keep what it compiles.
+unexport PYTHONDONTWRITEBYTECODE
+
+# What solves no film, or few: for the inner loop.
+FAST := src tests/cases tests/characteristics tests/design tests/docs tests/files tests/fits tests/interop \
+	tests/longfilm tests/lubricants tests/materials tests/segments tests/shafts tests/standards tests/units
+
+.PHONY: demo test test-fast minima lint docs bench clean
 
 demo: $(VENV)/.demo  ## solve the marine reverse gear: table, PDF and JSON
 	mkdir -p out
@@ -12,7 +19,11 @@ demo: $(VENV)/.demo  ## solve the marine reverse gear: table, PDF and JSON
 	@ls -l out/marine_reverse_gear.pdf out/marine_reverse_gear.json
 
 test: $(VENV)/.test  ## tests, doctests and published cases
-	$(BIN)/python -m pytest -n auto
+	$(BIN)/python tests/compile_kernels.py
+	$(BIN)/python -m pytest -n auto --dist worksteal
+
+test-fast: $(VENV)/.test  ## what solves no film, or few
+	$(BIN)/python -m pytest -n auto --dist worksteal -m 'not slow' $(FAST)
 
 minima: $(VENV)-minima/.made  ## a smoke set on the lowest versions that pyproject.toml allows
 	$(VENV)-minima/bin/babbitt check examples/*.yaml

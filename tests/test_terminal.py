@@ -33,13 +33,18 @@ def launched(folder, *arguments, program=LAUNCH, shell="", **variables):
     return subprocess.run(command, cwd=folder, env=variables, capture_output=True, timeout=120)
 
 
-@pytest.fixture
-def folder(tmp_path):
+def case_in(folder):
+    """The folder, with a case in it."""
     name = "name: Lager Ψ µ ö"
     text = template("journal").replace("name: Example bearing", name)
     assert name in text
-    (tmp_path / "case.yaml").write_text(text, encoding="utf-8")
-    return tmp_path
+    (folder / "case.yaml").write_text(text, encoding="utf-8")
+    return folder
+
+
+@pytest.fixture
+def folder(tmp_path):
+    return case_in(tmp_path)
 
 
 @pytest.mark.parametrize("shell", ["| (exec <&-; sleep 0.1)", "| head -1", ">&-", "2>&-", "<&- >&- 2>&-"])
@@ -90,15 +95,20 @@ def test_letters_that_an_encoding_lacks_end_nothing(folder, command, encoding):
         assert sum(row == heading for row in rows) > 0.8 * len(rows), "columns stay where they are"
 
 
+@pytest.fixture(scope="module")
+def of_usual_width(tmp_path_factory):
+    """What a terminal of 140 columns shows of the case."""
+    return launched(case_in(tmp_path_factory.mktemp("usual")), "solve", "case.yaml", COLUMNS="140").stdout
+
+
 @pytest.mark.parametrize("columns", ["0", "1", "-5", "many", ""])
-def test_a_width_that_is_none_is_not_believed(folder, columns):
-    expected = launched(folder, "solve", "case.yaml", COLUMNS="140").stdout
+def test_a_width_that_is_none_is_not_believed(folder, columns, of_usual_width):
     for command in (("solve", "case.yaml"), ("--help",)):
         ended = launched(folder, *command, COLUMNS=columns)
         assert (ended.returncode, ended.stderr) == (0, b"")
         assert b"bearing" in ended.stdout
         if command[0] == "solve":
-            assert ended.stdout == expected
+            assert ended.stdout == of_usual_width
 
 
 AT_IMPORT = """

@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from babbitt.cases import case_from_dict
+from babbitt.cases.every_kind import Case as ReadCase
 from babbitt.cases.problems import CaseError
 from babbitt.notices import InputError
 from babbitt.results import Result
@@ -95,26 +96,43 @@ def faults_of(family: Family, seed: int | str) -> Outcome:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            found = answers(case)
+            given = read(case)
+            found = answers(given)
             seconds = time.perf_counter() - start
             faults = (
                 [] if isinstance(found, str) else [one for result in found for one in imbalances(result, case)]
             )
             for name, rewrite in family.rewritings.items():
                 bound = SAME_UNITS if name == "units" else family.same
-                faults += [f"{name}: {one}" for one in changes(found, answers(rewrite(case, rng)), bound)]
+                other = read(rewrite(case, rng))
+                if other != given:  # what is read as the same case is not solved again
+                    faults += [f"{name}: {one}" for one in changes(found, answers(other), bound)]
     except Exception as error:  # any traceback is a fault
         return Outcome((f"{type(error).__name__}: {error}",), "traceback", time.perf_counter() - start)
     return Outcome(tuple(faults), status_of(found), seconds)
 
 
-def answers(case: Case) -> tuple[Result, ...] | str:
-    """Results of all bearings of a case, or why it is refused."""
+def read(case: Case) -> ReadCase | str:
+    """The case as the program reads it, or why it is refused."""
     try:
-        return solve(case_from_dict(case)).results
+        return case_from_dict(case)
     except CaseError as error:
-        fields = {re.sub(r"\[\d+\]", "", problem.field) for problem in error.problems}
-        return "; ".join(sorted(fields))
+        return refusal(error)
+
+
+def refusal(error: CaseError) -> str:
+    """The fields that a refusal names."""
+    return "; ".join(sorted({re.sub(r"\[\d+\]", "", problem.field) for problem in error.problems}))
+
+
+def answers(given: ReadCase | str) -> tuple[Result, ...] | str:
+    """Results of all bearings of a case, or why it is refused."""
+    if isinstance(given, str):
+        return given
+    try:
+        return solve(given).results
+    except CaseError as error:
+        return refusal(error)
     except InputError as error:  # told by `check`, too, which makes the one solution that it needs
         return error.code
 

@@ -1,10 +1,14 @@
 """Every optional field of a journal bearing changes the answer, is refused, or is told not to be read."""
 
+from functools import cache
+
 import pytest
 
 from babbitt.cases import CaseError, case_from_dict
 from babbitt.notices import InputError
 from babbitt.solving import solve
+
+pytestmark = pytest.mark.slow
 
 COMMON = {
     "kind": "journal",
@@ -25,7 +29,7 @@ BASES = {
         "method": "iso7902", "span": "150 deg",
         "supply_element": {"kind": "hole", "diameter": "5 mm", "place": "opposite"},
     },
-    "film": COMMON | {"method": "film", "grooves": [{"angle": "0 deg", "extent": "20 deg"}]},
+    "film": COMMON | {"method": "film", "accuracy": "draft", "grooves": [{"angle": "0 deg", "extent": "20 deg"}]},
     "long_film": COMMON | {
         "method": "long_film", "width": "130 mm",
         "heat_exchange": {"bush": BUSH, "ambient": {"temperature": "20 degC", "coefficient": "50 W/(m2 K)"}},
@@ -65,7 +69,7 @@ CHANGED = {
     "carry_over": 0.5,
     "temperature_coefficients": "following",
     "film_start": "widest_gap",
-    "accuracy": "draft",
+    "accuracy": "engineering",
     "error_estimate": True,
     "equilibria": "all",
     "limits": {"minimum_film_thickness": "90 um"},
@@ -91,9 +95,15 @@ def told(**fields):
     return values, [(one.code, one.value, one.limit) for one in result.checks], words, result.missing
 
 
+@cache
+def told_of_base(method):
+    """What the base says; solved once."""
+    return told(**BASES[method])
+
+
 @pytest.mark.parametrize("method", BASES)
 def test_the_bases_are_answered(method):
-    assert not isinstance(told(**BASES[method]), str)
+    assert not isinstance(told_of_base(method), str)
 
 
 @pytest.mark.parametrize("field", CHANGED)
@@ -101,7 +111,7 @@ def test_the_bases_are_answered(method):
 def test_a_changed_field_changes_something(method, field):
     base = BASES[method]
     found = told(**base | {field: CHANGED[field]})
-    assert field in found if isinstance(found, str) else found != told(**base)
+    assert field in found if isinstance(found, str) else found != told_of_base(method)
 
 
 @pytest.mark.parametrize("field", SUPPLY)
@@ -112,4 +122,4 @@ def test_a_changed_supply_changes_something(method, field):
     if isinstance(found, str):
         assert field in found
     else:
-        assert found != told(**base) or any(f"supply.{field}" in words for words in found[2])
+        assert found != told_of_base(method) or any(f"supply.{field}" in words for words in found[2])

@@ -145,6 +145,7 @@ def test_no_quantity_takes_the_name_of_another() -> None:
         assert meanings.setdefault(one.name, one) == one, one.name
 
 
+@pytest.mark.slow
 def test_every_result_is_a_known_quantity() -> None:
     for file in (ROOT / "examples").glob("*.yaml"):
         for result in solve(load_case(file)).results:

@@ -135,6 +135,7 @@ def run_python(block: Block, place: str, names: dict[str, object]) -> None:
     assert runner.failures == 0, report.getvalue()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("page", with_examples(), ids=relative)
 def test_examples_run_as_shown(page: Path, workplace: Path) -> None:
     names: dict[str, object] = {"__name__": "__main__"}
@@ -175,6 +176,7 @@ NOT_PASSED = (
 a heel with an unstable state; a heel and the statics of a shaft, of which nothing is held against a limit."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("file", sorted((ROOT / "examples").glob("*.yaml")), ids=lambda file: file.name)
 def test_example_cases_have_an_operating_point_a_verdict_and_a_record(file: Path, tmp_path: Path) -> None:
     record = tmp_path / "record.json"

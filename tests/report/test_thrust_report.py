@@ -29,6 +29,13 @@ def line():
 
 
 @pytest.fixture(scope="module")
+def warm():
+    """With temperatures of its own; four pads take half the time of eight."""
+    four = template("thrust").replace("number: 8", "number: 4").replace("thrust: 500 kN", "thrust: 250 kN")
+    return solve(parse_case(four + "\nthermal: adiabatic\n"))
+
+
+@pytest.fixture(scope="module")
 def bearing():
     return solve(parse_case(template("thrust")))
 
@@ -111,12 +118,11 @@ def test_the_report_is_typeset(line, bearing):
     assert "Pads at rest" in page
 
 
-def test_a_bearing_with_its_own_temperatures_draws_and_tabulates_them(tmp_path):
-    solved = solve(parse_case(template("thrust") + "\nthermal: adiabatic\n"))
-    assert [table["title"] for table in tables(solved.results[0])][-1] == "Temperatures of the pads"
-    names = sorted(file.name for file in write_plots(solved, tmp_path, "png"))
+def test_a_bearing_with_its_own_temperatures_draws_and_tabulates_them(warm, tmp_path):
+    assert [table["title"] for table in tables(warm.results[0])][-1] == "Temperatures of the pads"
+    names = sorted(file.name for file in write_plots(warm, tmp_path, "png"))
     assert names == ["01-pad-pressure.png", "01-pad-temperature.png", "01-pads-polar.png"]
-    (chapter,) = content(solved)["bearings"]
+    (chapter,) = content(warm)["bearings"]
     assert any("adiabatic" in str(row) for group in chapter["inputs"] for row in group["rows"])
     assert "°C in a film" in chapter["answers"][-1]
 
@@ -127,9 +133,9 @@ def first_page(machine):
     return {column.heading: column.cells(machine.results)[0] for column in columns}
 
 
-def test_the_first_page_shows_what_is_judged_with_its_limit(line, bearing):
+def test_the_first_page_shows_what_is_judged_with_its_limit(line, bearing, warm):
     """Every limit stands beside the value that its check compares; the static film of a line has none."""
-    for machine in (line, bearing, solve(parse_case(template("thrust") + "\nthermal: adiabatic\n"))):
+    for machine in (line, bearing, warm):
         (result,) = machine.results
         shown = first_page(machine)
         judged = {QUANTITIES[check.quantity].symbol for check in result.checks if not check.advisory}

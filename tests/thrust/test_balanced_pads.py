@@ -35,6 +35,10 @@ def design(tilt=0.0, pad=PAD, thrust=500e3, oil=OIL, **other):
     return ThrustDesign("Block", of, GivenThrust(thrust), SPEED, oil)
 
 
+HALF = {"number": 4, "thrust": 250e3}
+"""Half the bearing takes half the time."""
+
+
 @pytest.mark.parametrize("pad", [PAD, TAPER, replace(PAD, crown=20e-6)], ids=["plane", "taper", "crown"])
 def test_every_pad_has_its_own_balance_fed_by_the_pad_before(pad):
     """P = rho c dT (Q_t + Q_s/2), Q_in T_in = kept T_t of the pad before + fresh T_s, mu = mu(T_in + dT/2)."""
@@ -137,7 +141,7 @@ def test_a_collar_that_leans_loads_pads_as_a_housing_that_leans(own):
     """The runout A at r_p is the plane of a housing tilted by A r_o/r_p: pads take in the same hot oil."""
     runout = 20e-6
     tilted, level = (
-        design(tilt, oil=replace(OIL, own_temperatures=own))
+        design(tilt, oil=replace(OIL, own_temperatures=own), **HALF)
         for tilt in (runout * PAD.outer_radius / PAD.pivot_radius, 0.0)
     )
     leaning, straight = bearing_state(tilted).share, bearing_state(level)
@@ -155,11 +159,11 @@ def test_a_runout_that_vanishes_leaves_the_answer_at_rest():
 
 @pytest.mark.parametrize("own", [False, True], ids=["global", "adiabatic"])
 def test_the_share_at_rest_is_found_again_from_near_and_far(own):
-    tilted = design(30e-6, oil=replace(OIL, own_temperatures=own))
+    tilted = design(30e-6, oil=replace(OIL, own_temperatures=own), **HALF)
     at_rest, standing = bearing_state(tilted), standing_at_rest(tilted.bearing)
     again = share_on(at_rest.films, at_rest.share, standing)
     assert again.largest_over_mean == pytest.approx(at_rest.share.largest_over_mean, rel=1e-6)
-    level = bearing_state(design(0.0, oil=tilted.oil)).share
+    level = bearing_state(design(0.0, oil=tilted.oil, **HALF)).share
     share = share_on(at_rest.films, replace(level, bearing=tilted.bearing), standing)
     assert share.heights == pytest.approx(at_rest.share.heights, rel=1e-5 if own else 1e-6)
 

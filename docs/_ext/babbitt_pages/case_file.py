@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
 from pydantic import TypeAdapter
@@ -62,6 +63,7 @@ def schema() -> Schema:
     return described
 
 
+@cache
 def sections() -> list[Section]:
     """Every mapping of the case language, outermost first, each once."""
     whole = schema()
@@ -90,6 +92,7 @@ def sections() -> list[Section]:
     return list(found.values())
 
 
+@cache
 def page() -> str:
     """Markdown of every section with a table of its fields."""
     every = sections()

@@ -136,9 +136,13 @@ def ask_walls(surface, columns, flows, cells, walls, temperature, groove, part, 
     """
     answered = move_walls(walls, wall_step(columns, cells, walls, temperature), part)
     if change <= MOST_RISE:
-        sweep_energy(surface, columns, flows, cells, walls, temperature, groove, 1, 0.0)
+        sweep_energy(surface, columns, flows, cells, walls, temperature, groove, int(ANSWERS), 0.0)
     return max(change, answered)
 
+
+ANSWERS, SWEEPS = 1, 16
+"""Sweeps after walls that answer, and of a film at rest before they do. (Callers write int(): for a constant the
+compiler would make a kernel of its own.)"""
 
 MOST_RISE = 20.0  # K: change of a temperature in one pass; what a film that leaks nothing would reach has no bound
 
@@ -149,7 +153,7 @@ def close_energy(surface, columns, flows, cells, walls, temperature, groove, mos
     change = 0.0
     for _ in range(most):
         enough = max(tolerance, 0.02 * change)  # walls that answer to a film on its way are thrown off theirs
-        change = sweep_energy(surface, columns, flows, cells, walls, temperature, groove, 16, enough)
+        change = sweep_energy(surface, columns, flows, cells, walls, temperature, groove, int(SWEEPS), enough)
         if not walls.insulated:
             change = max(change, move_walls(walls, wall_step(columns, cells, walls, temperature), 1.0))
         if change < tolerance:

@@ -16,6 +16,9 @@ from babbitt.film._grids import (
     uniform_lines,
 )
 
+MOST_FILMS = 200
+"""Films at one position. (Callers write int(): for a constant the compiler would make a second kernel.)"""
+
 
 @spliced
 def find_wet_set(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, max_steps, result):
@@ -60,7 +63,7 @@ def film_at(axial, bearing, n_coarse, n_fine, x, y, x_rate, y_rate, max_steps, r
 @compiled
 def find_near(axial, bearing, n_coarse, n_fine, load_x, load_y, x, y, tolerance, max_steps, result):
     """Equilibrium from a position close to it, on lines drawn there: x, y, status, steps, gap, grid."""
-    status, total, gap, grid = film_at(axial, bearing, n_coarse, n_fine, x, y, 0.0, 0.0, 200, result)
+    status, total, gap, grid = film_at(axial, bearing, n_coarse, n_fine, x, y, 0.0, 0.0, int(MOST_FILMS), result)
     if status != CONVERGED:
         return x, y, status, total, gap, grid
     n, m = grid.step.shape[1], len(axial.size)
@@ -87,7 +90,9 @@ def find_depth(axial, bearing, n_coarse, n_fine, load, tolerance, max_steps, res
         bar = 1e-3 if n != n_fine else tolerance
         for _ in range(max_steps):
             eps = 1.0 / (1.0 + math.exp(-logit))
-            status, steps, gap, grid = film_at(axial, bearing, n_coarse, n, eps, 0.0, 0.0, 0.0, 200, result)
+            status, steps, gap, grid = film_at(
+                axial, bearing, n_coarse, n, eps, 0.0, 0.0, 0.0, int(MOST_FILMS), result
+            )
             total += steps
             if status != CONVERGED:
                 return eps, status, total, gap, grid

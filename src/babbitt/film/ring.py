@@ -261,7 +261,11 @@ def field_at(film: JournalFilm, field: Field | Array, angle: Array, z: Array) ->
     row = share.astype(int) % values.shape[0]
     part = (share - np.floor(share))[:, None]
     around = (1.0 - part) * values[row] + part * values[(row + 1) % values.shape[0]]
-    return np.array([np.interp(z, columns, line) for line in around])
+    place = np.interp(z, columns, np.arange(columns.size))
+    column = np.minimum(place.astype(int), max(columns.size - 2, 0))
+    aside = place - column
+    after = np.minimum(column + 1, columns.size - 1)
+    return np.asarray((1.0 - aside) * around[:, column] + aside * around[:, after])
 
 
 def gap_over_lands(film: JournalFilm, angle: Array) -> Array:

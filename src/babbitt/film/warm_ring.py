@@ -295,7 +295,8 @@ def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines:
         bush=np.full(lines, cold), bush_flux=np.zeros(lines),
         ambient=cold if given is None else given.bush.ambient_temperature,
         journal=journal, journal_given=given is not None and given.journal.temperature is not None, width=width,
-        analysis=weight[:, None] * synthesis.T * width, synthesis=synthesis,
+        # in rows, as that of a pad: for other arrays the compiler would make all kernels of warm films again
+        analysis=np.ascontiguousarray(weight[:, None] * synthesis.T * width), synthesis=synthesis,
         admittance=admittance, harmonics=harmonics, inverse=np.zeros((weight.size + 1, weight.size + 1)),
         conductance=np.zeros(lines), fresh=cold, carry_over=heat.carry_over,
     )  # fmt: skip

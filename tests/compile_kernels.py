@@ -1,0 +1,68 @@
+"""Compile the kernels of the film engine, half of them in each of two processes, before tests ask for them.
+
+    python tests/compile_kernels.py
+
+Workers that begin with an empty cache would each compile the same kernels. Every half has the kernels of one kind
+of grid: the usual one of half a symmetric bearing, whose loops are unrolled, and all others.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from typing import Any
+
+Fields = dict[str, Any]
+
+BEARING: Fields = {
+    "kind": "journal",
+    "name": "Bearing",
+    "method": "film",
+    "diameter": "200 mm",
+    "width": "120 mm",
+    "clearance": {"kind": "relative", "mean": "1.5 permille"},
+    "materials": {"bearing": "C10", "journal": "C45"},
+    "lubricant": "ISO VG 46",
+    "supply": {"temperature": "45 degC", "pressure": "0.15 MPa"},
+    "grooves": [{"angle": "0 deg", "extent": "20 deg"}, {"angle": "180 deg", "extent": "20 deg"}],
+    "load": "30 kN",
+    "speed": "3000 rpm",
+}
+WARM: Fields = {
+    "thermal": "full",
+    "accuracy": "draft",
+    "walls": {"bush": {"outer_diameter": "260 mm", "conductivity": "45 W/(m K)"}},
+}
+POCKET: Fields = {"grooves": None, "pockets": [{"angle": "90 deg", "extent": "20 deg", "width": "60 mm"}]}
+WIDEST: Fields = {"grooves": None, "film_start": "widest_gap", "cavitation": "reynolds"}
+TILTED: Fields = {"misalignment": {"x": "0.05 mrad", "y": "0 mrad"}}
+FINE: Fields = {"accuracy": "reference"}
+REYNOLDS: Fields = {"cavitation": "reynolds"}
+FOLLOWING: Fields = {"temperature_coefficients": "following"}
+HALVES: tuple[tuple[Fields, ...], ...] = (
+    ({}, REYNOLDS, POCKET, WIDEST, WARM),
+    (FINE, FINE | REYNOLDS, TILTED, FINE | WIDEST, WARM | TILTED | FOLLOWING),
+)
+
+
+def compile_half(half: int) -> None:
+    """Solve bearings whose films need the kernels of one half."""
+    from babbitt.cases import case_from_dict
+    from babbitt.solving import solve
+
+    for changes in HALVES[half]:
+        fields = {name: value for name, value in (BEARING | changes).items() if value is not None}
+        solve(case_from_dict(fields))
+
+
+def main() -> int:
+    """Run both halves side by side; the first exit status that is not zero, or zero."""
+    halves = [subprocess.Popen([sys.executable, __file__, str(half)]) for half in range(len(HALVES))]
+    return next((half.returncode for half in halves if half.wait()), 0)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        compile_half(int(sys.argv[1]))
+    else:
+        sys.exit(main())
