@@ -64,7 +64,8 @@ THRUST: dict[str, Explanation] = {
     "W209": Explanation(
         "No film while the runout passes slowly",
         "The film is solved for a collar without runout. With its runout, turned so slowly that nothing swings, "
-        "the pads find no film at some position: faces that lean touch the collar or do not come to rest. The "
+        "the pads find no film at some position: faces that lean touch the collar or do not come to rest, or the "
+        "work that is allowed ends before (the message says which). The "
         "largest pad load over the mean is not given, and no film is counted on for the limit (C202).",
         "Less runout, a ring that gives way, pads on point pivots, or a case of kind thrust_line, which counts "
         "how line and pads move with the runout.",
