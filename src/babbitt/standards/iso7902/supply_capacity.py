@@ -22,6 +22,7 @@ from babbitt.results import Bound, Check
 from babbitt.standards.iso7902.doubts import doubts_about_validity
 from babbitt.standards.iso7902.film import Film, curves_of, starved_film_at
 from babbitt.standards.iso7902.model import DesignCase
+from babbitt.standards.iso7902.supply import CircumferentialGroove
 from babbitt.units import ZERO_CELSIUS
 
 __all__ = [
@@ -131,7 +132,8 @@ def doubts_about_capacity(
         said = f"no supply_element is given: Q_p = 0, yet the film is taken to draw {_litres(wanted)}"
         yield Notice("W185" if balanced else "W124", said)
     elif capacity is not None and capacity <= 0.0:
-        yield Notice("W185", f"no pressure presses oil through the supply, and the film wants {_litres(wanted)}")
+        said = f"{_without_pressure(case)}, and the film wants {_litres(wanted)}. Try: a supply pressure"
+        yield Notice("W185", said)
     elif film.supply_flow <= 0.0 and film.feed is not None and film.feed.limit is None:
         said = "no pressure is left at the supply element: Q_p = 0, and only the journal draws oil from it"
         yield Notice("W124", said)
@@ -151,6 +153,16 @@ def doubts_about_capacity(
     yield Notice("W123", f"{said}; with that flow {told}, and the limits are held against these")
     for doubt in doubts_about_validity(case, values):
         yield Notice(doubt.code, f"with the flow that the supply delivers: {doubt.message}")
+
+
+def _without_pressure(case: DesignCase) -> str:
+    """Why a supply without pressure delivers nothing."""
+    if isinstance(case.bearing.supply_element, CircumferentialGroove):
+        return (
+            "a groove all around has oil pressed out of it and none sheared into the gap, and the supply has no "
+            "pressure: Q_p = 0"
+        )
+    return "no pressure presses oil through the supply"
 
 
 def _litres(flow: float) -> str:
