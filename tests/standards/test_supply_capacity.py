@@ -360,3 +360,18 @@ def test_a_groove_all_around_without_pressure_delivers_nothing_and_says_why(pres
         assert result.verdict.value in ("fail", "no verdict")
         assert "a groove all around has oil pressed out of it and none sheared into the gap" in warnings["W185"]
         assert "Try: a supply pressure" in warnings["W185"]
+        assert any("groove around the bore, nothing by shear" in said for said in result.assumptions)
+
+
+@pytest.mark.parametrize(("load", "limited"), [("45 kN", True), ("1 kN", False)])
+def test_what_a_limited_half_groove_takes_for_granted_is_named(load, limited):
+    given = {
+        "kind": "journal", "name": "B", "method": "iso7902", "diameter": "120 mm", "width": "80 mm",
+        "clearance": {"kind": "relative", "mean": "1.6 permille"}, "span": "360 deg", "load": load,
+        "materials": {"bearing": "C10", "journal": "C45"}, "lubricant": "ISO VG 46", "speed": "5000 rpm",
+        "supply_element": {"kind": "groove_180", "width": "6 mm" if limited else "40 mm"},
+        "supply": {"temperature": "50 degC", "pressure": "0.1 MPa" if limited else "0.5 MPa"},
+    }  # fmt: skip
+    (result,) = solve(case_from_dict(given)).results
+    assert (result.values["supply_capacity"] < result.side_flow) is limited
+    assert any("of a half groove at its edge alone" in said for said in result.assumptions) is limited

@@ -22,10 +22,11 @@ from babbitt.results import Bound, Check
 from babbitt.standards.iso7902.doubts import doubts_about_validity
 from babbitt.standards.iso7902.film import Film, curves_of, starved_film_at
 from babbitt.standards.iso7902.model import DesignCase
-from babbitt.standards.iso7902.supply import CircumferentialGroove
+from babbitt.standards.iso7902.supply import CircumferentialGroove, HalfCircumferentialGroove
 from babbitt.units import ZERO_CELSIUS
 
 __all__ = [
+    "assumptions_about_capacity",
     "capacity_check",
     "capacity_not_checked",
     "doubts_about_capacity",
@@ -72,6 +73,25 @@ def starved_equilibrium(case: DesignCase, film: Film) -> Equilibrium[Film] | Non
     if case.effective_temperature is not None or not lacks_oil(film):
         return None
     return find_equilibrium(case, partial(starved_film_at, case=case, shape=curves_of(case)))
+
+
+def assumptions_about_capacity(case: DesignCase, film: Film) -> Iterator[str]:
+    """What the limited heat balance takes for granted, where it is made."""
+    if not lacks_oil(film):
+        return
+    said = (
+        "The supply delivers what its pressure presses through it and what the journal shears off before the load"
+    )
+    match case.bearing.supply_element:
+        case CircumferentialGroove():
+            yield "The supply delivers what pressure presses out of the groove around the bore, nothing by shear."
+        case HalfCircumferentialGroove():
+            yield (
+                f"{said}: of a half groove at its edge alone, though it fills the unloaded half along its whole "
+                "length, which errs to the hot side at the outlet."
+            )
+        case _:
+            yield f"{said}; what the film keeps from turn to turn is not counted."
 
 
 def starved_values(values: Values) -> dict[str, float]:
