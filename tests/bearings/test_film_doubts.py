@@ -124,3 +124,22 @@ def test_a_film_without_oil_is_told_to_be_fed():
     ).results
     assert not dry.outcome.solved
     assert "no pressure presses oil into the film. Try: a supply pressure" in dry.message
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({}, False),
+        ({"side_pressures": ["0.5 MPa", "0 MPa"]}, True),
+        ({"cavitation_pressure": "-0.5 bar"}, True),
+    ],
+)
+def test_oil_that_the_sides_draw_in_is_told(given, told):
+    """A side under pressure lets oil in, and so does a rupture that lies below the pressure around the bearing."""
+    result = answer(**QUICK, **given)
+    assert ("W141" in said(result)) is told
+    if told:
+        assert result.side_inflow > 0.02 * result.side_flow
+        assert f"draw in {6e4 * result.side_inflow:.2g} L/min" in said(result)["W141"]
+    else:
+        assert result.side_inflow < 1e-9 * result.side_flow

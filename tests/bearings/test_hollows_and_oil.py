@@ -2,6 +2,7 @@
 
 import math
 
+import film_bearings
 import pytest
 
 from babbitt import parse_case, solve
@@ -73,3 +74,41 @@ def test_oil_of_a_pocket_with_its_own_pressure_passes_no_tube_of_the_system():
     assert found["total_flow"] > 2.0 / 6e4
     assert found["tube_loss"] < 2e4
     assert found["element_pressure"] == pytest.approx(1e5 - found["tube_loss"])
+
+
+ALL_AROUND = {
+    "diameter": "100 mm", "width": "60 mm", "clearance": {"kind": "relative", "mean": "1.2 permille"},
+    "span": "360 deg", "grooves": None, "supply_element": {"kind": "groove_360", "width": "6 mm"},
+    "effective_temperature": "60 degC", "load": "10 kN",
+}  # fmt: skip
+
+
+def fed_through(diameter):
+    """A groove around the bore behind a tube; None: no tube."""
+    tubes = {} if diameter is None else {"tubes": [{"diameter": diameter, "length": "2 m"}]}
+    return film_bearings.answer(**ALL_AROUND, supply={"temperature": "50 degC", "pressure": "0.1 MPa"} | tubes)
+
+
+def test_a_groove_around_the_bore_behind_a_narrow_tube_gets_what_the_tube_passes():
+    """Without pressure it sends no oil off, so that the pressure behind the tube rises until some does."""
+    wide, middle, narrow = (fed_through(diameter) for diameter in (None, "6 mm", "2 mm"))
+    assert narrow.supply_flow < middle.supply_flow < wide.supply_flow
+    assert narrow.minimum_film_thickness < middle.minimum_film_thickness < wide.minimum_film_thickness
+    for one in (middle, narrow):
+        assert one.element_pressure + one.tube_loss == pytest.approx(0.1e6, rel=1e-6)
+        assert one.element_pressure > 0.0
+    viscous = 128.0 * 2.0 * narrow.supply_flow / (math.pi * 2e-3**4)  # over the viscosity: Hagen and Poiseuille
+    assert 0.01 < narrow.tube_loss / viscous < 0.1  # Pa s of ISO VG 46 at 50 °C, with the ends of the tube
+
+
+@pytest.mark.parametrize(
+    ("supply", "words"),
+    [
+        ({"pressure": "0 MPa"}, "Try: a supply pressure"),
+        ({"flow": "0.3 L/min"}, "Give the supply a pressure in place of the flow"),
+    ],
+)
+def test_a_groove_around_the_bore_without_pressure_says_what_is_missing(supply, words):
+    (result,) = film_bearings.solved(**ALL_AROUND, supply={"temperature": "50 degC"} | supply).results
+    assert result.verdict.value == "no solution"
+    assert words in result.message

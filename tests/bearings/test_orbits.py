@@ -308,3 +308,17 @@ def test_the_peak_of_a_fine_table_is_read():
     found = find_orbit(GROOVED, pulse, STEADY, resolution=COARSE)
     assert found.outcome is Outcome.CONVERGED
     assert -found.load[:, 1].min() == pytest.approx(3.2e5, rel=1e-12)
+
+
+@pytest.mark.parametrize(("ratio", "told"), [(0.52, True), (1.0, False)])
+def test_a_film_force_that_the_grid_blurs_is_told(ratio, told):
+    """Near half the speed wedge and squeeze nearly cancel; a load that turns with the journal is no such case."""
+    result = answer(
+        effective_temperature="60 degC", cavitation="reynolds", accuracy="draft", load="5 kN",
+        dynamic_load=ROTATING | {"speed_ratio": ratio},
+    )  # fmt: skip
+    warnings = {notice.code: notice.message for notice in result.warnings}
+    assert (result.orbit_load_error > 0.05) is told
+    assert ("W133" in warnings) is told
+    if told:
+        assert f"changes the force by {result.orbit_load_error:.0%}" in warnings["W133"]

@@ -28,7 +28,12 @@ def doubts(**changes) -> list[str]:
 
 @pytest.mark.parametrize(
     ("load", "thousands", "plain"),
-    [("12.000 kN", "12000 kN", "12 kN"), ("120.500 kN", "120500 kN", "120.5 kN"), ("1.250kN", "1250kN", "1.25kN")],
+    [
+        ("12.000 kN", "12000 kN", "12 kN"),
+        ("120.500 kN", "120500 kN", "120.5 kN"),
+        ("1.250kN", "1250kN", "1.25kN"),
+        ("12.345 N", "12345 N", "12.345 N"),
+    ],
 )
 def test_three_digits_after_the_point(load, thousands, plain):
     assert doubts(load=load) == [
@@ -37,7 +42,8 @@ def test_three_digits_after_the_point(load, thousands, plain):
 
 
 @pytest.mark.parametrize(
-    "load", ["12 kN", "12.5 kN", "12.50 kN", "12000 N", "12.0000 kN", "1234.500 N", "1.250e4 N"]
+    "load",
+    ["12 kN", "12.5 kN", "12.50 kN", "12000 N", "12.0000 kN", "1234.500 N", "1.250e4 N", "6.125 kN", "3.999 kN"],
 )
 def test_loads_that_stay_quiet(load):
     assert doubts(load=load) == []

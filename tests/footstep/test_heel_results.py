@@ -183,3 +183,16 @@ def test_json_is_finite_and_names_are_known():
     assert json.loads(write_json(machine))["bearings"][1]["settings"]["state"] == "hot"
     for result in machine.results:
         assert set(result.values) <= set(QUANTITIES)
+
+
+@pytest.mark.parametrize(("gap", "clearance", "told"), [(20, 20, False), (236, 0.553, False), (1000, 0.5, True)])
+def test_a_balance_of_the_rim_that_stays_open_is_told(gap, clearance, told):
+    """Beside a face gap 2000 times the clearance the rim has the pressure of the recess but for round-off."""
+    smooth = solved(
+        gap=("face_gap: 20 um", f"face_gap: {gap} um"),
+        clearance=("clearance: 20 um", f"clearance: {clearance} um"),
+    ).results[0]
+    assert (smooth.mass_balance_error > 1e-6) is told
+    assert ("W177" in codes(smooth)) is told
+    if told:
+        assert smooth.verdict.value == "no verdict"

@@ -22,9 +22,10 @@ from hydrostatic_bearings import (
 )
 
 from babbitt import load_case, solve
-from babbitt.cases import parse_case, template
+from babbitt.cases import design_cases, parse_case, template
 from babbitt.film.recess import RecessFilm
-from babbitt.hydrostatics.check import hydrostatic_check
+from babbitt.hydrostatics.answer import answer
+from babbitt.hydrostatics.check import hydrostatic_check, judged
 from babbitt.hydrostatics.closed_forms import lands_of
 from babbitt.hydrostatics.geometry import RectangularPad
 from babbitt.hydrostatics.heat_balance import heated
@@ -35,6 +36,7 @@ from babbitt.hydrostatics.lines import ENGINEERING
 from babbitt.hydrostatics.model import Duty, Oil, Recesses
 from babbitt.hydrostatics.network import Feeding
 from babbitt.hydrostatics.restrictors import Capillary, CheckValve, ConstantFlow, FlowValve, MeteredFlow, Orifice
+from babbitt.hydrostatics.state import Ending
 from babbitt.hydrostatics.supply import FixedPressure, Pump
 from babbitt.hydrostatics.surfaces import FilmOil, journal_surface
 from babbitt.hydrostatics.validity import of_powers
@@ -772,3 +774,16 @@ def test_oil_that_a_recess_pushes_back_is_not_pumped_again(method):
     result = hydrostatic_check(case(duty=Duty(30e3, -0.5 * math.pi, angular_speed=SPEED), method=method))
     assert min(result.arrays["restrictor_flow"][0]) < 0.0
     assert result.pumping_power == pytest.approx(5e6 * result.total_flow, rel=1e-12)
+
+
+@pytest.mark.parametrize(("gap", "words"), [(175.0, "left every gap with a film"), (-1e-6, "closed the gap")])
+def test_a_search_that_ends_nowhere_prints_no_absurd_gap(gap, words):
+    """A ring whose tilt ran away was told to have a smallest gap of 1.75e+08 µm."""
+    (case,) = design_cases(parse_case(template("hydrostatic_thrust_ring")))
+    lost = replace(answer(case), ending=Ending.NOT_CONVERGED, minimum_gap=gap, carried=-3e7)
+    outcome, said = judged(case, lost)
+    assert outcome is Outcome.NOT_CONVERGED
+    assert words in said
+    assert "e+0" not in said
+    near = replace(lost, minimum_gap=20e-6, carried=0.4)
+    assert "the smallest gap was 20 µm and 40 % of the load were carried" in judged(case, near)[1]

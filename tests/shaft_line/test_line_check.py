@@ -306,3 +306,29 @@ def test_a_feed_pump_has_no_propeller():
     found = solve(parse_case(pump.replace("- {share: 10 %}", "- {share: 10 %, order: 7}"))).results[0]
     assert found.outcome.solved
     assert found.natural_frequency_1 > solve(parse_case(BASE)).results[0].natural_frequency_1
+
+
+NONLINEAR = ("# nonlinear: true", "nonlinear: true")
+LINE_PIVOT = ("pivot: {kind: point, radius: 290 mm", "pivot: {kind: line, radius: 290 mm")
+
+
+@pytest.mark.parametrize(("share", "told"), [(10, False), (80, True)])
+def test_a_pad_that_the_collar_leaves_is_told(share, told):
+    found = result(NONLINEAR, ("share: 10 %", f"share: {share} %"))
+    warnings = {notice.code: notice.message for notice in found.warnings}
+    assert "nonlinear_minimum_film" in found.values
+    assert ("W205" in warnings) is told
+    if told:
+        assert "carries nothing during" in warnings["W205"]
+        assert found.verdict not in (Verdict.PASS, Verdict.REMARKS)
+
+
+@pytest.mark.parametrize(("offset", "told"), [(30, False), (100, True)])
+def test_points_of_a_sweep_without_a_film_are_told(offset, told):
+    """Pads held along the radius lean with the housing, and those on the stiffest rings touch the collar."""
+    found = result(LINE_PIVOT, ("offset: 30 um", f"offset: {offset} um"))
+    warnings = {notice.code: notice.message for notice in found.warnings}
+    assert ("W208" in warnings) is told
+    if told:
+        wanted = int(warnings["W208"].split()[2])
+        assert warnings["W208"] == f"{wanted - len(found.arrays['ring_sweep'])} of {wanted} backing rings"

@@ -7,6 +7,7 @@ import pytest
 from design_cases import CASE_A, RPM
 
 from babbitt import parse_case
+from babbitt.cases import case_from_dict
 from babbitt.cases.build import film_cases, iso7902_cases
 from babbitt.design.ducts import Duct
 from babbitt.report.verdict import comparison
@@ -337,3 +338,40 @@ def test_a_groove_all_around_delivers_by_pressure_alone():
     assert poor.starved_outlet_temperature > poor.outlet_temperature
     assert rich.supply_flow > rich.side_flow
     assert "W123" not in codes(rich.warnings)
+
+
+@pytest.mark.parametrize(("pressure", "told"), [("0 MPa", True), ("0.1 MPa", False)])
+def test_a_groove_all_around_without_pressure_delivers_nothing_and_says_why(pressure, told):
+    """Q_p is proportional to the pressure; a ring that lies in the film's own direction shears no oil into it."""
+    given = {
+        "kind": "journal", "name": "B", "method": "iso7902", "diameter": "100 mm", "width": "60 mm",
+        "clearance": {"kind": "relative", "mean": "1.6 permille"}, "span": "360 deg", "load": "10 kN",
+        "materials": {"bearing": "C10", "journal": "C45"}, "lubricant": "ISO VG 46", "speed": "1000 rpm",
+        "supply_element": {"kind": "groove_360", "width": "6 mm"},
+        "supply": {"temperature": "50 degC", "pressure": pressure},
+    }  # fmt: skip
+    (result,) = solve(case_from_dict(given)).results
+    warnings = {notice.code: notice.message for notice in result.warnings}
+    assert ("W185" in warnings) is told
+    capacity = next(check for check in result.checks if check.code == "C117")
+    assert (capacity.value == 0.0) is told
+    if told:
+        assert not capacity.ok
+        assert result.verdict.value in ("fail", "no verdict")
+        assert "a groove all around has oil pressed out of it and none sheared into the gap" in warnings["W185"]
+        assert "Try: a supply pressure" in warnings["W185"]
+        assert any("groove around the bore, nothing by shear" in said for said in result.assumptions)
+
+
+@pytest.mark.parametrize(("load", "limited"), [("45 kN", True), ("1 kN", False)])
+def test_what_a_limited_half_groove_takes_for_granted_is_named(load, limited):
+    given = {
+        "kind": "journal", "name": "B", "method": "iso7902", "diameter": "120 mm", "width": "80 mm",
+        "clearance": {"kind": "relative", "mean": "1.6 permille"}, "span": "360 deg", "load": load,
+        "materials": {"bearing": "C10", "journal": "C45"}, "lubricant": "ISO VG 46", "speed": "5000 rpm",
+        "supply_element": {"kind": "groove_180", "width": "6 mm" if limited else "40 mm"},
+        "supply": {"temperature": "50 degC", "pressure": "0.1 MPa" if limited else "0.5 MPa"},
+    }  # fmt: skip
+    (result,) = solve(case_from_dict(given)).results
+    assert (result.values["supply_capacity"] < result.side_flow) is limited
+    assert any("of a half groove at its edge alone" in said for said in result.assumptions) is limited

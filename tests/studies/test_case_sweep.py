@@ -9,7 +9,8 @@ import pytest
 from babbitt.cases import CaseError, parse_case, template
 from babbitt.cases.variation import case_variation
 from babbitt.notices import InputError
-from babbitt.report.sweep_table import print_sweep, sweep_csv
+from babbitt.report.sweep_table import codes_of, print_sweep, sweep_csv, sweep_rows
+from babbitt.results import Verdict
 from babbitt.solving import solve
 from babbitt.studies.case_sweep import sweep_case
 from babbitt.studies.sweep_values import values_of
@@ -149,3 +150,26 @@ def test_a_value_that_is_refused_stops_nothing(film, capsys):
     lines = sweep_csv(found).splitlines()
     assert [line.split(",")[2] for line in lines[1:]] == ["converged", "refused", "converged"]
     assert {line.count(",") for line in lines} == {lines[0].count(",")}
+
+
+def test_the_table_of_a_sweep_names_the_codes_of_its_verdicts(film, monkeypatch, capsys):
+    """Missed limits, and the doubts that question a result; a result that passes has none."""
+    monkeypatch.setenv("COLUMNS", "200")
+    path = film.with_name("metal.yaml")
+    metal = (
+        "journal: C45, bearing_metal: SnSb12Cu6Pb}\nsurfaces: {kind: direct, roughness_bearing: 4 um, "
+        "roughness_journal: 2 um}"
+    )
+    path.write_text(FILM.replace("journal: C45}", metal).replace("effective_temperature: 60 degC\n", ""))
+    found = sweep_case(case_variation(path, "load"), values_of("5 kN, 30 kN, 300 kN, 90 MN"))
+    print_sweep(found)
+    shown = capsys.readouterr().out
+    heading, *rows = sweep_rows(found)
+    assert heading[-1] == "codes"
+    verdicts = [result.verdict for _, result in found.rows()]
+    assert {Verdict.FAIL, Verdict.NO_SOLUTION} < set(verdicts)
+    for (_, result), row in zip(found.rows(), rows, strict=True):
+        codes = codes_of(result)
+        assert bool(codes) is (result.verdict is not Verdict.PASS)
+        assert row[-1] == (" ".join(codes) or None)
+        assert all(code in shown for code in codes)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from trawler_pads import INERTIA, PAD, SPEED, VISCOSITY
+from trawler_pads import INERTIA, PAD, SPEED, VISCOSITY, bearing
 
 from babbitt.film.sector import PlaneMotion, SectorPad, sector_film
 from babbitt.film.turbulence import NG_PAN, FilmTurbulence
@@ -259,3 +259,29 @@ def test_pads_that_cannot_be_are_refused(change, says):
     }
     with pytest.raises(InputError, match=says):
         ThrustPad(**(whole | change))
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said"),
+    [
+        (lambda: replace(PAD, inner_radius=0.4), "radii of the pad"),
+        (lambda: replace(PAD, extent=7.0), "extent of the pad"),
+        (lambda: replace(PAD, pivot_radius=0.18), "it must lie on the pad"),
+        (lambda: replace(PAD, pivot_fraction=1.2), "pivot_fraction is 1.2"),
+        (lambda: replace(bearing(), number=1), "a whole number from 2"),
+        (lambda: replace(bearing(), number=10), "10 pads of 36 deg overlap"),
+        (lambda: bearing(ring=0.0), "stiffness of the ring"),
+        (lambda: bearing(tilt=-1e-6), "tilt of the housing"),
+        (lambda: bearing(height_errors=(1e-6,)), "1 pad heights are given for 8 pads"),
+        (lambda: pad_state(PAD, 0.0, VISCOSITY, SPEED), "film at the pivot is 0 m"),
+    ],
+)
+def test_pads_that_cannot_be_laid_out_are_refused(wrong, said):
+    """Case files are refused before, with the line of the field; this is what programs meet."""
+    with pytest.raises(InputError, match=said) as caught:
+        wrong()
+    assert caught.value.code == "E201"
+
+
+def test_pads_that_just_fit_are_laid_out():
+    assert replace(bearing(), number=9).number == 9

@@ -10,7 +10,7 @@ from time import perf_counter
 from babbitt.bearings.film_premises import film_assumptions, film_settings
 from babbitt.bearings.film_values import fills_of, film_values, rows_of, supply_pressures, tilt_values
 from babbitt.bearings.grid_error import grid_errors
-from babbitt.bearings.layout import closed_pockets, supply_numbers, without_pressure
+from babbitt.bearings.layout import closed_pockets, fed_all_around, supply_numbers, without_pressure
 from babbitt.bearings.model import FilmCase
 from babbitt.bearings.orbit_answer import (
     orbit_checks,
@@ -107,6 +107,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
     outcome, message = found.outcome, ""
     if not outcome.solved:
         message = failure(case, found) if case.heat is None else thermal_failure(case, found)
+        message += _about_flow_all_around(case, outcome)
     values: dict[str, float] = {}
     checks: tuple[Check, ...] = ()
     warnings = case.doubts
@@ -188,6 +189,18 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
         | ({"critical_mass": no_mass} if no_mass else {})
         | _tilt_missing(case, outcome, arrays)
         | missing_without_load(case, found.film),
+    )
+
+
+def _about_flow_all_around(case: FilmCase, outcome: Outcome) -> str:
+    """Why no film is found where a given flow feeds grooves around the whole bore."""
+    supply = case.oil_supply
+    if outcome is not Outcome.OVERLOADED or supply is None or supply.flow is None or not fed_all_around(case):
+        return ""
+    return (
+        " A groove around the whole bore presses oil into the film and shears none into it; a given flow that it "
+        "does not take returns at ambient pressure, where it takes none. Give the supply a pressure in place of "
+        "the flow."
     )
 
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.bore import Arc, steps_of
 from babbitt.bearings.model import FilmCase, Hollow
 from babbitt.design.conditions import GivenPosition
+from babbitt.design.heat_balance import NoFilmError
 from babbitt.design.numbers import critical_reynolds_number
 from babbitt.film.model import Cavitation, FilmStart, JournalFilm, Land, Pocket
 from babbitt.film.starved import GivenFlow
@@ -20,16 +22,19 @@ if TYPE_CHECKING:
 
 __all__ = [
     "closed_pockets",
+    "fed_all_around",
     "film_of",
     "flow_of_the_system",
     "given_flows",
     "load_vector",
+    "pressed_flow",
     "supply_numbers",
     "with_flow_of_ducts",
     "without_pressure",
 ]
 
 TURN = 2.0 * math.pi
+ALL_AROUND = TURN * (1.0 - 1e-9)
 
 
 ALL_TURBULENT = 2.0
@@ -125,6 +130,12 @@ def with_flow_of_ducts(case: FilmCase, flow: float) -> FilmCase | None:
     return replace(case, oil_supply=replace(supply, pressure=0.0, flow=flow, tubes=(), holes=()))
 
 
+def fed_all_around(case: FilmCase) -> bool:
+    """Whether nothing but grooves around the whole bore feeds the film: they send no oil into it by shear."""
+    fed = [hollow for hollow in case.bearing.hollows if not hollow.is_closed]
+    return bool(fed) and all(hollow.extent >= ALL_AROUND for hollow in fed)
+
+
 def flow_of_the_system(case: FilmCase, solution: FilmSolution) -> float:
     """Oil in m3/s that comes to a film through tubes and holes of the oil supply.
 
@@ -133,6 +144,24 @@ def flow_of_the_system(case: FilmCase, solution: FilmSolution) -> float:
     numbered = zip(case.bearing.hollows, supply_numbers(case, solution.film), strict=True)
     own = [number for hollow, number in numbered if hollow.pressure is not None or hollow.flow is not None]
     return max(float(solution.side_flow.sum() - solution.supply_flow[own].sum()), 0.0)
+
+
+def pressed_flow(case: FilmCase, film_at: Callable[[float], FilmSolution]) -> Callable[[float], float]:
+    """`flow_of_the_system` over the pressure at the supply in Pa; ``film_at`` solves the film at one.
+
+    Grooves around the whole bore press oil into the film and shear none into it: below the whole pressure of the
+    supply, where no film of theirs lives, none flows, and the pressure behind tubes and holes rises.
+    """
+
+    def flow_at(pressure: float) -> float:
+        try:
+            return flow_of_the_system(case, film_at(pressure))
+        except NoFilmError:
+            if case.oil_supply is not None and pressure < case.oil_supply.pressure and fed_all_around(case):
+                return 0.0
+            raise
+
+    return flow_at
 
 
 def closed_pockets(case: FilmCase) -> tuple[int, ...]:

@@ -17,8 +17,8 @@ from babbitt.bearings.heat_model import AxialTemperature
 from babbitt.bearings.layout import (
     closed_pockets,
     film_of,
-    flow_of_the_system,
     load_vector,
+    pressed_flow,
     with_flow_of_ducts,
 )
 from babbitt.bearings.model import FilmCase
@@ -218,7 +218,7 @@ def _warm_state(case: FilmCase, psi: float, temperature: float, search: ThermalS
         film = film_of(case, psi, cold_viscosity, pressure, density)
         return _accepted(_in_its_bore(case, film, heat, search), oil)
 
-    feed = arrival(supply, oil, lambda pressure: flow_of_the_system(case, solved(pressure).film))
+    feed = arrival(supply, oil, pressed_flow(case, lambda pressure: solved(pressure).film))
     thermal = solved(feed.element_pressure)
     viscosity = thermal.effective_viscosity
     solution = replace(thermal.film, film=replace(thermal.film.film, viscosity=viscosity))

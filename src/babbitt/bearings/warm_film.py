@@ -13,7 +13,13 @@ from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from babbitt.bearings.closed_pockets import ClosedPressures, closed_film
-from babbitt.bearings.layout import closed_pockets, film_of, flow_of_the_system, given_flows, load_vector
+from babbitt.bearings.layout import (
+    closed_pockets,
+    film_of,
+    given_flows,
+    load_vector,
+    pressed_flow,
+)
 from babbitt.bearings.model import FilmCase, Search
 from babbitt.bearings.settling import held_place, is_saddle, settled_film
 from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition
@@ -140,7 +146,7 @@ def film_at_temperature(temperature: float, case: FilmCase, near: tuple[float, f
 
     feed = None
     if case.oil_supply is not None and case.oil_supply.flow is None:
-        feed = arrival(case.oil_supply, oil, lambda pressure: flow_of_the_system(case, solved(pressure)[0]))
+        feed = arrival(case.oil_supply, oil, pressed_flow(case, lambda pressure: solved(pressure)[0]))
     solution, fed = solved(feed.element_pressure if feed else 0.0)
     return FilmState(
         temperature=temperature,

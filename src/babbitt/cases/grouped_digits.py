@@ -1,4 +1,8 @@
-"""Quantities whose three digits after the point may be grouped thousands: 12.000 N is twelve newtons here."""
+"""Quantities whose three digits after the point may be grouped thousands: 12.000 N is twelve newtons here.
+
+Doubtful are digits that no decimal needs: a zero at the end, as in 12.000 kN or 1.250 kN, or thousandths of a unit
+so small that nobody gives them, as in 12.345 N.
+"""
 
 from __future__ import annotations
 
@@ -18,6 +22,10 @@ __all__ = ["about_grouped_digits", "grouped_fields"]
 _GROUPED = re.compile(r"\s*([-+]?[1-9]\d{0,2})\.(\d{3})(?!\d)(\s*[^\d\s.eE].*)", re.DOTALL)
 
 
+_FINE = frozenset({"N", "Pa", "W", "rpm", "1/min", "kgf", "g", "s"})
+"""Units of whose thousandths no bearing knows."""
+
+
 def grouped_fields(cls: type[Part], given: Mapping[str, Any]) -> tuple[tuple[str, str], ...]:
     """Give the quantities of a part whose digits may be grouped, as they are written.
 
@@ -34,7 +42,11 @@ def grouped_fields(cls: type[Part], given: Mapping[str, Any]) -> tuple[tuple[str
         texts = value if isinstance(value, list | tuple) else [value]
         for text in texts:
             match = _GROUPED.fullmatch(text) if isinstance(text, str) else None
-            if match and any(_holds(field, "".join(match.groups())) for field in metadata_of(cls, name, SiField)):
+            if (
+                match
+                and _is_doubtful(match)
+                and any(_holds(field, "".join(match.groups())) for field in metadata_of(cls, name, SiField))
+            ):
                 found.setdefault(str(name), text.strip())
     return tuple(found.items())
 
@@ -68,6 +80,11 @@ def _within(value: object, *path: str | int) -> Iterator[Notice]:
             yield from _within(one, *path, index)
     elif hasattr(value, "_grouped"):
         yield from about_grouped_digits(cast("Part", value), *path)
+
+
+def _is_doubtful(match: re.Match[str]) -> bool:
+    _, thousand, unit = match.groups()
+    return thousand.endswith("0") or unit.strip() in _FINE
 
 
 def _holds(field: SiField, text: str) -> bool:

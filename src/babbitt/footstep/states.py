@@ -183,7 +183,7 @@ def _smooth_state(footstep: Footstep) -> SteadyState:
         lambda p: float(model.residual(number(p))),
         footstep.ambient_pressure,
         footstep.supply_pressure,
-        1e-7,
+        0.0,
     )
     return _of_balance(model, root, StateName.SMOOTH)
 

@@ -40,6 +40,9 @@ USER = "set in the case"
 THROTTLED, OPEN = 0.3, 0.8
 """Recess over supply pressure of the centred journal outside which restrictors are to be changed: as of W302."""
 
+SENSIBLE = 100.0
+"""Gap over that from which the search begins, beyond which no film is left."""
+
 
 def hydrostatic_check(case: HydrostaticCase) -> Result:
     """Solve one bearing.
@@ -150,7 +153,18 @@ def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
             f"with its oil at {CEILING - ZERO_CELSIUS:.0f} °C the film would warm it by {rise:.0f} K. Lower the "
             "speed or the viscosity, or let more oil through: wider gap or restrictors, more supply pressure"
         )
-    return Outcome.NOT_CONVERGED, (
+    return Outcome.NOT_CONVERGED, _lost(case, found)
+
+
+def _lost(case: HydrostaticCase, found: Answer) -> str:
+    """Where a search ended that found no equilibrium; gaps beyond every film are no place."""
+    if not 0.0 < found.minimum_gap <= SENSIBLE * case.rest_gap:
+        where = "closed the gap" if found.minimum_gap <= 0.0 else "left every gap with a film"
+        return (
+            f"the search {where}: tilt and gap answer each other, and no balance of force and moment was met. "
+            "Try: less moment, a gap or clearance nearer to that of the load, or the other `method`"
+        )
+    return (
         f"after {found.steps} steps the smallest gap was {1e6 * found.minimum_gap:.3g} µm and "
         f"{100.0 * found.carried:.0f} % of the load were carried"
     )

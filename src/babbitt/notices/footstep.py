@@ -119,8 +119,10 @@ FOOTSTEP: dict[str, Explanation] = {
     ),
     "W177": Explanation(
         "Mass balance at the rim open",
-        "What enters the rim of the heel and what leaves it differ by more than a millionth.",
-        "Report the case to the developers.",
+        "What enters the rim of the heel and what leaves it differ by more than a millionth. Where the face gap "
+        "is thousands of times the clearance, rim and recess have one pressure but for round-off, and the flow "
+        "between them is lost in it.",
+        "Check face gap and clearance; where they are of one order, report the case to the developers.",
         effect=Effect.NO_VERDICT,
     ),
     "W178": Explanation(

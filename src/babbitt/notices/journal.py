@@ -342,7 +342,8 @@ JOURNAL: dict[str, Explanation] = {
     "W181": Explanation(
         "Digits that may be grouped",
         "A point is the decimal sign: '12.000 N' is twelve newtons. Where exactly three digits stand behind it, "
-        "thousands may have been meant, as in '12.000 N' for twelve kilonewtons.",
+        "with a zero at the end or in a small unit (N, Pa, W, rpm), thousands may have been meant, as in "
+        "'12.000 N' for twelve kilonewtons.",
         "Write '12 N' or '12 kN', whichever is meant.",
     ),
 }

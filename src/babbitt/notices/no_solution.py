@@ -62,9 +62,10 @@ NO_SOLUTION: dict[str, Explanation] = {
     "S009": Explanation(
         "Bound on work reached",
         "The search for the equilibrium was stopped because it had used up the work allowed for its grid (400 "
-        "solutions of the finest film). It tells nothing about the load: neither that the film carries it nor "
-        "that it does not.",
-        "A coarser `accuracy`, or another direction of load or place of the supplies; if the bearing is an "
+        "solutions of the finest film), of thrust bearings and shaft lines 120 000 passes of a pad. It tells "
+        "nothing about the load: neither that the film carries it nor that it does not.",
+        "A coarser `accuracy`, or another direction of load or place of the supplies; of thrust bearings "
+        "`thermal: global`, less tilt, fewer waves of the runout, fewer points of a sweep. If the bearing is an "
         "ordinary one, report the case to the developers.",
     ),
     "S020": Explanation(

@@ -10,13 +10,14 @@ from rich.text import Text
 
 from babbitt.files.spreadsheet import Cell, rows_text
 from babbitt.interop.unit_names import static_column
+from babbitt.notices import Effect
 from babbitt.quantities import QUANTITIES
 from babbitt.report.bearing_table import STYLES, engineers_table
 from babbitt.report.findings import not_checked
 from babbitt.report.sweep_columns import sweep_columns
 from babbitt.report.table import console, fitting
 from babbitt.report.text import plain_text
-from babbitt.results import Verdict
+from babbitt.results import Result, Verdict
 from babbitt.studies.case_sweep import CaseSweep
 
 REFUSED = "refused"
@@ -25,7 +26,7 @@ NOT_TOLD = ("wall_time", "iterations")
 
 
 def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
-    """Print one line a value and bearing: the key results in the engineer's units, and the verdict.
+    """Print one line a value and bearing: the key results in the engineer's units, the verdict and its codes.
 
     A verdict counts only what was checked, so the checks that were not made stand below.
     """
@@ -43,16 +44,27 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
     for column in columns:
         table.add_column(Text(f"{column.heading}\n{column.unit}"), justify="right", no_wrap=True)
     table.add_column(Text("verdict"), no_wrap=True)
+    codes = [codes_of(result) for result in results]
+    coded = any(codes)
+    if coded:
+        table.add_column(Text("codes"), overflow="fold")
     cells = list(zip(*(column.cells(results) for column in columns), strict=True)) or [()] * len(results)
-    answered = zip(rows, cells, strict=True)
+    answered = zip(rows, cells, codes, strict=True)
     lines = [
-        (place, result.name, line, result.verdict.value, STYLES[result.verdict])
-        for (place, result), line in answered
+        (place, result.name, line, result.verdict.value, STYLES[result.verdict], said)
+        for (place, result), line, said in answered
     ]
-    lines += [(place, "", ("",) * len(columns), REFUSED, STYLES[Verdict.NO_SOLUTION]) for place in sweep.refused]
-    for place, bearing, line, word, style in sorted(lines, key=lambda one: one[0]):
+    none = ("",) * len(columns)
+    lines += [(place, "", none, REFUSED, STYLES[Verdict.NO_SOLUTION], ()) for place in sweep.refused]
+    for place, bearing, line, word, style, said in sorted(lines, key=lambda one: one[0]):
         name = (Text(plain_text(bearing)),) if named else ()
-        table.add_row(Text(plain_text(shown[place])), *name, *map(Text, line), Text(word, style=style))
+        table.add_row(
+            Text(plain_text(shown[place])),
+            *name,
+            *map(Text, line),
+            Text(word, style=style),
+            *_cell_of(said, coded),
+        )
     to.print(table)
     if hidden:
         to.print(
@@ -67,6 +79,18 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
         to.print(Text(plain_text(reason)))
 
 
+def codes_of(result: Result) -> tuple[str, ...]:
+    """Codes on which the verdict of a result rests: its missed limits, and the doubts that question it."""
+    missed = [check.code for check in result.checks if not check.ok and not check.advisory]
+    doubts = [notice.code for notice in result.warnings if notice.effect is not Effect.INFORMATION]
+    ended = [] if result.outcome.solved else [result.outcome.code]
+    return tuple(dict.fromkeys([*ended, *missed, *doubts]))
+
+
+def _cell_of(codes: Sequence[str], shown: bool) -> tuple[Text, ...]:
+    return (Text(" ".join(codes)),) if shown else ()
+
+
 def sweep_csv(sweep: CaseSweep) -> str:
     """The answers as CSV in UTF-8, with comma and decimal point: `sweep_rows`, in which no word is a formula."""
     return rows_text(sweep_rows(sweep))
@@ -77,7 +101,7 @@ def sweep_rows(sweep: CaseSweep) -> list[list[Cell]]:
 
     The first row names the columns. The first column is the field; its unit, where the values have one, stands in
     its name. A row without an operating point has no results; the status of a value that the case does not take is
-    ``refused``.
+    ``refused``. The last column names the codes on which the verdict rests.
     """
     rows = list(sweep.rows())
     quantities = dict.fromkeys(
@@ -89,17 +113,28 @@ def sweep_rows(sweep: CaseSweep) -> list[list[Cell]]:
     )
     unit = f" [{sweep.values.unit}]" if sweep.values.unit and sweep.values.numbers is not None else ""
     heading: list[Cell] = [f"{sweep.path}{unit}", "bearing", "status"]
-    heading += [static_column(name) for name in quantities]
+    heading += [*(static_column(name) for name in quantities), "codes"]
     exact = sweep.values.numbers
     given: Sequence[Cell] = sweep.values.texts if exact is None else [float(f"{number:.12g}") for number in exact]
     lines: list[tuple[int, list[Cell]]] = [
-        (place, [given[place], None, REFUSED, *([None] * len(quantities))]) for place in sweep.refused
+        (place, [given[place], None, REFUSED, *([None] * len(quantities)), None]) for place in sweep.refused
     ]
     for place, result in rows:
         solved = result.outcome.solved
         numbers = [result.values.get(name, math.nan) if solved else math.nan for name in quantities]
         values = [float(number) if math.isfinite(number) else None for number in numbers]
-        lines.append((place, [given[place], result.name, result.outcome.name.lower(), *values]))
+        lines.append(
+            (
+                place,
+                [
+                    given[place],
+                    result.name,
+                    result.outcome.name.lower(),
+                    *values,
+                    " ".join(codes_of(result)) or None,
+                ],
+            )
+        )
     return [heading, *(line for _, line in sorted(lines, key=lambda one: one[0]))]
 
 

@@ -20,6 +20,7 @@ from babbitt.thrust.assumed import oil_assumptions
 from babbitt.thrust.doubts import share_doubts
 from babbitt.thrust.failures import NoPadFilmError
 from babbitt.thrust.pressure_limits import pressures_not_checked
+from babbitt.thrust.work import MOST_WORK, WorkBoundError, bounded_work
 
 __all__ = ["line_check"]
 
@@ -28,7 +29,7 @@ SEPARATION_SOURCE = "usual practice for shaft vibration: 20 % from any excitatio
 
 
 def line_check(design: LineDesign) -> Result:
-    """Check a shaft line.
+    """Check a shaft line, with a bound on the work (`babbitt.thrust.work`).
 
     Parameters
     ----------
@@ -41,8 +42,9 @@ def line_check(design: LineDesign) -> Result:
     """
     start = perf_counter()
     try:
-        answer = line_answer(design)
-    except NoPadFilmError as failure:
+        with bounded_work(MOST_WORK):
+            answer = line_answer(design)
+    except (NoPadFilmError, WorkBoundError) as failure:
         return Result(design.name, design.kind, METHOD, failure.outcome, {}, message=failure.said)
     values = line_values(design, answer)
     values["wall_time"] = perf_counter() - start

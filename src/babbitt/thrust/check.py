@@ -16,6 +16,7 @@ from babbitt.thrust.failures import NoPadFilmError
 from babbitt.thrust.pressure_limits import pressure_checks, pressures_not_checked
 from babbitt.thrust.standing import standing_at_rest, standing_on_runout
 from babbitt.thrust.values import pad_arrays, share_values
+from babbitt.thrust.work import MOST_WORK, WorkBoundError, bounded_work
 
 __all__ = ["thrust_check"]
 
@@ -28,7 +29,7 @@ WAVES = 4
 
 
 def thrust_check(design: ThrustDesign) -> Result:
-    """Solve a thrust bearing.
+    """Solve a thrust bearing, with a bound on the work (`babbitt.thrust.work`).
 
     Parameters
     ----------
@@ -39,10 +40,15 @@ def thrust_check(design: ThrustDesign) -> Result:
     Result
         With a status in every case.
     """
+    with bounded_work(MOST_WORK):
+        return _checked(design)
+
+
+def _checked(design: ThrustDesign) -> Result:
     start = perf_counter()
     try:
         state = bearing_state(design)
-    except NoPadFilmError as failure:
+    except (NoPadFilmError, WorkBoundError) as failure:
         return Result(
             design.name,
             design.kind,
@@ -62,7 +68,7 @@ def thrust_check(design: ThrustDesign) -> Result:
             if least_load < LEAST_SHARE <= values["smallest_pad_load"] / state.share.mean_load:
                 said = f"while the collar turns, a pad carries {least_load:.2%} of the mean load"
                 of_runout.append(Notice("W201", said))
-        except NoPadFilmError as failure:
+        except (NoPadFilmError, WorkBoundError) as failure:
             of_runout.append(Notice("W209", f"no quasi_static_load_ratio is given: {failure.said}"))
     values["wall_time"] = perf_counter() - start
     least, thinnest = "minimum_film_thickness", values["minimum_film_thickness"]

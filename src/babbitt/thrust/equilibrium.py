@@ -15,6 +15,7 @@ from babbitt.thrust.pad import DEGREE, ThrustPad
 from babbitt.thrust.peak import peak_pressure
 from babbitt.thrust.standing import LEVEL, Lean
 from babbitt.thrust.state import PadState
+from babbitt.thrust.work import COLD_FILM, spend
 
 if TYPE_CHECKING:
     from babbitt.film.sector import SectorFilm, SectorPad
@@ -213,6 +214,7 @@ def first_motion(pad: ThrustPad, height: float, slopes: tuple[float, float], lea
 def _film(sector: SectorPad, motion: Array, mesh: tuple[int, int]) -> SectorFilm:
     from babbitt.film.sector import PlaneMotion, sector_film
 
+    spend(COLD_FILM)
     return sector_film(sector, PlaneMotion(*(float(part) for part in motion)), intervals=mesh[0], degree=mesh[1])
 
 

@@ -38,8 +38,8 @@ STEP = 0.8
 """Share of a new inlet temperature that a round takes."""
 FOLLOWING = 0.8
 """Stiffness when temperatures follow over that at frozen temperatures; only the number of rounds depends on it."""
-REACH = 0.3
-"""Largest change of a height in a round, over it."""
+REACH, WARMER = 0.3, 20.0
+"""Largest change in a round of a height, over it, and of an inlet temperature, K."""
 REMEMBERED = 6
 """Rounds from whose changes the next one is chosen."""
 
@@ -77,7 +77,8 @@ class Mixing:
             shares = np.linalg.lstsq(np.diff(self._changes, axis=0).T, self._changes[-1], rcond=1e-10)[0]
             result = result - np.diff(self._results, axis=0).T @ shares
         bounded = np.exp(np.clip(result[: heights.size] - np.log(heights), -REACH, REACH))
-        return np.asarray(heights * bounded), 1e3 * result[heights.size :]
+        warmer = np.clip(1e3 * result[heights.size :] - inlets, -WARMER, WARMER)
+        return np.asarray(heights * bounded), np.asarray(inlets + warmer)
 
 
 def share_with_neighbours(

@@ -29,6 +29,7 @@ from babbitt.thrust.failures import ThermalRunawayError, UnsettledPadError
 from babbitt.thrust.pad import DEGREE, ThrustPad
 from babbitt.thrust.standing import LEVEL, Lean
 from babbitt.thrust.state import PadState
+from babbitt.thrust.work import spend
 
 if TYPE_CHECKING:
     from babbitt.film.heat import FilmHeat
@@ -53,6 +54,8 @@ KEPT, HALVINGS = 0.3, 40
 """Least gap after a step over that before it, and how often a step is halved for it."""
 FARTHEST = 1e3
 """Height over that of the start from which a pad has flown away."""
+ITSELF = 5.0
+"""Passes whose time the mesh of a film and the closing of its heat take."""
 CALM, LEAST_SHARE = 40, 0.05
 """Passes after which steps that go to and fro are shortened, and their least share."""
 
@@ -151,6 +154,7 @@ def warm_pad(
         raise InputError("E201", f"film at the pivot is {height:g} m; it must be positive.")
     from babbitt.film.warm_sector import WarmSector
 
+    spend(ITSELF * _cost_of_pass(oil.resolved))
     fresh = sector_of(pad, oil.fresh_viscosity, angular_speed)
     sector = WarmSector.of(fresh, oil.heat(), height, intervals or pad.intervals, degree)
     if start is not None:
@@ -196,7 +200,9 @@ def _at_rest(pad: ThrustPad, sector: WarmSector, motion: Array, load: float | No
     scale = np.array([1.0, width, width])
     sought = np.zeros(3) if load is None else np.array([load, 0.0, 0.0])
     polishing, share, last = 0, 1.0, np.zeros(3)
+    cost = _cost_of_pass(sector.warm.heat.grid.resolved)
     for passes in range(MOST_PASSES):
+        spend(cost)
         change = 0.0
         if polishing:
             sector.carry(to_film @ motion)
@@ -229,6 +235,11 @@ def _at_rest(pad: ThrustPad, sector: WarmSector, motion: Array, load: float | No
             break
         motion, last = moved, step
     raise UnsettledPadError
+
+
+def _cost_of_pass(resolved: bool) -> float:
+    """Units of work; temperatures that vary across the pad take three times that of means over its width."""
+    return 3.0 if resolved else 1.0
 
 
 def _calmer(share: float, step: Array, last: Array) -> float:

@@ -27,6 +27,7 @@ from babbitt.standards.iso7902.film import Film, curves_of, film_at
 from babbitt.standards.iso7902.model import DesignCase
 from babbitt.standards.iso7902.screening import Transition, orlov_relative_clearance, transition
 from babbitt.standards.iso7902.supply_capacity import (
+    assumptions_about_capacity,
     capacity_check,
     capacity_not_checked,
     doubts_about_capacity,
@@ -129,7 +130,7 @@ def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
         checks if found.outcome.solved else (),
         warnings,
         (*checks_not_made(case, values), *capacity_not_checked(case, found.film)) if found.outcome.solved else (),
-        (*case.lubricant.assumptions, *case.assumptions),
+        (*case.lubricant.assumptions, *case.assumptions, *assumptions_about_capacity(case, found.film)),
         "" if found.outcome.solved else failure(case, found),
         _settings(case),
     )

@@ -22,9 +22,11 @@ from babbitt.results import Bound, Check
 from babbitt.standards.iso7902.doubts import doubts_about_validity
 from babbitt.standards.iso7902.film import Film, curves_of, starved_film_at
 from babbitt.standards.iso7902.model import DesignCase
+from babbitt.standards.iso7902.supply import CircumferentialGroove, HalfCircumferentialGroove
 from babbitt.units import ZERO_CELSIUS
 
 __all__ = [
+    "assumptions_about_capacity",
     "capacity_check",
     "capacity_not_checked",
     "doubts_about_capacity",
@@ -71,6 +73,25 @@ def starved_equilibrium(case: DesignCase, film: Film) -> Equilibrium[Film] | Non
     if case.effective_temperature is not None or not lacks_oil(film):
         return None
     return find_equilibrium(case, partial(starved_film_at, case=case, shape=curves_of(case)))
+
+
+def assumptions_about_capacity(case: DesignCase, film: Film) -> Iterator[str]:
+    """What the limited heat balance takes for granted, where it is made."""
+    if not lacks_oil(film):
+        return
+    said = (
+        "The supply delivers what its pressure presses through it and what the journal shears off before the load"
+    )
+    match case.bearing.supply_element:
+        case CircumferentialGroove():
+            yield "The supply delivers what pressure presses out of the groove around the bore, nothing by shear."
+        case HalfCircumferentialGroove():
+            yield (
+                f"{said}: of a half groove at its edge alone, though it fills the unloaded half along its whole "
+                "length, which errs to the hot side at the outlet."
+            )
+        case _:
+            yield f"{said}; what the film keeps from turn to turn is not counted."
 
 
 def starved_values(values: Values) -> dict[str, float]:
@@ -131,7 +152,8 @@ def doubts_about_capacity(
         said = f"no supply_element is given: Q_p = 0, yet the film is taken to draw {_litres(wanted)}"
         yield Notice("W185" if balanced else "W124", said)
     elif capacity is not None and capacity <= 0.0:
-        yield Notice("W185", f"no pressure presses oil through the supply, and the film wants {_litres(wanted)}")
+        said = f"{_without_pressure(case)}, and the film wants {_litres(wanted)}. Try: a supply pressure"
+        yield Notice("W185", said)
     elif film.supply_flow <= 0.0 and film.feed is not None and film.feed.limit is None:
         said = "no pressure is left at the supply element: Q_p = 0, and only the journal draws oil from it"
         yield Notice("W124", said)
@@ -151,6 +173,16 @@ def doubts_about_capacity(
     yield Notice("W123", f"{said}; with that flow {told}, and the limits are held against these")
     for doubt in doubts_about_validity(case, values):
         yield Notice(doubt.code, f"with the flow that the supply delivers: {doubt.message}")
+
+
+def _without_pressure(case: DesignCase) -> str:
+    """Why a supply without pressure delivers nothing."""
+    if isinstance(case.bearing.supply_element, CircumferentialGroove):
+        return (
+            "a groove all around has oil pressed out of it and none sheared into the gap, and the supply has no "
+            "pressure: Q_p = 0"
+        )
+    return "no pressure presses oil through the supply"
 
 
 def _litres(flow: float) -> str:

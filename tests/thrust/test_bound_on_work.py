@@ -1,0 +1,59 @@
+"""Every thrust case ends after a bounded number of films, in a status or a warning that says so."""
+
+import pytest
+
+import babbitt.shaft_line.check
+import babbitt.thrust.check
+from babbitt.cases import parse_case, template
+from babbitt.results import Outcome, Verdict
+from babbitt.solving import solve
+from babbitt.thrust.work import WorkBoundError, bounded_work, spend
+
+ADIABATIC = template("thrust").replace("# thermal: adiabatic", "thermal: adiabatic")
+LINE = template("thrust_line").replace("# thermal: adiabatic", "thermal: adiabatic")
+
+
+def test_work_is_counted_inside_the_bound_alone():
+    spend(1e9)
+    with bounded_work(10.0):
+        spend(6.0)
+        spend(4.0)
+        with pytest.raises(WorkBoundError):
+            spend(0.1)
+    spend(1e9)
+
+
+@pytest.fixture
+def allow(monkeypatch):
+    def to(units):
+        monkeypatch.setattr(babbitt.thrust.check, "MOST_WORK", units)
+        monkeypatch.setattr(babbitt.shaft_line.check, "MOST_WORK", units)
+
+    return to
+
+
+@pytest.mark.parametrize("text", [ADIABATIC, LINE], ids=["bearing", "line"])
+def test_a_search_that_uses_up_its_work_says_so(text, allow):
+    allow(50)
+    (result,) = solve(parse_case(text)).results
+    assert result.outcome is Outcome.WORK_BOUND
+    assert result.outcome.code == "S009"
+    assert result.verdict is Verdict.NO_SOLUTION
+    assert "less thrust or a straighter housing" in result.message
+
+
+def test_a_runout_whose_positions_use_up_the_work_leaves_the_film_at_rest(allow):
+    """At rest the example takes about 4000 units; each of its 24 positions more than 1000."""
+    allow(6000)
+    (result,) = solve(parse_case(ADIABATIC)).results
+    assert result.outcome.solved
+    warnings = {notice.code: notice.message for notice in result.warnings}
+    assert "quasi_static_load_ratio" not in result.values
+    assert "again and again" in warnings["W209"]
+
+
+def test_ordinary_bearings_stay_far_below_the_bound(allow):
+    allow(60_000)
+    (result,) = solve(parse_case(ADIABATIC)).results
+    assert result.outcome.solved
+    assert "W209" not in {notice.code for notice in result.warnings}
