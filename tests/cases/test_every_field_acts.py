@@ -69,7 +69,7 @@ CHANGED = {
     "carry_over": 0.5,
     "temperature_coefficients": "following",
     "film_start": "widest_gap",
-    "accuracy": "engineering",
+    "accuracy": "reference",
     "error_estimate": True,
     "equilibria": "all",
     "limits": {"minimum_film_thickness": "90 um"},
