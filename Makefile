@@ -30,7 +30,7 @@ minima: $(VENV)-minima/.made  ## a smoke set on the lowest versions that pyproje
 	$(VENV)-minima/bin/babbitt solve examples/journal.yaml --report out/minima.pdf --json out/minima.json
 	$(VENV)-minima/bin/babbitt solve examples/starved_journal.yaml --fields out/minima.nc
 	$(VENV)-minima/bin/babbitt sweep examples/journal.yaml speed '1000 rpm:2000 rpm:3' --csv out/minima.xlsx
-	$(VENV)-minima/bin/python -m pytest -p no:xdist tests/units tests/cases/test_bad_files.py tests/cases/test_build.py \
+	$(VENV)-minima/bin/python -m pytest -p no:xdist tests/units tests/case/test_bad_files.py tests/case/test_build.py \
 		tests/interop tests/design tests/report/test_export.py
 
 lint: $(VENV)/.lint  ## style, types, direction of imports

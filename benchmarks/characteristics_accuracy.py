@@ -18,8 +18,8 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 import numpy as np
 
-from babbitt.characteristics import SPANS_DEGREES, curves
-from babbitt.characteristics.arc_film import DEFAULT_CELLS, ArcSolution, solve_arc
+from babbitt.kinds.journal.iso7902.characteristics import SPANS_DEGREES, curves
+from babbitt.validation.research.arc_film import DEFAULT_CELLS, ArcSolution, solve_arc
 
 # name, unit, promised largest error
 QUANTITIES = (

@@ -23,7 +23,7 @@ def best(call: Callable[[], object], number: int) -> float:
 
 def main() -> int:
     start = perf_counter()
-    from babbitt.characteristics import ClosedFormCurves, curves, sommerfeld_number
+    from babbitt.kinds.journal.iso7902.characteristics import ClosedFormCurves, curves, sommerfeld_number
 
     imported = perf_counter()
     shape = curves(180, 0.604)

@@ -15,9 +15,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from babbitt.film.model import Cavitation, JournalFilm, Land, Resolution, grooved_bore
-from babbitt.film.scales import Scales
-from babbitt.film.solve import solve_journal
+from babbitt.reynolds.lands.solve import solve_journal
+from babbitt.reynolds.model import Cavitation, JournalFilm, Land, Resolution, grooved_bore
+from babbitt.reynolds.scales import Scales
 
 LOADS, MARK = 200, 0.003
 TWO = grooved_bore((0.0, math.pi), math.radians(20.0))

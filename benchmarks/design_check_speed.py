@@ -17,9 +17,9 @@ from pathlib import Path
 import numpy as np
 
 import babbitt
-from babbitt.cases import design_cases
-from babbitt.characteristics import curves, sommerfeld_number
-from babbitt.standards.iso7902 import check
+from babbitt.case import design_cases
+from babbitt.kinds.journal.iso7902 import check
+from babbitt.kinds.journal.iso7902.characteristics import curves, sommerfeld_number
 
 ROOT = Path(__file__).resolve().parents[1]
 REVERSE_GEAR = ROOT / "examples" / "marine_reverse_gear.yaml"

@@ -18,9 +18,9 @@ from pathlib import Path
 import numpy as np
 from film_speed import BEARING, LOAD
 
-from babbitt.film.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Land, Pocket, Resolution
-from babbitt.film.scales import Scales
-from babbitt.film.solve import film_at_position, solve_journal
+from babbitt.reynolds.lands.solve import film_at_position, solve_journal
+from babbitt.reynolds.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Land, Pocket, Resolution
+from babbitt.reynolds.scales import Scales
 
 GRIDS = {"draft": DRAFT, "engineering": ENGINEERING, "reference": REFERENCE}
 FINEST, FINEST_SURFACE = Resolution(10, 1536, 96, 1e-10), Resolution(8, 768, 48, 1e-9)

@@ -27,9 +27,9 @@ import numpy as np
 from film_speed import BEARING, kernel_call
 from numba import njit
 
-from babbitt.film._equilibrium import evaluate
-from babbitt.film._grids import new_film, new_lines
-from babbitt.film.model import Cavitation, Resolution
+from babbitt.reynolds.lands._equilibrium import evaluate
+from babbitt.reynolds.lands._grids import new_film, new_lines
+from babbitt.reynolds.model import Cavitation, Resolution
 
 INTERVALS, UNKNOWNS = (48, 96, 192, 384), (4, 5, 6, 8, 10, 12)
 MARKS = {"intervals": 1.1, "axial unknowns": 2.0}

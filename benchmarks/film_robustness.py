@@ -18,9 +18,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from babbitt.film.model import Cavitation, FilmStart, JournalFilm, Land, Pocket, grooved_bore
-from babbitt.film.solve import solve_journal
-from babbitt.results import Outcome
+from babbitt.core.result import Outcome
+from babbitt.reynolds.lands.solve import solve_journal
+from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land, Pocket, grooved_bore
 
 NUMBER, SHARE, SLOWEST = 2000, 0.995, 0.3
 RING = (Land(0.0, 2.0 * math.pi),)

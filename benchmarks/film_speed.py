@@ -12,12 +12,12 @@ from functools import partial
 
 import numpy as np
 
-from babbitt.film._equilibrium import find_equilibrium
-from babbitt.film.batch import solve_batch
-from babbitt.film.model import Cavitation, FilmStart, JournalFilm, Land, Pocket, Resolution, grooved_bore
-from babbitt.film.operators import kernel_operator
-from babbitt.film.scales import Scales
-from babbitt.film.solve import kernel_bearing, solve_journal
+from babbitt.reynolds.lands._equilibrium import find_equilibrium
+from babbitt.reynolds.lands.batch import solve_batch
+from babbitt.reynolds.lands.operators import kernel_operator
+from babbitt.reynolds.lands.solve import kernel_bearing, solve_journal
+from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land, Pocket, Resolution, grooved_bore
+from babbitt.reynolds.scales import Scales
 
 LOAD = (0.0, -112.8e3)
 LANDS = grooved_bore((0.0, math.pi), math.radians(4.0))

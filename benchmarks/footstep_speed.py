@@ -11,12 +11,12 @@ from time import perf_counter
 
 import numpy as np
 
-from babbitt.cases import design_cases, parse_case, template
-from babbitt.footstep.check import heel_results
-from babbitt.footstep.model import Wall
-from babbitt.footstep.states import Method, steady_states
+from babbitt.case import design_cases, parse_case, template
+from babbitt.kinds.footstep.check import heel_results
+from babbitt.kinds.footstep.model import Wall
+from babbitt.kinds.footstep.states import Method, steady_states
+from babbitt.kinds.footstep.study.sweep import sweep_heel
 from babbitt.report.progress import shown
-from babbitt.studies.heel_sweep import sweep_heel
 
 REPEATS = 50
 POINTS = 60

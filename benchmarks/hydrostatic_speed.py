@@ -16,21 +16,21 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 import numpy as np
 
-from babbitt.hydrostatics.answer import answer
-from babbitt.hydrostatics.check import hydrostatic_check
-from babbitt.hydrostatics.closed_forms import lands_of
-from babbitt.hydrostatics.geometry import AnnularPad, CircularPad, RecessedJournal, ThrustRing
-from babbitt.hydrostatics.impedance import Compressibility, impedance
-from babbitt.hydrostatics.lines import DRAFT, ENGINEERING, REFERENCE, Grid
-from babbitt.hydrostatics.lumped import lumped_at, lumped_under
-from babbitt.hydrostatics.lumps import journal_lumps
-from babbitt.hydrostatics.model import Duty, HydrostaticCase, Oil, Recesses
-from babbitt.hydrostatics.network import Feeding
-from babbitt.hydrostatics.restrictors import Capillary
-from babbitt.hydrostatics.single_recess import gap_under, pad_at
-from babbitt.hydrostatics.state import Ending, rest_under
-from babbitt.hydrostatics.supply import FixedPressure
-from babbitt.hydrostatics.surfaces import FilmOil, journal_surface, ring_surface
+from babbitt.kinds.hydrostatic.answer import answer
+from babbitt.kinds.hydrostatic.check import hydrostatic_check
+from babbitt.kinds.hydrostatic.closed_forms import lands_of
+from babbitt.kinds.hydrostatic.geometry import AnnularPad, CircularPad, RecessedJournal, ThrustRing
+from babbitt.kinds.hydrostatic.impedance import Compressibility, impedance
+from babbitt.kinds.hydrostatic.lines import DRAFT, ENGINEERING, REFERENCE, Grid
+from babbitt.kinds.hydrostatic.lumped import lumped_at, lumped_under
+from babbitt.kinds.hydrostatic.lumps import journal_lumps
+from babbitt.kinds.hydrostatic.model import Duty, HydrostaticCase, Oil, Recesses
+from babbitt.kinds.hydrostatic.network import Feeding
+from babbitt.kinds.hydrostatic.restrictors import Capillary
+from babbitt.kinds.hydrostatic.single_recess import gap_under, pad_at
+from babbitt.kinds.hydrostatic.state import Ending, rest_under
+from babbitt.kinds.hydrostatic.supply import FixedPressure
+from babbitt.kinds.hydrostatic.surfaces import FilmOil, journal_surface, ring_surface
 
 SPEED = 1500.0 * math.pi / 30.0
 JOURNAL = RecessedJournal(

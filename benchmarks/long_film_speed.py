@@ -13,11 +13,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import babbitt
-from babbitt.cases import design_cases
-from babbitt.longfilm.model import LongFilmCase
-from babbitt.longfilm.solve import film_at_eccentricity, film_under_load
-from babbitt.segments.model import SegmentCase
-from babbitt.segments.solve import film_under_load as segments_under_load
+from babbitt.case import design_cases
+from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
+from babbitt.kinds.journal.grooved_long_bearing.solve import film_under_load as segments_under_load
+from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
+from babbitt.kinds.journal.infinitely_long_bearing.solve import film_at_eccentricity, film_under_load
 from babbitt.solving import solve_design
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"

@@ -33,9 +33,10 @@ import numpy as np
 FOLDER = Path(__file__).parent / "two_lands"
 sys.path.insert(0, str(FOLDER))
 
-from case import CLEARANCE, DIAMETER, LAND, LOAD, SPEED, VISCOSITY, WIDTH  # noqa: E402
 from fine_reference import SimpleLand, coefficients, equilibrium  # noqa: E402
 from sides import record_of  # noqa: E402
+
+from case import CLEARANCE, DIAMETER, LAND, LOAD, SPEED, VISCOSITY, WIDTH  # noqa: E402
 
 REFERENCE = FOLDER / "reference.json"
 LIMITS = {"reynolds": 0.15e-3, "mass-conserving": 0.4e-3}

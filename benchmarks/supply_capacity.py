@@ -16,7 +16,7 @@ import sys
 import numpy as np
 
 from babbitt import parse_case
-from babbitt.cases.build import film_cases, iso7902_cases
+from babbitt.case.build import film_cases, iso7902_cases
 from babbitt.solving import solve_design
 
 GRADES = (32, 46, 68, 100)

@@ -23,11 +23,11 @@ from pathlib import Path
 import numpy as np
 
 from babbitt import parse_case
-from babbitt.bearings.model import FilmCase
-from babbitt.bearings.thermal_film import thermal_operating_film
-from babbitt.bearings.warm_film import operating_film
-from babbitt.cases import design_cases
-from babbitt.results import Outcome
+from babbitt.case import design_cases
+from babbitt.core.result import Outcome
+from babbitt.kinds.journal.film.isothermal import operating_film
+from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.journal.film.thermal_film import thermal_operating_film
 
 NUMBER, UNSOLVED, SLOWEST = 500, 0.01, 2.0
 THINNEST = 0.03

@@ -24,12 +24,12 @@ import sys
 import time
 from collections.abc import Callable
 
-from babbitt.shaft_line.damped import damped_modes
-from babbitt.shaft_line.model import state_of
-from babbitt.shaft_line.natural import modes
-from babbitt.shaft_line.sweeps import ring_sweep, usual_rings
-from babbitt.thrust.carrying import carrying
-from babbitt.thrust.equilibrium import pad_state
+from babbitt.kinds.shaft_line.damped import damped_modes
+from babbitt.kinds.shaft_line.model import state_of
+from babbitt.kinds.shaft_line.natural import modes
+from babbitt.kinds.shaft_line.sweeps import ring_sweep, usual_rings
+from babbitt.kinds.thrust.equilibrium import pad_state
+from babbitt.kinds.thrust.load_curve import carrying
 from babbitt.validation.published.thrust_hydro_generator import solved
 from babbitt.validation.published.trawler_line import PAD, SPEED, VISCOSITY, duty
 

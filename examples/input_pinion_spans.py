@@ -13,8 +13,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from babbitt import load_case
-from babbitt.cases import design_cases
-from babbitt.standards.iso7902 import DesignCase, check
+from babbitt.case import design_cases
+from babbitt.kinds.journal.iso7902 import DesignCase, check
 
 HERE = Path(__file__).parent
 FRICTION_FACTOR = 1.256

@@ -5,9 +5,9 @@ Run from the repository root::
     python scripts/generate_characteristics.py
 
 Solves Reynolds' equation for every span, B/D and eccentricity below (about 7000 films, a few minutes on two
-cores) and writes ``src/babbitt/characteristics/tables.npz``. The file depends on this script and the solver
-alone: no date, no host, values rounded to eight significant digits, so that a second run gives the same
-bytes.
+cores) and writes ``src/babbitt/kinds/journal/iso7902/characteristics/tables.npz``. The file depends on this script
+and the solver alone: no date, no host, values rounded to eight significant digits, so that a second run gives the
+same bytes.
 """
 
 from __future__ import annotations
@@ -25,10 +25,11 @@ os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = "1"
 
 import numpy as np
 
-from babbitt.characteristics.arc_film import DEFAULT_CELLS, solve_arc
-from babbitt.characteristics.tables import SPANS_DEGREES, TABLE_FILE
+from babbitt.kinds.journal.iso7902.characteristics.tables import SPANS_DEGREES, TABLE_FILE
+from babbitt.validation.research.arc_film import DEFAULT_CELLS, solve_arc
 
-TARGET = Path(__file__).parents[1] / "src" / "babbitt" / "characteristics" / TABLE_FILE
+SOURCE = Path(__file__).parents[1] / "src" / "babbitt"
+TARGET = SOURCE / "kinds" / "journal" / "iso7902" / "characteristics" / TABLE_FILE
 FORMAT_VERSION = 1
 SIGNIFICANT_DIGITS = 8
 

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-import babbitt.cases.schema as schema
+import babbitt.case.schema as schema
 
 if __name__ == "__main__":
     target = Path(schema.__file__).with_name(schema.SCHEMA_FILE)

@@ -47,7 +47,7 @@ HALVES: tuple[tuple[Fields, ...], ...] = (
 
 def compile_half(half: int) -> None:
     """Solve bearings whose films need the kernels of one half."""
-    from babbitt.cases import case_from_dict
+    from babbitt.case import case_from_dict
     from babbitt.solving import solve
 
     for changes in HALVES[half]:

@@ -3,8 +3,8 @@
 import pytest
 import yaml
 
-from babbitt.cases import case_from_dict, template
-from babbitt.notices import EXPLANATIONS
+from babbitt.case import case_from_dict, template
+from babbitt.core.notices import EXPLANATIONS
 from babbitt.solving import solve
 
 LISTED_ONLY = {"C122"}

@@ -11,12 +11,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from babbitt.cases import kinds, parse_case, template
-from babbitt.interop import mirrored, read_ansys, read_csv, read_json, read_ross, read_xltrc2
+from babbitt.case import kinds, parse_case, template
+from babbitt.export import mirrored, read_ansys, read_csv, read_json, read_ross, read_xltrc2
 from babbitt.solving import solve
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
-BAD = Path(__file__).parent / "cases" / "bad"
+BAD = Path(__file__).parent / "case" / "bad"
 
 
 def journal_with_load(load: str) -> str:
@@ -257,7 +257,7 @@ def test_export_says_for_which_temperatures_its_coefficients_hold(run, tmp_path,
 
 
 def test_export_without_a_following_stiffness_writes_nothing(run, tmp_path, monkeypatch):
-    monkeypatch.setattr("babbitt.bearings.thermal_answer.following_stiffness", lambda *_: None)
+    monkeypatch.setattr("babbitt.kinds.journal.film.thermal_results.following_stiffness", lambda *_: None)
     (tmp_path / "case.yaml").write_text(film_journal(thermal="full", temperature_coefficients="following"))
     status, _, err = run("export", "case.yaml", "--format", "csv", "--speeds", "3000 rpm", "-o", "table.csv")
     assert status == 3
@@ -323,7 +323,7 @@ def test_mistakes_of_export(run, tmp_path, changed, words):
 
 
 def test_the_help_of_export_names_the_endings_of_every_format(run):
-    from babbitt.interop import FORMATS
+    from babbitt.export import FORMATS
 
     status, out, _ = run("export", "--help")
     words = " ".join(out.replace("│", " ").split())

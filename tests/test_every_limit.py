@@ -7,8 +7,8 @@ import pytest
 import yaml
 
 import babbitt
-from babbitt.cases import case_from_dict, kinds, template
-from babbitt.results import Verdict
+from babbitt.case import case_from_dict, kinds, template
+from babbitt.core.result import Verdict
 from babbitt.solving import solve
 
 JOURNAL = {"C101", "C102", "C103", "C104", "C105", "C106", "C107", "C108", "C111"}

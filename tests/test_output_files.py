@@ -4,7 +4,7 @@ import csv
 
 import pytest
 
-from babbitt.cases import template
+from babbitt.case import template
 
 FILM = """\
 kind: journal

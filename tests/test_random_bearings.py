@@ -4,7 +4,6 @@ The same families run by the thousand in `benchmarks/robustness/bearings.py`.
 """
 
 import pytest
-
 from bearings import FAMILIES
 
 NUMBER = {

@@ -9,8 +9,8 @@ import sys
 
 import pytest
 
-from babbitt.cases import template
-from babbitt.studies import case_sweep
+from babbitt.case import template
+from babbitt.study import case_sweep
 
 LAUNCH = "import sys; sys.argv[0] = 'babbitt'; from babbitt.cli import main; main()"
 
@@ -139,7 +139,7 @@ def test_an_interrupt_while_a_file_is_written_leaves_what_was_there(folder):
     assert launched(folder, "solve", "case.yaml", "--json", "out.json").returncode == 0
     before = (folder / "out.json").read_bytes()
     program = (
-        "import os, signal; from babbitt.files import writing\n"
+        "import os, signal; from babbitt.core.files import writing\n"
         "def umask(): os.kill(os.getpid(), signal.SIGINT)\n"
         "writing._umask = umask\n" + LAUNCH
     )

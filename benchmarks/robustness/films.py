@@ -21,10 +21,10 @@ sys.path.append(str(Path(__file__).parents[1]))
 import film_robustness
 import thermal_robustness
 
-from babbitt.bearings.thermal_film import thermal_operating_film
-from babbitt.film.model import Cavitation, JournalFilm, Resolution
-from babbitt.film.solution import FilmSolution
-from babbitt.film.solve import film_at_position, solve_journal
+from babbitt.kinds.journal.film.thermal_film import thermal_operating_film
+from babbitt.reynolds.lands.solve import film_at_position, solve_journal
+from babbitt.reynolds.model import Cavitation, JournalFilm, Resolution
+from babbitt.reynolds.solution import FilmSolution
 
 __all__ = ["film_faults", "thermal_film_faults"]
 

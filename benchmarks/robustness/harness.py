@@ -19,11 +19,11 @@ from typing import Any
 
 import numpy as np
 
-from babbitt.cases import case_from_dict
-from babbitt.cases.every_kind import Case as ReadCase
-from babbitt.cases.problems import CaseError
-from babbitt.notices import InputError
-from babbitt.results import Result
+from babbitt.case import case_from_dict
+from babbitt.case.every_kind import Case as ReadCase
+from babbitt.case.problems import CaseError
+from babbitt.core.notices import InputError
+from babbitt.core.result import Result
 from babbitt.solving import solve
 
 __all__ = ["Family", "Outcome", "faults_of", "in_other_units", "reordered"]

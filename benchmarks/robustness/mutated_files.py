@@ -18,7 +18,7 @@ from typing import Any
 import yaml
 from answers import answer_of, run_seeds
 
-from babbitt.cases import kinds, template
+from babbitt.case import kinds, template
 
 __all__ = ["check_mutated_file", "mutated_file"]
 

@@ -116,7 +116,7 @@ NAMES = (
 def sound_table(kind: str, rng: random.Random) -> bytes:
     """A table as it should be."""
     if kind == "limits":
-        return files("babbitt.materials").joinpath("limits.toml").read_bytes()
+        return files("babbitt.properties.materials").joinpath("limits.toml").read_bytes()
     number = rng.choice((8, 12))
     angles = [360.0 * place / number for place in range(number)]
     if kind == "bore":

@@ -27,8 +27,8 @@ from pumped_cases import (
     jacking_case,
 )
 
-from babbitt.cases import CaseError, parse_case
-from babbitt.results import Result
+from babbitt.case import CaseError, parse_case
+from babbitt.core.result import Result
 from babbitt.solving import solve
 
 Case = dict[str, Any]

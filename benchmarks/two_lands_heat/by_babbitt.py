@@ -10,10 +10,9 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1] / "two_lands"))
 
 import numpy as np
-from case import CLEARANCE, DIAMETER, LAND, LOAD, SPEED, WIDTH, answer, row, timed
 
 import babbitt
-from babbitt.film.heat import (
+from babbitt.reynolds.heat.heat_model import (
     THERMAL_DRAFT,
     THERMAL_ENGINEERING,
     THERMAL_REFERENCE,
@@ -23,8 +22,9 @@ from babbitt.film.heat import (
     HeatGrid,
     JournalHeat,
 )
-from babbitt.film.model import JournalFilm, grooved_bore
-from babbitt.film.thermal import solve_thermal_journal
+from babbitt.reynolds.heat.thermal_equilibrium import solve_thermal_journal
+from babbitt.reynolds.model import JournalFilm, grooved_bore
+from case import CLEARANCE, DIAMETER, LAND, LOAD, SPEED, WIDTH, answer, row, timed
 
 COLD = 323.15
 WALLS = ConductingWalls(BushRing((0.2, 0.3), (50.0,), 50.0, 293.15), JournalHeat())

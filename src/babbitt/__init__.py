@@ -13,7 +13,7 @@ TYPE_CHECKING = False  # the module typing takes longer than this one
 if TYPE_CHECKING:
     from typing import Any
 
-    from babbitt.cases import load_case, parse_case, template
+    from babbitt.case import load_case, parse_case, template
     from babbitt.solving import solve
 
 __version__ = "0.1.0"
@@ -21,9 +21,9 @@ __version__ = "0.1.0"
 __all__ = ["__version__", "load_case", "parse_case", "solve", "template"]
 
 _HOMES = {
-    "load_case": "babbitt.cases",
-    "parse_case": "babbitt.cases",
-    "template": "babbitt.cases",
+    "load_case": "babbitt.case",
+    "parse_case": "babbitt.case",
+    "template": "babbitt.case",
     "solve": "babbitt.solving",
 }
 

@@ -7,25 +7,25 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from babbitt import __version__
-from babbitt.bearings.model import FilmCase
-from babbitt.bearings.watch import Watch, unwatched
-from babbitt.cases import case_hash, design_cases
-from babbitt.cases.case_file import CaseFile
-from babbitt.cases.grouped_digits import about_grouped_digits
-from babbitt.longfilm.model import LongFilmCase
-from babbitt.notices import InputError
-from babbitt.results import Outcome, Result
-from babbitt.segments.model import SegmentCase
-from babbitt.standards.iso7902 import check as iso7902_check
-from babbitt.standards.iso7902.model import DesignCase
+from babbitt.case import case_hash, design_cases
+from babbitt.case.case_file import CaseFile
+from babbitt.case.grouped_digits import about_grouped_digits
+from babbitt.core.notices import InputError
+from babbitt.core.progress import Watch, unwatched
+from babbitt.core.result import Outcome, Result
+from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
+from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
+from babbitt.kinds.journal.iso7902 import check as iso7902_check
+from babbitt.kinds.journal.iso7902.model import DesignCase
 
 if TYPE_CHECKING:
-    from babbitt.cases import Case
-    from babbitt.cases.designs import AnyDesign, EveryDesign
-    from babbitt.hydrostatics.jacking_model import JackingCase
-    from babbitt.hydrostatics.model import HydrostaticCase
-    from babbitt.shaft_line.design import LineDesign
-    from babbitt.thrust.design import ThrustDesign
+    from babbitt.case import Case
+    from babbitt.case.designs import AnyDesign, EveryDesign
+    from babbitt.kinds.hydrostatic.jacking_model import JackingCase
+    from babbitt.kinds.hydrostatic.model import HydrostaticCase
+    from babbitt.kinds.shaft_line.design import LineDesign
+    from babbitt.kinds.thrust.design import ThrustDesign
 
 
 @dataclass(frozen=True)
@@ -146,23 +146,23 @@ def _require_solvable(design: EveryDesign) -> None:
     """Make what a refusal of a design needs: at most one film, not the answer."""
     if isinstance(design, FilmCase | DesignCase | LongFilmCase | SegmentCase):
         return
-    from babbitt.hydrostatics.model import HydrostaticCase
+    from babbitt.kinds.hydrostatic.model import HydrostaticCase
 
     if isinstance(design, HydrostaticCase):
-        from babbitt.hydrostatics.check import refuse_contact, refuse_short_recess
+        from babbitt.kinds.hydrostatic.check import refuse_contact, refuse_short_recess
 
         refuse_contact(design)
         refuse_short_recess(design)
         return
-    from babbitt.shaft_line.design import LineDesign
-    from babbitt.thrust.design import ThrustDesign, operating_state
-    from babbitt.thrust.failures import NoPadFilmError
+    from babbitt.kinds.shaft_line.design import LineDesign
+    from babbitt.kinds.thrust.design import ThrustDesign, operating_state
+    from babbitt.kinds.thrust.failures import NoPadFilmError
 
     if isinstance(design, ThrustDesign | LineDesign):
         with suppress(NoPadFilmError):  # told as no solution
             static = operating_state(design.thrust if isinstance(design, LineDesign) else design)
             if isinstance(design, LineDesign):
-                from babbitt.shaft_line.model import state_of
+                from babbitt.kinds.shaft_line.model import state_of
 
                 state_of(design.duty, static.films, static.share)
 
@@ -182,10 +182,10 @@ def solve_every(design: EveryDesign, watch: Watch = unwatched) -> tuple[Result, 
     """
     if isinstance(design, FilmCase | DesignCase | LongFilmCase | SegmentCase):
         return (solve_design(design, watch),)
-    from babbitt.footstep.case import HeelCase
+    from babbitt.kinds.footstep.model_case import HeelCase
 
     if isinstance(design, HeelCase):
-        from babbitt.footstep.check import heel_results
+        from babbitt.kinds.footstep.check import heel_results
 
         return heel_results(design)
     return (solve_design(design, watch),)
@@ -205,15 +205,17 @@ def solve_design(design: AnyDesign, watch: Watch = unwatched) -> Result:
     Result
     """
     if isinstance(design, FilmCase):
-        from babbitt.bearings.check import film_check  # numba is imported when the first film is solved
+        from babbitt.kinds.journal.film.check import film_check  # numba is imported when the first film is solved
 
         return film_check(design, watch)
     if isinstance(design, LongFilmCase):
-        from babbitt.longfilm.check import long_film_check  # numpy and scipy are imported with the first film
+        from babbitt.kinds.journal.infinitely_long_bearing.check import (
+            long_film_check,  # numpy and scipy are imported with the first film
+        )
 
         return long_film_check(design)
     if isinstance(design, SegmentCase):
-        from babbitt.segments.check import segments_check
+        from babbitt.kinds.journal.grooved_long_bearing.check import segments_check
 
         return segments_check(design)
     if isinstance(design, DesignCase):
@@ -222,30 +224,30 @@ def solve_design(design: AnyDesign, watch: Watch = unwatched) -> Result:
 
 
 def _carried_axially_or_by_pressure(design: HydrostaticCase | JackingCase | ThrustDesign | LineDesign) -> Result:
-    from babbitt.hydrostatics.jacking_model import JackingCase
-    from babbitt.hydrostatics.model import HydrostaticCase
-    from babbitt.thrust.design import ThrustDesign
+    from babbitt.kinds.hydrostatic.jacking_model import JackingCase
+    from babbitt.kinds.hydrostatic.model import HydrostaticCase
+    from babbitt.kinds.thrust.design import ThrustDesign
 
     if isinstance(design, JackingCase):
-        from babbitt.hydrostatics.jacking import jacking_check
+        from babbitt.kinds.hydrostatic.jacking import jacking_check
 
         return jacking_check(design)
     if isinstance(design, HydrostaticCase):
-        from babbitt.hydrostatics.check import hydrostatic_check
+        from babbitt.kinds.hydrostatic.check import hydrostatic_check
 
         return hydrostatic_check(design)
     if isinstance(design, ThrustDesign):
-        from babbitt.thrust.check import thrust_check
+        from babbitt.kinds.thrust.check import thrust_check
 
         return thrust_check(design)
-    from babbitt.shaft_line.check import line_check
+    from babbitt.kinds.shaft_line.check import line_check
 
     return line_check(design)
 
 
 def _shaft_result(case: Case) -> Result:
-    from babbitt.cases import OverhungCouplingCase
-    from babbitt.shafts import bearing_loads
+    from babbitt.case import OverhungCouplingCase
+    from babbitt.kinds.coupling import bearing_loads
 
     if not isinstance(case, OverhungCouplingCase):
         raise TypeError(f"a case of kind {case.kind} holds nothing to compute")

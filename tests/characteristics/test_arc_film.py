@@ -8,9 +8,9 @@ from numpy.testing import assert_allclose
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from babbitt.characteristics.arc_film import FULL, solve_arc
-from babbitt.characteristics.film_grid import axial_nodes, circumferential_nodes
-from babbitt.characteristics.ruptured_film import flow_balance, force, ruptured_pressure, side_flow_number
+from babbitt.validation.research.arc_film import FULL, solve_arc
+from babbitt.validation.research.film_grid import axial_nodes, circumferential_nodes
+from babbitt.validation.research.ruptured_film import flow_balance, force, ruptured_pressure, side_flow_number
 
 
 def film(eccentricity_ratio, width_ratio, cells, start=0.0, end=FULL):

@@ -10,9 +10,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from babbitt.characteristics import SPANS_DEGREES, ClosedFormCurves, curves, sommerfeld_number, table
-from babbitt.characteristics.arc_film import solve_arc
-from babbitt.notices import InputError
+from babbitt.core.notices import InputError
+from babbitt.kinds.journal.iso7902.characteristics import (
+    SPANS_DEGREES,
+    ClosedFormCurves,
+    curves,
+    sommerfeld_number,
+    table,
+)
+from babbitt.validation.research.arc_film import solve_arc
 
 QUANTITIES = ("sommerfeld_number", "attitude_angle", "side_flow_number", "pressure_ratio")
 spans = st.sampled_from(SPANS_DEGREES)
@@ -177,7 +183,7 @@ def test_span_between_the_tables():
 def test_looking_up_a_characteristic_does_not_load_scipy():
     # half a second at the start of every check
     script = (
-        "import sys; from babbitt.characteristics import curves, ClosedFormCurves, friction;"
+        "import sys; from babbitt.kinds.journal.iso7902.characteristics import curves, ClosedFormCurves, friction;"
         "curves(120, 0.7).eccentricity_ratio(1.0); ClosedFormCurves(0.7).eccentricity_ratio(1.0);"
         "sys.exit(any(name.split('.')[0] == 'scipy' for name in sys.modules))"
     )

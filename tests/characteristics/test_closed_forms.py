@@ -9,9 +9,9 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 from published_tables import BUTENSCHOEN
 
-from babbitt.characteristics import ClosedFormCurves, curves
-from babbitt.characteristics.closed_forms import DEVIATIONS, LARGEST_ATTITUDE_DEVIATION
-from babbitt.notices import EXPLANATIONS, InputError
+from babbitt.core.notices import EXPLANATIONS, InputError
+from babbitt.kinds.journal.iso7902.characteristics import ClosedFormCurves, curves
+from babbitt.kinds.journal.iso7902.characteristics.closed_forms import DEVIATIONS, LARGEST_ATTITUDE_DEVIATION
 
 
 def test_within_the_errors_known_of_butenschoens_tables():

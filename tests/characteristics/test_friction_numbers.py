@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
-from babbitt.characteristics import curves, friction
+from babbitt.kinds.journal.iso7902.characteristics import curves, friction
 
 SPANS = (360, 180, 150, 120, 90)
 # B/D = 0.604; film all around, film on the arc; independent computation to five digits

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from babbitt.characteristics import curves
-from babbitt.characteristics.interpolation_study import coarse_tables, interpolation_study
+from babbitt.kinds.journal.iso7902.characteristics import curves
+from babbitt.validation.research.interpolation_study import coarse_tables, interpolation_study
 
 # mean and largest |round trip| in per cent, largest X, eps of it; independent computation
 EXPECTED = {

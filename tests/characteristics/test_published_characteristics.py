@@ -7,8 +7,8 @@ import pytest
 from numpy.testing import assert_allclose
 from published_tables import ARC_CHECK_VALUES, BUTENSCHOEN, RAIMONDI_BOYD
 
-from babbitt.characteristics import curves, friction
-from babbitt.characteristics.arc_film import FULL, solve_arc
+from babbitt.kinds.journal.iso7902.characteristics import curves, friction
+from babbitt.validation.research.arc_film import FULL, solve_arc
 
 EPS = np.array(BUTENSCHOEN["eccentricity_ratios"])
 WIDTH_RATIOS = BUTENSCHOEN["width_ratios"]

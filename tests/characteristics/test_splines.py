@@ -5,9 +5,9 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.interpolate import CubicSpline, RectBivariateSpline
 
-from babbitt.characteristics.piecewise_cubic import PiecewiseCubic
-from babbitt.characteristics.spline import spline_coefficients
-from babbitt.characteristics.tensor_spline import TensorSpline
+from babbitt.numerics.piecewise_cubic import PiecewiseCubic
+from babbitt.numerics.spline import spline_coefficients
+from babbitt.numerics.tensor_spline import TensorSpline
 
 NODES = np.array([-3.0, -2.1, -1.9, -0.4, 0.0, 0.7, 2.0, 2.2, 3.5])
 OTHER_NODES = np.array([0.0, 0.3, 1.0, 1.1, 2.0, 2.6])

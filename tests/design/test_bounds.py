@@ -1,7 +1,7 @@
 """Checks of values that flatter the bearing: a miss is certain, a pass is none."""
 
+from babbitt.core.result import Bound, Check
 from babbitt.design.bounds import certain, unjudged
-from babbitt.results import Bound, Check
 
 KEPT = Check("C101", "minimum_film_thickness", 20e-6, 9e-6, Bound.AT_LEAST, "test")
 MISSED = Check("C102", "minimum_film_thickness", 5e-6, 9e-6, Bound.AT_LEAST, "test")

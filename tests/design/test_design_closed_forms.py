@@ -6,9 +6,9 @@ from dataclasses import replace
 import pytest
 
 from babbitt import solve
-from babbitt.cases import case_from_dict, design_cases
+from babbitt.case import case_from_dict, design_cases
 from babbitt.design.cooling import heat_transfer_coefficient, pedestal_surface
-from babbitt.design.roots import find_root
+from babbitt.numerics.roots import find_root
 from babbitt.solving import solve_design
 
 RING = {

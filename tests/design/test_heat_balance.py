@@ -6,9 +6,9 @@ from types import SimpleNamespace
 
 import pytest
 
+from babbitt.core.result import Outcome
 from babbitt.design.conditions import HousingCooling
 from babbitt.design.heat_balance import SPARING, THOROUGH, NoFilmError, find_equilibrium
-from babbitt.results import Outcome
 
 COOLED = SimpleNamespace(oil_supply=None, cooling=HousingCooling(300.0, 1.0, 1.0))
 """Carries away 1 W for each kelvin above 300 K."""

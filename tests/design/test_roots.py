@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt.design.roots import bracketed_root, find_root
+from babbitt.numerics.roots import bracketed_root, find_root
 
 FUNCTIONS = (
     (lambda x: x**3 - 2.0 * x - 5.0, 2.0, 3.0),

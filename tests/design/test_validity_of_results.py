@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from babbitt.cases import parse_case
-from babbitt.results import Result, Verdict
+from babbitt.case import parse_case
+from babbitt.core.result import Result, Verdict
 from babbitt.solving import solve
 
 ISO = """

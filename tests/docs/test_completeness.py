@@ -16,30 +16,30 @@ from example_blocks import DOCS, ROOT, pages
 
 import babbitt
 from babbitt import cli
-from babbitt.cases import KINDS as CASE_KINDS
-from babbitt.cases import load_case
-from babbitt.cases.part import Part
+from babbitt.case import KINDS as CASE_KINDS
+from babbitt.case import load_case
+from babbitt.case.part import Part
 from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, SOLVED, UNUSABLE_INPUT
 from babbitt.cli.interruption import INTERRUPTED
-from babbitt.lubricants import catalogue
-from babbitt.materials import bearing_metals, structural_materials
-from babbitt.notices import EXPLANATIONS
-from babbitt.quantities import QUANTITIES, Quantity
-from babbitt.quantities.dynamics import DYNAMICS
-from babbitt.quantities.footstep import FOOTSTEP
-from babbitt.quantities.hydrostatics import HYDROSTATICS
-from babbitt.quantities.journal import JOURNAL
-from babbitt.quantities.one_dimension import ONE_DIMENSION
-from babbitt.quantities.shaft_lines import SHAFT_LINES
-from babbitt.quantities.shafts import SHAFTS
-from babbitt.quantities.thrust import THRUST
+from babbitt.core.notices import EXPLANATIONS
+from babbitt.core.quantities import QUANTITIES, Quantity
+from babbitt.core.quantities.dynamics import DYNAMICS
+from babbitt.core.quantities.footstep import FOOTSTEP
+from babbitt.core.quantities.hydrostatics import HYDROSTATICS
+from babbitt.core.quantities.journal import JOURNAL
+from babbitt.core.quantities.one_dimension import ONE_DIMENSION
+from babbitt.core.quantities.shaft_lines import SHAFT_LINES
+from babbitt.core.quantities.shafts import SHAFTS
+from babbitt.core.quantities.thrust import THRUST
+from babbitt.core.result import Outcome
+from babbitt.core.units import KINDS as UNIT_KINDS
+from babbitt.kinds.hydrostatic.report.words import HYDROSTATIC_WORDS
+from babbitt.kinds.journal.iso7902.model import Curves, Friction
+from babbitt.properties.lubricants import catalogue
+from babbitt.properties.materials import bearing_metals, structural_materials
 from babbitt.report.export import to_json
-from babbitt.report.hydrostatic_words import HYDROSTATIC_WORDS
 from babbitt.report.vocabulary import VOCABULARY
-from babbitt.results import Outcome
 from babbitt.solving import solve
-from babbitt.standards.iso7902.model import Curves, Friction
-from babbitt.units import KINDS as UNIT_KINDS
 
 NOT_FOR_USERS = {"babbitt.report.outputs", *(f"babbitt.cli.{name}" for name in cli.__all__)}
 """Names of public packages that only the command line needs."""

@@ -6,13 +6,13 @@ from importlib.resources import files
 
 import pytest
 
-from babbitt.files.bounded_text import loads_toml
-from babbitt.interop.json_file import read_json
-from babbitt.interop.ross_file import read_blocks
-from babbitt.materials import parse_experience_limits
-from babbitt.notices import InputError
+from babbitt.core.files.bounded_text import loads_toml
+from babbitt.core.notices import InputError
+from babbitt.export.json_file import read_json
+from babbitt.export.ross_file import read_blocks
+from babbitt.properties.materials import parse_experience_limits
 
-SHIPPED = files("babbitt.materials").joinpath("limits.toml").read_text(encoding="utf-8")
+SHIPPED = files("babbitt.properties.materials").joinpath("limits.toml").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt.files.spreadsheet import plain_word, read_rows, rows_text, workbook, written_word
+from babbitt.core.files.spreadsheet import plain_word, read_rows, rows_text, workbook, written_word
 
 DANGEROUS = ["=1+1", "+1", "-2+3", "@SUM(A1)", "\t=1", "\r=1"]
 

@@ -7,13 +7,13 @@ import zipfile
 import numpy as np
 import pytest
 
-from babbitt.cases import parse_case, template
-from babbitt.files import writing
-from babbitt.files.marks import is_output
-from babbitt.files.spreadsheet import workbook
-from babbitt.files.writing import create_file, require_distinct, require_writable, write_file, write_files
-from babbitt.interop import FORMATS, CoefficientTable, export
-from babbitt.notices import InputError
+from babbitt.case import parse_case, template
+from babbitt.core.files import writing
+from babbitt.core.files.marks import is_output
+from babbitt.core.files.spreadsheet import workbook
+from babbitt.core.files.writing import create_file, require_distinct, require_writable, write_file, write_files
+from babbitt.core.notices import InputError
+from babbitt.export import FORMATS, CoefficientTable, export
 from babbitt.report.document import write_report
 from babbitt.report.drawing import FORMATS as IMAGES
 from babbitt.report.drawing import rendered, style

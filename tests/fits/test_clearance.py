@@ -6,14 +6,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt.fits import (
+from babbitt.core.notices import InputError
+from babbitt.properties.fits import (
     LARGEST_RELATIVE_CLEARANCE,
     Clearance,
     Deviations,
     SizeLimits,
     tolerance_limits,
 )
-from babbitt.notices import InputError
 
 diameters = st.floats(0.01, 0.6)
 psis = st.floats(1e-5, LARGEST_RELATIVE_CLEARANCE * 0.99)

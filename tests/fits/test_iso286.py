@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt.fits import Deviations, standard_tolerance, tolerance_limits, tolerance_source
-from babbitt.notices import InputError
+from babbitt.core.notices import InputError
+from babbitt.properties.fits import Deviations, standard_tolerance, tolerance_limits, tolerance_source
 
 STEPS = [3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500, 630]
 """Upper bounds of the main steps of nominal sizes, mm."""
@@ -105,7 +105,9 @@ def test_fundamental_deviations_follow_their_formulas(letter, formula):
 
 def test_fundamental_deviation_c_follows_its_formula_above_40_mm():
     """c = 95 + 0.8 D um with the finer steps (ISO 286-1)."""
-    table = tomllib.loads(files("babbitt.fits").joinpath("iso286.toml").read_text())["clearance_letters"]["c"]
+    table = tomllib.loads(files("babbitt.properties.fits").joinpath("iso286.toml").read_text())[
+        "clearance_letters"
+    ]["c"]
     steps = list(zip(table["up_to_mm"], table["up_to_mm"][1:], table["distance"][1:], strict=False))
     above_40 = [(lower, upper, c) for lower, upper, c in steps if lower >= 40]
     assert len(above_40) == 17
@@ -114,7 +116,7 @@ def test_fundamental_deviation_c_follows_its_formula_above_40_mm():
 
 
 def test_every_column_of_the_table_has_its_bounds_and_grows():
-    table = tomllib.loads(files("babbitt.fits").joinpath("iso286.toml").read_text())
+    table = tomllib.loads(files("babbitt.properties.fits").joinpath("iso286.toml").read_text())
     grades = table["standard_tolerances"]
     columns = [(grades["up_to_mm"], column) for key, column in grades.items() if key != "up_to_mm"]
     columns += [(entry["up_to_mm"], entry["distance"]) for entry in table["clearance_letters"].values()]

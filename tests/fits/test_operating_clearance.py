@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt.fits import REFERENCE_TEMPERATURE, operating_relative_clearance
+from babbitt.properties.fits import REFERENCE_TEMPERATURE, operating_relative_clearance
 
 psis = st.floats(0.0, 0.01)
 expansions = st.floats(5e-6, 3e-5)

@@ -11,9 +11,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from babbitt.footstep.face import number
-from babbitt.footstep.model import Footstep
-from babbitt.footstep.superposition import GroovedHeel
+from babbitt.kinds.footstep.face import number
+from babbitt.kinds.footstep.model import Footstep
+from babbitt.kinds.footstep.superposition import GroovedHeel
 
 NODES = 60
 """Along the groove."""

@@ -2,8 +2,8 @@
 
 import math
 
-from babbitt.cases import template
-from babbitt.footstep.model import Footstep, HeelGeometry, HeelOil, ScrewGroove
+from babbitt.case import template
+from babbitt.kinds.footstep.model import Footstep, HeelGeometry, HeelOil, ScrewGroove
 
 GEOMETRY = HeelGeometry(35e-3, 21.8e-3, 14e-3, 5e-3, 5e-3)
 GROOVE = ScrewGroove(math.radians(10.0), 0.3e-3, 1.2e-3, 3.58e-3, 5)

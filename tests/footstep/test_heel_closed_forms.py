@@ -9,16 +9,22 @@ from heels import GEOMETRY, GROOVE, OIL, footstep
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from babbitt.footstep.face import Face, number
-from babbitt.footstep.model import BackflowViscosity, FaceOutlet, FrictionViscosity, HeelOptions, LoadReference
-from babbitt.footstep.states import (
+from babbitt.kinds.footstep.face import Face, number
+from babbitt.kinds.footstep.model import (
+    BackflowViscosity,
+    FaceOutlet,
+    FrictionViscosity,
+    HeelOptions,
+    LoadReference,
+)
+from babbitt.kinds.footstep.states import (
     NoSteadyStateError,
     StateName,
     has_steady_state,
     roots_of_balance,
     steady_states,
 )
-from babbitt.footstep.superposition import GrooveChannel, GroovedHeel
+from babbitt.kinds.footstep.superposition import GrooveChannel, GroovedHeel
 
 CONSTANT = replace(OIL, exponent=0.0)
 
@@ -102,7 +108,7 @@ def test_every_state_is_in_balance(gap, clearance):
 def test_a_finer_search_finds_no_other_states(monkeypatch):
     found = {}
     for samples in (600, 1200):
-        monkeypatch.setattr("babbitt.footstep.states.SAMPLES", samples)
+        monkeypatch.setattr("babbitt.kinds.footstep.states.SAMPLES", samples)
         found[samples] = [
             roots_of_balance(GroovedHeel(footstep(gap, clearance)))
             for gap, clearance in ((20, 20), (12, 10.6), (40, 15))

@@ -6,8 +6,8 @@ from dataclasses import fields, replace
 import pytest
 from heels import GEOMETRY, GROOVE, OIL, footstep
 
-from babbitt.footstep.model import HeelOptions, Wall
-from babbitt.notices import InputError
+from babbitt.core.notices import InputError
+from babbitt.kinds.footstep.model import HeelOptions, Wall
 
 UNUSABLE = (0.0, -1.0, math.nan, math.inf)
 

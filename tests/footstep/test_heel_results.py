@@ -5,9 +5,9 @@ import json
 import pytest
 from heels import STUDY
 
-from babbitt.cases import parse_case
+from babbitt.case import parse_case
+from babbitt.core.result import Outcome
 from babbitt.report.export import to_json, write_json
-from babbitt.results import Outcome
 from babbitt.solving import solve
 
 TEXT = STUDY
@@ -85,8 +85,8 @@ def test_a_weak_groove_drains_the_rim():
 
 
 def test_states_that_are_no_operating_point_have_no_verdict():
-    from babbitt.notices import EXPLANATIONS
-    from babbitt.notices.explanation import Effect
+    from babbitt.core.notices import EXPLANATIONS
+    from babbitt.core.notices.explanation import Effect
 
     smooth, hot, cold = solved().results
     for result in (smooth, hot, cold):  # friction would warm the oil by 787, 285 and 110 K
@@ -109,7 +109,7 @@ def test_balances_are_results():
 
 
 def test_options_of_the_study_are_refused_with_narrow_grooves():
-    from babbitt.cases import CaseError
+    from babbitt.case import CaseError
 
     text = TEXT.replace("method: superposition", "method: narrow_groove") + "options: {speed_reduction: 0.25}\n"
     with pytest.raises(CaseError, match="speed_reduction"):
@@ -177,7 +177,7 @@ def test_variants():
 
 
 def test_json_is_finite_and_names_are_known():
-    from babbitt.quantities import QUANTITIES
+    from babbitt.core.quantities import QUANTITIES
 
     machine = solved()
     assert json.loads(write_json(machine))["bearings"][1]["settings"]["state"] == "hot"

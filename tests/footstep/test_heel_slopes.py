@@ -7,13 +7,13 @@ import numpy as np
 import pytest
 from heels import GEOMETRY, OIL, footstep
 
-from babbitt.footstep.axial import axial_damping, centrifugal_pressure
-from babbitt.footstep.clearances import at_clearance, critical_clearances, fold_clearance
-from babbitt.footstep.eccentric import leak_factor, mean_inverse_gap, side_force_of_leakage
-from babbitt.footstep.model import Wall
-from babbitt.footstep.narrow_groove import NarrowGrooveAnnulus
-from babbitt.footstep.states import Method, NoSteadyStateError, steady_states
-from babbitt.footstep.turning_heel import turning_force
+from babbitt.kinds.footstep.axial import axial_damping, centrifugal_pressure
+from babbitt.kinds.footstep.clearances import at_clearance, critical_clearances, fold_clearance
+from babbitt.kinds.footstep.eccentric import leak_factor, mean_inverse_gap, side_force_of_leakage
+from babbitt.kinds.footstep.model import Wall
+from babbitt.kinds.footstep.narrow_groove import NarrowGrooveAnnulus
+from babbitt.kinds.footstep.rotating_member import turning_force
+from babbitt.kinds.footstep.states import Method, NoSteadyStateError, steady_states
 
 
 @pytest.mark.parametrize("method", Method)

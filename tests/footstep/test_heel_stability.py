@@ -8,11 +8,11 @@ import pytest
 from heel_transient import HeelInTime
 from heels import GROOVE, OIL, footstep
 
-from babbitt.footstep.draining import cold_groove_drains
-from babbitt.footstep.face import number
-from babbitt.footstep.model import HeelOptions, Wall
-from babbitt.footstep.stability import RimDisturbance, stability_of_films
-from babbitt.footstep.states import (
+from babbitt.kinds.footstep.draining import cold_groove_drains
+from babbitt.kinds.footstep.face import number
+from babbitt.kinds.footstep.model import HeelOptions, Wall
+from babbitt.kinds.footstep.stability import RimDisturbance, stability_of_films
+from babbitt.kinds.footstep.states import (
     Method,
     NoSteadyStateError,
     StateName,
@@ -20,8 +20,8 @@ from babbitt.footstep.states import (
     roots_of_balance,
     steady_states,
 )
-from babbitt.footstep.superposition import GroovedHeel
-from babbitt.footstep.warm_films import WarmFilms
+from babbitt.kinds.footstep.superposition import GroovedHeel
+from babbitt.kinds.footstep.thermal_films import WarmFilms
 
 PLACES = ((20.0, 20.0), (40.0, 15.0), (20.0, 10.6))
 """Face gap and clearance, um, of the march in time."""

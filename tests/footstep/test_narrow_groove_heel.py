@@ -9,11 +9,11 @@ from heels import GROOVE, OIL, footstep
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt.footstep.model import BackflowViscosity, FaceOutlet, FrictionViscosity, HeelOptions, Wall
-from babbitt.footstep.narrow_groove import NarrowGrooveAnnulus
-from babbitt.footstep.states import Method, StateName, steady_states
-from babbitt.footstep.warm_films import WarmFilms
-from babbitt.notices import InputError
+from babbitt.core.notices import InputError
+from babbitt.kinds.footstep.model import BackflowViscosity, FaceOutlet, FrictionViscosity, HeelOptions, Wall
+from babbitt.kinds.footstep.narrow_groove import NarrowGrooveAnnulus
+from babbitt.kinds.footstep.states import Method, StateName, steady_states
+from babbitt.kinds.footstep.thermal_films import WarmFilms
 
 
 def test_without_depth_the_groove_is_a_plain_clearance():
@@ -52,7 +52,7 @@ def test_eccentric_heel_without_groove_has_the_leak_factor():
 
 
 def test_tilted_heels_agree_with_the_leak_factor():
-    from babbitt.footstep.eccentric import leak_factor
+    from babbitt.kinds.footstep.eccentric import leak_factor
 
     step = footstep(groove=None, eccentricity_ratio=0.1, tilt=3e-4)
     centred = NarrowGrooveAnnulus(footstep(groove=None))

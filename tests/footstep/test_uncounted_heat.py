@@ -6,12 +6,12 @@ from dataclasses import replace
 import pytest
 from heels import footstep
 
-from babbitt.footstep.case import HeelCase
-from babbitt.footstep.check import heel_results
-from babbitt.footstep.face import Face
-from babbitt.footstep.model import Wall
-from babbitt.footstep.states import Method, steady_states
-from babbitt.footstep.uncounted_heat import leaving_flow, needed_flow, uncounted_heat
+from babbitt.kinds.footstep.check import heel_results
+from babbitt.kinds.footstep.face import Face
+from babbitt.kinds.footstep.heat_residual import leaving_flow, needed_flow, uncounted_heat
+from babbitt.kinds.footstep.model import Wall
+from babbitt.kinds.footstep.model_case import HeelCase
+from babbitt.kinds.footstep.states import Method, steady_states
 
 
 def test_the_shear_of_a_smooth_heel_warms_nothing():

@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Any
 
 import babbitt
-from babbitt.cases import kinds
-from babbitt.quantities import QUANTITIES
+from babbitt.case import kinds
+from babbitt.core.quantities import QUANTITIES
 from babbitt.report import content as report_content
 from babbitt.report.export import to_json
 

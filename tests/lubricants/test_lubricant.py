@@ -6,15 +6,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from babbitt.lubricants import (
-    ConstantProperty,
-    LinearProperty,
-    Lubricant,
-    Vogel,
-    Walther,
-    lubricant,
-)
-from babbitt.notices import InputError
+from babbitt.core.notices import InputError
+from babbitt.properties.lubricants import ConstantProperty, LinearProperty, Lubricant, Vogel, Walther, lubricant
 
 DENSITY = LinearProperty(895.0, 293.15, -0.63)
 HEAT_CAPACITY = LinearProperty(1942.0, 323.15, 3.9)

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from babbitt.lubricants import catalogue, lubricant, viscosity_index
-from babbitt.notices import InputError
+from babbitt.core.notices import InputError
+from babbitt.properties.lubricants import catalogue, lubricant, viscosity_index
 
 CELSIUS = 273.15
 VG_CLASSES = (10, 15, 22, 32, 46, 68, 100, 150, 220, 320, 460, 680)
@@ -197,7 +197,7 @@ def test_an_unknown_name_is_answered_with_the_nearest(asked, hint):
 
 
 def test_the_file_has_no_field_that_nothing_reads():
-    text = resources.files("babbitt.lubricants").joinpath("catalogue.toml").read_text(encoding="utf-8")
+    text = resources.files("babbitt.properties.lubricants").joinpath("catalogue.toml").read_text(encoding="utf-8")
     file = tomllib.loads(text)
     tables = {
         "viscosity": {"nu40", "nu100", "viscosity_index", "form", "additive", "points", "source"},
@@ -213,6 +213,7 @@ def test_the_file_has_no_field_that_nothing_reads():
 
 
 def test_the_whole_catalogue_is_read_without_scipy():
-    code = "import sys, babbitt.lubricants as b; b.catalogue(); print({'scipy', 'pandas'} & set(sys.modules))"
+    code = "import sys, babbitt.properties.lubricants as b; b.catalogue(); "
+    code += "print({'scipy', 'pandas'} & set(sys.modules))"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert run.stdout.strip() == "set()"

@@ -4,7 +4,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt.lubricants import (
+from babbitt.core.notices import InputError
+from babbitt.properties.lubricants import (
     Exponential,
     OilProperties,
     lubricant,
@@ -14,7 +15,6 @@ from babbitt.lubricants import (
     lubricant_from_viscosity_index,
     viscosity_index,
 )
-from babbitt.notices import InputError
 
 COLD, WARM = (313.15, 46e-6), (373.15, 6.8e-6)
 

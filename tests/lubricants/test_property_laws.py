@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from babbitt.lubricants import ConstantProperty, ExpansionDensity, LinearProperty, ShiftedLaw
-from babbitt.notices import InputError
+from babbitt.core.notices import InputError
+from babbitt.properties.lubricants import ConstantProperty, ExpansionDensity, LinearProperty, ShiftedLaw
 
 temperatures = st.floats(275.0, 420.0)
 

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from babbitt.lubricants import nu40_from_viscosity_index, nu100_from_viscosity_index, viscosity_index
-from babbitt.lubricants.viscosity_index import REFERENCE_OILS
-from babbitt.notices import InputError
+from babbitt.core.notices import InputError
+from babbitt.properties.lubricants import nu40_from_viscosity_index, nu100_from_viscosity_index, viscosity_index
+from babbitt.properties.lubricants.viscosity_index import REFERENCE_OILS
 
 MM2 = 1e-6
 # nu100, L, H in mm2/s: lines of table 1 of ASTM D2270 as held by the MIT-licensed package `chemicals` 1.5.2.

@@ -8,7 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from babbitt.lubricants import (
+from babbitt.core.notices import InputError
+from babbitt.properties.lubricants import (
     AstmD341,
     ConstantViscosity,
     Exponential,
@@ -17,7 +18,6 @@ from babbitt.lubricants import (
     Vogel,
     Walther,
 )
-from babbitt.notices import InputError
 
 CELSIUS = 273.15
 

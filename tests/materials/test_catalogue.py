@@ -5,8 +5,9 @@ from importlib.resources import files
 
 import pytest
 
-from babbitt.cases.materials import Metal
-from babbitt.materials import (
+from babbitt.case.parts.materials import Metal
+from babbitt.core.notices import InputError
+from babbitt.properties.materials import (
     AlloyFamily,
     BearingMetal,
     LoadCharacter,
@@ -18,8 +19,7 @@ from babbitt.materials import (
     structural_material,
     structural_materials,
 )
-from babbitt.materials.naming import spelling
-from babbitt.notices import InputError
+from babbitt.properties.materials.naming import spelling
 
 METALS = {metal.name: metal for metal in bearing_metals()}
 STRUCTURES = {material.name: material for material in structural_materials()}
@@ -187,7 +187,7 @@ def test_no_two_entries_share_a_name():
 
 
 def test_every_source_of_the_catalogue_is_used():
-    text = files("babbitt.materials").joinpath("catalogue.toml").read_text(encoding="utf-8")
+    text = files("babbitt.properties.materials").joinpath("catalogue.toml").read_text(encoding="utf-8")
     used = {statement.source for metal in bearing_metals() for statement in sourced_values(metal)}
     used |= {metal.composition.source for metal in bearing_metals()}
     used |= {material.source for material in structural_materials()}

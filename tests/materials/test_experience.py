@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt.materials import (
+from babbitt.core.notices import InputError
+from babbitt.properties.materials import (
     AlloyFamily,
     BearingMetal,
     SourcedText,
@@ -19,9 +20,8 @@ from babbitt.materials import (
     self_cooled_temperature_limit,
     specific_load_limit,
 )
-from babbitt.notices import InputError
 
-SHIPPED = files("babbitt.materials").joinpath("limits.toml").read_text(encoding="utf-8")
+SHIPPED = files("babbitt.properties.materials").joinpath("limits.toml").read_text(encoding="utf-8")
 
 diameters = st.floats(0.02401, 2.5)
 speeds = st.floats(0.0, 200.0)

@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 from hand_made import PUBLISHED, HandMadeMachine, hand_made_result
 
-from babbitt.results import Bound, Check, Outcome, Result
+from babbitt.core.result import Bound, Check, Outcome, Result
 
 
 @pytest.fixture

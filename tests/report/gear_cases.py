@@ -6,9 +6,7 @@ import math
 from dataclasses import replace
 
 from babbitt.design.ducts import Duct
-from babbitt.lubricants import OilProperties, lubricant, lubricant_from_points
-from babbitt.materials import bearing_metal
-from babbitt.standards.iso7902.model import (
+from babbitt.kinds.journal.iso7902.model import (
     Bearing,
     DesignCase,
     Friction,
@@ -18,13 +16,15 @@ from babbitt.standards.iso7902.model import (
     OilSupply,
     Surfaces,
 )
-from babbitt.standards.iso7902.supply import (
+from babbitt.kinds.journal.iso7902.supply import (
     Arrangement,
     CircumferentialGroove,
     HalfCircumferentialGroove,
     Holes,
     Pockets,
 )
+from babbitt.properties.lubricants import OilProperties, lubricant, lubricant_from_points
+from babbitt.properties.materials import bearing_metal
 
 ZERO_CELSIUS = 273.15
 RPM = math.pi / 30.0

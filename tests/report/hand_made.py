@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from babbitt.results import Bound, Check, Outcome, Result
+from babbitt.core.result import Bound, Check, Outcome, Result
 
 ZERO_CELSIUS = 273.15
 

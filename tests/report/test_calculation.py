@@ -8,12 +8,12 @@ from dataclasses import replace
 import gear_cases
 import pytest
 
-from babbitt.quantities import QUANTITIES
-from babbitt.report.calculation import calculation
+from babbitt.core.quantities import QUANTITIES
+from babbitt.kinds.journal.iso7902.model import DesignCase, GivenLoad
+from babbitt.kinds.journal.iso7902.procedure import check
+from babbitt.kinds.journal.report.calculation import calculation
 from babbitt.report.expression import number_node, text, tree, value
 from babbitt.report.vocabulary import VOCABULARY
-from babbitt.standards.iso7902.model import DesignCase, GivenLoad
-from babbitt.standards.iso7902.procedure import check
 
 CASES = gear_cases.varied_cases()
 

@@ -7,17 +7,17 @@ from dataclasses import replace
 import gear_cases
 import pytest
 
-from babbitt.cases import parse_case
+from babbitt.case import parse_case
+from babbitt.core.result import Bound, Check
+from babbitt.core.result_name import ResultName
+from babbitt.kinds.journal.iso7902 import check
+from babbitt.kinds.journal.iso7902.model import GivenLoad
+from babbitt.kinds.journal.iso7902.supply import Arrangement, Holes
 from babbitt.report.bearing_content import bearing_content
 from babbitt.report.chapters import chapters
 from babbitt.report.content import content
 from babbitt.report.inputs import inputs
-from babbitt.result_names import ResultName
-from babbitt.results import Bound, Check
 from babbitt.solving import solve
-from babbitt.standards.iso7902 import check
-from babbitt.standards.iso7902.model import GivenLoad
-from babbitt.standards.iso7902.supply import Arrangement, Holes
 
 EXAMPLE = gear_cases.EXAMPLE
 

@@ -3,7 +3,7 @@
 import pytest
 from heels import STUDY
 
-from babbitt.cases import parse_case, template
+from babbitt.case import parse_case, template
 from babbitt.report.columns import ABSENT, columns_of
 from babbitt.solving import solve
 

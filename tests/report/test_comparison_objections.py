@@ -7,14 +7,14 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from babbitt.bearings.model import FilmCase
-from babbitt.cases import load_case, parse_case
+from babbitt.case import load_case, parse_case
+from babbitt.core.result import Verdict
+from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.report import comparison_table
 from babbitt.report.comparison_figure import write_comparison_plots
 from babbitt.report.comparison_page import write_comparison_page
 from babbitt.report.comparison_table import objected, print_comparison
-from babbitt.results import Verdict
-from babbitt.studies.comparison import compare_methods
+from babbitt.study.comparison import compare_methods
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 OVERLOADED = """

@@ -10,14 +10,14 @@ from html.parser import HTMLParser
 import gear_cases
 import pytest
 
-from babbitt.files import writing
-from babbitt.notices import InputError
+from babbitt.core.files import writing
+from babbitt.core.notices import InputError
+from babbitt.core.result import Outcome, Result
+from babbitt.core.result_name import ResultName
+from babbitt.kinds.journal.iso7902 import DesignCase, check
+from babbitt.kinds.journal.iso7902.model import GivenLoad
 from babbitt.report.content import content
 from babbitt.report.document import report, write_report
-from babbitt.result_names import ResultName
-from babbitt.results import Outcome, Result
-from babbitt.standards.iso7902 import DesignCase, check
-from babbitt.standards.iso7902.model import GivenLoad
 
 pytest.importorskip("typst")
 pytest.importorskip("matplotlib")

@@ -9,9 +9,9 @@ from dataclasses import replace
 import jsonschema
 import pytest
 
-from babbitt.notices import Notice
+from babbitt.core.notices import Notice
+from babbitt.core.result import Bound, Check
 from babbitt.report.export import to_json, write_json
-from babbitt.results import Bound, Check
 
 CONTRACT = {
     "type": "object",

@@ -11,16 +11,16 @@ import numpy as np
 import pytest
 from hand_made import HandMadeMachine
 
-from babbitt.notices import InputError
-from babbitt.quantities import QUANTITIES
-from babbitt.standards.iso7902 import check
-from babbitt.standards.iso7902.model import Curves, GivenEccentricity, GivenLoad
+from babbitt.core.notices import InputError
+from babbitt.core.quantities import QUANTITIES
+from babbitt.kinds.journal.iso7902 import check
+from babbitt.kinds.journal.iso7902.model import Curves, GivenEccentricity, GivenLoad
 
 pytest.importorskip("matplotlib")
 
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from babbitt.report import painters
+from babbitt.kinds.journal.report import plots as painters
 from babbitt.report.drawing import Drawing, mathematics, style
 from babbitt.report.figures import ClearanceRange, clearance_range, draw, write_plots
 

@@ -14,26 +14,27 @@ import numpy as np
 import pytest
 from scipy.integrate import simpson
 
-from babbitt.bearings.check import film_check
-from babbitt.bearings.field import clearance_outline, field_of, supply_patches
-from babbitt.bearings.model import Accuracy
-from babbitt.cases import design_cases, load_case
-from babbitt.film.model import Cavitation
-from babbitt.notices import InputError
-from babbitt.quantities import QUANTITIES
-from babbitt.report.film_state import SLOW, state_of
+from babbitt.case import design_cases, load_case
+from babbitt.core.notices import InputError
+from babbitt.core.quantities import QUANTITIES
+from babbitt.kinds.journal.film.check import film_check
+from babbitt.kinds.journal.film.field import clearance_outline, field_of, supply_patches
+from babbitt.kinds.journal.film.model import Accuracy
+from babbitt.kinds.journal.report.film_state import SLOW, state_of
+from babbitt.kinds.journal.study.locus import locus_over_load, locus_over_speed
+from babbitt.kinds.journal.study.stability_map import StabilityMap, stability_map
+from babbitt.reynolds.model import Cavitation
 from babbitt.solving import MachineResult
-from babbitt.studies.locus import locus_over_load, locus_over_speed
-from babbitt.studies.stability_map import StabilityMap, stability_map
 
 pytest.importorskip("matplotlib")
 
-from babbitt.report import film_curves, film_maps, film_polar, film_stability
+from babbitt.kinds.journal.report import film_curves, film_polar, film_stability
+from babbitt.kinds.journal.report.film_figures import LEFT_OUT, all_figures, report_figures
+from babbitt.report import maps as film_maps
 from babbitt.report.bearing_content import bearing_content
 from babbitt.report.chapters import chapters
 from babbitt.report.drawing import style
 from babbitt.report.figures import write_plots
-from babbitt.report.film_figures import LEFT_OUT, all_figures, report_figures
 
 GEAR = Path(__file__).parents[2] / "examples" / "reverse_gear_film.yaml"
 LOBES = [{"angle": f"{angle} deg", "extent": "15 deg"} for angle in (90, 210, 330)]
@@ -340,7 +341,7 @@ def test_the_report_has_the_figures_of_a_film():
 def test_a_slow_film_says_in_the_report_what_is_left_out(monkeypatch):
     case, result, state = bearing("tilted")
     assert state.solution.pressure.size < SLOW
-    monkeypatch.setattr("babbitt.report.film_state.SLOW", 10)
+    monkeypatch.setattr("babbitt.kinds.journal.report.film_state.SLOW", 10)
     drawings = report_figures(case, result)
     assert [drawing.name for drawing in drawings] == REPORTED[:2]
     assert drawings[0].caption.endswith(LEFT_OUT)
@@ -453,7 +454,7 @@ def test_the_orbit_is_drawn_where_there_is_one():
     result = film_check(case)
     drawn = {drawing.name for drawing in report_figures(case, result)}
     assert drawn == {*REPORTED, "orbit"}
-    from babbitt.report.film_orbit import orbit
+    from babbitt.kinds.journal.report.film_orbit import orbit
 
     with style():
         figure = orbit(state_of(case, result), result)

@@ -7,7 +7,7 @@ import pytest
 from heels import STUDY
 from rich.console import Console
 
-from babbitt.cases import parse_case
+from babbitt.case import parse_case
 from babbitt.report.content import content
 from babbitt.report.figures import write_plots
 from babbitt.report.table import print_machine
@@ -67,7 +67,7 @@ def test_figures_are_written_once_and_also_without_a_steady_state(machine, tmp_p
 def test_stable_branches_are_full_and_unstable_ones_broken():
     import numpy as np
 
-    from babbitt.report import heel_figures
+    from babbitt.kinds.footstep.report import figures as heel_figures
 
     case = solve(parse_case(TEXT)).design_cases[1]
     with heel_figures.style():
@@ -84,7 +84,7 @@ def test_stable_branches_are_full_and_unstable_ones_broken():
 
 def test_curves_of_the_study_are_drawn_over_gap_and_clearance():
     """Temperature of the mixed oil and leakage, its Figs. 2 and 3; golden values at 20/20 um as marks."""
-    from babbitt.report import heel_figures
+    from babbitt.kinds.footstep.report import figures as heel_figures
 
     case = solve(parse_case(TEXT)).design_cases[1]
     with heel_figures.style():
@@ -100,7 +100,7 @@ def test_curves_of_the_study_are_drawn_over_gap_and_clearance():
 
 def test_names_stand_beside_their_own_curves():
     """At the right edge of the load over the gap the hot curve's name stood beside the cold curve."""
-    from babbitt.report import heel_figures
+    from babbitt.kinds.footstep.report import figures as heel_figures
 
     case = solve(parse_case(TEXT)).design_cases[1]
     with heel_figures.style():
@@ -134,7 +134,7 @@ def test_the_report_is_typeset(machine):
 
 
 def lines(machine):
-    from babbitt.report.heel_calculation import heel_calculation
+    from babbitt.kinds.footstep.report.calculation import heel_calculation
 
     for case, result in zip(machine.design_cases, machine.results, strict=True):
         for section in heel_calculation(case, result):
@@ -168,7 +168,7 @@ def test_the_map_shows_where_no_state_exists(tmp_path):
     )
     machine = solve(parse_case(text))
     assert [path.name[3:] for path in write_plots(machine, tmp_path)][-1] == "state-map.svg"
-    from babbitt.report import heel_figures
+    from babbitt.kinds.footstep.report import figures as heel_figures
 
     with heel_figures.style():
         figure = heel_figures._map(machine.design_cases[1])

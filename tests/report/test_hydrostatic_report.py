@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from babbitt.cases import parse_case, template
-from babbitt.hydrostatics.lumped import centred_stiffness, land_interaction, lumped_at
-from babbitt.hydrostatics.lumps import journal_lumps
+from babbitt.case import parse_case, template
+from babbitt.core.result import Outcome
+from babbitt.kinds.hydrostatic.lumped import centred_stiffness, land_interaction, lumped_at
+from babbitt.kinds.hydrostatic.lumps import journal_lumps
+from babbitt.kinds.hydrostatic.report.calculation import hydrostatic_calculation
 from babbitt.report.content import content
 from babbitt.report.expression import value
-from babbitt.report.hydrostatic_calculation import hydrostatic_calculation
 from babbitt.report.vocabulary import VOCABULARY
-from babbitt.results import Outcome
 from babbitt.solving import solve
 
 PAD = """

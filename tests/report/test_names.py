@@ -10,11 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from babbitt import solve
-from babbitt.cases import design_cases, parse_case
+from babbitt.case import design_cases, parse_case
+from babbitt.core.result_name import ResultName
 from babbitt.report.chapters import chapters
 from babbitt.report.names import bearing_of, counted_results, listed, shortened, split_clearance
 from babbitt.report.totals import totals
-from babbitt.result_names import ResultName
 
 MEAN = ResultName("A", clearance="mean")
 GEAR = [f"Pinion {letter}" for letter in "ABCDEFGHIJK"]

@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt.quantities import QUANTITIES
+from babbitt.core.quantities import QUANTITIES
+from babbitt.kinds.journal.iso7902 import check
 from babbitt.report.columns import columns_of
 from babbitt.report.verdict import written
-from babbitt.standards.iso7902 import check
 
 GEAR = tuple(check(case) for case in gear_cases.gear())
 

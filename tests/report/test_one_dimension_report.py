@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from babbitt.cases import load_case, parse_case
-from babbitt.materials import bearing_metal
+from babbitt.case import load_case, parse_case
+from babbitt.properties.materials import bearing_metal
 from babbitt.report.citations import citations_of
 from babbitt.report.comparison_table import compared_rows
 from babbitt.report.content import content
@@ -13,7 +13,7 @@ from babbitt.report.export import to_json
 from babbitt.report.figures import write_plots
 from babbitt.report.inputs import inputs
 from babbitt.solving import solve
-from babbitt.studies.comparison import compare_methods
+from babbitt.study.comparison import compare_methods
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

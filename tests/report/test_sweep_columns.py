@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from babbitt.cases import kinds, parse_case, template
-from babbitt.quantities import QUANTITIES
+from babbitt.case import kinds, parse_case, template
+from babbitt.core.quantities import QUANTITIES
 from babbitt.report.columns import columns_of
 from babbitt.report.sweep_columns import KEY_RESULTS, panels_of, sweep_columns
 from babbitt.solving import solve

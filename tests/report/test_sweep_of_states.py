@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from babbitt.cases.variation import case_variation
+from babbitt.case.variation import case_variation
 from babbitt.report.sweep_plot import sweep_figure
-from babbitt.studies.case_sweep import sweep_case
-from babbitt.studies.sweep_values import values_of
+from babbitt.study.case_sweep import sweep_case
+from babbitt.study.sweep_values import values_of
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 

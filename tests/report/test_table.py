@@ -9,10 +9,10 @@ from dataclasses import replace
 import pytest
 from rich.console import Console
 
-from babbitt.notices import Notice
+from babbitt.core.notices import Notice
+from babbitt.core.result import Bound, Check
 from babbitt.report.columns import columns_of
 from babbitt.report.table import console, print_machine
-from babbitt.results import Bound, Check
 
 
 def shown(machine, width=140, **settings):

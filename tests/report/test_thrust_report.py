@@ -6,15 +6,15 @@ from dataclasses import replace
 import pytest
 
 from babbitt import parse_case
-from babbitt.cases import template
-from babbitt.quantities import QUANTITIES
+from babbitt.case import template
+from babbitt.core.quantities import QUANTITIES
+from babbitt.kinds.thrust.report.sentences import answers as thrust_answers
+from babbitt.kinds.thrust.report.tables import tables
 from babbitt.report.columns import columns_of
 from babbitt.report.content import content
 from babbitt.report.export import to_json
 from babbitt.report.figures import write_plots
 from babbitt.report.table import render
-from babbitt.report.thrust_tables import tables
-from babbitt.report.thrust_words import answers as thrust_answers
 from babbitt.solving import solve
 
 TEMPLATE = template("thrust_line")

@@ -7,10 +7,10 @@ from dataclasses import replace
 import gear_cases
 import pytest
 
+from babbitt.core.result_name import ResultName
+from babbitt.kinds.journal.iso7902 import check
+from babbitt.kinds.journal.iso7902.model import GivenLoad
 from babbitt.report.totals import totals
-from babbitt.result_names import ResultName
-from babbitt.standards.iso7902 import check
-from babbitt.standards.iso7902.model import GivenLoad
 
 CASES = gear_cases.varied_cases()
 TWO = (check(CASES["full"]), check(CASES["surfaces"]))

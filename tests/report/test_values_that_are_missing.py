@@ -8,12 +8,12 @@ from types import SimpleNamespace
 import pytest
 from rich.console import Console
 
-from babbitt.cases import parse_case
+from babbitt.case import parse_case
+from babbitt.core.result import Outcome
 from babbitt.report.bearing_content import bearing_content
 from babbitt.report.chapters import chapters
 from babbitt.report.export import to_json
 from babbitt.report.table import print_machine
-from babbitt.results import Outcome
 from babbitt.solving import MachineResult, solve
 
 CASE = """
@@ -53,7 +53,7 @@ def test_flows_that_are_not_found_are_told_with_the_reason(monkeypatch: pytest.M
     assert known.results[0].stable_at_any_mass == 1.0
     assert {"side_flow", "supply_flow"} <= set(known.results[0].values)
     lost = SimpleNamespace(outcome=Outcome.NOT_CONVERGED)
-    monkeypatch.setattr("babbitt.film.solve.film_at_position", lambda *_, **__: lost)
+    monkeypatch.setattr("babbitt.reynolds.lands.solve.film_at_position", lambda *_, **__: lost)
     machine = solve(parse_case(CASE))
     (result,) = machine.results
     assert set(result.missing) == {"side_flow", "supply_flow", "critical_mass"}

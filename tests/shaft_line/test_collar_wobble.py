@@ -7,19 +7,19 @@ import pytest
 from trawler_line import duty, line
 from trawler_pads import INERTIA, PAD, SPEED, THRUST, VISCOSITY
 
-from babbitt.film.sector import PlaneMotion, sector_film
-from babbitt.shaft_line.excitation import RunoutHarmonic
-from babbitt.shaft_line.forced import forced
-from babbitt.shaft_line.losses import gap_motions, moment_amplitude
-from babbitt.shaft_line.model import state_of
-from babbitt.shaft_line.pads import FilmPads
-from babbitt.thrust.carrying import carrying
-from babbitt.thrust.equilibrium import sector_of
-from babbitt.thrust.face import TaperedFace
-from babbitt.thrust.pad import Pivot
-from babbitt.thrust.sharing import share_of
-from babbitt.thrust.standing import standing_on_runout
-from babbitt.thrust.state import TiltInertia
+from babbitt.kinds.shaft_line.excitation import RunoutHarmonic
+from babbitt.kinds.shaft_line.forced import forced
+from babbitt.kinds.shaft_line.losses import gap_motions, moment_amplitude
+from babbitt.kinds.shaft_line.model import state_of
+from babbitt.kinds.shaft_line.pads import FilmPads
+from babbitt.kinds.thrust.equilibrium import sector_of
+from babbitt.kinds.thrust.face import TaperedFace
+from babbitt.kinds.thrust.load_curve import carrying
+from babbitt.kinds.thrust.pad import Pivot
+from babbitt.kinds.thrust.pad_attitude import standing_on_runout
+from babbitt.kinds.thrust.sharing import share_of
+from babbitt.kinds.thrust.state import TiltInertia
+from babbitt.reynolds.sector.sector import PlaneMotion, sector_film
 
 FILMS = carrying(PAD, VISCOSITY, SPEED)
 LINE_PAD = replace(PAD, pivot=Pivot.LINE)
@@ -53,8 +53,9 @@ def test_a_face_that_leans_presses_a_fixed_pad_as_its_film_displaced():
     """What the line feels of a pad at rest is the film of the same mesh displaced as a plane that wobbles.
 
     To 1e-6 where the film is whole. Where it ruptures askew to its lines, coefficients count it to its end between
-    two lines and not to the last wet one, so that they do not jump from node to node (`babbitt.film._endings`);
-    the load displaced does jump, by 4e-4 of the worst pad here, on 240 and 480 intervals by 1e-4 and 1.6e-4.
+    two lines and not to the last wet one, so that they do not jump from node to node
+    (`babbitt.reynolds.lands._endings`); the load displaced does jump, by 4e-4 of the worst pad here, on 240 and
+    480 intervals by 1e-4 and 1.6e-4.
     """
     state = on(TAPER)
     felt = state.pads.film(1e-6) * (1.0 + state.pads.wobble(1e-6))

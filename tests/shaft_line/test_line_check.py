@@ -6,14 +6,14 @@ from dataclasses import replace
 import pytest
 
 from babbitt import parse_case
-from babbitt.cases import template
-from babbitt.notices import InputError
-from babbitt.quantities import QUANTITIES
-from babbitt.report.thrust_words import answers
-from babbitt.results import Verdict
-from babbitt.shaft_line.answer import line_answer
-from babbitt.shaft_line.judged import limits_of
-from babbitt.shaft_line.values import line_values
+from babbitt.case import template
+from babbitt.core.notices import InputError
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Verdict
+from babbitt.kinds.shaft_line.admissible_amplitude import limits_of
+from babbitt.kinds.shaft_line.answer import line_answer
+from babbitt.kinds.shaft_line.values import line_values
+from babbitt.kinds.thrust.report.sentences import answers
 from babbitt.solving import solve
 
 TEMPLATE = template("thrust_line")

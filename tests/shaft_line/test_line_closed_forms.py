@@ -10,13 +10,13 @@ from hypothesis import strategies as st
 from trawler_line import ANGLES, RIPPLE, ROD, RUNOUT, given_pads, line
 from trawler_pads import SPEED
 
-from babbitt.notices import InputError
-from babbitt.shaft_line.excitation import RunoutHarmonic, ThrustHarmonic
-from babbitt.shaft_line.forced import crests, forced
-from babbitt.shaft_line.impedance import dynamic_stiffness, respond
-from babbitt.shaft_line.line import Rod, Seating, ShaftLine
-from babbitt.shaft_line.natural import root_count, undamped_frequencies
-from babbitt.shaft_line.pads import GivenPads
+from babbitt.core.notices import InputError
+from babbitt.kinds.shaft_line.excitation import RunoutHarmonic, ThrustHarmonic
+from babbitt.kinds.shaft_line.forced import crests, forced
+from babbitt.kinds.shaft_line.impedance import dynamic_stiffness, respond
+from babbitt.kinds.shaft_line.line import Rod, Seating, ShaftLine
+from babbitt.kinds.shaft_line.natural import root_count, undamped_frequencies
+from babbitt.kinds.shaft_line.pads import GivenPads
 
 BLADE = 4.0 * SPEED
 GOLDEN_RIPPLE_POINT = [

@@ -8,16 +8,16 @@ import pytest
 from trawler_line import RIPPLE, RUNOUT, duty, given_pads, line
 from trawler_pads import PAD, SPEED, VISCOSITY
 
-from babbitt.notices import InputError
-from babbitt.shaft_line.forced import forced
-from babbitt.shaft_line.line import Seating
-from babbitt.shaft_line.march import march
-from babbitt.shaft_line.model import state_of
-from babbitt.shaft_line.periodic import NoPeriodicMotionError, periodic_motion
-from babbitt.thrust.carrying import carrying
-from babbitt.thrust.equilibrium import pad_state
-from babbitt.thrust.film_table import film_table
-from babbitt.thrust.pad import Pivot
+from babbitt.core.notices import InputError
+from babbitt.kinds.shaft_line.forced import forced
+from babbitt.kinds.shaft_line.line import Seating
+from babbitt.kinds.shaft_line.march import march
+from babbitt.kinds.shaft_line.model import state_of
+from babbitt.kinds.shaft_line.periodic import NoPeriodicMotionError, periodic_motion
+from babbitt.kinds.thrust.equilibrium import pad_state
+from babbitt.kinds.thrust.film_table import film_table
+from babbitt.kinds.thrust.load_curve import carrying
+from babbitt.kinds.thrust.pad import Pivot
 
 FILMS = carrying(PAD, VISCOSITY, SPEED)
 
@@ -69,7 +69,7 @@ def test_the_table_holds_the_film_off_its_nodes():
     height, slopes = 40e-6, np.array([[1.3e-5, -1.9e-4]])
     wedge, squeeze, outside = table.forces(np.array([height]), slopes)
     assert not outside.any()
-    from babbitt.film.sector import PlaneMotion, SectorPad, sector_film
+    from babbitt.reynolds.sector.sector import PlaneMotion, SectorPad, sector_film
 
     sector = SectorPad(PAD.inner_radius, PAD.outer_radius, PAD.extent, VISCOSITY, SPEED)
     to_film = PAD.from_pivot()
@@ -169,7 +169,7 @@ def test_no_film_pulls(ring, times):
 
 
 def test_crowned_pads_have_no_similar_films_to_march():
-    from babbitt.notices import InputError
+    from babbitt.core.notices import InputError
 
     crowned = replace(PAD, crown=10e-6)
     with pytest.raises(InputError, match="similar"):

@@ -8,16 +8,16 @@ import pytest
 from trawler_line import duty
 from trawler_pads import PAD, SPEED, VISCOSITY
 
-from babbitt.shaft_line.damped import damped_modes
-from babbitt.shaft_line.excitation import ThrustHarmonic
-from babbitt.shaft_line.inverse import admissible, ring_for_film_amplitude, ring_for_loss
-from babbitt.shaft_line.line import Seating
-from babbitt.shaft_line.model import state_of
-from babbitt.shaft_line.natural import modes, undamped_frequencies
-from babbitt.shaft_line.stages import attribution, stages
-from babbitt.shaft_line.sweeps import barred_ranges, ring_sweep, speed_sweep, usual_rings
-from babbitt.thrust.carrying import carrying
-from babbitt.thrust.state import TiltInertia
+from babbitt.kinds.shaft_line.damped import damped_modes
+from babbitt.kinds.shaft_line.excitation import ThrustHarmonic
+from babbitt.kinds.shaft_line.inverse import admissible, ring_for_film_amplitude, ring_for_loss
+from babbitt.kinds.shaft_line.line import Seating
+from babbitt.kinds.shaft_line.model import state_of
+from babbitt.kinds.shaft_line.natural import modes, undamped_frequencies
+from babbitt.kinds.shaft_line.stages import attribution, stages
+from babbitt.kinds.shaft_line.sweeps import barred_ranges, ring_sweep, speed_sweep, usual_rings
+from babbitt.kinds.thrust.load_curve import carrying
+from babbitt.kinds.thrust.state import TiltInertia
 
 FILMS = carrying(PAD, VISCOSITY, SPEED)
 GOLDEN_RINGS = {  # c: runout %, ripple %, bound %, film amplitude um, first frequency Hz

@@ -8,18 +8,18 @@ import pytest
 from trawler_line import RIPPLE, duty, given_pads
 from trawler_pads import PAD, SPEED, VISCOSITY
 
-from babbitt.shaft_line.damped import damped_modes
-from babbitt.shaft_line.impedance import respond
-from babbitt.shaft_line.line import Rod, Seating, ShaftLine
-from babbitt.shaft_line.model import LineDuty, state_of
-from babbitt.shaft_line.natural import undamped_frequencies
-from babbitt.shaft_line.resonance import resonances_of
-from babbitt.shaft_line.response import THRUST, pad_forces, response_peaks, static_force
-from babbitt.shaft_line.sweeps import barred_ranges, speed_sweep
-from babbitt.thrust.bearing import HousingTilt, ThrustBearing
-from babbitt.thrust.carrying import carrying
-from babbitt.thrust.pad import ThrustPad
-from babbitt.thrust.state import TiltInertia
+from babbitt.kinds.shaft_line.damped import damped_modes
+from babbitt.kinds.shaft_line.impedance import respond
+from babbitt.kinds.shaft_line.line import Rod, Seating, ShaftLine
+from babbitt.kinds.shaft_line.model import LineDuty, state_of
+from babbitt.kinds.shaft_line.natural import undamped_frequencies
+from babbitt.kinds.shaft_line.resonance import resonances_of
+from babbitt.kinds.shaft_line.response import THRUST, pad_forces, response_peaks, static_force
+from babbitt.kinds.shaft_line.sweeps import barred_ranges, speed_sweep
+from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
+from babbitt.kinds.thrust.load_curve import carrying
+from babbitt.kinds.thrust.pad import ThrustPad
+from babbitt.kinds.thrust.state import TiltInertia
 
 FILMS = carrying(PAD, VISCOSITY, SPEED)
 

@@ -5,10 +5,10 @@ import math
 import numpy as np
 from trawler_pads import SPEED, THRUST, bearing
 
-from babbitt.shaft_line.excitation import RunoutHarmonic, ThrustHarmonic
-from babbitt.shaft_line.line import Rod, ShaftLine
-from babbitt.shaft_line.model import LineDuty
-from babbitt.shaft_line.pads import GivenPads
+from babbitt.kinds.shaft_line.excitation import RunoutHarmonic, ThrustHarmonic
+from babbitt.kinds.shaft_line.line import Rod, ShaftLine
+from babbitt.kinds.shaft_line.model import LineDuty
+from babbitt.kinds.shaft_line.pads import GivenPads
 
 ROD = Rod(30.0, math.pi / 4.0 * 0.36**2, 206e9, 7850.0)
 RIPPLE = ThrustHarmonic(4.0, 50e3)

@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 from trawler_pads import PAD, SPEED, bearing
 
-from babbitt.lubricants import lubricant
-from babbitt.thrust.bearing import HousingTilt, ThrustBearing
-from babbitt.thrust.check import thrust_check
-from babbitt.thrust.design import (
+from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
+from babbitt.kinds.thrust.check import thrust_check
+from babbitt.kinds.thrust.design import (
     GivenFilm,
     GivenThrust,
     Oil,
@@ -18,11 +17,12 @@ from babbitt.thrust.design import (
     operating_state,
     share_on,
 )
-from babbitt.thrust.face import TaperedFace
-from babbitt.thrust.failures import ThermalRunawayError
-from babbitt.thrust.pad import Pivot
-from babbitt.thrust.runout import RunoutHarmonic
-from babbitt.thrust.standing import standing_at_rest, standing_on_runout
+from babbitt.kinds.thrust.face import TaperedFace
+from babbitt.kinds.thrust.failures import ThermalRunawayError
+from babbitt.kinds.thrust.pad import Pivot
+from babbitt.kinds.thrust.pad_attitude import standing_at_rest, standing_on_runout
+from babbitt.kinds.thrust.runout import RunoutHarmonic
+from babbitt.properties.lubricants import lubricant
 
 VG_100 = lubricant("ISO VG 100")
 SUPPLY, CARRIED = 318.15, 0.75
@@ -115,7 +115,7 @@ def test_a_film_given_and_its_thrust_are_one_answer():
 
 
 def test_a_turbulent_film_has_the_temperature_of_its_pad():
-    from babbitt.film.turbulence import NG_PAN, FilmTurbulence
+    from babbitt.reynolds.oil.turbulence import NG_PAN, FilmTurbulence
 
     turbulent = replace(PAD, turbulence=FilmTurbulence(NG_PAN, 860.0, 500.0, 1000.0))
     found = bearing_state(design(60e-6, turbulent))

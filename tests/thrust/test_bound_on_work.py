@@ -2,12 +2,12 @@
 
 import pytest
 
-import babbitt.shaft_line.check
-import babbitt.thrust.check
-from babbitt.cases import parse_case, template
-from babbitt.results import Outcome, Verdict
+import babbitt.kinds.shaft_line.check
+import babbitt.kinds.thrust.check
+from babbitt.case import parse_case, template
+from babbitt.core.result import Outcome, Verdict
+from babbitt.kinds.thrust.work import WorkBoundError, bounded_work, spend
 from babbitt.solving import solve
-from babbitt.thrust.work import WorkBoundError, bounded_work, spend
 
 ADIABATIC = template("thrust").replace("# thermal: adiabatic", "thermal: adiabatic")
 LINE = template("thrust_line").replace("# thermal: adiabatic", "thermal: adiabatic")
@@ -26,8 +26,8 @@ def test_work_is_counted_inside_the_bound_alone():
 @pytest.fixture
 def allow(monkeypatch):
     def to(units):
-        monkeypatch.setattr(babbitt.thrust.check, "MOST_WORK", units)
-        monkeypatch.setattr(babbitt.shaft_line.check, "MOST_WORK", units)
+        monkeypatch.setattr(babbitt.kinds.thrust.check, "MOST_WORK", units)
+        monkeypatch.setattr(babbitt.kinds.shaft_line.check, "MOST_WORK", units)
 
     return to
 

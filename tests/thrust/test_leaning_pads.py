@@ -7,23 +7,23 @@ import numpy as np
 import pytest
 from trawler_pads import PAD, SPEED, THRUST, VISCOSITY, bearing
 
-from babbitt.film.sector import PlaneMotion, sector_film
-from babbitt.results import Outcome
-from babbitt.thrust.bearing import HousingTilt
-from babbitt.thrust.carrying import carrying
-from babbitt.thrust.equilibrium import sector_of
-from babbitt.thrust.face import SteppedFace, TaperedFace
-from babbitt.thrust.failures import (
+from babbitt.core.result import Outcome
+from babbitt.kinds.thrust.bearing import HousingTilt
+from babbitt.kinds.thrust.equilibrium import sector_of
+from babbitt.kinds.thrust.face import SteppedFace, TaperedFace
+from babbitt.kinds.thrust.failures import (
     LeaningPadError,
     LeaningPadsTouchAtFilmError,
     LeaningPadsTouchError,
     PadsTouchError,
 )
-from babbitt.thrust.leaning import states_at
-from babbitt.thrust.pad import Pivot
-from babbitt.thrust.runout import RunoutHarmonic
-from babbitt.thrust.sharing import share_at_film, share_of
-from babbitt.thrust.standing import standing_at_rest, standing_on_runout
+from babbitt.kinds.thrust.load_curve import carrying
+from babbitt.kinds.thrust.pad import Pivot
+from babbitt.kinds.thrust.pad_attitude import standing_at_rest, standing_on_runout
+from babbitt.kinds.thrust.runout import RunoutHarmonic
+from babbitt.kinds.thrust.sharing import share_at_film, share_of
+from babbitt.kinds.thrust.tilt import states_at
+from babbitt.reynolds.sector.sector import PlaneMotion, sector_film
 
 TAPER = replace(PAD, pivot=Pivot.FIXED, face=TaperedFace(40e-6, 0.7))
 STEP = replace(PAD, pivot=Pivot.FIXED, face=SteppedFace(40e-6, 0.6))
@@ -182,7 +182,7 @@ def test_stiffness_is_that_of_the_leaning_film(pad):
     """dW/dh at a lean that stays, against films solved above and below."""
     share = share_of(FILMS[pad], tilted(pad), THRUST)
     lean = standing_at_rest(share.bearing).lean(0)
-    from babbitt.thrust.state import condensed
+    from babbitt.kinds.thrust.state import condensed
 
     state = share.states[0]
     step = 1e-5 * state.height

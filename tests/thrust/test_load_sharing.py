@@ -8,13 +8,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from trawler_pads import PAD, SPEED, THRUST, VISCOSITY, bearing
 
-from babbitt.notices import InputError
-from babbitt.thrust.bearing import ThrustBearing
-from babbitt.thrust.carrying import carrying
-from babbitt.thrust.failures import PadsTouchError
-from babbitt.thrust.runout import RunoutHarmonic
-from babbitt.thrust.sharing import share_at_film, share_of
-from babbitt.thrust.standing import standing_on_runout
+from babbitt.core.notices import InputError
+from babbitt.kinds.thrust.bearing import ThrustBearing
+from babbitt.kinds.thrust.failures import PadsTouchError
+from babbitt.kinds.thrust.load_curve import carrying
+from babbitt.kinds.thrust.pad_attitude import standing_on_runout
+from babbitt.kinds.thrust.runout import RunoutHarmonic
+from babbitt.kinds.thrust.sharing import share_at_film, share_of
 
 FILMS = carrying(PAD, VISCOSITY, SPEED)
 
@@ -75,8 +75,8 @@ def test_runout_at_rest_wanders_with_the_collar():
 
 
 def test_tables_of_a_faced_pad_share_like_films():
-    from babbitt.thrust.face import TaperedFace
-    from babbitt.thrust.pad import Pivot, ThrustPad
+    from babbitt.kinds.thrust.face import TaperedFace
+    from babbitt.kinds.thrust.pad import Pivot, ThrustPad
 
     pad = ThrustPad(0.19, 0.375, math.radians(36.0), 0.29, 0.5, Pivot.FIXED, TaperedFace(40e-6, 0.7))
     films = carrying(pad, VISCOSITY, SPEED)

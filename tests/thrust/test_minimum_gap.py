@@ -7,17 +7,17 @@ import numpy as np
 import pytest
 from trawler_pads import PAD, SPEED, VISCOSITY
 
-from babbitt.shaft_line.forced import forced
-from babbitt.shaft_line.line import Rod, ShaftLine
-from babbitt.shaft_line.losses import film_check, gap_motions
-from babbitt.shaft_line.pads import FilmPads
-from babbitt.thrust.bearing import ThrustBearing
-from babbitt.thrust.carrying import carrying
-from babbitt.thrust.face import TaperedFace
-from babbitt.thrust.gap import minimum_gap
-from babbitt.thrust.pad import ThrustPad
-from babbitt.thrust.runout import RunoutHarmonic
-from babbitt.thrust.sharing import share_of
+from babbitt.kinds.shaft_line.forced import forced
+from babbitt.kinds.shaft_line.line import Rod, ShaftLine
+from babbitt.kinds.shaft_line.losses import film_check, gap_motions
+from babbitt.kinds.shaft_line.pads import FilmPads
+from babbitt.kinds.thrust.bearing import ThrustBearing
+from babbitt.kinds.thrust.face import TaperedFace
+from babbitt.kinds.thrust.gap import minimum_gap
+from babbitt.kinds.thrust.load_curve import carrying
+from babbitt.kinds.thrust.pad import ThrustPad
+from babbitt.kinds.thrust.runout import RunoutHarmonic
+from babbitt.kinds.thrust.sharing import share_of
 
 
 def plane_over(pad, motions, arcs=601, radii=7):

@@ -3,11 +3,11 @@
 import pytest
 
 from babbitt import parse_case
-from babbitt.cases import template
-from babbitt.notices import InputError
-from babbitt.results import Verdict
+from babbitt.case import template
+from babbitt.core.notices import InputError
+from babbitt.core.result import Verdict
+from babbitt.kinds.thrust.thermal_crown import thermal_crown
 from babbitt.solving import solve
-from babbitt.thrust.thermal_crown import thermal_crown
 
 BASE = template("thrust")
 PIVOT = "radius: 290 mm, fraction: 0.60"

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from babbitt import parse_case
-from babbitt.cases import template
-from babbitt.notices import InputError
-from babbitt.report.thrust_words import answers
-from babbitt.results import Outcome, Verdict
+from babbitt.case import template
+from babbitt.core.notices import InputError
+from babbitt.core.result import Outcome, Verdict
+from babbitt.kinds.thrust.design import GivenThrust, Oil, operating_state
+from babbitt.kinds.thrust.heat import HeatBalance, temperatures_of
+from babbitt.kinds.thrust.report.sentences import answers
 from babbitt.solving import solve
-from babbitt.studies.comparison import compare_methods
-from babbitt.thrust.design import GivenThrust, Oil, operating_state
-from babbitt.thrust.heat import HeatBalance, temperatures_of
+from babbitt.study.comparison import compare_methods
 
 GIVEN = "{kind: viscosity, viscosity: 45 mPa s}"
 BALANCE = "{kind: heat_balance, lubricant: ISO VG 100, supply_temperature: 45 degC"

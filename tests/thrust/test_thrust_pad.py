@@ -9,14 +9,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from trawler_pads import INERTIA, PAD, SPEED, VISCOSITY, bearing
 
-from babbitt.film.sector import PlaneMotion, SectorPad, sector_film
-from babbitt.film.turbulence import NG_PAN, FilmTurbulence
-from babbitt.notices import InputError
-from babbitt.thrust.carrying import carrying
-from babbitt.thrust.equilibrium import pad_state
-from babbitt.thrust.face import SteppedFace, TaperedFace
-from babbitt.thrust.pad import Pivot, ThrustPad
-from babbitt.thrust.state import condensed
+from babbitt.core.notices import InputError
+from babbitt.kinds.thrust.equilibrium import pad_state
+from babbitt.kinds.thrust.face import SteppedFace, TaperedFace
+from babbitt.kinds.thrust.load_curve import carrying
+from babbitt.kinds.thrust.pad import Pivot, ThrustPad
+from babbitt.kinds.thrust.state import condensed
+from babbitt.reynolds.oil.turbulence import NG_PAN, FilmTurbulence
+from babbitt.reynolds.sector.sector import PlaneMotion, SectorPad, sector_film
 
 
 @pytest.fixture(scope="module")
@@ -93,7 +93,7 @@ def test_a_line_pivot_keeps_the_radial_slope_and_balances_about_the_line():
 
 def test_heavy_pads_do_not_tilt_and_light_ones_follow(films):
     """With much inertia the tilts stand still and the pad has the stiffness of its height alone."""
-    from babbitt.thrust.state import TiltInertia
+    from babbitt.kinds.thrust.state import TiltInertia
 
     state = films.state(50e-6)
     still = condensed(state, 4.0 * SPEED, TiltInertia(1e9, 1e9))

@@ -7,17 +7,17 @@ import pytest
 from trawler_pads import PAD, SPEED, VISCOSITY
 
 from babbitt import parse_case
-from babbitt.cases import design_cases, template
-from babbitt.notices import EXPLANATIONS, Effect
-from babbitt.results import Verdict
+from babbitt.case import design_cases, template
+from babbitt.core.notices import EXPLANATIONS, Effect
+from babbitt.core.result import Verdict
+from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
+from babbitt.kinds.thrust.design import bearing_state
+from babbitt.kinds.thrust.face import SteppedFace, TaperedFace
+from babbitt.kinds.thrust.load_curve import carrying
+from babbitt.kinds.thrust.pad import Pivot
+from babbitt.kinds.thrust.sharing import share_of
+from babbitt.kinds.thrust.warnings import share_doubts
 from babbitt.solving import solve
-from babbitt.thrust.bearing import HousingTilt, ThrustBearing
-from babbitt.thrust.carrying import carrying
-from babbitt.thrust.design import bearing_state
-from babbitt.thrust.doubts import share_doubts
-from babbitt.thrust.face import SteppedFace, TaperedFace
-from babbitt.thrust.pad import Pivot
-from babbitt.thrust.sharing import share_of
 
 BASE = template("thrust")
 
@@ -66,7 +66,7 @@ def test_oil_or_heat_that_is_lost_and_damping_below_zero_have_no_verdict(monkeyp
 
     assert told(state) == told(losing(2e-7)) == told(open_by(5e-4)) == set()
     assert told(losing(1e-5)) == told(open_by(-2e-3)) == told(open_by(math.nan)) == {"W211"}
-    monkeypatch.setattr("babbitt.thrust.doubts.condensed", lambda *given: -1j)
+    monkeypatch.setattr("babbitt.kinds.thrust.warnings.condensed", lambda *given: -1j)
     assert told(state) == {"W212"}
     assert all(EXPLANATIONS[code].effect is Effect.NO_VERDICT for code in ("W211", "W212"))
 

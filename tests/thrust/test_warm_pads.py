@@ -6,19 +6,19 @@ import numpy as np
 import pytest
 from trawler_pads import PAD, SPEED
 
-from babbitt.lubricants import ConstantViscosity, OilProperties, lubricant, lubricant_from_law
-from babbitt.notices import InputError
-from babbitt.results import Outcome
-from babbitt.thrust.bearing import HousingTilt, ThrustBearing
-from babbitt.thrust.carrying import carrying
-from babbitt.thrust.check import thrust_check
-from babbitt.thrust.design import GivenFilm, GivenThrust, Oil, ThrustDesign, bearing_state, operating_state
-from babbitt.thrust.equilibrium import pad_state
-from babbitt.thrust.face import SteppedFace, TaperedFace
-from babbitt.thrust.failures import ThermalRunawayError
-from babbitt.thrust.pad import Pivot
-from babbitt.thrust.standing import standing_at_rest
-from babbitt.thrust.warm import PadOil, warm_pad
+from babbitt.core.notices import InputError
+from babbitt.core.result import Outcome
+from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
+from babbitt.kinds.thrust.check import thrust_check
+from babbitt.kinds.thrust.design import GivenFilm, GivenThrust, Oil, ThrustDesign, bearing_state, operating_state
+from babbitt.kinds.thrust.equilibrium import pad_state
+from babbitt.kinds.thrust.face import SteppedFace, TaperedFace
+from babbitt.kinds.thrust.failures import ThermalRunawayError
+from babbitt.kinds.thrust.load_curve import carrying
+from babbitt.kinds.thrust.pad import Pivot
+from babbitt.kinds.thrust.pad_attitude import standing_at_rest
+from babbitt.kinds.thrust.thermal import PadOil, warm_pad
+from babbitt.properties.lubricants import ConstantViscosity, OilProperties, lubricant, lubricant_from_law
 
 VG_100 = lubricant("ISO VG 100")
 OIL = PadOil(VG_100, 318.15, 0.75)

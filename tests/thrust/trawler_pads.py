@@ -2,9 +2,9 @@
 
 import math
 
-from babbitt.thrust.bearing import HousingTilt, ThrustBearing
-from babbitt.thrust.pad import ThrustPad
-from babbitt.thrust.state import TiltInertia
+from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
+from babbitt.kinds.thrust.pad import ThrustPad
+from babbitt.kinds.thrust.state import TiltInertia
 
 SPEED = 125.0 * math.pi / 30.0
 VISCOSITY = 0.045

@@ -5,8 +5,8 @@ from typing import Annotated
 import pytest
 from pydantic import BaseModel, TypeAdapter, ValidationError
 
-from babbitt import units
-from babbitt.units import QuantityError, either_sense, si
+from babbitt.core import units
+from babbitt.core.units import QuantityError, either_sense, si
 
 DIAMETER = si("m", "1 mm", "3 m")
 

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt.units import KINDS, QuantityError, bare_number, read, reading, written
-from babbitt.units.reading import _for_pint
+from babbitt.core.units import KINDS, QuantityError, bare_number, read, reading, written
+from babbitt.core.units.reading import _for_pint
 
 REGISTRY = pint.UnitRegistry(autoconvert_offset_to_baseunit=True)
 PAIRS = [(kind.unit, unit) for kind in KINDS.values() if kind.open_to_pint for unit in kind.everyday]
@@ -200,7 +200,9 @@ def test_a_quantity_with_an_everyday_unit_does_not_load_pint():
     import subprocess
     import sys
 
-    program = "import sys; from babbitt.units import read; read('120 mm', 'm'); assert 'pint' not in sys.modules"
+    program = (
+        "import sys; from babbitt.core.units import read; read('120 mm', 'm'); assert 'pint' not in sys.modules"
+    )
     subprocess.run([sys.executable, "-c", program], check=True)
 
 

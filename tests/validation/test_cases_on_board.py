@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from babbitt.notices import InputError
+from babbitt.core.notices import InputError
 from babbitt.validation import (
     AtMost,
     Evidence,

@@ -5,7 +5,7 @@ from importlib import import_module
 
 import pytest
 
-from babbitt.longfilm.model import Discretisation
+from babbitt.kinds.journal.infinitely_long_bearing.model import Discretisation
 from babbitt.validation import summary
 from babbitt.validation.published import grooved_segments, long_film_isothermal
 from babbitt.validation.published.long_film_bearing import solved

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from babbitt.cases import design_cases, load_case
+from babbitt.case import design_cases, load_case
 from babbitt.design.conditions import surface_speed
 from babbitt.solving import solve
 from babbitt.validation.reference_data import reference_data

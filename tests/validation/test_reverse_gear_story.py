@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from babbitt.characteristics import curves
-from babbitt.characteristics.friction import of_full_bearing
-from babbitt.lubricants import lubricant
-from babbitt.standards.iso7902.model import Friction
-from babbitt.standards.iso7902.procedure import check, check_at_temperature
+from babbitt.kinds.journal.iso7902.characteristics import curves
+from babbitt.kinds.journal.iso7902.characteristics.friction import of_full_bearing
+from babbitt.kinds.journal.iso7902.model import Friction
+from babbitt.kinds.journal.iso7902.procedure import check, check_at_temperature
+from babbitt.properties.lubricants import lubricant
 from babbitt.validation import validation_case
 from babbitt.validation.published.reverse_gear import outlet_temperature
 from babbitt.validation.published.reverse_gear import solved as gear_solved

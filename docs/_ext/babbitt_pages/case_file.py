@@ -9,9 +9,9 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
-from babbitt.cases.every_kind import AnyCase
-from babbitt.cases.part import Part
-from babbitt.units import KINDS, Kind, written
+from babbitt.case.every_kind import AnyCase
+from babbitt.case.part import Part
+from babbitt.core.units import KINDS, Kind, written
 from babbitt_pages.markdown import anchor, code, table, text
 
 Schema = dict[str, Any]

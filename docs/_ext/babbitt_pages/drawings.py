@@ -95,9 +95,9 @@ def flow() -> str:
     drawing = Drawing(760, 190, "How data flow through Babbitt")
     steps = (
         ("case file", "YAML, with units", "what you write"),
-        ("Case", "checked, SI", "babbitt.cases"),
+        ("Case", "checked, SI", "babbitt.case"),
         ("DesignCase", "one film, one point", "standards.iso7902"),
-        ("Result", "values, checks, doubts", "babbitt.results"),
+        ("Result", "values, checks, doubts", "babbitt.core.result"),
         ("table, JSON, report", "the engineer's units", "babbitt.report"),
     )
     width, step = 128.0, 148.0

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from importlib.metadata import metadata
 
-from babbitt.characteristics import SPANS_DEGREES, table
+from babbitt.core.notices import EXPLANATIONS
 from babbitt.design import heat_balance
-from babbitt.lubricants import catalogue
-from babbitt.materials import bearing_metals, structural_materials
-from babbitt.notices import EXPLANATIONS
+from babbitt.kinds.journal.iso7902.characteristics import SPANS_DEGREES, table
+from babbitt.properties.lubricants import catalogue
+from babbitt.properties.materials import bearing_metals, structural_materials
 
 
 def facts() -> dict[str, str]:

@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
-from babbitt.film.model import JournalFilm, Land, Pocket, Resolution, grooved_bore
-from babbitt.film.solution import FilmSolution
-from babbitt.film.solve import solve_journal
+from babbitt.reynolds.lands.solve import solve_journal
+from babbitt.reynolds.model import JournalFilm, Land, Pocket, Resolution, grooved_bore
+from babbitt.reynolds.solution import FilmSolution
 from babbitt_pages.svg import ACCENT, INK, PALE, SHADE, Drawing, Point, polar
 
 SHELL, OIL, THIN_OIL, SUPPLY = "#cbd2d9", "#f0b48c", "#fbe9dd", "#4b7bb5"

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from babbitt.lubricants import Lubricant, catalogue
-from babbitt.units import ZERO_CELSIUS
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.properties.lubricants import Lubricant, catalogue
 from babbitt_pages.markdown import anchor, table, text
 
 TABLE_TEMPERATURES = (40.0, 60.0, 80.0, 100.0)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from babbitt.materials import (
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.properties.materials import (
     AlloyFamily,
     BearingMetal,
     LoadCharacter,
@@ -15,7 +16,6 @@ from babbitt.materials import (
     specific_load_limit,
     structural_materials,
 )
-from babbitt.units import ZERO_CELSIUS
 from babbitt_pages.markdown import table, text
 
 

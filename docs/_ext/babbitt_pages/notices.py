@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.notices import EXPLANATIONS
+from babbitt.core.notices import EXPLANATIONS
 from babbitt_pages.markdown import anchor, text
 
 FAMILIES = {

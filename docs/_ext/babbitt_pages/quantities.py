@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.quantities import QUANTITIES
+from babbitt.core.quantities import QUANTITIES
 from babbitt_pages.markdown import code, table, text
 
 

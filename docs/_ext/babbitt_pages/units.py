@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.units import KINDS
+from babbitt.core.units import KINDS
 from babbitt_pages.markdown import code, table, text
 
 

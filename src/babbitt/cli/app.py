@@ -12,7 +12,7 @@ from typing import Annotated
 import typer
 
 from babbitt import __version__
-from babbitt.files.reading import Reach
+from babbitt.core.files.reading import Reach
 
 SOLVED, NOT_PASSED, UNUSABLE_INPUT, NO_SOLUTION = 0, 1, 2, 3
 """Exit statuses beside `INTERRUPTED`."""

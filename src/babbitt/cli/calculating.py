@@ -11,7 +11,7 @@ import typer
 
 from babbitt.cli.app import NO_SOLUTION, NOT_PASSED, AllowOutside, Files, app, reach
 from babbitt.cli.interruption import INTERRUPTED, raised_interrupts
-from babbitt.files.printing import printable
+from babbitt.core.files.printing import printable
 
 __all__ = ["check", "compare", "export", "solve", "sweep"]
 
@@ -33,8 +33,8 @@ def solve(
     allow_outside: AllowOutside = False,
 ) -> None:
     """Solve the bearings of case files and print a table."""
-    from babbitt.cases import CaseError, Problem, design_cases, load_cases, located
-    from babbitt.notices import InputError
+    from babbitt.case import CaseError, Problem, design_cases, load_cases, located
+    from babbitt.core.notices import InputError
     from babbitt.report import outputs, print_machine
     from babbitt.report.progress import shown
     from babbitt.solving import solve as solve_case
@@ -70,7 +70,7 @@ def solve(
 @app.command()
 def check(files: Files, allow_outside: AllowOutside = False) -> None:
     """Validate case files: every problem at once, and all that `solve` would refuse."""
-    from babbitt.cases import CaseError, Problem, design_cases, load_case, located
+    from babbitt.case import CaseError, Problem, design_cases, load_case, located
     from babbitt.solving import refusal_of
 
     problems: list[Problem] = []
@@ -109,11 +109,11 @@ def compare(
     allow_outside: AllowOutside = False,
 ) -> None:
     """Solve the same bearings by every method that applies, side by side."""
-    from babbitt.cases import load_case
-    from babbitt.files.writing import require_distinct
+    from babbitt.case import load_case
+    from babbitt.core.files.writing import require_distinct
     from babbitt.report.comparison_table import print_comparison
     from babbitt.report.outputs import inputs_of
-    from babbitt.studies.comparison import compare_methods
+    from babbitt.study.comparison import compare_methods
 
     case = load_case(file, reach(allow_outside))
     require_distinct([path for path in (report, plots) if path is not None], inputs_of([file], case.files))
@@ -166,13 +166,13 @@ def sweep(
     allow_outside: AllowOutside = False,
 ) -> None:
     """Solve a case for several values of one field and print the key results."""
-    from babbitt.cases.variation import case_variation
+    from babbitt.case.variation import case_variation
     from babbitt.report.outputs import STANDARD_OUTPUT
     from babbitt.report.progress import shown
     from babbitt.report.sweep_output import require_outputs, write_outputs
     from babbitt.report.sweep_table import print_sweep
-    from babbitt.studies.case_sweep import sweep_case
-    from babbitt.studies.sweep_values import values_of
+    from babbitt.study.case_sweep import sweep_case
+    from babbitt.study.sweep_values import values_of
 
     given = values_of(values)
     variation = case_variation(file, path, bearing, reach(allow_outside))
@@ -225,14 +225,14 @@ def export(
     allow_outside: AllowOutside = False,
 ) -> None:
     """Write stiffness and damping over speed for a rotor program; the heat balance is closed at each speed."""
-    from babbitt.cases import design_cases, load_case
-    from babbitt.interop import export as write_table
-    from babbitt.interop import mirrored
-    from babbitt.interop.frame import declaration
+    from babbitt.case import design_cases, load_case
+    from babbitt.export import export as write_table
+    from babbitt.export import mirrored
+    from babbitt.export.frame import declaration
+    from babbitt.kinds.journal.study.coefficients import run_over_speed
     from babbitt.report.outputs import inputs_of
-    from babbitt.studies.coefficients import run_over_speed
-    from babbitt.studies.speed_range import speeds_of
-    from babbitt.studies.table_target import chosen_film, require_target
+    from babbitt.study.speed_range import speeds_of
+    from babbitt.study.table_target import chosen_film, require_target
 
     case = load_case(file, reach(allow_outside))
     film = chosen_film(design_cases(case), file, bearing)

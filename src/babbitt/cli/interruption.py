@@ -51,7 +51,7 @@ def raised_interrupts() -> _Interrupts:
 
 
 def _end(_number: int, _frame: FrameType | None) -> None:
-    writing = sys.modules.get("babbitt.files.writing")
+    writing = sys.modules.get("babbitt.core.files.writing")
     if writing is not None and hasattr(writing, "discard_unfinished"):
         writing.discard_unfinished()
     try:

@@ -10,8 +10,8 @@ from typing import NoReturn
 from babbitt.cli import calculating, telling
 from babbitt.cli.app import UNUSABLE_INPUT, app
 from babbitt.cli.streams import prepare_streams
-from babbitt.files.printing import printable_lines
-from babbitt.notices import BabbittError, InputError
+from babbitt.core.files.printing import printable_lines
+from babbitt.core.notices import BabbittError, InputError
 
 __all__ = ["app", "calculating", "run", "telling"]
 

@@ -7,7 +7,7 @@ import os
 import sys
 from typing import Any, TextIO, cast
 
-from babbitt.files.printing import nearest_letters, nearest_lines
+from babbitt.core.files.printing import nearest_letters, nearest_lines
 
 __all__ = ["prepare_streams"]
 

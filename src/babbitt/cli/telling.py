@@ -10,8 +10,8 @@ from typing import Annotated
 import typer
 
 from babbitt.cli.app import NOT_PASSED, AllowOutside, app, reach
-from babbitt.files.printing import printable, takes_all_letters
-from babbitt.notices import EXPLANATIONS, InputError
+from babbitt.core.files.printing import printable, takes_all_letters
+from babbitt.core.notices import EXPLANATIONS, InputError
 
 __all__ = ["cite", "explain", "list_", "new", "schema", "validate"]
 
@@ -30,8 +30,8 @@ def new(
     ] = None,
 ) -> None:
     """Write a commented case file that runs as it stands."""
-    from babbitt.cases import template
-    from babbitt.files.writing import create_file
+    from babbitt.case import template
+    from babbitt.core.files.writing import create_file
 
     text = template(kind)
     if output is None or str(output) == "-":
@@ -47,7 +47,7 @@ def schema() -> None:
     """Print the JSON Schema of case files, with which editors complete and check them."""
     import json
 
-    from babbitt.cases import case_schema
+    from babbitt.case import case_schema
 
     print(json.dumps(case_schema(), indent=2, ensure_ascii=not takes_all_letters(sys.stdout)))
 
@@ -64,8 +64,8 @@ def validate(
     and say so.
     Exit status 1 if a judged value differs by more than its tolerance.
     """
-    from babbitt.report.validation_table import print_count, print_validation
     from babbitt.validation import cases, validation_case
+    from babbitt.validation.table import print_count, print_validation
 
     chosen = [validation_case(name) for name in names] if names else list(cases())
     agreed = [print_validation(case) for case in chosen]
@@ -80,7 +80,7 @@ def list_(
     what: Annotated[str, typer.Argument(metavar="WHAT", help="lubricants, materials, kinds or cases.")],
 ) -> None:
     """Show what is on board, with sources."""
-    from babbitt.report import listings
+    from babbitt.cli import listings
 
     show: dict[str, Callable[[], None]] = {
         "lubricants": listings.print_lubricants,
@@ -114,7 +114,7 @@ def cite(
     allow_outside: AllowOutside = False,
 ) -> None:
     """Say what to cite for the methods that a case uses."""
-    from babbitt.cases import load_case
+    from babbitt.case import load_case
     from babbitt.report.citations import citations_of
 
     print("\n\n".join(citations_of(load_case(file, reach(allow_outside)))))

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from babbitt.core.notices import Notice
+from babbitt.core.result import Check
 from babbitt.design.conditions import Designed
-from babbitt.notices import Notice
-from babbitt.results import Check
 
 __all__ = ["FILM_CHECKS", "NO_BOUNDS", "Bounds", "bounds_of", "certain", "unjudged"]
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from babbitt.core.notices import Notice
+from babbitt.core.result import Bound, Check
 from babbitt.design.bounds import NO_BOUNDS, Bounds, bounds_of, certain, unjudged
 from babbitt.design.conditions import Designed, surface_speed
-from babbitt.materials import (
+from babbitt.properties.materials import (
     ExperienceLimit,
     LoadLimits,
     SourcedValue,
@@ -16,8 +18,6 @@ from babbitt.materials import (
     self_cooled_temperature_limit,
     specific_load_limit,
 )
-from babbitt.notices import Notice
-from babbitt.results import Bound, Check
 
 USER = "limit set in the case"
 AT_MOST, AT_LEAST = Bound.AT_MOST, Bound.AT_LEAST

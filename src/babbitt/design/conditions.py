@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from babbitt.design.ducts import Duct
-from babbitt.lubricants import Lubricant
-from babbitt.materials import BearingMetal, ExperienceLimits, LoadCharacter
+from babbitt.properties.lubricants import Lubricant
+from babbitt.properties.materials import BearingMetal, ExperienceLimits, LoadCharacter
 
 
 @dataclass(frozen=True)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from babbitt.core.notices import EXPLANATIONS
+from babbitt.core.result import Outcome
+from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.conditions import Designed, GivenLoad
 from babbitt.design.heat_balance import Equilibrium, FilmT
-from babbitt.notices import EXPLANATIONS
-from babbitt.results import Outcome
-from babbitt.units import ZERO_CELSIUS
 
 __all__ = ["STARVED", "STARVED_REMEDY", "failure"]
 

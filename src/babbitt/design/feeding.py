@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from babbitt.design.conditions import OilSupply
 from babbitt.design.ducts import Duct
-from babbitt.design.roots import bracketed_root
-from babbitt.lubricants import Lubricant
+from babbitt.numerics.roots import bracketed_root
+from babbitt.properties.lubricants import Lubricant
 
 
 @dataclass(frozen=True)

@@ -11,9 +11,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Generic, Protocol, TypeVar
 
+from babbitt.core.result import Outcome
 from babbitt.design.conditions import Designed
-from babbitt.design.roots import find_root
-from babbitt.results import Outcome
+from babbitt.numerics.roots import find_root
 
 CEILING = 573.15
 """Temperature in K (300 °C) beyond which no lubricating oil is followed; an equilibrium above is a runaway."""

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from babbitt.core.notices import Notice
 from babbitt.design.bounds import FILM_CHECKS, Bounds
 from babbitt.design.conditions import Designed, GivenLoad
-from babbitt.notices import Notice
 
 __all__ = ["WIDE_FROM", "doubt_about_width", "flattered_films"]
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from babbitt.core.notices import InputError
+from babbitt.core.result import Outcome
 from babbitt.design.heat_balance import CEILING, NoFilmError
-from babbitt.lubricants import Lubricant
-from babbitt.notices import InputError
-from babbitt.results import Outcome
+from babbitt.properties.lubricants import Lubricant
 
 if TYPE_CHECKING:
     import numpy as np

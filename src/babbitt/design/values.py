@@ -7,7 +7,7 @@ from typing import Protocol
 from babbitt.design.conditions import Designed, contact_film, sliding_speed, surface_speed
 from babbitt.design.heat_balance import WarmFilm, heat_paths, outlet_temperature
 from babbitt.design.numbers import critical_reynolds_number, film_reynolds_number
-from babbitt.materials import empirical_minimum_film_thickness
+from babbitt.properties.materials import empirical_minimum_film_thickness
 
 Named = dict[str, float]
 

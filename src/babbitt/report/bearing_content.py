@@ -7,46 +7,46 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from babbitt.bearings.model import FilmCase
-from babbitt.cases.designs import EveryDesign
-from babbitt.footstep.case import HeelCase
-from babbitt.hydrostatics.jacking_model import JackingCase
-from babbitt.hydrostatics.model import HydrostaticCase
-from babbitt.longfilm.model import LongFilmCase
-from babbitt.notices import EXPLANATIONS, Effect
-from babbitt.quantities import QUANTITIES
+from babbitt.case.designs import EveryDesign
+from babbitt.core.notices import EXPLANATIONS, Effect
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Result
+from babbitt.kinds.footstep.model_case import HeelCase
+from babbitt.kinds.footstep.report.calculation import heel_calculation
+from babbitt.kinds.footstep.report.figures import heel_figures
+from babbitt.kinds.hydrostatic.jacking_model import JackingCase
+from babbitt.kinds.hydrostatic.model import HydrostaticCase
+from babbitt.kinds.hydrostatic.report.calculation import hydrostatic_calculation
+from babbitt.kinds.hydrostatic.report.figures import hydrostatic_figures
+from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
+from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
+from babbitt.kinds.journal.iso7902.model import DesignCase
+from babbitt.kinds.journal.report.calculation import Section, calculation
+from babbitt.kinds.journal.report.coefficient_temperatures import beside_coefficient
+from babbitt.kinds.journal.report.film_figures import report_figures
+from babbitt.kinds.journal.report.one_dimension import METHOD_NAMES, OWN_RESULTS
+from babbitt.kinds.journal.report.one_dimension_figures import figures_along_the_film
+from babbitt.kinds.shaft_line.design import LineDesign
+from babbitt.kinds.thrust.design import ThrustDesign
+from babbitt.kinds.thrust.report.figures import thrust_figures
+from babbitt.kinds.thrust.report.sentences import answers
+from babbitt.kinds.thrust.report.tables import tables
 from babbitt.report import findings
 from babbitt.report import verdict as judge
 from babbitt.report.bearing_table import matrix_entries, matrix_unit
-from babbitt.report.calculation import Section, calculation
 from babbitt.report.chapters import Chapter, Member
 from babbitt.report.check_content import check_content, compared_checks, solved_checks, sources_of
-from babbitt.report.coefficient_temperatures import beside_coefficient
 from babbitt.report.columns import ABSENT, is_fed, is_film
 from babbitt.report.drawing import Drawing
 from babbitt.report.expression import text
 from babbitt.report.figures import clearance_range, draw
-from babbitt.report.film_figures import report_figures
-from babbitt.report.heel_calculation import heel_calculation
-from babbitt.report.heel_figures import heel_figures
-from babbitt.report.hydrostatic_calculation import hydrostatic_calculation
-from babbitt.report.hydrostatic_figures import hydrostatic_figures
 from babbitt.report.inputs import inputs
 from babbitt.report.labels import label
 from babbitt.report.line import Line
 from babbitt.report.names import worded
-from babbitt.report.one_dimension import METHOD_NAMES, OWN_RESULTS
-from babbitt.report.one_dimension_figures import figures_along_the_film
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_text
-from babbitt.report.thrust_figures import thrust_figures
-from babbitt.report.thrust_tables import tables
-from babbitt.report.thrust_words import answers
-from babbitt.results import Result
-from babbitt.segments.model import SegmentCase
-from babbitt.shaft_line.design import LineDesign
-from babbitt.standards.iso7902.model import DesignCase
-from babbitt.thrust.design import ThrustDesign
 
 Data = dict[str, Any]
 

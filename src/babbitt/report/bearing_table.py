@@ -12,13 +12,13 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from babbitt.quantities import QUANTITIES, Quantity
+from babbitt.core.quantities import QUANTITIES, Quantity
+from babbitt.core.result import Check, Result, Verdict
+from babbitt.kinds.journal.report.coefficient_temperatures import beside_coefficient
 from babbitt.report import verdict as judge
-from babbitt.report.coefficient_temperatures import beside_coefficient
 from babbitt.report.meanings import meaning
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import CheckWord
-from babbitt.results import Check, Result, Verdict
 
 STYLES = {
     Verdict.PASS: "green",

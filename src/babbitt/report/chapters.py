@@ -11,20 +11,20 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from babbitt.bearings.model import FilmCase
-from babbitt.footstep.case import HeelCase
-from babbitt.hydrostatics.jacking_model import JackingCase
-from babbitt.hydrostatics.model import HydrostaticCase
-from babbitt.longfilm.model import LongFilmCase
-from babbitt.quantities import QUANTITIES
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Check, Result
+from babbitt.kinds.footstep.model_case import HeelCase
+from babbitt.kinds.hydrostatic.jacking_model import JackingCase
+from babbitt.kinds.hydrostatic.model import HydrostaticCase
+from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
+from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
+from babbitt.kinds.shaft_line.design import LineDesign
+from babbitt.kinds.thrust.design import ThrustDesign
 from babbitt.report.names import split_clearance
-from babbitt.results import Check, Result
-from babbitt.segments.model import SegmentCase
-from babbitt.shaft_line.design import LineDesign
-from babbitt.thrust.design import ThrustDesign
 
 if TYPE_CHECKING:
-    from babbitt.cases.designs import EveryDesign
+    from babbitt.case.designs import EveryDesign
 
 
 @dataclass(frozen=True)

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from babbitt.quantities import QUANTITIES
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Bound, Check, Result
 from babbitt.report import verdict as judge
 from babbitt.report.chapters import Chapter
 from babbitt.report.columns import ABSENT
 from babbitt.report.labels import label
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_text
-from babbitt.results import Bound, Check, Result
 
 Data = dict[str, Any]
 

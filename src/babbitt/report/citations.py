@@ -5,21 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from babbitt import __version__
-from babbitt.bearings.bore import WornBore
-from babbitt.bearings.model import FilmCase, PressureLaw
-from babbitt.cases import Case, design_cases
-from babbitt.cases.designs import EveryDesign
-from babbitt.film.model import Cavitation
-from babbitt.footstep.case import HeelCase
-from babbitt.footstep.states import Method
-from babbitt.hydrostatics.jacking_model import JackingCase
-from babbitt.hydrostatics.model import HydrostaticCase
-from babbitt.longfilm.model import LongFilmCase
-from babbitt.lubricants import AstmD341, Exponential, Lubricant, Vogel, Walther
-from babbitt.segments.model import SegmentCase
-from babbitt.shaft_line.design import LineDesign
-from babbitt.standards.iso7902.model import Curves, DesignCase, Friction
-from babbitt.thrust.design import ThrustDesign
+from babbitt.case import Case, design_cases
+from babbitt.case.designs import EveryDesign
+from babbitt.kinds.footstep.model_case import HeelCase
+from babbitt.kinds.footstep.states import Method
+from babbitt.kinds.hydrostatic.jacking_model import JackingCase
+from babbitt.kinds.hydrostatic.model import HydrostaticCase
+from babbitt.kinds.journal.film.bore import WornBore
+from babbitt.kinds.journal.film.model import FilmCase, PressureLaw
+from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
+from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
+from babbitt.kinds.journal.iso7902.model import Curves, DesignCase, Friction
+from babbitt.kinds.shaft_line.design import LineDesign
+from babbitt.kinds.thrust.design import ThrustDesign
+from babbitt.properties.lubricants import AstmD341, Exponential, Lubricant, Vogel, Walther
+from babbitt.reynolds.model import Cavitation
 
 BABBITT = f"The Babbitt developers: Babbitt {__version__}, calculation and design of fluid-film bearings, 2026."
 ISO_7902 = (

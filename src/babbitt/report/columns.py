@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from babbitt.quantities import QUANTITIES
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Result
 from babbitt.report.verdict import governing
-from babbitt.results import Result
 
 ABSENT = "–"
 

@@ -9,12 +9,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.bearings.field import field_of
-from babbitt.bearings.model import FilmCase
-from babbitt.bearings.temperature_field import centre_line
-from babbitt.files.writing import write_files
-from babbitt.quantities import QUANTITIES
-from babbitt.report import film_maps
+from babbitt.core.files.writing import write_files
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Result
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.kinds.journal.film.field import field_of
+from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.journal.film.temperature_field import centre_line
+from babbitt.kinds.journal.report.film_state import state_of
+from babbitt.report import maps as film_maps
 from babbitt.report.drawing import (
     GREY,
     INK,
@@ -26,10 +29,7 @@ from babbitt.report.drawing import (
     require_format,
     style,
 )
-from babbitt.report.film_state import state_of
-from babbitt.results import Result
-from babbitt.studies.comparison import Comparison, Variant
-from babbitt.units import ZERO_CELSIUS
+from babbitt.study.comparison import Comparison, Variant
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -7,15 +7,15 @@ from collections.abc import Iterator, Sequence
 from html import escape
 from pathlib import Path
 
-from babbitt.files.writing import require_writable, write_file
-from babbitt.notices import InputError
+from babbitt.core.files.writing import require_writable, write_file
+from babbitt.core.notices import InputError
+from babbitt.kinds.journal.study.temperature_cost import cost_of_one_temperature
+from babbitt.kinds.journal.study.thermal_variants import GLOBAL
 from babbitt.report.comparison_table import AS_ASKED, compared_rows, contradiction, head, objected
 from babbitt.report.document import GENERATOR_TAG, TEMPLATES
 from babbitt.report.drawing import rendered, style
 from babbitt.report.text import plain_text
-from babbitt.studies.comparison import ISO_LABEL, Comparison, Variant
-from babbitt.studies.temperature_cost import cost_of_one_temperature
-from babbitt.studies.thermal_variants import GLOBAL
+from babbitt.study.comparison import ISO_LABEL, Comparison, Variant
 
 __all__ = ["comparison_page", "require_page", "write_comparison_page"]
 

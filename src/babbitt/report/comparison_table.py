@@ -10,15 +10,15 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from babbitt.notices import Effect
-from babbitt.quantities import QUANTITIES
+from babbitt.core.notices import Effect
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Result, Verdict
+from babbitt.kinds.journal.study.temperature_cost import cost_of_one_temperature
 from babbitt.report.meanings import meaning
 from babbitt.report.table import console
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import governing, margin
-from babbitt.results import Result, Verdict
-from babbitt.studies.comparison import Comparison, Variant
-from babbitt.studies.temperature_cost import cost_of_one_temperature
+from babbitt.study.comparison import Comparison, Variant
 
 COMPARED = (
     "sommerfeld_number",

@@ -9,6 +9,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from babbitt.core.result import Result, Verdict
 from babbitt.report import findings
 from babbitt.report.bearing_content import Data, bearing_content
 from babbitt.report.chapters import Chapter, chapters
@@ -19,7 +20,6 @@ from babbitt.report.names import counted_results
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_lines, plain_text
 from babbitt.report.totals import Totals, totals
-from babbitt.results import Result, Verdict
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult

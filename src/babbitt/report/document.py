@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from babbitt import __version__
-from babbitt.files.marks import CREATOR
-from babbitt.files.writing import require_writable, write_file
-from babbitt.notices import InputError
+from babbitt.core.files.marks import CREATOR
+from babbitt.core.files.writing import require_writable, write_file
+from babbitt.core.notices import InputError
 from babbitt.report.content import content
 from babbitt.report.drawing import missing_extra
 from babbitt.report.text import needs_system_fonts

@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.files.marks import CREATOR
-from babbitt.notices import InputError
-from babbitt.notices.unusable import how_to_install
-from babbitt.quantities import QUANTITIES, Quantity
+from babbitt.core.files.marks import CREATOR
+from babbitt.core.notices import InputError
+from babbitt.core.notices.unusable import how_to_install
+from babbitt.core.quantities import QUANTITIES, Quantity
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -7,9 +7,9 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from babbitt.notices import Notice
+from babbitt.core.notices import Notice
+from babbitt.core.result import Check, Matrix, Result
 from babbitt.report.totals import totals
-from babbitt.results import Check, Matrix, Result
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult

@@ -11,21 +11,21 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from babbitt import __version__
-from babbitt.bearings.field import FilmField, field_of, supply_patches
-from babbitt.bearings.model import FilmCase
-from babbitt.bearings.temperature_field import temperature_over, temperature_through
-from babbitt.bearings.warm_film import under_found_load
-from babbitt.files.writing import require_writable, write_file
-from babbitt.notices import InputError
-from babbitt.notices.unusable import how_to_install
-from babbitt.quantities import QUANTITIES
+from babbitt.core.files.writing import require_writable, write_file
+from babbitt.core.notices import InputError
+from babbitt.core.notices.unusable import how_to_install
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Result
+from babbitt.kinds.journal.film.field import FilmField, field_of, supply_patches
+from babbitt.kinds.journal.film.isothermal import under_found_load
+from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.journal.film.temperature_field import temperature_over, temperature_through
 from babbitt.report.text import plain_text
-from babbitt.results import Result
 
 if TYPE_CHECKING:
     import xarray
 
-    from babbitt.film.thermal_solution import ThermalFilm
+    from babbitt.reynolds.heat.thermal_solution import ThermalFilm
     from babbitt.solving import MachineResult
 
 __all__ = ["fields", "require_films", "require_netcdf", "write_fields", "write_machine_fields"]
@@ -63,7 +63,7 @@ def fields(case: FilmCase, result: Result) -> xarray.Dataset:
         raise _missing("xarray") from None
     import numpy as np
 
-    from babbitt.report.film_state import state_of
+    from babbitt.kinds.journal.report.film_state import state_of
 
     if not result.outcome.solved:
         raise InputError("E003", f"{result.name}: no fields without an operating point ({result.outcome.value})")

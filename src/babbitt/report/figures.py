@@ -7,25 +7,25 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from babbitt.bearings.model import FilmCase
-from babbitt.cases.designs import EveryDesign
-from babbitt.files.writing import write_files
-from babbitt.footstep.case import HeelCase
-from babbitt.hydrostatics.jacking_model import JackingCase
-from babbitt.hydrostatics.model import HydrostaticCase
-from babbitt.longfilm.model import LongFilmCase
-from babbitt.report import painters
+from babbitt.case.designs import EveryDesign
+from babbitt.core.files.writing import write_files
+from babbitt.core.result import Result
+from babbitt.kinds.footstep.model_case import HeelCase
+from babbitt.kinds.footstep.report.figures import heel_figures
+from babbitt.kinds.hydrostatic.jacking_model import JackingCase
+from babbitt.kinds.hydrostatic.model import HydrostaticCase
+from babbitt.kinds.hydrostatic.report.figures import hydrostatic_figures
+from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
+from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
+from babbitt.kinds.journal.iso7902.model import DesignCase, GivenLoad
+from babbitt.kinds.journal.report import plots as painters
+from babbitt.kinds.journal.report.film_figures import all_figures
+from babbitt.kinds.journal.report.one_dimension_figures import figures_along_the_film
+from babbitt.kinds.shaft_line.design import LineDesign
+from babbitt.kinds.thrust.design import ThrustDesign
+from babbitt.kinds.thrust.report.figures import thrust_figures
 from babbitt.report.drawing import Drawing, rendered, require_format, style
-from babbitt.report.film_figures import all_figures
-from babbitt.report.heel_figures import heel_figures
-from babbitt.report.hydrostatic_figures import hydrostatic_figures
-from babbitt.report.one_dimension_figures import figures_along_the_film
-from babbitt.report.thrust_figures import thrust_figures
-from babbitt.results import Result
-from babbitt.segments.model import SegmentCase
-from babbitt.shaft_line.design import LineDesign
-from babbitt.standards.iso7902.model import DesignCase, GivenLoad
-from babbitt.thrust.design import ThrustDesign
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from babbitt.notices import EXPLANATIONS, Effect, Notice, Subject
-from babbitt.quantities import QUANTITIES
+from babbitt.core.notices import EXPLANATIONS, Effect, Notice, Subject
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Check, Result
 from babbitt.report.names import listed, shortened
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import comparison
-from babbitt.results import Check, Result
 
 
 @dataclass(frozen=True)

@@ -6,27 +6,28 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
-from babbitt.bearings.model import FilmCase
-from babbitt.cases.designs import EveryDesign, JournalDesign
+from babbitt.case.designs import EveryDesign, JournalDesign
+from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.conditions import GivenPosition
 from babbitt.design.ducts import Duct
-from babbitt.footstep.case import HeelCase
-from babbitt.hydrostatics.jacking_model import JackingCase
-from babbitt.hydrostatics.model import HydrostaticCase
-from babbitt.longfilm.model import LongFilmCase
-from babbitt.lubricants import (
-    AstmD341,
-    ConstantViscosity,
-    Exponential,
-    Lubricant,
-    PowerLaw,
-    ViscosityKind,
-    Vogel,
-    Walther,
+from babbitt.kinds.footstep.model_case import HeelCase
+from babbitt.kinds.footstep.report.inputs import heel_inputs
+from babbitt.kinds.hydrostatic.jacking_model import JackingCase
+from babbitt.kinds.hydrostatic.model import HydrostaticCase
+from babbitt.kinds.hydrostatic.report.inputs import groups as hydrostatic_inputs
+from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
+from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
+from babbitt.kinds.journal.iso7902.model import Curves, DesignCase, Friction, GivenEccentricity
+from babbitt.kinds.journal.iso7902.supply import (
+    Arrangement,
+    CircumferentialGroove,
+    HalfCircumferentialGroove,
+    Holes,
+    Pockets,
+    SupplyElement,
 )
-from babbitt.materials import BearingMetal
-from babbitt.report.expression import Node, number_node, text
-from babbitt.report.film_inputs import (
+from babbitt.kinds.journal.report.film_inputs import (
     CAVITATION,
     said_of_bore,
     said_of_bush,
@@ -39,25 +40,24 @@ from babbitt.report.film_inputs import (
     said_of_start,
     said_of_step,
 )
-from babbitt.report.heel_words import heel_inputs
-from babbitt.report.hydrostatic_inputs import groups as hydrostatic_inputs
+from babbitt.kinds.journal.report.one_dimension import said_of
+from babbitt.kinds.shaft_line.design import LineDesign
+from babbitt.kinds.thrust.design import ThrustDesign
+from babbitt.properties.lubricants import (
+    AstmD341,
+    ConstantViscosity,
+    Exponential,
+    Lubricant,
+    PowerLaw,
+    ViscosityKind,
+    Vogel,
+    Walther,
+)
+from babbitt.properties.materials import BearingMetal
+from babbitt.report.expression import Node, number_node, text
 from babbitt.report.labels import label
-from babbitt.report.one_dimension import said_of
 from babbitt.report.text import plain_text
 from babbitt.report.vocabulary import VOCABULARY, symbol
-from babbitt.segments.model import SegmentCase
-from babbitt.shaft_line.design import LineDesign
-from babbitt.standards.iso7902.model import Curves, DesignCase, Friction, GivenEccentricity
-from babbitt.standards.iso7902.supply import (
-    Arrangement,
-    CircumferentialGroove,
-    HalfCircumferentialGroove,
-    Holes,
-    Pockets,
-    SupplyElement,
-)
-from babbitt.thrust.design import ThrustDesign
-from babbitt.units import ZERO_CELSIUS
 
 LAWS = {
     Walther: "Walther (ASTM D341, short form)",

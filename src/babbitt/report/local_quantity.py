@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.quantities import DisplayUnit, Quantity
+from babbitt.core.quantities import DisplayUnit, Quantity
 
 __all__ = ["KILO", "MICRO", "MILLI", "PRINTED_UNITS", "local"]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.quantities import QUANTITIES
+from babbitt.core.quantities import QUANTITIES
 
 __all__ = ["OF_THRUST", "meaning"]
 

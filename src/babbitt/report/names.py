@@ -1,14 +1,14 @@
 """Names of results: which bearing, which operating point, which clearance, and how many of them.
 
-What a name is made of it knows itself (`babbitt.result_names`); nothing is read out of its text.
+What a name is made of it knows itself (`babbitt.core.result_name`); nothing is read out of its text.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
+from babbitt.core.result_name import ResultName
 from babbitt.report.text import counted, plain_text
-from babbitt.result_names import ResultName
 
 NAMES_SHOWN = 2
 """How many bearings a line on the terminal names before it counts the rest."""

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from babbitt.files.printing import printable, takes_all_letters
-from babbitt.files.writing import require_distinct, require_writable, write_file
-from babbitt.notices import InputError
+from babbitt.core.files.printing import printable, takes_all_letters
+from babbitt.core.files.writing import require_distinct, require_writable, write_file
+from babbitt.core.notices import InputError
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult

@@ -6,7 +6,7 @@ import sys
 from collections.abc import Iterable, Iterator, Sequence
 from threading import Timer
 
-from babbitt.bearings.watch import Watch
+from babbitt.core.progress import Watch
 
 PATIENCE = 1.0
 """Seconds of work after which a bar appears."""

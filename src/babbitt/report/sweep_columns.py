@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from babbitt.core.result import Result
 from babbitt.report.columns import Column, column_of, columns_of, filled
-from babbitt.results import Result
 
 __all__ = ["panels_of", "sweep_columns"]
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from babbitt.cases.variation import CaseVariation
-from babbitt.files.printing import printable
-from babbitt.files.spreadsheet import openpyxl_library, rows_text, workbook
-from babbitt.files.writing import require_distinct, require_writable, write_file
-from babbitt.notices import InputError
+from babbitt.case.variation import CaseVariation
+from babbitt.core.files.printing import printable
+from babbitt.core.files.spreadsheet import openpyxl_library, rows_text, workbook
+from babbitt.core.files.writing import require_distinct, require_writable, write_file
+from babbitt.core.notices import InputError
 from babbitt.report.outputs import STANDARD_OUTPUT, inputs_of
-from babbitt.studies.case_sweep import CaseSweep
+from babbitt.study.case_sweep import CaseSweep
 
 ENDINGS = (".csv", ".xlsx")
 """Of a table of results."""

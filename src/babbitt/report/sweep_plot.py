@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.files.writing import write_file
-from babbitt.notices import InputError
-from babbitt.quantities import QUANTITIES
+from babbitt.core.files.writing import write_file
+from babbitt.core.notices import InputError
+from babbitt.core.quantities import QUANTITIES
 from babbitt.report.drawing import FORMATS, GREY, INK, Sheet, axis_label, in_engineers_unit, rendered, style
 from babbitt.report.sweep_columns import panels_of
 from babbitt.report.text import plain_text
-from babbitt.studies.case_sweep import CaseSweep
+from babbitt.study.case_sweep import CaseSweep
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

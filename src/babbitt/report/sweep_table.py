@@ -8,17 +8,17 @@ from collections.abc import Sequence
 from rich.console import Console
 from rich.text import Text
 
-from babbitt.files.spreadsheet import Cell, rows_text
-from babbitt.interop.unit_names import static_column
-from babbitt.notices import Effect
-from babbitt.quantities import QUANTITIES
+from babbitt.core.files.spreadsheet import Cell, rows_text
+from babbitt.core.notices import Effect
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Result, Verdict
+from babbitt.export.unit_names import static_column
 from babbitt.report.bearing_table import STYLES, engineers_table
 from babbitt.report.findings import not_checked
 from babbitt.report.sweep_columns import sweep_columns
 from babbitt.report.table import console, fitting
 from babbitt.report.text import plain_text
-from babbitt.results import Result, Verdict
-from babbitt.studies.case_sweep import CaseSweep
+from babbitt.study.case_sweep import CaseSweep
 
 REFUSED = "refused"
 NOT_TOLD = ("wall_time", "iterations")

@@ -12,16 +12,16 @@ from rich.console import Console, Group, RenderableType
 from rich.padding import Padding
 from rich.text import Text
 
-from babbitt.files.printing import nearest_letters
+from babbitt.core.files.printing import nearest_letters
+from babbitt.core.result import Result
+from babbitt.kinds.footstep.report.table import heel_table
+from babbitt.kinds.thrust.report.sentences import answers
 from babbitt.report import findings
 from babbitt.report.bearing_table import STYLES, bearing_table, engineers_table
 from babbitt.report.columns import Column, columns_of, is_film
-from babbitt.report.heel_table import heel_table
 from babbitt.report.names import counted_results
 from babbitt.report.text import plain_text
-from babbitt.report.thrust_words import answers
 from babbitt.report.totals import totals
-from babbitt.results import Result
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult

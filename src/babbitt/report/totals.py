@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from babbitt.quantities import QUANTITIES
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Result
 from babbitt.report.columns import is_fed, is_film
 from babbitt.report.names import bearing_of
 from babbitt.report.text import counted
-from babbitt.results import Result
 
 NAMES = {
     "total_flow": "oil flow",

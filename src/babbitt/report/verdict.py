@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterable
 from enum import Enum
 
-from babbitt.quantities import QUANTITIES
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Bound, Check, Result, Verdict
 from babbitt.report.text import counted
-from babbitt.results import Bound, Check, Result, Verdict
 
 
 class CheckWord(Enum):

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from babbitt.quantities import QUANTITIES, DisplayUnit, Quantity
+from babbitt.core.quantities import QUANTITIES, DisplayUnit, Quantity
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.kinds.hydrostatic.report.words import HYDROSTATIC_WORDS
 from babbitt.report.expression import Node
-from babbitt.report.hydrostatic_words import HYDROSTATIC_WORDS
 from babbitt.report.local_quantity import KILO, MICRO, MILLI, PRINTED_UNITS, local
 from babbitt.report.symbols import symbol_node
-from babbitt.units import ZERO_CELSIUS
 
 __all__ = ["PRINTED_UNITS", "VOCABULARY", "calculated", "symbol"]
 

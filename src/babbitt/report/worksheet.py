@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from babbitt.core.result import Result
 from babbitt.report.expression import names, value
 from babbitt.report.line import SUBSTITUTED_DIGITS, Line
 from babbitt.report.vocabulary import VOCABULARY, calculated
-from babbitt.results import Result
 
 if TYPE_CHECKING:
-    from babbitt.standards.iso7902.model import DesignCase
+    from babbitt.kinds.journal.iso7902.model import DesignCase
 
 
 class Worksheet:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from difflib import get_close_matches
 
-from babbitt.notices import InputError
+from babbitt.core.notices import InputError
 from babbitt.validation.case import Evidence, ValidationCase
 from babbitt.validation.published import (
     butenschoen_1976,

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.characteristics import curves
-from babbitt.characteristics.curves import BearingCurves
+from babbitt.kinds.journal.iso7902.characteristics import curves
+from babbitt.kinds.journal.iso7902.characteristics.curves import BearingCurves
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, LINES, MARKERS, draw_deviations, eccentricity_axis
 from babbitt.validation.reference_data import reference_data

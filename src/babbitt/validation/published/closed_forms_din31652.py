@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from babbitt.characteristics import ClosedFormCurves
-from babbitt.characteristics.closed_forms import DEVIATIONS
+from babbitt.kinds.journal.iso7902.characteristics import ClosedFormCurves
+from babbitt.kinds.journal.iso7902.characteristics.closed_forms import DEVIATIONS
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import BAND, GREY, INK, LINES, MARKERS, eccentricity_axis
 from babbitt.validation.published.butenschoen_1976 import (

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.film.model import Land
+from babbitt.reynolds.model import Land
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, LINES, MARKERS, draw_deviations
 from babbitt.validation.published.butenschoen_1976 import width_label

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from babbitt.characteristics import curves
-from babbitt.film.model import Land
-from babbitt.film.solution import FilmSolution
+from babbitt.kinds.journal.iso7902.characteristics import curves
+from babbitt.reynolds.model import Land
+from babbitt.reynolds.solution import FilmSolution
 from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import INK, MARKERS, eccentricity_axis
 from babbitt.validation.published.film_bearings import CLEARANCE, at_position, film_of, round_film

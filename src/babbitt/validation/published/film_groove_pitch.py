@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.film.groove_pitch import GroovePitch, PitchFilm, pitch_film
-from babbitt.footstep.narrow_groove import NarrowGrooveAnnulus
+from babbitt.kinds.footstep.narrow_groove import NarrowGrooveAnnulus
 from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.published.screw_heel_common import CUBIC_MILLIMETRE, footstep
+from babbitt.validation.research.groove_pitch import GroovePitch, PitchFilm, pitch_film
 from babbitt.validation.tolerance import Within
 
 if TYPE_CHECKING:

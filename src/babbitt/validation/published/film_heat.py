@@ -10,9 +10,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.film.heat import THERMAL_ENGINEERING, BushRing, ConductingWalls, FilmHeat, HeatGrid, JournalHeat
-from babbitt.film.model import Cavitation, FilmStart, JournalFilm, Land, Resolution, grooved_bore
-from babbitt.units import ZERO_CELSIUS
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.reynolds.heat.heat_model import (
+    THERMAL_ENGINEERING,
+    BushRing,
+    ConductingWalls,
+    FilmHeat,
+    HeatGrid,
+    JournalHeat,
+)
+from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land, Resolution, grooved_bore
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.published.film_bearings import Array
@@ -21,7 +28,7 @@ from babbitt.validation.tolerance import Within
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from babbitt.film.thermal_solution import ThermalFilm
+    from babbitt.reynolds.heat.thermal_solution import ThermalFilm
 
 _VISCOSITY, _CONDUCTIVITY, _CAPACITY = 0.02, 0.13, 1.7e6
 _DIAMETER, _WIDTH, _GAP, _SPEED = 0.1, 0.05, 50e-6, 300.0
@@ -49,7 +56,7 @@ def couette(eta: Array) -> Array:
 @lru_cache
 def concentric(layers: int) -> ThermalFilm:
     """Concentric journal, one viscosity, both walls held at their temperatures."""
-    from babbitt.film.thermal import thermal_film_at
+    from babbitt.reynolds.heat.thermal_equilibrium import thermal_film_at
 
     ring = JournalFilm(
         _DIAMETER, _WIDTH, _GAP, _VISCOSITY, _SPEED, (Land(0.0, 2.0 * math.pi),), Cavitation.REYNOLDS,
@@ -65,7 +72,7 @@ def concentric(layers: int) -> ThermalFilm:
 @lru_cache
 def bearing(intervals: int, layers: int | None = None) -> ThermalFilm:
     """Two lands of 176 degrees with conducting bush, D = 0.4 m, 900 rpm, 112.8 kN, ISO VG 32 at 50 °C."""
-    from babbitt.film.thermal import solve_thermal_journal
+    from babbitt.reynolds.heat.thermal_equilibrium import solve_thermal_journal
 
     lands = grooved_bore((0.0, math.pi), math.radians(4.0))
     film = JournalFilm(0.4, 0.263, 195e-6, float(_iso_vg_32(np.array(_COLD))), 30.0 * math.pi, lands)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from babbitt.characteristics.friction import film_around
+from babbitt.kinds.journal.iso7902.characteristics.friction import film_around
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.published.film_bearings import (
     CLEARANCE,

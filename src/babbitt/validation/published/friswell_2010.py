@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from babbitt.film.model import Cavitation, FilmStart, JournalFilm
+from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, LINES, MARKERS, logarithmic_axis
 from babbitt.validation.published.film_bearings import RING, Array, at_position

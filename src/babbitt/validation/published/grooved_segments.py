@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from babbitt.lubricants import ConstantProperty, Lubricant, PowerLaw, ViscosityKind
-from babbitt.segments.model import Groove, GrooveKind, SegmentFilm
-from babbitt.segments.solve import film_at_eccentricity, film_under_load
-from babbitt.segments.state import SegmentFilmState
-from babbitt.units import ZERO_CELSIUS
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.kinds.journal.grooved_long_bearing.model import Groove, GrooveKind, SegmentFilm
+from babbitt.kinds.journal.grooved_long_bearing.solve import film_at_eccentricity, film_under_load
+from babbitt.kinds.journal.grooved_long_bearing.state import SegmentFilmState
+from babbitt.properties.lubricants import ConstantProperty, Lubricant, PowerLaw, ViscosityKind
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, MARKERS
 from babbitt.validation.published.long_film_isothermal import exact

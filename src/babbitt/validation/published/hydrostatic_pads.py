@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.design.roots import bracketed_root
-from babbitt.hydrostatics.closed_forms import lands_of
-from babbitt.hydrostatics.geometry import AnnularPad, CircularPad, RectangularPad
-from babbitt.hydrostatics.lines import REFERENCE
+from babbitt.kinds.hydrostatic.closed_forms import lands_of
+from babbitt.kinds.hydrostatic.geometry import AnnularPad, CircularPad, RectangularPad
+from babbitt.kinds.hydrostatic.lines import REFERENCE
+from babbitt.numerics.roots import bracketed_root
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, draw_deviations
 from babbitt.validation.tolerance import Within
@@ -42,8 +42,8 @@ def exercise() -> Iterator[Comparison]:
 
 def film_of(pad: CircularPad | AnnularPad | RectangularPad) -> tuple[float, float]:
     """Flow factor q_s and effective area (m2) of a pad by its film."""
-    from babbitt.film.recess import RecessFilm
-    from babbitt.hydrostatics.surfaces import FilmOil, pad_surface, ring_surface
+    from babbitt.kinds.hydrostatic.surfaces import FilmOil, pad_surface, ring_surface
+    from babbitt.reynolds.recess.recess_film import RecessFilm
 
     oil, gap, pressure = FilmOil(0.02, 0.0, 1e6), 50e-6, np.array([1e6])
     rectangular = isinstance(pad, RectangularPad)

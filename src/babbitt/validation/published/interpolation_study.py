@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.characteristics import curves
-from babbitt.characteristics.interpolation_study import (
+from babbitt.kinds.journal.iso7902.characteristics import curves
+from babbitt.validation.case import Comparison, Story, ValidationCase
+from babbitt.validation.figure import GREY, INK, logarithmic_axis
+from babbitt.validation.research.interpolation_study import (
     WIDTH_RATIOS,
     InterpolationStudy,
     coarse_tables,
     interpolation_study,
 )
-from babbitt.validation.case import Comparison, Story, ValidationCase
-from babbitt.validation.figure import GREY, INK, logarithmic_axis
 from babbitt.validation.tolerance import AtLeast, AtMost, SetBy, Within
 
 if TYPE_CHECKING:

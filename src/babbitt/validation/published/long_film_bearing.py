@@ -6,11 +6,11 @@ import math
 from dataclasses import replace
 from functools import lru_cache
 
-from babbitt.longfilm.model import BushRing, Discretisation, HeatExchange, LongFilm
-from babbitt.longfilm.solve import film_at_eccentricity
-from babbitt.longfilm.state import LongFilmState
-from babbitt.lubricants import ConstantProperty, LinearProperty, Lubricant, Walther
-from babbitt.units import ZERO_CELSIUS
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.kinds.journal.infinitely_long_bearing.model import BushRing, Discretisation, HeatExchange, LongFilm
+from babbitt.kinds.journal.infinitely_long_bearing.solve import film_at_eccentricity
+from babbitt.kinds.journal.infinitely_long_bearing.state import LongFilmState
+from babbitt.properties.lubricants import ConstantProperty, LinearProperty, Lubricant, Walther
 from babbitt.validation.reference_data import reference_data
 
 ATMOSPHERE = 101325.0

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from babbitt.longfilm.mean_temperature import mean_temperature_film
-from babbitt.longfilm.model import Discretisation, ExchangeZone
+from babbitt.kinds.journal.infinitely_long_bearing.mean_temperature import mean_temperature_film
+from babbitt.kinds.journal.infinitely_long_bearing.model import Discretisation, ExchangeZone
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import INK, LINES, MARKERS
 from babbitt.validation.published.long_film_bearing import conducting_bush_ratio, film, solved

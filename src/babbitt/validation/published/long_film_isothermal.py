@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.design.roots import bracketed_root
-from babbitt.longfilm.pressure import Gap, divergence_form, published_form
+from babbitt.kinds.journal.infinitely_long_bearing.pressure import Gap, divergence_form, published_form
+from babbitt.numerics.roots import bracketed_root
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, LINES, MARKERS, logarithmic_axis
 from babbitt.validation.tolerance import Within

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from babbitt.longfilm.model import Discretisation
+from babbitt.kinds.journal.infinitely_long_bearing.model import Discretisation
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import BAND, GREY, INK, MARKERS
 from babbitt.validation.published.long_film_bearing import relative_load, solved

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.film.model import JournalFilm, Land, grooved_bore
+from babbitt.reynolds.model import JournalFilm, Land, grooved_bore
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, LINES, MARKERS, draw_deviations, logarithmic_axis
 from babbitt.validation.published.film_bearings import CLEARANCE, at_rest, coefficients, film_of, load_of

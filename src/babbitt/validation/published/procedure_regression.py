@@ -7,12 +7,12 @@ from collections.abc import Callable, Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from babbitt.lubricants import Lubricant, OilProperties, lubricant_from_points
-from babbitt.results import Result
-from babbitt.standards.iso7902.model import Bearing, DesignCase, Friction, GivenLoad, OilSupply
-from babbitt.standards.iso7902.procedure import check
-from babbitt.standards.iso7902.supply import Arrangement, Holes, Pockets
-from babbitt.units import ZERO_CELSIUS
+from babbitt.core.result import Result
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.kinds.journal.iso7902.model import Bearing, DesignCase, Friction, GivenLoad, OilSupply
+from babbitt.kinds.journal.iso7902.procedure import check
+from babbitt.kinds.journal.iso7902.supply import Arrangement, Holes, Pockets
+from babbitt.properties.lubricants import Lubricant, OilProperties, lubricant_from_points
 from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import draw_deviations
 from babbitt.validation.tolerance import Within

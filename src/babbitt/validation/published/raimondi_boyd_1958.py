@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.characteristics import curves
-from babbitt.characteristics.arc_film import FULL, ArcSolution, solve_arc
-from babbitt.characteristics.friction import film_around, film_on_arc
+from babbitt.kinds.journal.iso7902.characteristics import curves
+from babbitt.kinds.journal.iso7902.characteristics.friction import film_around, film_on_arc
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, LINES, MARKERS, draw_deviations
 from babbitt.validation.reference_data import reference_data
+from babbitt.validation.research.arc_film import FULL, ArcSolution, solve_arc
 from babbitt.validation.tolerance import Within
 
 if TYPE_CHECKING:

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.hydrostatics.geometry import RecessedJournal
-from babbitt.hydrostatics.lines import Grid
-from babbitt.hydrostatics.network import Feeding
-from babbitt.hydrostatics.restrictors import Capillary
-from babbitt.hydrostatics.supply import FixedPressure
+from babbitt.kinds.hydrostatic.geometry import RecessedJournal
+from babbitt.kinds.hydrostatic.lines import Grid
+from babbitt.kinds.hydrostatic.network import Feeding
+from babbitt.kinds.hydrostatic.restrictors import Capillary
+from babbitt.kinds.hydrostatic.supply import FixedPressure
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import INK, MARKERS, draw_deviations
 from babbitt.validation.tolerance import Within
@@ -21,7 +21,7 @@ from babbitt.validation.tolerance import Within
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from babbitt.hydrostatics.state import RecessState
+    from babbitt.kinds.hydrostatic.state import RecessState
 
 CLEARANCE, SUPPLY = 50e-6, 5e6
 BEARING = RecessedJournal(
@@ -41,8 +41,8 @@ grids up to 768 lines, extrapolated; a program of our own, independent of the en
 
 def state(eps: float, lines: int, speed: float = 0.0) -> RecessState:
     """Journal moved towards the lowest recess."""
-    from babbitt.hydrostatics.state import state_at
-    from babbitt.hydrostatics.surfaces import FilmOil, journal_surface
+    from babbitt.kinds.hydrostatic.state import state_at
+    from babbitt.kinds.hydrostatic.surfaces import FilmOil, journal_surface
 
     oil = FilmOil(0.02, speed, SUPPLY)
     at = np.array([0.0, -eps * CLEARANCE])
@@ -52,7 +52,7 @@ def state(eps: float, lines: int, speed: float = 0.0) -> RecessState:
 @lru_cache
 def at_half(lines: int) -> tuple[float, float, float]:
     """Load, stiffness and flow at half the clearance."""
-    from babbitt.hydrostatics.impedance import static_coefficients
+    from babbitt.kinds.hydrostatic.impedance import static_coefficients
 
     found = state(0.5, lines)
     stiffness, _ = static_coefficients(found.response, found.network)
@@ -84,7 +84,7 @@ def rows() -> Iterator[Comparison]:
 
 def limits() -> Iterator[Comparison]:
     """Concentric and without rotation."""
-    from babbitt.hydrostatics.impedance import static_coefficients
+    from babbitt.kinds.hydrostatic.impedance import static_coefficients
 
     centred = state(0.0, 96)
     stiffness, damping = static_coefficients(centred.response, centred.network)

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
-from babbitt.results import Result
-from babbitt.standards.iso7902.procedure import check, check_at_temperature
-from babbitt.units import ZERO_CELSIUS
+from babbitt.core.result import Result
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.kinds.journal.iso7902.procedure import check, check_at_temperature
 from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import BAND, GREY, INK
 from babbitt.validation.published.reverse_gear_inputs import (

@@ -9,11 +9,11 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from babbitt.lubricants import lubricant
-from babbitt.shafts.overhung_coupling import MeshForce, OverhungCoupling, bearing_loads
-from babbitt.standards.iso7902.model import Bearing, DesignCase, Friction, GivenLoad, OilSupply
-from babbitt.standards.iso7902.supply import Arrangement, HalfCircumferentialGroove, Pockets, SupplyElement
-from babbitt.units import ZERO_CELSIUS
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.kinds.coupling.statics import MeshForce, OverhungCoupling, bearing_loads
+from babbitt.kinds.journal.iso7902.model import Bearing, DesignCase, Friction, GivenLoad, OilSupply
+from babbitt.kinds.journal.iso7902.supply import Arrangement, HalfCircumferentialGroove, Pockets, SupplyElement
+from babbitt.properties.lubricants import lubricant
 from babbitt.validation.reference_data import reference_data
 
 _JOURNAL_STEEL = 11e-6  # 1/K, textbook value; only the difference to the bearing matters

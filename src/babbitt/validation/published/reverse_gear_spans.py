@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from babbitt.results import Result
-from babbitt.standards.iso7902.model import Friction
-from babbitt.standards.iso7902.procedure import check
-from babbitt.units import ZERO_CELSIUS
+from babbitt.core.result import Result
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.kinds.journal.iso7902.model import Friction
+from babbitt.kinds.journal.iso7902.procedure import check
 from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import BAND, GREY, INK
 from babbitt.validation.published.reverse_gear_inputs import design_case, published

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from babbitt.footstep.clearances import critical_clearances
-from babbitt.footstep.states import SteadyState, steady_states
-from babbitt.footstep.superposition import GroovedHeel
-from babbitt.units import ZERO_CELSIUS
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.kinds.footstep.clearances import critical_clearances
+from babbitt.kinds.footstep.states import SteadyState, steady_states
+from babbitt.kinds.footstep.superposition import GroovedHeel
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.published.screw_heel_common import SOURCE, footstep, smooth, states

@@ -6,9 +6,9 @@ import math
 from dataclasses import replace
 from functools import lru_cache
 
-from babbitt.footstep.model import Footstep, HeelGeometry, HeelOil, ScrewGroove
-from babbitt.footstep.states import Method, SteadyState, steady_states
-from babbitt.units import ZERO_CELSIUS
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.kinds.footstep.model import Footstep, HeelGeometry, HeelOil, ScrewGroove
+from babbitt.kinds.footstep.states import Method, SteadyState, steady_states
 from babbitt.validation.reference_data import reference_data
 
 MICRO, CUBIC_MILLIMETRE, MEGA = 1e-6, 1e-9, 1e6

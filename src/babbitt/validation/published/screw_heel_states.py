@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.footstep.clearances import critical_clearances, fold_clearance
-from babbitt.footstep.model import Wall
-from babbitt.footstep.narrow_groove import NarrowGrooveAnnulus
-from babbitt.footstep.states import Method, NoSteadyStateError, StateName, SteadyState, steady_states
-from babbitt.footstep.superposition import GrooveChannel
-from babbitt.units import ZERO_CELSIUS
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.kinds.footstep.clearances import critical_clearances, fold_clearance
+from babbitt.kinds.footstep.model import Wall
+from babbitt.kinds.footstep.narrow_groove import NarrowGrooveAnnulus
+from babbitt.kinds.footstep.states import Method, NoSteadyStateError, StateName, SteadyState, steady_states
+from babbitt.kinds.footstep.superposition import GrooveChannel
 from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.published.screw_heel_common import (

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from babbitt.characteristics.arc_film import FULL, solve_arc
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, LINES, MARKERS, logarithmic_axis
+from babbitt.validation.research.arc_film import FULL, solve_arc
 from babbitt.validation.tolerance import Within
 
 if TYPE_CHECKING:

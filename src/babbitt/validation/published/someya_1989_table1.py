@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.film.model import grooved_bore
+from babbitt.reynolds.model import grooved_bore
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, LINES, MARKERS, draw_deviations
 from babbitt.validation.published.film_bearings import Array, film_of

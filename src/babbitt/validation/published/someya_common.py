@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
-from babbitt.film.model import JournalFilm
+from babbitt.reynolds.model import JournalFilm
 from babbitt.validation.case import Comparison
 from babbitt.validation.published.film_bearings import (
     CLEARANCE,

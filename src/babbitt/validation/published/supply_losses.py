@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.ducts import Duct
-from babbitt.lubricants import lubricant
-from babbitt.standards.iso7902.supply import equivalent_holes
-from babbitt.units import ZERO_CELSIUS
+from babbitt.kinds.journal.iso7902.supply import equivalent_holes
+from babbitt.properties.lubricants import lubricant
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.published.reverse_gear_inputs import published

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.lubricants import lubricant
-from babbitt.thrust.bearing import ThrustBearing
-from babbitt.thrust.design import GivenThrust, Oil, ThrustDesign, ThrustState, operating_state
-from babbitt.thrust.gap import minimum_gap
-from babbitt.thrust.pad import ThrustPad
-from babbitt.units import ZERO_CELSIUS
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.kinds.thrust.bearing import ThrustBearing
+from babbitt.kinds.thrust.design import GivenThrust, Oil, ThrustDesign, ThrustState, operating_state
+from babbitt.kinds.thrust.gap import minimum_gap
+from babbitt.kinds.thrust.pad import ThrustPad
+from babbitt.properties.lubricants import lubricant
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.reference_data import reference_data

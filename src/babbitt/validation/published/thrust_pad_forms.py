@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.shaft_line.forced import forced
-from babbitt.shaft_line.impedance import respond
-from babbitt.shaft_line.line import Seating, ShaftLine
-from babbitt.shaft_line.natural import undamped_frequencies
-from babbitt.shaft_line.pads import FilmPads, GivenPads
-from babbitt.thrust.sharing import share_of
-from babbitt.thrust.state import condensed
+from babbitt.kinds.shaft_line.forced import forced
+from babbitt.kinds.shaft_line.impedance import respond
+from babbitt.kinds.shaft_line.line import Seating, ShaftLine
+from babbitt.kinds.shaft_line.natural import undamped_frequencies
+from babbitt.kinds.shaft_line.pads import FilmPads, GivenPads
+from babbitt.kinds.thrust.sharing import share_of
+from babbitt.kinds.thrust.state import condensed
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.published.trawler_line import PAD, RIPPLE, ROD, RUNOUT, SPEED, duty, films, line
@@ -37,7 +37,7 @@ def run() -> tuple[Comparison, ...]:
 
 def wide_pad(intervals: int) -> float:
     """Load at mid radius of a wide plane pad, h1/h2 = 2.19, in mu U B^2 L/h2^2."""
-    from babbitt.film.sector import PlaneMotion, SectorPad, sector_film
+    from babbitt.reynolds.sector.sector import PlaneMotion, SectorPad, sector_film
 
     pad = SectorPad(FAR_OUT - 0.3, FAR_OUT + 0.3, LENGTH / FAR_OUT, OIL, SPEED_OF_SLIDER / FAR_OUT)
     film = sector_film(pad, PlaneMotion(2.19 * LAND, 0.0, -1.19 * LAND / LENGTH), intervals=intervals, degree=24)
@@ -48,7 +48,7 @@ def wide_pad(intervals: int) -> float:
 
 def exponential_pad(intervals: int) -> float:
     """Load of a square pad under h = h1 exp(-a x), h1/h2 = 2.2, in mu U B^2 L/h2^2."""
-    from babbitt.film.sector import PlaneMotion, SectorPad, sector_film
+    from babbitt.reynolds.sector.sector import PlaneMotion, SectorPad, sector_film
 
     along = np.linspace(0.0, 1.0, 8 * intervals + 1)
     form = tuple((float(value), float(value)) for value in LAND * (2.2 ** (1.0 - along) - 1.0))
@@ -200,7 +200,7 @@ def draw(figure: Figure) -> None:
     figure.set_size_inches(7.2, 3.6)
     axes = figure.subplots()
     counts = (8, 16, 32, 64, 128)
-    from babbitt.thrust.equilibrium import pad_state
+    from babbitt.kinds.thrust.equilibrium import pad_state
 
     fine = [pad_state(PAD, 50e-6, 0.045, SPEED, intervals=n, degree=12).load for n in (128, 256)]
     limit = fine[1] + (fine[1] - fine[0]) / 3.0

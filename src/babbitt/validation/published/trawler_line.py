@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from functools import lru_cache
 
-from babbitt.shaft_line.excitation import RunoutHarmonic, ThrustHarmonic
-from babbitt.shaft_line.line import Rod, ShaftLine
-from babbitt.shaft_line.model import LineDuty
-from babbitt.thrust.bearing import HousingTilt, ThrustBearing
-from babbitt.thrust.carrying import Carrying, carrying
-from babbitt.thrust.pad import ThrustPad
-from babbitt.thrust.state import TiltInertia
+from babbitt.kinds.shaft_line.excitation import RunoutHarmonic, ThrustHarmonic
+from babbitt.kinds.shaft_line.line import Rod, ShaftLine
+from babbitt.kinds.shaft_line.model import LineDuty
+from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
+from babbitt.kinds.thrust.load_curve import Carrying, carrying
+from babbitt.kinds.thrust.pad import ThrustPad
+from babbitt.kinds.thrust.state import TiltInertia
 
 SPEED = 125.0 * math.pi / 30.0
 VISCOSITY = 0.045

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.shaft_line.stages import stages
-from babbitt.shaft_line.sweeps import ring_sweep
+from babbitt.kinds.shaft_line.stages import stages
+from babbitt.kinds.shaft_line.sweeps import ring_sweep
 from babbitt.validation.case import Comparison, Evidence, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK, logarithmic_axis
 from babbitt.validation.published.trawler_line import duty, films

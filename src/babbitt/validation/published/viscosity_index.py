@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from babbitt.lubricants import nu40_from_viscosity_index, nu100_from_viscosity_index, viscosity_index
+from babbitt.properties.lubricants import nu40_from_viscosity_index, nu100_from_viscosity_index, viscosity_index
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import BAND, GREY, INK, logarithmic_axis
 from babbitt.validation.tolerance import Tolerance, Within

@@ -1,0 +1,210 @@
+"""What every piece of a case file is: frozen, without unknown keys, and able to tell all that is wrong at once.
+
+Pydantic stops at the fields: rules between fields would only be asked once every field is right. Here the rules
+are asked of whatever is right, so that a file with a wrong unit and a bore smaller than its journal hears of both.
+"""
+
+from __future__ import annotations
+
+import typing
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cache
+from types import FunctionType
+from typing import Any, ClassVar, Self, TypeVar
+
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    ModelWrapValidatorHandler,
+    PrivateAttr,
+    TypeAdapter,
+    ValidationError,
+    ValidationInfo,
+    model_validator,
+)
+from pydantic_core import InitErrorDetails, PydanticCustomError
+
+from babbitt.case.error_messages import ERROR_TYPE, Path, is_echo, is_missing, misspelt, refusal
+from babbitt.case.grouped_digits import grouped_fields
+from babbitt.core.notices import InputError, Notice
+
+
+@dataclass(frozen=True)
+class Complaint:
+    """What a rule has to say about a piece of a case.
+
+    Attributes
+    ----------
+    path : tuple
+        From the piece to the field to blame.
+    says, allowed, hint : str
+        What is wrong, what would do, what to try.
+    code : str
+        A code of `babbitt.core.notices.EXPLANATIONS`.
+    """
+
+    path: Path
+    says: str
+    allowed: str = ""
+    hint: str = ""
+    code: str = "E004"
+
+    def under(self, *path: str | int) -> Complaint:
+        """Tell the same of a piece further down."""
+        return Complaint((*path, *self.path), self.says, self.allowed, self.hint, self.code)
+
+
+Rule = Callable[[Any], Iterable[Complaint]]
+RuleT = TypeVar("RuleT", bound=Rule)
+
+
+def rule(method: RuleT) -> RuleT:
+    """Mark a method of a `Part` that yields the complaints about its fields.
+
+    A rule may touch any field: where one it needs is itself unusable, the rule is silently not asked.
+    """
+    method.__dict__["is_rule"] = True
+    return method
+
+
+class Part(BaseModel):
+    """A piece of a case file."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", coerce_numbers_to_str=True, defer_build=True)
+    rules: ClassVar[tuple[Rule, ...]] = ()
+    alternatives: ClassVar[tuple[tuple[str, ...], ...]] = ()
+    """Fields that stand in place of each other."""
+    example: ClassVar[str] = ""
+    """How the piece is written, for messages; empty where that takes more than a line."""
+
+    _grouped: tuple[tuple[str, str], ...] = PrivateAttr(())
+    """Quantities whose text may be grouped digits, by field, as they were written."""
+
+    def __eq__(self, other: object) -> bool:
+        # How a file wrote its content, which pydantic would compare too, makes no other case of it.
+        return isinstance(other, Part) and type(other) is type(self) and vars(other) == vars(self)
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **kwargs: Any) -> None:
+        """Collect the rules of the class and its bases."""
+        members = {name: member for base in reversed(cls.__mro__) for name, member in vars(base).items()}
+        functions = (member for member in members.values() if isinstance(member, FunctionType))
+        cls.rules = tuple(function for function in functions if getattr(function, "is_rule", False))
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _tell_all(cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo) -> Self:
+        try:
+            part = handler(given)
+        except ValidationError as error:
+            found = [details for details in error.errors(include_url=False) if not is_echo(details)]
+            meant = misspelt(cls, given, found)
+            lines = [refusal(cls, given, one) for one in found if not is_missing(one, meant)]
+            if isinstance(given, Mapping):
+                lines += _lines(_usable(cls, given, info.context, meant), given)
+            raise ValidationError.from_exception_data(cls.__name__, lines) from None
+        if isinstance(given, Mapping):
+            part._grouped = grouped_fields(cls, given)
+        if lines := _lines(part, given):
+            raise ValidationError.from_exception_data(cls.__name__, lines)
+        return part
+
+
+def as_far_as_usable(complaints: Iterable[Complaint]) -> Iterator[Complaint]:
+    """Give complaints until they touch a field that is itself unusable, which has been told already."""
+    try:
+        yield from complaints
+    except AttributeError as error:
+        if not (isinstance(error.obj, Part) and error.name in type(error.obj).model_fields):
+            raise
+
+
+def refused(path: Path, attempt: Callable[[], object]) -> Iterator[Complaint]:
+    """Try something that may refuse its input, and complain in its words."""
+    try:
+        attempt()
+    except InputError as error:
+        yield Complaint(path, error.message, code=error.code)
+
+
+def is_given(part: Part, name: str) -> bool:
+    """Whether a field was written in the file, be it usable or not."""
+    return name in part.model_fields_set and vars(part).get(name, part) is not None
+
+
+def not_read(part: Part, why: str, *paths: str) -> Iterator[Notice]:
+    """Tell of fields that are given and that nothing reads, by their paths from a piece, such as ``pads.mass``."""
+    if given := [path for path in paths if _is_given_at(part, path)]:
+        yield Notice("W183", f"{', '.join(given)}: {why}")
+
+
+def _is_given_at(part: Part, path: str) -> bool:
+    """As `is_given`, for a field of a block, too."""
+    name, _, rest = path.partition(".")
+    return is_given(part, name) and (not rest or _is_given_at(getattr(part, name), rest))
+
+
+def exactly_one(part: Part, *names: str) -> Iterator[Complaint]:
+    """Complain unless exactly one of some fields is given."""
+    given = [name for name in names if is_given(part, name)]
+    if not given:
+        yield Complaint(
+            (), f"none of {', '.join(names)} is given", f"exactly one of {', '.join(names)}", code="E003"
+        )
+    yield from at_most_one(part, *names)
+
+
+def at_most_one(part: Part, *names: str) -> Iterator[Complaint]:
+    """Complain if several of some fields are given."""
+    first, *others = [name for name in names if is_given(part, name)] or [""]
+    for other in others:
+        yield Complaint((other,), f"given besides {first}", f"one of {', '.join(names)}", "remove one")
+
+
+def _lines(part: Part, given: Any) -> list[InitErrorDetails]:
+    lines = []
+    for one in type(part).rules:
+        for told in as_far_as_usable(one(part)):
+            context = {"says": told.says, "allowed": told.allowed, "hint": told.hint, "code": told.code}
+            error = PydanticCustomError(ERROR_TYPE, "{says}", context)
+            lines.append(InitErrorDetails(type=error, loc=told.path, input=given))
+    return lines
+
+
+def _usable(
+    cls: type[Part], given: Mapping[str, Any], context: Any, misspelt: frozenset[str] = frozenset()
+) -> Part:
+    """Give the piece with its usable fields only; to touch one of the others raises AttributeError.
+
+    Fields whose names were misspelt count as written and not usable.
+    """
+    values: dict[str, Any] = {}
+    unusable = set(misspelt)
+    for name, field in cls.model_fields.items():
+        if name not in given:
+            unusable |= {name} if field.is_required() else set()
+            continue
+        try:
+            values[name] = _adapter(cls, name).validate_python(given[name], context=context)
+        except ValidationError:
+            pieces = _usable_pieces(field.annotation, given[name], context)
+            values |= {name: pieces} if pieces else {}
+            unusable |= set() if pieces else {name}
+    part = cls.model_construct(_fields_set=({*cls.model_fields} & given.keys()) | misspelt, **values)
+    for name in unusable:
+        vars(part).pop(name, None)
+    return part
+
+
+@cache
+def _adapter(cls: type[Part], name: str) -> TypeAdapter[Any]:
+    return TypeAdapter(cls.model_fields[name].rebuild_annotation())
+
+
+def _usable_pieces(annotation: Any, given: Any, context: Any) -> tuple[Part, ...]:
+    """Give the pieces of a list, each with its usable fields only; nothing if it is no list of pieces."""
+    of = typing.get_args(annotation)[0] if typing.get_origin(annotation) is tuple else None
+    if not (isinstance(of, type) and issubclass(of, Part) and isinstance(given, list)):
+        return ()
+    return tuple(_usable(of, piece, context) for piece in given if isinstance(piece, Mapping))

@@ -1,0 +1,1 @@
+"""Parts of case files that two kinds or more write."""

@@ -1,0 +1,165 @@
+"""Clearance of a bearing at 20 °C, in the five ways a drawing or a designer states it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated, Any, Literal
+
+from pydantic import Discriminator, Field
+
+from babbitt.case.part import Complaint, Part, refused, rule
+from babbitt.case.parts.fields import Name
+from babbitt.case.shorthand import Shorthand
+from babbitt.core.units import si, written
+from babbitt.properties.fits import Clearance, Deviations, SizeLimits
+
+RelativeValue = Annotated[float, si("1", "0.01 permille", "50 permille")]
+DiametralValue = Annotated[float, si("m", "0.1 um", "1 m")]
+Size = Annotated[float, si("m", "1 mm", "3 m")]
+Deviation = Annotated[float, si("m", "-10 mm", "10 mm")]
+
+
+class _MeanAndLimits(Part):
+    """Mean clearance, and its limits where they are known."""
+
+    mean: float
+    minimum: float | None
+    maximum: float | None
+
+    @property
+    def has_limits(self) -> bool:
+        """Whether minimum and maximum are known."""
+        return self.minimum is not None and self.maximum is not None
+
+    @rule
+    def _limits_in_order(self) -> Iterator[Complaint]:
+        if (self.minimum is None) != (self.maximum is None):
+            missing = "minimum" if self.minimum is None else "maximum"
+            yield Complaint((missing,), "is missing", "both limits or none", code="E003")
+        if self.minimum is not None and self.minimum > self.mean:
+            yield Complaint(("minimum",), "the minimum clearance is above the mean", "minimum <= mean <= maximum")
+        if self.maximum is not None and self.maximum < self.mean:
+            yield Complaint(("maximum",), "the maximum clearance is below the mean", "minimum <= mean <= maximum")
+
+    def _scaled(self, factor: float) -> Clearance:
+        limits = (self.minimum, self.maximum)
+        minimum, maximum = (self.mean if limit is None else limit for limit in limits)
+        return Clearance(minimum * factor, self.mean * factor, maximum * factor)
+
+
+class RelativeClearance(_MeanAndLimits):
+    """Diametral clearance over diameter."""
+
+    kind: Literal["relative"] = Field(description="Clearance over diameter, psi = C/D.")
+    mean: RelativeValue = Field(description="Mean relative clearance. Usual 0.5 to 3 permille.")
+    minimum: RelativeValue | None = Field(None, description="Smallest relative clearance of the tolerances.")
+    maximum: RelativeValue | None = Field(None, description="Largest relative clearance of the tolerances.")
+
+    def at_20_degrees(self, diameter: float) -> Clearance:
+        """Give the diametral clearance."""
+        return self._scaled(diameter)
+
+
+class DiametralClearance(_MeanAndLimits):
+    """Bore minus journal diameter."""
+
+    kind: Literal["diametral"] = Field(description="Clearance on the diameter, C.")
+    mean: DiametralValue = Field(description="Mean diametral clearance.")
+    minimum: DiametralValue | None = Field(None, description="Smallest diametral clearance of the tolerances.")
+    maximum: DiametralValue | None = Field(None, description="Largest diametral clearance of the tolerances.")
+
+    def at_20_degrees(self, diameter: float) -> Clearance:
+        """Give the diametral clearance."""
+        return self._scaled(1.0)
+
+
+class FitClearance(Part):
+    """ISO 286 tolerance classes."""
+
+    kind: Literal["fit"] = Field(description="From ISO 286 tolerance classes about the diameter.")
+    bore: Name = Field(description="Tolerance class of the bore, such as H7.")
+    journal: Name = Field(description="Tolerance class of the journal, such as d8.")
+
+    @property
+    def has_limits(self) -> bool:
+        """Tolerances always give limits."""
+        return True
+
+    def at_20_degrees(self, diameter: float) -> Clearance:
+        """Give the diametral clearance."""
+        return Clearance.from_tolerance_classes(diameter, self.bore, self.journal)
+
+
+class _TwoSizes(Part):
+    """Bore and journal, each as smallest and largest value."""
+
+    bore: tuple[float, float]
+    journal: tuple[float, float]
+
+    @property
+    def has_limits(self) -> bool:
+        """Tolerances always give limits."""
+        return True
+
+    @rule
+    def _bore_in_order(self) -> Iterator[Complaint]:
+        yield from _in_order("bore", self.bore)
+
+    @rule
+    def _journal_in_order(self) -> Iterator[Complaint]:
+        yield from _in_order("journal", self.journal)
+
+
+class LimitsClearance(_TwoSizes):
+    """Limits of size as they stand on the drawing."""
+
+    kind: Literal["limits"] = Field(description="From the limits of size of bore and journal.")
+    bore: tuple[Size, Size] = Field(description="Smallest and largest diameter of the bore.")
+    journal: tuple[Size, Size] = Field(description="Smallest and largest diameter of the journal.")
+
+    def at_20_degrees(self, diameter: float) -> Clearance:
+        """Give the diametral clearance."""
+        return Clearance.from_sizes(SizeLimits(*self.bore), SizeLimits(*self.journal))
+
+
+class DeviationsClearance(_TwoSizes):
+    """Deviations from the diameter as they stand on the drawing."""
+
+    kind: Literal["deviations"] = Field(description="From the deviations of bore and journal from the diameter.")
+    bore: tuple[Deviation, Deviation] = Field(description="Lower and upper deviation of the bore.")
+    journal: tuple[Deviation, Deviation] = Field(description="Lower and upper deviation of the journal.")
+
+    def at_20_degrees(self, diameter: float) -> Clearance:
+        """Give the diametral clearance."""
+        return Clearance.from_deviations(diameter, Deviations(*self.bore), Deviations(*self.journal))
+
+
+def _fit(given: Any) -> Any:
+    bore, stroke, journal = given.partition("/") if isinstance(given, str) else ("", "", "")
+    return {"kind": "fit", "bore": bore.strip(), "journal": journal.strip()} if stroke else given
+
+
+ClearanceGiven = Annotated[
+    RelativeClearance | DiametralClearance | FitClearance | LimitsClearance | DeviationsClearance,
+    Discriminator("kind"),
+    Shorthand(_fit, "an ISO 286 fit such as H7/e8"),
+]
+
+
+def complaints_about(clearance: ClearanceGiven, diameter: float) -> Iterator[Complaint]:
+    """Complain about a clearance that does not suit the diameter of its bearing."""
+    if isinstance(clearance, LimitsClearance):
+        for name, sizes in (("bore", clearance.bore), ("journal", clearance.journal)):
+            if not all(0.95 * diameter <= size <= 1.05 * diameter for size in sizes):
+                given = " to ".join(written(size, "mm") for size in sizes)
+                says = f"{name} {given} does not belong to the diameter {written(diameter, 'mm')}"
+                yield Complaint(("clearance", name), says, "sizes within 5 % of the diameter")
+                return
+    yield from refused(("clearance",), lambda: clearance.at_20_degrees(diameter).relative(diameter))
+
+
+def _in_order(name: str, limits: tuple[float, float]) -> Iterator[Complaint]:
+    if limits[0] > limits[1]:
+        yield Complaint(
+            (name,), f"the lower limit of the {name} is above the upper", "[lower, upper]", "exchange them"
+        )

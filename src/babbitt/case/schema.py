@@ -1,0 +1,43 @@
+"""The JSON Schema of the case language, drawn from the models, for editors and for the documentation."""
+
+from __future__ import annotations
+
+import json
+from importlib.resources import files
+from typing import Any
+
+SCHEMA_FILE = "schema.json"
+
+
+def case_schema() -> dict[str, Any]:
+    """Draw the schema from the models.
+
+    Returns
+    -------
+    dict
+        JSON Schema, draft 2020-12. A quantity is a number in SI or text with a unit; ``x-unit`` is its SI unit,
+        ``x-kind`` its kind where two share a unit, ``x-allowed`` its range, ``x-example`` how an engineer writes
+        one.
+    """
+    from pydantic import TypeAdapter
+    from pydantic.json_schema import GenerateJsonSchema
+
+    from babbitt.case.every_kind import AnyCase
+
+    drawn = TypeAdapter(AnyCase).json_schema()
+    return {
+        "$schema": GenerateJsonSchema.schema_dialect,
+        "title": "Babbitt case",
+        "description": "A bearing, a machine of bearings, the statics of a shaft, or the footstep of a screw.",
+        **drawn,
+    }
+
+
+def shipped_schema() -> str:
+    """Give the text of the schema that comes with the package."""
+    return files("babbitt.case").joinpath(SCHEMA_FILE).read_text(encoding="utf-8")
+
+
+def written_schema() -> str:
+    """Draw the schema and write it as the shipped file is written."""
+    return json.dumps(case_schema(), indent=1, ensure_ascii=False, sort_keys=True) + "\n"

@@ -1,0 +1,1 @@
+"""What every other package stands on: units, quantities, notices, results, files."""

@@ -1,0 +1,187 @@
+"""Warnings that do not depend on the method: where the result leaves the ground on which it stands."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+
+from babbitt.core.notices import Notice
+from babbitt.core.result import Check
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.design.conditions import Designed, OilSupply, surface_speed
+from babbitt.design.screening import ROTORDYNAMIC_CHECK_ABOVE
+from babbitt.properties.lubricants import Lubricant
+
+RIGID_FILM_UP_TO = 0.95
+"""Eccentricity ratio above which the rigid isoviscous film is too simple."""
+
+PLAIN_BEARING_UP_TO = 100e6
+"""Film pressure in Pa above which a rigid film of constant viscosity says little of a plain bearing.
+
+Assumption: a white metal of Brinell hardness 30, the hardest on board, yields at about a third of its hardness
+(D. Tabor, The Hardness of Metals, 1951: a hardness is some three times the yield strength)."""
+
+
+def doubt_about_pressure(pressure: float, where: str = "in the film") -> Iterator[Notice]:
+    """Whether a film pressure in Pa is one that plain bearings know."""
+    if pressure > PLAIN_BEARING_UP_TO:
+        limit = f"{PLAIN_BEARING_UP_TO * 1e-6:.0f} MPa, about what soft bearing metals withstand (assumption)"
+        yield Notice("W142", f"{pressure * 1e-6:.3g} MPa {where} > {limit}")
+
+
+LARGEST_RISE = 100.0
+"""Heating of the oil in K beyond which no model of a plain bearing holds (an assumption)."""
+
+SETTLED, OPEN_HEAT = 1e-6, 1e-3
+"""Share of the heat that is not accounted for: from which it is told of journal bearings, and from which no kind
+of bearing has a verdict."""
+
+BESIDE_THE_END = 0.05
+"""K by which a temperature may pass the end of the data: it is shown with one decimal."""
+
+USUAL_CLEARANCES = (0.3e-3, 5e-3)
+"""Clearance over diameter of plain bearings (an assumption)."""
+
+HOTTEST_OIL = ("maximum_temperature", "outlet_temperature", "effective_temperature", "bearing_temperature")
+"""Temperatures of a result in which the oil is not hotter than the hottest of them."""
+
+
+def doubts_about_heating(hottest: float, supplied: float | None, lubricant: Lubricant) -> Iterator[Notice]:
+    """Oil that is heated beyond sense, or above the temperatures of its data.
+
+    Parameters
+    ----------
+    hottest : float
+        The hottest oil known, in K.
+    supplied : float or None
+        Temperature of the oil that enters, in K; None where none is fed.
+    lubricant : Lubricant
+    """
+    if supplied is not None and hottest - supplied > LARGEST_RISE:
+        yield Notice(
+            "W127",
+            f"{hottest - ZERO_CELSIUS:.1f} °C, {hottest - supplied:.0f} K warmer than the oil that enters, "
+            f"> {LARGEST_RISE:.0f} K",
+        )
+    end = lubricant.temperature_range[1]
+    if hottest > end + BESIDE_THE_END:
+        yield Notice(
+            "W128",
+            f"{hottest - ZERO_CELSIUS:.1f} °C > {end - ZERO_CELSIUS:.0f} °C, end of the data of {lubricant.name}",
+        )
+
+
+def doubt_about_heat_balance(error: float) -> Iterator[Notice]:
+    """Whether the heat balance closes, by its error over the friction power."""
+    if not abs(error) < OPEN_HEAT:
+        yield Notice("W325", f"{abs(error):.2g} of the heat of the film is not accounted for")
+    elif abs(error) > SETTLED:
+        yield Notice("W146", f"{abs(error):.2g} of the friction power is not accounted for")
+
+
+def _doubts_about_thin_film(case: Designed, film: float) -> Iterator[Notice]:
+    surfaces = case.bearing.surfaces
+    if surfaces is not None and film < (rough := surfaces.roughness_bearing + surfaces.roughness_journal):
+        yield Notice("W129", f"h_min = {film * 1e6:.3g} µm < Rz_B + Rz_J = {rough * 1e6:.3g} µm")
+
+
+def _doubts_about_clearance(clearances: tuple[float, ...]) -> Iterator[Notice]:
+    least, most = USUAL_CLEARANCES
+    outside = [one for one in clearances if not least <= one <= most]
+    if outside:
+        yield Notice("W130", f"ψ = {outside[0] * 1e3:.3g} ‰ lies outside {least * 1e3:g} to {most * 1e3:g} ‰")
+
+
+def doubts_about_film(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
+    """Laminar film, range of the lubricant data, rigid surfaces."""
+    reynolds, critical = values["film_reynolds_number"], values["critical_reynolds_number"]
+    if reynolds > critical:
+        yield Notice("W101", f"film Reynolds number {reynolds:.0f} > {critical:.0f} = 41.3 sqrt(D/C) (ISO 7902-1)")
+    coldest, hottest = case.lubricant.temperature_range
+    temperature = values["effective_temperature"]
+    if temperature < coldest:
+        yield Notice(
+            "W107",
+            f"T_eff = {temperature - ZERO_CELSIUS:.1f} °C lies outside {coldest - ZERO_CELSIUS:.0f} to "
+            f"{hottest - ZERO_CELSIUS:.0f} °C, for which {case.lubricant.name} is described",
+        )
+    supplied = None if case.oil_supply is None else case.oil_supply.temperature
+    reached = max(values[name] for name in HOTTEST_OIL if name in values)
+    yield from doubts_about_heating(reached, supplied, case.lubricant)
+    yield from _doubts_about_cold_oil(case, values)
+    yield from _doubts_about_clearance((values["relative_clearance"], values["operating_relative_clearance"]))
+    yield from _doubts_about_thin_film(case, values["minimum_film_thickness"])
+    clearance = 0.5 * values["operating_relative_clearance"] * case.bearing.diameter
+    depth, eccentricity = 1.0 - values["minimum_film_thickness"] / clearance, values["eccentricity_ratio"]
+    if depth > RIGID_FILM_UP_TO:
+        round_bore = abs(depth - eccentricity) < 1e-3
+        said = f"ε = {depth:.3f}" if round_bore else f"1 - h_min/c = {depth:.3f}"
+        yield Notice("W116", f"{said} > {RIGID_FILM_UP_TO:g}, end of the rigid film")
+
+
+def _doubts_about_cold_oil(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
+    """Oil that leaves colder than it enters, and a film prescribed colder than its oil."""
+    if case.oil_supply is None:
+        return
+    entering, given = case.oil_supply.temperature, case.effective_temperature
+    leaving = values.get("outlet_temperature", entering)
+    if leaving < entering - 1e-6:
+        yield Notice(
+            "W118",
+            f"the oil leaves at {leaving - ZERO_CELSIUS:.1f} °C, {entering - leaving:.1f} K colder than it enters",
+        )
+    if given is not None and given < entering - 1e-6:
+        yield Notice(
+            "W149",
+            f"effective_temperature of {given - ZERO_CELSIUS:.1f} °C < supply temperature of "
+            f"{entering - ZERO_CELSIUS:.1f} °C",
+        )
+
+
+def doubt_about_supply(limit: float | None, wanted: float) -> Iterator[Notice]:
+    """Whether tubes and holes pass what the film wants; m³/s, no limit where they do."""
+    if limit is not None:
+        yield Notice(
+            "W111",
+            f"at the whole supply pressure tubes and holes pass {limit * 6e4:.3g} L/min, and the film wants "
+            f"{wanted * 6e4:.3g} L/min: no pressure is left at the supply element",
+        )
+
+
+SHARE_OF_A_HOLE = 0.1
+"""Loss in a supply hole over the supply pressure from which it is told."""
+
+
+def doubt_about_hole(supply: OilSupply, diameter: float, flow: float, density: float) -> Iterator[Notice]:
+    """Whether a supply hole (m) costs a notable part of the supply pressure that nothing counts; m³/s, kg/m³.
+
+    The loss is 1.5 velocity heads, entrance and exit, as of `supply.holes`.
+    """
+    if supply.holes or supply.pressure <= 0.0:
+        return
+    velocity = flow / (math.pi / 4.0 * diameter**2)
+    loss = 1.5 * density * velocity**2 / 2.0
+    if loss > SHARE_OF_A_HOLE * supply.pressure:
+        yield Notice(
+            "W187",
+            f"{velocity:.1f} m/s in a hole of {diameter * 1e3:.3g} mm cost about {loss * 1e-3:.3g} kPa of the "
+            f"{supply.pressure * 1e-3:.3g} kPa supplied, which are not counted",
+        )
+
+
+def doubts_about_running(
+    case: Designed, values: Mapping[str, float], checks: tuple[Check, ...]
+) -> Iterator[Notice]:
+    """Speed, heat that is not accounted for or has no pressure feed, and limits that no experience tells."""
+    speed = surface_speed(case)
+    if speed > ROTORDYNAMIC_CHECK_ABOVE:
+        yield Notice("W109", f"surface speed {speed:.1f} m/s > {ROTORDYNAMIC_CHECK_ABOVE:g} m/s")
+    yield from doubt_about_heat_balance(values.get("energy_balance_error", 0.0))
+    too_hot = any(check.code == "C104" and not check.ok for check in checks)
+    balanced = case.cooling is not None and case.effective_temperature is None
+    if case.oil_supply is None and balanced and too_hot:
+        yield Notice("W110", f"T_B = {values['bearing_temperature'] - ZERO_CELSIUS:.0f} °C without pressure feed")
+    if "transition_film_thickness" in values and "transition_speed" not in values:
+        yield Notice("W112", "no speed is known at which the film thins to the film limit of the surfaces")
+    if case.limits.minimum_film_thickness is None and "empirical_film_limit" not in values:
+        yield Notice("W115", f"no experience value of h_lim for D = {case.bearing.diameter * 1e3:.4g} mm")

@@ -1,0 +1,1 @@
+"""Bearing kinds, one folder each: case language, calculation, report."""

@@ -1,0 +1,234 @@
+"""A footstep of a screw pump: heel, groove, oil, pressures."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from babbitt.case.case_file import CaseFile
+from babbitt.case.grouped_digits import about_grouped_digits
+from babbitt.case.part import Complaint, not_read, rule
+from babbitt.case.parts.fields import Name, Prose
+from babbitt.core.notices import Notice
+from babbitt.core.units import si, written
+from babbitt.kinds.footstep.case.footstep_parts import (
+    FigureRanges,
+    Gap,
+    GroovePart,
+    HeelOilPart,
+    HeelOptionsPart,
+    HeelPart,
+    WallPart,
+)
+from babbitt.kinds.footstep.model import (
+    PITCH_TOLERANCE,
+    BackflowViscosity,
+    FaceOutlet,
+    Footstep,
+    FrictionViscosity,
+    HeelGeometry,
+    HeelOil,
+    HeelOptions,
+    LoadReference,
+    ScrewGroove,
+    Wall,
+)
+from babbitt.kinds.footstep.model_case import HeelCase
+from babbitt.kinds.footstep.states import Method
+
+OF_GROOVES = ("friction_viscosity", "backflow_viscosity", "local_loss_coefficient")
+"""Options that only a grooved heel reads."""
+
+
+class ScrewHeelCase(CaseFile):
+    """The hydrostatic footstep of a pump's screw, with a smooth or a screw-grooved heel."""
+
+    kind: Literal["screw_heel"] = Field(description="Footstep with a smooth or screw-grooved heel.")
+    name: Name = Field(description="Name of the footstep.")
+    method: Literal["superposition", "narrow_groove"] = Field(
+        "superposition",
+        description="The study's equations (adiabatic groove beside a full slit), or narrow-groove theory.",
+    )
+    variants: Literal["both", "smooth", "grooved"] = Field("both", description="Which heels to compute.")
+    heel: HeelPart = Field(description="Lengths of heel and recess.")
+    groove: GroovePart | None = Field(None, description="Screw groove on the heel.")
+    face_gap: Gap = Field(description="Face gap h.")
+    clearance: Gap = Field(description="Radial clearance delta of the heel.")
+    oil: HeelOilPart = Field(description="Oil.")
+    wall: WallPart | None = Field(None, description="Metal that takes heat from the films.")
+    speed: Annotated[float, si("rad/s", "0.1 rpm", "1000000 rpm")] = Field(
+        description="Speed of the screw, without a sign: it turns so that the groove drags oil from its outer end "
+        "to the rim. A groove of the other hand, or the other sense of rotation, drains the rim and is not "
+        "computed."
+    )
+    supply_pressure: Annotated[float, si("Pa", "1 Pa", "500 MPa")] = Field(
+        description="Pressure in the recess p2; absolute, or as `pressures` says."
+    )
+    ambient_pressure: Annotated[float, si("Pa", "100 Pa", "100 MPa")] = Field(
+        101325.0, description="Pressure at the outer end of the heel p_a, always absolute."
+    )
+    pressures: Literal["absolute", "gauge"] = Field(
+        "absolute", description="What `supply_pressure` is; a gauge pressure is counted from ambient."
+    )
+    load_reference: Literal["absolute", "gauge"] = Field(
+        "absolute",
+        description="Whether the load counts absolute pressures, as the study does, or those above ambient.",
+    )
+    eccentricity_ratio: Annotated[float, si("1", "0", "0.99")] = Field(
+        0.0, description="Eccentricity of the heel in its cup over the clearance, at half length."
+    )
+    tilt: Annotated[float, si("rad", "-2 deg", "2 deg")] = Field(
+        0.0, description="Slope of the heel in the plane of the eccentricity; positive: the rim lies farther out."
+    )
+    options: HeelOptionsPart = Field(HeelOptionsPart(), description="Choices of the study's equations.")
+    figures: FigureRanges = Field(FigureRanges(), description="Ranges of the curves.")
+    assumptions: tuple[Prose, ...] = Field(
+        (), max_length=100, description="Assumptions to be shown in the report."
+    )
+    notes: Prose = Field("", description="Notes to be shown in the report.")
+    source: Prose = Field("", description="Where the numbers come from.")
+
+    @property
+    def absolute_supply(self) -> float:
+        """p2, Pa absolute."""
+        return self.supply_pressure + (self.ambient_pressure if self.pressures == "gauge" else 0.0)
+
+    @rule
+    def _supply_above_ambient(self) -> Iterator[Complaint]:
+        if self.pressures == "absolute" and not self.supply_pressure > self.ambient_pressure:
+            says = (
+                f"the supply, {written(self.supply_pressure, 'MPa')} absolute, is not above ambient, "
+                f"{written(self.ambient_pressure, 'MPa')}"
+            )
+            yield Complaint(("supply_pressure",), says, "more than ambient_pressure", "write pressures: gauge")
+
+    @rule
+    def _grooved_heels_have_grooves(self) -> Iterator[Complaint]:
+        if self.variants != "smooth" and self.groove is None:
+            yield Complaint(
+                ("groove",), f"variants: {self.variants} needs a groove", "groove, or variants: smooth"
+            )
+
+    @rule
+    def _grooves_close(self) -> Iterator[Complaint]:
+        groove = self.groove
+        if groove is None or groove.accept_misfit:
+            return
+        misfit = self._groove().misfit(self.heel.radius)
+        if abs(misfit) > PITCH_TOLERANCE:
+            says = (
+                f"grooves and lands take {1.0 + misfit:.4g} of the way around the heel, starts (groove_width + "
+                f"land_width)/(2 pi radius sin angle), a misfit of {100.0 * misfit:+.2g} %"
+            )
+            hint = "both widths are normal to the groove; accept_misfit: true takes the numbers as they are"
+            yield Complaint(("groove",), says, f"at most {100.0 * PITCH_TOLERANCE:.0f} %", hint)
+
+    @rule
+    def _heel_fits_the_cup(self) -> Iterator[Complaint]:
+        reach = abs(self.eccentricity_ratio) + 0.5 * abs(self.tilt) * self.heel.length / self.clearance
+        if reach >= 1.0:
+            says = f"eccentricity and tilt bring the heel to {reach:.3g} of the clearance at one end"
+            yield Complaint(("tilt",) if self.tilt else ("eccentricity_ratio",), says, "less than 1 at both ends")
+
+    @rule
+    def _wall_is_used(self) -> Iterator[Complaint]:
+        if self.wall is not None and self.method == "superposition":
+            yield Complaint(
+                ("wall",), "superposition knows no heat to the metal", "method: narrow_groove with a wall"
+            )
+
+    @rule
+    def _options_are_used(self) -> Iterator[Complaint]:
+        if self.method == "narrow_groove":
+            for name in sorted(self.options.model_fields_set):
+                yield Complaint(
+                    ("options", name),
+                    "belongs to the study's equations; narrow_groove does not know it",
+                    "nothing with method: narrow_groove",
+                    "leave it out, or method: superposition",
+                )
+
+    def _groove(self) -> ScrewGroove:
+        part = self.groove
+        assert part is not None, "asked for a groove that is not given"
+        return ScrewGroove(part.angle, part.depth, part.groove_width, part.land_width, part.starts)
+
+    def footstep(self, grooved: bool) -> Footstep:
+        """Give the footstep of one variant."""
+        heel, oil, chosen = self.heel, self.oil, self.options
+        return Footstep(
+            geometry=HeelGeometry(
+                heel.length, heel.radius, heel.recess_radius, heel.bore_radius, heel.recess_depth
+            ),
+            oil=HeelOil(
+                oil.viscosity, oil.temperature, oil.viscosity_exponent, oil.volumetric_heat_capacity, oil.density
+            ),
+            angular_speed=self.speed,
+            supply_pressure=self.absolute_supply,
+            ambient_pressure=self.ambient_pressure,
+            face_gap=self.face_gap,
+            clearance=self.clearance,
+            groove=self._groove() if grooved else None,
+            options=HeelOptions(
+                friction_viscosity=FrictionViscosity[chosen.friction_viscosity.upper()],
+                face_outlet=FaceOutlet[chosen.face_outlet.upper()],
+                backflow_viscosity=BackflowViscosity[chosen.backflow_viscosity.upper()],
+                load_reference=LoadReference[self.load_reference.upper()],
+                entry_loss=chosen.local_loss_coefficient,
+                speed_reduction=chosen.speed_reduction,
+                any_pitch=self.groove is not None and self.groove.accept_misfit,
+            ),
+            wall=Wall(self.wall.temperature, self.wall.conductance) if self.wall is not None else None,
+            eccentricity_ratio=self.eccentricity_ratio,
+            tilt=self.tilt,
+        )
+
+    def designs(self) -> tuple[HeelCase, ...]:
+        """Give the smooth heel, the grooved one, or both."""
+        return heel_cases(self)
+
+
+def heel_cases(case: ScrewHeelCase) -> tuple[HeelCase, ...]:
+    """Design cases of a footstep: the smooth heel, the grooved one, or both."""
+    wanted = {"both": (False, True), "smooth": (False,), "grooved": (True,)}[case.variants]
+    made = {grooved: case.footstep(grooved) for grooved in wanted}
+    ranges = case.figures
+    return tuple(
+        HeelCase(
+            case.name,
+            footstep,
+            Method(case.method),
+            made.get(not grooved),
+            (ranges.face_gap_from, ranges.face_gap_to),
+            (ranges.clearance_from, ranges.clearance_to),
+            ranges.map_points,
+            tuple(_given(case)),
+            (*about_grouped_digits(case), *_fields_not_read(case)),
+            assumptions=case.assumptions,
+        )
+        for grooved, footstep in made.items()
+    )
+
+
+def _fields_not_read(case: ScrewHeelCase) -> Iterator[Notice]:
+    """Tell of fields that make no difference to a smooth heel where it alone is computed."""
+    if case.variants == "smooth":
+        yield from not_read(
+            case, "a smooth heel has no groove", "groove", *(f"options.{one}" for one in OF_GROOVES)
+        )
+
+
+def _given(case: ScrewHeelCase) -> Iterator[tuple[str, str]]:
+    """How the case put what it may put in several ways."""
+    yield "Supply pressure", f"{1e-6 * case.supply_pressure:.6g} MPa, {case.pressures}"
+    if case.groove is not None:
+        misfit = case._groove().misfit(case.heel.radius)
+        share = 1.0 / (math.sin(case.groove.angle) * 2.0 * math.pi * case.heel.radius)
+        width = case.groove.starts * (case.groove.groove_width + case.groove.land_width)
+        yield (
+            "Grooves and lands around the heel",
+            f"{width * share:.4f} of the circumference ({100 * misfit:+.2f} %)",
+        )

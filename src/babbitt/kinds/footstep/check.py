@@ -1,0 +1,346 @@
+"""From one heel to results: every steady state with values, doubts and stability; or why there is none."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from time import perf_counter
+
+from babbitt.core.notices import EXPLANATIONS, Notice
+from babbitt.core.result import Bound, Check, Outcome, Result
+from babbitt.core.result_name import ResultName
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.design.warnings import LARGEST_RISE
+from babbitt.kinds.footstep.axial import centrifugal_pressure
+from babbitt.kinds.footstep.clearances import critical_clearances, fold_clearance
+from babbitt.kinds.footstep.eccentric import leak_factor
+from babbitt.kinds.footstep.face import number
+from babbitt.kinds.footstep.heat_residual import leaving_flow, needed_flow, uncounted_heat, uncounted_share
+from babbitt.kinds.footstep.model import PITCH_TOLERANCE, Footstep, LoadReference
+from babbitt.kinds.footstep.model_case import HeelCase
+from babbitt.kinds.footstep.rotating_member import turning_force
+from babbitt.kinds.footstep.stability import RimDisturbance
+from babbitt.kinds.footstep.states import (
+    Method,
+    NoSteadyStateError,
+    StateName,
+    SteadyState,
+    draining_states,
+    steady_states,
+)
+from babbitt.kinds.footstep.superposition import GroovedHeel
+
+__all__ = ["heel_results", "state_title"]
+
+LAMINAR_UP_TO = 1500.0
+"""Reynolds number above which the laminar film is doubted."""
+HOTTEST = 150.0 + ZERO_CELSIUS
+"""K; mineral oil ages fast above it."""
+LAND_SHARE = 1.0 / 3.0
+"""Clearance over groove depth above which lands are no lands."""
+LOWEST_AMBIENT = 50e3
+"""Pa absolute; less looks like a gauge pressure."""
+MANY_GROOVES = 20
+"""From which narrow-groove theory meets the film in two dimensions within 1 % (validation: film_groove_pitch)."""
+LUKEWARM = 5.0
+"""K; friction that would warm the oil by less may be left out of it."""
+OPEN_BALANCE = 1e-6
+"""Relative error of the mass balance at the rim from which a warning is given."""
+
+TITLES = {
+    StateName.SMOOTH: "smooth heel",
+    StateName.HOT: "hot state",
+    StateName.COLD: "cold state",
+    StateName.MIDDLE: "middle state",
+    StateName.ONLY: "grooved heel",
+    StateName.FOLD: "fold state",
+    StateName.DRAINING: "draining groove",
+}
+
+
+def state_title(name: StateName) -> str:
+    """How a state is called in the names of results."""
+    return TITLES[name]
+
+
+def heel_results(case: HeelCase) -> tuple[Result, ...]:
+    """Solve one heel.
+
+    Parameters
+    ----------
+    case : HeelCase
+
+    Returns
+    -------
+    tuple of Result
+        One for each steady state, the hottest first; one with the outcome NO_STEADY_STATE where there is none.
+    """
+    begun = perf_counter()
+    try:
+        states = steady_states(case.footstep, case.method)
+    except NoSteadyStateError as error:
+        return (_unsolved(case, error, begun),)
+    smooth = states[0] if not case.is_grooved else steady_states(case.smooth, case.method)[0]
+    shared = _shared_values(case)
+    titles = _titles(states)
+    return tuple(
+        _result(case, state, smooth, shared, title, begun) for state, title in zip(states, titles, strict=True)
+    )
+
+
+def _titles(states: tuple[SteadyState, ...]) -> list[str]:
+    """Names of states; those that occur twice are numbered."""
+    titles = [TITLES[state.name] for state in states]
+    return [
+        f"{titles[: i + 1].count(title)}. {title}" if titles.count(title) > 1 else title
+        for i, title in enumerate(titles)
+    ]
+
+
+def _unsolved(case: HeelCase, error: NoSteadyStateError, begun: float) -> Result:
+    far = f"{error}."
+    values = {
+        "face_gap": case.footstep.face_gap,
+        "heel_clearance": case.footstep.clearance,
+        "heel_groove_flow": error.groove_flow,
+        "rim_pressure": error.rim_pressure,
+        "rim_excess_flow": -error.largest_residual,
+    }
+    fold = fold_clearance(case.footstep)
+    if fold is not None:
+        values["fold_clearance"] = fold
+        far += f" At this face gap such states exist from a clearance of {1e6 * fold:.3f} µm."
+    for state in draining_states(case.footstep):
+        far += f" {_drained(state)}"
+    remedy = EXPLANATIONS["S020"].remedy
+    message = f"{far} Try: {remedy[0].lower()}{remedy[1:]}"
+    return Result(
+        ResultName(case.name, state="grooved heel"), case.kind, case.method.value, Outcome.NO_STEADY_STATE,
+        values | {"wall_time": perf_counter() - begun},
+        warnings=tuple(_doubts_about_inputs(case)), assumptions=_assumptions(case), message=message,
+        settings=_settings(case),
+    )  # fmt: skip
+
+
+def _drained(state: SteadyState) -> str:
+    """A state whose groove drains the rim, in a sentence."""
+    return (
+        f"With a groove that drains the rim instead there is a {'stable' if state.stable else 'not stable'} "
+        f"state: "
+        f"{1e-6 * state.rim_pressure:.4g} MPa at the rim, {-1e9 * state.groove_flow:.4g} mm³/s leave through the "
+        f"groove, warmed to {state.groove_temperature - ZERO_CELSIUS:.1f} °C, load {state.load:.5g} N."
+    )
+
+
+def _result(
+    case: HeelCase, state: SteadyState, smooth: SteadyState, shared: dict[str, float], title: str, begun: float
+) -> Result:
+    values = {name: value for name, value in _values(case, state).items() if not math.isnan(value)}
+    if case.is_grooved:
+        values["load_ratio_to_smooth"] = state.load / smooth.load
+        values["friction_ratio_to_smooth"] = smooth.friction_power / state.friction_power
+    values |= shared | {"wall_time": perf_counter() - begun}
+    checks = (
+        Check(
+            "C130", "thermal_loop_gain", state.loop_gain, 1.0, Bound.AT_MOST,
+            "less of a disturbance of temperature must come back than there was", advisory=True,
+        ),
+        _heat_check(case, state),
+    )  # fmt: skip
+    return Result(
+        ResultName(case.name, state=title), case.kind, case.method.value, Outcome.CONVERGED, values, checks,
+        (*_doubts_about_inputs(case), *_doubts(case, state, values)), (), _assumptions(case), "",
+        _settings(case) | {"state": state.name.value, "stable": "yes" if state.stable else "no"},
+    )  # fmt: skip
+
+
+def _heat_check(case: HeelCase, state: SteadyState) -> Check:
+    """Advice: the oil that leaves must be able to take the heat left out of it, else such a state cannot last."""
+    name = "heel_leakage" if case.method is Method.SUPERPOSITION else "heel_net_flow"
+    needed = needed_flow(case.footstep, state, case.method, LARGEST_RISE)
+    return Check("C131", name, leaving_flow(state, case.method), needed, Bound.AT_LEAST,
+                 f"friction heat at a rise of {LARGEST_RISE:.0f} K", advisory=True)  # fmt: skip
+
+
+def _values(case: HeelCase, state: SteadyState) -> dict[str, float]:
+    step, nan = case.footstep, math.nan
+    both = case.method is Method.SUPERPOSITION
+    grooved = both and case.is_grooved
+    return {
+        "face_gap": step.face_gap,
+        "heel_clearance": step.clearance,
+        "load": state.load,
+        "rim_pressure": state.rim_pressure,
+        "face_flow": state.face_flow,
+        "heel_groove_flow": state.groove_flow if grooved else nan,
+        "heel_leakage": state.leakage if both or not case.is_grooved else nan,
+        "heel_net_flow": state.leakage - state.groove_flow if grooved else state.leakage,
+        "groove_outlet_temperature": state.groove_temperature,
+        "face_outlet_temperature": state.face_temperature if both else nan,
+        "face_film_temperature": nan if both else state.face_temperature,
+        "rim_temperature": state.rim_temperature if both else nan,
+        "clearance_film_temperature": nan if both else state.rim_temperature,
+        "maximum_temperature": state.maximum_temperature,
+        "friction_power": state.friction_power,
+        "face_gap_stiffness": state.axial_stiffness,
+        "face_gap_damping": state.axial_damping,
+        "load_over_clearance": state.load_over_clearance,
+        "thermal_loop_gain": state.loop_gain,
+        "mass_balance_error": state.residual,
+        "energy_balance_error": uncounted_share(step, state, case.method),
+        "clearance_reynolds_number": step.oil.density
+        * step.angular_speed
+        * step.geometry.radius
+        * step.clearance
+        / step.oil.at(state.rim_temperature),
+        **_eccentric_values(step, state),
+    }
+
+
+def _eccentric_values(step: Footstep, state: SteadyState) -> dict[str, float]:
+    if step.end_eccentricities == (0.0, 0.0):
+        return {}
+    values = {"leak_factor": leak_factor(*step.end_eccentricities), "leakage_side_force": state.side_force}
+    if step.groove is None:
+        along, across = turning_force(step, state.rim_pressure, step.oil.at(state.rim_temperature))
+        values |= {"heel_force_along": along, "heel_force_across": across}
+    return values
+
+
+def _shared_values(case: HeelCase) -> dict[str, float]:
+    """What all states of a heel have in common."""
+    step, oil, part = case.footstep, case.footstep.oil, case.footstep.geometry
+    stirring = step.angular_speed * part.recess_radius * part.recess_depth
+    values = {
+        "recess_reynolds_number": oil.density * stirring / oil.viscosity,
+        "centrifugal_pressure": centrifugal_pressure(step),
+    }  # fmt: skip
+    if step.groove is None:
+        return values
+    speed = step.groove_speed * part.radius * math.cos(step.groove.angle)
+    values["groove_reynolds_number"] = oil.density * speed * step.groove.depth / oil.viscosity
+    if case.method is Method.SUPERPOSITION:
+        critical = critical_clearances(step)
+        if critical:
+            values["critical_clearance"] = critical[0].clearance
+            values["critical_temperature"] = critical[0].temperature
+        fold = fold_clearance(step)
+        if fold is not None:
+            values["fold_clearance"] = fold
+    return values
+
+
+def _doubts_about_inputs(case: HeelCase) -> Iterator[Notice]:
+    step = case.footstep
+    yield from case.doubts
+    if step.ambient_pressure < LOWEST_AMBIENT:
+        yield Notice("W163", f"ambient pressure {1e-3 * step.ambient_pressure:.4g} kPa absolute < 50 kPa")
+    groove = step.groove
+    if groove is None:
+        return
+    if step.clearance >= LAND_SHARE * groove.depth:
+        yield Notice(
+            "W162",
+            f"clearance {1e6 * step.clearance:.4g} µm ≥ a third of the groove depth, {1e6 * groove.depth:.4g} µm",
+        )
+    misfit = groove.misfit(step.geometry.radius)
+    if abs(misfit) > PITCH_TOLERANCE:
+        yield Notice("W165", f"starts (groove + land) = {1.0 + misfit:.4g} of 2π r₁ sin φ")
+    if case.method is Method.SUPERPOSITION:
+        yield Notice(
+            "W168",
+            "groove and clearance as two separate flows, no heat to the metal, no shear of the lands in the heat",
+        )
+    elif groove.starts < MANY_GROOVES:
+        yield Notice("W169", f"{groove.starts} starts < {MANY_GROOVES}")
+
+
+def _doubts(case: HeelCase, state: SteadyState, values: dict[str, float]) -> Iterator[Notice]:
+    if not state.stable:
+        yield Notice("W160", _departure(case, state))
+    if state.name is StateName.DRAINING:
+        yield Notice("W178", _drained(state))
+    if state.residual > OPEN_BALANCE:
+        yield Notice("W177", f"{state.residual:.2g} of the leakage is not accounted for at the rim")
+    hotter = state.maximum_temperature - case.footstep.oil.temperature
+    if hotter > LARGEST_RISE:
+        yield Notice("W176", f"oil warmed by {hotter:.0f} K > {LARGEST_RISE:.0f} K")
+    if state.maximum_temperature > HOTTEST:
+        yield Notice("W161", f"oil of {state.maximum_temperature - ZERO_CELSIUS:.0f} °C > 150 °C")
+    for name, what in (
+        ("groove_reynolds_number", "groove"), ("recess_reynolds_number", "recess"),
+        ("clearance_reynolds_number", "clearance"),
+    ):  # fmt: skip
+        if values.get(name, 0.0) > LAMINAR_UP_TO:
+            yield Notice("W164", f"Reynolds number of the {what} {values[name]:.0f} > {LAMINAR_UP_TO:.0f}")
+    if state.face_flow < 0.0:
+        yield Notice(
+            "W166", f"Q₂ = {1e9 * state.face_flow:.4g} mm³/s: p₁ = {1e-6 * state.rim_pressure:.4g} MPa > "
+            f"p₂ = {1e-6 * case.footstep.supply_pressure:.4g} MPa",
+        )  # fmt: skip
+    if state.axial_stiffness < 0.0:
+        yield Notice("W167", f"dF/dh = {-1e-6 * state.axial_stiffness:+.3g} N/µm")
+    heat, rise = uncounted_heat(case.footstep, state, case.method)
+    if rise > LUKEWARM:
+        oil = f"the oil alone would be warmed by {rise:.0f} K"
+        yield Notice("W171", f"{heat:.3g} W of friction and lost pressure warm neither oil nor metal; {oil}")
+        if rise > LARGEST_RISE and hotter <= LARGEST_RISE:
+            yield Notice(
+                "W176", f"the oil that leaves would be warmed by {rise:.0f} K > {LARGEST_RISE:.0f} K by heat that "
+                "the method leaves out",
+            )  # fmt: skip
+    if case.is_grooved and "leak_factor" in values:
+        yield Notice(
+            "W170",
+            f"eccentricity at rim and outer end {', '.join(f'{e:.3g}' for e in case.footstep.end_eccentricities)}",
+        )
+
+
+def _departure(case: HeelCase, state: SteadyState) -> str:
+    """How a state that is not stable is left, and where to."""
+    if state.loop_gain < 1.0:
+        return "a disturbance of temperature grows from swing to swing"
+    how = f"thermal loop gain {state.loop_gain:.3g} > 1"
+    if case.method is not Method.SUPERPOSITION or not case.is_grooved or state.groove_flow <= 0.0:
+        return how
+    model = GroovedHeel(case.footstep)
+    rate = RimDisturbance(model, model.balance(number(state.groove_flow))).growth_rate()
+    if rate > 0.0:
+        how += f"; a disturbance grows e-fold in {1.0 / rate:.3g} s"
+    drained = " ".join(map(_drained, draining_states(case.footstep)))
+    return f"{how}: cooler, it goes to the cold state; warmer, the flow of the groove reverses. {drained}"
+
+
+def _assumptions(case: HeelCase) -> tuple[str, ...]:
+    step = case.footstep
+    said = [
+        *case.assumptions,
+        "Laminar film, no cavitation, clearance the same at every temperature and pressure.",
+    ]
+    if case.method is Method.SUPERPOSITION:
+        said.append("Adiabatic groove and face gap; the clearance holds oil of one temperature.")
+        if case.is_grooved and step.options.speed_reduction == 0.0:
+            said.append("The speed-reduction factor β of the study, which it never defines, is zero.")
+    elif step.wall is None:
+        said.append("The films are as warm as the oil that comes in.")
+    else:
+        said.append("Metal of one temperature, whose conductance both films share in equal halves.")
+    if step.options.load_reference is LoadReference.ABSOLUTE:
+        said.append("The load counts absolute pressures between bore and rim; the bore itself is not in it.")
+    return tuple(said)
+
+
+def _settings(case: HeelCase) -> dict[str, str]:
+    options = case.footstep.options
+    settings = {
+        "variant": "grooved" if case.is_grooved else "smooth",
+        "load_reference": options.load_reference.name.lower(),
+    }
+    if case.method is Method.SUPERPOSITION:
+        settings |= {
+            "friction_viscosity": options.friction_viscosity.name.lower(),
+            "face_outlet": options.face_outlet.name.lower(),
+            "backflow_viscosity": options.backflow_viscosity.name.lower(),
+            "entry_loss": f"{options.entry_loss:g}",
+        }
+    return settings

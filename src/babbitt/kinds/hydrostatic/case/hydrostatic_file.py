@@ -1,0 +1,164 @@
+"""What the files of all hydrostatic pads, rings and journal bearings have."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Iterator
+from typing import ClassVar, Literal
+
+from pydantic import Field
+
+from babbitt.case.case_file import CaseFile
+from babbitt.case.grouped_digits import about_grouped_digits
+from babbitt.case.part import Complaint, exactly_one, is_given, not_read, refused, rule
+from babbitt.case.parts.fields import Name, Prose
+from babbitt.core.notices import Notice
+from babbitt.kinds.hydrostatic.case.recess_parts import Frequency, Gap, HydrostaticOil, Load, RecessOil
+from babbitt.kinds.hydrostatic.case.restrictors import (
+    ConstantFlowGiven,
+    HydrostaticSupply,
+    MeteredFlowGiven,
+    RestrictorGiven,
+)
+from babbitt.kinds.hydrostatic.geometry import AnnularPad, CircularPad
+from babbitt.kinds.hydrostatic.impedance import Compressibility
+from babbitt.kinds.hydrostatic.model import Duty, HydrostaticCase, Recesses, Shape
+
+
+class HydrostaticFile(CaseFile):
+    """What all hydrostatic bearings have."""
+
+    shaped_by: ClassVar[tuple[str, ...]] = ("recesses",)
+    """Field to blame where the shape cannot be."""
+
+    kind: str = Field(description="What the file describes.")
+    name: Name = Field(description="Name of the bearing.")
+    method: Literal["film", "quick"] = Field(
+        "film", description="The film in two dimensions with the recess network, or closed forms and lumped lands."
+    )
+    accuracy: Literal["draft", "engineering", "reference"] = Field(
+        "engineering",
+        description="Grid of the film. A full film of reference accuracy is solved on half the lines as well and "
+        "extrapolated.",
+    )
+    restrictor: RestrictorGiven | None = Field(None, description="The restrictor before every recess.")
+    restrictors: tuple[RestrictorGiven, ...] = Field(
+        (), max_length=60, description="One for every recess in their order, where they are not alike."
+    )
+    supply: HydrostaticSupply = Field(description="Oil before the restrictors.")
+    oil: HydrostaticOil = Field(description="The oil.")
+    recess_oil: RecessOil = Field(description="Depth of the recesses and the oil in them.")
+    load: Load | None = Field(None, description="Load. Without it a position is given.")
+    frequencies: tuple[Frequency, ...] = Field(
+        (), max_length=200, description="Frequencies at which stiffness and damping are wanted."
+    )
+    least_gap: Gap | None = Field(None, description="Least permissible gap.")
+    assumptions: tuple[Prose, ...] = Field(
+        (), max_length=100, description="Assumptions to be shown in the report."
+    )
+    notes: Prose = Field("", description="Notes to be shown in the report.")
+    source: Prose = Field("", description="Where the numbers come from.")
+
+    @abstractmethod
+    def shape(self) -> Shape:
+        """Give the shape of the calculation."""
+
+    @abstractmethod
+    def duty(self) -> Duty:
+        """Give the duty of the calculation."""
+
+    @property
+    def recess_count(self) -> int:
+        """Number of recesses."""
+        return 1
+
+    def misfits(self) -> Iterator[Complaint]:
+        """Complain of lengths and angles that do not fit each other."""
+        yield from ()
+
+    @rule
+    def _shape_can_be_made(self) -> Iterator[Complaint]:
+        told = list(self.misfits())
+        yield from told or refused(self.shaped_by, self.shape)
+
+    @rule
+    def _oil_reaches(self) -> Iterator[Complaint]:
+        yield from refused(("oil",), self.oil.oils)
+
+    @rule
+    def _restrictors_fit(self) -> Iterator[Complaint]:
+        yield from exactly_one(self, "restrictor", "restrictors")
+        given, count = self.restrictors, self.recess_count
+        if is_given(self, "restrictors") and len(given) != count:
+            says = f"{len(given)} restrictor{'s' * (len(given) != 1)} for {count} recess{'es' * (count > 1)}"
+            yield Complaint(("restrictors",), says, "one for every recess", "restrictor is for all alike")
+        pumped = [isinstance(one, ConstantFlowGiven | MeteredFlowGiven) for one in given]
+        if any(pumped) and not all(pumped):
+            kind = given[pumped.index(True)].kind
+            says = f"{kind} has a flow of its own for its recess, and other recesses hang on the supply"
+            allowed = f"{kind} for all recesses, or other restrictors for all"
+            yield Complaint(("restrictors", pumped.index(True)), says, allowed)
+
+    @rule
+    def _one_pump_too_many(self) -> Iterator[Complaint]:
+        own = self.restrictors[0] if self.restrictors else self.restrictor
+        if not is_given(self.supply, "pump_flow"):
+            return
+        if isinstance(own, ConstantFlowGiven):
+            says = "constant_flow has a pump for every recess, and the supply names one pump for all"
+            hint = "the pressure that the pumps of the recesses can reach; restrictor.flow is what each delivers"
+            yield Complaint(("supply", "pump_flow"), says, "pressure", hint)
+        if isinstance(own, MeteredFlowGiven):
+            says = "metered_flow needs a supply that stands at its pressure, and this one delivers a flow"
+            yield Complaint(("supply", "pump_flow"), says, "pressure", "that of the pump's relief valve")
+
+    def _fields_not_read(self) -> Iterator[Notice]:
+        """Tell of fields that make no difference to this bearing."""
+        if self.method == "quick":
+            yield from not_read(self, "closed forms and lumped lands have no grid", "accuracy")
+        if self.oil.lubricant is not None:
+            yield from not_read(self, "a lubricant has its own", "oil.density", "oil.heat_capacity")
+        else:
+            why = "viscosity is given as it is in film and restrictors"
+            yield from not_read(self, why, "oil.supply_temperature", "oil.film_temperature")
+
+    def designs(self) -> tuple[HydrostaticCase, ...]:
+        """Give the case of the calculation."""
+        return (self.design(),)
+
+    def design(self) -> HydrostaticCase:
+        """Give the case of the calculation."""
+        film, supplied = self.oil.oils()
+        shape = self.shape()
+        own = self.recess_oil
+        turning = isinstance(shape, CircularPad | AnnularPad)
+        factor = own.friction_factor or (1.0 if turning else 4.0)
+        given = self.restrictors or (self.restrictor,) * self.recess_count
+        restrictors = [one.restrictor(supplied.viscosity, supplied.density) for one in given if one is not None]
+        assumptions = list(self.assumptions)
+        if self.recess_oil.friction_factor is None:
+            assumptions.append(f"Friction factor {factor:g} in the recesses, by their shape.")
+        if not is_given(own, "bulk_modulus"):
+            assumptions.append("Bulk modulus of the oil 1.4 GPa, without air.")
+        if self.oil.lubricant is None and not {"density", "heat_capacity"} <= self.oil.model_fields_set:
+            assumptions.append("Density 870 kg/m³ and specific heat 2000 J/(kg K) where not given.")
+        return HydrostaticCase(
+            name=self.name,
+            kind=self.kind,
+            method=self.method,
+            shape=shape,
+            feeding=self.supply.feeding(restrictors),
+            oil=film,
+            duty=self.duty(),
+            recesses=Recesses(own.depth, factor),
+            compressibility=Compressibility(
+                shape.recess_area * own.depth + own.line_volume, own.bulk_modulus, self.supply.manifold_volume
+            ),
+            frequencies=self.frequencies,
+            pump_efficiency=self.supply.pump_efficiency,
+            least_gap=self.least_gap,
+            highest_supply_pressure=self.supply.highest_pressure,
+            accuracy=self.accuracy,
+            assumptions=tuple(assumptions),
+            doubts=(*about_grouped_digits(self), *self._fields_not_read(), *self.oil.doubts()),
+        )

@@ -1,0 +1,105 @@
+"""Jacking pockets of a plain journal bearing."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from babbitt.case.case_file import CaseFile
+from babbitt.case.grouped_digits import about_grouped_digits
+from babbitt.case.part import Complaint, is_given, not_read, refused, rule
+from babbitt.case.parts.fields import Name, Prose
+from babbitt.case.parts.own_lubricant import DynamicViscosity
+from babbitt.core.notices import Notice
+from babbitt.core.units import si, written
+from babbitt.kinds.hydrostatic.case.recess_parts import Gap, Length, Load, RecessRow
+from babbitt.kinds.hydrostatic.case.recess_rules import clearance_is_small, in_order, lands_between
+from babbitt.kinds.hydrostatic.case.restrictors import FlowRate, SupplyPressure
+from babbitt.kinds.hydrostatic.geometry import RecessedJournal
+from babbitt.kinds.hydrostatic.jacking_model import JackingCase
+
+
+class JackingPocketCase(CaseFile):
+    """Pockets that lift a shaft before it turns."""
+
+    kind: Literal["jacking_pocket"] = Field(description="Jacking pockets of a plain journal bearing at rest.")
+    name: Name = Field(description="Name of the bearing.")
+    method: Literal["film", "quick"] = Field("film", description="The film in two dimensions, or strips.")
+    accuracy: Literal["draft", "engineering", "reference"] = Field("engineering", description="Grid of the film.")
+    diameter: Length = Field(description="Bore.")
+    width: Length = Field(description="Width of the bearing.")
+    radial_clearance: Gap = Field(description="Radial clearance.")
+    pockets: RecessRow = Field(description="The pockets; the load acts at -90 deg.")
+    pocket_length: Length = Field(description="Axial length of the pockets.")
+    viscosity: DynamicViscosity = Field(description="Viscosity of the cold oil.")
+    load: Load = Field(description="Weight of the shaft on this bearing.")
+    lift_gap: Gap | None = Field(None, description="Wanted smallest gap.")
+    pump_flow: FlowRate | None = Field(None, description="Flow of the jacking pump, all pockets together.")
+    relief_pressure: SupplyPressure | None = Field(None, description="Relief valve of the jacking pump.")
+    pump_efficiency: Annotated[float, si("1", "0.05", "1")] = Field(0.8, description="Efficiency of the pump.")
+    roughness: Annotated[float, si("m", "0.05 um", "50 um")] = Field(
+        1e-6, description="Composite roughness height, on which the shaft lies. 1 um is an assumption."
+    )
+    own_restrictors: bool = Field(
+        True, description="Whether every pocket has a restrictor or its stage of a flow divider."
+    )
+    assumptions: tuple[Prose, ...] = Field(
+        (), max_length=100, description="Assumptions to be shown in the report."
+    )
+    notes: Prose = Field("", description="Notes to be shown in the report.")
+    source: Prose = Field("", description="Where the numbers come from.")
+
+    @rule
+    def _can_be_made(self) -> Iterator[Complaint]:
+        told = [*self._misfits(), *self._useless_pockets()]
+        yield from told or refused(("pockets",), self.design)
+
+    def _misfits(self) -> Iterator[Complaint]:
+        if not (is_given(self, "lift_gap") or is_given(self, "pump_flow")):
+            yield Complaint((), "nothing says how far to lift", "lift_gap, or pump_flow", code="E003")
+        yield from clearance_is_small(self.radial_clearance, self.diameter)
+        yield from in_order(self, "pocket_length", "width")
+        for name in ("lift_gap", "roughness"):
+            if getattr(self, name) is not None:
+                yield from in_order(self, name, "radial_clearance", unit="um")
+        if self.lift_gap is not None and not self.lift_gap > self.roughness:
+            says = f"{written(self.lift_gap, 'um')} do not lift the shaft off its roughness"
+            allowed = f"more than roughness, {written(self.roughness, 'um')}"
+            yield Complaint(("lift_gap",), says, allowed, "roughness is the height on which the shaft lies")
+        yield from lands_between("pockets", self.pockets)
+
+    def _useless_pockets(self) -> Iterator[Complaint]:
+        if not any(math.sin(angle) < 0.0 for angle in self.pockets.middles):
+            field = "angles" if self.pockets.angles else "first"
+            yield Complaint(("pockets", field), "no pocket lies in the lower half, where the shaft lies",
+                            "angles below the horizontal, such as -90 deg")  # fmt: skip
+
+    def _fields_not_read(self) -> Iterator[Notice]:
+        """Tell of fields that make no difference to these pockets."""
+        if self.method == "quick":
+            yield from not_read(self, "strips around a pocket have no grid and end at no groove",
+                                "accuracy", "pockets.drain_groove")  # fmt: skip
+        if self.pockets.number == 1:
+            yield from not_read(self, "a single pocket gets the flow of the pump either way", "own_restrictors")
+
+    def designs(self) -> tuple[JackingCase, ...]:
+        """Give the case of the calculation."""
+        return (self.design(),)
+
+    def design(self) -> JackingCase:
+        """Give the case of the calculation."""
+        row = self.pockets
+        bearing = RecessedJournal(
+            self.diameter, self.width, self.radial_clearance, row.middles, row.extent, self.pocket_length,
+            row.drain_groove,
+        )  # fmt: skip
+        assumed = () if "roughness" in self.model_fields_set else ("Composite roughness height 1 µm.",)
+        return JackingCase(
+            self.name, self.method, bearing, self.viscosity, self.load, self.lift_gap, self.pump_flow,
+            self.relief_pressure, self.roughness, self.pump_efficiency, self.accuracy, self.own_restrictors,
+            assumptions=(*self.assumptions, *assumed),
+            doubts=(*about_grouped_digits(self), *self._fields_not_read()),
+        )  # fmt: skip

@@ -1,0 +1,64 @@
+"""What must fit in bearings with recesses, told by the names and units of the file."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+from typing import Protocol
+
+from babbitt.case.part import Complaint, Part
+from babbitt.core.units import written
+from babbitt.kinds.hydrostatic.geometry import pitches_around
+
+__all__ = ["clearance_is_small", "in_order", "lands_between"]
+
+ROUND_OFF = 1e-9
+
+
+class Row(Protocol):
+    """Recesses around an axis, rad."""
+
+    @property
+    def middles(self) -> tuple[float, ...]:
+        """Middles of the recesses."""
+
+    @property
+    def extent(self) -> float:
+        """Angle that each takes."""
+
+    @property
+    def drain_groove(self) -> float:
+        """Angle of the drain grooves between them."""
+
+
+def in_order(part: Part, *names: str, unit: str = "mm") -> Iterator[Complaint]:
+    """Complain of the first of some lengths that is not greater than the one before it."""
+    for smaller, larger in pairwise(names):
+        own, limit = getattr(part, smaller), getattr(part, larger)
+        if not own < limit:
+            says = f"{smaller} is {written(own, unit)}, {larger} {written(limit, unit)}"
+            hint = f"the order is {', '.join(names)}" if len(names) > 2 else ""
+            yield Complaint((smaller,), says, f"{smaller} less than {larger}", hint)
+            return
+
+
+def clearance_is_small(clearance: float, diameter: float) -> Iterator[Complaint]:
+    """Complain of a clearance that the bore cannot have, m."""
+    if not 2.0 * clearance < diameter:
+        says = f"radial_clearance is {written(clearance, 'mm')} in a bore of {written(diameter, 'mm')}"
+        yield Complaint(("radial_clearance",), says, "about a thousandth of the bore")
+
+
+def lands_between(field: str, row: Row) -> Iterator[Complaint]:
+    """Complain of recesses that overlap each other or a drain groove."""
+    pitch = min(pitches_around(tuple(row.middles)))
+    if row.extent < pitch - row.drain_groove - ROUND_OFF:
+        return
+    drains = f" and drain grooves {written(row.drain_groove, 'deg')}" if row.drain_groove else ""
+    says = (
+        f"recesses of {written(row.extent, 'deg')} leave no land between them: they stand "
+        f"{written(pitch, 'deg')} apart{drains}"
+    )
+    most = written(max(pitch - row.drain_groove, 0.0), "deg")
+    hint = "a smaller extent, fewer recesses, or other angles" if len(row.middles) > 1 else "a smaller extent"
+    yield Complaint((field, "extent"), says, f"less than {most}", hint)

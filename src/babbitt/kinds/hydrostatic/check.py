@@ -1,0 +1,266 @@
+"""From a case to its result: state, values, doubts, checks."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from babbitt.core.notices import InputError, Notice
+from babbitt.core.result import Bound, Check, Outcome, Result
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.design.heat_balance import CEILING
+from babbitt.kinds.hydrostatic.answer import Answer, answer, answer_at, coarser
+from babbitt.kinds.hydrostatic.capacity import capacity
+from babbitt.kinds.hydrostatic.extrapolation import half_of, richardson, richardson_of_matrices
+from babbitt.kinds.hydrostatic.geometry import RectangularPad, ThrustRing
+from babbitt.kinds.hydrostatic.heat_balance import heated, temperature_rise
+from babbitt.kinds.hydrostatic.model import HydrostaticCase
+from babbitt.kinds.hydrostatic.pumping import held_pressure, highest_pressure, is_pumped
+from babbitt.kinds.hydrostatic.state import Ending
+from babbitt.kinds.hydrostatic.validity import doubts
+from babbitt.kinds.hydrostatic.values import arrays, values
+from babbitt.kinds.hydrostatic.whirl import whirl_of
+from babbitt.reynolds.stability.whirl_checks import doubts_about_whirl, whirl_checks, whirl_values
+
+__all__ = ["hydrostatic_check"]
+
+OUTCOMES = {
+    Ending.SOLVED: Outcome.CONVERGED,
+    Ending.OVERLOADED: Outcome.OVERLOADED,
+    Ending.LIFTED_OFF: Outcome.LIFTED_OFF,
+    Ending.UNSTABLE_NETWORK: Outcome.UNSTABLE_NETWORK,
+    Ending.THERMAL_RUNAWAY: Outcome.THERMAL_RUNAWAY,
+    Ending.NOT_CONVERGED: Outcome.NOT_CONVERGED,
+}
+USER = "set in the case"
+THROTTLED, OPEN = 0.3, 0.8
+"""Recess over supply pressure of the centred journal outside which restrictors are to be changed: as of W302."""
+
+SENSIBLE = 100.0
+"""Gap over that from which the search begins, beyond which no film is left."""
+
+
+def hydrostatic_check(case: HydrostaticCase) -> Result:
+    """Solve one bearing.
+
+    Parameters
+    ----------
+    case : HydrostaticCase
+
+    Returns
+    -------
+    Result
+        Typed failures: no film can carry the load, unstable recess network, starved recess, no equilibrium.
+
+    Raises
+    ------
+    InputError
+        E101 where a prescribed position leaves no gap, or closed forms do not reach.
+    """
+    begun = time.perf_counter()
+    refuse_contact(case)
+    refuse_short_recess(case)
+    state = heated(case)
+    case, found = state.case, state.found
+    outcome, message = judged(case, found)
+    settings = {"method": case.method, "accuracy": case.accuracy if case.method == "film" else ""}
+    if outcome is not Outcome.CONVERGED:
+        last = {"supply_pressure": found.network.supply_pressure, "minimum_film_thickness": found.minimum_gap}
+        return Result(
+            case.name, case.kind, case.method, outcome, last, assumptions=case.assumptions, message=message,
+            settings=settings, warnings=case.doubts,
+        )  # fmt: skip
+    named, several = values(case, found), arrays(case, found)
+    half = half_of(case, found)
+    if half is not None:
+        named = richardson(named, values(case, half))
+        several = richardson_of_matrices(several, arrays(case, half))
+        settings["extrapolated"] = "yes"
+    if case.oil.supply_temperature is not None:
+        named |= {
+            "supply_temperature": case.oil.supply_temperature,
+            "outlet_temperature": case.oil.supply_temperature + named["temperature_rise"],
+        }
+    if state.temperature is not None:
+        named |= {"effective_temperature": state.temperature, "energy_balance_error": abs(state.heat_error)}
+    whirl = whirl_of(case, found)
+    if whirl is not None:
+        named |= whirl_values(case, whirl)
+    if case.least_gap is not None:
+        limit = capacity(case, found)
+        named |= {} if limit is None else {"load_capacity": limit}
+    if found.film is not None and found.film.network.converged:
+        named["grid_error"] = grid_error(case, found)
+    named |= {"iterations": float(found.steps), "wall_time": time.perf_counter() - begun}
+    return Result(
+        case.name,
+        case.kind,
+        case.method,
+        outcome,
+        named,
+        checks=(*checks(case, found, named), *whirl_checks(case, whirl)),
+        not_checked=tuple(not_checked(case, found, named)),
+        warnings=(*case.doubts, *doubts(case, found, named), *(doubts_about_whirl(whirl) if whirl else ())),
+        assumptions=case.assumptions,
+        settings=settings,
+        arrays=several,
+    )
+
+
+def grid_error(case: HydrostaticCase, found: Answer) -> float:
+    """A third of the change of the film's force on half the lines, relative, moments by the bearing's radius."""
+    change = coarser(case, found).response.force - found.response.force
+    arm = 1.0 if case.is_journal else np.append(1.0, np.full(change.size - 1, 1.0 / case.reach))
+    size = max(float(np.linalg.norm(found.response.force * arm)), 1e-300)
+    return float(np.linalg.norm(change * arm)) / size / 3.0
+
+
+def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
+    """How it ended, and for a failure how far it came."""
+    lowest = float(found.network.pressures.min())
+    if found.ending is Ending.SOLVED:
+        if lowest < case.cavitation_pressure:
+            recess = int(found.network.pressures.argmin()) + 1
+            return Outcome.STARVED_RECESS, (
+                f"recess {recess} would stand at {1e-6 * lowest:.3g} MPa, below cavitation; a larger "
+                "restrictor, more "
+                "supply pressure, less speed or less eccentricity keeps it full"
+            )
+        return Outcome.CONVERGED, ""
+    if found.ending is Ending.OVERLOADED:
+        return Outcome.OVERLOADED, overloaded(case, found)
+    if found.ending is Ending.LIFTED_OFF:
+        return Outcome.LIFTED_OFF, (
+            f"the load is {case.duty.load or 0.0:.4g} N; at a gap of {1e3 * found.rest_gap:.4g} mm, the widest "
+            "that is searched, the recesses still press with "
+            f"{float(found.response.force[0]):.4g} N. Raise the load, lower the supply pressure, or take smaller "
+            "restrictors"
+        )
+    if found.ending is Ending.UNSTABLE_NETWORK:
+        return Outcome.UNSTABLE_NETWORK, (
+            "the least eigenvalue of the recess network is "
+            f"{found.network.least_eigenvalue:.3g} of the largest; a valve opens "
+            "faster "
+            "with pressure than the lands let out: lower its gain"
+        )
+    if found.ending is Ending.THERMAL_RUNAWAY:
+        rise = temperature_rise(case, found)
+        return Outcome.THERMAL_RUNAWAY, (
+            f"with its oil at {CEILING - ZERO_CELSIUS:.0f} °C the film would warm it by {rise:.0f} K. Lower the "
+            "speed or the viscosity, or let more oil through: wider gap or restrictors, more supply pressure"
+        )
+    return Outcome.NOT_CONVERGED, _lost(case, found)
+
+
+def _lost(case: HydrostaticCase, found: Answer) -> str:
+    """Where a search ended that found no equilibrium; gaps beyond every film are no place."""
+    if not 0.0 < found.minimum_gap <= SENSIBLE * case.rest_gap:
+        where = "closed the gap" if found.minimum_gap <= 0.0 else "left every gap with a film"
+        return (
+            f"the search {where}: tilt and gap answer each other, and no balance of force and moment was met. "
+            "Try: less moment, a gap or clearance nearer to that of the load, or the other `method`"
+        )
+    return (
+        f"after {found.steps} steps the smallest gap was {1e6 * found.minimum_gap:.3g} µm and "
+        f"{100.0 * found.carried:.0f} % of the load were carried"
+    )
+
+
+def overloaded(case: HydrostaticCase, found: Answer) -> str:
+    """Whether the load or its moment is too much, and how far it came."""
+    load, share = case.duty.load or 0.0, found.carried
+    level = replace(case, duty=replace(case.duty, moments=(0.0, 0.0)))
+    if any(case.duty.moments) and answer(level).ending is Ending.SOLVED:
+        moment = math.hypot(*case.duty.moments)
+        came = f"; up to about {100.0 * share:.0f} % of both were carried" if share > 0.01 else ""
+        return (
+            f"the load of {1e-3 * load:.4g} kN alone is carried, but not with the moment of {moment:.4g} N m: it "
+            f"sets the load {1e3 * moment / load:.3g} mm off the axis, and the runner tilts onto the ring{came}. "
+            "Bring the load nearer to the axis, or take a larger ring"
+        )
+    return (
+        f"the load is {1e-3 * load:.4g} kN; up to about {1e-3 * share * load:.4g} kN were carried "
+        f"({100.0 * share:.3g} %). Raise the supply pressure or the recess area{about_restrictors(case)}"
+    )
+
+
+def about_restrictors(case: HydrostaticCase) -> str:
+    """Which way to change the restrictors of an overloaded bearing.
+
+    Where a pad touches, its recess has the pressure of the supply whatever the restrictor. A journal is carried by
+    the difference of its recesses, which open restrictors do not let arise, nor those that let hardly any oil in.
+    """
+    if not case.is_journal or is_pumped(case):
+        return ""
+    centred = answer_at(replace(case, accuracy="draft"), np.zeros(2), case.rest_gap)
+    if centred.ending is not Ending.SOLVED:
+        return ""
+    ratio = float(centred.network.pressures.mean()) / centred.network.supply_pressure
+    says = f"where the journal is centred its recesses have {100.0 * ratio:.3g} % of the supply pressure"
+    if ratio > OPEN:
+        return f"; {says}: narrow the restrictors, so that pressures can differ"
+    return f"; {says}: widen the restrictors" if ratio < THROTTLED else ""
+
+
+def checks(case: HydrostaticCase, found: Answer, named: dict[str, float]) -> list[Check]:
+    """Limits that the user set."""
+    made = []
+    if case.least_gap is not None:
+        gap = named["minimum_film_thickness"]
+        made.append(Check("C301", "minimum_film_thickness", gap, case.least_gap, Bound.AT_LEAST, USER))
+        if case.duty.load is not None and "load_capacity" in named:
+            source = "film at the least gap allowed" + ", or the pressure of its pumps" * is_pumped(case)
+            made.append(Check("C302", "load", named["load"], named["load_capacity"], Bound.AT_MOST, source))
+    limit = highest_pressure(case, found.network)
+    if limit is not None:
+        name = "recess_pressure" if is_pumped(case) else "supply_pressure"
+        held = held_pressure(case, found.network) if is_pumped(case) else named["supply_pressure"]
+        source = USER if case.highest_supply_pressure is not None else "pressure of the supply"
+        made.append(Check("C303", name, held, limit, Bound.AT_MOST, source))
+    return made
+
+
+def not_checked(case: HydrostaticCase, found: Answer, named: dict[str, float]) -> Iterator[Notice]:
+    """Limits that were held against nothing, and why."""
+    loaded = case.duty.load is not None
+    if case.least_gap is None:
+        for code in ("C301", "C302") if loaded else ("C301",):
+            yield Notice(code, "no least_gap is given")
+    elif loaded and "load_capacity" not in named:
+        yield Notice("C302", "no load was found whose smallest gap is least_gap")
+    if highest_pressure(case, found.network) is None:
+        yield Notice("C303", "no highest_pressure of the pump is given (supply)")
+
+
+def refuse_contact(case: HydrostaticCase) -> None:
+    """Refuse a prescribed position without gap, and say where."""
+    if case.duty.load is not None:
+        return
+    if case.is_journal:
+        e = math.hypot(*case.duty.position)
+        if not e < case.rest_gap:
+            where = math.degrees(math.atan2(case.duty.position[1], case.duty.position[0]))
+            raise InputError("E101", f"the journal stands {1e6 * e:.4g} µm off centre in a clearance of "
+                             f"{1e6 * case.rest_gap:.4g} µm: there is no gap at {where:.4g} deg. Give an "
+                             "eccentricity_ratio below 1.")  # fmt: skip
+        return
+    tilt = math.hypot(*case.duty.tilt)
+    if isinstance(case.shape, ThrustRing) and not tilt * case.reach < case.rest_gap:
+        where = math.degrees(math.atan2(-case.duty.tilt[0], case.duty.tilt[1]))
+        raise InputError("E101", f"a tilt of {1e3 * tilt:.4g} mm/m closes the gap of {1e6 * case.rest_gap:.4g} µm "
+                         f"at {where:.4g} deg on the outer edge. Give a smaller tilt or a wider gap.")  # fmt: skip
+
+
+def refuse_short_recess(case: HydrostaticCase) -> None:
+    """Refuse closed forms of a rectangle whose corners touch."""
+    shape = case.shape
+    if case.method != "quick" or not isinstance(shape, RectangularPad):
+        return
+    along, aside = shape.lands
+    if math.isclose(along, aside, rel_tol=1e-6) and min(shape.recess_length, shape.recess_width) < along:
+        raise InputError("E101", "the shorter side of the recess is less than the land is wide; closed forms end "
+                         "there. Choose method: film.")  # fmt: skip

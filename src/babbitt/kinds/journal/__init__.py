@@ -1,0 +1,1 @@
+"""Journal bearings: case language, methods, report."""

@@ -1,0 +1,105 @@
+"""From a bearing, as the engineer wrote it, to the case of its film."""
+
+from __future__ import annotations
+
+import math
+
+from babbitt.kinds.journal.case.as_given import words_of
+from babbitt.kinds.journal.case.assumptions import common_assumptions_of
+from babbitt.kinds.journal.case.film_heat_cases import heat_assumptions, heat_model
+from babbitt.kinds.journal.case.film_layout import film_layout
+from babbitt.kinds.journal.case.film_oil import LAWS_OF_TURBULENCE
+from babbitt.kinds.journal.case.joined_inputs import (
+    Inputs,
+    Point,
+    duty,
+    expansions,
+    housing_cooling,
+    journal_speed,
+    oil_supply,
+)
+from babbitt.kinds.journal.case.warnings import doubts_about_numbers
+from babbitt.kinds.journal.film.bore import RoundBore
+from babbitt.kinds.journal.film.model import Accuracy, FilmBearing, FilmCase, Hollow, Search
+from babbitt.properties.materials import LoadCharacter
+from babbitt.reynolds.model import Cavitation
+
+
+def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase:
+    """Film case of one bearing at one operating point and clearance.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    at : Point
+    thermal : str, optional
+        ``global``, ``adiabatic`` or ``full`` in place of what the case says.
+    """
+    bearing, point = inputs.bearing, at.given
+    speed = journal_speed(bearing, point)
+    layout = film_layout(bearing, point, inputs.width, math.copysign(1.0, speed))
+    return FilmCase(
+        name=at.name,
+        bearing=_film_bearing(inputs, at, layout.hollows),
+        duty=duty(inputs, point),
+        journal_speed=speed,
+        lubricant=inputs.lubricant,
+        oil_supply=oil_supply(inputs, point),
+        cooling=housing_cooling(inputs),
+        bearing_speed=bearing.bearing_speed,
+        load_angle=bearing.load_angle,
+        cavitation=Cavitation[bearing.cavitation.upper()],
+        cavitation_pressure=bearing.cavitation_pressure,
+        accuracy=Accuracy(bearing.accuracy),
+        effective_temperature=bearing.effective_temperature if thermal is None else None,
+        friction_factor=bearing.friction.factor,
+        rotor_mass=bearing.rotor_mass,
+        shaft_stiffness=bearing.shaft_stiffness,
+        error_estimate=bearing.error_estimate,
+        changing_load=bearing.dynamic_load.changing_load() if bearing.dynamic_load is not None else None,
+        moving_mass=bearing.dynamic_load.moving_mass if bearing.dynamic_load is not None else 0.0,
+        search=Search[bearing.equilibria.upper()],
+        tilt_coefficients=bearing.tilt_coefficients,
+        limits=bearing.limits.limits(),
+        given=words_of(bearing, point, at.clearance_case, inputs.cooling, inputs.materials),
+        assumptions=(
+            *inputs.shared_assumptions,
+            *bearing.assumptions,
+            *layout.assumptions,
+            *common_assumptions_of(bearing, inputs.supply, inputs.cooling, inputs.materials),
+            *heat_assumptions(inputs, thermal),
+        ),
+        doubts=(*layout.doubts, *doubts_about_numbers(inputs, point)),
+        kind=bearing.kind,
+        turbulence=LAWS_OF_TURBULENCE[bearing.turbulence],
+        pressure_viscosity=bearing.pressure_viscosity.law() if bearing.pressure_viscosity is not None else None,
+        heat=heat_model(inputs, thermal),
+    )
+
+
+def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[Hollow, ...]) -> FilmBearing:
+    bearing, materials = inputs.bearing, inputs.materials
+    of_bearing, of_journal = expansions(inputs)
+    misalignment = bearing.misalignment
+    return FilmBearing(
+        diameter=bearing.diameter,
+        width=inputs.width,
+        relative_clearance=at.clearance,
+        expansion_bearing=of_bearing,
+        expansion_journal=of_journal,
+        hollows=hollows,
+        bore=bearing.bore.bore() if bearing.bore is not None else RoundBore(),
+        film_start=bearing.film_starts(),
+        misalignment=(misalignment.x, misalignment.y) if misalignment is not None else (0.0, 0.0),
+        steps=tuple(step.step() for step in bearing.steps),
+        crowning=bearing.crowning.crowning(inputs.width) if bearing.crowning is not None else (),
+        displacement=bearing.displacement.field(inputs.width) if bearing.displacement is not None else (),
+        displacement_start=bearing.displacement.start if bearing.displacement is not None else 0.0,
+        compliance=tuple(part.compliance(bearing.diameter) for part in bearing.compliance),
+        side_pressures=bearing.side_pressures or (0.0, 0.0),
+        surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,
+        metal=materials.metal(),
+        load_character=LoadCharacter(materials.load_character or LoadCharacter.CALM),
+        clearance_tolerance=at.tolerance,
+        mean_clearance=at.mean,
+    )

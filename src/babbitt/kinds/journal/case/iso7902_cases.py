@@ -1,0 +1,79 @@
+"""From a bearing, as the engineer wrote it, to the design case of ISO 7902."""
+
+from __future__ import annotations
+
+from babbitt.case.part import is_given
+from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition
+from babbitt.kinds.journal.case.as_given import words_of
+from babbitt.kinds.journal.case.assumptions import assumptions_of
+from babbitt.kinds.journal.case.joined_inputs import (
+    Inputs,
+    Point,
+    duty,
+    expansions,
+    housing_cooling,
+    journal_speed,
+    oil_supply,
+)
+from babbitt.kinds.journal.case.operating_point import OperatingPoint
+from babbitt.kinds.journal.case.warnings import doubts_about
+from babbitt.kinds.journal.iso7902.model import Bearing, Curves, DesignCase, Friction
+from babbitt.properties.materials import LoadCharacter
+
+
+def iso7902_case(inputs: Inputs, at: Point) -> DesignCase:
+    """Design case of ISO 7902 of one bearing at one operating point and clearance (relative, at 20 °C)."""
+    bearing, point = inputs.bearing, at.given
+    return DesignCase(
+        name=at.name,
+        bearing=_iso_bearing(inputs, at),
+        duty=_duty(inputs, point),
+        journal_speed=journal_speed(bearing, point),
+        lubricant=inputs.lubricant,
+        oil_supply=oil_supply(inputs, point),
+        cooling=housing_cooling(inputs),
+        bearing_speed=bearing.bearing_speed,
+        friction=Friction(bearing.friction.model),
+        friction_factor=bearing.friction.factor,
+        curves=Curves(bearing.characteristics),
+        limits=bearing.limits.limits(),
+        given=words_of(bearing, point, at.clearance_case, inputs.cooling, inputs.materials),
+        assumptions=(
+            *inputs.shared_assumptions,
+            *bearing.assumptions,
+            *assumptions_of(bearing, point, inputs.supply, inputs.cooling, inputs.materials),
+        ),
+        doubts=doubts_about(inputs, point),
+        kind=bearing.kind,
+        effective_temperature=bearing.effective_temperature,
+        load_angle=bearing.load_angle if is_given(bearing, "load_angle") else None,
+    )
+
+
+def _duty(inputs: Inputs, point: OperatingPoint | None) -> GivenLoad | GivenEccentricity:
+    given = duty(inputs, point)
+    if isinstance(given, GivenPosition):
+        raise ValueError("a case that was not validated: the standard takes no position")
+    return given
+
+
+def _iso_bearing(inputs: Inputs, at: Point) -> Bearing:
+    bearing, materials, point = inputs.bearing, inputs.materials, at.given
+    span, element = bearing.span_at(point), bearing.element_at(point)
+    if span is None:
+        raise ValueError("a case that was not validated: the bearing has no span")
+    of_bearing, of_journal = expansions(inputs)
+    return Bearing(
+        diameter=bearing.diameter,
+        width=inputs.width,
+        relative_clearance=at.clearance,
+        span=span,
+        expansion_bearing=of_bearing,
+        expansion_journal=of_journal,
+        supply_element=element.element() if element is not None else None,
+        surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,
+        metal=materials.metal(),
+        load_character=LoadCharacter(materials.load_character or LoadCharacter.CALM),
+        clearance_tolerance=at.tolerance,
+        mean_clearance=at.mean,
+    )

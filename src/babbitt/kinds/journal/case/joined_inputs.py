@@ -1,0 +1,149 @@
+"""What a bearing brings to a calculation by any method, joined with what it shares with its machine."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from babbitt.case.grouped_digits import about_grouped_digits
+from babbitt.case.parts.cooling import Cooling
+from babbitt.case.parts.materials import Materials
+from babbitt.case.parts.shared import merged
+from babbitt.case.parts.supply import Supply
+from babbitt.core.notices import Notice
+from babbitt.design.conditions import Duty, GivenEccentricity, GivenLoad, GivenPosition, HousingCooling, OilSupply
+from babbitt.design.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coefficient
+from babbitt.kinds.journal.case.journal import JournalBearing
+from babbitt.kinds.journal.case.machine import JournalCase, Machine
+from babbitt.kinds.journal.case.operating_point import LOADS, SPEEDS, OperatingPoint, stating
+from babbitt.properties.lubricants import Lubricant
+
+
+@dataclass(frozen=True)
+class Inputs:
+    """A bearing with what it shares with its machine."""
+
+    bearing: JournalBearing
+    lubricant: Lubricant
+    supply: Supply | None
+    cooling: Cooling | None
+    materials: Materials
+    width: float
+    shared_assumptions: tuple[str, ...]
+    shared_doubts: tuple[Notice, ...]
+
+
+@dataclass(frozen=True)
+class Point:
+    """Where a bearing is computed: operating point (None: the bearing as such), clearance case, relative
+    clearance.
+
+    `clearance`, `tolerance` and `mean` hold at 20 °C; `clearance_case` is ``minimum``, ``mean`` or ``maximum``.
+    """
+
+    name: str
+    given: OperatingPoint | None
+    clearance_case: str
+    clearance: float
+    tolerance: tuple[float, float] | None
+    mean: float
+
+
+def inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> Inputs:
+    """Join a bearing with what it shares."""
+    lubricant = bearing.lubricant or shared.lubricant
+    width = bearing.actual_width
+    if lubricant is None or width is None:
+        raise ValueError("a case that was not validated: the bearing has no lubricant or no width")
+    return Inputs(
+        bearing,
+        lubricant.lubricant(),
+        merged(bearing.supply, shared.supply),
+        merged(bearing.cooling, shared.cooling),
+        merged(bearing.materials, shared.materials) or Materials(),
+        width,
+        shared.assumptions if isinstance(shared, Machine) else (),
+        tuple(about_grouped_digits(shared.model_copy(update={"bearings": ()})))
+        if isinstance(shared, Machine)
+        else (),
+    )
+
+
+def expansions(inputs: Inputs) -> tuple[float, float]:
+    """Thermal expansion of bearing and journal, 1/K; alike where no material is given.
+
+    At a prescribed temperature, where the clearance is then taken as it is.
+    """
+    bearing, journal = inputs.materials.bearing, inputs.materials.journal
+    if bearing is None and journal is None and inputs.bearing.effective_temperature is not None:
+        return 0.0, 0.0
+    if bearing is None or journal is None:
+        raise ValueError("a case that was not validated: the bearing has no materials")
+    return bearing.expansion(), journal.expansion()
+
+
+def duty(inputs: Inputs, point: OperatingPoint | None) -> Duty:
+    """What the bearing carries: the load, or the prescribed position."""
+    bearing = inputs.bearing
+    given = stating(LOADS, bearing, point)
+    if given.eccentricity_ratio is not None:
+        return GivenEccentricity(given.eccentricity_ratio, given.attitude_angle)
+    if given.position is not None:
+        return GivenPosition(given.position.x, given.position.y)
+    if given.load is not None:
+        return GivenLoad(given.load)
+    if given.specific_load is None:
+        raise ValueError("a case that was not validated: the bearing has no load")
+    return GivenLoad(given.specific_load * inputs.width * bearing.diameter)
+
+
+def journal_speed(bearing: JournalBearing, point: OperatingPoint | None) -> float:
+    """Speed of the journal in rad/s."""
+    given = stating(SPEEDS, bearing, point)
+    if given.speed is not None:
+        return given.speed
+    if given.surface_speed is None:
+        raise ValueError("a case that was not validated: the bearing has no speed")
+    return 2.0 * given.surface_speed / bearing.diameter
+
+
+def oil_supply(inputs: Inputs, point: OperatingPoint | None) -> OilSupply | None:
+    """Oil supply with what the operating point changes; None where no oil is fed.
+
+    Where every groove, pocket and hole has a pressure or flow of its own, that of the supply counts as zero.
+    """
+    supply = inputs.supply
+    if supply is None:
+        return None
+    temperature, pressure, flow = supply.temperature, supply.pressure, supply.flow
+    if point is not None:
+        temperature = point.supply_temperature or temperature
+        if point.supply_pressure is not None or point.supply_flow is not None:
+            pressure, flow = point.supply_pressure, point.supply_flow
+    if temperature is None or (pressure is None and flow is None and not inputs.bearing.feeds_itself()):
+        raise ValueError(
+            "a case that was not validated: the supply has no temperature, or no pressure and no flow"
+        )
+    return OilSupply(
+        temperature,
+        0.0 if pressure is None else pressure,
+        tuple(tube.duct() for tube in supply.tubes),
+        tuple(hole.duct() for hole in supply.holes),
+        supply.circulation_time,
+        flow if pressure is None else None,
+    )
+
+
+def housing_cooling(inputs: Inputs) -> HousingCooling | None:
+    """Cooling by the surroundings; None where there is none."""
+    cooling = inputs.cooling
+    if cooling is None:
+        return None
+    coefficient, surface = cooling.heat_transfer_coefficient, cooling.surface
+    if coefficient is None:
+        still = cooling.air_speed is None
+        coefficient = STILL_AIR_COEFFICIENT if still else heat_transfer_coefficient(cooling.air_speed or 0.0)
+    if surface is None and cooling.housing is not None:
+        surface = cooling.housing.surface(inputs.bearing.diameter, inputs.width)
+    if surface is None or cooling.ambient_temperature is None:
+        raise ValueError("a case that was not validated: the cooling has no surface or no ambient temperature")
+    return HousingCooling(cooling.ambient_temperature, coefficient, surface)

@@ -1,0 +1,436 @@
+"""The circular cylindrical journal bearing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field
+
+from babbitt.case.part import Complaint, at_most_one, exactly_one, is_given, rule
+from babbitt.case.parts import clearance, cooling
+from babbitt.case.parts.choices import FrictionGiven, LimitsGiven
+from babbitt.case.parts.clearance import ClearanceGiven
+from babbitt.case.parts.compliance import ComplianceGiven
+from babbitt.case.parts.fields import Name, Prose, Span
+from babbitt.case.parts.shared import SharedInputs
+from babbitt.case.parts.surfaces import SurfacesGiven
+from babbitt.core.units import si, written
+from babbitt.kinds.journal.case import film_rules, film_shape_rules, one_dimension, standard_rules, supply_element
+from babbitt.kinds.journal.case.dynamic_load import DynamicLoadGiven
+from babbitt.kinds.journal.case.film_features import (
+    BoreGiven,
+    GrooveGiven,
+    MisalignmentGiven,
+    PocketGiven,
+    SupplyHoleGiven,
+    complaints_about_hollows,
+)
+from babbitt.kinds.journal.case.film_heat import (
+    AxialTemperatureGiven,
+    CarryOverGiven,
+    CoefficientsGiven,
+    ThermalGiven,
+    WallsGiven,
+    heat_goes_with_the_film,
+)
+from babbitt.kinds.journal.case.film_oil import PressureViscosityGiven, TurbulenceGiven
+from babbitt.kinds.journal.case.film_surface import (
+    CrowningGiven,
+    DisplacementGiven,
+    SidePressure,
+    StepGiven,
+)
+from babbitt.kinds.journal.case.grooved_segments import SegmentsGiven
+from babbitt.kinds.journal.case.heat_exchange import HeatExchangeGiven
+from babbitt.kinds.journal.case.load_direction import DOWNWARD
+from babbitt.kinds.journal.case.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
+from babbitt.kinds.journal.case.supply_element import SupplyElementGiven, UnevenPockets
+from babbitt.reynolds.model import FilmStart
+
+LEAST_SPECIFIC_LOAD = 1e3
+"""Pa. Assumption: a smaller load is a slip of unit."""
+
+GREATEST_SURFACE_SPEED = 200.0
+"""m/s. Assumption: a faster plain bearing is a slip of unit."""
+
+
+class JournalBearing(Duty, SharedInputs):
+    """A circular cylindrical journal bearing."""
+
+    alternatives: ClassVar[tuple[tuple[str, ...], ...]] = (*Duty.alternatives, ("width", "width_ratio"))
+
+    kind: Literal["journal"] = Field(description="Circular cylindrical journal bearing.")
+    name: Name = Field(description="Name of the bearing in tables and reports.")
+    method: Literal["iso7902", "film", "long_film", "segments"] = Field(
+        "iso7902",
+        description="Method of calculation: the procedure of ISO 7902, the film in two dimensions, or one of two "
+        "published models in one dimension: the long film with heat exchange, or its heat balance by segments.",
+    )
+
+    diameter: Annotated[float, si("m", "1 mm", "3 m")] = Field(description="Nominal bearing inside diameter D.")
+    width: Annotated[float, si("m", "0.1 mm", "4.5 m")] | None = Field(None, description="Bearing width B.")
+    width_ratio: Annotated[float, si("1", "0.1", "10")] | None = Field(
+        None, description="Relative width B/D, in place of the width."
+    )
+    clearance: ClearanceGiven = Field(
+        description="Clearance at 20 degC. An ISO 286 fit may be written in short, such as H7/e8."
+    )
+    clearance_cases: Literal["mean", "all"] | None = Field(
+        None,
+        description="Calculate with the mean clearance, or with minimum, mean and maximum. mean if not given.",
+    )
+    span: Span | None = Field(
+        None, description="Angular span of the loaded arc. Uneven pockets set it if it is not given."
+    )
+    supply_element: SupplyElementGiven | None = Field(None, description="What feeds the film.")
+    grooves: tuple[GrooveGiven, ...] = Field(
+        (),
+        max_length=12,
+        description="Axial grooves as wide as the bearing. Film method, in place of supply_element.",
+    )
+    pockets: tuple[PocketGiven, ...] = Field(
+        (),
+        max_length=12,
+        description="Pockets and circumferential grooves. Film method, in place of supply_element.",
+    )
+    holes: tuple[SupplyHoleGiven, ...] = Field(
+        (), max_length=24, description="Holes in the bore. Film method, in place of supply_element."
+    )
+    bore: BoreGiven | None = Field(None, description="Form of the bore, for the film method. round if not given.")
+    misalignment: MisalignmentGiven | None = Field(
+        None, description="Slopes of the journal axis in the bore, for the film method."
+    )
+    steps: tuple[StepGiven, ...] = Field(
+        (),
+        max_length=24,
+        description="Rectangles of the bore that lie deeper and belong to the film. Film method.",
+    )
+    crowning: CrowningGiven | None = Field(
+        None, description="What the radius of the journal lacks along its axis, for the film method."
+    )
+    displacement: DisplacementGiven | None = Field(
+        None, description="What the gap gains by displacement of its surfaces, for the film method."
+    )
+    compliance: tuple[ComplianceGiven, ...] = Field(
+        (),
+        max_length=4,
+        description="What the bore gives way by under the pressure of the film; all of it adds up. Film method.",
+    )
+    side_pressures: tuple[SidePressure, SidePressure] | None = Field(
+        None,
+        description="Gauge pressures at the sides z = -B/2 and B/2, for the film method. Ambient if not given.",
+    )
+    tilt_coefficients: bool = Field(
+        False, description="Stiffness and damping against tilt of the journal, too, by the film method."
+    )
+    surfaces: SurfacesGiven | None = Field(None, description="Roughness, tilt and waviness of the surfaces.")
+    heat_exchange: HeatExchangeGiven = Field(
+        HeatExchangeGiven(), description="Heat exchange of the long film (method: long_film)."
+    )
+    segments: SegmentsGiven = Field(
+        SegmentsGiven(), description="Groove and wall of the heat balance by segments (method: segments)."
+    )
+
+    bearing_speed: Annotated[float, si("rad/s", "-1000000 rpm", "1000000 rpm")] = Field(
+        0.0, description="Rotational speed of the bearing, positive counter-clockwise as that of the journal."
+    )
+    load_angle: Annotated[float, si("rad", "-360 deg", "360 deg")] = Field(
+        DOWNWARD,
+        description="Direction of the load, counter-clockwise from the x axis. -90 deg is downward. "
+        "ISO 7902 takes the load through the middle of the arc, whatever its direction, and counts what feeds the "
+        "film from the load.",
+    )
+    rotor_mass: Annotated[float, si("kg", "1 g", "10000 t")] | None = Field(
+        None,
+        description="Part of the mass of the rotor that the bearing carries, for the threshold of whirl "
+        "by the film "
+        "method. Without it the load is taken as weight.",
+    )
+    shaft_stiffness: Annotated[float, si("N/m", "1 kN/m", "1000 GN/m")] | None = Field(
+        None,
+        description="Stiffness of the shaft between the rotor mass and this bearing (for a shaft on two equal "
+        "bearings half its stiffness in the middle), for the threshold of whirl by the film method. Rigid if not "
+        "given.",
+    )
+    effective_temperature: Annotated[float, si("K", "-30 degC", "290 degC")] | None = Field(
+        None,
+        description="Effective temperature of the film, in place of a heat balance: no outlet temperature and no "
+        "heat to the oil is then told.",
+    )
+    operating_points: tuple[OperatingPoint, ...] = Field(
+        (), max_length=200, description="Operating points, each with what differs from the bearing."
+    )
+
+    friction: FrictionGiven = Field(FrictionGiven(), description="Where the film rubs.")
+    characteristics: Literal["computed", "closed_form"] = Field(
+        "computed",
+        description="Own solutions of the Reynolds equation, or the closed forms of DIN 31652 (360 deg).",
+    )
+    cavitation: Literal["mass_conserving", "reynolds", "half_sommerfeld"] = Field(
+        "mass_conserving",
+        description="What the film method does where the film breaks up: conserve the oil (JFO), or let "
+        "pressure and "
+        "its gradient vanish (Reynolds, as in most published tables), or count suctions of the full film as "
+        "nothing (half-Sommerfeld, as in closed forms: a plain ring without feeding, no flows and no stiffness).",
+    )
+    cavitation_pressure: Annotated[float, si("Pa", "-1 MPa", "0 Pa")] = Field(
+        0.0, description="Gauge pressure at which the film breaks, for the film method."
+    )
+    turbulence: TurbulenceGiven = Field(
+        "laminar",
+        description="Turbulence of the film method where the local Reynolds number exceeds 41.3 sqrt(D/C): none, "
+        "whatever the Reynolds number, or flow factors by Ng and Pan or Constantinescu.",
+    )
+    pressure_viscosity: PressureViscosityGiven | None = Field(
+        None, description="Growth of the viscosity with pressure, for the film method."
+    )
+    thermal: ThermalGiven | None = Field(
+        None,
+        description="Temperature of the film method: prescribed (isothermal), one for the whole film from the "
+        "heat balance (global), or varying around the journal and across the gap, with walls that take no heat "
+        "(adiabatic) or with bush, housing and journal that conduct (full). global if not given, isothermal with "
+        "an effective_temperature.",
+    )
+    walls: WallsGiven | None = Field(
+        None,
+        description="Bush, housing and journal of a full thermal film. What is not given is assumed and told.",
+    )
+    axial_temperature: AxialTemperatureGiven = Field(
+        "mean",
+        description="Whether temperatures of an adiabatic or full film are means over the width, or resolved "
+        "along it. Between pockets and holes they are always resolved.",
+    )
+    carry_over: CarryOverGiven = Field(
+        1.0,
+        description="Hot oil carry-over of an adiabatic or full film: share, 0 to 1, of the oil that the film "
+        "brings to a groove, pocket or hole and that goes on with the next film; fresh oil flushes out the rest. "
+        "1 where the next film takes all of it that it can: the hottest.",
+    )
+    temperature_coefficients: CoefficientsGiven = Field(
+        "frozen",
+        description="Whether the stiffness of an adiabatic or full film answers displacements at frozen "
+        "temperatures, or with temperatures that follow.",
+    )
+    film_start: Literal["groove", "widest_gap", "periodic"] | None = Field(
+        None,
+        description="Where the film method lets the film begin: at what feeds it, or at the widest gap of "
+        "a full round "
+        "bore (as the characteristics of the standard), or nowhere, for it closes around the journal (periodic). "
+        "groove if not given; periodic with cavitation: half_sommerfeld.",
+    )
+    accuracy: Literal["draft", "engineering", "reference"] = Field(
+        "engineering", description="How fine the grid of the film method is."
+    )
+    error_estimate: bool = Field(
+        False,
+        description="Solve the film on a finer grid, too, and say how far film thickness, position, stiffness and "
+        "damping may be wrong by the grid. Film method.",
+    )
+    dynamic_load: DynamicLoadGiven | None = Field(
+        None,
+        description="Load that changes while the journal turns, added to the load, for the film method: the orbit "
+        "of the journal is found.",
+    )
+    equilibria: Literal["auto", "all", "first"] = Field(
+        "auto",
+        description="Whether the film method looks for further places where the journal can rest: always, never, "
+        "or in lobed bores and between grooves whose pressure rivals that of the wedge.",
+    )
+    limits: LimitsGiven = Field(LimitsGiven(), description="Limits in place of those by experience.")
+    assumptions: tuple[Prose, ...] = Field(
+        (), max_length=100, description="Assumptions to be shown in the report."
+    )
+    notes: Prose = Field("", description="Notes to be shown in the report.")
+    source: Prose = Field("", description="Where the numbers come from.")
+
+    @property
+    def actual_width(self) -> float | None:
+        """Bearing width in m, None while it cannot be known."""
+        if self.width is not None:
+            return self.width
+        return None if self.width_ratio is None else self.width_ratio * self.diameter
+
+    @rule
+    def _one_width(self) -> Iterator[Complaint]:
+        yield from exactly_one(self, "width", "width_ratio")
+
+    @rule
+    def _width_makes_sense(self) -> Iterator[Complaint]:
+        yield from standard_rules.width_is_plausible(self)
+
+    @rule
+    def _one_load(self) -> Iterator[Complaint]:
+        if self.method == "segments" and self.segments.profile:
+            yield from one_dimension.complaints_about_loads(self)
+        else:
+            yield from _one_of(self, LOADS)
+
+    @rule
+    def _loads_make_sense(self) -> Iterator[Complaint]:
+        width = self.actual_width
+        for path, duty in self.duties():
+            if duty.load is None or width is None:
+                continue
+            pressure = duty.load / (width * self.diameter)
+            # A missing "kN" shows here. A load beyond what any film carries is answered by the calculation.
+            if pressure < LEAST_SPECIFIC_LOAD:
+                says = f"{written(duty.load, 'kN')} is a specific load of {written(pressure, 'kPa')}"
+                yield Complaint((*path, "load"), says, f"at least {written(LEAST_SPECIFIC_LOAD, 'kPa')}")
+
+    @rule
+    def _one_speed(self) -> Iterator[Complaint]:
+        yield from _one_of(self, SPEEDS)
+
+    @rule
+    def _speeds_make_sense(self) -> Iterator[Complaint]:
+        for path, duty in self.duties():
+            speed = duty.speed
+            if speed is None and duty.surface_speed is not None:
+                speed = 2.0 * duty.surface_speed / self.diameter
+            if speed is None:
+                continue
+            if (fast := abs(speed) * self.diameter / 2.0) > GREATEST_SURFACE_SPEED * 1.000001:
+                says = f"{written(speed, 'rpm')} is a surface speed of {fast:.4g} m/s"
+                yield Complaint((*path, "speed"), says, f"up to {GREATEST_SURFACE_SPEED:g} m/s")
+            if (speed + self.bearing_speed) * speed <= 0.0:
+                both = f"journal {written(speed, 'rpm')}, bearing {written(self.bearing_speed, 'rpm')}"
+                says = f"the speeds build no film: {both}"
+                yield Complaint(("bearing_speed",), says, "a sum of both in the sense of the journal")
+
+    @rule
+    def _points_have_names_of_their_own(self) -> Iterator[Complaint]:
+        seen: set[str] = set()
+        for index, point in enumerate(self.operating_points):
+            if point.name in seen:
+                says = f"another operating point is named '{point.name}' too"
+                yield Complaint(("operating_points", index, "name"), says, "each name once")
+            seen.add(point.name)
+
+    @rule
+    def _clearance_fits(self) -> Iterator[Complaint]:
+        yield from clearance.complaints_about(self.clearance, self.diameter)
+
+    @rule
+    def _housing_fits(self) -> Iterator[Complaint]:
+        if self.cooling is not None:
+            yield from cooling.complaints_about(self.cooling, self.diameter)
+
+    @rule
+    def _elements_fit(self) -> Iterator[Complaint]:
+        width = self.actual_width
+        if width is None:
+            return
+        if self.supply_element is not None:
+            yield from supply_element.complaints_about(self.supply_element, width, self.diameter)
+        for index, point in enumerate(self.operating_points):
+            if point.supply_element is not None:
+                for told in supply_element.complaints_about(point.supply_element, width, self.diameter):
+                    yield told.under("operating_points", index)
+
+    @rule
+    def _one_dimension_suffices(self) -> Iterator[Complaint]:
+        yield from one_dimension.complaints_about(self)
+
+    @rule
+    def _span_is_known(self) -> Iterator[Complaint]:
+        if self.method in one_dimension.METHODS:
+            return
+        if self.method == "film" and (self.hollows() or self.film_starts() is not FilmStart.GROOVE):
+            return
+        for point in self.operating_points or (None,):
+            if self.span_at(point) is None:
+                besides = ", or grooves, pockets or holes" if self.method == "film" else ""
+                yield Complaint(
+                    ("span",),
+                    "is missing",
+                    f"360, 180, 150, 120, 90 deg, or a supply_element of kind uneven_pockets{besides}",
+                    code="E003",
+                )
+                return
+
+    @rule
+    def _closed_forms_are_of_the_full_bearing(self) -> Iterator[Complaint]:
+        spans = (self.span_at(point) for point in self.operating_points or (None,))
+        others = [span for span in spans if span not in (None, 360)]
+        if self.characteristics == "closed_form" and others:
+            says = f"closed forms exist for a span of 360 deg, not {others[0]} deg"
+            yield Complaint(("characteristics",), says, "computed, or span 360 deg")
+
+    @rule
+    def _hollows_fit(self) -> Iterator[Complaint]:
+        yield from complaints_about_hollows(self.hollows(), self.actual_width, self.diameter)
+
+    _standard_knows_the_bearing = standard_rules.standard_knows_the_bearing
+    _tilt_leaves_a_film = film_shape_rules.tilt_leaves_a_film
+    _departures_are_of_the_size_of_the_clearance = film_shape_rules.departures_are_of_the_size_of_the_clearance
+    _steps_fit = film_shape_rules.steps_fit
+    _dam_stays_on_its_land = film_shape_rules.dam_stays_on_its_land
+    _displacement_is_of_the_size_of_the_clearance = film_shape_rules.displacement_is_of_the_size_of_the_clearance
+    _compliance_fits = film_shape_rules.compliance_fits
+    _lobes_lie_between_grooves = film_shape_rules.lobes_lie_between_grooves
+    _position_is_near_the_bearing = film_rules.position_is_near_the_bearing
+    _changing_load_is_added_to_a_load = film_rules.changing_load_is_added_to_a_load
+    _half_sommerfeld_is_of_a_plain_ring = film_rules.half_sommerfeld_is_of_a_plain_ring
+    _closed_ring_is_plain = film_rules.closed_ring_is_plain
+    _sides_stand_above_cavitation = film_rules.sides_stand_above_cavitation
+    _widest_gap_is_of_a_plain_bore = film_rules.widest_gap_is_of_a_plain_bore
+    _given_flows_are_counted = film_rules.given_flows_are_counted
+    _grooves_stand_still = film_rules.grooves_stand_still
+    _heat_goes_with_the_film = heat_goes_with_the_film
+
+    def without_friction_factor(self) -> JournalBearing:
+        """The same bearing for a method that knows no factor on friction."""
+        return self.model_copy(update={"friction": self.friction.model_copy(update={"factor": 1.0})})
+
+    def film_starts(self) -> FilmStart:
+        """Where the film begins: as given, else nowhere under the half-Sommerfeld condition, else at grooves."""
+        unfed = "periodic" if self.cavitation == "half_sommerfeld" else "groove"
+        return FilmStart[(self.film_start or unfed).upper()]
+
+    def hollows(self) -> list[tuple[tuple[str | int, ...], GrooveGiven | PocketGiven | SupplyHoleGiven]]:
+        """Grooves, pockets and holes, each with its path in the case."""
+        return [
+            ((name, index), hollow)
+            for name in ("grooves", "pockets", "holes")
+            for index, hollow in enumerate(getattr(self, name))
+        ]
+
+    def feeds_itself(self) -> bool:
+        """Whether every groove, pocket and hole of the film method has a pressure or a flow of its own."""
+        hollows = self.hollows() if self.method == "film" else []
+        return bool(hollows) and all(one.pressure is not None or one.flow is not None for _, one in hollows)
+
+    def span_at(self, point: OperatingPoint | None) -> int | None:
+        """Angular span in degrees at an operating point (None: the bearing as such), None while unknown."""
+        if point is not None and point.span is not None:
+            return point.span
+        element = self.element_at(point)
+        own_element = point is not None and point.supply_element is not None
+        if isinstance(element, UnevenPockets) and (self.span is None or own_element):
+            return element.conventional_span().tabulated
+        return self.span
+
+    def element_at(self, point: OperatingPoint | None) -> SupplyElementGiven | None:
+        """Supply element at an operating point (None: the bearing as such)."""
+        return self.supply_element if point is None else point.supply_element or self.supply_element
+
+    def duties(self) -> Iterator[tuple[tuple[str | int, ...], Duty]]:
+        """The bearing and its operating points, with their loads and speeds, each with its path in the case."""
+        yield (), self
+        for index, point in enumerate(self.operating_points):
+            yield ("operating_points", index), point
+
+
+def _one_of(bearing: JournalBearing, names: tuple[str, ...]) -> Iterator[Complaint]:
+    """Complain unless each operating point has exactly one of some fields, its own or the bearing's."""
+    on_bearing = any(is_given(bearing, name) for name in names)
+    points = vars(bearing).get("operating_points", ())
+    if not points and not is_given(bearing, "operating_points"):
+        yield from exactly_one(bearing, *names)
+        return
+    yield from at_most_one(bearing, *names)
+    for index, point in enumerate(points):
+        complaints = at_most_one(point, *names) if on_bearing else exactly_one(point, *names)
+        for told in complaints:
+            yield told.under("operating_points", index)

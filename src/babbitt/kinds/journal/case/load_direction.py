@@ -1,0 +1,54 @@
+"""Whether the direction of the load suits what else the case says of it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from babbitt.case.part import Complaint, is_given
+from babbitt.core.units import written
+from babbitt.kinds.journal.case.operating_point import SPEEDS, stating
+from babbitt.kinds.journal.case.supply_element import UnevenPockets
+
+if TYPE_CHECKING:
+    from babbitt.kinds.journal.case.journal import JournalBearing
+
+DOWNWARD = -math.pi / 2.0
+"""rad. Load angle of a bearing that gives none."""
+
+JOINT_TOLERANCE = math.radians(5.0)
+"""Assumption: pockets farther than this from a level or upright joint are not at it."""
+
+
+def load_points_between_its_pockets(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about a load angle that puts uneven pockets elsewhere than at a level or upright joint.
+
+    Uneven pockets say already where the load points between them; a load angle besides says it again.
+    """
+    if not is_given(bearing, "load_angle") or bearing.load_angle == DOWNWARD:
+        return
+    for point in bearing.operating_points or (None,):
+        element, speed = bearing.element_at(point), stating(SPEEDS, bearing, point)
+        if not isinstance(element, UnevenPockets):
+            continue
+        sense = math.copysign(1.0, speed.speed or speed.surface_speed or 1.0)
+        entry, leaving = (
+            bearing.load_angle - sense * element.entry_angle,
+            bearing.load_angle + sense * element.exit_angle,
+        )
+        if max(abs(math.remainder(angle, math.pi / 2.0)) for angle in (entry, leaving)) <= JOINT_TOLERANCE:
+            continue
+        level = math.pi if sense > 0.0 else 0.0
+        before = sense * (bearing.load_angle - level) % (2.0 * math.pi)
+        says = (
+            f"with it the uneven pockets stand {_degrees(entry)} and {_degrees(leaving)} from +x, at no level or "
+            "upright joint; ISO 7902 knows the load from entry_angle and exit_angle alone"
+        )
+        fits = f"entry_angle {_degrees(before)} and exit_angle {_degrees(math.pi - before)} of a level joint"
+        yield Complaint(("load_angle",), says, f"leave it out{f', or {fits}' if 0.0 < before < math.pi else ''}")
+        return
+
+
+def _degrees(angle: float) -> str:
+    return written(math.remainder(angle, 2.0 * math.pi), "deg")

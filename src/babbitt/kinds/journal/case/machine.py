@@ -1,0 +1,61 @@
+"""A file with one journal bearing, or with a machine of many."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Literal
+
+from pydantic import Field
+
+from babbitt.case.case_file import CaseFile
+from babbitt.case.error_messages import Path
+from babbitt.case.part import Complaint, as_far_as_usable, rule
+from babbitt.case.parts.fields import Name, Prose
+from babbitt.case.parts.shared import SharedInputs
+from babbitt.kinds.journal.case.completeness import complaints_about
+from babbitt.kinds.journal.case.journal import JournalBearing
+
+
+class JournalCase(JournalBearing, CaseFile):
+    """A file with one journal bearing."""
+
+    @rule
+    def _nothing_is_missing(self) -> Iterator[Complaint]:
+        yield from complaints_about(self, None)
+
+
+class Machine(SharedInputs, CaseFile):
+    """A file with the bearings of a machine, which share what stands here and may differ in single fields."""
+
+    kind: Literal["machine"] = Field(description="Several bearings that share lubricant, supply and cooling.")
+    name: Name = Field(description="Name of the machine.")
+    clearance_cases: Literal["mean", "all"] = Field(
+        "mean", description="Calculate with the mean clearance, or with minimum, mean and maximum."
+    )
+    bearings: tuple[JournalBearing, ...] = Field(
+        min_length=1, max_length=200, description="The bearings of the machine."
+    )
+    assumptions: tuple[Prose, ...] = Field(
+        (), max_length=100, description="Assumptions to be shown in the report."
+    )
+    notes: Prose = Field("", description="Notes to be shown in the report.")
+    source: Prose = Field("", description="Where the numbers come from.")
+
+    @rule
+    def _names_are_their_own(self) -> Iterator[Complaint]:
+        seen: set[str] = set()
+        for index, bearing in enumerate(self.bearings):
+            name = vars(bearing).get("name")
+            if name in seen:
+                says = f"another bearing is named '{name}' too"
+                yield Complaint(("bearings", index, "name"), says, "each name once")
+            seen |= {name} if name is not None else set()
+
+    @rule
+    def _nothing_is_missing(self) -> Iterator[Complaint]:
+        # What all bearings lack is told once, at the machine.
+        told: dict[tuple[Path, str], Complaint] = {}
+        for index, bearing in enumerate(self.bearings):
+            for complaint in as_far_as_usable(complaints_about(bearing, self, "bearings", index)):
+                told.setdefault((complaint.path, complaint.says), complaint)
+        yield from told.values()

@@ -1,0 +1,83 @@
+"""What the methods of one dimension, `long_film` and `segments`, ask of a bearing, and what they do not know."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from babbitt.case.part import Complaint, is_given
+from babbitt.core.notices import InputError
+from babbitt.kinds.journal.case import grooved_segments as segments
+from babbitt.kinds.journal.case import heat_exchange
+from babbitt.kinds.journal.case.operating_point import LOADS
+from babbitt.kinds.journal.case.standard_rules import film_alone_knows
+from babbitt.kinds.journal.infinitely_long_bearing.model import THICKEST_FILM
+
+if TYPE_CHECKING:
+    from babbitt.kinds.journal.case.journal import JournalBearing
+
+METHODS = {"long_film": "the long film", "segments": "the heat balance by segments"}
+"""Methods of one dimension, and what they are called in messages."""
+
+BLOCKS = {"heat_exchange": "long_film", "segments": "segments"}
+"""Fields that one method alone reads."""
+
+GREATEST_EXPONENT = 5.0
+"""Of the power law of viscosity, by the source of the heat balance by segments."""
+
+
+def complaints_about(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about what a method of one dimension does not know, and about its fields in another method."""
+    for block, method in BLOCKS.items():
+        if is_given(bearing, block) and bearing.method != method:
+            says = f"method {bearing.method} does not read it"
+            yield Complaint((block,), says, f"method: {method}")
+    if bearing.method not in METHODS:
+        return
+    yield from unknown(bearing, METHODS[bearing.method])
+    if bearing.friction.factor != 1.0:
+        says = f"{METHODS[bearing.method]} knows no factor on friction"
+        yield Complaint(("friction", "factor"), says, "1, or leave it out")
+    if bearing.method == "long_film":
+        yield from _thick_film(bearing)
+        yield from heat_exchange.complaints_about(bearing.heat_exchange, bearing.diameter)
+        return
+    yield from segments.complaints_about(bearing.segments, bearing.diameter, bearing.actual_width)
+    oil = bearing.lubricant
+    exponent = getattr(oil, "exponent", 0.0)
+    if exponent > GREATEST_EXPONENT:
+        says = f"exponent {exponent:g} of the power law of viscosity"
+        yield Complaint(("lubricant", "exponent"), says, f"up to {GREATEST_EXPONENT:g}")
+
+
+def unknown(bearing: JournalBearing, method: str) -> Iterator[Complaint]:
+    """Complain about what a method of one dimension does not know, a factor on friction apart."""
+    yield from film_alone_knows(bearing, method)
+    for name in ("grooves", "pockets", "holes"):
+        if is_given(bearing, name):
+            yield Complaint((name,), f"{method} knows no {name} at places of their own", "method: film")
+    if bearing.effective_temperature is not None:
+        says = f"{method} finds its temperatures itself"
+        yield Complaint(("effective_temperature",), says, "method: iso7902 or film, or leave it out")
+    if bearing.bearing_speed:
+        yield Complaint(("bearing_speed",), f"{method} knows no turning bearing", "0 rpm")
+
+
+def complaints_about_loads(bearing: JournalBearing) -> Iterator[Complaint]:
+    """Complain about a load beside a film profile, from which the load follows."""
+    for path, duty in bearing.duties():
+        for name in LOADS:
+            if is_given(duty, name):
+                says = "the load follows from the film thickness given in segments.profile"
+                yield Complaint((*path, name), says, "segments.profile or a load", "remove one")
+
+
+def _thick_film(bearing: JournalBearing) -> Iterator[Complaint]:
+    """The long film has a bound of c/R, the relative clearance; what no clearance can be is told before."""
+    try:
+        widest = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter).maximum
+    except InputError:
+        return
+    if widest > THICKEST_FILM:
+        says = f"the clearance is {1e3 * widest:.4g} permille of the bearing, too thick for the long film"
+        yield Complaint(("clearance",), says, f"up to {1e3 * THICKEST_FILM:g} permille, or method: film")

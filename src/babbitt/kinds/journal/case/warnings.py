@@ -1,0 +1,99 @@
+"""What of a case may be meant otherwise than it was read, as warnings that ride along to the result."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from babbitt.case.grouped_digits import about_grouped_digits
+from babbitt.case.part import is_given, not_read
+from babbitt.core.notices import Notice
+from babbitt.core.units import written
+from babbitt.kinds.journal.case.joined_inputs import Inputs
+from babbitt.kinds.journal.case.journal import JournalBearing
+from babbitt.kinds.journal.case.load_direction import DOWNWARD
+from babbitt.kinds.journal.case.operating_point import OperatingPoint
+from babbitt.kinds.journal.case.supply_element import GrooveElement, UnevenPockets
+
+OF_THE_FILM = ("cavitation", "cavitation_pressure", "film_start", "error_estimate", "equilibria")
+OF_THE_ROTOR = ("rotor_mass", "shaft_stiffness")
+OF_THE_STANDARD = ("span", "supply_element", "characteristics", "friction.model")
+OF_THE_FEED = ("supply.pressure", "supply.tubes", "supply.holes")
+NOT_READ = {
+    "iso7902": (*OF_THE_ROTOR, *OF_THE_FILM, "accuracy"),
+    "film": ("characteristics", "friction.model"),
+    "long_film": (*OF_THE_ROTOR, *OF_THE_FILM, *OF_THE_STANDARD, *OF_THE_FEED),
+    "segments": (*OF_THE_ROTOR, *OF_THE_FILM, *OF_THE_STANDARD, *OF_THE_FEED, "accuracy"),
+}
+"""Fields that a method accepts, since a bearing may be compared by several, and does not read."""
+
+
+def doubts_about(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice, ...]:
+    """Give every doubt about one bearing at one operating point.
+
+    Parameters
+    ----------
+    inputs : Inputs
+    point : OperatingPoint or None
+    """
+    return (
+        *_about_span(inputs.bearing, point),
+        *_about_direction(inputs.bearing),
+        *_about_hollows(inputs.bearing),
+        *doubts_about_numbers(inputs, point),
+    )
+
+
+def doubts_about_numbers(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice, ...]:
+    """Give the doubts about how one bearing at one operating point is written; what its method does not read."""
+    bearing = inputs.bearing.model_copy(update={"operating_points": ()})
+    at = () if point is None else ("operating_points", inputs.bearing.operating_points.index(point))
+    numbers = about_grouped_digits(bearing), about_grouped_digits(point, *at)
+    return (*inputs.shared_doubts, *_about_fields_not_read(bearing), *numbers[0], *numbers[1])
+
+
+def _about_fields_not_read(bearing: JournalBearing) -> Iterator[Notice]:
+    """Tell of the fields that the method of a bearing does not read."""
+    yield from not_read(bearing, f"method {bearing.method} does not read this", *NOT_READ[bearing.method])
+
+
+def _about_direction(bearing: JournalBearing) -> Iterator[Notice]:
+    """Tell that the standard does not know a direction of the load."""
+    if is_given(bearing, "load_angle") and bearing.load_angle != DOWNWARD:
+        yield Notice(
+            "W182",
+            f"load_angle {written(bearing.load_angle, '°')}: ISO 7902 centres the arc on the load and counts the "
+            "places of holes, pockets and grooves from the load, whatever its direction",
+        )
+
+
+def _about_hollows(bearing: JournalBearing) -> Iterator[Notice]:
+    """Tell that the standard does not read grooves, pockets and holes at angles in the bore."""
+    if given := dict.fromkeys(str(path[0]) for path, _ in bearing.hollows()):
+        yield Notice("W183", f"{', '.join(given)}: ISO 7902 knows what feeds the film from supply_element alone")
+    for path, given_hollow in bearing.hollows():
+        hollow = given_hollow.hollow(bearing.diameter)
+        aside = abs(math.remainder(bearing.load_angle - hollow.angle, 2.0 * math.pi))
+        if aside <= 0.5 * hollow.extent:
+            where, name = written(bearing.load_angle, "°"), ".".join(map(str, path))
+            yield Notice(
+                "W143", f"the load acts at {where}, into {name}, and ISO 7902 takes a film without it there"
+            )
+
+
+def _about_span(bearing: JournalBearing, point: OperatingPoint | None) -> Iterator[Notice]:
+    """Warn where a conventional span stands for the arc between uneven pockets."""
+    element = bearing.element_at(point)
+    if isinstance(element, GrooveElement) and element.kind == "groove_180":
+        span = bearing.span_at(point)
+        if span is not None and span > 180:
+            yield Notice("W188", f"span {span}° beside a groove_180: the groove leaves an arc of 180°")
+    if not isinstance(element, UnevenPockets):
+        return
+    conventional, span = element.conventional_span(), bearing.span_at(point)
+    exact = math.degrees(conventional.exact)
+    yield Notice("W104", f"the arc between uneven pockets, {exact:.0f}° if centred, was taken as {span}°")
+    if conventional.too_short:
+        yield Notice(
+            "W105", f"the pockets leave {exact:.0f}° of centred arc; the characteristics hold for {span}°"
+        )

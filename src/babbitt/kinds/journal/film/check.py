@@ -1,0 +1,337 @@
+"""Design check of one bearing by its film: from the inputs to values, verdicts and doubts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from time import perf_counter
+
+from babbitt.core.notices import Notice
+from babbitt.core.progress import Watch, unwatched
+from babbitt.core.result import Bound, Check, Matrix, Outcome, Result
+from babbitt.design.bounds import certain, unjudged
+from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
+from babbitt.design.conditions import GivenLoad, contact_film
+from babbitt.design.failure import failure
+from babbitt.design.feeding import Arrival
+from babbitt.design.warnings import (
+    PLAIN_BEARING_UP_TO,
+    doubt_about_hole,
+    doubt_about_pressure,
+    doubt_about_supply,
+    doubts_about_film,
+    doubts_about_running,
+)
+from babbitt.kinds.journal.film.assumptions import film_assumptions, film_settings
+from babbitt.kinds.journal.film.grid_error import grid_errors
+from babbitt.kinds.journal.film.isothermal import FilmState, under_found_load
+from babbitt.kinds.journal.film.layout import closed_pockets, fed_all_around, supply_numbers, without_pressure
+from babbitt.kinds.journal.film.load_slope import confirmed_state, doubts_about_slope, slope_not_asked
+from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.journal.film.orbit_results import (
+    orbit_checks,
+    orbit_doubts,
+    orbit_failure,
+    orbit_of,
+    orbit_rows,
+    orbit_values,
+)
+from babbitt.kinds.journal.film.other_equilibria import (
+    doubts_about_rest,
+    flattered_by_rest,
+    resting_checks,
+    resting_places,
+    resting_values,
+)
+from babbitt.kinds.journal.film.thermal_failure import thermal_failure
+from babbitt.kinds.journal.film.thermal_film import film_within_ducts
+from babbitt.kinds.journal.film.thermal_results import (
+    doubts_about_heat,
+    settings_found,
+    stiffness_values,
+    thermal_rows,
+    with_own_coefficients,
+)
+from babbitt.kinds.journal.film.transition import transition_speed
+from babbitt.kinds.journal.film.unloaded import missing_without_load
+from babbitt.kinds.journal.film.values import fills_of, film_values, rows_of, supply_pressures, tilt_values
+from babbitt.kinds.journal.film.whirl import whirl_of
+from babbitt.reynolds.model import Cavitation
+from babbitt.reynolds.stability.whirl_checks import (
+    doubts_about_whirl,
+    whirl_checks,
+    whirl_values,
+    without_critical_mass,
+)
+from babbitt.reynolds.stability.whirl_limits import Whirl
+
+METHOD = "film"
+
+ALMOST_A_TURN = math.radians(359.0)
+"""Extent in rad from which a groove surrounds the journal."""
+
+AT_A_LINE = 1e-6
+"""Angle in rad within which a load points at a line of supply."""
+
+NO_CALM_FILM = "no film was found at this position without the supply pressure; only their sum is known"
+"""Why the flows by film pressure and by supply pressure are missing."""
+
+DRAWN_IN_FROM = 0.02
+"""Oil that the sides draw in, over what leaves, from which it is told."""
+
+OIL_INVENTED_FROM = 0.05
+"""Mass balance error above which a film without mass conservation is doubted."""
+
+
+def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
+    """Solve the film of a bearing by its thermal model.
+
+    Parameters
+    ----------
+    case : FilmCase
+    watch : Watch
+        Follows the cycles of an orbit.
+
+    Returns
+    -------
+    Result
+        With a status in every case; the values of an unsolved case describe the last film reached.
+
+    Notes
+    -----
+    Without a heat model (``case.heat``) the film has one viscosity, that at the effective temperature. As in
+    ISO 7902 the oil enters with ``T_en``, leaves with ``T_ex``, and ``T_eff`` is the mean of both; without oil
+    supply ``T_eff`` is that of the bearing.
+    """
+    start = perf_counter()
+    asked = case
+    case, found, beyond = film_within_ducts(case)
+    if beyond is not None:
+        case = replace(case, doubts=(*case.doubts, *_doubts_about_ducts(asked, case, beyond)))
+    outcome, message = found.outcome, ""
+    if not outcome.solved:
+        message = failure(case, found) if case.heat is None else thermal_failure(case, found)
+        message += _about_flow_all_around(case, outcome)
+    values: dict[str, float] = {}
+    checks: tuple[Check, ...] = ()
+    warnings = case.doubts
+    not_made: tuple[Notice, ...] = ()
+    arrays, settings = {}, film_settings(case)
+    no_mass = ""
+    if found.film is not None:
+        state, slope = confirmed_state(case, found.film)
+        frozen, values, followed = state, film_values(case, state), True
+        if case.cavitation is not Cavitation.HALF_SOMMERFELD:
+            arrays = {"stiffness": rows_of(state.solution.stiffness), "damping": rows_of(state.solution.damping)}
+        if state.fed is not None:
+            arrays["supply_fill"] = (fills_of(case, state.fed),)
+        if closed_pockets(case):
+            arrays["groove_angles"] = (tuple(hollow.angle for hollow in case.bearing.hollows),)
+            arrays["groove_pressures"] = (supply_pressures(case, state.solution.film),)
+        if outcome.solved:
+            if case.tilt_coefficients:
+                from babbitt.reynolds.surface.tilt_coefficients import tilt_coefficients
+
+                tilt = tilt_coefficients(state.solution, case.accuracy.resolution)
+                if tilt.outcome.solved and not closed_pockets(case):
+                    arrays |= {"tilt_stiffness": rows_of(tilt.stiffness), "tilt_damping": rows_of(tilt.damping)}
+                    values |= tilt_values(tilt, state.load * case.bearing.width)
+            if state.thermal is not None:
+                arrays |= thermal_rows(case, state.thermal)
+                state, followed = with_own_coefficients(case, state)
+                arrays["stiffness"] = rows_of(state.solution.stiffness)
+                settings |= settings_found(case, followed)
+                if state is not frozen:
+                    arrays["frozen_stiffness"] = rows_of(frozen.solution.stiffness)
+            loaded = under_found_load(case, state)
+            whirl = whirl_of(loaded, frozen) if case.cavitation is not Cavitation.HALF_SOMMERFELD else None
+            values |= _running_values(loaded, state, whirl)
+            values |= grid_errors(case, state) if case.error_estimate else {}
+            places = resting_places(case, state) if case.heat is None else None
+            values |= resting_values(places)
+            no_mass = without_critical_mass(whirl)
+            limits = (*_limit_checks(case, values), *resting_checks(case, values))
+            flattered = flattered_by_rest(case, state.solution)
+            checks = (*certain(limits, flattered), *whirl_checks(case, whirl), clearance_check(case, values))
+            not_made = (
+                *checks_not_made(case, values),
+                *unjudged(limits, flattered),
+                *slope_not_asked(frozen, slope),
+                *((Notice("C115", no_mass),) if no_mass else ()),
+            )
+            warnings = (*_doubts(case, state, values, checks, whirl), *doubts_about_slope(case, slope))
+            if state.thermal is not None:
+                values |= stiffness_values(state)
+                warnings = (*warnings, *doubts_about_heat(case, state, values, followed))
+            if isinstance(case.duty, GivenLoad):
+                warnings = (*warnings, *doubts_about_rest(state.solution, places))
+            orbit = orbit_of(case, state, watch)
+            if orbit is not None:
+                outcome = orbit.outcome
+                message = "" if outcome.solved else orbit_failure(case, orbit)
+                values |= orbit_values(case, orbit)
+                arrays["orbit"] = orbit_rows(orbit)
+                checks = (*checks, *orbit_checks(checks, values))
+                warnings = (*warnings, *orbit_doubts(case, orbit))
+        values |= _supply_of_ducts(asked, beyond)
+        values["iterations"] = float(found.evaluations)
+    values["wall_time"] = perf_counter() - start
+    return Result(
+        case.name,
+        case.kind,
+        METHOD,
+        outcome,
+        {name: float(value) for name, value in values.items() if not math.isnan(value)},
+        checks,
+        warnings,
+        not_made,
+        (*case.lubricant.assumptions, *case.assumptions, *film_assumptions(case)),
+        message,
+        settings,
+        arrays,
+        {name: NO_CALM_FILM for name in ("side_flow", "supply_flow") if math.isnan(values.get(name, 0.0))}
+        | ({"critical_mass": no_mass} if no_mass else {})
+        | _tilt_missing(case, outcome, arrays)
+        | missing_without_load(case, found.film),
+    )
+
+
+def _about_flow_all_around(case: FilmCase, outcome: Outcome) -> str:
+    """Why no film is found where a given flow feeds grooves around the whole bore."""
+    supply = case.oil_supply
+    if outcome is not Outcome.OVERLOADED or supply is None or supply.flow is None or not fed_all_around(case):
+        return ""
+    return (
+        " A groove around the whole bore presses oil into the film and shears none into it; a given flow that it "
+        "does not take returns at ambient pressure, where it takes none. Give the supply a pressure in place of "
+        "the flow."
+    )
+
+
+def _doubts_about_ducts(asked: FilmCase, case: FilmCase, beyond: Arrival) -> Iterator[Notice]:
+    """Tell of a film that would draw more oil than tubes and holes pass, and of one not limited to that."""
+    yield from doubt_about_supply(beyond.limit, beyond.flow)
+    if case is asked:
+        yield Notice("W186", "the film is solved as if it got the oil all the same")
+
+
+def _supply_of_ducts(asked: FilmCase, beyond: Arrival | None) -> dict[str, float]:
+    """The supply of a film whose tubes and holes pass less than it would draw; else empty."""
+    if beyond is None or beyond.limit is None or asked.oil_supply is None:
+        return {}
+    return {
+        "supply_pressure": asked.oil_supply.pressure,
+        "element_pressure": beyond.element_pressure,
+        "tube_loss": beyond.tube_loss,
+        "hole_loss": beyond.hole_loss,
+        "supply_limit": beyond.limit,
+    }
+
+
+def _tilt_missing(case: FilmCase, outcome: Outcome, arrays: Mapping[str, Matrix]) -> dict[str, str]:
+    """Why coefficients of tilt that were asked for are not told."""
+    if not case.tilt_coefficients or not outcome.solved or "tilt_stiffness" in arrays:
+        return {}
+    why = "the film of the leaning journal did not converge; another accuracy may"
+    if closed_pockets(case):
+        why = "the pressures of closed pockets follow the journal, and the film of its tilt does not know it"
+    return dict.fromkeys(("tilt_stiffness", "tilt_damping"), why)
+
+
+def _running_values(case: FilmCase, state: FilmState, whirl: Whirl | None) -> dict[str, float]:
+    values = {} if whirl is None else whirl_values(case, whirl)
+    contact = contact_film(case)
+    slow = transition_speed(case, state, contact) if contact is not None else None
+    if slow is not None:
+        values["transition_speed"] = slow
+    return values
+
+
+def _limit_checks(case: FilmCase, values: dict[str, float]) -> Iterator[Check]:
+    """Those of every method; a film that was solved as turbulent need not be laminar."""
+    yield from (one for one in limit_checks(case, values) if one.code != "C110" or case.turbulence is None)
+    if case.bearing.metal is None:
+        source = "yield strength of the hardest white metals, about (assumption); no bearing metal is given"
+        pressure = values["maximum_pressure"]
+        yield Check("C116", "maximum_pressure", pressure, PLAIN_BEARING_UP_TO, Bound.AT_MOST, source)
+
+
+def _doubts(
+    case: FilmCase, state: FilmState, values: dict[str, float], checks: tuple[Check, ...], whirl: Whirl | None
+) -> Iterator[Notice]:
+    yield from case.doubts
+    yield from (
+        doubt for doubt in doubts_about_film(case, values) if doubt.code != "W101" or case.turbulence is None
+    )
+    if state.fed is not None and state.fed.starved:
+        fills = ", ".join(f"{fill:.0%}" for fill in fills_of(case, state.fed))
+        flow = values["given_flow"] * 6e4
+        yield Notice("W140", f"the supplies fill {fills} of the gap with the {flow:.3g} L/min given")
+    if case.bearing_speed:
+        yield Notice("W114", "the bearing rotates; values from experience hold for bearings at rest")
+    if values["mass_balance_error"] > OIL_INVENTED_FROM:
+        share = values["mass_balance_error"]
+        yield Notice("W122", f"{share:.0%} of the oil that passes the film comes from nowhere")
+    film = state.solution
+    if film.side_inflow > DRAWN_IN_FROM * film.leaving_flow:
+        flow = film.side_inflow * 6e4
+        yield Notice("W141", f"the sides draw in {flow:.2g} L/min")
+    yield from doubt_about_pressure(values["maximum_pressure"])
+    yield from _doubts_about_holes(case, state)
+    yield from _doubts_about_grooves(case, state, values)
+    if case.error_estimate and "stiffness_error" not in values:
+        yield Notice("W125", "the film on the finer grid was not found")
+    if whirl is not None:
+        yield from doubts_about_whirl(whirl)
+    solved = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
+    yield from (doubt for doubt in doubts_about_running(case, values, checks) if doubt.code not in solved)
+
+
+def _doubts_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
+    """The hole that costs most of the supply pressure, if that is notable."""
+    supply, film = case.oil_supply, state.solution
+    if supply is None or supply.flow is not None:
+        return
+    numbered = zip(case.bearing.hollows, supply_numbers(case, film.film), strict=True)
+    passed = [
+        (float(film.supply_flow[number]), hollow.bore_hole)
+        for hollow, number in numbered
+        if hollow.bore_hole is not None and hollow.pressure is None and hollow.flow is None
+    ]
+    if passed:
+        flow, diameter = max(passed, key=lambda one: one[0] / one[1] ** 2)
+        density = case.lubricant.density(supply.temperature)
+        yield from doubt_about_hole(supply, diameter, max(flow, 0.0), density)
+
+
+def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, float]) -> Iterator[Notice]:
+    """Flow of grooves as wide as the bearing, and a load that points into one, or into a pocket."""
+    grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
+    calm = without_pressure(state.solution.film, closed_pockets(case))
+    if grooves and calm != state.solution.film:
+        flow = values["supply_flow"] * 6e4
+        said = f"supply flow of {flow:.2g} L/min from grooves as wide as the bearing"
+        if math.isnan(flow):
+            said = "no film was found without the pressure of grooves as wide as the bearing; the whole flow"
+        elif flow < 0.0:
+            said = (
+                f"under the pressure of grooves as wide as the bearing {-flow:.2g} L/min less leave by the sides"
+            )
+            said += ", as oil flows from a side into them" if state.solution.side_inflow > 0.0 else ""
+        yield Notice("W121", f"{said}: a rough estimate")
+    for groove in case.bearing.hollows:
+        if groove.extent > ALMOST_A_TURN:  # no load could point beside it
+            continue
+        aside = abs(math.remainder(values["load_angle"] - groove.angle, 2.0 * math.pi))
+        if aside <= 0.5 * groove.extent + AT_A_LINE:
+            load, first, last = (
+                math.degrees(angle)
+                for angle in (
+                    values["load_angle"], groove.angle - 0.5 * groove.extent, groove.angle + 0.5 * groove.extent
+                )
+            )  # fmt: skip
+            which = "groove" if groove.width is None else f"pocket or hole, {1e3 * groove.width:.3g} mm wide,"
+            yield Notice(
+                "W143", f"the load acts at {load:.0f}°, the {which} reaches from {first:.0f}° to {last:.0f}°"
+            )

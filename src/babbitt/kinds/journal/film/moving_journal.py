@@ -1,0 +1,157 @@
+"""A journal that moves in its film under a changing load, as the right-hand side of an equation of motion.
+
+Without mass the velocity is that at which the film carries the load, found by Newton's method with the exact
+damping; with mass the film force accelerates the journal. Lengths in clearances, times in radians that the journal
+has turned.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.core.result import Outcome
+from babbitt.kinds.journal.film.changing_load import ChangingLoad
+from babbitt.reynolds.lands.solve import film_at_position
+from babbitt.reynolds.model import JournalFilm, Resolution
+from babbitt.reynolds.solution import FilmSolution
+
+__all__ = ["MOST_FILMS", "HeavyJournal", "MasslessJournal", "MovingJournal", "NoMotionError"]
+
+Array = NDArray[np.float64]
+
+BALANCED, BALANCED_WHILE_MARCHING = 1e-7, 1e-4
+"""Last Newton step of the velocity, relative; the error is of its square."""
+
+
+MOST_FILMS = 20_000
+"""Films of a march after which no further cycle begins, and of which no cycle takes twice as many more: ordinary
+orbits take one to ten thousand (an assumption)."""
+
+
+class NoMotionError(Exception):
+    """The film gave no answer, or no velocity at which it carries the load, or the march took too many films."""
+
+
+class MovingJournal:
+    """The film as the right-hand side of an equation of motion."""
+
+    def __init__(
+        self, film: JournalFilm, steady: Array, changing: ChangingLoad, speed: float, resolution: Resolution
+    ) -> None:
+        self.film, self.steady, self.changing, self.resolution = film, steady, changing, resolution
+        self.speed = speed
+        self.c, self.rate = film.clearance, abs(speed)
+        self.films = 0
+        self._last_velocity = np.zeros(2)
+
+    def load(self, turned: float) -> Array:
+        """Load when the journal has turned by an angle in its own sense, N."""
+        changing = self.changing.at(math.copysign(turned, self.speed))
+        return np.asarray(self.steady + np.asarray(changing), dtype=np.float64)
+
+    def film_at(self, place: Array, velocity: Array) -> FilmSolution | None:
+        """Film at a place and velocity; None where the journal touches the bore."""
+        self.films += 1
+        if self.films > 3 * MOST_FILMS:
+            raise NoMotionError
+        c, unit = self.c, self.c * self.rate
+        found = film_at_position(
+            self.film, (place[0] * c, place[1] * c), (velocity[0] * unit, velocity[1] * unit), self.resolution
+        )
+        if found.outcome is Outcome.OVERLOADED:
+            return None
+        if not found.outcome.solved:
+            raise NoMotionError
+        return found
+
+    def balanced(self, turned: float, place: Array, last_step: float) -> tuple[Array, FilmSolution | None]:
+        """Velocity at which the film carries the load, and the film there; inward where there is contact."""
+        load = self.load(turned)
+        velocity = self._last_velocity
+        before = math.inf
+        for _ in range(40):
+            film = self.film_at(place, velocity)
+            if film is None:
+                return -place / math.hypot(*place), None
+            step = np.linalg.solve(film.damping, film.force + load) / (self.c * self.rate)
+            size = math.hypot(*step)
+            velocity = velocity + step * (1.0 if size < 2.0 * before else 0.5)
+            before = size
+            if size < last_step * (1.0 + math.hypot(*velocity)):
+                self._last_velocity = velocity
+                return velocity, film
+        raise NoMotionError
+
+
+class MasslessJournal(MovingJournal):
+    """State: position."""
+
+    def start(self, place: Array) -> Array:
+        """State of a journal that stands at a place."""
+        return place
+
+    def slope(self, turned: float, state: Array) -> Array:
+        """Change of the state over the angle turned."""
+        return self.balanced(turned, state, BALANCED_WHILE_MARCHING)[0]
+
+    def jacobian(self, turned: float, state: Array) -> Array:
+        """Derivative of the slope by the state."""
+        film = self.balanced(turned, state, BALANCED_WHILE_MARCHING)[1]
+        if film is None:
+            return -np.eye(2, dtype=np.float64)
+        return np.asarray(-np.linalg.solve(film.damping, film.stiffness) / self.rate, dtype=np.float64)
+
+    def film_of(self, turned: float, state: Array) -> tuple[Array, FilmSolution]:
+        """Velocity and film of a state."""
+        velocity, film = self.balanced(turned, state, BALANCED)
+        if film is None:
+            raise NoMotionError
+        return velocity, film
+
+
+class HeavyJournal(MovingJournal):
+    """State: position and velocity. ``mass`` in kg."""
+
+    def __init__(
+        self,
+        film: JournalFilm,
+        steady: Array,
+        changing: ChangingLoad,
+        speed: float,
+        resolution: Resolution,
+        mass: float,
+    ) -> None:
+        super().__init__(film, steady, changing, speed, resolution)
+        self.mass = mass
+
+    def start(self, place: Array) -> Array:
+        """State of a journal that stands at a place."""
+        return np.concatenate((place, np.zeros(2)))
+
+    def slope(self, turned: float, state: Array) -> Array:
+        """Change of the state over the angle turned."""
+        film = self.film_at(state[:2], state[2:])
+        if film is None:
+            return np.concatenate((-state[:2] / math.hypot(*state[:2]), np.zeros(2)))
+        push = film.force + self.load(turned)
+        return np.concatenate((state[2:], push / (self.mass * self.c * self.rate**2)))
+
+    def jacobian(self, turned: float, state: Array) -> Array:
+        """Derivative of the slope by the state."""
+        film = self.film_at(state[:2], state[2:])
+        whole = np.zeros((4, 4))
+        whole[:2, 2:] = np.eye(2)
+        if film is not None:
+            whole[2:, :2] = -film.stiffness / (self.mass * self.rate**2)
+            whole[2:, 2:] = -film.damping / (self.mass * self.rate)
+        return whole
+
+    def film_of(self, turned: float, state: Array) -> tuple[Array, FilmSolution]:
+        """Velocity and film of a state."""
+        film = self.film_at(state[:2], state[2:])
+        if film is None:
+            raise NoMotionError
+        return state[2:], film

@@ -1,0 +1,139 @@
+"""What a changing load adds to the answer of a bearing: the orbit, its numbers, verdicts and doubts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from babbitt.core.notices import EXPLANATIONS, Notice
+from babbitt.core.progress import Watch, unwatched
+from babbitt.core.result import Check, Matrix, Outcome
+from babbitt.design.conditions import GivenLoad, sliding_speed
+from babbitt.design.warnings import RIGID_FILM_UP_TO, doubt_about_pressure
+from babbitt.kinds.journal.film.changing_load import TabulatedLoad
+from babbitt.kinds.journal.film.isothermal import FilmState, is_dear
+from babbitt.kinds.journal.film.layout import load_vector
+from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.reynolds.model import DRAFT, Cavitation
+
+if TYPE_CHECKING:
+    from babbitt.kinds.journal.film.orbit import Orbit
+
+__all__ = [
+    "orbit_assumptions",
+    "orbit_checks",
+    "orbit_doubts",
+    "orbit_failure",
+    "orbit_of",
+    "orbit_rows",
+    "orbit_values",
+]
+
+GRID_TOLD_FROM = 0.05
+"""Share of the load that a finer grid does not confirm, from which the orbit is doubted."""
+
+
+HELD_ON_ORBIT = ("minimum_film_thickness", "maximum_pressure", "specific_load", "pressure_speed_product")
+"""Results of the steady load whose limits hold for the worst instant of an orbit, too."""
+
+
+def orbit_of(case: FilmCase, state: FilmState, watch: Watch = unwatched) -> Orbit | None:
+    """Orbit of the journal in the film of the operating point; None under a steady load.
+
+    It is seen on the grid of the case, or on a draft grid where each of its instants would take long.
+    """
+    if case.changing_load is None or not isinstance(case.duty, GivenLoad):
+        return None
+    from babbitt.kinds.journal.film.orbit import find_orbit
+
+    film = state.solution.film
+    return find_orbit(
+        film,
+        case.changing_load,
+        load_vector(case, case.duty.load),
+        case.journal_speed,
+        case.moving_mass,
+        DRAFT if is_dear(state) else case.accuracy.resolution,
+        watch,
+    )
+
+
+def orbit_values(case: FilmCase, orbit: Orbit) -> dict[str, float]:
+    """Named results of an orbit, SI."""
+    largest = float(np.hypot(*orbit.load.T).max())
+    pressure = largest / (case.bearing.loaded_width * case.bearing.diameter)
+    return {
+        "orbit_largest_eccentricity_ratio": orbit.largest_eccentricity_ratio,
+        "orbit_minimum_film_thickness": float(orbit.film_thickness[orbit.thinnest]),
+        "orbit_minimum_film_direction": orbit.thinnest_direction,
+        "orbit_minimum_film_turned": float(orbit.turned[orbit.thinnest]),
+        "orbit_maximum_pressure": float(orbit.maximum_pressure.max()),
+        "orbit_specific_load": pressure,
+        "orbit_pressure_speed_product": pressure * sliding_speed(case),
+        "orbit_friction_power": case.friction_factor * orbit.friction_power,
+        "orbit_load_power": orbit.load_power,
+        "orbit_load_error": orbit.load_error,
+        "orbit_cycles": float(orbit.cycles),
+    }
+
+
+def orbit_rows(orbit: Orbit) -> Matrix:
+    """One row per instant: angle turned, x, y, load in x and y, smallest film thickness, largest pressure; SI."""
+    columns = (
+        orbit.turned, *orbit.position.T, *orbit.load.T, orbit.film_thickness, orbit.maximum_pressure,
+    )  # fmt: skip
+    return tuple(tuple(float(one) for one in row) for row in zip(*columns, strict=True))
+
+
+def orbit_checks(checks: tuple[Check, ...], values: dict[str, float]) -> Iterator[Check]:
+    """The limits of film thickness, load and pressure, asked of the worst instants of the orbit that are known."""
+    for check in checks:
+        name = f"orbit_{check.quantity}"
+        if check.quantity in HELD_ON_ORBIT and math.isfinite(values[name]):
+            yield replace(check, quantity=name, value=values[name])
+
+
+def orbit_doubts(case: FilmCase, orbit: Orbit) -> Iterator[Notice]:
+    """Where the orbit leaves the ground on which it stands."""
+    if orbit.load_error > GRID_TOLD_FROM:
+        yield Notice(
+            "W133", f"a grid twice as fine changes the force by {orbit.load_error:.0%} where the film is thinnest"
+        )
+    yield from doubt_about_pressure(float(orbit.maximum_pressure.max()), "on the orbit")
+    depth = 1.0 - float(orbit.film_thickness.min()) / orbit.clearance
+    if depth > RIGID_FILM_UP_TO:
+        yield Notice(
+            "W116", f"1 - h_min/c = {depth:.3f} on the orbit > {RIGID_FILM_UP_TO:g}, end of the rigid film"
+        )
+
+
+def orbit_assumptions(case: FilmCase) -> Iterator[str]:
+    """What the orbit takes for granted."""
+    yield "The orbit has the oil, temperature and clearance of the operating point under the steady load alone."
+    if case.cavitation is Cavitation.MASS_CONSERVING:
+        yield "The film of the orbit ruptures by the Reynolds condition at every instant, without memory."
+    if not case.moving_mass:
+        yield "The journal of the orbit has no mass: the film balances the load at every instant."
+
+
+MASSLESS_REMEDY = "A bore with preload, or another load."
+"""What to try where an orbit of a journal without mass does not close: no mass can be made smaller."""
+TABLE_REMEDY = "A steady load besides, more oil, or less load."
+"""What to try where a load by table squeezes the film out: it has no ratio of the speeds."""
+
+
+def orbit_failure(case: FilmCase, orbit: Orbit) -> str:
+    """How far an orbit came that does not close, and what to try of what the case has."""
+    remedy = EXPLANATIONS[orbit.outcome.code].remedy
+    if orbit.outcome is Outcome.NOT_PERIODIC and not case.moving_mass:
+        remedy = MASSLESS_REMEDY
+    if orbit.outcome is Outcome.SQUEEZED_OUT and isinstance(case.changing_load, TabulatedLoad):
+        remedy = TABLE_REMEDY
+    far = f"after {orbit.cycles} cycles"
+    if math.isfinite(float(orbit.film_thickness.min())):
+        far += f" the thinnest film was {1e6 * float(orbit.film_thickness.min()):.3g} µm"
+    return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"

@@ -1,0 +1,102 @@
+"""Doubts about a film by segments."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from babbitt.core.notices import Notice
+from babbitt.core.result import Check
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.design.infinite_width import doubt_about_width
+from babbitt.design.warnings import doubts_about_film, doubts_about_running
+from babbitt.kinds.journal.grooved_long_bearing.model import GrooveKind, SegmentCase
+from babbitt.kinds.journal.grooved_long_bearing.state import SegmentFilmState
+from babbitt.kinds.journal.grooved_long_bearing.ungrooved_reference import Beside
+from babbitt.properties.lubricants import PowerLaw
+
+POWER_LAW_RANGE = (293.15, 393.15)
+"""K, 20 to 120 °C: where the source uses the power law of viscosity."""
+
+THICK_FROM = 0.005
+"""c/R above which the theory of thin films is doubted."""
+
+ROUGHNESS_FACTOR = 3.0
+"""Least film over the combined rms roughness σ = sqrt(Rq_B² + Rq_J²) that is not doubted: above about 3 σ surfaces
+are apart (B. J. Hamrock, Fundamentals of Fluid Film Lubrication, 1994)."""
+
+RMS_OVER_MEAN = 1.25
+"""Rq/Ra of heights that are distributed normally, sqrt(pi/2) = 1.253."""
+
+
+def doubts(
+    case: SegmentCase,
+    state: SegmentFilmState,
+    plain: Beside | None,
+    values: dict[str, float],
+    checks: tuple[Check, ...],
+) -> Iterator[Notice]:
+    """Everywhere the result leaves the ground on which it stands; `plain` are the ungrooved films beside it."""
+    yield from case.doubts
+    yield from doubt_about_width(case, values)
+    if case.film.clearance / case.film.radius > THICK_FROM:
+        yield Notice("W151", f"c/R = {case.film.clearance / case.film.radius:.3g} > {THICK_FROM:g}")
+    if plain is not None:
+        yield from _doubts_about_groove(case, state, plain)
+    outside = list(_doubts_about_temperature(case, state))
+    yield from outside
+    if case.bearing.roughness is not None:
+        combined = RMS_OVER_MEAN * math.hypot(*case.bearing.roughness)
+        if values["minimum_film_thickness"] < ROUGHNESS_FACTOR * combined:
+            yield Notice(
+                "W155",
+                f"h_min = {values['minimum_film_thickness'] * 1e6:.3g} µm < {ROUGHNESS_FACTOR:g} x "
+                f"{combined * 1e6:.3g} µm (rms roughness of both)",
+            )
+    told = {notice.code for notice in outside}
+    yield from (notice for notice in doubts_about_film(case, values) if notice.code not in told)
+    yield from doubts_about_running(case, values, checks)
+
+
+def _doubts_about_groove(case: SegmentCase, state: SegmentFilmState, plain: Beside) -> Iterator[Notice]:
+    ungrooved = plain.same_load
+    if ungrooved is not None and state.outlet_temperature > ungrooved.outlet_temperature:
+        yield Notice(
+            "W153",
+            f"under the same load {_celsius(state.outlet_temperature)} °C leave the last segment with the groove, "
+            f"{_celsius(ungrooved.outlet_temperature)} °C without; eccentricity {state.eccentricity_ratio:.3f} "
+            f"instead of {ungrooved.eccentricity_ratio:.3f}",
+        )
+    if state.segments[-1].friction_power == 0.0:
+        first = state.segments[0]
+        yield Notice(
+            "W157",
+            f"no load behind the groove; the loaded film ends at {math.degrees(first.segment.end):.0f}° with "
+            f"{_celsius(first.outlet_temperature)} °C",
+        )
+    if state.short_of_oil:
+        yield Notice("W154", "more oil could leave the blind groove than enters it; its pressure was taken as 0")
+    elif case.groove is not None and case.groove.kind is GrooveKind.BLIND and plain.same_gap is not None:
+        ahead, cut = state.load / plain.same_gap.load, plain.cut_same_gap
+        if ahead > 1.0 and cut is not None:
+            yield Notice(
+                "W156",
+                f"load {ahead:.2f} of the ungrooved film, {state.load / cut.load:.2f} of that cut at its angle",
+            )
+
+
+def _doubts_about_temperature(case: SegmentCase, state: SegmentFilmState) -> Iterator[Notice]:
+    coldest, hottest = case.lubricant.temperature_range
+    if isinstance(case.lubricant.viscosity_law, PowerLaw):
+        coldest, hottest = POWER_LAW_RANGE
+    reached = [t for one in state.segments for t in (one.inlet_temperature, one.outlet_temperature)]
+    if min(reached) < coldest or max(reached) > hottest:
+        yield Notice(
+            "W107",
+            f"the film runs from {_celsius(min(reached))} to {_celsius(max(reached))} °C; "
+            f"{case.lubricant.name} is described from {_celsius(coldest)} to {_celsius(hottest)} °C",
+        )
+
+
+def _celsius(temperature: float) -> str:
+    return f"{temperature - ZERO_CELSIUS:.0f}"

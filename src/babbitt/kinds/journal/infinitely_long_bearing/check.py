@@ -1,0 +1,268 @@
+"""Design check of one bearing as a long film: from the inputs to values, verdicts and doubts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from time import perf_counter
+
+import numpy as np
+
+from babbitt.core.notices import EXPLANATIONS, Notice
+from babbitt.core.result import Check, Matrix, Outcome, Result
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.design.bounds import NO_BOUNDS
+from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
+from babbitt.design.conditions import GivenEccentricity, GivenLoad
+from babbitt.design.directions import directions_of, narrowest_direction
+from babbitt.design.effective import EffectiveFilm
+from babbitt.design.heat_balance import NoFilmError
+from babbitt.design.infinite_width import doubt_about_width, flattered_films
+from babbitt.design.screening import recommended_relative_clearance
+from babbitt.design.values import duty_values, limit_values, oil_values
+from babbitt.design.warnings import doubts_about_film, doubts_about_running
+from babbitt.kinds.journal.infinitely_long_bearing.mean_temperature import mean_temperature_film
+from babbitt.kinds.journal.infinitely_long_bearing.model import COARSE_BELOW, LongFilmCase, NusseltLaw
+from babbitt.kinds.journal.infinitely_long_bearing.pressure import circle
+from babbitt.kinds.journal.infinitely_long_bearing.solve import film_at_eccentricity, film_under_load
+from babbitt.kinds.journal.infinitely_long_bearing.state import LongFilmState
+
+METHOD = "long_film"
+
+ATMOSPHERE = 101325.0
+"""Pa; standard atmosphere, to which the published relative load is referred."""
+
+THICK_FROM = 0.005
+"""c/R above which the theory of thin films is doubted."""
+
+LAMINAR_UP_TO = 1500.0
+"""Local Reynolds number ρ u h/η above which the laminar law is invalid."""
+
+
+def long_film_check(case: LongFilmCase) -> Result:
+    """Solve a bearing as a long film that exchanges heat with journal and bush.
+
+    Parameters
+    ----------
+    case : LongFilmCase
+
+    Returns
+    -------
+    Result
+        With a status in every case.
+    """
+    start = perf_counter()
+    outcome, capacity, state = _solved(case)
+    values: dict[str, float] = {}
+    checks: tuple[Check, ...] = ()
+    not_made: tuple[Notice, ...] = ()
+    warnings = case.doubts
+    arrays: dict[str, Matrix] = {}
+    if state is not None:
+        values, arrays = _values(case, state), _arrays(state)
+        around = directions_of(case, state.attitude_angle, circle(case.cells, case.film.start)[0])
+        arrays["film_direction"] = (tuple(float(one) for one in around),)
+        if outcome.solved:
+            bounds = flattered_films(values) if isinstance(case.duty, GivenLoad) else NO_BOUNDS
+            checks = (*limit_checks(case, values, bounds), clearance_check(case, values))
+            not_made = checks_not_made(case, values, bounds)
+            warnings = tuple(_doubts(case, state, values, checks))
+        values["iterations"] = float(state.iterations)
+    values = {name: float(value) for name, value in values.items()} | {"wall_time": perf_counter() - start}
+    return Result(
+        case.name,
+        case.kind,
+        METHOD,
+        outcome,
+        values,
+        checks,
+        warnings,
+        not_made,
+        (*case.lubricant.assumptions, *case.assumptions, *_assumptions(case)),
+        "" if outcome.solved else _failure(case, outcome, capacity, state),
+        _settings(case),
+        arrays,
+    )
+
+
+def _solved(case: LongFilmCase) -> tuple[Outcome, float | None, LongFilmState | None]:
+    """How it ended, the largest load reached if it was too large, and the film."""
+    try:
+        if isinstance(case.duty, GivenEccentricity):
+            state = film_at_eccentricity(case.film, case.duty.eccentricity_ratio)
+        else:
+            state = film_under_load(case.film, case.duty.load)
+    except NoFilmError as error:
+        return error.outcome, error.capacity, None
+    return (Outcome.CONVERGED if state.converged else Outcome.NOT_CONVERGED), None, state
+
+
+def _values(case: LongFilmCase, state: LongFilmState) -> dict[str, float]:
+    bearing, temperatures = case.bearing, state.temperatures
+    effective = EffectiveFilm.of(
+        case, _mean_temperature(state), bearing.relative_clearance, state.load, state.friction_power, state.flow
+    )
+    duty = duty_values(case, effective)
+    number = state.load * bearing.relative_clearance**2 / (
+        bearing.width * bearing.diameter * effective.viscosity * abs(case.journal_speed)
+    )  # fmt: skip
+    values = {
+        "diameter": bearing.diameter,
+        "width": bearing.width,
+        "width_ratio": bearing.width_ratio,
+        "relative_clearance": bearing.relative_clearance,
+        "operating_relative_clearance": bearing.relative_clearance,
+        **duty,
+        "angular_speed": case.journal_speed,
+        **oil_values(case, effective),
+        "sommerfeld_number": number,
+        "american_sommerfeld_number": 1.0 / (2.0 * math.pi * number),
+        "eccentricity_ratio": state.eccentricity_ratio,
+        "attitude_angle": state.attitude_angle,
+        "narrowest_gap_angle": narrowest_direction(case, state.attitude_angle),
+        "minimum_film_thickness": float(state.film_thickness.min()),
+        "maximum_pressure": float(state.film_pressure.max()),
+        "supply_angle": case.supply_angle,
+        "rupture_angle": state.pressure.rupture_angle,
+        "load_along_eccentricity": state.load_along,
+        "load_across_eccentricity": state.load_across,
+        "relative_load": state.load_along / (bearing.diameter * bearing.width * ATMOSPHERE),
+        "friction_coefficient": state.friction_power / (state.load * duty["surface_speed"]),
+        "friction_torque": state.friction_torque,
+        "friction_power": state.friction_power,
+        "friction_heat": state.heat_source,
+        "film_flow": state.flow,
+        "flow_inconsistency": state.flow_spread,
+        "supply_temperature": case.oil_supply.temperature,
+        "effective_temperature": effective.temperature,
+        "rupture_temperature": state.rupture_temperature,
+        "outlet_temperature": float(temperatures.film[-1]),
+        "maximum_temperature": float(temperatures.film.max()),
+        "heat_to_oil": temperatures.to_oil,
+        "heat_to_surroundings": temperatures.to_housing,
+        "heat_to_shaft": temperatures.to_shaft,
+        "heat_film_to_bush": temperatures.film_to_bush,
+        "heat_film_to_journal": temperatures.film_to_journal,
+        "energy_balance_error": state.energy_balance_error,
+        "recommended_relative_clearance": recommended_relative_clearance(duty["surface_speed"]),
+        **limit_values(case),
+    }
+    if not math.isnan(temperatures.journal):
+        values["journal_temperature"] = temperatures.journal
+    if temperatures.bush is not None:
+        values["maximum_bush_temperature"] = float(temperatures.bush.max())
+    if case.exchange.ambient_temperature is not None:
+        values["ambient_temperature"] = case.exchange.ambient_temperature
+    try:
+        alone = mean_temperature_film(state.film, state.eccentricity_ratio)
+    except NoFilmError:
+        return values
+    return values | {
+        "mean_temperature_load_ratio": state.load / alone.load,
+        "mean_temperature_relative_load_ratio": state.load_along / alone.load_along,
+        "mean_temperature_outlet": alone.outlet_temperature,
+    }
+
+
+def _mean_temperature(state: LongFilmState) -> float:
+    """Mean temperature of the full film in K."""
+    middle = 0.5 * (state.temperatures.film[1:] + state.temperatures.film[:-1])
+    return float(middle @ state.pressure.full) / float(state.pressure.full.sum())
+
+
+def _arrays(state: LongFilmState) -> dict[str, Matrix]:
+    """Fields over the angle from the widest gap, each as one row."""
+    fields = {
+        "film_angle": circle(state.film.cells, state.film.start)[0],
+        "film_thickness": state.film_thickness,
+        "film_pressure": state.film_pressure,
+        "film_temperature": state.temperatures.film,
+    }
+    if state.temperatures.bush is not None:
+        fields["bush_temperature"] = state.temperatures.bush
+    return {name: (tuple(float(one) for one in field),) for name, field in fields.items()}
+
+
+def _doubts(
+    case: LongFilmCase, state: LongFilmState, values: dict[str, float], checks: tuple[Check, ...]
+) -> Iterator[Notice]:
+    yield from case.doubts
+    yield from doubt_about_width(case, values)
+    if not case.discretisation.conserves_flow:
+        spread = values["flow_inconsistency"]
+        yield Notice(
+            "W150", f"{case.discretisation.value}: the local flow varies by {spread:.0%} of its mean over the film"
+        )
+    ratio = case.film.clearance / case.film.radius
+    if ratio > THICK_FROM:
+        yield Notice("W151", f"c/R = {ratio:.3g} > {THICK_FROM:g}")
+    if case.cells < COARSE_BELOW:
+        yield Notice("W152", f"{case.cells} sectors < {COARSE_BELOW}")
+    yield from _doubts_about_temperature(case, state)
+    density = case.lubricant.density(state.temperatures.film)
+    local = density * case.film.surface_speed * state.film_thickness / case.lubricant.dynamic_viscosity(
+        state.temperatures.film
+    )  # fmt: skip
+    highest = float(np.max(local))
+    if highest > LAMINAR_UP_TO and values["film_reynolds_number"] <= values["critical_reynolds_number"]:
+        yield Notice("W101", f"local Reynolds number up to {highest:.0f} > {LAMINAR_UP_TO:.0f}")
+    yield from doubts_about_film(case, values)
+    yield from doubts_about_running(case, values, checks)
+
+
+def _doubts_about_temperature(case: LongFilmCase, state: LongFilmState) -> Iterator[Notice]:
+    coldest, hottest = case.lubricant.temperature_range
+    film = state.temperatures.film
+    if float(film.min()) < coldest or float(film.max()) > hottest:
+        yield Notice(
+            "W107",
+            f"the film runs from {film.min() - ZERO_CELSIUS:.0f} to {film.max() - ZERO_CELSIUS:.0f} °C; "
+            f"{case.lubricant.name} is described from {coldest - ZERO_CELSIUS:.0f} "
+            f"to {hottest - ZERO_CELSIUS:.0f} °C",
+        )
+
+
+def _assumptions(case: LongFilmCase) -> Iterator[str]:
+    yield "Infinitely long film: no oil passes the sides; at the same temperatures its load is an upper bound."
+    yield "Neither heat nor pressure changes the clearance given. Laminar film, one temperature across it."
+    where = "at the widest gap"
+    if case.supply_angle != math.pi:
+        where = f"{math.degrees(case.supply_angle):.4g} deg behind the narrowest gap, wherever the journal lies,"
+    yield f"Oil enters {where} with the supply temperature; none of the hot oil comes around again."
+    yield "The effective temperature is the mean over the full film; nothing is computed with it."
+    if case.exchange.bush is None:
+        yield "Adiabatic bush: all heat leaves with the oil" + (
+            " and along the shaft." if case.exchange.shaft_conductance else "."
+        )
+
+
+def _settings(case: LongFilmCase) -> dict[str, str]:
+    law, nusselt = "own", case.exchange.nusselt
+    if isinstance(nusselt, NusseltLaw):
+        law = f"{nusselt.coefficient:g} (Pe h/D)^{nusselt.exponent:.4g}"
+    return {
+        "lubricant": case.lubricant.name,
+        "discretisation": case.discretisation.value,
+        "exchange_zone": case.film.zone.value,
+        "nusselt": law,
+        "sectors": str(case.cells),
+    }
+
+
+def _failure(case: LongFilmCase, outcome: Outcome, capacity: float | None, state: LongFilmState | None) -> str:
+    far = f"{outcome.value}"
+    if outcome is Outcome.OVERLOADED and isinstance(case.duty, GivenLoad) and capacity is not None:
+        far = (
+            f"the largest load reached was {capacity / 1e3:.4g} kN, less than the load of "
+            f"{case.duty.load / 1e3:.4g} kN"
+        )
+    elif state is not None:
+        angle = math.degrees(state.pressure.rupture_angle)
+        far = (
+            f"after {state.iterations} iterations the temperature still changed by {state.residual:.3g} K; the "
+            f"film then broke at {angle:.1f}°"
+        )
+    elif outcome is Outcome.NOT_CONVERGED and not case.discretisation.conserves_flow:
+        far = f"the local flow of {case.discretisation.value} is not positive in every sector: no heat balance"
+    remedy = EXPLANATIONS[outcome.code].remedy
+    return f"{far}. Try: {remedy[0].lower()}{remedy[1:]}"

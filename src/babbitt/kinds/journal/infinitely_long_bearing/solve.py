@@ -1,0 +1,206 @@
+"""The long film in equilibrium: viscosity, pressure, heat and temperature in turn."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.core.notices import InputError
+from babbitt.core.result import Outcome
+from babbitt.design.heat_balance import NoFilmError
+from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilm
+from babbitt.kinds.journal.infinitely_long_bearing.network import temperatures
+from babbitt.kinds.journal.infinitely_long_bearing.pressure import Gap, Pressure, divergence_form, published_form
+from babbitt.kinds.journal.infinitely_long_bearing.state import LongFilmState
+from babbitt.kinds.journal.infinitely_long_bearing.walls import sectors_of, viscosity_at
+from babbitt.numerics.roots import find_root
+
+Array = NDArray[np.float64]
+
+RELAXATION = 0.85
+TEMPERATURE_TOLERANCE, LOAD_TOLERANCE = 1e-4, 1e-6
+"""In K between two iterations, and of the load."""
+
+LARGEST_CHANGE = 40.0
+"""K; a cold film heats itself far beyond its equilibrium in one step, out of the range of any oil."""
+
+LARGEST_SHARE = 2.0
+"""Of the last step that the mixing may take back or repeat."""
+
+MOST_ITERATIONS = 400
+GREATEST_ECCENTRICITY = 0.99
+"""As of the characteristics of the standard: above, a rigid film says nothing."""
+
+GREATEST_STRETCH = math.log(GREATEST_ECCENTRICITY / (1.0 - GREATEST_ECCENTRICITY))
+SCAN = tuple(np.concatenate((np.arange(0.02, 0.9, 0.04), np.arange(0.9, 0.9901, 0.01))).tolist())
+
+
+def film_at_eccentricity(film: LongFilm, eccentricity_ratio: float, start: Array | None = None) -> LongFilmState:
+    """The film in thermal equilibrium at an eccentricity ratio.
+
+    Parameters
+    ----------
+    film : LongFilm
+    eccentricity_ratio : float
+        0 to 1, both excluded.
+    start : ndarray, optional
+        Temperatures to start from, K, at the nodes; those of the inlet if not given.
+
+    Returns
+    -------
+    LongFilmState
+        Not converged after 400 iterations: its `converged` says so.
+
+    Raises
+    ------
+    InputError
+        E003 for an eccentricity outside its bounds.
+    NoFilmError
+        When the laws of the lubricant end before an equilibrium.
+    """
+    if not 0.0 < eccentricity_ratio < 1.0:
+        raise InputError("E003", f"eccentricity_ratio must lie between 0 and 1, given {eccentricity_ratio!r}")
+    gap = Gap.of(eccentricity_ratio, film.cells, film.start)
+    return _iterated(film, lambda viscosity: gap, start)
+
+
+def film_under_load(film: LongFilm, load: float) -> LongFilmState:
+    """The film that carries a load, with the least eccentricity that does.
+
+    The position is found anew for each temperature field on the way; where that loses its way, the eccentricity is
+    raised step by step to the first that carries the load, since a film that heats up can carry less when pressed
+    closer.
+
+    Parameters
+    ----------
+    film : LongFilm
+    load : float
+        N, the resultant.
+
+    Raises
+    ------
+    NoFilmError
+        OVERLOADED with the largest load reached; NOT_CONVERGED; NO_LUBRICANT_DATA.
+    """
+    if not 0.0 < load < math.inf:
+        raise InputError("E003", f"load must be above 0, given {load!r}")
+    try:
+        state = _iterated(film, _Position(film, load), None, most=60)
+        if state.converged and abs(state.load / load - 1.0) < 1e-5:
+            return state
+    except NoFilmError:
+        pass
+    return _scanned(film, load)
+
+
+class _Position:
+    """Moves the gap towards a load by one Newton step for each viscosity field that it is given.
+
+    Over ``ln(ε/(1 - ε))`` the logarithm of the load is nearly a straight line.
+    """
+
+    def __init__(self, film: LongFilm, load: float) -> None:
+        self.film, self.stretch = film, 0.0
+        scale = film.surface_speed * film.radius**2 * film.width / film.clearance**2
+        self.wanted = math.log(load / scale)
+
+    def __call__(self, viscosity: Array) -> Gap:
+        level = self._level(self.stretch, viscosity)
+        ahead = self._level(self.stretch + 1e-4, viscosity)
+        self.stretch += max(-1.0, min(1.0, (self.wanted - level) * 1e-4 / (ahead - level)))
+        if self.stretch > GREATEST_STRETCH:
+            raise NoFilmError(Outcome.OVERLOADED)
+        return self._gap(self.stretch)
+
+    def _gap(self, stretch: float) -> Gap:
+        return Gap.of(1.0 / (1.0 + math.exp(-stretch)), self.film.cells, self.film.start)
+
+    def _level(self, stretch: float, viscosity: Array) -> float:
+        gap = self._gap(stretch)
+        return math.log(math.hypot(*_pressure(self.film, gap, viscosity).load(gap.step)))
+
+
+def _pressure(film: LongFilm, gap: Gap, viscosity: Array) -> Pressure:
+    form = divergence_form if film.discretisation.conserves_flow else published_form
+    return form(gap, viscosity)
+
+
+def _iterated(
+    film: LongFilm, gap_at: Callable[[Array], Gap], start: Array | None, most: int = MOST_ITERATIONS
+) -> LongFilmState:
+    scale = film.surface_speed * film.radius**2 * film.width / film.clearance**2
+    assumed = np.full(film.cells + 1, film.inlet_temperature) if start is None else start
+    before, mixing = math.inf, _Mixing()
+    for count in range(1, most + 1):
+        viscosity = viscosity_at(film, assumed)
+        gap = gap_at(viscosity)
+        pressure = _pressure(film, gap, viscosity)
+        along, across = (scale * one for one in pressure.load(gap.step))
+        sectors = sectors_of(film, gap, pressure, viscosity, assumed)
+        if not sectors.capacity_flow.min() > 0.0:
+            raise NoFilmError(Outcome.NOT_CONVERGED)
+        found = temperatures(film, sectors)
+        change = float(np.abs(found.film - assumed).max())
+        if not math.isfinite(change):
+            raise NoFilmError(Outcome.NOT_CONVERGED)
+        load = math.hypot(along, across)
+        done = change < TEMPERATURE_TOLERANCE and abs(load - before) <= LOAD_TOLERANCE * load
+        if done or count == most:
+            return LongFilmState(
+                film, gap, viscosity, pressure, sectors, found, along, across, count, done, change
+            )
+        before = load
+        assumed = mixing.next(assumed, np.clip(found.film - assumed, -LARGEST_CHANGE, LARGEST_CHANGE))
+    raise AssertionError("unreachable")
+
+
+class _Mixing:
+    """Relaxed fixed-point steps, each improved by what the one before taught (Anderson's mixing of depth one).
+
+    D. G. Anderson, Iterative procedures for nonlinear integral equations, Journal of the ACM 12 (1965) 547-560.
+    """
+
+    def __init__(self) -> None:
+        self.last: tuple[Array, Array] | None = None
+
+    def next(self, assumed: Array, residual: Array) -> Array:
+        """Temperatures to try next, from those assumed and the change that they led to."""
+        mixed, change = assumed, residual
+        if self.last is not None:
+            moved = residual - self.last[1]
+            share = float(moved @ residual) / max(float(moved @ moved), 1e-300)
+            share = max(-LARGEST_SHARE, min(LARGEST_SHARE, share))
+            mixed, change = assumed - share * (assumed - self.last[0]), residual - share * moved
+        self.last = assumed, residual
+        return mixed + RELAXATION * change
+
+
+def _scanned(film: LongFilm, load: float) -> LongFilmState:
+    """Raise the eccentricity to the first film that carries the load, then close in on it."""
+    best, below = 0.0, 0.0
+    start: Array | None = None
+    for eccentricity in SCAN:
+        state = film_at_eccentricity(film, eccentricity, start)
+        if not state.converged:
+            raise NoFilmError(Outcome.NOT_CONVERGED, best or None)
+        best, start = max(best, state.load), state.temperatures.film
+        if state.load >= load:
+            return _between(film, load, below or 1e-6, state)
+        below = eccentricity
+    raise NoFilmError(Outcome.OVERLOADED, best)
+
+
+def _between(film: LongFilm, load: float, below: float, above: LongFilmState) -> LongFilmState:
+    """The film that carries a load between an eccentricity that does not and a state that does."""
+    near = above.temperatures.film
+
+    def excess(eccentricity: float) -> float:
+        return film_at_eccentricity(film, eccentricity, near).load - load
+
+    root = find_root(excess, below, above.eccentricity_ratio, 1e-10)
+    if not root.converged:
+        raise NoFilmError(Outcome.NOT_CONVERGED)
+    return film_at_eccentricity(film, root.value, near)

@@ -1,0 +1,180 @@
+"""The film at one assumed temperature: clearance, load number, position, friction and flows of ISO 7902.
+
+Everything the heat balance needs is a function of the effective temperature; `film_at` is that function.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from babbitt.core.result import Outcome
+from babbitt.design.conditions import GivenEccentricity
+from babbitt.design.heat_balance import NoFilmError
+from babbitt.design.oil import properties_at
+from babbitt.design.values import friction_between, hydrodynamic_speed
+from babbitt.kinds.journal.iso7902.characteristics import BearingCurves, ClosedFormCurves, curves
+from babbitt.kinds.journal.iso7902.friction import friction_numbers
+from babbitt.kinds.journal.iso7902.model import Curves, DesignCase
+from babbitt.kinds.journal.iso7902.supply import CircumferentialGroove, HalfCircumferentialGroove, Holes, Pockets
+from babbitt.kinds.journal.iso7902.supply_pressure import Feed, feed
+from babbitt.properties.fits import operating_relative_clearance
+
+
+@dataclass(frozen=True)
+class Film:
+    """State of the film at one effective temperature, SI.
+
+    `feed` is None where no oil is supplied under pressure, `supply_capacity` where nothing tells what the supply
+    can deliver.
+    """
+
+    temperature: float
+    relative_clearance: float
+    density: float
+    viscosity: float
+    volumetric_heat_capacity: float
+    load: float
+    sommerfeld_number: float
+    eccentricity_ratio: float
+    friction_number: float
+    friction_power: float
+    side_flow_number: float
+    side_flow: float
+    feed: Feed | None
+    supply_capacity: float | None
+
+    @property
+    def supply_flow(self) -> float:
+        """Flow in m³/s that the supply pressure drives."""
+        return self.feed.flow if self.feed else 0.0
+
+    @property
+    def total_flow(self) -> float:
+        """Side flow and supply flow together, m³/s."""
+        return self.side_flow + self.supply_flow
+
+
+def curves_of(case: DesignCase) -> BearingCurves:
+    """The characteristics the case asks for, of one half bearing where a groove parts it."""
+    if case.curves is Curves.CLOSED_FORM:
+        return ClosedFormCurves(case.bearing.part_width_ratio)
+    return curves(case.bearing.span, case.bearing.part_width_ratio)
+
+
+def load_scale(case: DesignCase, viscosity: float, relative_clearance: float) -> float:
+    """Load at So = 1: ``B D η ω_h/ψ²`` in N, the definition of the Sommerfeld number of ISO 7902.
+
+    Half bearings have the Sommerfeld number of all their width under all the load.
+    """
+    bearing = case.bearing
+    return bearing.loaded_width * bearing.diameter * viscosity * hydrodynamic_speed(case) / relative_clearance**2
+
+
+def film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
+    """Film at an effective temperature in K, with all the oil that it wants.
+
+    Parameters
+    ----------
+    temperature : float
+        Effective temperature in K.
+    case : DesignCase
+    shape : BearingCurves
+        Characteristics of the span and width ratio of the case.
+
+    Raises
+    ------
+    NoFilmError
+        When the relative clearance is not positive at this temperature, So exceeds the largest tabulated one, or
+        a law of the lubricant has no usable value.
+    """
+    return _film(temperature, case, shape)
+
+
+def starved_film_at(temperature: float, case: DesignCase, shape: BearingCurves) -> Film:
+    """Film at an effective temperature in K whose flow is limited to what its supply delivers.
+
+    Its position and its friction are those of the full film: starvation hurts by the heat. Parameters and errors
+    as of `film_at`.
+    """
+    return _film(temperature, case, shape, limited=True)
+
+
+def sheared_flow(
+    case: DesignCase, eccentricity_ratio: float, attitude_angle: float, relative_clearance: float
+) -> float | None:
+    """Oil sheared into the loaded film from the supply element, ``(U/2) h_s b`` with U of ``ω_h``, m³/s.
+
+    None without an element. A groove around the whole circumference lies along the motion: nothing is sheared out.
+    """
+    element, bearing = case.bearing.supply_element, case.bearing
+    if case.oil_supply is None or element is None:
+        return None
+    if isinstance(element, CircumferentialGroove):
+        return 0.0
+    if not isinstance(element, Holes | Pockets | HalfCircumferentialGroove):
+        return None
+    factor = element.arrangement.gap_factor(eccentricity_ratio, attitude_angle)
+    gap = factor * relative_clearance * bearing.diameter / 2.0
+    return hydrodynamic_speed(case) * bearing.diameter / 4.0 * gap * element.axial_width(bearing.width)
+
+
+def _film(temperature: float, case: DesignCase, shape: BearingCurves, limited: bool = False) -> Film:
+    """Film at a temperature, with all the oil that it wants or limited to what its supply delivers."""
+    bearing, oil = case.bearing, case.lubricant
+    psi = operating_relative_clearance(
+        bearing.relative_clearance, bearing.expansion_bearing, bearing.expansion_journal, temperature
+    )
+    if psi <= 0.0:
+        raise NoFilmError(Outcome.NO_CLEARANCE)
+    density, viscosity, heat_capacity = properties_at(oil, temperature)
+    scale = load_scale(case, viscosity, psi)
+    if isinstance(case.duty, GivenEccentricity):
+        eccentricity = case.duty.eccentricity_ratio
+        so = shape.sommerfeld_number(eccentricity)
+        load = so * scale
+    else:
+        load = case.duty.load
+        so = load / scale
+        if so > shape.largest_sommerfeld_number:
+            raise NoFilmError(Outcome.OVERLOADED, scale * shape.largest_sommerfeld_number)
+        eccentricity = shape.eccentricity_ratio(so)
+    lever = case.friction_factor * psi * load * bearing.diameter / 2.0
+    torque, power = friction_between(
+        case, *(lever * number for number in friction_numbers(case.friction, shape, eccentricity, so))
+    )
+    flow_scale = bearing.diameter**3 * psi * hydrodynamic_speed(case)
+    side_flow_number = shape.side_flow_number(eccentricity)
+    sheared = sheared_flow(case, eccentricity, shape.attitude_angle(eccentricity), psi)
+    side_flow = bearing.parts * side_flow_number * flow_scale
+    if limited and sheared is not None:
+        side_flow = min(side_flow, sheared)
+    fed = feed(case, eccentricity, psi, viscosity, side_flow)
+    if limited and fed is not None and fed.limit is not None:
+        side_flow = fed.limit  # tubes and holes pass no more; nothing is left to press oil through the element
+    return Film(
+        temperature=temperature,
+        relative_clearance=psi,
+        density=density,
+        viscosity=viscosity,
+        volumetric_heat_capacity=heat_capacity,
+        load=load,
+        sommerfeld_number=so,
+        eccentricity_ratio=eccentricity,
+        friction_number=torque / (psi * load * bearing.diameter / 2.0),
+        friction_power=power,
+        side_flow_number=side_flow_number,
+        side_flow=side_flow,
+        feed=fed,
+        supply_capacity=_capacity(fed, sheared, lambda flow: feed(case, eccentricity, psi, viscosity, flow)),
+    )
+
+
+def _capacity(fed: Feed | None, sheared: float | None, fed_at: Callable[[float], Feed | None]) -> float | None:
+    """What the supply can deliver in m³/s: by pressure and shear, and no more than tubes and holes pass."""
+    if fed is None:
+        return None
+    if fed.limit is None:
+        return None if sheared is None else fed.flow + sheared
+    less = None if sheared is None else fed_at(sheared)  # with less flow some pressure may be left at the element
+    return fed.limit if sheared is None or less is None or less.limit is not None else less.flow + sheared

@@ -1,0 +1,127 @@
+"""What the ISO 7902 procedure needs to know: SI numbers and chosen methods, nothing of files or units."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+
+from babbitt.core.notices import Notice
+from babbitt.design.conditions import (
+    GivenEccentricity,
+    GivenLoad,
+    HousingCooling,
+    Limits,
+    OilSupply,
+    Proportions,
+    Surfaces,
+)
+from babbitt.kinds.journal.iso7902.supply import CircumferentialGroove, SupplyElement
+from babbitt.properties.lubricants import Lubricant
+from babbitt.properties.materials import BearingMetal, LoadCharacter
+
+__all__ = [
+    "Bearing",
+    "Curves",
+    "DesignCase",
+    "Friction",
+    "GivenEccentricity",
+    "GivenLoad",
+    "HousingCooling",
+    "Limits",
+    "OilSupply",
+    "Surfaces",
+]
+
+
+class Friction(Enum):
+    """Where the film rubs.
+
+    FULL: film around the whole circumference (default). ARC: film on the loaded arc only.
+    CURVE360: friction number of the full bearing at the same eccentricity, as a published gearbox study has it.
+    """
+
+    FULL = "full"
+    ARC = "arc"
+    CURVE360 = "curve360"
+
+
+class Curves(Enum):
+    """Which characteristics: our own Reynolds solutions, or the closed forms of DIN 31652 (360° only)."""
+
+    COMPUTED = "computed"
+    CLOSED_FORM = "closed_form"
+
+
+@dataclass(frozen=True)
+class Bearing(Proportions):
+    """A circular cylindrical bearing; lengths in m, clearance at 20 °C, span in degrees of a tabulated arc.
+
+    `clearance_tolerance` holds the least and the greatest relative clearance where a tolerance is known. A groove
+    around the whole circumference parts the bearing: the standard takes it for two half bearings side by side,
+    each with half the load.
+    """
+
+    diameter: float
+    width: float
+    relative_clearance: float
+    span: int
+    expansion_bearing: float
+    expansion_journal: float
+    supply_element: SupplyElement | None = None
+    surfaces: Surfaces | None = None
+    metal: BearingMetal | None = None
+    load_character: LoadCharacter = LoadCharacter.CALM
+    clearance_tolerance: tuple[float, float] | None = None
+    mean_clearance: float | None = None
+
+    @property
+    def parts(self) -> int:
+        """Bearings side by side that share the load: two half ones beside a circumferential groove, else one."""
+        return 2 if isinstance(self.supply_element, CircumferentialGroove) else 1
+
+    @property
+    def loaded_width(self) -> float:
+        """Width of all parts together in m: that of the bearing less that of a groove which parts it."""
+        if isinstance(self.supply_element, CircumferentialGroove):
+            return self.width - self.supply_element.width
+        return self.width
+
+    @property
+    def part_width(self) -> float:
+        """Width of one part in m."""
+        return self.loaded_width / self.parts
+
+    @property
+    def part_width_ratio(self) -> float:
+        """Width of one part over the diameter, for which the characteristics are taken."""
+        return self.part_width / self.diameter
+
+
+@dataclass(frozen=True)
+class DesignCase:
+    """One bearing at one operating point with all choices made.
+
+    Speeds in rad/s. At least one of `oil_supply` and `cooling` carries the heat away, unless the effective
+    temperature (K) is prescribed. `given` holds names and
+    words of the case that these numbers came from (a fit, a material), for the report. `doubts` arose while the
+    case was made and ride along to the result.
+    """
+
+    name: str
+    bearing: Bearing
+    duty: GivenLoad | GivenEccentricity
+    journal_speed: float
+    lubricant: Lubricant
+    oil_supply: OilSupply | None = None
+    cooling: HousingCooling | None = None
+    bearing_speed: float = 0.0
+    friction: Friction = Friction.FULL
+    friction_factor: float = 1.0
+    curves: Curves = Curves.COMPUTED
+    limits: Limits = field(default_factory=Limits)
+    given: tuple[tuple[str, str], ...] = ()
+    assumptions: tuple[str, ...] = ()
+    doubts: tuple[Notice, ...] = ()
+    kind: str = "journal"
+    effective_temperature: float | None = None
+    load_angle: float | None = None

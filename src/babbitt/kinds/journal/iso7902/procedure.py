@@ -1,0 +1,227 @@
+"""ISO 7902 design check of one bearing at one operating point: from the inputs to values, verdicts and doubts."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import partial
+from time import perf_counter
+
+from babbitt.core.result import Result
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.design.conditions import contact_film
+from babbitt.design.failure import failure
+from babbitt.design.heat_balance import Equilibrium, at_prescribed_temperature, find_equilibrium
+from babbitt.design.numbers import minimum_film_thickness
+from babbitt.design.screening import recommended_relative_clearance
+from babbitt.design.values import (
+    cooling_values,
+    duty_values,
+    heat_values,
+    limit_values,
+    oil_values,
+    supply_values,
+)
+from babbitt.kinds.journal.iso7902.checks import checks_not_made, checks_of
+from babbitt.kinds.journal.iso7902.film import Film, curves_of, film_at
+from babbitt.kinds.journal.iso7902.model import DesignCase
+from babbitt.kinds.journal.iso7902.screening import Transition, orlov_relative_clearance, transition
+from babbitt.kinds.journal.iso7902.supply_capacity import (
+    assumptions_about_capacity,
+    capacity_check,
+    capacity_not_checked,
+    doubts_about_capacity,
+    starved_equilibrium,
+    starved_values,
+    worse_of,
+)
+from babbitt.kinds.journal.iso7902.warnings import doubts_of
+
+METHOD = "iso7902"
+
+
+def check(case: DesignCase) -> Result:
+    """Run the ISO 7902 procedure.
+
+    Parameters
+    ----------
+    case : DesignCase
+
+    Returns
+    -------
+    Result
+        With a status in every case; the values of an unsolved case describe the last film reached.
+
+    Notes
+    -----
+    ISO 7902-1, DIN 31652: effective clearance, Reynolds number, Sommerfeld number, eccentricity, film thickness,
+    friction, flows, heat balance iterated on the effective temperature. The characteristics are solutions of the
+    Reynolds equation by this package, not the tables of the standard.
+    """
+    if case.effective_temperature is not None:
+        return check_at_temperature(case, case.effective_temperature)
+    start = perf_counter()
+    found = find_equilibrium(case, partial(film_at, case=case, shape=curves_of(case)))
+    return _result(case, found, start)
+
+
+def check_at_temperature(case: DesignCase, effective_temperature: float) -> Result:
+    """Run the ISO 7902 procedure at a prescribed effective temperature, without the heat balance.
+
+    For repeating a calculation whose temperature is known, or a film whose temperature was measured.
+
+    Parameters
+    ----------
+    case : DesignCase
+    effective_temperature : float
+        In K.
+
+    Returns
+    -------
+    Result
+        As of `check`, but for what only a heat balance tells: the outlet temperature and the heat carried away.
+    """
+    start = perf_counter()
+    celsius = effective_temperature - ZERO_CELSIUS
+    stated = f"effective temperature prescribed: {celsius:.1f} °C; heat balance not closed"
+    prescribed = replace(
+        case, effective_temperature=effective_temperature, assumptions=(*case.assumptions, stated)
+    )
+    film_of = partial(film_at, case=case, shape=curves_of(case))
+    return _result(prescribed, at_prescribed_temperature(effective_temperature, film_of), start)
+
+
+def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
+    """Values, verdicts and doubts of the film found, or how far an unsolved case came."""
+    if found.film is None:
+        return Result(
+            case.name,
+            case.kind,
+            METHOD,
+            found.outcome,
+            {"wall_time": perf_counter() - start},
+            warnings=case.doubts,
+            assumptions=(*case.lubricant.assumptions, *case.assumptions),
+            message=failure(case, found),
+            settings=_settings(case),
+        )
+    change = _transition(case, found.film)
+    values = _values(case, found.film, change)
+    checks = checks_of(case, values)
+    starved = starved_equilibrium(case, found.film) if found.outcome.solved else None
+    hotter: dict[str, float] = {}
+    if starved is not None and starved.film is not None and starved.outcome.solved:
+        hotter = _values(case, starved.film, _transition(case, starved.film))
+        checks = worse_of(checks, checks_of(case, hotter))
+        values |= starved_values(hotter)
+    checks = (*checks, *capacity_check(found.film, starved))
+    warnings = case.doubts
+    if found.outcome.solved:
+        about_supply = doubts_about_capacity(case, found.film, starved, hotter)
+        warnings = (*doubts_of(case, found.film, values, checks, change), *about_supply)
+    values["iterations"] = float(found.evaluations)
+    values["wall_time"] = perf_counter() - start
+    return Result(
+        case.name,
+        case.kind,
+        METHOD,
+        found.outcome,
+        values,
+        checks if found.outcome.solved else (),
+        warnings,
+        (*checks_not_made(case, values), *capacity_not_checked(case, found.film)) if found.outcome.solved else (),
+        (*case.lubricant.assumptions, *case.assumptions, *assumptions_about_capacity(case, found.film)),
+        "" if found.outcome.solved else failure(case, found),
+        _settings(case),
+    )
+
+
+def _values(case: DesignCase, film: Film, change: Transition | None) -> dict[str, float]:
+    bearing, shape = case.bearing, curves_of(case)
+    diameter, eccentricity = bearing.diameter, film.eccentricity_ratio
+    duty = duty_values(case, film)
+    coefficient = film.friction_number * film.relative_clearance
+    values = {
+        "diameter": diameter,
+        "width": bearing.width,
+        "width_ratio": bearing.width_ratio,
+        **_half_bearings(case),
+        "angular_span": math.radians(bearing.span),
+        "relative_clearance": bearing.relative_clearance,
+        "operating_relative_clearance": film.relative_clearance,
+        **duty,
+        **oil_values(case, film),
+        "sommerfeld_number": film.sommerfeld_number,
+        "american_sommerfeld_number": 1.0 / (2.0 * math.pi * film.sommerfeld_number),
+        "eccentricity_ratio": eccentricity,
+        "attitude_angle": shape.attitude_angle(eccentricity),
+        "minimum_film_thickness": minimum_film_thickness(eccentricity, film.relative_clearance, diameter),
+        "maximum_pressure": shape.pressure_ratio(eccentricity) * duty["specific_load"],
+        "friction_number": film.friction_number,
+        "friction_coefficient": coefficient,
+        "friction_torque": coefficient * film.load * diameter / 2.0,
+        "friction_power": film.friction_power,
+        "side_flow_number": film.side_flow_number,
+        "side_flow": film.side_flow,
+        "supply_flow": film.supply_flow,
+        "total_flow": film.total_flow,
+        **heat_values(case, film),
+        "stability_relative_clearance": orlov_relative_clearance(
+            film.viscosity, duty["hydrodynamic_speed"], duty["specific_load"], bearing.part_width_ratio
+        ),
+        "recommended_relative_clearance": recommended_relative_clearance(duty["surface_speed"]),
+        **supply_values(case, film),
+    }
+    if film.feed is not None:
+        values["supply_flow_number"] = film.feed.flow_number
+        values["element_pressure"] = film.feed.element_pressure
+        values["tube_loss"] = film.feed.tube_loss
+        values["hole_loss"] = film.feed.hole_loss
+        if film.feed.limit is not None:
+            values["supply_limit"] = film.feed.limit
+    if film.supply_capacity is not None:
+        values["supply_capacity"] = film.supply_capacity
+    values |= cooling_values(case, film) | limit_values(case)
+    if case.load_angle is not None:
+        values["load_angle"] = case.load_angle
+    if change is not None:
+        values["transition_speed"] = change.speed
+    return values
+
+
+def _half_bearings(case: DesignCase) -> dict[str, float]:
+    """Width of each of two half bearings beside a groove around the circumference; empty without one."""
+    bearing = case.bearing
+    if bearing.parts == 1:
+        return {}
+    return {"half_bearing_width": bearing.part_width, "half_bearing_width_ratio": bearing.part_width_ratio}
+
+
+def _settings(case: DesignCase) -> dict[str, str]:
+    """The choices that the numbers depend on."""
+    element, parts = case.bearing.supply_element, case.bearing.parts
+    halves = {"half_bearings": f"{parts} of {case.bearing.part_width * 1e3:.4g} mm"} if parts > 1 else {}
+    return {
+        "lubricant": case.lubricant.name,
+        "characteristics": case.curves.value,
+        "friction": case.friction.value,
+        "friction_factor": f"{case.friction_factor:g}",
+        "span": f"{case.bearing.span} deg",
+        "supply_element": type(element).__name__ if element else "none",
+        **halves,
+    }
+
+
+def _transition(case: DesignCase, film: Film) -> Transition | None:
+    contact = contact_film(case)
+    if contact is None:
+        return None
+    bearing = case.bearing
+    return transition(
+        contact,
+        bearing.diameter,
+        film.relative_clearance,
+        film.viscosity,
+        film.load / (bearing.loaded_width * bearing.diameter),
+        curves_of(case),
+    )

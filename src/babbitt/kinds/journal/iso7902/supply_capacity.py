@@ -1,0 +1,189 @@
+"""Whether the supply delivers the oil that the film wants, and the heat balance with what it does.
+
+ISO 7902 lets the film draw its side flow Q₃ whatever feeds it. What an element can deliver is estimated as the
+oil that the supply pressure presses through it and the oil that the journal shears into the loaded film over its
+axial width, ``Q_cap = Q_p + (U/2) h_s b`` with the gap ``h_s = c (1 + ε cos θ_s)`` at the element, θ_s from the
+widest gap. Of two elements that before the load counts: the oil of the other comes round to it and is not lost.
+A half groove gives its oil at its edge before the load, a groove all around by pressure alone. No more comes than
+tubes and holes pass at the whole supply pressure.
+The estimate is an assumption; ``benchmarks/supply_capacity.py`` sets it against films that conserve their oil.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+from functools import partial
+
+from babbitt.core.notices import Notice
+from babbitt.core.result import Bound, Check
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.design.failure import failure
+from babbitt.design.heat_balance import Equilibrium, find_equilibrium
+from babbitt.kinds.journal.iso7902.film import Film, curves_of, starved_film_at
+from babbitt.kinds.journal.iso7902.model import DesignCase
+from babbitt.kinds.journal.iso7902.supply import CircumferentialGroove, HalfCircumferentialGroove
+from babbitt.kinds.journal.iso7902.warnings import doubts_about_validity
+
+__all__ = [
+    "assumptions_about_capacity",
+    "capacity_check",
+    "capacity_not_checked",
+    "doubts_about_capacity",
+    "lacks_oil",
+    "starved_equilibrium",
+    "starved_values",
+    "worse_of",
+]
+
+Values = Mapping[str, float]
+
+STARVED = {
+    name: f"starved_{name}"
+    for name in (
+        "effective_temperature",
+        "outlet_temperature",
+        "bearing_temperature",
+        "eccentricity_ratio",
+        "minimum_film_thickness",
+        "friction_power",
+        "total_flow",
+        "film_reynolds_number",
+        "transition_speed",
+    )
+}
+"""Results with the flow limited to what the supply delivers, by those with all the oil that the film wants."""
+
+SOURCE = "ISO 7902: the supply delivers Q₃; Q_p + (U/2) h b is an estimate (assumption)"
+
+
+def lacks_oil(film: Film) -> bool:
+    """Whether the supply delivers less than the side flow of the film."""
+    return film.supply_capacity is not None and film.supply_capacity < film.side_flow
+
+
+def starved_equilibrium(case: DesignCase, film: Film) -> Equilibrium[Film] | None:
+    """Close the heat balance with the flow that the supply delivers.
+
+    Returns
+    -------
+    Equilibrium or None
+        None where the film gets what it wants, or where no heat balance is made.
+    """
+    if case.effective_temperature is not None or not lacks_oil(film):
+        return None
+    return find_equilibrium(case, partial(starved_film_at, case=case, shape=curves_of(case)))
+
+
+def assumptions_about_capacity(case: DesignCase, film: Film) -> Iterator[str]:
+    """What the limited heat balance takes for granted, where it is made."""
+    if not lacks_oil(film):
+        return
+    said = (
+        "The supply delivers what its pressure presses through it and what the journal shears off before the load"
+    )
+    match case.bearing.supply_element:
+        case CircumferentialGroove():
+            yield "The supply delivers what pressure presses out of the groove around the bore, nothing by shear."
+        case HalfCircumferentialGroove():
+            yield (
+                f"{said}: of a half groove at its edge alone, though it fills the unloaded half along its whole "
+                "length, which errs to the hot side at the outlet."
+            )
+        case _:
+            yield f"{said}; what the film keeps from turn to turn is not counted."
+
+
+def starved_values(values: Values) -> dict[str, float]:
+    """Give the results of the starved film their own names."""
+    return {STARVED[name]: values[name] for name in STARVED if name in values}
+
+
+def worse_of(checks: Iterable[Check], starved: Iterable[Check]) -> tuple[Check, ...]:
+    """Hold every limit against the worse of both answers; one that a single answer knows stands by itself."""
+    of_full = {check.code: check for check in checks}
+    of_starved = {
+        check.code: replace(check, quantity=STARVED.get(check.quantity, check.quantity)) for check in starved
+    }
+    both = {**of_full, **of_starved}  # the order of the standard
+    return tuple(min(of_full.get(code, check), check, key=lambda one: one.margin) for code, check in both.items())
+
+
+def capacity_check(film: Film, starved: Equilibrium[Film] | None) -> Iterator[Check]:
+    """Compare what the supply delivers with the side flow.
+
+    A miss decides nothing by itself: the limits are held against the starved film. Where that has no equilibrium,
+    the miss is a violated limit.
+    """
+    if film.supply_capacity is None:
+        return
+    answered = starved is None or starved.outcome.solved
+    capacity = film.supply_capacity
+    yield Check("C117", "supply_capacity", capacity, film.side_flow, Bound.AT_LEAST, SOURCE, advisory=answered)
+
+
+def capacity_not_checked(case: DesignCase, film: Film) -> Iterator[Notice]:
+    """Say why the supply capacity was not compared."""
+    if case.oil_supply is None or film.supply_capacity is not None:
+        return
+    yield Notice("C117", "no supply_element is given")
+
+
+def doubts_about_capacity(
+    case: DesignCase, film: Film, starved: Equilibrium[Film] | None, values: Values
+) -> Iterator[Notice]:
+    """Tell what the supply lacks, and what follows from it.
+
+    Parameters
+    ----------
+    case : DesignCase
+    film : Film
+        With all the oil that it wants.
+    starved : Equilibrium or None
+        With what the supply delivers.
+    values : Mapping[str, float]
+        Named results of the starved film, if there is one.
+    """
+    if case.oil_supply is None:
+        return
+    capacity, wanted = film.supply_capacity, film.side_flow
+    if case.bearing.supply_element is None:
+        balanced = case.effective_temperature is None
+        said = f"no supply_element is given: Q_p = 0, yet the film is taken to draw {_litres(wanted)}"
+        yield Notice("W185" if balanced else "W124", said)
+    elif capacity is not None and capacity <= 0.0:
+        said = f"{_without_pressure(case)}, and the film wants {_litres(wanted)}. Try: a supply pressure"
+        yield Notice("W185", said)
+    elif film.supply_flow <= 0.0 and film.feed is not None and film.feed.limit is None:
+        said = "no pressure is left at the supply element: Q_p = 0, and only the journal draws oil from it"
+        yield Notice("W124", said)
+    if capacity is None or not lacks_oil(film):
+        return
+    said = f"the supply delivers about {_litres(capacity)} of Q₃ = {_litres(wanted)} ({capacity / wanted:.2f})"
+    if starved is None:
+        yield Notice("W123", f"{said}; no heat balance is made that would tell the consequence")
+        return
+    if not starved.outcome.solved:
+        yield Notice("W123", f"{said}; with that flow {starved.outcome.value}: {failure(case, starved)}")
+        return
+    hot, thin = values["effective_temperature"] - ZERO_CELSIUS, values["minimum_film_thickness"] * 1e6
+    told = f"T_eff = {hot:.1f} °C, h_min = {thin:.3g} µm"
+    if "outlet_temperature" in values:
+        told = f"T_ex = {values['outlet_temperature'] - ZERO_CELSIUS:.1f} °C, {told}"
+    yield Notice("W123", f"{said}; with that flow {told}, and the limits are held against these")
+    for doubt in doubts_about_validity(case, values):
+        yield Notice(doubt.code, f"with the flow that the supply delivers: {doubt.message}")
+
+
+def _without_pressure(case: DesignCase) -> str:
+    """Why a supply without pressure delivers nothing."""
+    if isinstance(case.bearing.supply_element, CircumferentialGroove):
+        return (
+            "a groove all around has oil pressed out of it and none sheared into the gap, and the supply has no "
+            "pressure: Q_p = 0"
+        )
+    return "no pressure presses oil through the supply"
+
+
+def _litres(flow: float) -> str:
+    return f"{flow * 6e4:.3g} L/min"

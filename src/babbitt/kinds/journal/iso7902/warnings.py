@@ -1,0 +1,115 @@
+"""Warnings: where the result leaves the ground on which the standard stands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from babbitt.core.notices import Notice
+from babbitt.core.result import Check
+from babbitt.design.warnings import (
+    RIGID_FILM_UP_TO,
+    doubt_about_hole,
+    doubt_about_supply,
+    doubts_about_film,
+    doubts_about_running,
+)
+from babbitt.kinds.journal.iso7902.characteristics.closed_forms import DEVIATIONS, LARGEST_ATTITUDE_DEVIATION
+from babbitt.kinds.journal.iso7902.film import Film
+from babbitt.kinds.journal.iso7902.model import Curves, DesignCase
+from babbitt.kinds.journal.iso7902.screening import Transition
+from babbitt.kinds.journal.iso7902.supply import (
+    FIT_RANGE,
+    LOGARITHM_UP_TO,
+    Arrangement,
+    CircumferentialGroove,
+    HalfCircumferentialGroove,
+    Holes,
+    Pockets,
+    fitted_width,
+)
+
+STANDARD_WIDTH_RATIOS = (0.125, 1.0)
+"""Range of B/D in the tables of the standard."""
+
+CURVES_FROM = 0.01
+"""Eccentricity ratio at which the computed characteristics begin."""
+
+
+def doubts_of(
+    case: DesignCase, film: Film, values: Mapping[str, float], checks: tuple[Check, ...], change: Transition | None
+) -> tuple[Notice, ...]:
+    """All warnings that this operating point deserves."""
+    return (
+        *case.doubts,
+        *_of_method(case, values),
+        *_of_supply(case, film),
+        *_of_running(case, values, checks, change),
+    )
+
+
+def doubts_about_validity(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
+    """Those of any film, and the eccentricity ratio where ISO 7902 ends."""
+    yield from (doubt for doubt in doubts_about_film(case, values) if doubt.code != "W116")
+    eccentricity = values["eccentricity_ratio"]
+    if eccentricity > RIGID_FILM_UP_TO:
+        yield Notice("W129", f"ε = {eccentricity:.3f} > {RIGID_FILM_UP_TO:g}, where ISO 7902 ends")
+
+
+def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
+    yield from doubts_about_validity(case, values)
+    least, most = STANDARD_WIDTH_RATIOS
+    if not least <= case.bearing.part_width_ratio <= most:
+        ratio, of = case.bearing.part_width_ratio, " of each half bearing" if case.bearing.parts > 1 else ""
+        yield Notice("W102", f"B/D = {ratio:.3g}{of} lies outside {least:g} to {most:g} of ISO 7902-2")
+    if case.curves is Curves.CLOSED_FORM:
+        yield Notice(
+            "W113",
+            f"closed forms of DIN 31652: up to {100.0 * DEVIATIONS['sommerfeld_number']:.0f} % in So and "
+            f"{DEVIATIONS['attitude_angle_degrees']:g}° in attitude angle "
+            f"({LARGEST_ATTITUDE_DEVIATION:.0f}° below ε = 0.1)",
+        )
+    eccentricity = values["eccentricity_ratio"]
+    if eccentricity < CURVES_FROM:
+        yield Notice("W119", f"ε = {eccentricity:.2g} < {CURVES_FROM:g}, the first node of the tables")
+    if case.bearing_speed:
+        yield Notice("W114", "the bearing rotates; values from experience hold for bearings at rest")
+
+
+def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:
+    element = case.bearing.supply_element
+    if film.feed is not None:
+        yield from doubt_about_supply(film.feed.limit, film.side_flow)
+    if element is None:
+        return
+    if isinstance(element, Holes) and case.oil_supply is not None:
+        supply, passed = case.oil_supply, film.total_flow
+        if film.supply_capacity is not None and film.supply_capacity < film.side_flow:
+            passed = film.supply_capacity
+        holes = element.number * (2.0 if element.arrangement is Arrangement.BOTH_SIDES else 1.0)
+        density = case.lubricant.density(supply.temperature)
+        yield from doubt_about_hole(supply, element.diameter, passed / holes, density)
+    if isinstance(element, CircumferentialGroove | HalfCircumferentialGroove):
+        s = element.relative_width(case.bearing.width)
+        if s > FIT_RANGE[1]:
+            yield Notice(
+                "W103", f"relative width {s:.3f} of the groove is above {FIT_RANGE[1]:g}: narrow lands beside it"
+            )
+    if isinstance(element, Holes | Pockets):
+        s = element.relative_width(case.bearing.width)
+        if not FIT_RANGE[0] - 1e-9 <= s <= FIT_RANGE[1] + 1e-9:
+            taken = f"the correction of {fitted_width(s):g} was used"
+            if s > LOGARITHM_UP_TO:
+                taken += f", and {LOGARITHM_UP_TO:g} in ln(1/s)"
+            yield Notice(
+                "W103",
+                f"relative width {s:.3f} of the supply element lies outside {FIT_RANGE[0]:g} to {FIT_RANGE[1]:g}; "
+                f"{taken}",
+            )
+
+
+def _of_running(
+    case: DesignCase, values: Mapping[str, float], checks: tuple[Check, ...], change: Transition | None
+) -> Iterator[Notice]:
+    yield from doubts_about_running(case, values, checks)
+    if change is not None and change.beyond_tables:
+        yield Notice("W112", "the film limit lies beyond the tables; the transition speed is an upper bound")

@@ -1,0 +1,219 @@
+"""Figures of one film bearing: maps, the bearing seen along the shaft, locus, coefficients, threshold of whirl."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from babbitt.core.result import Result
+from babbitt.kinds.journal.film.isothermal import FilmState, under_found_load
+from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.report.drawing import Drawing, rendered, style
+from babbitt.reynolds.model import Cavitation
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+KEPT = "at the clearance and viscosity of the operating point"
+
+LEFT_OUT = (
+    " Curves over load and speed are left out of the report: the film of this bearing has so many grid points "
+    "that they take long. The option --plots writes them."
+)
+
+Painted = tuple[str, str, "Figure", bool]
+"""Name, caption, figure, whether it takes the width of the page."""
+
+
+def report_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tuple[Drawing, ...]:
+    """Figures for the report of a solved bearing; those that take long are left out, and the caption says so.
+
+    Parameters
+    ----------
+    case : FilmCase
+    result : Result
+        Its answer; an unsolved one has no figures.
+    image_format : {"svg", "pdf", "png"}
+
+    Returns
+    -------
+    tuple of Drawing
+    """
+    from babbitt.kinds.journal.report.film_state import is_slow, state_of
+
+    if not result.outcome.solved:
+        return ()
+    state = state_of(case, result)
+    case = under_found_load(case, state)
+    with style():
+        if is_slow(state):
+            return _drawn(
+                (*_at_rest(case, state, LEFT_OUT), *_temperatures(case, state), *_moving(state, result)),
+                image_format,
+            )
+        painted = (
+            *_at_rest(case, state),
+            *_temperatures(case, state),
+            *_moving(state, result),
+            *_swept(case, state, result),
+        )
+        return _drawn(painted, image_format)
+
+
+def all_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tuple[Drawing, ...]:
+    """Every figure of a solved bearing, the pressure as a surface included.
+
+    Parameters
+    ----------
+    case : FilmCase
+    result : Result
+        Its answer; an unsolved one has no figures.
+    image_format : {"svg", "pdf", "png"}
+
+    Returns
+    -------
+    tuple of Drawing
+    """
+    from babbitt.kinds.journal.report.film_state import state_of
+
+    if not result.outcome.solved:
+        return ()
+    state = state_of(case, result)
+    case = under_found_load(case, state)
+    with style():
+        at_rest = (*_at_rest(case, state), *_temperatures(case, state), *_surface(case, state))
+        return _drawn((*at_rest, *_moving(state, result), *_swept(case, state, result)), image_format)
+
+
+def _drawn(painted: Iterator[Painted] | tuple[Painted, ...], image_format: str) -> tuple[Drawing, ...]:
+    return tuple(
+        Drawing(name, caption, rendered(figure, image_format), wide) for name, caption, figure, wide in painted
+    )
+
+
+def _at_rest(case: FilmCase, state: FilmState, remark: str = "") -> Iterator[Painted]:
+    from babbitt.kinds.journal.film.field import field_of
+    from babbitt.kinds.journal.report import film_polar
+    from babbitt.report import maps as film_maps
+
+    field = field_of(state.solution, case.load_angle - math.pi)
+    yield (
+        "pressure-map",
+        "Pressure (above) and film thickness (below) over the unrolled bore. White: grooves, pockets and holes; "
+        "hatched within the broken line: the film is ruptured; crosses: highest pressure, thinnest film." + remark,
+        film_maps.unrolled(case, state.solution, field),
+        True,
+    )
+    yield (
+        "pressure-polar",
+        "Pressure in the mid-plane on the bore, against the rotation axis; the clearance is enlarged.",
+        film_polar.polar(case, state.solution, field),
+        False,
+    )
+
+
+def _temperatures(case: FilmCase, state: FilmState) -> Iterator[Painted]:
+    if state.thermal is None:
+        return
+    from babbitt.kinds.journal.film.field import field_of
+    from babbitt.kinds.journal.report import film_temperature
+
+    thermal, walls = state.thermal, case.heat.walls if case.heat is not None else None
+    field = field_of(thermal.film, case.load_angle - math.pi)
+    cut = film_temperature.said_place(thermal)
+    yield (
+        "temperature-map",
+        f"Temperature over the unrolled bore, mean across the gap (above), and across the gap {cut} "
+        "(below; upwards: the journal). Cross: the hottest place. White: grooves, pockets and holes, with "
+        "their mixing temperature; hatched: the film is ruptured.",
+        film_temperature.unrolled(case, thermal, field),
+        True,
+    )
+    yield (
+        "temperature-through",
+        f"Temperature through film and bush {cut}, seen against the rotation axis; the film is drawn thick, bush "
+        "and housing to scale. Cross: the hottest place; the arrow is the load.",
+        film_temperature.through(case, thermal, walls.bush if walls is not None else None),
+        False,
+    )
+    yield (
+        "heat-split",
+        "Where the heat goes that is born in the film.",
+        film_temperature.split(thermal),
+        False,
+    )
+    yield (
+        "centre-line",
+        "Pressure and temperatures along the middle of the width. Grey: grooves, pockets and holes; broken: the "
+        "load direction.",
+        film_temperature.along(case, thermal, field),
+        True,
+    )
+
+
+def _surface(case: FilmCase, state: FilmState) -> Iterator[Painted]:
+    from babbitt.kinds.journal.film.field import field_of
+    from babbitt.report import maps as film_maps
+
+    field = field_of(state.solution, case.load_angle - math.pi)
+    yield "pressure-surface", "Pressure over the unrolled bore.", film_maps.surface(field), True
+
+
+def _moving(state: FilmState, result: Result) -> Iterator[Painted]:
+    from babbitt.kinds.journal.report import film_orbit
+
+    if "orbit" in result.arrays:
+        yield (
+            "orbit",
+            "Orbit of the journal under the changing load within the room that the bore leaves it, named by the "
+            "angle that the journal has turned; the cross is its place under the steady load alone. Beside it the "
+            "least film thickness and the size of the load over one cycle. Filled: the thinnest film.",
+            film_orbit.orbit(state, result),
+            True,
+        )
+
+
+def _swept(case: FilmCase, state: FilmState, result: Result) -> Iterator[Painted]:
+    from babbitt.kinds.journal.film.unloaded import is_unloaded
+    from babbitt.kinds.journal.report import film_curves, film_stability
+    from babbitt.kinds.journal.study.locus import locus_over_load, locus_over_speed
+    from babbitt.kinds.journal.study.stability_map import stability_map
+    from babbitt.report.progress import shown
+
+    if case.cavitation is Cavitation.HALF_SOMMERFELD:
+        return  # a film without stiffness and damping
+    if is_unloaded(case, state):
+        return  # no load to vary
+
+    beside = "."
+    if state.thermal is not None:
+        beside = ", whose film has its own temperatures; the lines are films of one viscosity and pass beside it."
+    by_load = locus_over_load(case, state, watch=shown(f"{case.name}: over the load"))
+    by_speed = locus_over_speed(case, state, watch=shown(f"{case.name}: over the speed"))
+    yield (
+        "journal-locus",
+        "Journal centre over the load (line) and, from a quarter to two and a half times the speed, over the "
+        f"speed (broad, pale), within the room that the bore leaves it, {KEPT}. Filled: the operating point"
+        + beside,
+        film_curves.locus(case, state, by_load, by_speed),
+        False,
+    )
+    yield (
+        "coefficients",
+        f"Stiffness and damping over the speed at the given load, {KEPT}; below, the same films without dimension "
+        "over the Sommerfeld number. Filled: the operating point" + beside,
+        film_curves.coefficients(state, result, by_speed),
+        True,
+    )
+    whose = "of the given mass" if case.rotor_mass is not None else "whose weight is the load"
+    shaft = "a rigid rotor" if case.shaft_stiffness is None else "a rotor on its elastic shaft"
+    found = stability_map(case, state, watch=shown(f"{case.name}: stability map"))
+    yield (
+        "stability-map",
+        f"Left: where {shaft} {whose} whirls (grey), over load and speed, {KEPT}; thin lines: the critical mass "
+        "as a multiple of the mass m of the rotor. Right: the critical mass without dimension over the Sommerfeld "
+        "number, for loads at the given speed. Filled: the operating point.",
+        film_stability.stability(case, state, found, by_load),
+        True,
+    )

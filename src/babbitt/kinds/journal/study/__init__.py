@@ -1,0 +1,1 @@
+"""Studies of journal bearings: locus, stability map, coefficients over speed, alternatives."""

@@ -1,0 +1,115 @@
+"""All that is computed of a shaft line."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+from babbitt.kinds.shaft_line.admissible_amplitude import excess_of
+from babbitt.kinds.shaft_line.design import LineDesign
+from babbitt.kinds.shaft_line.inverse import Admissible, admissible, ring_for_loss
+from babbitt.kinds.shaft_line.model import LineState, state_of
+from babbitt.kinds.shaft_line.natural import Mode, modes
+from babbitt.kinds.shaft_line.periodic import NoPeriodicMotionError, PeriodicMotion, periodic_motion
+from babbitt.kinds.shaft_line.resonance import Resonances, resonances_of
+from babbitt.kinds.shaft_line.stages import Attribution, attribution
+from babbitt.kinds.shaft_line.sweeps import CampbellPoint, RingPoint, ring_sweep, speed_sweep, usual_rings
+from babbitt.kinds.thrust.design import ThrustState, operating_state
+from babbitt.kinds.thrust.pad_attitude import standing_at_rest
+from babbitt.kinds.thrust.thermal_films import WarmFilms
+
+__all__ = ["MODES", "RINGS", "LineAnswer", "line_answer"]
+
+MODES = 4
+RINGS, FEWER_RINGS = 40, 14
+"""Rings of the sweep; fewer where every pad needs a film solved by itself, for the sake of time."""
+
+
+@dataclass(frozen=True, eq=False)
+class LineAnswer:
+    """All that is computed of a line.
+
+    Attributes
+    ----------
+    static : ThrustState
+    state : LineState
+    modes : tuple of Mode
+    resonances : Resonances
+    causes : Attribution
+    bearable : Admissible
+    wanted_rings : int
+        How many rings were tried.
+    rings : tuple of RingPoint
+        From soft to stiff.
+    half : RingPoint or None
+        The stiffest ring that halves the dynamic load.
+    campbell : tuple of CampbellPoint
+    nonlinear : PeriodicMotion or None
+    not_repeating : str
+        Why no nonlinear motion was found; empty where one was, or none was asked for.
+    """
+
+    static: ThrustState
+    state: LineState
+    modes: tuple[Mode, ...]
+    resonances: Resonances
+    causes: Attribution
+    bearable: Admissible
+    wanted_rings: int
+    rings: tuple[RingPoint, ...]
+    half: RingPoint | None
+    campbell: tuple[CampbellPoint, ...]
+    nonlinear: PeriodicMotion | None
+    not_repeating: str
+
+    @property
+    def best(self) -> RingPoint | None:
+        """The ring with the least dynamic load of the sweep; None where the pads find a film on none."""
+        return min(self.rings, key=lambda point: point.bound, default=None)
+
+    @property
+    def separation(self) -> float:
+        """Least relative distance of an excitation from a resonance; infinite where there is none."""
+        return min((one.separation for one in self.resonances.encounters), default=math.inf)
+
+
+@lru_cache(maxsize=4)
+def line_answer(design: LineDesign) -> LineAnswer:
+    """Solve a line with all that its report says.
+
+    Raises
+    ------
+    InputError
+        E202, E203, E204: see `state_of`.
+    NoPadFilmError
+    """
+    static = operating_state(design.thrust)
+    duty, films = design.duty, static.films
+    state = state_of(duty, films, static.share)
+    natural = modes(design.line, state.pads, MODES)
+    similar = duty.bearing.pad.is_plane and not isinstance(films, WarmFilms)
+    wanted = RINGS if similar and not standing_at_rest(duty.bearing).is_leaning else FEWER_RINGS
+    nonlinear, not_repeating = _nonlinear(state) if design.nonlinear else (None, "")
+    rings = usual_rings(duty, state, wanted)
+    return LineAnswer(
+        static=static,
+        state=state,
+        modes=natural,
+        resonances=resonances_of(state, natural),
+        causes=attribution(state),
+        bearable=admissible(duty, films, excess_of(design)),
+        wanted_rings=wanted,
+        rings=ring_sweep(duty, films, rings),
+        half=ring_for_loss(duty, films, 0.5 * state.losses.mean_bound, rings[:: 3 if wanted == RINGS else 1]),
+        campbell=speed_sweep(duty, design.films_at, design.speeds),
+        nonlinear=nonlinear,
+        not_repeating=not_repeating,
+    )
+
+
+def _nonlinear(state: LineState) -> tuple[PeriodicMotion | None, str]:
+    try:
+        return periodic_motion(state), ""
+    except NoPeriodicMotionError as failure:
+        return None, str(failure)

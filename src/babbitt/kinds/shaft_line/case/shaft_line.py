@@ -1,0 +1,282 @@
+"""A shaft line on its thrust bearing as an engineer writes it."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field
+
+from babbitt.case.case_file import CaseFile
+from babbitt.case.part import Complaint, Part, exactly_one, rule
+from babbitt.case.parts.fields import Name, WholeNumber
+from babbitt.core.units import si
+from babbitt.core.units import written as written_plainly
+from babbitt.kinds.shaft_line.design import LineDesign
+from babbitt.kinds.shaft_line.excitation import WITHOUT_WOBBLE, WOBBLE_LEFT_OUT, ThrustHarmonic
+from babbitt.kinds.shaft_line.line import Rod, Seating, ShaftLine
+from babbitt.kinds.thrust.case.runout import RUNOUT, RunoutGiven, given_twice, waves_given_twice
+from babbitt.kinds.thrust.case.thrust import Thrust, ThrustBearingInputs, written
+from babbitt.kinds.thrust.case.thrust_pads import Damping, PartMass, Stiffness
+from babbitt.kinds.thrust.design import GivenThrust
+
+Weight = Annotated[float, si("kg", "0.1 kg", "10000 t")]
+Phase = Annotated[float, si("rad", "-360 deg", "360 deg")]
+
+
+class Propeller(Part):
+    """The propeller."""
+
+    mass: Weight = Field(description="Mass with entrained water, m_1.")
+    damping: Damping = Field(0.0, description="Axial damping, b_0: slope of thrust against inflow speed.")
+    blades: Annotated[int, WholeNumber(1, 20)] = Field(description="Number of blades.")
+
+
+class ShaftPiece(Part):
+    """A uniform piece of shaft."""
+
+    length: Annotated[float, si("m", "1 mm", "500 m")] = Field(description="Length.")
+    diameter: Annotated[float, si("m", "1 mm", "5 m")] = Field(description="Outer diameter.")
+    bore: Annotated[float, si("m", "0 mm", "5 m")] = Field(0.0, description="Diameter of the bore.")
+    modulus: Annotated[float, si("Pa", "1 GPa", "1000 GPa")] = Field(206e9, description="Young's modulus.")
+    density: Annotated[float, si("kg/m3", "100 kg/m3", "30000 kg/m3")] = Field(7850.0, description="Density.")
+    end_mass: PartMass = Field(
+        0.0,
+        description="Point mass at the end towards the collar, such as a flange or a gear; not on the last piece.",
+    )
+
+    @rule
+    def _bore_inside(self) -> Iterator[Complaint]:
+        if self.bore >= self.diameter:
+            yield Complaint(
+                ("bore",),
+                f"the bore {written_plainly(self.bore, 'mm')} leaves nothing of the shaft",
+                f"less than {written_plainly(self.diameter, 'mm')}",
+            )
+
+    def rod(self) -> Rod:
+        """Give the rod of the calculation."""
+        area = 0.25 * math.pi * (self.diameter**2 - self.bore**2)
+        return Rod(self.length, area, self.modulus, self.density)
+
+
+class SeatingGiven(Part):
+    """What carries the housing of the thrust block."""
+
+    stiffness: Stiffness = Field(description="Axial stiffness to the hull, k_f.")
+    damping: Damping = Field(0.0, description="Damping, d_f.")
+    housing_mass: PartMass = Field(0.0, description="Mass of the housing, m_h.")
+
+
+class ThrustRipple(Part):
+    """One harmonic of the thrust."""
+
+    amplitude: Annotated[float, si("N", "0 N", "100 MN")] | None = Field(None, description="Amplitude, Q_m.")
+    share: Annotated[float, si("1", "0", "2")] | None = Field(
+        None, description="Amplitude over the thrust, in place of the amplitude."
+    )
+    blade_multiple: Annotated[int, WholeNumber(1, 20)] | None = Field(
+        None, description="1 is blade frequency, 2 twice that. 1 unless an order is given."
+    )
+    order: Annotated[float, si("1", "0.01", "1000")] | None = Field(
+        None, description="Frequency over that of the shaft, in place of blade_multiple: 1, or a gear ratio."
+    )
+    phase: Phase = Field(0.0, description="Phase, gamma.")
+
+    @rule
+    def _one_amplitude(self) -> Iterator[Complaint]:
+        yield from exactly_one(self, "amplitude", "share")
+
+    @rule
+    def _one_order(self) -> Iterator[Complaint]:
+        if self.blade_multiple is not None and self.order is not None:
+            yield Complaint(("order",), "given besides blade_multiple", "one of the two", "remove one")
+
+
+class SpeedRange(Part):
+    """Speeds at which the line is solved, with a Campbell map."""
+
+    lowest: Annotated[float, si("rad/s", "0.01 rpm", "1000000 rpm")] = Field(description="Lowest speed.")
+    highest: Annotated[float, si("rad/s", "0.01 rpm", "1000000 rpm")] = Field(description="Highest speed.")
+    number: Annotated[int, WholeNumber(2, 200)] = Field(21, description="How many speeds.")
+
+    @rule
+    def _in_order(self) -> Iterator[Complaint]:
+        if self.highest <= self.lowest:
+            yield Complaint(
+                ("highest",),
+                f"{written_plainly(self.highest, 'rpm')} is not above {written_plainly(self.lowest, 'rpm')}",
+                "more than lowest",
+            )
+
+    def speeds(self) -> tuple[float, ...]:
+        """Give the speeds, rad/s."""
+        step = (self.highest - self.lowest) / (self.number - 1)
+        return tuple(self.lowest + step * k for k in range(self.number))
+
+
+class LineLimits(Part):
+    """Admissible values of the motion."""
+
+    example: ClassVar[str] = "{axial_amplitude: 200 um}"
+
+    axial_amplitude: Annotated[float, si("m", "0.1 um", "10 mm", "um")] = Field(
+        description="Admissible amplitude of axial vibration along the shaft, half of peak to peak."
+    )
+
+
+class ThrustLineCase(ThrustBearingInputs, CaseFile):
+    """A file with a shaft line: propeller, shaft, collar, thrust bearing, seating, and what shakes them."""
+
+    kind: Literal["thrust_line"] = Field(description="Axial vibration of a shaft line on its thrust bearing.")
+    name: Name = Field(description="Name of the line.")
+    thrust: Thrust = Field(description="Steady thrust, F_0.")
+    propeller: Propeller | None = Field(
+        None, description="The propeller. None: the shaft ends free, as that of a feed pump."
+    )
+    shaft: tuple[ShaftPiece, ...] = Field(
+        min_length=1, max_length=20, description="Pieces of the shaft from the propeller to the collar."
+    )
+    collar_mass: Weight = Field(description="Mass of the collar with all that is axially rigid to it, m_2.")
+    seating: SeatingGiven | None = Field(None, description="What carries the housing. None: rigid.")
+    ripple: tuple[ThrustRipple, ...] = Field(
+        (), max_length=20, description="Harmonics of the thrust. Empty: none."
+    )
+    runout: RunoutGiven = Field((), max_length=20, description=RUNOUT)
+    loss_limit: Annotated[float, si("1", "0.01", "5")] | None = Field(
+        None, description="Limit of dynamic over mean static pad load. None: 50 %, usual in industry."
+    )
+    limits: LineLimits | None = Field(None, description="Admissible values besides film_limit and loss_limit.")
+    speeds: SpeedRange | None = Field(None, description="Speeds of a Campbell map. None: no map.")
+    nonlinear: bool = Field(
+        False, description="Solve the nonlinear motion, too: takes seconds, and needs plane laminar pads."
+    )
+
+    @rule
+    def _seating_on_a_ring(self) -> Iterator[Complaint]:
+        if self.seating is not None and self.ring_stiffness is None:
+            yield Complaint(
+                ("seating",),
+                "a seating needs a ring of finite stiffness between pads and housing",
+                "ring_stiffness besides it, such as '1000 GN/m' for a stiff ring",
+            )
+
+    @rule
+    def _blades_of_a_propeller(self) -> Iterator[Complaint]:
+        for place, one in enumerate(self.ripple):
+            if self.propeller is None and one.order is None:
+                yield Complaint(
+                    ("ripple", place, "order"),
+                    "without a propeller there is no blade frequency",
+                    "order: the frequency over that of the shaft, such as the number of vanes",
+                    "or give the propeller",
+                )
+
+    @rule
+    def _every_harmonic_once(self) -> Iterator[Complaint]:
+        yield from waves_given_twice(self.runout)
+        harmonics = [self._thrust_harmonic(one) for one in self.ripple]
+        parts = [(one.order, cmath.rect(one.amplitude, one.phase)) for one in harmonics]
+        yield from given_twice("ripple", "harmonic", "times the shaft frequency", parts, "kN")
+
+    @rule
+    def _nothing_behind_the_last_piece(self) -> Iterator[Complaint]:
+        if self.shaft[-1].end_mass:
+            yield Complaint(
+                ("shaft", len(self.shaft) - 1, "end_mass"),
+                "the collar follows the last piece",
+                "no end_mass here; add it to collar_mass",
+            )
+
+    @rule
+    def _similar_films_for_the_nonlinear_motion(self) -> Iterator[Complaint]:
+        own = self.pads.face is not None or self.pads.crown_at_work() or self.turbulence != "none"
+        if self.nonlinear and (own or self.thermal == "adiabatic"):
+            yield Complaint(
+                ("nonlinear",),
+                "the nonlinear motion is for plane laminar pads of one viscosity, whose films are similar",
+                "false, or pads without face, crown, turbulence and thermal: adiabatic",
+            )
+
+    @rule
+    def _held_tilts_feel_a_face_that_leans(self) -> Iterator[Complaint]:
+        leans = any(one.lobes == 1 and one.amplitude > 0.0 for one in self.runout)
+        if self.nonlinear and leans and self.pads.pivot.kind == "line":
+            yield Complaint(
+                ("nonlinear",),
+                WOBBLE_LEFT_OUT,
+                f"false, or {WITHOUT_WOBBLE}",
+            )
+
+    def designs(self) -> tuple[LineDesign, ...]:
+        """Give the line of the calculation."""
+        return (self.line_design(),)
+
+    def line_design(self) -> LineDesign:
+        """Give the line of the calculation."""
+        line = ShaftLine(
+            0.0 if self.propeller is None else self.propeller.mass,
+            0.0 if self.propeller is None else self.propeller.damping,
+            tuple(piece.rod() for piece in self.shaft),
+            self.collar_mass,
+            tuple(piece.end_mass for piece in self.shaft[:-1]),
+            None
+            if self.seating is None
+            else Seating(self.seating.stiffness, self.seating.damping, self.seating.housing_mass),
+        )
+        given = self.design(self.name, GivenThrust(self.thrust), self.runout)
+        from dataclasses import replace
+
+        return LineDesign(
+            replace(given, given=(*given.given, *_words(self))),
+            line,
+            tuple(self._thrust_harmonic(one) for one in self.ripple),
+            given.runouts,
+            0.5 if self.loss_limit is None else self.loss_limit,
+            "usual limit in industry: 50 % of the static load" if self.loss_limit is None else "given in the case",
+            None if self.limits is None else self.limits.axial_amplitude,
+            () if self.speeds is None else self.speeds.speeds(),
+            self.nonlinear,
+        )
+
+    def _thrust_harmonic(self, one: ThrustRipple) -> ThrustHarmonic:
+        blades = 1 if self.propeller is None else self.propeller.blades
+        order = one.order if one.order is not None else float(blades * (one.blade_multiple or 1))
+        amplitude = one.amplitude if one.amplitude is not None else (one.share or 0.0) * self.thrust
+        return ThrustHarmonic(order, amplitude, one.phase)
+
+
+def _words(case: ThrustLineCase) -> Iterator[tuple[str, str]]:
+    propeller = case.propeller
+    yield (
+        "Propeller",
+        "none, the shaft ends free"
+        if propeller is None
+        else f"{written(propeller.mass, 't')} with entrained water, {propeller.blades} blades, "
+        f"damping {written(propeller.damping, 'kN s/m')}",
+    )
+    for place, piece in enumerate(case.shaft, start=1):
+        bore = f", bore {written(piece.bore, 'mm')}" if piece.bore else ""
+        mass = f", then {written(piece.end_mass, 'kg')}" if piece.end_mass else ""
+        yield (
+            f"Shaft, piece {place}",
+            f"{written(piece.length, 'm')}, diameter {written(piece.diameter, 'mm')}{bore}{mass}",
+        )
+    yield "Collar and what is rigid to it", written(case.collar_mass, "t")
+    if case.seating is None:
+        yield "Seating", "rigid"
+    else:
+        yield (
+            "Seating",
+            f"{written(case.seating.stiffness, 'GN/m')}, housing {written(case.seating.housing_mass, 't')}",
+        )
+    if not case.ripple:
+        yield "Thrust ripple", "none"
+    for one in case.ripple:
+        harmonic = case._thrust_harmonic(one)
+        yield (
+            "Thrust ripple",
+            f"{written(harmonic.amplitude, 'kN')} at {harmonic.order:g} times the shaft frequency",
+        )

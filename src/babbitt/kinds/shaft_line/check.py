@@ -1,0 +1,118 @@
+"""Design check of a shaft line: losses, films, frequencies, causes, and what would help."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from time import perf_counter
+
+from babbitt.core.notices import Notice
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Bound, Check, Outcome, Result
+from babbitt.kinds.shaft_line.admissible_amplitude import limits_of
+from babbitt.kinds.shaft_line.answer import line_answer
+from babbitt.kinds.shaft_line.design import LineDesign
+from babbitt.kinds.shaft_line.inverse import Bearable
+from babbitt.kinds.shaft_line.resonance import NEAR
+from babbitt.kinds.shaft_line.values import bearables, line_arrays, line_values
+from babbitt.kinds.shaft_line.warnings import line_doubts
+from babbitt.kinds.thrust.assumed import oil_assumptions
+from babbitt.kinds.thrust.failures import NoPadFilmError
+from babbitt.kinds.thrust.pressure_limits import pressures_not_checked
+from babbitt.kinds.thrust.warnings import share_doubts
+from babbitt.kinds.thrust.work import MOST_WORK, WorkBoundError, bounded_work
+
+__all__ = ["line_check"]
+
+METHOD = "frequency domain"
+SEPARATION_SOURCE = "usual practice for shaft vibration: 20 % from any excitation"
+
+
+def line_check(design: LineDesign) -> Result:
+    """Check a shaft line, with a bound on the work (`babbitt.kinds.thrust.work`).
+
+    Parameters
+    ----------
+    design : LineDesign
+
+    Returns
+    -------
+    Result
+        With a status in every case.
+    """
+    start = perf_counter()
+    try:
+        with bounded_work(MOST_WORK):
+            answer = line_answer(design)
+    except (NoPadFilmError, WorkBoundError) as failure:
+        return Result(design.name, design.kind, METHOD, failure.outcome, {}, message=failure.said)
+    values = line_values(design, answer)
+    values["wall_time"] = perf_counter() - start
+    thrust = design.thrust
+    return Result(
+        design.name,
+        design.kind,
+        METHOD,
+        Outcome.CONVERGED,
+        values,
+        tuple(_checks(design, values)),
+        (*thrust.doubts, *share_doubts(thrust, answer.static), *line_doubts(design, answer)),
+        (
+            *_not_checked(design),
+            *thrust.temperatures.not_checked(values),
+            *pressures_not_checked(thrust.temperatures.given_metal),
+        ),
+        (
+            *design.lubricant.assumptions,
+            *thrust.assumptions,
+            *_assumptions(design),
+            *thrust.temperatures.assumptions(values),
+        ),
+        settings={
+            "lubricant": design.lubricant.name,
+            "pivot": thrust.bearing.pad.pivot.value,
+            "rods": str(len(design.line.rods)),
+            **{f"{name}_ends": _end(name, one) for name, one in bearables(answer).items()},
+        },
+        arrays=line_arrays(design, answer),
+    )
+
+
+def _end(name: str, bearable: Bearable) -> str:
+    """What an admissible amplitude ends with: a code, "no film", or "no limit below" where it was sought."""
+    if math.isfinite(bearable.largest):
+        return bearable.code or "no film"
+    quantity = QUANTITIES[name]
+    return f"no limit below {quantity.format(bearable.sought)} {quantity.display.label}"
+
+
+def _checks(design: LineDesign, values: dict[str, float]) -> Iterator[Check]:
+    yield from limits_of(design, values)
+    if "frequency_separation" in values:
+        yield Check(
+            "C204",
+            "frequency_separation",
+            values["frequency_separation"],
+            NEAR,
+            Bound.AT_LEAST,
+            SEPARATION_SOURCE,
+            advisory=True,
+        )
+
+
+def _not_checked(design: LineDesign) -> Iterator[Notice]:
+    if not (design.thrusts or design.runouts):
+        yield Notice("C201", "neither thrust ripple nor runout is given")
+    if design.axial_limit is None:
+        yield Notice("C205", "no admissible amplitude of axial vibration is given (limits: axial_amplitude)")
+
+
+def _assumptions(design: LineDesign) -> Iterator[str]:
+    yield "Linear films about the static share, tilts of the pads free and with their inertia; axial motion only."
+    yield from oil_assumptions(design.thrust.oil)
+    if design.thrust.oil.supply_temperature is not None:
+        yield "Each pad takes in what a pad under its own load sends off, mixed with fresh oil."
+    if design.line.seating is None:
+        yield "The seating is rigid: a flexible one lowers the first frequency, typically by a fifth at 2 GN/m."
+    if design.speeds:
+        yield "Over speed, thrust and ripple grow with its square; runout and tilt stay."

@@ -1,0 +1,185 @@
+"""What a line can bear: the largest runout, tilt and ripple within all limits, the ring for a film or a load."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from babbitt.kinds.shaft_line.admissible_amplitude import Excess
+from babbitt.kinds.shaft_line.model import LineDuty, LineState, state_of
+from babbitt.kinds.shaft_line.sweeps import RingPoint, ring_point
+from babbitt.kinds.thrust.failures import NoPadFilmError
+from babbitt.kinds.thrust.load_curve import Carrying
+from babbitt.kinds.thrust.sharing import share_of
+from babbitt.numerics.roots import bracketed_root
+
+__all__ = [
+    "Admissible",
+    "Bearable",
+    "admissible",
+    "ring_for_film_amplitude",
+    "ring_for_loss",
+]
+
+FIRST, WIDEST = 0.25, 2.0**12
+"""Factors from which and up to which a limit is sought, each twice the one before."""
+RELATIVE = 1e-6
+NO_FILM: Excess = (1e6, "")
+"""Stands for a bearing without a film."""
+SHOWN_LENGTH, SHOWN_FORCE = 1e-7, 100.0
+"""Steps in which amplitudes are told, m and N: what is found is rounded down, so that all limits are kept."""
+SHORTER = 50
+"""Steps by which what is found is lowered at most, until it keeps them."""
+
+Judge = Callable[[LineState], Excess]
+
+
+@dataclass(frozen=True)
+class Bearable:
+    """How large one cause may be with the others as they are.
+
+    Attributes
+    ----------
+    largest : float
+        Largest amplitude that keeps all limits, rounded down; 0 where none does, infinite where no amplitude was
+        found that misses one.
+    code : str
+        Of the check that is missed first beyond it; empty where the pads find no film, or nothing is missed.
+    sought : float
+        Amplitude up to which a limit was sought.
+    """
+
+    largest: float
+    code: str
+    sought: float
+
+
+@dataclass(frozen=True)
+class Admissible:
+    """Largest amplitudes within all limits, each with the others as they are.
+
+    Attributes
+    ----------
+    runout : Bearable or None
+        Of the face at the pivot radius, m; of several waves the first, all in proportion. None without runout.
+    tilt : Bearable
+        Of the housing at the outer radius of the pads, m.
+    ripple : Bearable or None
+        Of the thrust, N, as the runout. None without ripple.
+    """
+
+    runout: Bearable | None
+    tilt: Bearable
+    ripple: Bearable | None
+
+
+def admissible(duty: LineDuty, films: Carrying, judge: Judge) -> Admissible:
+    """Largest runout, tilt and ripple that keep all limits.
+
+    Parameters
+    ----------
+    duty : LineDuty
+    films : Carrying
+    judge : callable
+        Says by how much a state misses its worst check, see
+        `babbitt.kinds.shaft_line.admissible_amplitude.excess_of`.
+    """
+    share = share_of(films, duty.bearing, duty.thrust)
+    tilt = duty.bearing.tilt.offset or films.height_for(duty.thrust / duty.bearing.number)
+    runout = ripple = None
+    if duty.runout:
+        runout = _largest(
+            lambda a: judge(state_of(duty.with_runout(a / duty.runout), films, share)), duty.runout, SHOWN_LENGTH
+        )
+    if duty.ripple:
+        ripple = _largest(
+            lambda a: judge(state_of(duty.with_ripple(a / duty.ripple), films, share)), duty.ripple, SHOWN_FORCE
+        )
+    return Admissible(
+        runout, _largest(lambda e: _judged(duty.with_tilt(e), films, judge), tilt, SHOWN_LENGTH), ripple
+    )
+
+
+def _judged(duty: LineDuty, films: Carrying, judge: Judge) -> Excess:
+    try:
+        return judge(state_of(duty, films))
+    except NoPadFilmError:
+        return NO_FILM
+
+
+def _largest(of: Callable[[float], Excess], scale: float, shown: float) -> Bearable:
+    """Largest amplitude from 0 up to which all limits are kept, sought from a scale."""
+    missed, code = of(0.0)
+    if missed > 0.0:
+        return Bearable(0.0, code, 0.0)
+    low, high = 0.0, FIRST * scale
+    while (found := of(high))[0] <= 0.0:
+        low, high = high, 2.0 * high
+        if high > WIDEST * scale:
+            return Bearable(math.inf, "", low)
+    edge = bracketed_root(lambda a: of(a)[0], low, high, relative=RELATIVE)
+    largest = rounded_down(edge, shown)
+    for _ in range(SHORTER):
+        if of(largest)[0] <= 0.0:
+            break
+        largest = rounded_down(largest * (1.0 - 2.0 * RELATIVE), shown)
+    return Bearable(largest, _beyond(of, edge, found), high)
+
+
+def _beyond(of: Callable[[float], Excess], edge: float, found: Excess) -> str:
+    """Code of the check that is missed a little beyond the edge."""
+    missed, code = of(edge * (1.0 + 10.0 * RELATIVE))
+    return code if missed > 0.0 else found[1]
+
+
+def rounded_down(value: float, step: float) -> float:
+    """A positive number rounded down to a step; below one to two digits.
+
+    >>> rounded_down(2.46, 0.1) < 2.4001, rounded_down(0.0129, 1.0)
+    (True, 0.012)
+    """
+    if value < 10.0 * step:
+        step = 10.0 ** (math.floor(math.log10(value)) - 1) if value > 0.0 else step
+    return float(f"{math.floor(value / step * (1.0 + 1e-12)) * step:.12g}")
+
+
+def ring_for_loss(duty: LineDuty, films: Carrying, loss: float, rings: tuple[float, ...]) -> RingPoint | None:
+    """The stiffest ring on which L1 (bound) falls to ``loss``; None where no ring among ``rings`` reaches it.
+
+    Parameters
+    ----------
+    duty : LineDuty
+    films : Carrying
+    loss : float
+    rings : tuple of float
+        Stiffnesses between which it is sought, N/m.
+    """
+    return _stiffest(duty, films, rings, lambda point: point.bound - loss)
+
+
+def ring_for_film_amplitude(
+    duty: LineDuty, films: Carrying, amplitude: float, rings: tuple[float, ...]
+) -> RingPoint | None:
+    """The stiffest ring on which the film amplitude from runout falls to ``amplitude`` (m)."""
+    return _stiffest(duty, films, rings, lambda point: point.film_amplitude - amplitude)
+
+
+def _stiffest(
+    duty: LineDuty, films: Carrying, rings: tuple[float, ...], excess: Callable[[RingPoint], float]
+) -> RingPoint | None:
+    stiff: RingPoint | None = None
+    for ring in sorted(rings, reverse=True):
+        try:
+            point = ring_point(duty, films, ring)
+        except NoPadFilmError:
+            continue
+        if excess(point) <= 0.0:
+            if stiff is None:
+                return point
+            root = bracketed_root(
+                lambda c: excess(ring_point(duty, films, c)), ring, stiff.stiffness, relative=1e-6
+            )
+            return ring_point(duty, films, root)
+        stiff = point
+    return None

@@ -1,0 +1,1 @@
+"""What the report holds of shaft lines."""

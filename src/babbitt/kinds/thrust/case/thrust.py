@@ -1,0 +1,313 @@
+"""A thrust bearing as an engineer writes it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from babbitt.case.case_file import CaseFile
+from babbitt.case.grouped_digits import about_grouped_digits
+from babbitt.case.part import Complaint, Part, exactly_one, not_read, rule
+from babbitt.case.parts.fields import Name, Prose
+from babbitt.core.notices import InputError, Notice
+from babbitt.core.units import either_sense, si
+from babbitt.core.units import written as written_plainly
+from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
+from babbitt.kinds.thrust.case.runout import RUNOUT, Runout, RunoutGiven, said_of_runout, waves_given_twice
+from babbitt.kinds.thrust.case.thrust_oil import GivenViscosity, OilByBalance, ThrustOil
+from babbitt.kinds.thrust.case.thrust_pads import PadMaterials, Stiffness, ThrustPads, Tilt, TiltingPivot
+from babbitt.kinds.thrust.design import GivenFilm, GivenThrust, ThrustDesign
+from babbitt.kinds.thrust.pad import Pivot, ThrustPad
+from babbitt.kinds.thrust.state import TiltInertia
+from babbitt.kinds.thrust.temperature_limits import TemperatureLimits
+from babbitt.kinds.thrust.thermal_crown import ASSUMED_DIFFERENCE
+from babbitt.reynolds.oil.turbulence import CONSTANTINESCU, NG_PAN, FilmTurbulence, TurbulenceLaw
+
+Thrust = Annotated[float, si("N", "1 N", "1000 MN")]
+LAWS: dict[str, TurbulenceLaw] = {"ng_pan": NG_PAN, "constantinescu": CONSTANTINESCU}
+TURBULENT_BETWEEN = (500.0, 1000.0)
+"""Local Reynolds numbers between which turbulence sets in: the usual choice with Ng and Pan's theory."""
+USUAL_FILM_LIMIT = 10e-6
+INERTIAS = ("pads.inertia_radial", "pads.inertia_along")
+
+
+class ThrustBearingInputs(Part):
+    """What bearing and oil of a thrust bearing are, alone or in a shaft line."""
+
+    pads: ThrustPads = Field(description="The pads.")
+    speed: Annotated[float, either_sense("rad/s", "0.01 rpm", "1000000 rpm")] = Field(
+        description="Speed of the collar, positive counter-clockwise, towards growing pad numbers. Negative: "
+        "the pads "
+        "run backward."
+    )
+    oil: ThrustOil = Field(description="How viscous the films are.")
+    thermal: Literal["isothermal", "global", "adiabatic"] | None = Field(
+        None,
+        description="Temperature of the films: one that is given (isothermal, with oil of kind viscosity or "
+        "temperature), one per pad from its own heat balance (global), or one that varies along the pads and "
+        "across "
+        "the gap with no heat to pads and collar (adiabatic), the two with oil of kind heat_balance. None: global "
+        "where the oil is of that kind, else isothermal.",
+    )
+    radial_temperature: Literal["mean", "resolved"] = Field(
+        "mean", description="Whether the temperature of an adiabatic film varies across the pads, too."
+    )
+    ring_stiffness: Stiffness | None = Field(
+        None, description="Stiffness of the backing ring under each pad, c. None: rigid."
+    )
+    tilt: Tilt | None = Field(None, description="Tilt of the housing against the collar.")
+    turbulence: Literal["none", "ng_pan", "constantinescu"] = Field("none", description="Turbulence of the films.")
+    materials: PadMaterials | None = Field(None, description="Materials of the pads.")
+    temperature_limit: Annotated[float, si("K", "20 degC", "250 degC")] | None = Field(
+        None,
+        description="Greatest permissible temperature of the hottest oil known. None: what experience allows at "
+        "the outlet, and the limit of the bearing metal.",
+    )
+    film_limit: Annotated[float, si("m", "0.1 um", "1 mm", "um")] | None = Field(
+        None, description="Least film permitted. None: 10 um, an assumption."
+    )
+    assumptions: tuple[Prose, ...] = Field(
+        (), max_length=100, description="Assumptions to be shown in the report."
+    )
+    notes: Prose = Field("", description="Notes to be shown in the report.")
+    source: Prose = Field("", description="Where the numbers come from.")
+
+    @rule
+    def _balanced_pivot(self) -> Iterator[Complaint]:
+        pivot = self.pads.pivot
+        if isinstance(pivot, TiltingPivot) and self.pads.face is None and self.pads.crown_at_work() == 0.0:
+            fraction = pivot.fraction if self.speed > 0.0 else 1.0 - pivot.fraction
+            if fraction <= 0.5:
+                yield Complaint(
+                    ("pads", "pivot", "fraction"),
+                    f"at this sense of rotation the pivot lies at "
+                    f"{fraction:g} of the pad from its leading edge, where no plane pad balances",
+                    "more than 0.5, behind the middle",
+                    "give a crown, or turn the other way; at 0.5 without any crown heat is taken to give one",
+                )
+                return
+            yield from self._balance_of_plane_pads()
+
+    def _balance_of_plane_pads(self) -> Iterator[Complaint]:
+        """Seek the balance of plane laminar pads, which any film, oil and speed share."""
+        from babbitt.kinds.thrust.pivot import pivot_fault  # numba is imported when the first film is solved
+
+        try:
+            pad = self._pad()
+        except InputError:
+            return  # told of the radii and angles themselves
+        fault = pivot_fault(replace(pad, turbulence=None))
+        if fault is None:
+            return
+        sense = self.speed > 0.0
+        low, high = (
+            (fault.low, fault.high) if sense or fault.field == "radius" else (1 - fault.high, 1 - fault.low)
+        )
+        if fault.field == "radius":
+            given, unit = written(pad.pivot_radius, "mm"), "mm"
+            allowed = f"about {written(low, unit)} to {written(high, unit)}, the fraction unchanged"
+        else:
+            given = f"{pad.pivot_fraction if sense else 1.0 - pad.pivot_fraction:g}"
+            allowed = f"about {low:.3f} to {high:.3f}, the radius unchanged"
+        yield Complaint(
+            ("pads", "pivot", fault.field),
+            f"with the pivot at {given} no tilt balances these plane pads",
+            allowed if fault.high > 0.0 else "another radius and fraction; the mean radius and 0.6 are usual",
+            code="E202",
+        )
+
+    @rule
+    def _fixed_pads_run_one_way(self) -> Iterator[Complaint]:
+        pads = self.pads
+        faced = pads.face is not None and pads.crown == 0.0 and not isinstance(pads.pivot, TiltingPivot)
+        if pads.face is not None and faced and self.speed < 0.0:
+            yield Complaint(
+                ("speed",),
+                f"backward, the {pads.face.kind} of fixed pads lies behind the land, where the film diverges and "
+                "carries nothing",
+                "a positive speed",
+                "turn the other way, or give the pads a crown",
+            )
+
+    @rule
+    def _thermal_goes_with_the_oil(self) -> Iterator[Complaint]:
+        balance = isinstance(self.oil, OilByBalance)
+        if self.thermal in ("global", "adiabatic") and not balance:
+            says = f"thermal: {self.thermal} finds the temperature from friction and fresh oil"
+            yield Complaint(("oil", "kind"), says, "heat_balance, with lubricant and supply_temperature")
+        if self.thermal == "isothermal" and balance:
+            says = "an isothermal film needs its viscosity or temperature, oil of kind heat_balance finds it"
+            yield Complaint(("oil", "kind"), says, "viscosity or temperature, or thermal: global")
+        if self.thermal == "adiabatic" and self.turbulence != "none":
+            yield Complaint(
+                ("turbulence",), "a film with its own temperatures is laminar", "thermal: global, or no turbulence"
+            )
+        if self.thermal != "adiabatic" and self.radial_temperature == "resolved":
+            says = "the films have one temperature"
+            yield Complaint(("radial_temperature",), says, "mean, or thermal: adiabatic")
+
+    def _pad(self) -> ThrustPad:
+        """Give the laminar pad of the calculation, seen by a collar that turns forward."""
+        pads, pivot = self.pads, self.pads.pivot
+        tilting = pivot if isinstance(pivot, TiltingPivot) else None
+        pad = ThrustPad(
+            pads.inner_radius,
+            pads.outer_radius,
+            pads.extent,
+            tilting.radius if tilting else 0.5 * (pads.inner_radius + pads.outer_radius),
+            tilting.fraction if tilting else 0.5,
+            Pivot(tilting.kind) if tilting else Pivot.FIXED,
+            pads.plane_or_face(),
+            pads.crown_at_work(),
+        )
+        return pad if self.speed > 0.0 else pad.mirrored()
+
+    def design(self, name: str, duty: GivenThrust | GivenFilm, runouts: tuple[Runout, ...]) -> ThrustDesign:
+        """Give the bearing of the calculation."""
+        pads = self.pads
+        law = LAWS.get(self.turbulence)
+        oil = self.oil.oil()
+        if self.thermal == "adiabatic":
+            oil = replace(oil, own_temperatures=True, resolved=self.radial_temperature == "resolved")
+        turbulence = None
+        if law is not None:
+            at = oil.effective_temperature or oil.supply_temperature or 323.15
+            turbulence = FilmTurbulence(law, float(oil.lubricant.density(at)), *TURBULENT_BETWEEN)
+        pad = replace(self._pad(), turbulence=turbulence)
+        sense = math.copysign(1.0, self.speed)
+        bearing = ThrustBearing(
+            pad,
+            pads.number,
+            math.inf if self.ring_stiffness is None else self.ring_stiffness,
+            pads.mass,
+            TiltInertia(pads.inertia_radial, pads.inertia_along),
+            HousingTilt() if self.tilt is None else self.tilt.tilt(),
+            pads.heights,
+            sense,
+        )
+        return ThrustDesign(
+            name,
+            bearing,
+            duty,
+            abs(self.speed),
+            oil,
+            tuple(one.harmonic() for one in runouts),
+            USUAL_FILM_LIMIT if self.film_limit is None else self.film_limit,
+            "assumption: 10 µm" if self.film_limit is None else "given in the case",
+            TemperatureLimits(self.temperature_limit, None if self.materials is None else self.materials.metal()),
+            law,
+            (*words_of(self), *said_of_runout(runouts)),
+            self.assumptions,
+            (*about_grouped_digits(self), *self._fields_not_read(), *self._assumed_crown()),
+        )
+
+    def _fields_not_read(self) -> Iterator[Notice]:
+        """Tell of fields that make no difference to this bearing."""
+        pivot = self.pads.pivot
+        if not isinstance(pivot, TiltingPivot):
+            yield from not_read(self, "fixed pads do not tilt", *INERTIAS)
+        elif pivot.kind == "line":
+            yield from not_read(self, "pads on a line pivot do not tilt along the radius", INERTIAS[0])
+        if isinstance(self.oil, GivenViscosity):
+            why = "the viscosity of the films is given, and no temperature is known that could be held against it"
+            yield from not_read(self, why, "temperature_limit")
+
+    def _assumed_crown(self) -> Iterator[Notice]:
+        """Tell of the crown that plane pads on a pivot in their middle are taken to have."""
+        if self.pads.crowned_by_heat:
+            yield Notice(
+                "W214",
+                f"crown {1e6 * self.pads.crown_at_work():.1f} µm, {ASSUMED_DIFFERENCE:g} K through pads a third "
+                "as thick as long",
+            )
+
+
+class ThrustCase(ThrustBearingInputs, CaseFile):
+    """A file with one thrust bearing."""
+
+    kind: Literal["thrust"] = Field(description="One thrust bearing.")
+    name: Name = Field(description="Name of the bearing.")
+    thrust: Thrust | None = Field(None, description="Thrust F_0, in place of the film.")
+    film: Annotated[float, si("m", "0.1 um", "5 mm", "um")] | None = Field(
+        None, description="Mean film at the pivots, in place of the thrust, which is then found."
+    )
+    runout: RunoutGiven = Field((), max_length=20, description=RUNOUT)
+
+    @rule
+    def _thrust_or_film(self) -> Iterator[Complaint]:
+        yield from exactly_one(self, "thrust", "film")
+
+    @rule
+    def _every_wave_once(self) -> Iterator[Complaint]:
+        yield from waves_given_twice(self.runout)
+
+    def _fields_not_read(self) -> Iterator[Notice]:
+        """As of every thrust bearing; a mass swings in a shaft line alone."""
+        yield from not_read(self, "films of a steady thrust do not feel the mass of a pad", "pads.mass")
+        yield from super()._fields_not_read()
+
+    def designs(self) -> tuple[ThrustDesign, ...]:
+        """Give the bearing of the calculation."""
+        return (self.thrust_design(),)
+
+    def thrust_design(self) -> ThrustDesign:
+        """Give the bearing of the calculation."""
+        duty = GivenFilm(self.film) if self.film is not None else GivenThrust(self.thrust or 0.0)
+        return self.design(self.name, duty, self.runout)
+
+
+def written(value: float, unit: str) -> str:
+    """Write an SI value in an everyday unit, as it looks on paper."""
+    return written_plainly(value, unit).replace(" um", " µm").replace(" deg", "°")
+
+
+def words_of(case: ThrustBearingInputs) -> Iterator[tuple[str, str]]:
+    """Tell how a case gave its numbers."""
+    pads, pivot = case.pads, case.pads.pivot
+    yield (
+        "Pads",
+        (
+            f"{pads.number} of {written(pads.extent, 'deg')}, radii {written(pads.inner_radius, 'mm')} to "
+            f"{written(pads.outer_radius, 'mm')}"
+        ),
+    )
+    if isinstance(pivot, TiltingPivot):
+        yield (
+            "Pivot",
+            f"{pivot.kind} at radius {written(pivot.radius, 'mm')}, {pivot.fraction:g} of the pad from its "
+            f"leading edge",
+        )
+    else:
+        yield "Pivot", "none, fixed pads"
+    if pads.face is not None:
+        yield (
+            "Face",
+            f"{pads.face.kind} {written(pads.face.depth, 'um')} deep over {pads.face.fraction:g} of the pad",
+        )
+    if pads.crown:
+        yield "Crown", written(pads.crown, "um")
+    elif pads.crowned_by_heat:
+        yield "Crown", f"{written(pads.crown_at_work(), 'um')}, an assumption"
+    if pads.mass:
+        yield "Mass of a pad", written(pads.mass, "kg")
+    if pads.inertia_radial or pads.inertia_along:
+        yield "Inertias of a pad", f"{pads.inertia_radial:g} and {pads.inertia_along:g} kg m²"
+    if pads.heights:
+        yield "Heights of the pads", ", ".join(f"{1e6 * height:g}" for height in pads.heights) + " µm"
+    yield "Speed", written(case.speed, "rpm")
+    ring = case.ring_stiffness
+    yield "Backing ring", "rigid" if ring is None else f"{written(ring, 'GN/m')} per pad"
+    if case.tilt is not None:
+        yield (
+            "Tilt of the housing",
+            (
+                f"{written(case.tilt.offset, 'um')} at the outer radius, closest at "
+                f"{math.degrees(case.tilt.direction):g}°"
+            ),
+        )
+    if case.turbulence != "none":
+        yield "Turbulence", LAWS[case.turbulence].name

@@ -1,0 +1,87 @@
+"""How warm, and so how viscous, the oil of thrust pads is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated, Literal
+
+from pydantic import Discriminator, Field
+
+from babbitt.case.part import Complaint, Part, rule
+from babbitt.case.parts.lubricant import LubricantGiven
+from babbitt.case.parts.supply import OilTemperature
+from babbitt.core.units import ZERO_CELSIUS, si
+from babbitt.kinds.thrust.design import Oil
+from babbitt.kinds.thrust.heat import USUAL_CARRY_OVER
+from babbitt.properties.lubricants import ConstantViscosity, OilProperties, lubricant_from_law
+
+
+class GivenViscosity(Part):
+    """The viscosity of the films is known."""
+
+    kind: Literal["viscosity"] = Field(description="Viscosity of the films is given.")
+    viscosity: Annotated[float, si("Pa s", "0.01 mPa s", "100 Pa s")] = Field(description="Effective viscosity.")
+    density: Annotated[float, si("kg/m3", "100 kg/m3", "3000 kg/m3")] = Field(
+        880.0, description="Density, which only the Reynolds number needs."
+    )
+
+    def oil(self) -> Oil:
+        """Give the oil of the calculation."""
+        name = f"oil of {1e3 * self.viscosity:.4g} mPa s"
+        known = OilProperties(density=self.density)
+        return Oil(lubricant_from_law(name, ConstantViscosity(self.viscosity), known, source="given in the case"))
+
+
+class OilAtTemperature(Part):
+    """The effective temperature of the films is known."""
+
+    kind: Literal["temperature"] = Field(description="Temperature of the films is given.")
+    lubricant: LubricantGiven = Field(description="The lubricant.")
+    temperature: OilTemperature = Field(description="Effective temperature of the films.")
+
+    @rule
+    def _oil_known_there(self) -> Iterator[Complaint]:
+        yield from _covered(self.lubricant, self.temperature, "temperature")
+
+    def oil(self) -> Oil:
+        """Give the oil of the calculation."""
+        return Oil(self.lubricant.lubricant(), effective_temperature=self.temperature)
+
+
+class OilByBalance(Part):
+    """The effective temperature follows from friction and flow."""
+
+    kind: Literal["heat_balance"] = Field(description="Temperature of each pad by its heat balance.")
+    lubricant: LubricantGiven = Field(description="The lubricant.")
+    supply_temperature: OilTemperature = Field(description="Temperature of the fresh oil.")
+    carry_over: Annotated[float, si("1", "0", "0.99")] = Field(
+        USUAL_CARRY_OVER,
+        description="Share of the hot oil leaving a pad over its trailing edge that enters the next one. 0.75 "
+        "is an "
+        "assumption; 0.7 to 0.9 are found at usual speeds, less with sprayed or scraped grooves.",
+    )
+
+    @rule
+    def _oil_known_there(self) -> Iterator[Complaint]:
+        yield from _covered(self.lubricant, self.supply_temperature, "supply_temperature")
+
+    def oil(self) -> Oil:
+        """Give the oil of the calculation."""
+        return Oil(
+            self.lubricant.lubricant(), supply_temperature=self.supply_temperature, carry_over=self.carry_over
+        )
+
+
+def _covered(given: LubricantGiven, temperature: float, name: str) -> Iterator[Complaint]:
+    oil = given.lubricant()
+    if not oil.covers(temperature):
+        low, high = (kelvin - ZERO_CELSIUS for kelvin in oil.temperature_range)
+        yield Complaint(
+            (name,),
+            f"{temperature - ZERO_CELSIUS:.4g} degC lies outside the data of {oil.name}",
+            f"{low:.4g} degC to {high:.4g} degC",
+            code="E006",
+        )
+
+
+ThrustOil = Annotated[GivenViscosity | OilAtTemperature | OilByBalance, Discriminator("kind")]

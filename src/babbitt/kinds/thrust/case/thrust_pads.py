@@ -1,0 +1,193 @@
+"""Pads of a thrust bearing, what they stand on, and what displaces them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Discriminator, Field
+
+from babbitt.case.part import Complaint, Part, rule
+from babbitt.case.parts.fields import WholeNumber
+from babbitt.case.parts.materials import MetalGiven
+from babbitt.core.units import si, written
+from babbitt.kinds.thrust.bearing import HousingTilt
+from babbitt.kinds.thrust.face import PlaneFace, SteppedFace, TaperedFace
+from babbitt.kinds.thrust.thermal_crown import thermal_crown
+from babbitt.properties.materials import BearingMetal
+
+Radius = Annotated[float, si("m", "1 mm", "10 m")]
+Share = Annotated[float, si("1", "0.01", "0.99")]
+Depth = Annotated[float, si("m", "0.1 um", "10 mm", "um")]
+Inertia = Annotated[float, si("kg m2", "0 kg m2", "1e6 kg m2")]
+Stiffness = Annotated[float, si("N/m", "1 kN/m", "1e18 N/m", "GN/m")]
+Damping = Annotated[float, si("N s/m", "0 N s/m", "1e12 N s/m")]
+PartMass = Annotated[float, si("kg", "0 kg", "10000 t")]
+
+
+class TiltingPivot(Part):
+    """A pad that tilts without friction about a point, or about a line along the radius."""
+
+    kind: Literal["point", "line"] = Field(description="Tilts about two axes, or about a radius only.")
+    radius: Radius = Field(description="Radius of the pivot, r_p.")
+    fraction: Share = Field(
+        description="Angle of the pivot from the leading edge over the angle of the pad, at positive speed. A "
+        "plane pad "
+        "needs more than 0.5."
+    )
+
+
+class FixedPad(Part):
+    """A pad that does not tilt."""
+
+    kind: Literal["fixed"] = Field(description="Does not tilt.")
+
+
+class TaperFace(Part):
+    """A taper before a land."""
+
+    kind: Literal["taper"] = Field(description="Taper from the leading edge to a land.")
+    depth: Depth = Field(description="Depth of the taper at the leading edge.")
+    fraction: Share = Field(description="Length of the taper over the angle of the pad.")
+
+    def face(self) -> TaperedFace:
+        """Give the face of the calculation."""
+        return TaperedFace(self.depth, self.fraction)
+
+
+class StepFace(Part):
+    """A step before a land."""
+
+    kind: Literal["step"] = Field(description="Step from the leading edge to a land.")
+    depth: Depth = Field(description="Depth of the step.")
+    fraction: Share = Field(description="Length before the step over the angle of the pad.")
+
+    def face(self) -> SteppedFace:
+        """Give the face of the calculation."""
+        return SteppedFace(self.depth, self.fraction)
+
+
+PivotGiven = Annotated[TiltingPivot | FixedPad, Discriminator("kind")]
+FaceGiven = Annotated[TaperFace | StepFace, Discriminator("kind")]
+
+
+class ThrustPads(Part):
+    """Equal pads on a ring."""
+
+    number: Annotated[int, WholeNumber(2, 100)] = Field(description="Number of pads.")
+    inner_radius: Radius = Field(description="Inner radius of the pads.")
+    outer_radius: Radius = Field(description="Outer radius of the pads.")
+    extent: Annotated[float, si("rad", "1 deg", "179 deg")] = Field(description="Angle of one pad.")
+    pivot: PivotGiven = Field(description="How a pad may move.")
+    face: FaceGiven | None = Field(None, description="What is taken off the face. None: plane.")
+    crown: Annotated[float, si("m", "-1 mm", "1 mm", "um")] = Field(
+        0.0,
+        description="Crown: how much farther from the collar the middle of every edge is than the middle of the "
+        "pad, by parabolas along and across; a sphere where the pad is as long as wide. It stands for grinding, "
+        "or for bending and heat as known from elsewhere.",
+    )
+    mass: PartMass = Field(0.0, description="Mass of one pad.")
+    inertia_radial: Inertia = Field(0.0, description="Moment of inertia of a pad for tilting along the radius.")
+    inertia_along: Inertia = Field(0.0, description="Moment of inertia of a pad for tilting along the motion.")
+    heights: tuple[Annotated[float, si("m", "-5 mm", "5 mm", "um")], ...] = Field(
+        (), max_length=100, description="How much each pad stands higher than the mean, pad 1 first. Empty: none."
+    )
+
+    @rule
+    def _radii_in_order(self) -> Iterator[Complaint]:
+        if self.outer_radius <= self.inner_radius:
+            yield Complaint(
+                ("outer_radius",),
+                f"{written(self.outer_radius, 'mm')} is not beyond inner_radius "
+                f"{written(self.inner_radius, 'mm')}",
+                f"more than {written(self.inner_radius, 'mm')}",
+                "are the two exchanged?",
+            )
+
+    @rule
+    def _pads_do_not_touch(self) -> Iterator[Complaint]:
+        room = 6.283185307179586 / self.number
+        if self.extent >= room:
+            yield Complaint(
+                ("extent",),
+                f"{self.number} pads of {written(self.extent, 'deg')} overlap",
+                f"less than {written(room, 'deg')} for {self.number} pads",
+            )
+
+    @rule
+    def _pivot_under_the_pad(self) -> Iterator[Complaint]:
+        pivot = self.pivot
+        in_order = self.inner_radius < self.outer_radius
+        beside = isinstance(pivot, TiltingPivot) and not self.inner_radius < pivot.radius < self.outer_radius
+        if isinstance(pivot, TiltingPivot) and in_order and beside:
+            yield Complaint(
+                ("pivot", "radius"),
+                f"the pivot at {written(pivot.radius, 'mm')} is not under the pad",
+                f"between {written(self.inner_radius, 'mm')} and {written(self.outer_radius, 'mm')}",
+            )
+
+    @rule
+    def _one_height_each(self) -> Iterator[Complaint]:
+        if self.heights and len(self.heights) != self.number:
+            yield Complaint(
+                ("heights",),
+                f"{len(self.heights)} heights are given for {self.number} pads",
+                f"{self.number} heights, or leave them out",
+            )
+
+    @rule
+    def _fixed_pads_need_a_wedge(self) -> Iterator[Complaint]:
+        if isinstance(self.pivot, FixedPad) and self.face is None and self.crown == 0.0:
+            yield Complaint(
+                ("face",),
+                "a fixed plane pad in oil of one viscosity carries nothing",
+                "a face of kind taper or step, a crown, or a pivot",
+            )
+
+    @property
+    def crowned_by_heat(self) -> bool:
+        """Whether plane pads on a pivot in their middle are taken to carry by the crown that heat gives them."""
+        pivot = self.pivot
+        centred = isinstance(pivot, TiltingPivot) and pivot.fraction == 0.5
+        return centred and self.face is None and "crown" not in self.model_fields_set
+
+    def crown_at_work(self) -> float:
+        """Give the crown of the calculation, m: as given, or as heat makes it."""
+        if not self.crowned_by_heat:
+            return self.crown
+        return thermal_crown(0.5 * (self.inner_radius + self.outer_radius) * self.extent)
+
+    def plane_or_face(self) -> PlaneFace | TaperedFace | SteppedFace:
+        """Give the face of the calculation."""
+        return PlaneFace() if self.face is None else self.face.face()
+
+
+class PadMaterials(Part):
+    """What the pads are made of."""
+
+    example: ClassVar[str] = "{bearing_metal: B83}"
+
+    bearing_metal: MetalGiven | None = Field(
+        None,
+        description="Bearing metal of the faces. None: B83, an assumption, unless temperature_limit is given.",
+    )
+
+    def metal(self) -> BearingMetal | None:
+        """Give the bearing metal; None where it is not named."""
+        return None if self.bearing_metal is None else self.bearing_metal.metal()
+
+
+class Tilt(Part):
+    """Tilt of the housing against the collar."""
+
+    offset: Annotated[float, si("m", "0 um", "10 mm", "um")] = Field(
+        description="Axial departure at the outer radius of the pads, e_o: half the difference across the "
+        "diameter."
+    )
+    direction: Annotated[float, si("rad", "-360 deg", "360 deg")] = Field(
+        0.0, description="Where the housing comes closest to the collar, counter-clockwise from pad 1."
+    )
+
+    def tilt(self) -> HousingTilt:
+        """Give the tilt of the calculation."""
+        return HousingTilt(self.offset, self.direction)

@@ -1,0 +1,127 @@
+"""Design check of a thrust bearing: values, verdicts and doubts."""
+
+from __future__ import annotations
+
+import math
+from time import perf_counter
+
+import numpy as np
+
+from babbitt.core.notices import Notice
+from babbitt.core.result import Bound, Check, Outcome, Result
+from babbitt.kinds.thrust.assumed import oil_assumptions
+from babbitt.kinds.thrust.design import ThrustDesign, ThrustState, bearing_state, share_on
+from babbitt.kinds.thrust.failures import NoPadFilmError
+from babbitt.kinds.thrust.pad_attitude import standing_at_rest, standing_on_runout
+from babbitt.kinds.thrust.pressure_limits import pressure_checks, pressures_not_checked
+from babbitt.kinds.thrust.values import pad_arrays, share_values
+from babbitt.kinds.thrust.warnings import LEAST_SHARE, share_doubts
+from babbitt.kinds.thrust.work import MOST_WORK, WorkBoundError, bounded_work
+
+__all__ = ["thrust_check"]
+
+METHOD = "film"
+TURNS = 24
+"""Positions of the collar, at least, at which its runout is shared out slowly."""
+TURNING_FILM = "quasi_static_minimum_film_thickness"
+WAVES = 4
+"""So many waves around the face are seen at so many positions."""
+
+
+def thrust_check(design: ThrustDesign) -> Result:
+    """Solve a thrust bearing, with a bound on the work (`babbitt.kinds.thrust.work`).
+
+    Parameters
+    ----------
+    design : ThrustDesign
+
+    Returns
+    -------
+    Result
+        With a status in every case.
+    """
+    with bounded_work(MOST_WORK):
+        return _checked(design)
+
+
+def _checked(design: ThrustDesign) -> Result:
+    start = perf_counter()
+    try:
+        state = bearing_state(design)
+    except (NoPadFilmError, WorkBoundError) as failure:
+        return Result(
+            design.name,
+            design.kind,
+            METHOD,
+            failure.outcome,
+            {},
+            message=failure.said,
+            warnings=design.doubts,
+            assumptions=(*design.lubricant.assumptions, *design.assumptions, *_assumptions(design)),
+        )
+    values = share_values(design, state)
+    of_runout: list[Notice] = []
+    if any(one.amplitude > 0.0 for one in design.runouts):
+        try:
+            of_turning, least_load = _turned(design, state)
+            values |= of_turning
+            if least_load < LEAST_SHARE <= values["smallest_pad_load"] / state.share.mean_load:
+                said = f"while the collar turns, a pad carries {least_load:.2%} of the mean load"
+                of_runout.append(Notice("W201", said))
+        except (NoPadFilmError, WorkBoundError) as failure:
+            of_runout.append(Notice("W209", f"no quasi_static_load_ratio is given: {failure.said}"))
+    values["wall_time"] = perf_counter() - start
+    least, thinnest = "minimum_film_thickness", values["minimum_film_thickness"]
+    if any(one.amplitude > 0.0 for one in design.runouts):
+        turning = values.get(TURNING_FILM, 0.0)  # where none was found, none can be counted on
+        least, thinnest = (TURNING_FILM, turning) if turning < thinnest else (least, thinnest)
+    limit = Check("C202", least, thinnest, design.film_limit, Bound.AT_LEAST, design.film_limit_source)
+    return Result(
+        design.name,
+        design.kind,
+        METHOD,
+        Outcome.CONVERGED,
+        values,
+        (limit, *design.temperatures.checks(values), *pressure_checks(design.temperatures.given_metal, values)),
+        (*design.doubts, *share_doubts(design, state), *of_runout),
+        (*design.temperatures.not_checked(values), *pressures_not_checked(design.temperatures.given_metal)),
+        (
+            *design.lubricant.assumptions,
+            *design.assumptions,
+            *_assumptions(design),
+            *design.temperatures.assumptions(values),
+        ),
+        settings={"lubricant": design.lubricant.name, "pivot": design.bearing.pad.pivot.value},
+        arrays=pad_arrays(state.share, design.speed),
+    )
+
+
+def _turned(design: ThrustDesign, state: ThrustState) -> tuple[dict[str, float], float]:
+    """Of a collar that turns so slowly that nothing swings: largest load ratio and thinnest film, and least ratio.
+
+    Raises
+    ------
+    NoPadFilmError
+        If the pads find no film at a position of the collar, though they have one on a collar without runout.
+    """
+    largest, least, thinnest, share = 0.0, math.inf, math.inf, state.share
+    least_count = TURNS * math.ceil(max(one.order for one in design.runouts) / WAVES)
+    number = design.bearing.number
+    count = number * math.ceil(least_count / number)  # whichever pad is called the first
+    alike = standing_at_rest(design.bearing).is_even  # then a turn by one pitch gives pads other names only
+    for turned in 2.0 * np.pi * np.arange(count // number if alike else count) / count:
+        stands = standing_on_runout(design.bearing, design.runouts, float(turned))
+        share = share_on(state.films, share, stands)
+        largest = max(largest, share.largest_over_mean)
+        least = min(least, float(share.loads.min()) / share.mean_load)
+        thinnest = min(thinnest, *(pad.minimum_film_thickness for pad in share.states))
+    return {"quasi_static_load_ratio": largest, TURNING_FILM: thinnest}, least
+
+
+def _assumptions(design: ThrustDesign) -> tuple[str, ...]:
+    said = list(oil_assumptions(design.oil))
+    if design.oil.supply_temperature is not None:
+        said.append("Each pad takes in what the pad before it sends off, mixed with fresh oil.")
+    if design.turbulence is not None:
+        said.append(f"Turbulence by {design.turbulence.name}: {design.turbulence.source}.")
+    return tuple(said)

@@ -1,0 +1,54 @@
+"""The mean pressure of the pad that carries most against what experience and the bearing metal allow."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from babbitt.core.notices import Notice
+from babbitt.core.result import Bound, Check
+from babbitt.design.checks import SLOW_UP_TO
+from babbitt.kinds.thrust.temperature_limits import ASSUMED_METAL
+from babbitt.properties.materials import BearingMetal, LoadCharacter, bearing_metal, specific_load_limit
+
+__all__ = ["PRESSURE", "pressure_checks", "pressures_not_checked"]
+
+PRESSURE = "largest_specific_load"
+"""Name of the mean pressure of the pad that carries most."""
+
+
+def pressure_checks(given_metal: BearingMetal | None, values: Mapping[str, float]) -> Iterator[Check]:
+    """C103 and C105, as of journal bearings; recommendations for the metal that is assumed where none is given.
+
+    Parameters
+    ----------
+    given_metal : BearingMetal or None
+        Of the faces, as the case has it.
+    values : Mapping of str to float
+        Named results: `PRESSURE` in Pa and ``surface_speed`` in m/s.
+    """
+    metal = bearing_metal(ASSUMED_METAL) if given_metal is None else given_metal
+    assumed = "" if given_metal is not None else f"assumption: {ASSUMED_METAL}; "
+    pressure, advisory = values[PRESSURE], given_metal is None
+    if (by_experience := specific_load_limit(metal.family)) is not None:
+        slow = abs(values["surface_speed"]) <= SLOW_UP_TO
+        limit = by_experience.exceptional if slow else by_experience.general
+        which = f"exceptional value, for speeds up to {SLOW_UP_TO:g} m/s" if slow else "general value"
+        source = f"{assumed}{by_experience.source}; {which} of journal bearings"
+        yield Check("C103", PRESSURE, pressure, limit, Bound.AT_MOST, source, advisory)
+    if (of_metal := metal.limits(LoadCharacter.CALM).specific_load) is not None:
+        source = f"{assumed}{of_metal.source}"
+        yield Check("C105", PRESSURE, pressure, of_metal.value, Bound.AT_MOST, source, advisory)
+
+
+def pressures_not_checked(given_metal: BearingMetal | None) -> Iterator[Notice]:
+    """Which of these checks lack data: without a metal they are recommendations only."""
+    if given_metal is None:
+        yield from (
+            Notice(code, "no bearing metal is given (materials: bearing_metal)") for code in ("C103", "C105")
+        )
+        return
+    missing = f"no public limit of {given_metal.name} is on board"
+    if specific_load_limit(given_metal.family) is None:
+        yield Notice("C103", missing)
+    if given_metal.limits(LoadCharacter.CALM).specific_load is None:
+        yield Notice("C105", missing)

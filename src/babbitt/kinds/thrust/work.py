@@ -1,0 +1,65 @@
+"""Bound on the work of one thrust bearing or shaft line, counted in films and never in seconds.
+
+A unit is a pass of film and temperature; what it takes is known within a factor of two, and so is what a
+calculation takes at most, however loaded the machine is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+
+from babbitt.core.result import Outcome
+
+__all__ = ["COLD_FILM", "MOST_WORK", "WorkBoundError", "bounded_work", "spend"]
+
+MOST_WORK = 120_000
+"""Units of one bearing or line: about 40 s on one core of 2020; the example with temperatures takes 32 000."""
+
+COLD_FILM = 3.0
+"""Units of a film of one viscosity, solved once with its coefficients."""
+
+_left: ContextVar[list[float] | None] = ContextVar("work left", default=None)
+
+
+class WorkBoundError(Exception):
+    """The work that is allowed is used up; it tells nothing about the bearing.
+
+    Attributes
+    ----------
+    outcome : Outcome
+    said : str
+        What to try.
+    """
+
+    outcome = Outcome.WORK_BOUND
+    said = (
+        "films of a pad were solved again and again without an end; less thrust or a straighter housing, "
+        "`thermal: global`, `radial_temperature: mean`, fewer waves of the runout or fewer points of a sweep"
+    )
+
+
+@contextmanager
+def bounded_work(units: float) -> Iterator[None]:
+    """Allow what is called inside so many units, and no more."""
+    token = _left.set([units])
+    try:
+        yield
+    finally:
+        _left.reset(token)
+
+
+def spend(units: float) -> None:
+    """Count work before it is done; outside of `bounded_work` any is allowed.
+
+    Raises
+    ------
+    WorkBoundError
+    """
+    left = _left.get()
+    if left is None:
+        return
+    left[0] -= units
+    if left[0] < 0.0:
+        raise WorkBoundError

@@ -1,0 +1,1 @@
+"""Lubricants, materials and fits."""

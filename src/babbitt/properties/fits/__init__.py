@@ -1,0 +1,23 @@
+"""Clearance from bore and journal: ISO 286 tolerance classes and explicit deviations."""
+
+from babbitt.properties.fits.clearance import (
+    LARGEST_RELATIVE_CLEARANCE,
+    Clearance,
+    RelativeClearance,
+)
+from babbitt.properties.fits.iso286 import standard_tolerance, tolerance_limits, tolerance_source
+from babbitt.properties.fits.operating import REFERENCE_TEMPERATURE, operating_relative_clearance
+from babbitt.properties.fits.sizes import Deviations, SizeLimits
+
+__all__ = [
+    "LARGEST_RELATIVE_CLEARANCE",
+    "REFERENCE_TEMPERATURE",
+    "Clearance",
+    "Deviations",
+    "RelativeClearance",
+    "SizeLimits",
+    "operating_relative_clearance",
+    "standard_tolerance",
+    "tolerance_limits",
+    "tolerance_source",
+]

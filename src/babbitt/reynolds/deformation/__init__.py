@@ -1,0 +1,1 @@
+"""Bores that give way to pressure or grow by heat."""

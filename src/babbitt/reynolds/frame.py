@@ -1,0 +1,150 @@
+"""The frame in which a film is solved: its load points down, and no round-off of a turn decides over the way.
+
+A search that starts in the middle can end at another place, or on another grid, when a number differs in its last
+digit, and every turn of the axes changes last digits. Therefore a film is turned until its load points to -y (in
+the mirror, if it turns clockwise and is solved there), and its numbers are rounded far below anything that a film
+feels: a bearing turned with its load is the same film, digit by digit. Fields over the bore (``displacement``,
+``viscosity_field``) turn by the angle of their first row.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.reynolds.model import Field, FilmStart, JournalFilm, Land
+from babbitt.reynolds.solution import FilmSolution
+
+__all__ = ["LoadFrame"]
+
+Array = NDArray[np.float64]
+Vector = tuple[float, float]
+TURN = 2.0 * math.pi
+
+ANGLE_DIGITS = 12
+"""Decimals of an angle in rad, and of fields in their units."""
+
+DIGITS = 13
+"""Significant digits of every other number."""
+
+
+@dataclass(frozen=True, eq=False)
+class LoadFrame:
+    """A film under a load as it is solved, and how its answer is turned back.
+
+    Attributes
+    ----------
+    given, film : JournalFilm
+        As given, and with its load pointing down.
+    load : tuple of float
+        N, on ``film``.
+    angle : float
+        By which ``film`` is turned against ``given``, rad.
+    """
+
+    given: JournalFilm
+    film: JournalFilm
+    load: Vector
+    angle: float
+
+    @classmethod
+    def of(cls, film: JournalFilm, load: Vector) -> LoadFrame:
+        """Frame of a film; that of the film itself where it cannot be turned or its load points down already."""
+        size, down = math.hypot(*load), math.copysign(1.0, film.angular_speed)
+        if film.film_start is FilmStart.WIDEST_GAP or size == 0.0 or not math.isfinite(size):
+            return cls(film, film, load, 0.0)
+        angle = math.remainder(-0.5 * math.pi * down - math.atan2(load[1], load[0]), TURN)
+        turned = replace(
+            film,
+            diameter=rounded(film.diameter),
+            width=rounded(film.width),
+            clearance=rounded(film.clearance),
+            viscosity=rounded(film.viscosity),
+            angular_speed=rounded(film.angular_speed),
+            lands=tuple(turned_land(land, angle) for land in film.lands),
+            pockets=tuple(
+                replace(one, centre_angle=turned_angle(one.centre_angle, angle), pressure=rounded(one.pressure))
+                for one in film.pockets
+            ),
+            steps=tuple(replace(one, centre_angle=turned_angle(one.centre_angle, angle)) for one in film.steps),
+            misalignment=turned_vector(film.misalignment, angle),
+            viscosity_field=rounded_field(film.viscosity_field, 1.0),
+            displacement=rounded_field(film.displacement, film.clearance),
+            field_start=turned_angle(film.field_start, angle),
+        )
+        return cls(film, turned, (0.0, -down * rounded(size)), angle)
+
+    def back(self, found: FilmSolution) -> FilmSolution:
+        """A film that was solved in this frame, in the frame in which it was given."""
+        if self.film is self.given:
+            return found
+        c, s = math.cos(self.angle), math.sin(self.angle)
+        turn = np.array([[c, s], [-s, c]])  # by -angle
+        order = self.supplies(found.supply_flow.size)
+        return replace(
+            found,
+            film=self.given,
+            position=turn @ found.position,
+            force=turn @ found.force,
+            stiffness=turn @ found.stiffness @ turn.T,
+            damping=turn @ found.damping @ turn.T,
+            angles=found.angles - self.angle,
+            supply_flow=found.supply_flow[order],
+        )
+
+    def supplies(self, count: int) -> list[int]:
+        """Where each of ``count`` supplies of the film as given stands among those of the turned film."""
+        if self.film.film_start is FilmStart.PERIODIC:
+            return list(range(count))
+        turned = self.film.land_order
+        return [turned.index(land) for land in self.given.land_order] + list(range(len(turned), count))
+
+    def place(self, position: Vector) -> Vector:
+        """A position as given, in this frame."""
+        c, s = math.cos(self.angle), math.sin(self.angle)
+        return c * position[0] - s * position[1], s * position[0] + c * position[1]
+
+
+def rounded(value: float) -> float:
+    """A number to ``DIGITS`` significant digits."""
+    return float(f"{value:.{DIGITS - 1}e}")
+
+
+def rounded_field(field: Field, unit: float) -> Field:
+    """A field to ``ANGLE_DIGITS`` decimals of a unit."""
+    if not field:
+        return field
+    return tuple(map(tuple, (np.round(np.asarray(field) / unit, ANGLE_DIGITS) * unit).tolist()))
+
+
+def turned_angle(given: float, angle: float) -> float:
+    """An angle, turned, within (-pi, pi], rad."""
+    turned = round(given + angle, ANGLE_DIGITS)
+    return round(turned - TURN * math.ceil((turned - math.pi) / TURN - 1e-9), ANGLE_DIGITS)
+
+
+def turned_vector(given: Vector, angle: float) -> Vector:
+    """A vector, turned."""
+    size = rounded(math.hypot(*given))
+    if size == 0.0:
+        return given
+    towards = turned_angle(math.atan2(given[1], given[0]), angle)
+    return size * math.cos(towards), size * math.sin(towards)
+
+
+def turned_land(land: Land, angle: float) -> Land:
+    """A land, turned."""
+    start = turned_angle(land.start_angle, angle)
+    extent = land.end_angle - land.start_angle
+    whole = math.isclose(extent, TURN, rel_tol=1e-9)
+    return replace(
+        land,
+        start_angle=start,
+        end_angle=start + (TURN if whole else round(extent, ANGLE_DIGITS)),
+        centre=turned_vector(land.centre, angle),
+        start_pressure=rounded(land.start_pressure),
+        end_pressure=rounded(land.end_pressure),
+    )

@@ -1,0 +1,1 @@
+"""Films with their own temperatures: energy equation, walls, continuation."""

@@ -1,0 +1,105 @@
+"""Kernel: one pass of Reynolds equation, flows and energy equation, in one call from Python."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy import bool_, float64, int64
+from numpy.typing import NDArray
+
+from babbitt.reynolds._compiling import compiled
+from babbitt.reynolds.heat._heat_cells import sweep_energy
+from babbitt.reynolds.heat._heat_flows import gather_flows, spread_viscosity
+from babbitt.reynolds.heat._heat_walls import MOST_RISE, ask_walls, fill_film
+from babbitt.reynolds.surface._surface_forces import carry_streamers, drain_edge, evaluate_surface
+
+Array = NDArray[float64]
+
+
+class Drains(NamedTuple):
+    """Sides that run partly filled where little oil arrives (``drain_edge``)."""
+
+    edges: NDArray[int64]  # nodes of the sides at cavitation pressure
+    fed: NDArray[bool_]  # lines of grooves
+
+
+class Pace(NamedTuple):
+    """How far a pass goes."""
+
+    rounds: int  # in which the wet set may settle, at most
+    flickering: bool  # whether a few nodes that still change sides are let be
+    sweeps: int  # of the energy equation
+    relaxation: float  # share of (the logarithm of) the new viscosity that is taken
+    rise: float  # temperature per unit of dissipation over flow, K
+    stirred: float  # see ``fill_cells``
+    walls: float  # share of the way of the walls to their new temperatures
+
+
+FEW = 0.01  # of the nodes
+SMALL_GAIN = 0.05  # of the viscosity, up to which two terms of the power series do
+
+
+@compiled
+def gather_heat(surface, film, work, columns, flows, drains, at, rise):
+    """Flows and heat of the Reynolds solution; returns what ``gather_flows`` does."""
+    if not surface.conserving:
+        carry_streamers(surface, film, work)
+    for edge in drains.edges:
+        drain_edge(surface, film, work, edge, drains.fed)
+    powers = gather_flows(surface, film, work, at, columns, flows)
+    flows.heat[:] *= rise
+    return powers
+
+
+@compiled
+def warm_pass(
+    surface, film, work, columns, flows, cells, walls, drains, pace, fresh, viscosity, temperature, groove, rises,
+    at, force, stiffness, damping,
+):  # fmt: skip
+    """One pass at a journal position; ``fresh`` is the viscosity at the temperatures as they are.
+
+    Returns the number of nodes that changed sides, the largest change of temperature (K), how far this change goes
+    along with that of the last pass (``rises``, replaced), what ``gather_flows`` does, and whether the walls wait
+    for new derivatives before they answer. A change counts by the share of the width that oil fills:
+    a few streamers may have any temperature, and nothing comes to rest sooner or later for it.
+    """
+    for i in range(fresh.shape[0]):
+        for c in range(fresh.shape[1]):
+            for k in range(len(columns.layers)):
+                gain, part = fresh[i, c, k] / viscosity[i, c, k] - 1.0, pace.relaxation
+                if abs(gain) < SMALL_GAIN:
+                    viscosity[i, c, k] *= 1.0 + part * gain * (1.0 + 0.5 * (part - 1.0) * gain)
+                else:
+                    viscosity[i, c, k] *= (1.0 + gain) ** part
+    spread_viscosity(surface, columns, viscosity, flows)
+    changed, rate, known = 0, np.zeros(at.size), work.wet.copy()
+    rough = bool(0)  # the literal False would compile the film anew
+    for _ in range(pace.rounds):
+        known[:] = work.wet
+        changed = evaluate_surface(surface, film, work, at, rate, rough, force, stiffness, damping)
+        if changed == 0:
+            break
+    if pace.flickering and changed <= FEW * known.size:
+        work.wet[:] = known
+        changed = 0
+    powers = gather_heat(surface, film, work, columns, flows, drains, at, pace.rise)
+    before = temperature.copy()
+    stale = fill_film(surface, columns, flows, pace.stirred, viscosity, cells, walls)
+    sweep_energy(surface, columns, flows, cells, walls, temperature, groove, pace.sweeps, 1e-9)
+    most, change, along = 0.0, 0.0, 0.0
+    for i in range(fresh.shape[0]):
+        for c in range(fresh.shape[1]):
+            for k in range(len(columns.layers)):
+                rise = temperature[i, c, k] - before[i, c, k]
+                most, change = max(most, abs(rise)), max(change, abs(rise) * flows.fill[i, c])
+                along += rise * rises[i, c, k]
+                rises[i, c, k] = rise
+    if most > MOST_RISE:
+        for i in range(fresh.shape[0]):
+            for c in range(fresh.shape[1]):
+                for k in range(len(columns.layers)):
+                    temperature[i, c, k] = before[i, c, k] + rises[i, c, k] * (MOST_RISE / most)
+    if not (walls.insulated or stale):
+        change = ask_walls(surface, columns, flows, cells, walls, temperature, groove, pace.walls, change)
+    return changed, change, along, powers, stale

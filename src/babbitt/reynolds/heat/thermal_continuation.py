@@ -1,0 +1,113 @@
+"""Films that differ little, one after the other: each is sought where the last one came to rest.
+
+As where clearance, supply pressure or bore settle with the temperatures: every film is close to the last one, and
+stands on the same lines, so that it changes as smoothly as what it is asked for. On lines drawn anew it would jump
+by the error of the grid.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass, replace
+
+from babbitt.reynolds.heat.globalisation import calmed, mixed_rest
+from babbitt.reynolds.heat.heat_model import THERMAL_ENGINEERING, FilmHeat
+from babbitt.reynolds.heat.thermal_equilibrium import (
+    SETTLED,
+    Posed,
+    WarmRest,
+    answer,
+    continued,
+    fresh_ring,
+    posed,
+    rest,
+    search,
+)
+from babbitt.reynolds.heat.thermal_film_state import WarmRing
+from babbitt.reynolds.heat.thermal_solution import ThermalFilm
+from babbitt.reynolds.lands._equilibrium import CONVERGED, NO_FILM, THINNEST, TOO_MANY_STEPS
+from babbitt.reynolds.model import JournalFilm, Resolution
+from babbitt.reynolds.surface.mesh_lines import Density
+from babbitt.reynolds.surface.surface_equilibrium import line_density
+
+__all__ = ["CLOSER", "ThermalTrail"]
+
+CLOSER = 1e-3
+"""Change of temperature in a pass, K, at which a film that goes on from the last one rests: such films are
+compared with each other, and this close a pass more is cheap."""
+
+
+@dataclass
+class ThermalTrail:
+    """Films under a load that change from one to the next.
+
+    Attributes
+    ----------
+    last : WarmRest or None
+        Where the last film that was found came to rest.
+    """
+
+    last: WarmRest | None = None
+
+    def solve(
+        self,
+        film: JournalFilm,
+        heat: FilmHeat,
+        load: tuple[float, float],
+        resolution: Resolution = THERMAL_ENGINEERING,
+    ) -> ThermalFilm:
+        """Film under a load, as `solve_thermal_journal` finds it, but from the last one."""
+        begun, asked = time.perf_counter(), posed(film, load)
+        found = None if self.last is None else _beside(self.last, asked, heat, resolution)
+        if found is None or found.status != CONVERGED:
+            found = search(asked.seen, heat, asked.scales, asked.load, resolution)
+        return self._noted(asked, found, begun)
+
+    def climb(
+        self,
+        film: JournalFilm,
+        heat: FilmHeat,
+        load: tuple[float, float],
+        resolution: Resolution = THERMAL_ENGINEERING,
+    ) -> ThermalFilm:
+        """Film under a load that differs more, on lines drawn for the last one; unsolved where the way is lost.
+
+        It tells how far a bearing can be loaded without the long search that a film which is not there takes.
+        """
+        if self.last is None:
+            return self.solve(film, heat, load, resolution)
+        begun, asked = time.perf_counter(), posed(film, load)
+        density = line_density(asked.seen, self.last.position, self.last.gap)
+        warm = _continued(self.last, asked, heat, resolution, density)
+        found = rest(warm, asked.load, self.last.position, resolution.tolerance, SETTLED)
+        return self._noted(asked, _with_a_gap(calmed(found, resolution, SETTLED)), begun)
+
+    def _noted(self, asked: Posed, found: WarmRest, begun: float) -> ThermalFilm:
+        if found.status == CONVERGED:
+            self.last = found
+        return answer(asked.frame, asked.seen, asked.scales, found, begun)
+
+
+def _beside(last: WarmRest, asked: Posed, heat: FilmHeat, resolution: Resolution) -> WarmRest:
+    """Where a film rests that is close to the last one, on its lines."""
+    warm = _continued(last, asked, heat, resolution, last.warm.density)
+    if last.mixed:
+        return _with_a_gap(mixed_rest(warm, asked.load, last.position, resolution.tolerance, SETTLED))
+    found = rest(warm, asked.load, last.position, resolution.tolerance, CLOSER)
+    if found.status == TOO_MANY_STEPS:  # as streamers that flicker for ever: it may rest less closely
+        found = rest(warm, asked.load, found.position, resolution.tolerance, SETTLED)
+    return _with_a_gap(calmed(found, resolution, SETTLED))
+
+
+def _continued(
+    last: WarmRest, asked: Posed, heat: FilmHeat, resolution: Resolution, density: Density | None
+) -> WarmRing:
+    """Ring with the temperatures of the last film."""
+    lines = fresh_ring(asked.seen, heat, asked.scales, 2 * resolution.intervals, resolution, density)
+    warm = continued(lines, last.warm)
+    warm.relaxation = last.warm.relaxation  # it swings as the last one did
+    return warm
+
+
+def _with_a_gap(found: WarmRest) -> WarmRest:
+    return replace(found, status=NO_FILM) if found.gap < THINNEST else found

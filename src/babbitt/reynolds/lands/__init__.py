@@ -1,0 +1,1 @@
+"""Films of lands between grooves, alike along the width: kernels, equilibrium, batches."""

@@ -1,0 +1,40 @@
+"""Kernel: a chunk of bearings, one after the other; releases the interpreter, so chunks run on all cores."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from babbitt.reynolds._compiling import compiled
+from babbitt.reynolds._structs import Bearing
+from babbitt.reynolds.lands._equilibrium import find_equilibrium
+from babbitt.reynolds.lands._forces import RESULT_SIZE
+
+HEAD = 5  # x, y, status, steps, smallest gap; the result vector follows
+
+
+@compiled
+def find_equilibria(
+    axial,
+    lands,
+    kappa,
+    side_pressure,
+    conserving,
+    n_coarse,
+    n_fine,
+    load,
+    tolerance,
+    max_steps,
+    first,
+    last,
+    found,
+):
+    """Equilibria of bearings first..last - 1; lands (bearings, lands, columns), found (bearings, HEAD + 10)."""
+    profiles = np.zeros((lands.shape[1], 0))
+    result = np.zeros(RESULT_SIZE)
+    for b in range(first, last):
+        bearing = Bearing(lands[b], profiles, kappa[b], 1.0, side_pressure[b], conserving, True, 1.0)
+        x, y, status, steps, gap, _ = find_equilibrium(
+            axial, bearing, n_coarse, n_fine, load[b, 0], load[b, 1], 0.0, 0.0, tolerance, max_steps, result
+        )
+        found[b, 0], found[b, 1], found[b, 2], found[b, 3], found[b, 4] = x, y, status, steps, gap
+        found[b, HEAD:] = result

@@ -1,0 +1,121 @@
+"""Kernels: pressure and void on the nodes, flows with their balance, friction with streamers, highest pressure.
+
+Called once for a settled position. The node on the side edge is a column of its own (index m): its pressure is the
+side pressure, its row gives the oil that leaves. Where less oil arrives than the gap could carry, the edge runs
+partly filled and draws nothing in; a side above the cavitation pressure does, and side flow is then what leaves
+less what is drawn in. In every land inflow = outflow + side flow + squeezed volume.
+"""
+
+from __future__ import annotations
+
+from babbitt.reynolds._compiling import compiled, inner
+from babbitt.reynolds.lands._grids import film_coefficients
+
+INFLOW, OUTFLOW, SIDE_FLOW, SIDE_INFLOW, IMBALANCE = range(5)
+JOURNAL_TORQUE, BEARING_TORQUE, STREAMER_TORQUE, TOTALS = range(5, 9)
+
+
+@compiled
+def integrate(axial, bearing, grid, film, x, y, x_rate, y_rate, pressure, void, totals):
+    """Fill pressure and void, (lands, n + 1, m + 1), and totals, (lands, TOTALS), from the solution on ``grid``.
+
+    Flows by omega R c B, torques by mu omega R^3 B / c.
+    """
+    m = len(axial.size)
+    n = film.conductance.size
+    for k in range(bearing.lands.shape[0]):
+        film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film)
+        totals[k, :] = 0.0
+        for i in range(n + 1):
+            for j in range(m):
+                value = grid.value[k, i, j] / axial.root_weights[j]
+                pressure[k, i, j] = value if grid.wet[k, i, j] else 0.0
+                void[k, i, j] = value if bearing.conserving and not grid.wet[k, i, j] else 0.0
+            pressure[k, i, m] = bearing.side_pressure
+            void[k, i, m] = 0.0
+        for j in range(m):
+            inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals)
+        edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals)
+        stored = 0.0
+        for i in range(1, n):
+            for j in range(m):
+                stored += axial.root_weights[j] ** 2 * (1.0 - void[k, i, j]) * film.squeeze[i]
+            stored += axial.edge_weight * (1.0 - void[k, i, m]) * film.squeeze[i]
+        totals[k, IMBALANCE] = totals[k, INFLOW] - totals[k, OUTFLOW] - totals[k, SIDE_FLOW] - stored
+
+
+@inner
+def inner_column(axial, bearing, grid, k, j, film, x, y, pressure, void, totals):
+    """Flux and friction along the column of an inner node; the void behind a Reynolds rupture by continuity."""
+    n = film.conductance.size
+    weight = axial.root_weights[j] ** 2
+    flux = 0.0
+    for i in range(n):
+        here, behind = i == 0 or grid.wet[k, i, j], i + 1 == n or grid.wet[k, i + 1, j]
+        if not here and not bearing.conserving:  # streamers carry on what left the film
+            void[k, i, j] = min(max(0.0, 1.0 - flux / film.couette[i]), 1.0) if film.couette[i] > 0.0 else 1.0
+        if i == 0 and not behind and bearing.conserving:
+            flux = film.inlet[0]
+        else:
+            flux = film.couette[i] * (1.0 - void[k, i, j])
+            flux += film.conductance[i] * (pressure[k, i, j] - pressure[k, i + 1, j])
+        if i == 0:
+            totals[k, INFLOW] += weight * flux
+        add_friction(bearing, grid, k, i, film, x, y, weight, flux, here, pressure[k, i, j], pressure[k, i + 1, j],
+                     void[k, i, j], totals)  # fmt: skip
+    totals[k, OUTFLOW] += weight * flux
+
+
+@inner
+def edge_column(axial, bearing, grid, k, film, x, y, pressure, void, totals):
+    """Side flow: what the row of the edge node can neither pass on nor store.
+
+    With the liquid fraction phi, w (Q_i + S_i) phi + side flow = w q_i-1 - kappa H_i (K p)_edge. Of what arrives,
+    the gap takes up to w (Q_i + S_i); only where it is full (phi = 1) does oil leave at the side.
+    """
+    m = len(axial.size)
+    n = film.conductance.size
+    weight = axial.edge_weight
+    flux = film.couette[0]
+    if bearing.conserving and not grid.wet[k, 1, m - 1]:
+        flux = film.inlet[0]
+    totals[k, INFLOW] += weight * flux
+    for i in range(n):
+        if i > 0:
+            if not bearing.conserving and grid.wet[k, i, m - 1] and not grid.wet[k, i - 1, m - 1]:
+                flux = film.couette[i - 1]  # where a Reynolds film begins, oil comes from nowhere, here as inside
+            arriving = weight * flux
+            for j in range(m + 1):
+                arriving -= bearing.kappa * film.cubed[i] * axial.edge_stiffness[j] * pressure[k, i, j]
+            room, liquid = weight * (film.couette[i] + film.squeeze[i]), 1.0
+            if bearing.side_pressure <= 0.0 and room > 0.0:
+                liquid = min(max(arriving, 0.0) / room, 1.0)
+            void[k, i, m] = 1.0 - liquid
+            flux = liquid * film.couette[i]
+            totals[k, SIDE_FLOW] += arriving - liquid * room
+            totals[k, SIDE_INFLOW] += max(liquid * room - arriving, 0.0)
+        add_friction(bearing, grid, k, i, film, x, y, weight, flux, i == 0, 0.0, 0.0, void[k, i, m], totals)
+    totals[k, OUTFLOW] += weight * flux
+
+
+@inner
+def add_friction(bearing, grid, k, i, film, x, y, weight, flux, full, p_here, p_behind, void, totals):
+    """Shear of one interval of one column: Couette part with the liquid fraction, and +- (h/2) dp/dtheta; the part
+    of streamers apart from both torques, too.
+
+    In a full interval dp/dtheta = 12 (h/2 - q)/h^3 integrates exactly to 3 J_1 - 6 q J_2.
+    """
+    half = 0.5 * grid.step[k, i]
+    ha = grid.gap_a[k, i] - x * grid.cos_a[k, i] - y * grid.sin_a[k, i]
+    hb = grid.gap_b[k, i] - x * grid.cos_b[k, i] - y * grid.sin_b[k, i]
+    j1 = half * (1.0 / ha + 1.0 / hb)
+    j2 = half * (1.0 / (ha * ha) + 1.0 / (hb * hb))
+    couette = bearing.speed * j1 * (1.0 - void)
+    if full and (p_here > 0.0 or p_behind > 0.0):
+        slope = 3.0 * bearing.speed * j1 - 6.0 * flux * j2
+    else:
+        slope = 0.25 * (ha + hb) * (p_behind - p_here)
+    if void > 0.0:
+        totals[k, STREAMER_TORQUE] += weight * couette
+    totals[k, JOURNAL_TORQUE] += weight * (couette + slope)
+    totals[k, BEARING_TORQUE] += weight * (couette - slope)

@@ -1,0 +1,137 @@
+"""Many grooved round bearings at once, over all cores: sweeps, tolerance studies, tables."""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from babbitt.core.notices import InputError
+from babbitt.reynolds._structs import LAND_COLUMNS
+from babbitt.reynolds.lands._batch import HEAD, find_equilibria
+from babbitt.reynolds.lands._equilibrium import CONVERGED
+from babbitt.reynolds.lands._forces import RESULT_SIZE
+from babbitt.reynolds.lands.operators import kernel_operator
+from babbitt.reynolds.model import ENGINEERING, Cavitation, Land, Resolution, check_lands
+
+__all__ = ["BatchSolution", "solve_batch"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class BatchSolution:
+    """Equilibria of a batch; every array has the bearings as its first axis.
+
+    Attributes
+    ----------
+    solved : ndarray of bool, shape (bearings,)
+        Read this first.
+    position : ndarray, shape (bearings, 2)
+        m.
+    eccentricity_ratio, minimum_film_thickness : ndarray, shape (bearings,)
+        1 and m.
+    stiffness, damping : ndarray, shape (bearings, 2, 2)
+        N/m and N s/m.
+    iterations : ndarray of int, shape (bearings,)
+    """
+
+    solved: NDArray[np.bool_]
+    position: Array
+    eccentricity_ratio: Array
+    minimum_film_thickness: Array
+    stiffness: Array
+    damping: Array
+    iterations: NDArray[np.int64]
+
+
+def solve_batch(
+    diameter: ArrayLike,
+    width: ArrayLike,
+    clearance: ArrayLike,
+    viscosity: ArrayLike,
+    angular_speed: ArrayLike,
+    load: ArrayLike,
+    lands: tuple[Land, ...],
+    cavitation: Cavitation = Cavitation.MASS_CONSERVING,
+    resolution: Resolution = ENGINEERING,
+    *,
+    max_steps: int = 80,
+) -> BatchSolution:
+    """Find the equilibria of many bearings that share the layout of their grooves.
+
+    Parameters
+    ----------
+    diameter, width, clearance, viscosity, angular_speed : array_like
+        SI, scalars or arrays that broadcast to one shape (bearings,). The speed is positive (counter-clockwise).
+    load : array_like, shape (bearings, 2) or (2,)
+        N.
+    lands : tuple of Land
+        Angles, common to all; round (no clearance, centre or profile of their own), from grooves full of oil at
+        ambient pressure.
+    cavitation : Cavitation
+    resolution : Resolution
+    max_steps : int
+
+    Returns
+    -------
+    BatchSolution
+
+    Raises
+    ------
+    InputError
+        E101 for lands that are not round, grooves under pressure or not full, or values that are not positive.
+    """
+    check_lands(lands, 0.0)
+    if any(land.clearance is not None or land.centre != (0.0, 0.0) or land.profile for land in lands):
+        raise InputError("E101", "a batch takes round lands only; solve lobes and measured bores one by one.")
+    if any(land.start_pressure > 0.0 or land.end_pressure > 0.0 or land.start_fill < 1.0 for land in lands):
+        raise InputError(
+            "E101", "a batch takes grooves full of oil at ambient pressure only; solve others one by one "
+            "(the pressure of a groove acts on the journal, too)."
+        )  # fmt: skip
+    if cavitation is Cavitation.HALF_SOMMERFELD:
+        raise InputError("E101", "a batch has no half-Sommerfeld condition; solve such films one by one.")
+    force = np.atleast_2d(np.asarray(load, dtype=float))
+    values = [np.asarray(v, dtype=float) for v in (diameter, width, clearance, viscosity, angular_speed)]
+    count = np.broadcast_shapes(*(v.shape for v in values), force.shape[:1])[0]
+    d, b, c, eta, omega = (np.broadcast_to(v, (count,)) for v in values)
+    if not all(np.all(np.isfinite(v) & (v > 0.0)) for v in values) or not np.all(np.isfinite(force)):
+        raise InputError(
+            "E101", "diameter, width, clearance, viscosity and angular_speed must be positive, load finite."
+        )
+    pressure = eta * omega * (0.5 * d / c) ** 2
+    unit = pressure * 0.5 * d * b
+    table = np.zeros((count, len(lands), LAND_COLUMNS))
+    for k, land in enumerate(lands):
+        table[:, k, 0], table[:, k, 1], table[:, k, 2] = land.start_angle, land.end_angle, 1.0
+        table[:, k, 5], table[:, k, 6] = land.start_pressure / pressure, land.end_pressure / pressure
+    wanted = np.broadcast_to(force, (count, 2)) / unit[:, None]
+    found = np.empty((count, HEAD + RESULT_SIZE))
+    wanted, kappa, side = np.ascontiguousarray(wanted), (d / b) ** 2 / 12.0, np.zeros(count)
+    axial = kernel_operator(resolution.axial_unknowns)
+    chunk = max(1, min(64, count // (4 * (os.cpu_count() or 1))))
+
+    def settle(first: int) -> None:
+        find_equilibria(
+            axial, table, kappa, side,
+            cavitation is Cavitation.MASS_CONSERVING, resolution.coarse_intervals, resolution.intervals, wanted,
+            resolution.tolerance, max_steps, first, min(first + chunk, count), found,
+        )  # fmt: skip
+
+    settle(0)  # compiles, where that is still to be done, before the threads start
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        list(pool.map(settle, range(chunk, count, chunk)))
+    per_length = (unit / c)[:, None, None]
+    return BatchSolution(
+        solved=found[:, 2] == CONVERGED,
+        position=found[:, :2] * c[:, None],
+        eccentricity_ratio=np.hypot(found[:, 0], found[:, 1]),
+        minimum_film_thickness=found[:, 4] * c,
+        stiffness=found[:, HEAD + 2 : HEAD + 6].reshape(count, 2, 2) * per_length,
+        damping=found[:, HEAD + 6 :].reshape(count, 2, 2) * (per_length / omega[:, None, None]),
+        iterations=found[:, 3].astype(np.int64),
+    )

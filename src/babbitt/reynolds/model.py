@@ -1,0 +1,452 @@
+"""What the film sees: lands between grooves, the oil, the speed, and where and how the film begins and ends."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from enum import Enum
+from functools import cached_property
+
+from babbitt.core.notices import InputError
+from babbitt.reynolds.oil.piezoviscosity import PressureViscosity
+from babbitt.reynolds.oil.turbulence import FilmTurbulence
+
+__all__ = [
+    "END_DAM",
+    "Cavitation",
+    "FilmStart",
+    "JournalFilm",
+    "Land",
+    "Pocket",
+    "Resolution",
+    "Step",
+    "grooved_bore",
+]
+
+END_DAM = 0.025
+"""Share of the width over which the pressure of a groove as wide as the bearing falls to that of the side, either
+end. Assumption: real grooves end before the edge, or leak through their ends by an amount that no film knows."""
+
+
+class Cavitation(Enum):
+    """What the film does where it cannot hold pressure."""
+
+    MASS_CONSERVING = "Jakobsson-Floberg-Olsson: the film breaks up and the streamers conserve the oil"
+    REYNOLDS = (
+        "Swift-Stieber: pressure and its gradient vanish where the film ends, oil is not accounted for behind"
+    )
+    HALF_SOMMERFELD = "Gumbel: suctions of the full film count as nothing; no coefficients and no flows"
+
+
+class FilmStart(Enum):
+    """Where the film of a land begins."""
+
+    GROOVE = "at the groove edge the land starts from, flooded at the supply pressure"
+    PERIODIC = "nowhere: one land closes the ring and the film follows itself (pockets and holes feed it)"
+    WIDEST_GAP = "at the widest gap of an ungrooved round bore, at ambient pressure (Raimondi-Boyd, Butenschoen)"
+
+
+@dataclass(frozen=True)
+class Resolution:
+    """Grid of the film: unknowns across half the width and intervals along each land.
+
+    Attributes
+    ----------
+    axial_unknowns : int
+        Nodes of the even polynomial, 1 to 12.
+    intervals : int
+        Intervals per land, graded where the film is thin.
+    coarse_intervals : int
+        Intervals of the first search.
+    tolerance : float
+        Residual force over load at which the journal rests.
+    """
+
+    axial_unknowns: int = 4
+    intervals: int = 96
+    coarse_intervals: int = 24
+    tolerance: float = 1e-6
+
+    @property
+    def ring_intervals(self) -> int:
+        """Intervals around the bearing for films that differ across the width."""
+        return 2 * self.intervals
+
+
+DRAFT = Resolution(4, 48)
+ENGINEERING = Resolution(4, 96)
+REFERENCE = Resolution(8, 384, 48, 1e-9)
+
+
+@dataclass(frozen=True)
+class Land:
+    """Part of the bore between two groove edges.
+
+    Attributes
+    ----------
+    start_angle, end_angle : float
+        rad, counter-clockwise from +x, end above start, at most one turn apart.
+    clearance : float or None
+        Radius of the land's bore less that of the journal, m. None: the clearance of the bearing.
+    centre : tuple of float
+        Centre of the land's bore, m (lobes, offset halves).
+    start_pressure, end_pressure : float
+        Gauge pressures of the grooves at either edge, Pa.
+    profile : tuple of float
+        Departure of the bore from its circle, m, outward positive, at equally spaced angles from edge to edge
+        (wear, measured form). Empty: none.
+    start_fill : float
+        Share of the gap that the groove from which the journal enters the land can fill, 0 to 1: 1 flooded, less
+        where it is starved. A starved groove stands at the cavitation pressure.
+    """
+
+    start_angle: float
+    end_angle: float
+    clearance: float | None = None
+    centre: tuple[float, float] = (0.0, 0.0)
+    start_pressure: float = 0.0
+    end_pressure: float = 0.0
+    profile: tuple[float, ...] = ()
+    start_fill: float = 1.0
+
+
+@dataclass(frozen=True)
+class Pocket:
+    """A rectangular supply of part width, held at its pressure; a hole is a square of the same area.
+
+    Attributes
+    ----------
+    centre_angle, extent : float
+        rad.
+    axial_centre, axial_length : float
+        m, from the mid-plane.
+    pressure : float
+        Gauge, Pa.
+    fill : float
+        Share of the gap behind it that it can fill, 0 to 1: 1 flooded, less where it is starved; it stands then
+        at the cavitation pressure.
+    closed : bool
+        Whether nothing feeds it, so that its pressure follows the journal: stiffness and damping count that. The
+        pressure at which its net flow vanishes must be given.
+    """
+
+    centre_angle: float
+    extent: float
+    axial_length: float
+    axial_centre: float = 0.0
+    pressure: float = 0.0
+    fill: float = 1.0
+    closed: bool = False
+
+    @classmethod
+    def hole(
+        cls, angle: float, diameter: float, bore: float, axial_centre: float = 0.0, pressure: float = 0.0
+    ) -> Pocket:
+        """A round hole of ``diameter`` in a bearing of diameter ``bore``, both m."""
+        side = 0.5 * math.sqrt(math.pi) * diameter
+        return cls(angle, 2.0 * side / bore, side, axial_centre, pressure)
+
+
+@dataclass(frozen=True)
+class Step:
+    """A rectangle of the bore that lies deeper and is part of the film: dam, relief track, shallow pocket.
+
+    Attributes
+    ----------
+    centre_angle, extent : float
+        rad.
+    axial_centre, axial_length : float
+        m, from the mid-plane.
+    depth : float
+        m; negative where the rectangle stands out.
+    """
+
+    centre_angle: float
+    extent: float
+    axial_length: float
+    depth: float
+    axial_centre: float = 0.0
+
+
+Field = tuple[tuple[float, ...], ...]
+"""Values once around (rows, the last a step before the first) and from side to side (columns)."""
+
+
+@dataclass(frozen=True)
+class JournalFilm:
+    """A film between a journal and its bore.
+
+    Attributes
+    ----------
+    diameter, width, clearance : float
+        m; ``clearance`` is radial, of the assembled bearing.
+    viscosity : float
+        Pa s.
+    angular_speed : float
+        rad/s, positive counter-clockwise. Zero: the film is squeezed only.
+    lands : tuple of Land
+        In any order, not overlapping.
+    cavitation : Cavitation
+    film_start : FilmStart
+    cavitation_pressure : float
+        Gauge pressure at which the film breaks, Pa; zero or below.
+    pockets : tuple of Pocket
+        Supplies of part width.
+    misalignment : tuple of float
+        Slopes dx/dz and dy/dz of the journal axis against the bore, rad.
+    axial_viscosity : tuple of float
+        Viscosity over ``viscosity`` at equally spaced places from one side to the other. Empty: uniform.
+    viscosity_field : tuple of tuple of float
+        Viscosity over ``viscosity`` on the whole film; see ``Field``. Empty: uniform.
+    steps : tuple of Step
+        Dams, relief tracks and shallow pockets.
+    crowning : tuple of float
+        What the radius of the journal lacks, m, at equally spaced places from one side to the other.
+    displacement : tuple of tuple of float
+        What the gap gains by elastic and thermal displacement, m; see ``Field``.
+    field_start : float
+        Angle of the first row of both fields, and of those by which an elastic bore gives way, rad.
+    side_pressures : tuple of float
+        Gauge pressures at the sides z = -B/2 and B/2, Pa.
+    turbulence : FilmTurbulence or None
+        None: laminar.
+    pressure_viscosity : PressureViscosity or None
+        None: viscosity does not depend on pressure.
+    """
+
+    diameter: float
+    width: float
+    clearance: float
+    viscosity: float
+    angular_speed: float
+    lands: tuple[Land, ...]
+    cavitation: Cavitation = Cavitation.MASS_CONSERVING
+    film_start: FilmStart = FilmStart.GROOVE
+    cavitation_pressure: float = 0.0
+    pockets: tuple[Pocket, ...] = ()
+    misalignment: tuple[float, float] = (0.0, 0.0)
+    axial_viscosity: tuple[float, ...] = ()
+    viscosity_field: Field = ()
+    steps: tuple[Step, ...] = ()
+    crowning: tuple[float, ...] = ()
+    displacement: Field = ()
+    field_start: float = 0.0
+    side_pressures: tuple[float, float] = (0.0, 0.0)
+    turbulence: FilmTurbulence | None = None
+    pressure_viscosity: PressureViscosity | None = None
+
+    @cached_property
+    def land_order(self) -> list[int]:
+        """Numbers of the lands by their start angles within a turn."""
+        return sorted(range(len(self.lands)), key=lambda number: self.lands[number].start_angle % (2.0 * math.pi))
+
+    @property
+    def is_surface(self) -> bool:
+        """Whether the film is solved node by node (``ring``); all others separate into modes of the width."""
+        return bool(
+            not self.is_plain
+            or self.film_start is FilmStart.PERIODIC
+            or any(land.start_pressure > 0.0 or land.end_pressure > 0.0 for land in self.lands)
+            or self.is_starved
+        )
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether nothing but its lands shapes the gap, with one viscosity and both sides at ambient pressure."""
+        return not (
+            self.pockets
+            or self.misalignment != (0.0, 0.0)
+            or self.axial_viscosity
+            or self.viscosity_field
+            or self.steps
+            or self.crowning
+            or self.displacement
+            or self.side_pressures != (0.0, 0.0)
+            or self.turbulence
+            or self.pressure_viscosity
+        )
+
+    @cached_property
+    def is_round(self) -> bool:
+        """Whether all lands lie on one circle, about which positions count."""
+        return all(
+            land.clearance in (None, self.clearance) and land.centre == (0.0, 0.0) and not land.profile
+            for land in self.lands
+        )
+
+    @property
+    def is_straight(self) -> bool:
+        """Whether the gap is the same all over the width, but for steps and pockets."""
+        return self.misalignment == (0.0, 0.0) and not self.crowning and not self.displacement
+
+    @property
+    def is_starved(self) -> bool:
+        """Whether a groove or pocket fills only part of the gap behind it."""
+        return any(land.start_fill < 1.0 for land in self.lands) or any(one.fill < 1.0 for one in self.pockets)
+
+    @cached_property
+    def is_symmetric(self) -> bool:
+        """Whether both halves of the width are alike."""
+        return (
+            self.misalignment == (0.0, 0.0)
+            and {replace(one, axial_centre=-one.axial_centre) for one in self.pockets} == set(self.pockets)
+            and {replace(one, axial_centre=-one.axial_centre) for one in self.steps} == set(self.steps)
+            and all(row == row[::-1] for row in (*self.viscosity_field, *self.displacement))
+            and self.axial_viscosity == self.axial_viscosity[::-1]
+            and self.crowning == self.crowning[::-1]
+            and self.side_pressures[0] == self.side_pressures[1]
+        )
+
+    def __post_init__(self) -> None:
+        for name in ("diameter", "width", "clearance", "viscosity"):
+            value = getattr(self, name)
+            if not (math.isfinite(value) and value > 0.0):
+                raise InputError("E101", f"{name} is {value}; it must be a positive number (SI units).")
+        if not math.isfinite(self.angular_speed):
+            raise InputError(
+                "E101", f"angular_speed is {self.angular_speed}; it must be a finite number in rad/s."
+            )
+        if self.cavitation_pressure > 0.0:
+            raise InputError(
+                "E101", f"cavitation_pressure is {self.cavitation_pressure} Pa; it must be zero or below (gauge)."
+            )
+        check_lands(self.lands, self.cavitation_pressure)
+        if self.film_start is FilmStart.WIDEST_GAP:
+            check_round(self)
+        check_pockets(self)
+        check_steps(self)
+        if min(self.side_pressures) < self.cavitation_pressure:
+            raise InputError("E101", f"side_pressures are {self.side_pressures} Pa; both must be at least the "
+                             f"cavitation pressure, {self.cavitation_pressure} Pa.")  # fmt: skip
+        if self.cavitation is Cavitation.HALF_SOMMERFELD:
+            check_plain_ring(self)
+        check_fills(self)
+
+
+def check_lands(lands: tuple[Land, ...], cavitation_pressure: float) -> None:
+    """Refuse lands that are empty, overlap, do not close, or are supplied below the cavitation pressure."""
+    if not lands:
+        raise InputError("E101", "lands is empty; a film needs at least one land.")
+    turn = 2.0 * math.pi
+    for land in lands:
+        extent = land.end_angle - land.start_angle
+        if not 0.0 < extent <= turn * (1.0 + 1e-12):
+            raise InputError("E101", f"a land runs from {land.start_angle} to {land.end_angle} rad; "
+                             "its end must lie above its start by at most one turn.")  # fmt: skip
+        for pressure in (land.start_pressure, land.end_pressure):
+            if not pressure >= cavitation_pressure:
+                raise InputError("E101", f"a groove has {pressure} Pa, less than the cavitation pressure "
+                                 f"{cavitation_pressure} Pa; raise the supply pressure.")  # fmt: skip
+    ordered = sorted(lands, key=lambda land: land.start_angle % turn)
+    for land, following in zip(ordered, [*ordered[1:], ordered[0]], strict=True):
+        distance = (following.start_angle - land.start_angle) % turn or turn
+        if land.end_angle - land.start_angle > distance * (1.0 + 1e-12) + 1e-12:
+            raise InputError("E101", f"the land that starts at {land.start_angle} rad overlaps that which starts "
+                             f"at {following.start_angle} rad.")  # fmt: skip
+        if not math.isclose(land.end_pressure, following.start_pressure, rel_tol=1e-9, abs_tol=1e-6):
+            here, there = land.end_pressure, following.start_pressure
+            raise InputError(
+                "E101", f"a groove has one pressure; that behind {land.end_angle} rad has {here} and {there} Pa."
+            )
+
+
+def check_round(film: JournalFilm) -> None:
+    """Refuse bores without a single widest gap."""
+    land = film.lands[0]
+    whole = abs(land.end_angle - land.start_angle - 2.0 * math.pi) < 1e-9
+    if len(film.lands) > 1 or not whole or land.profile or land.centre != (0.0, 0.0):
+        raise InputError("E101", "this start or end of the film needs one round land of 360 degrees.")
+    if not film.is_plain:
+        raise InputError(
+            "E101",
+            "this start or end of the film is for plain bearings: laminar, one viscosity, no pockets, steps, "
+            "tilt, crowning, displacement, side pressures; choose another.",
+        )
+
+
+def check_plain_ring(film: JournalFilm) -> None:
+    """Refuse half-Sommerfeld films other than the closed, plain, round ring for which the condition is used."""
+    if film.film_start is not FilmStart.PERIODIC or film.pockets or film.misalignment != (0.0, 0.0):
+        raise InputError("E101", "the half-Sommerfeld condition is for a plain closed ring; choose "
+                         "FilmStart.PERIODIC without pockets and tilt, or another condition.")  # fmt: skip
+    check_round(film)
+
+
+def check_pockets(film: JournalFilm) -> None:
+    """Refuse pockets outside the bearing or below cavitation pressure, and rings that nothing feeds."""
+    for pocket in film.pockets:
+        if not (pocket.extent > 0.0 and pocket.axial_length > 0.0):
+            raise InputError("E101", "a pocket has no size; extent and axial_length must be positive.")
+        if abs(pocket.axial_centre) + 0.5 * pocket.axial_length > 0.5 * film.width * (1.0 + 1e-12):
+            raise InputError(
+                "E101", f"the pocket at {pocket.centre_angle} rad reaches beyond the width of the bearing."
+            )
+        if pocket.pressure < film.cavitation_pressure:
+            raise InputError("E101", f"a pocket has {pocket.pressure} Pa, less than the cavitation pressure.")
+    if film.film_start is FilmStart.PERIODIC:
+        extent = film.lands[0].end_angle - film.lands[0].start_angle
+        if len(film.lands) > 1 or not math.isclose(extent, 2.0 * math.pi, rel_tol=1e-9):
+            raise InputError("E101", "film_start is periodic; that needs one land of 360 degrees.")
+        if film.cavitation is Cavitation.MASS_CONSERVING and not film.pockets:
+            raise InputError("E101", "nothing feeds this closed ring: a mass-conserving film would run dry. Give "
+                             "pockets or holes, or choose Cavitation.REYNOLDS.")  # fmt: skip
+
+
+FULL = 1.0 - 1e-9
+"""Fill from which a supply can stand under pressure."""
+
+
+def check_fills(film: JournalFilm) -> None:
+    """Refuse fills beyond 0 to 1, starved supplies under pressure, starved films that do not count oil."""
+    forward = film.angular_speed >= 0.0  # oil enters a land at its end where the journal turns back
+    supplies = [(land.start_fill, land.start_pressure if forward else land.end_pressure) for land in film.lands]
+    supplies += [(pocket.fill, pocket.pressure) for pocket in film.pockets]
+    for fill, pressure in supplies:
+        if not 0.0 < fill <= 1.0:
+            raise InputError("E101", f"the fill of a groove or pocket is {fill}; it must lie above 0, up to 1.")
+        if fill < FULL and pressure > film.cavitation_pressure:
+            raise InputError("E101", f"a groove or pocket with a fill of {fill} stands at {pressure} Pa; one "
+                             "that is starved is at the cavitation pressure.")  # fmt: skip
+    if film.is_starved and film.cavitation is not Cavitation.MASS_CONSERVING:
+        raise InputError("E101", "a starved supply needs Cavitation.MASS_CONSERVING, which counts the oil.")
+
+
+def check_steps(film: JournalFilm) -> None:
+    """Refuse steps without size or outside the bearing."""
+    for step in film.steps:
+        if not (0.0 < step.extent <= 2.0 * math.pi * (1.0 + 1e-12) and step.axial_length > 0.0):
+            raise InputError("E101", "a step has no size; extent (to one turn) and axial_length must be positive.")
+        if abs(step.axial_centre) + 0.5 * step.axial_length > 0.5 * film.width * (1.0 + 1e-12):
+            raise InputError("E101", f"the step at {step.centre_angle} rad reaches beyond the bearing's width.")
+
+
+def grooved_bore(
+    groove_angles: tuple[float, ...], groove_extent: float, pressure: float = 0.0
+) -> tuple[Land, ...]:
+    """Lands of a round bore with equal axial grooves as wide as the bearing.
+
+    Parameters
+    ----------
+    groove_angles : tuple of float
+        Middles of the grooves, rad, ascending, within one turn.
+    groove_extent : float
+        Angle that each groove takes, rad; zero is a line of supply.
+    pressure : float
+        Gauge supply pressure of all grooves, Pa.
+
+    Returns
+    -------
+    tuple of Land
+
+    Examples
+    --------
+    >>> import math
+    >>> [round(math.degrees(land.end_angle - land.start_angle)) for land in grooved_bore((0.0, math.pi), 0.35)]
+    [160, 160]
+    """
+    ends = (*groove_angles[1:], groove_angles[0] + 2.0 * math.pi)
+    half = 0.5 * groove_extent
+    return tuple(
+        Land(start + half, end - half, start_pressure=pressure, end_pressure=pressure)
+        for start, end in zip(groove_angles, ends, strict=True)
+    )

@@ -1,0 +1,1 @@
+"""Turbulent flow and viscosity under pressure."""

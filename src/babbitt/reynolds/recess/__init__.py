@@ -1,0 +1,1 @@
+"""Films between the recesses of hydrostatic bearings."""

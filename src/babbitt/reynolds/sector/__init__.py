@@ -1,0 +1,1 @@
+"""Films of thrust pads: annular sectors."""

@@ -1,0 +1,86 @@
+"""What the whirl of a rotor adds to the answer of a bearing: numbers, verdicts, doubts."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Protocol
+
+from babbitt.core.notices import Notice
+from babbitt.core.result import Bound, Check
+from babbitt.reynolds.stability.whirl_limits import Whirl
+
+__all__ = ["CarriesRotor", "doubts_about_whirl", "whirl_checks", "whirl_values", "without_critical_mass"]
+
+
+class CarriesRotor(Protocol):
+    """A bearing that may know its part of the mass of the rotor, kg, and the stiffness of the shaft, N/m."""
+
+    @property
+    def rotor_mass(self) -> float | None:
+        """Kg; None where it is not known."""
+
+    @property
+    def shaft_stiffness(self) -> float | None:
+        """N/m; None for a rigid shaft."""
+
+
+def whirl_values(case: CarriesRotor, whirl: Whirl) -> dict[str, float]:
+    """Stable masses, whirl frequency and threshold speed, for a rigid rotor and on its elastic shaft, SI."""
+    values = {"rotor_mass": whirl.rotor_mass, "whirl_frequency_ratio": whirl.frequency_ratio}
+    values["stable_at_any_mass"] = float(whirl.stable.least == 0.0 and math.isinf(whirl.stable.greatest))
+    values |= _bounds(whirl)
+    if whirl.threshold_speed is not None:
+        values["threshold_speed"] = whirl.threshold_speed
+    if whirl.elastic is not None and case.shaft_stiffness is not None:
+        values["shaft_stiffness"] = case.shaft_stiffness
+        if whirl.elastic.threshold_speed is not None:
+            values["threshold_speed_elastic"] = whirl.elastic.threshold_speed
+    return values
+
+
+def whirl_checks(case: CarriesRotor, whirl: Whirl | None) -> Iterator[Check]:
+    """The mass of the rotor against the critical ones; nothing where the whirl is unknown."""
+    if whirl is None:
+        return
+    own = case.rotor_mass is not None
+    source = "rotor_mass of the case" if own else "load over g, as if the load were the weight of the rotor"
+    for name, mass in _bounds(whirl).items():
+        bound = Bound.AT_MOST if name == "least_stable_mass" else Bound.AT_LEAST
+        yield Check("C115", name, mass, whirl.rotor_mass, bound, source, not own)
+
+
+def without_critical_mass(whirl: Whirl | None) -> str:
+    """Why no bound of the mass of the rotor is known; empty where there is one, or no whirl was asked for."""
+    if whirl is None or _bounds(whirl):
+        return ""
+    if whirl.stable.least == 0.0 and math.isinf(whirl.stable.greatest):
+        return "the film bears a rotor of any mass without whirl"
+    return "stiffness and damping tell no critical mass"
+
+
+def doubts_about_whirl(whirl: Whirl) -> Iterator[Notice]:
+    """A rotor too heavy or too light for the film."""
+    stable = whirl.stable if whirl.elastic is None else whirl.elastic.stable
+    if stable.reserve(whirl.rotor_mass) >= 1.0:
+        return
+    shaft = " on its elastic shaft" if whirl.elastic is not None else ""
+    at = f"; whirl at {whirl.frequency_ratio:.2f} of the speed" if whirl.frequency_ratio > 0.0 else ""
+    if 0.0 < stable.least < math.inf:
+        yield Notice("W120", f"least mass that is stable {stable.least:.4g} kg > {whirl.rotor_mass:.4g} kg{at}")
+    elif stable.greatest == 0.0:
+        yield Notice("W120", f"no rotor{shaft} is stable here, whatever its mass")
+    else:
+        yield Notice("W120", f"critical mass{shaft} {stable.greatest:.4g} kg < {whirl.rotor_mass:.4g} kg{at}")
+
+
+def _bounds(whirl: Whirl) -> dict[str, float]:
+    """Bounds of the stable masses that there are, kg; 0 as critical mass where no mass is stable."""
+    bounds = {}
+    if math.isfinite(whirl.stable.greatest):
+        bounds["critical_mass"] = whirl.stable.greatest
+    if 0.0 < whirl.stable.least < math.inf:
+        bounds["least_stable_mass"] = whirl.stable.least
+    if whirl.elastic is not None and math.isfinite(whirl.elastic.stable.greatest):
+        bounds["critical_mass_elastic"] = whirl.elastic.stable.greatest
+    return bounds

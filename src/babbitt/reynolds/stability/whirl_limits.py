@@ -1,0 +1,98 @@
+"""Stability of a rotor in a film, whatever the film: critical mass, whirl frequency, threshold speed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from babbitt.numerics.roots import find_root
+
+if TYPE_CHECKING:
+    from babbitt.reynolds.stability.routh import StableMasses
+
+__all__ = [
+    "SPEED_TOLERANCE",
+    "STANDARD_GRAVITY",
+    "ElasticWhirl",
+    "Whirl",
+    "crossing",
+    "rotor_mass",
+    "stability_excess",
+]
+
+STANDARD_GRAVITY = 9.80665
+"""m/s²."""
+
+FASTEST = 10.0
+"""The threshold is sought up to this many times the speed, and down to its inverse."""
+
+SPEED_TOLERANCE = 1e-4
+"""Relative, of a speed sought: a tenth of what the grid leaves open."""
+SEARCH_STEP = 1.25
+"""Ratio of the speeds at which the search looks."""
+
+
+@dataclass(frozen=True)
+class Whirl:
+    """Stability of a rotor in this film: kg, ratio to the speed, rad/s.
+
+    `threshold_speed` is None where no speed within the search changes what the journal does. Without `elastic` the
+    rotor is rigid; with it, the same for the shaft as stiff as the case says.
+    """
+
+    stable: StableMasses
+    frequency_ratio: float
+    rotor_mass: float
+    threshold_speed: float | None
+    elastic: ElasticWhirl | None = None
+
+
+@dataclass(frozen=True)
+class ElasticWhirl:
+    """Stable masses in kg and threshold speed in rad/s of a rotor on its elastic shaft."""
+
+    stable: StableMasses
+    threshold_speed: float | None
+
+
+def rotor_mass(given: float | None, load: float) -> float:
+    """Mass of the rotor in kg: the one given, or that whose weight is the load in N."""
+    return given if given is not None else load / STANDARD_GRAVITY
+
+
+def stability_excess(reserve: float) -> float:
+    """How far a rotor is from its threshold: positive where it is stable, smooth about zero, never infinite.
+
+    Parameters
+    ----------
+    reserve : float
+        `babbitt.reynolds.stability.routh.StableMasses.reserve` of its mass.
+    """
+    if 0.0 < reserve < math.inf:
+        return math.atan(math.log(reserve))
+    return math.copysign(2.0, reserve - 1.0)
+
+
+def crossing(excess: Callable[[float], float], speed: float) -> float | None:
+    """Speed at which a function turns from positive to negative: above a stable speed, below an unstable one.
+
+    None where there is none in sight, or the function has no value on the way.
+    """
+    here = excess(speed)
+    if math.isnan(here):
+        return None
+    step = SEARCH_STEP if here > 0.0 else 1.0 / SEARCH_STEP
+    near = speed
+    last = speed * (FASTEST if here > 0.0 else 1.0 / FASTEST)
+    while near != last:
+        far = min(near * step, last) if here > 0.0 else max(near * step, last)
+        there = excess(far)
+        if math.isnan(there):
+            return None
+        if here * there <= 0.0:
+            root = find_root(excess, min(near, far), max(near, far), relative=SPEED_TOLERANCE)
+            return root.value if root.converged else None
+        near, here = far, there
+    return None

@@ -1,0 +1,1 @@
+"""Films that differ across the width: pockets, holes, misalignment, closed rings."""

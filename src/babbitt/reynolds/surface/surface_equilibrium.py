@@ -1,0 +1,332 @@
+"""Equilibrium of films that differ across the width (``ring``): pockets, holes, tilt, viscosity, closed rings."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.reynolds.lands._equilibrium import (
+    CONTACT,
+    CONVERGED,
+    CYCLING,
+    MODERATE_LOAD,
+    NO_FILM,
+    PATIENCE,
+    PATIENT_STEPS,
+    THINNEST,
+    TOO_MANY_STEPS,
+    damped_step,
+)
+from babbitt.reynolds.model import JournalFilm, Resolution
+from babbitt.reynolds.surface._surface_film import (
+    SurfaceFilm,
+    SurfaceWork,
+    new_surface_film,
+    new_surface_work,
+    smallest_surface_gap,
+)
+from babbitt.reynolds.surface._surface_forces import evaluate_surface
+from babbitt.reynolds.surface.mesh_lines import Density
+from babbitt.reynolds.surface.unwrapped_mesh import Ring, axial_gain, build_ring, gap_over_lands
+
+__all__ = ["OUT_OF_WORK", "SettledRing", "rest_ring", "rest_ring_near", "ring_at"]
+
+Array = NDArray[np.float64]
+ZERO = np.zeros(4)
+"""Rest in as many motions as any surface has."""
+
+
+OUT_OF_WORK = 3
+"""Status of a search that has used up its bound on work (beside those of ``_equilibrium``)."""
+
+SMALLEST_BOUND, FINE_SOLUTIONS = 2.0e8, 400
+"""Bound on the work of a search: multiplications that every grid may spend, or so many solutions on the finest
+ring, whichever is more. An assumption: ordinary films take fewer than a hundred solutions."""
+
+
+def work_of(lines: int, nodes: int) -> float:
+    """Multiplications of one solution: elimination of the lines and assembly of their blocks."""
+    return float(lines * nodes**2 * (nodes + 10))
+
+
+@dataclass
+class Effort:
+    """What a search may still spend, in multiplications: a bound that is the same on every machine."""
+
+    left: float
+
+    @classmethod
+    def for_ring(cls, film: JournalFilm, unit: float, resolution: Resolution) -> Effort:
+        """Bound that grows with the grid asked for."""
+        ring = build_ring(film, unit, resolution.ring_intervals, resolution.axial_unknowns, None)
+        return cls(max(SMALLEST_BOUND, FINE_SOLUTIONS * work_of(*ring.surface.held.shape)))
+
+    @property
+    def spent(self) -> bool:
+        """Whether nothing is left."""
+        return self.left < 0.0
+
+
+@dataclass(eq=False)
+class Sample:
+    """A ring with its workspace and the last result."""
+
+    ring: Ring
+    film: SurfaceFilm
+    work: SurfaceWork
+    force: Array
+    stiffness: Array
+    damping: Array
+    effort: Effort
+
+    @classmethod
+    def of(cls, ring: Ring, effort: Effort) -> Sample:
+        """Workspace with all nodes wet."""
+        motions = ring.surface.lever.shape[0]
+        square = np.zeros((motions, motions))
+        return cls(
+            ring,
+            new_surface_film(ring.surface),
+            new_surface_work(ring.surface),
+            np.zeros(motions),
+            square,
+            square.copy(),
+            effort,
+        )
+
+    def evaluate(self, at: Array, rate: Array = ZERO, smooth: bool = False) -> int:
+        """Force, stiffness and damping at a position; number of nodes that changed sides."""
+        lines, nodes = self.work.wet.shape
+        self.effort.left -= work_of(lines, nodes)
+        return int(
+            evaluate_surface(
+                self.ring.surface, self.film, self.work, at, rate, smooth, self.force, self.stiffness, self.damping
+            )
+        )
+
+    def gap(self, at: Array) -> float:
+        """Smallest gap."""
+        return float(smallest_surface_gap(self.ring.surface, at))
+
+    def start_from(self, coarse: Sample) -> None:
+        """Take over the wet set of a sample on the same axial mesh; on other lines: wet if a line beside it is."""
+        lines = self.work.wet.shape[0]
+        old = coarse.ring.theta
+        if np.array_equal(old, self.ring.theta):
+            self.work.wet[:] = coarse.work.wet
+            return
+        rows = coarse.work.wet.shape[0]
+        behind = np.clip(np.searchsorted(old, self.ring.theta[:lines] - 1e-12), 1, old.size - 1)
+        self.work.wet[:] = coarse.work.wet[(behind - 1) % rows] | coarse.work.wet[behind % rows]
+
+
+@dataclass(frozen=True, eq=False)
+class SettledRing:
+    """What an equilibrium search on rings returns."""
+
+    film: JournalFilm
+    sample: Sample
+    position: Array
+    status: int
+    steps: int
+    gap: float
+
+
+def line_density(film: JournalFilm, at: Array, gap: float) -> Density:
+    """Density of lines h^-a around the film, h the least over the width and a rising with depth."""
+    sides = np.array([-0.5, 0.0, 0.5]) * film.width
+    exponent = -0.8 * min(max(1.0 - gap, 0.0), 1.0) ** 4
+    lowest = max(gap, 1e-6)
+
+    def density(angle: Array) -> Array:
+        thickness = gap_over_lands(film, angle) - at[0] * np.cos(angle) - at[1] * np.sin(angle)
+        if not film.is_straight:
+            thickness += axial_gain(film, angle, sides).min(axis=1) / film.clearance
+        return np.asarray(np.maximum(thickness, lowest) ** exponent)
+
+    return density
+
+
+def rest(
+    sample: Sample, load: Array, at: Array, tolerance: float, max_steps: int, patient: bool
+) -> tuple[Array, int, int, float]:
+    """Move the journal until the film on this ring carries the load (the steps of ``_equilibrium.settle``)."""
+    size_of_load = math.hypot(*load)
+    floor = tolerance * size_of_load + 1e-13
+    step_time, last_size, calm = 0.0, 0.0, 0
+    shrink = 0.6 if patient else 0.25
+    gap = sample.gap(at)
+    if not gap > 0.0:
+        return at, NO_FILM, 0, gap
+    for step in range(1, max_steps + 1):
+        if patient:
+            sample.work.wet[:] = True
+        waits = sample.work.wet.shape[0] if calm > 0 and not sample.ring.surface.conserving else 1
+        for _ in range(PATIENCE if patient else waits):
+            changed = sample.evaluate(at)
+            if changed == 0 or sample.effort.spent:
+                break
+        residual = sample.force + load
+        size = math.hypot(*residual)
+        if not math.isfinite(size):  # a closed ring that ran dry says nothing about its load
+            return at, TOO_MANY_STEPS, step, gap
+        if sample.effort.spent:
+            return at, OUT_OF_WORK, step, gap
+        if size <= floor or (step > CYCLING and size <= 1e-4 * size_of_load):
+            calm += 1
+            if changed == 0 or calm > 4:
+                return at, CONVERGED, step, gap
+        flat = np.concatenate((sample.force, sample.stiffness.ravel(), sample.damping.ravel()))
+        dx, dy, step_time = damped_step(
+            flat, residual[0], residual[1], size, last_size, size_of_load, gap, step_time
+        )
+        move, last_size = np.array([dx, dy]), size
+        new_gap, halvings = sample.gap(at + move), 0
+        while not new_gap > shrink * gap and halvings < 60:
+            move, halvings = 0.5 * move, halvings + 1
+            new_gap = sample.gap(at + move)
+        if not new_gap > CONTACT:
+            return at, NO_FILM, step, gap
+        at, gap = at + move, new_gap
+    return at, TOO_MANY_STEPS, max_steps, gap
+
+
+def rest_ring(film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int) -> SettledRing:
+    """Equilibrium under a dimensionless load: a fast and a patient attempt, then both from a finer ring."""
+    effort = Effort.for_ring(film, unit, resolution)
+    for refinement, patient in ((4, False), (4, True), (2, False), (2, True)):
+        settled = attempt(film, unit, load, resolution, max_steps, effort, refinement, patient)
+        if settled.status == CONVERGED or effort.spent:
+            break
+    return thick_enough(settled)
+
+
+def thick_enough(settled: SettledRing) -> SettledRing:
+    """The same, but as overloaded where what is left of the film counts as none."""
+    thin = settled.gap < THINNEST and settled.status != OUT_OF_WORK
+    return replace(settled, status=NO_FILM) if thin else settled
+
+
+def rest_ring_near(
+    film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int, at: Array
+) -> SettledRing:
+    """Equilibrium under a dimensionless load from a position close to it, on lines drawn for that position."""
+    near = ring_at(film, unit, at, ZERO[:2], resolution)
+    if near.status != CONVERGED:
+        return near
+    effort = Effort.for_ring(film, unit, resolution)
+    sample = replace(near.sample, effort=effort)
+    at, status, steps, gap = rest(sample, load, at, resolution.tolerance, max_steps, False)
+    if status == CONVERGED:
+        sample.evaluate(at, smooth=True)
+    return thick_enough(SettledRing(film, sample, at, status, near.steps + steps, gap))
+
+
+def attempt(
+    film: JournalFilm,
+    unit: float,
+    load: Array,
+    resolution: Resolution,
+    max_steps: int,
+    effort: Effort,
+    refinement: int,
+    patient: bool,
+) -> SettledRing:
+    """Coarse rings first, heavier loads step by step, then the fine ring, with ``refinement`` times the lines."""
+    per_turn = resolution.ring_intervals
+    size = math.hypot(*load)
+    share = min(1.0, MODERATE_LOAD / max(size, 1e-300))
+    at, density, total, last_gap = beginning(film, load), None, 0, math.inf
+    coarse: Sample | None = None
+    steps_per_grid = PATIENT_STEPS if patient else max_steps
+    for _ in range(60):
+        sample = Sample.of(
+            build_ring(film, unit, per_turn // refinement, resolution.axial_unknowns, density), effort
+        )
+        if coarse is not None:
+            sample.start_from(coarse)
+        coarse = sample
+        at, status, steps, gap = rest(sample, share * load, at, 1e-2, steps_per_grid, patient)
+        total += steps
+        settled = status == CONVERGED
+        if max(gap, last_gap) < THINNEST and not effort.spent:  # no way back from there is known
+            status = NO_FILM
+        if status == NO_FILM or effort.spent or not (settled or patient):
+            return SettledRing(film, sample, at, status, total, gap)
+        density = line_density(film, at, gap)
+        if settled and share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap):
+            break
+        last_gap = gap
+        if settled:
+            share = min(1.0, 4.0 * share)
+    fine = Sample.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density), effort)
+    fine.start_from(sample)
+    at, status, steps, gap = rest(fine, load, at, resolution.tolerance, max_steps, patient)
+    if status == CONVERGED:
+        fine.evaluate(at, smooth=True)
+    return SettledRing(film, fine, at, status, total + steps, gap)
+
+
+STARVED_START = 0.5
+"""Clearances from the middle, towards the load, at which the search for a starved film begins."""
+
+
+def beginning(film: JournalFilm, load: Array) -> Array:
+    """Where the search begins: in the middle, but for starved films.
+
+    Around a centred journal no gap narrows: a film that is not full stays so, and how much oil circles beside the
+    supplies is then undetermined.
+    """
+    size = math.hypot(*load)
+    if size == 0.0 or not film.is_starved:
+        return np.zeros(2)
+    return np.asarray(STARVED_START / size * load)
+
+
+APPROACH = (0.6, 0.8, 0.9, 0.96, 0.99, 1.0)
+"""Shares of a position over which the journal goes there where the wet set finds no rest at once."""
+WET_ROUNDS = 60
+"""Rounds of the wet set at one place."""
+CALM = 1e-4
+"""Change of the force over the last half of the rounds, relative, up to which nodes that change sides for ever are
+let be: what an equilibrium with such nodes may miss of its load (`rest`)."""
+
+
+def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: Resolution) -> SettledRing:
+    """Film at a position and velocity, (2,), or with the tilts of ``build_ring``, (4,)."""
+    total, coarse, density, effort = 0, None, None, Effort(math.inf)
+    for per_turn in (resolution.ring_intervals // 4, resolution.ring_intervals):
+        ring = build_ring(film, unit, per_turn, resolution.axial_unknowns, density, motions=at.size)
+        sample = Sample.of(ring, effort)
+        gap = sample.gap(at)
+        if not gap > 0.0:
+            return SettledRing(film, sample, at, NO_FILM, total, gap)
+        if coarse is not None:
+            sample.start_from(coarse)
+        density = line_density(film, at, gap)
+        settled, rounds = _wet_set(sample, at, rate)
+        total += rounds
+        if not settled:
+            sample.work.wet[:] = True
+            for share in APPROACH:
+                settled, rounds = _wet_set(sample, share * at, rate)
+                total += rounds
+        coarse = sample
+    if not settled:
+        return SettledRing(film, sample, at, TOO_MANY_STEPS, total, gap)
+    sample.evaluate(at, rate, smooth=True)
+    return SettledRing(film, sample, at, CONVERGED, total, gap)
+
+
+def _wet_set(sample: Sample, at: Array, rate: Array) -> tuple[bool, int]:
+    """Rounds of the wet set at one place: whether it rests or hardly changes the force, and how many they were."""
+    forces = []
+    for number in range(1, WET_ROUNDS + 1):
+        if sample.evaluate(at, rate) == 0:
+            return True, number
+        forces.append(sample.force.copy())
+    change = np.ptp(np.array(forces[WET_ROUNDS // 2 :]), axis=0)
+    return bool(np.linalg.norm(change) <= CALM * np.linalg.norm(sample.force)), WET_ROUNDS

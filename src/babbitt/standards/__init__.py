@@ -1,1 +1,0 @@
-"""Design procedures of the standards."""

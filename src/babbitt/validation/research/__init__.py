@@ -1,0 +1,1 @@
+"""Research tools that only published cases use."""

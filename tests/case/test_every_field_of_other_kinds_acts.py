@@ -1,0 +1,414 @@
+"""Every optional field of the other kinds changes the answer, is refused, or is told not to be read.
+
+What only the report shows (notes, source, ranges of figures) changes the report.
+"""
+
+import copy
+import json
+import re
+import typing
+
+import pytest
+import yaml
+
+from babbitt.case import CaseError, case_from_dict, template
+from babbitt.case.part import Part
+from babbitt.core.notices import InputError
+from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
+from babbitt.kinds.footstep.case.footstep import ScrewHeelCase
+from babbitt.kinds.hydrostatic.case.hydrostatic_journal import HydrostaticJournalCase
+from babbitt.kinds.hydrostatic.case.hydrostatic_pad import HydrostaticPadCase
+from babbitt.kinds.hydrostatic.case.hydrostatic_thrust_ring import HydrostaticThrustRingCase
+from babbitt.kinds.hydrostatic.case.jacking import JackingPocketCase
+from babbitt.kinds.shaft_line.case.shaft_line import ThrustLineCase
+from babbitt.kinds.thrust.case.thrust import ThrustCase
+from babbitt.report import content as report_content
+from babbitt.solving import solve
+
+pytestmark = pytest.mark.slow
+
+KINDS = {
+    "thrust": ThrustCase,
+    "thrust_line": ThrustLineCase,
+    "hydrostatic_pad": HydrostaticPadCase,
+    "hydrostatic_journal": HydrostaticJournalCase,
+    "hydrostatic_thrust_ring": HydrostaticThrustRingCase,
+    "jacking_pocket": JackingPocketCase,
+    "screw_heel": ScrewHeelCase,
+    "overhung_coupling": OverhungCouplingCase,
+}
+VISCOUS = {"kind": "viscosity", "viscosity": "45 mPa s"}
+LUBRICANT = {"lubricant": "ISO VG 46", "supply_temperature": "40 degC"}
+
+
+def given(kind, *left_out, **fields):
+    """A template, with some fields changed and some left out."""
+    whole = yaml.safe_load(template(kind)) | fields
+    return {name: value for name, value in whole.items() if name not in left_out}
+
+
+def changed(base, path, value):
+    """A copy with one field changed; numbers in the path count entries of a list."""
+    made = copy.deepcopy(base)
+    *way, last = (int(one) if one.isdigit() else one for one in path.split("."))
+    at = made
+    for step in way:
+        at = at.setdefault(step, {}) if isinstance(at, dict) else at[step]
+    at[last] = value
+    return made
+
+
+OF_THRUST = {
+    "pads.face": {"kind": "taper", "depth": "30 um", "fraction": 0.5},
+    "pads.crown": "8 um",
+    "pads.mass": "36 kg",
+    "pads.inertia_radial": "0.12 kg m2",
+    "pads.inertia_along": "0.1 kg m2",
+    "pads.heights": ["5 um", *["0 um"] * 7],
+    "thermal": "global",
+    "radial_temperature": "resolved",
+    "ring_stiffness": "5 GN/m",
+    "tilt": {"offset": "10 um"},
+    "tilt.direction": "20 deg",
+    "turbulence": "ng_pan",
+    "materials": {},
+    "materials.bearing_metal": "SnSb12Cu6Pb",
+    "temperature_limit": "95 degC",
+    "film_limit": "12 um",
+    "runout": "8 um",
+    "runout.0.lobes": 2,
+    "runout.0.phase": "20 deg",
+    "oil.density": "950 kg/m3",
+    "assumptions": ["The collar is plane."],
+}
+OF_ALL_RECESSES = {
+    "accuracy": "engineering",
+    "recess_oil.line_volume": "5 mL",
+    "recess_oil.bulk_modulus": "1 GPa",
+    "recess_oil.friction_factor": 2.0,
+    "restrictor.tubes": 2,
+    "restrictor.entry_loss": 2.24,
+    "restrictor.viscosity": "25 mPa s",
+    "oil.viscosity": "25 mPa s",
+    "oil.density": "900 kg/m3",
+    "oil.heat_capacity": "1800 J/(kg K)",
+    "oil.supply_temperature": "50 degC",
+    "oil.film_temperature": "55 degC",
+    "supply.pressure": "4 MPa",
+    "supply.leakage": "0.01 L/(min MPa)",
+    "supply.relief_pressure": "8 MPa",
+    "supply.highest_pressure": "9 MPa",
+    "supply.pump_efficiency": 0.7,
+    "supply.manifold_volume": "10 mL",
+    "frequencies": ["50 Hz"],
+    "least_gap": "12 um",
+    "speed": "700 rpm",
+    "load": "9 kN",
+    "gap": "45 um",
+    "assumptions": ["The runner is rigid."],
+}
+OF_ROWS = {
+    "recesses.first": "10 deg",
+    "recesses.angles": ["-90 deg", "0 deg", "90 deg", "170 deg"],
+    "recesses.drain_groove": "6 deg",
+}
+OF_THE_RING = {"moments": ["100 N m", "50 N m"], "tilt": [1e-4, 0]}
+OF_THE_JOURNAL = {
+    "load_angle": "-60 deg",
+    "eccentricity_ratio": 0.4,
+    "attitude_angle": "20 deg",
+    "cavitation_pressure": "-50 kPa",
+    "rotor_mass": "500 kg",
+    "shaft_stiffness": "50 MN/m",
+}
+OF_POCKETS = {
+    "accuracy": "engineering",
+    "pockets.first": "-100 deg",
+    "pockets.angles": ["-80 deg"],
+    "pockets.drain_groove": "5 deg",
+    "lift_gap": "60 um",
+    "pump_flow": "0.2 L/min",
+    "relief_pressure": "25 MPa",
+    "pump_efficiency": 0.6,
+    "roughness": "2 um",
+    "own_restrictors": False,
+    "assumptions": ["The oil is cold."],
+}
+OF_HEELS = {
+    "variants": "grooved",
+    "groove.depth": "0.4 mm",
+    "oil.volumetric_heat_capacity": "1.8 MJ/(m3 K)",
+    "oil.density": "900 kg/m3",
+    "wall": {"temperature": "30 degC", "conductance": "5 W/K"},
+    "ambient_pressure": "0.11 MPa",
+    "pressures": "gauge",
+    "load_reference": "gauge",
+    "eccentricity_ratio": 0.3,
+    "tilt": "0.01 deg",
+    "options.friction_viscosity": "mixed",
+    "options.face_outlet": "printed",
+    "options.backflow_viscosity": "groove",
+    "options.local_loss_coefficient": 1,
+    "options.speed_reduction": 0.1,
+    "assumptions": ["The pump runs steadily."],
+}
+LINE = given("thrust_line", oil=VISCOUS, seating={"stiffness": "2 GN/m", "housing_mass": "12 t"})
+PAD, RING, JOURNAL = (
+    given(f"hydrostatic_{one}", accuracy="draft", frequencies=["20 Hz"])
+    for one in ("pad", "thrust_ring", "journal")
+)
+JACKING = given("jacking_pocket", accuracy="draft")
+PUMPED = given("jacking_pocket", "lift_gap", accuracy="draft", pump_flow="0.1 L/min")
+HEEL = given("screw_heel", "wall", method="superposition")
+STARVED = given("hydrostatic_journal", "load", method="quick", eccentricity_ratio=0.5, speed="20000 rpm",
+                supply={"pressure": "0.1 MPa"})  # fmt: skip
+QUICK = {"method": "quick"}
+TESTED = {
+    "point pivots": (
+        given("thrust", "ring_stiffness", oil=VISCOUS, runout=[{"amplitude": "5 um"}]),
+        OF_THRUST | {"thrust": "400 kN", "film": "50 um"},
+    ),
+    "heat balance": (
+        given("thrust"),
+        {"thermal": "isothermal", "oil.carry_over": 0.5, "temperature_limit": "95 degC", "pads.mass": "36 kg"},
+    ),
+    "given temperature": (
+        given("thrust", oil={"kind": "temperature", "lubricant": "ISO VG 100", "temperature": "53 degC"}),
+        {"temperature_limit": "50 degC"},
+    ),
+    "line": (
+        LINE,
+        {
+            "pads.mass": "36 kg",
+            "temperature_limit": "95 degC",
+            "propeller": {"mass": "20 t", "blades": 4},
+            "propeller.damping": "40 kN s/m",
+            "shaft.0.bore": "100 mm",
+            "shaft.0.modulus": "200 GPa",
+            "shaft.0.density": "7700 kg/m3",
+            "shaft.0.end_mass": "300 kg",
+            "seating": {"stiffness": "1 GN/m"},
+            "seating.damping": "100 kN s/m",
+            "seating.housing_mass": "20 t",
+            "ripple": [],
+            "ripple.0.amplitude": "40 kN",
+            "ripple.0.share": "12 %",
+            "ripple.0.blade_multiple": 2,
+            "ripple.0.order": 3.0,
+            "ripple.0.phase": "30 deg",
+            "loss_limit": 0.4,
+            "limits": {"axial_amplitude": "150 um"},
+            "speeds": {"lowest": "100 rpm", "highest": "140 rpm", "number": 2},
+            "nonlinear": True,
+        },
+    ),
+    "map": (LINE | {"speeds": {"lowest": "100 rpm", "highest": "140 rpm", "number": 2}}, {"speeds.number": 3}),
+    "pad": (PAD, OF_ALL_RECESSES | {"sliding_speed": "0.7 m/s"}),
+    "quick pad": (PAD | QUICK, OF_ALL_RECESSES | {"sliding_speed": "0.7 m/s"}),
+    "lubricated pad": (PAD | {"oil": LUBRICANT}, OF_ALL_RECESSES),
+    "quick lubricated pad": (PAD | QUICK | {"oil": LUBRICANT}, OF_ALL_RECESSES),
+    "pumped pad": (
+        PAD | {"supply": {"pump_flow": "0.4 L/min"}},
+        OF_ALL_RECESSES | {"supply.pump_flow": "0.5 L/min"},
+    ),
+    "orifice": (PAD | {"restrictor": {"kind": "orifice", "diameter": "0.4 mm"}}, {"restrictor.discharge": 0.7}),
+    "pump of its own": (
+        PAD | {"restrictor": {"kind": "constant_flow", "flow": "0.25 L/min"}},
+        {"restrictor.leakage": "0.01 L/(min MPa)"},
+    ),
+    "unlike restrictors": (
+        {name: value for name, value in PAD.items() if name != "restrictor"}
+        | {"restrictors": [{"kind": "orifice", "diameter": "0.4 mm"}]},
+        {
+            "restrictors": [{"kind": "orifice", "diameter": "0.5 mm"}],
+            "restrictor": {"kind": "orifice", "diameter": "1 mm"},
+        },
+    ),
+    "sliding pad": (
+        given("hydrostatic_pad", "speed", accuracy="draft", sliding_speed="0.5 m/s", load="20 kN",
+              pad={"kind": "rectangular", "length": "200 mm", "width": "100 mm", "recess_length": "160 mm",
+                   "recess_width": "60 mm"}),
+        {"sliding_speed": "0.7 m/s", "speed": "700 rpm"},
+    ),
+    "ring": (RING, OF_ALL_RECESSES | OF_ROWS | OF_THE_RING),
+    "quick ring": (RING | QUICK, OF_ALL_RECESSES | OF_ROWS | OF_THE_RING),
+    "placed ring": (given("hydrostatic_thrust_ring", "load", "moments", gap="50 um", method="quick"), OF_THE_RING),
+    "journal": (JOURNAL, OF_ALL_RECESSES | OF_ROWS | OF_THE_JOURNAL),
+    "quick journal": (JOURNAL | QUICK, OF_ALL_RECESSES | OF_ROWS | OF_THE_JOURNAL),
+    "placed journal": (
+        given("hydrostatic_journal", "load", eccentricity_ratio=0.3, method="quick"), OF_THE_JOURNAL,
+    ),
+    "recess above its supply": (STARVED, {"restrictor.check_valve": True}),
+    "lifted": (JACKING, OF_POCKETS),
+    "quickly lifted": (JACKING | QUICK, OF_POCKETS),
+    "pumped up": (PUMPED, OF_POCKETS),
+    "two pockets": (
+        JACKING | {"pockets": {"number": 2, "extent": "12 deg", "angles": ["-110 deg", "-70 deg"]}},
+        {"own_restrictors": False},
+    ),
+    "heel": (given("screw_heel"), OF_HEELS | {"method": "superposition"}),
+    "heel by superposition": (HEEL, OF_HEELS | {"method": "narrow_groove"}),
+    "smooth heel": (HEEL | {"variants": "smooth"}, OF_HEELS),
+    "smooth heel in metal": (given("screw_heel", variants="smooth"), OF_HEELS),
+    "odd grooves": (changed(HEEL, "groove", HEEL["groove"] | {"land_width": "4 mm", "accept_misfit": True}),
+                    {"groove.accept_misfit": False}),
+    "coupling": (given("overhung_coupling"), {"assumptions": ["The bearings are rigid."]}),
+}  # fmt: skip
+"""Cases, each with fields and other valid values of them."""
+
+
+def told(fields):
+    """What a reader sees: of each result values and checks, and words; or the refusal."""
+    try:
+        results = solve(case_from_dict(fields)).results
+    except (CaseError, InputError) as refusal:
+        return str(refusal)
+    numbers = [
+        (
+            result.outcome,
+            result.message,
+            repr({name: value for name, value in result.values.items() if name != "wall_time"}),
+            repr(dict(result.arrays)),
+            [(one.code, one.value, one.limit) for one in result.checks],
+            dict(result.missing),
+        )
+        for result in results
+    ]
+    notices = [one for result in results for one in (*result.warnings, *result.not_checked)]
+    return numbers, [f"{one.code} {one.message}" for one in notices] + [
+        one for result in results for one in result.assumptions
+    ]
+
+
+BEFORE = {}
+
+
+def answer_of(name):
+    """What the case says before a change; solved once."""
+    if name not in BEFORE:
+        BEFORE[name] = told(TESTED[name][0])
+    return BEFORE[name]
+
+
+def is_told_unread(path, words):
+    """Whether a warning says that the field is not read."""
+    return any(re.match(rf"W183 ([\w., ]+, )?{re.escape(path)}(\.\w+)?[,:]", one) for one in words)
+
+
+@pytest.mark.parametrize(
+    ("name", "path"), [(name, path) for name, (_, fields) in TESTED.items() for path in fields]
+)
+def test_a_changed_field_changes_something(name, path):
+    base, fields = TESTED[name]
+    before, after = answer_of(name), told(changed(base, path, fields[path]))
+    assert not isinstance(before, str)
+    if isinstance(after, str):
+        assert path.split(".")[-1] in after
+    elif is_told_unread(path.split(".")[0] if path.startswith("groove.") else path, after[1]):
+        assert after[0] == before[0]
+    else:
+        assert after != before
+
+
+SHOWN = {"notes": "Seen on board.", "source": "Drawing 7."}
+RANGES = {"face_gap_from": "8 um", "face_gap_to": "50 um", "clearance_from": "8 um", "clearance_to": "50 um",
+          "map_points": 4}  # fmt: skip
+"""Of the figures of a heel."""
+CHEAP = {
+    "thrust": given("thrust", oil=VISCOUS),
+    "thrust_line": LINE,
+    "hydrostatic_pad": PAD | QUICK,
+    "hydrostatic_journal": JOURNAL | QUICK,
+    "hydrostatic_thrust_ring": RING | QUICK,
+    "jacking_pocket": JACKING | QUICK,
+    "screw_heel": given("screw_heel"),
+    "overhung_coupling": given("overhung_coupling"),
+}
+
+
+@pytest.mark.parametrize("kind", CHEAP)
+def test_notes_and_source_reach_the_report(kind):
+    said = report_of(CHEAP[kind] | SHOWN)
+    assert all(words in said for words in SHOWN.values())
+
+
+def report_of(fields):
+    """Report of a case, with its figures."""
+    return json.dumps(report_content.content(solve(case_from_dict(fields))), default=str)
+
+
+def figures(**ranges):
+    """Report of a heel with ranges of its figures, without what differs from run to run."""
+    return without_time(report_of(HEEL | {"variants": "grooved", "figures": ranges}))
+
+
+@pytest.fixture(scope="module")
+def usual_figures():
+    first, again = figures(), figures()
+    assert first == again
+    return first
+
+
+@pytest.mark.parametrize("name", RANGES)
+def test_a_range_of_figures_changes_a_figure(name, usual_figures):
+    assert figures(**{name: RANGES[name]}) != usual_figures
+
+
+def without_time(said):
+    """A report without what differs from run to run."""
+    return re.sub(
+        r'"(wall_time|case_hash|hash|time|date|created)": [^,}]*', "", re.sub(r"wall_time[^}]*}", "", said)
+    )
+
+
+FIXED = {"pivot": {"kind": "fixed"}, "face": {"kind": "taper", "depth": "40 um", "fraction": 0.7}}
+LINES = {"pivot": {"kind": "line", "radius": "290 mm", "fraction": 0.6}}
+
+
+@pytest.mark.parametrize("kind", ["thrust", "thrust_line"])
+@pytest.mark.parametrize(
+    ("pads", "unread"),
+    [(FIXED, {"pads.inertia_radial", "pads.inertia_along"}), (LINES, {"pads.inertia_radial"}), ({}, set())],
+    ids=["fixed", "line pivots", "point pivots"],
+)
+def test_inertias_that_no_tilt_feels_are_told(kind, pads, unread):
+    base = given(kind)
+    inertias = {"inertia_radial": "0.06 kg m2", "inertia_along": "0.05 kg m2"}
+    (design,) = case_from_dict(base | {"pads": base["pads"] | pads | inertias}).designs()
+    said = [f"{one.code} {one.message}" for one in getattr(design, "thrust", design).doubts]
+    assert {one for one in ("pads.inertia_radial", "pads.inertia_along") if is_told_unread(one, said)} == unread
+
+
+SHARED = {"notes", "source", "babbitt", "description", "lubricant", "bearing_metal"}
+"""Asked of elsewhere: of the report, and of oils and metals of their own."""
+
+
+def parts_in(annotation):
+    """Pieces that a field may hold."""
+    if isinstance(annotation, type) and issubclass(annotation, Part):
+        return {annotation}
+    return {piece for one in typing.get_args(annotation) for piece in parts_in(one)}
+
+
+def optional(piece, path=""):
+    """Paths of all optional fields of a piece and of what it holds."""
+    for name, field in piece.model_fields.items():
+        if name not in SHARED or name == "bearing_metal":
+            if not field.is_required():
+                yield path + name
+            if name not in {"restrictors", "bearing_metal"}:
+                for held in parts_in(field.annotation):
+                    yield from optional(held, f"{path}{name}.")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_optional_field_is_asked(kind):
+    asked = {
+        re.sub(r"\.\d+", "", path)
+        for base, fields in TESTED.values()
+        if base["kind"] == kind or {base["kind"], kind} <= {"thrust", "thrust_line"}
+        or (base["kind"].startswith("hydrostatic") and kind.startswith("hydrostatic"))
+        for path in fields
+    }  # fmt: skip
+    asked |= {f"figures.{name}" for name in RANGES} | {"figures", "method", "options", "groove"}
+    assert set(optional(KINDS[kind])) <= asked

@@ -1,0 +1,49 @@
+"""Random films: load, oil, torque, heat and liquid fractions in order, and the same film at the position found.
+
+The same by the thousand in `benchmarks/robustness/films.py`.
+"""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from films import film_faults, film_robustness, thermal_film_faults
+
+from babbitt.core.result import Outcome
+from babbitt.reynolds.heat import thermal_equilibrium as thermal
+from babbitt.reynolds.heat.heat_model import FilmHeat
+from babbitt.reynolds.lands.solve import film_at_position, solve_journal
+from babbitt.reynolds.model import JournalFilm, grooved_bore
+
+NUMBER = 200
+
+
+def test_random_films_answer_for_their_balances():
+    assert list(film_faults(6, NUMBER)) == []
+
+
+@pytest.mark.parametrize(("seed", "index"), [(6, 866), (6, 2247), (6, 2793), (71601, 644), (71603, 964)])
+def test_films_whose_wet_set_flickers_are_found_at_their_position(seed, index):
+    rng, kinds = np.random.default_rng(seed), list(film_robustness.KINDS)
+    for before in range(index + 1):
+        film, load = film_robustness.random_case(rng, kinds[before % len(kinds)])
+    rest = solve_journal(film, load)
+    found = film_at_position(film, tuple(rest.position))
+    assert found.outcome is Outcome.CONVERGED
+    np.testing.assert_allclose(found.force, rest.force, atol=0.01 * np.hypot(*load))
+
+
+def test_random_thermal_films_answer_for_their_balances():
+    assert list(thermal_film_faults(11, NUMBER)) == []
+
+
+def test_a_thermal_film_that_misses_its_load_has_not_converged(monkeypatch):
+    film = JournalFilm(0.1, 0.06, 75e-6, 0.03, 200.0, grooved_bore((0.0, 3.14), 0.3))
+    heat = FilmHeat(lambda temperature: 0.03 * 1.03 ** (323.15 - temperature), 1.72e6, 0.13, 323.15)
+    loose = dataclasses.replace(thermal.THERMAL_ENGINEERING, tolerance=0.02)
+    found = thermal.solve_thermal_journal(film, heat, (0.0, -6e3), loose)
+    assert found.film.outcome is Outcome.CONVERGED
+    assert found.film.force == pytest.approx([0.0, 6e3], abs=1e-4)
+    monkeypatch.setattr(thermal, "POLISH", 0)
+    found = thermal.solve_thermal_journal(film, heat, (0.0, -6e3), loose)
+    assert found.film.outcome is Outcome.NOT_CONVERGED

@@ -1,0 +1,146 @@
+"""Other ways to the rest of a film with its own temperatures: they lead to the same place."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from babbitt.reynolds.heat.globalisation import Mixing, mixed_rest, recovered
+from babbitt.reynolds.heat.heat_model import THERMAL_ENGINEERING, BushRing, ConductingWalls, FilmHeat, JournalHeat
+from babbitt.reynolds.heat.thermal_equilibrium import CLOSED, CLOSING, OPEN, cold_start, fresh_ring, rest
+from babbitt.reynolds.heat.thermal_film_state import GUESSED_SHARE
+from babbitt.reynolds.lands._equilibrium import CONVERGED
+from babbitt.reynolds.model import FilmStart, JournalFilm, Land, Pocket, grooved_bore
+from babbitt.reynolds.scales import Scales
+
+COLD = 323.15
+
+
+def iso_vg_32(temperature):
+    """A Vogel law through 0.0275 Pa s at 40 degC and 0.0046 Pa s at 100 degC."""
+    return 4.0e-5 * np.exp(1000.0 / (np.asarray(temperature) - 160.02))
+
+
+BEARING = JournalFilm(0.1, 0.06, 75e-6, float(iso_vg_32(COLD)), 200.0, grooved_bore((0.0, math.pi), 0.3))
+POCKETS = replace(
+    BEARING, lands=(Land(0.0, 2.0 * math.pi),), film_start=FilmStart.PERIODIC,
+    pockets=(Pocket(0.0, 0.35, 0.04, pressure=5e4), Pocket(math.pi, 0.35, 0.04, pressure=5e4)),
+)  # fmt: skip
+ADIABATIC = FilmHeat(iso_vg_32, 1.72e6, 0.13, COLD)
+WALLS = ConductingWalls(BushRing((0.05, 0.06, 0.09), (50.0, 45.0), 20.0, 293.15), JournalHeat())
+FULL = replace(ADIABATIC, walls=WALLS)
+LOAD = (0.0, -6e3)
+
+
+def ring_for(film, heat, load=LOAD):
+    """Fine ring, dimensionless load, and where fresh oil carries it."""
+    scales = Scales.of(film, film.angular_speed)
+    warm = fresh_ring(film, heat, scales, 2 * THERMAL_ENGINEERING.intervals, THERMAL_ENGINEERING, None)
+    force = np.asarray(load) / scales.force
+    return warm, force, cold_start(warm.sample, force)
+
+
+def test_a_film_starts_where_what_leaves_would_carry_its_heat_off():
+    warm, _, at = ring_for(BEARING, FULL)
+    thinner = warm.guess(at)
+    risen = warm.temperature - COLD
+    leaving = np.maximum(warm.flows.leak, 0.0).sum()
+    assert np.ptp(risen) == 0.0
+    assert risen.max() > 2.0
+    assert thinner == pytest.approx(iso_vg_32(COLD + risen.max()) / iso_vg_32(COLD), rel=1e-3)
+    assert risen.max() * leaving == pytest.approx(GUESSED_SHARE * warm.dissipation * warm.rise * thinner, rel=0.01)
+    walls = warm.walls
+    assert walls.bush == pytest.approx(walls.ambient + walls.synthesis @ walls.harmonics, abs=1e-9)
+    assert walls.journal[0] == pytest.approx(warm.temperature.max(), abs=1e-9)
+
+
+@pytest.mark.parametrize("film", [BEARING, POCKETS], ids=["grooves", "pockets"])
+@pytest.mark.parametrize("heat", [ADIABATIC, FULL], ids=["adiabatic", "full"])
+def test_mixed_passes_lead_to_the_same_rest(film, heat):
+    plain, load, at = ring_for(film, heat)
+    found = rest(plain, load, at, 1e-5, 1e-3)
+    other, load, at = ring_for(film, heat)
+    mixed = mixed_rest(other, load, at, 1e-5, 1e-3)
+    assert found.status == mixed.status == CONVERGED
+    assert mixed.position == pytest.approx(found.position, abs=2e-4)
+    assert other.temperature == pytest.approx(plain.temperature, abs=0.05)
+    assert mixed.warm.sample.force == pytest.approx(-load, abs=1e-5 * np.hypot(*load))
+
+
+def test_mixed_passes_at_a_given_place_do_not_move_the_journal():
+    warm, _, _ = ring_for(BEARING, FULL)
+    found = mixed_rest(warm, None, np.array([0.2, -0.5]), 1e-5, 1e-3)
+    assert found.status == CONVERGED
+    assert found.position.tolist() == [0.2, -0.5]
+
+
+def test_mixing_solves_a_linear_map_that_plain_passes_do_not():
+    """x -> A x + b with |lambda| > 1: of n unknowns n + 1 passes know everything."""
+    angle, wild = 0.7, 1.3
+    turn = wild * np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
+    at, goal = np.array([3.0, -1.0]), np.linalg.solve(np.eye(2) - turn, [1.0, 2.0])
+    mixing, plain = Mixing(np.ones(2)), at.copy()
+    for _ in range(6):
+        start, move = mixing.move(at, turn @ at + [1.0, 2.0])
+        at, plain = start + move, turn @ plain + [1.0, 2.0]
+    assert at == pytest.approx(goal, abs=1e-8)
+    assert np.linalg.norm(plain - goal) > 1.0
+
+
+def test_mixing_leaves_out_what_passes_tell_twice():
+    """Of passes that differ by round-off alone the combination of least norm is taken, not any large one."""
+    rng = np.random.default_rng(3)
+    scale, mixing = rng.uniform(0.5, 2.0, 40), Mixing(np.ones(40))
+    mixing.scale = scale
+    states, residuals = [], []
+    for _ in range(4):
+        states.append(rng.normal(size=40))
+        residuals.append(rng.normal(size=40))
+    states.append(states[-1] + 1e-13)
+    residuals.append(residuals[-1] * (1.0 + 1e-15))
+    for before, residual in zip(states, residuals, strict=True):
+        start, move = mixing.move(before, before + residual)
+    steps, gains = np.diff(states, axis=0)[:3].T, np.diff(residuals, axis=0)[:3].T
+    part = np.linalg.lstsq(gains * scale[:, None], residuals[-1] * scale, rcond=None)[0]
+    expected = mixing.share * residuals[-1] - (steps + mixing.share * gains) @ part
+    assert start == pytest.approx(states[-1], abs=1e-15)
+    assert move == pytest.approx(expected, abs=1e-8)
+
+
+def test_mixing_goes_back_to_the_best_pass_when_it_went_astray():
+    mixing = Mixing(np.ones(1))
+    mixing.move(np.array([0.0]), np.array([1.0]))
+    mixing.move(np.array([0.3]), np.array([0.8]))
+    start, move = mixing.move(np.array([5.0]), np.array([100.0]))
+    assert start == pytest.approx([0.3])
+    assert 0.0 < move[0] < 0.3
+
+
+def test_a_film_that_was_lost_is_found_from_the_film_of_one_temperature():
+    warm, load, at = ring_for(BEARING, FULL)
+    lost = replace(rest(warm, load, at, 1e-5, 1e-3), status=2, load=None)
+    scales = Scales.of(BEARING, BEARING.angular_speed)
+    found = recovered(BEARING, FULL, scales, load, THERMAL_ENGINEERING, lost, 1.0)
+    assert found.status == CONVERGED
+    assert found.position == pytest.approx(lost.position, abs=5e-3)
+
+
+@pytest.mark.parametrize("film", [BEARING, POCKETS], ids=["grooves", "pockets"])
+def test_walls_come_back_to_their_temperatures_however_far_they_were_thrown(film):
+    """A creeping film conducts far more than its oil carries; closing its heat still takes few rounds."""
+    film = replace(film, angular_speed=5.0, clearance=40e-6)
+    warm, load, at = ring_for(film, FULL, (0.0, -60e3))
+    found = rest(warm, load, at, 1e-3, 1e-2)
+    assert found.status == CONVERGED
+    assert warm.close(CLOSING, CLOSED) < OPEN
+    journal, bush = float(warm.walls.journal[0]), warm.walls.bush.copy()
+    walls, gap = warm.walls, FULL.conductivity / warm.walls.conductance.max()
+    conducted = FULL.conductivity / gap * math.pi * film.diameter  # W/(m K), over what one turn carries
+    assert conducted > 50.0 * FULL.volumetric_heat_capacity * 0.25 * film.angular_speed * film.diameter * gap
+    walls.journal[0] += 15.0
+    walls.harmonics[:] += np.where(np.arange(walls.harmonics.size) % 2, 6.0, -4.0)
+    walls.bush[:] = walls.ambient + walls.synthesis @ walls.harmonics
+    assert warm.close(60, 1e-6) < 1e-6
+    assert walls.journal[0] == pytest.approx(journal, abs=1e-4)
+    assert walls.bush == pytest.approx(bush, abs=1e-4)

@@ -1,0 +1,58 @@
+"""The page of a comparison: everything that the terminal says, with the figure, in one file."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from babbitt.case import load_case
+from babbitt.cli import main
+from babbitt.core.notices import InputError
+from babbitt.report.comparison_page import comparison_page, write_comparison_page
+from babbitt.report.comparison_table import compared_rows
+from babbitt.study.comparison import compare_methods
+
+CASE = Path(__file__).parents[2] / "examples" / "input_pinion_heat.yaml"
+
+
+@pytest.fixture(scope="module")
+def found():
+    return compare_methods(load_case(CASE))
+
+
+def test_the_page_says_what_one_temperature_costs_and_what_each_method_neglects(found):
+    page = comparison_page(found)
+    (comparison,) = found
+    methods = [one for one in comparison.variants if one.is_method]
+    assert page.count("data:image/svg+xml;base64,") == 1
+    for one in comparison.variants:
+        assert f"<b>{one.label}</b>: {one.remark}." in page
+    said = re.search(r"is (\d+)% thinner at its thinnest", page)
+    thin = [one.result.minimum_film_thickness for one in methods if one.label in ("full thermal film", "ISO 7902")]
+    assert int(said[1]) == round(100.0 * (1.0 - thin[0] / thin[1]))
+    for row in compared_rows(methods):
+        assert len(row.cells) == len(methods)
+        assert all(f'<td class="number">{cell}</td>' in page for cell in row.cells)
+
+
+def test_a_name_is_never_markup(found):
+    from dataclasses import replace
+
+    assert "<script" not in comparison_page([replace(found[0], name="<script>alert(1)</script>")])
+
+
+def test_the_page_is_written_whole_or_not_at_all(found, tmp_path):
+    with pytest.raises(InputError, match=r"ends in \.html"):
+        write_comparison_page(found, tmp_path / "page.pdf")
+    assert not list(tmp_path.iterdir())
+    write_comparison_page(found, tmp_path / "page.html")
+    assert (tmp_path / "page.html").read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+
+
+def test_the_command_writes_it(tmp_path, monkeypatch, capsys):
+    monkeypatch.setattr("sys.argv", ["babbitt", "compare", str(CASE), "--report", str(tmp_path / "page.html")])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert not ended.value.code
+    assert (tmp_path / "page.html").exists()
+    assert "full thermal film" in capsys.readouterr().out
