@@ -15,7 +15,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from babbitt.reynolds.lands.solve import solve_journal
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import Cavitation, JournalFilm, Land, Resolution, grooved_bore
 from babbitt.reynolds.scales import Scales
 

@@ -17,7 +17,6 @@ from pathlib import Path
 import numpy as np
 
 import babbitt
-from babbitt.case import design_cases
 from babbitt.kinds.journal.iso7902 import check
 from babbitt.kinds.journal.iso7902.characteristics import curves, sommerfeld_number
 
@@ -44,7 +43,7 @@ def process(*arguments: str) -> Callable[[], object]:
 
 def main() -> None:
     """Print measured figures beside their targets."""
-    design = design_cases(babbitt.load_case(REVERSE_GEAR))[0]
+    design = babbitt.load_case(REVERSE_GEAR).problems()[0]
     points = np.random.default_rng(1).uniform(0.01, 0.99, 1_000_000)
     widths = np.random.default_rng(2).uniform(0.1, 1.5, 1_000_000)
     shape = curves(180, 0.604)

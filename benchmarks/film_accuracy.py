@@ -18,7 +18,8 @@ from pathlib import Path
 import numpy as np
 from film_speed import BEARING, LOAD
 
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import DRAFT, ENGINEERING, REFERENCE, Cavitation, FilmStart, Land, Pocket, Resolution
 from babbitt.reynolds.scales import Scales
 

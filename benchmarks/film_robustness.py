@@ -19,7 +19,7 @@ from dataclasses import replace
 import numpy as np
 
 from babbitt.core.result import Outcome
-from babbitt.reynolds.lands.solve import solve_journal
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land, Pocket, grooved_bore
 
 NUMBER, SHARE, SLOWEST = 2000, 0.995, 0.3

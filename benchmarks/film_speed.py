@@ -12,10 +12,11 @@ from functools import partial
 
 import numpy as np
 
+from babbitt.reynolds.equilibrium.cavitating_film import kernel_bearing
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.lands._equilibrium import find_equilibrium
 from babbitt.reynolds.lands.batch import solve_batch
 from babbitt.reynolds.lands.operators import kernel_operator
-from babbitt.reynolds.lands.solve import kernel_bearing, solve_journal
 from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land, Pocket, Resolution, grooved_bore
 from babbitt.reynolds.scales import Scales
 

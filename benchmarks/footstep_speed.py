@@ -11,7 +11,7 @@ from time import perf_counter
 
 import numpy as np
 
-from babbitt.case import design_cases, parse_case, template
+from babbitt.case import parse_case, template
 from babbitt.kinds.footstep.check import heel_results
 from babbitt.kinds.footstep.model import Wall
 from babbitt.kinds.footstep.states import Method, steady_states
@@ -34,7 +34,7 @@ def milliseconds(work) -> tuple[float, float]:
 
 
 def main() -> None:
-    smooth, grooved = design_cases(parse_case(template("screw_heel")))
+    smooth, grooved = parse_case(template("screw_heel")).problems()
     warm = replace(grooved.footstep, wall=Wall(298.15, 10.0))
     for what, work in (
         ("states by superposition, both heels",

@@ -13,12 +13,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import babbitt
-from babbitt.case import design_cases
 from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
 from babbitt.kinds.journal.grooved_long_bearing.solve import film_under_load as segments_under_load
+from babbitt.kinds.journal.infinitely_long_bearing.check import long_film_check
 from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
 from babbitt.kinds.journal.infinitely_long_bearing.solve import film_at_eccentricity, film_under_load
-from babbitt.solving import solve_design
 
 EXAMPLES = Path(__file__).resolve().parents[1] / "examples"
 REPEATS = 200
@@ -37,8 +36,8 @@ def milliseconds(work: Callable[[], object]) -> tuple[float, float]:
 
 def main() -> None:
     """Print measured figures beside their target."""
-    (long_film,) = design_cases(babbitt.load_case(EXAMPLES / "long_film.yaml"))
-    (grooved,) = design_cases(babbitt.load_case(EXAMPLES / "grooved.yaml"))
+    (long_film,) = babbitt.load_case(EXAMPLES / "long_film.yaml").problems()
+    (grooved,) = babbitt.load_case(EXAMPLES / "grooved.yaml").problems()
     assert isinstance(long_film, LongFilmCase)
     assert isinstance(grooved, SegmentCase)
     film, load = long_film.film, 25e3
@@ -47,7 +46,7 @@ def main() -> None:
         ("long film, journal only, ε given", lambda: film_at_eccentricity(journal_only, 0.65)),
         ("long film, journal only, load given", lambda: film_under_load(journal_only, load)),
         ("long film, bush and shaft, load given", lambda: film_under_load(film, load)),
-        ("long film, whole design check", lambda: solve_design(long_film)),
+        ("long film, whole design check", lambda: long_film_check(long_film)),
         ("segments with groove, load given", lambda: segments_under_load(grooved.film, 45.5e3)),
     )
     for name, work in measured:

@@ -16,8 +16,9 @@ import sys
 import numpy as np
 
 from babbitt import parse_case
-from babbitt.case.build import film_cases, iso7902_cases
-from babbitt.solving import solve_design
+from babbitt.kinds.journal.case.build import film_cases, iso7902_cases
+from babbitt.kinds.journal.film.check import film_check
+from babbitt.kinds.journal.iso7902 import check
 
 GRADES = (32, 46, 68, 100)
 Random = np.random.Generator
@@ -77,11 +78,11 @@ def main(wanted: int = 30, seed: int = 15, fed: str = "holes") -> None:
         number += 1
         text = bearing(rng, number, fed)
         case = parse_case(text)
-        iso = solve_design(iso7902_cases(case, case)[0])
+        iso = check(iso7902_cases(case, case)[0])
         if not iso.outcome.solved or iso.supply_capacity >= iso.side_flow:
             continue
         starved = iso.values.get("starved_outlet_temperature")
-        film = solve_design(film_cases(case, case, "adiabatic")[0])
+        film = film_check(film_cases(case, case, "adiabatic")[0])
         if starved is None or not film.outcome.solved:
             said = "unsolved" if starved is None else "solved"
             print(f"bearing {number}: limited flow {said}, film {film.outcome.value}")

@@ -23,7 +23,6 @@ from pathlib import Path
 import numpy as np
 
 from babbitt import parse_case
-from babbitt.case import design_cases
 from babbitt.core.result import Outcome
 from babbitt.kinds.journal.film.isothermal import operating_film
 from babbitt.kinds.journal.film.model import FilmCase
@@ -96,7 +95,7 @@ speed: {speed * rng.choice([1, -1])} rpm
 
 def design(text: str) -> FilmCase:
     """The film case of a text."""
-    (found,) = design_cases(parse_case(text))
+    (found,) = parse_case(text).problems()
     assert isinstance(found, FilmCase)
     return found
 

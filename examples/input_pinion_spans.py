@@ -13,7 +13,6 @@ from dataclasses import replace
 from pathlib import Path
 
 from babbitt import load_case
-from babbitt.case import design_cases
 from babbitt.kinds.journal.iso7902 import DesignCase, check
 
 HERE = Path(__file__).parent
@@ -31,7 +30,7 @@ PUBLISHED = {  # span in degrees: T_ex in °C, P_f in kW, ε, h_min in µm
 def input_pinion() -> DesignCase:
     """The bearing as the case file describes it."""
     machine = load_case(HERE / "marine_reverse_gear.yaml")
-    return replace(design_cases(machine)[0], friction_factor=FRICTION_FACTOR)
+    return replace(machine.problems()[0], friction_factor=FRICTION_FACTOR)
 
 
 def with_span(case: DesignCase, span: int) -> DesignCase:

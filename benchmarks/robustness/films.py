@@ -22,7 +22,8 @@ import film_robustness
 import thermal_robustness
 
 from babbitt.kinds.journal.film.thermal_film import thermal_operating_film
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import Cavitation, JournalFilm, Resolution
 from babbitt.reynolds.solution import FilmSolution
 

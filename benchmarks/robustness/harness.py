@@ -19,8 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from babbitt.case import case_from_dict
-from babbitt.case.every_kind import Case as ReadCase
+from babbitt.case import CaseFile, case_from_dict
 from babbitt.case.problems import CaseError
 from babbitt.core.notices import InputError
 from babbitt.core.result import Result
@@ -112,7 +111,7 @@ def faults_of(family: Family, seed: int | str) -> Outcome:
     return Outcome(tuple(faults), status_of(found), seconds)
 
 
-def read(case: Case) -> ReadCase | str:
+def read(case: Case) -> CaseFile | str:
     """The case as the program reads it, or why it is refused."""
     try:
         return case_from_dict(case)
@@ -125,7 +124,7 @@ def refusal(error: CaseError) -> str:
     return "; ".join(sorted({re.sub(r"\[\d+\]", "", problem.field) for problem in error.problems}))
 
 
-def answers(given: ReadCase | str) -> tuple[Result, ...] | str:
+def answers(given: CaseFile | str) -> tuple[Result, ...] | str:
     """Results of all bearings of a case, or why it is refused."""
     if isinstance(given, str):
         return given

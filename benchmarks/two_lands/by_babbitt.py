@@ -12,10 +12,11 @@ begun = perf_counter()
 import numpy as np  # noqa: E402
 
 import babbitt  # noqa: E402
+from babbitt.reynolds.equilibrium.cavitating_film import kernel_bearing  # noqa: E402
+from babbitt.reynolds.equilibrium.solve import solve_journal  # noqa: E402
 from babbitt.reynolds.lands._equilibrium import find_equilibrium  # noqa: E402
 from babbitt.reynolds.lands._forces import RESULT_SIZE  # noqa: E402
 from babbitt.reynolds.lands.operators import kernel_operator  # noqa: E402
-from babbitt.reynolds.lands.solve import kernel_bearing, solve_journal  # noqa: E402
 from babbitt.reynolds.model import Cavitation, JournalFilm, Resolution, grooved_bore  # noqa: E402
 from babbitt.reynolds.scales import Scales  # noqa: E402
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from babbitt.case import case_from_dict, design_cases
+from babbitt.case import case_from_dict
 from babbitt.properties.fits import Clearance, Deviations, SizeLimits
 
 JOURNAL = {
@@ -22,7 +22,7 @@ JOURNAL = {
 
 def words(**changes) -> dict[str, str]:
     given = {name: value for name, value in (JOURNAL | changes).items() if value is not None}
-    (only,) = design_cases(case_from_dict(given))
+    (only,) = case_from_dict(given).problems()
     assert len(dict(only.given)) == len(only.given)
     assert all(text.isprintable() and len(label) < 25 for label, text in only.given)
     return dict(only.given)
@@ -64,7 +64,7 @@ def test_sizes_told_are_those_computed_with():
     sizes = words()["Clearance"].replace(",", "").split()
     bore = SizeLimits(*(float(sizes[at]) / 1e3 for at in (3, 5)))
     journal = SizeLimits(*(float(sizes[at]) / 1e3 for at in (8, 10)))
-    (case,) = design_cases(case_from_dict(JOURNAL))
+    (case,) = case_from_dict(JOURNAL).problems()
     assert Clearance.from_sizes(bore, journal).mean / 0.08 == pytest.approx(case.bearing.relative_clearance)
     deviations = Clearance.from_deviations(0.08, Deviations(0.0, 30e-6), Deviations(-106e-6, -60e-6))
     assert case.bearing.clearance_tolerance == pytest.approx(
@@ -73,7 +73,7 @@ def test_sizes_told_are_those_computed_with():
 
 
 def test_the_clearance_case_is_told():
-    cases = design_cases(case_from_dict(JOURNAL | {"clearance_cases": "all"}))
+    cases = case_from_dict(JOURNAL | {"clearance_cases": "all"}).problems()
     assert [dict(case.given)["Clearance case"] for case in cases] == ["minimum", "mean", "maximum"]
     assert [case.name for case in cases] == [f"Test ({word} clearance)" for word in ("minimum", "mean", "maximum")]
 
@@ -146,7 +146,7 @@ def test_uneven_pockets_are_told_with_their_angles_at_each_point():
             {"name": "astern", "supply_element": uneven | {"entry_angle": "104 deg", "exit_angle": "75 deg"}},
         ],
     }
-    ahead, astern = (dict(case.given) for case in design_cases(case_from_dict(given)))
+    ahead, astern = (dict(case.given) for case in case_from_dict(given).problems())
     told = "pockets centred {} before and {} behind the load, 30 mm wide, 20° long each"
     assert ahead["Supply element"] == told.format("75°", "104°")
     assert astern["Supply element"] == told.format("104°", "75°")
@@ -182,5 +182,5 @@ def test_form_tolerances_of_the_drawing():
 def test_what_a_machine_shares_is_told_of_each_bearing():
     bearing = {name: value for name, value in JOURNAL.items() if name != "materials"}
     machine = {"kind": "machine", "name": "M", "materials": JOURNAL["materials"], "bearings": [bearing]}
-    (case,) = design_cases(case_from_dict(machine))
+    (case,) = case_from_dict(machine).problems()
     assert dict(case.given)["Journal material"] == words()["Journal material"]

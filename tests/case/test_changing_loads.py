@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from babbitt.case import CaseError, design_cases, load_case
+from babbitt.case import CaseError, load_case
 
 BEARING = """\
 kind: journal
@@ -36,7 +36,7 @@ TABLE = "angle [deg],fx [kN],fy [N]\n0,0,2000\n180,1,-20000\n540,-1,3000\n720,0,
 def load_of(tmp_path, text):
     file = tmp_path / "rod.yaml"
     file.write_text(BEARING + text, encoding="utf-8")
-    (film,) = design_cases(load_case(file))
+    (film,) = load_case(file).problems()
     return film
 
 

@@ -374,7 +374,7 @@ LINES = {"pivot": {"kind": "line", "radius": "290 mm", "fraction": 0.6}}
 def test_inertias_that_no_tilt_feels_are_told(kind, pads, unread):
     base = given(kind)
     inertias = {"inertia_radial": "0.06 kg m2", "inertia_along": "0.05 kg m2"}
-    (design,) = case_from_dict(base | {"pads": base["pads"] | pads | inertias}).designs()
+    (design,) = case_from_dict(base | {"pads": base["pads"] | pads | inertias}).problems()
     said = [f"{one.code} {one.message}" for one in getattr(design, "thrust", design).doubts]
     assert {one for one in ("pads.inertia_radial", "pads.inertia_along") if is_told_unread(one, said)} == unread
 

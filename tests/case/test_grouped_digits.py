@@ -3,7 +3,7 @@
 import pytest
 
 from babbitt import solve
-from babbitt.case import case_from_dict, design_cases
+from babbitt.case import case_from_dict
 
 JOURNAL = {
     "kind": "journal",
@@ -21,7 +21,7 @@ JOURNAL = {
 
 
 def doubts(**changes) -> list[str]:
-    (case,) = design_cases(case_from_dict(JOURNAL | changes))
+    (case,) = case_from_dict(JOURNAL | changes).problems()
     assert {notice.code for notice in case.doubts} <= {"W181"}
     return [notice.message for notice in case.doubts]
 
@@ -57,7 +57,7 @@ def test_what_a_thousand_times_would_be_refused_stays_quiet():
 
 def test_the_digits_of_a_point_are_its_own():
     points = [{"name": "base"}, {"name": "light", "load": "1.500 kN"}]
-    cases = design_cases(case_from_dict(JOURNAL | {"operating_points": points}))
+    cases = case_from_dict(JOURNAL | {"operating_points": points}).problems()
     told = [[notice.message.split(":")[0] for notice in case.doubts] for case in cases]
     assert told == [[], ["operating_points.1.load"]]
 
@@ -72,10 +72,10 @@ def test_what_a_machine_shares_is_told_at_each_bearing():
         "supply": {"temperature": "50 degC", "pressure": "1.500 bar"},
         "bearings": [own, own | {"name": "Other", "load": "5.500 kN"}],
     }
-    told = [[one.message.split(":")[0] for one in case.doubts] for case in design_cases(case_from_dict(machine))]
+    told = [[one.message.split(":")[0] for one in case.doubts] for case in case_from_dict(machine).problems()]
     assert told == [[], ["load"]]  # 1500 bar is no supply pressure
     machine["supply"]["circulation_time"] = "2.500 min"
-    told = [[one.message.split(":")[0] for one in case.doubts] for case in design_cases(case_from_dict(machine))]
+    told = [[one.message.split(":")[0] for one in case.doubts] for case in case_from_dict(machine).problems()]
     assert told == [["supply.circulation_time"], ["supply.circulation_time", "load"]]
 
 

@@ -3,7 +3,7 @@
 import pytest
 
 from babbitt.case import CaseError, case_from_dict
-from babbitt.case.build import iso7902_cases, unknown_to_iso7902
+from babbitt.kinds.journal.case.build import iso7902_cases, unknown_to_iso7902
 
 FILM = {
     "kind": "journal",

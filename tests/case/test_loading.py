@@ -10,8 +10,6 @@ import yaml
 
 from babbitt.case import (
     CaseError,
-    JournalCase,
-    Machine,
     case_from_dict,
     check_files,
     kinds,
@@ -24,6 +22,7 @@ from babbitt.case import (
 from babbitt.case.part import Part
 from babbitt.case.problems import MOST_SHOWN
 from babbitt.core.units import reading
+from babbitt.kinds.journal.case.files import JournalCase, Machine
 
 MACHINE = yaml.safe_load(template("machine"))
 

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from babbitt import solve
-from babbitt.case import CaseError, case_from_dict, design_cases
+from babbitt.case import CaseError, case_from_dict
 from babbitt.core.notices import EXPLANATIONS
 from babbitt.core.notices.explanation import Effect
 
@@ -64,7 +64,7 @@ def test_a_load_angle_that_agrees_with_uneven_pockets(speed, angle, entry, leavi
             "supply_element": uneven(entry, leaving),
         }
     )
-    assert len(design_cases(case)) == 1
+    assert len(case.problems()) == 1
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
 from babbitt.export import Rotation, coefficient_table, in_load_frame, mirrored
-from babbitt.reynolds.lands.solve import solve_journal
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import JournalFilm, grooved_bore
 
 FILM = JournalFilm(0.1, 0.06, 80e-6, 0.02, 200.0, grooved_bore((0.0, math.pi), 0.3))

@@ -29,7 +29,7 @@ def test_all_states_of_the_pump():
     machine = solved()
     names = [result.name for result in machine.results]
     assert names == [f"Pump footstep ({state})" for state in ("smooth heel", "hot state", "cold state")]
-    assert len(machine.design_cases) == 3
+    assert len(machine.problems) == 3
     smooth, hot, cold = machine.results
     assert hot.load == pytest.approx(829.1176, rel=1e-5)
     assert hot.load_ratio_to_smooth == pytest.approx(hot.load / smooth.load, rel=1e-12)

@@ -192,9 +192,8 @@ segments:
   compliance: 0.5 um/MPa
   roughness: {bearing: 0.63 um, journal: 0.32 um}
 """
-    from babbitt.case import design_cases
 
-    (design,) = design_cases(parse_case(TEXT + more))
+    (design,) = parse_case(TEXT + more).problems()
     assert design.groove.mixing_factor == 0.5
     assert design.groove.pressure == pytest.approx(1e5)
     assert design.compliance == pytest.approx(0.5e-12)

@@ -22,7 +22,7 @@ from hydrostatic_bearings import (
 )
 
 from babbitt import load_case, solve
-from babbitt.case import design_cases, parse_case, template
+from babbitt.case import parse_case, template
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Outcome, Verdict
@@ -749,7 +749,7 @@ load: 10 kN
 def spindle(*bores):
     rows = ", ".join(f"{{kind: capillary, diameter: {bore} mm, length: 100 mm}}" for bore in bores)
     given = [line for line in SPINDLE.splitlines() if not line.startswith("restrictors")]
-    (made,) = parse_case("\n".join([*given, f"restrictors: [{rows}]"])).designs()
+    (made,) = parse_case("\n".join([*given, f"restrictors: [{rows}]"])).problems()
     return made
 
 
@@ -764,7 +764,7 @@ def test_recesses_may_have_different_restrictors():
     assert "stiffest_pressure_ratio" not in lifted.values  # of restrictors that are alike
     (mixed,) = parse_case(
         SPINDLE.replace("CAPILLARY", "{kind: capillary, diameter: 0.2 mm, length: 3 mm}")
-    ).designs()
+    ).problems()
     result = hydrostatic_check(mixed)
     assert result.outcome is Outcome.CONVERGED
     laws = [one.law(p, 5e6)[0] for one, p in
@@ -786,7 +786,7 @@ def test_oil_that_a_recess_pushes_back_is_not_pumped_again(method):
 @pytest.mark.parametrize(("gap", "words"), [(175.0, "left every gap with a film"), (-1e-6, "closed the gap")])
 def test_a_search_that_ends_nowhere_prints_no_absurd_gap(gap, words):
     """A ring whose tilt ran away was told to have a smallest gap of 1.75e+08 µm."""
-    (case,) = design_cases(parse_case(template("hydrostatic_thrust_ring")))
+    (case,) = parse_case(template("hydrostatic_thrust_ring")).problems()
     lost = replace(answer(case), ending=Ending.NOT_CONVERGED, minimum_gap=gap, carried=-3e7)
     outcome, said = judged(case, lost)
     assert outcome is Outcome.NOT_CONVERGED

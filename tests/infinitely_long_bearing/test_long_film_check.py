@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import babbitt
-from babbitt.case import CaseError, design_cases, parse_case
+from babbitt.case import CaseError, parse_case
 from babbitt.core.notices import EXPLANATIONS, InputError
 from babbitt.core.result import Outcome
 from babbitt.design.conditions import GivenEccentricity, GivenLoad, OilSupply
@@ -190,7 +190,7 @@ heat_exchange:
   exchange_zone: all_around
 accuracy: reference
 """
-    (design,) = design_cases(parse_case(TEXT + more))
+    (design,) = parse_case(TEXT + more).problems()
     assert design.exchange.nusselt == NusseltLaw(3.77, 0.0)
     assert design.exchange.bush == BushRing(pytest.approx(0.1), 45.0, 200.0)
     assert design.film.zone.value == "all_around"

@@ -5,7 +5,7 @@ from functools import partial
 
 import pytest
 
-from babbitt.case import case_from_dict, design_cases
+from babbitt.case import case_from_dict
 from babbitt.design.heat_balance import SPARING, THOROUGH, find_equilibrium
 from babbitt.kinds.journal.iso7902.film import curves_of, film_at
 
@@ -30,7 +30,7 @@ def some_bearing(seed):
         "lubricant": "ISO VG 46",
         "materials": {"bearing": chance.choice(["C10", "AlSi10Mg"]), "journal": "C45"},
     }
-    (design,) = design_cases(case_from_dict(given))
+    (design,) = case_from_dict(given).problems()
     return design
 
 

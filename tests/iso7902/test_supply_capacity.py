@@ -8,9 +8,10 @@ from design_cases import CASE_A, RPM
 
 from babbitt import parse_case
 from babbitt.case import case_from_dict
-from babbitt.case.build import film_cases, iso7902_cases
 from babbitt.core.result import Bound, Check, Verdict
 from babbitt.design.ducts import Duct
+from babbitt.kinds.journal.case.build import film_cases, iso7902_cases
+from babbitt.kinds.journal.film.check import film_check
 from babbitt.kinds.journal.iso7902.model import GivenLoad, OilSupply
 from babbitt.kinds.journal.iso7902.procedure import check, check_at_temperature
 from babbitt.kinds.journal.iso7902.supply import (
@@ -22,7 +23,7 @@ from babbitt.kinds.journal.iso7902.supply import (
 )
 from babbitt.kinds.journal.iso7902.supply_capacity import worse_of
 from babbitt.report.verdict import comparison
-from babbitt.solving import solve, solve_design
+from babbitt.solving import solve
 
 FAN = """
 kind: journal
@@ -52,7 +53,7 @@ def codes(notices):
 @pytest.fixture(scope="module")
 def fan():
     case = parse_case(FAN)
-    return solve_design(iso7902_cases(case, case)[0])
+    return check(iso7902_cases(case, case)[0])
 
 
 @pytest.mark.parametrize("place", Arrangement)
@@ -115,7 +116,7 @@ def test_two_pockets_feed_the_loaded_film_as_one_does():
         text = FAN.replace("kind: hole, diameter: 5 mm", "kind: pocket, width: 15 mm, extent: 15 deg")
         text = text.replace("place: opposite", f"place: {place}").replace("0.2 MPa", "0.01 MPa")
         case = parse_case(text + "effective_temperature: 60 degC\n")
-        capacities[place] = solve_design(iso7902_cases(case, case)[0]).supply_capacity
+        capacities[place] = check(iso7902_cases(case, case)[0]).supply_capacity
         pockets = "".join(f"  - {{angle: {angle} deg, width: 15 mm, extent: 15 deg}}\n" for angle in angles)
         lines = [line for line in text.splitlines() if not line.startswith(("span", "supply_element"))]
         film = parse_case(
@@ -249,7 +250,7 @@ def test_a_groove_all_around_passes_the_oil_of_its_film(pressure):
     """18 random bearings: adiabatic films pass 0.96 to 1.05 of the limited flow."""
     case = stranger("{kind: groove_360, width: 8 mm}", f"pressure: {pressure} MPa", "12 kN", "2000 rpm")
     (result,) = solve(case).results
-    film = solve_design(film_cases(case, case, "adiabatic")[0])
+    film = film_check(film_cases(case, case, "adiabatic")[0])
     assert film.total_flow == pytest.approx(result.starved_total_flow, rel=0.1)
     assert result.starved_outlet_temperature > film.outlet_temperature > result.outlet_temperature
 
@@ -285,7 +286,7 @@ def test_no_more_oil_comes_than_tubes_and_holes_pass(element, hole, verdict):
 def test_a_fast_supply_hole_is_told():
     """The film of a hole of 1 mm, 10.4 m/s, kept every limit without a remark."""
     case = stranger("{kind: hole, diameter: 1 mm, place: opposite}", "pressure: 0.2 MPa", "12 kN", "2000 rpm")
-    film = solve_design(film_cases(case, case)[0])
+    film = film_check(film_cases(case, case)[0])
     (said,) = [one.message for one in film.warnings if one.code == "W187"]
     velocity = film.total_flow / (math.pi / 4.0 * 0.001**2)
     assert f"{velocity:.1f} m/s" in said
@@ -308,7 +309,7 @@ def test_a_groove_that_leaves_narrow_lands_is_told():
 def test_the_estimate_is_near_the_film_that_conserves_its_oil(fan):
     """30 random bearings in benchmarks/supply_capacity.py: film 0.7 to 1.8 times the capacity, never hotter."""
     case = parse_case(FAN)
-    film = solve_design(film_cases(case, case, "adiabatic")[0])
+    film = film_check(film_cases(case, case, "adiabatic")[0])
     assert 0.5 < film.total_flow / fan.starved_total_flow < 2.0
     assert film.outlet_temperature < fan.starved_outlet_temperature
     assert film.outlet_temperature > fan.outlet_temperature + 10.0
@@ -318,7 +319,7 @@ def test_the_estimate_is_near_the_film_that_conserves_its_oil(fan):
 def test_a_starved_film_beyond_the_tables_of_the_standard_has_no_verdict():
     """The full film ends below an eccentricity of 0.95, the starved one above: its limits alone say nothing."""
     case = parse_case(FAN.replace("12 kN", "95 kN").replace("2000 rpm", "400 rpm"))
-    result = solve_design(iso7902_cases(case, case)[0])
+    result = check(iso7902_cases(case, case)[0])
     assert result.eccentricity_ratio < 0.95 < result.starved_eccentricity_ratio
     outside = [notice for notice in result.warnings if notice.code == "W129"]
     assert len(outside) == 1

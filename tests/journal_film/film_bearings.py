@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.case import case_from_dict, design_cases
+from babbitt.case import case_from_dict
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.solving import MachineResult, solve
 
@@ -29,7 +29,7 @@ def case(**given):
 
 
 def film(**given) -> FilmCase:
-    (found,) = design_cases(case(**given))
+    (found,) = case(**given).problems()
     assert isinstance(found, FilmCase)
     return found
 

@@ -5,7 +5,7 @@ import math
 import pytest
 from film_bearings import answer
 
-from babbitt.case import CaseError, case_hash, design_cases, load_case
+from babbitt.case import CaseError, case_hash, load_case
 from babbitt.solving import solve
 
 CASE = """
@@ -37,7 +37,7 @@ def written(folder, rows, heading="angle [deg],departure [um]"):
 
 def test_a_table_is_the_bore(tmp_path):
     case = load_case(written(tmp_path, [(a, departure(a)) for a in range(-180, 181, 5)]))
-    (design,) = design_cases(case)
+    (design,) = case.problems()
     for degrees in (-170.0, -90.0, 3.0, 181.0):
         assert design.bearing.bore.at(math.radians(degrees)) == pytest.approx(1e-6 * departure(degrees), abs=1e-7)
     points = [f"{departure(a)} um" for a in range(0, 360, 5)]

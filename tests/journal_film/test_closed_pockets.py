@@ -6,16 +6,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
-from babbitt.case import design_cases, parse_case
+from babbitt.case import parse_case
 from babbitt.core.result import Outcome
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.kinds.journal.film.check import film_check
 from babbitt.kinds.journal.film.closed_pockets import CLOSED, ClosedPressures, closed_film
 from babbitt.kinds.journal.film.field import pressure_on
 from babbitt.kinds.journal.film.thermal_film import film_equilibrium
+from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.heat.heat_model import FilmHeat
 from babbitt.reynolds.heat.thermal_equilibrium import thermal_film_at
-from babbitt.reynolds.lands.solve import film_at_position
 from babbitt.reynolds.model import JournalFilm, Pocket, Resolution, grooved_bore
 from babbitt.study.comparison import compare_methods
 
@@ -43,7 +43,7 @@ ANGLE, EXTENT, WIDTH = math.radians(250.0), math.radians(20.0), 0.024
 
 
 def design(text=TEXT):
-    (found,) = design_cases(parse_case(text))
+    (found,) = parse_case(text).problems()
     return found
 
 

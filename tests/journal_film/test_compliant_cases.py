@@ -16,7 +16,7 @@ from babbitt.reynolds.deformation.compliance import ColumnLiner
 from babbitt.reynolds.deformation.compliance_matrix import ComplianceMatrix
 from babbitt.reynolds.deformation.elastic_ring import ElasticRing, RingSupport
 from babbitt.reynolds.deformation.half_space import HalfSpace
-from babbitt.reynolds.lands.solve import solve_journal
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import JournalFilm, Resolution, grooved_bore
 
 AT = {"effective_temperature": "55 degC", "load": "60 kN", "accuracy": "draft"}

@@ -6,7 +6,7 @@ import pytest
 from film_bearings import answer
 
 from babbitt.kinds.journal.film.field import narrowest_gap_angle
-from babbitt.reynolds.lands.solve import film_at_position
+from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.model import Cavitation, JournalFilm, Land, grooved_bore
 
 QUICK = {"accuracy": "draft", "effective_temperature": "60 degC"}

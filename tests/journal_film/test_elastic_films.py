@@ -27,10 +27,11 @@ from babbitt.reynolds.deformation.compliance import (
 )
 from babbitt.reynolds.deformation.elastic_ring import ElasticRing
 from babbitt.reynolds.deformation.half_space import HalfSpace
-from babbitt.reynolds.deformation.thermal_growth import RingGrowth
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.heat.heat_model import BushRing, ConductingWalls, FilmHeat
 from babbitt.reynolds.heat.thermal_equilibrium import solve_thermal_journal
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
+from babbitt.reynolds.heat.thermal_growth import RingGrowth
 from babbitt.reynolds.model import JournalFilm, Resolution, grooved_bore
 from babbitt.reynolds.solution import FilmSolution
 

@@ -13,7 +13,8 @@ from babbitt.kinds.journal.film.elastic_film import displacement_under
 from babbitt.kinds.journal.film.equilibria import RestingPlace, RestingPlaces, find_equilibria
 from babbitt.kinds.journal.film.isothermal import operating_film
 from babbitt.kinds.journal.film.other_equilibria import doubts_about_rest, resting_places, resting_values
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import (
     DRAFT,
     ENGINEERING,

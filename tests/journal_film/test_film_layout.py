@@ -5,7 +5,7 @@ import math
 import pytest
 from film_bearings import answer, case, film
 
-from babbitt.case import CaseError, design_cases
+from babbitt.case import CaseError
 from babbitt.kinds.journal.film.layout import film_of
 from babbitt.reynolds.model import FilmStart
 
@@ -112,14 +112,14 @@ def test_what_the_film_does_not_read_beside_its_hollows_is_told():
     assert doubt.code == "W183"
     assert doubt.message.startswith("supply_element, span: ")
     points = [{"name": "a"}, {"name": "b", "supply_element": SLOT, "span": "120 deg"}]
-    first, second = design_cases(case(operating_points=points))
+    first, second = case(operating_points=points).problems()
     assert first.doubts == ()
     assert second.doubts[0].message.startswith("operating_points[1].supply_element, operating_points[1].span: ")
     assert codes(film()) == []
 
 
 def test_the_standard_tells_what_it_does_not_read():
-    (design,) = design_cases(case(method="iso7902", span="360 deg", supply_element=HOLE))
+    (design,) = case(method="iso7902", span="360 deg", supply_element=HOLE).problems()
     (doubt,) = design.doubts
     assert (doubt.code, doubt.message.split(":")[0]) == ("W183", "grooves")
 

@@ -16,7 +16,8 @@ from babbitt.kinds.journal.film.isothermal import operating_film
 from babbitt.kinds.journal.film.layout import load_vector
 from babbitt.kinds.journal.film.load_slope import confirmed_film, confirmed_state
 from babbitt.kinds.journal.film.model import Accuracy
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import Cavitation, Resolution
 
 LOBES = {

@@ -15,7 +15,8 @@ from babbitt.kinds.journal.film import orbit as orbit_module
 from babbitt.kinds.journal.film.changing_load import RotatingLoad, TabulatedLoad
 from babbitt.kinds.journal.film.moving_journal import HeavyJournal
 from babbitt.kinds.journal.film.orbit import find_orbit
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import (
     DRAFT,
     ENGINEERING,

@@ -5,12 +5,11 @@ import math
 import pytest
 from film_bearings import answer, case, solved
 
-from babbitt.case import design_cases
-from babbitt.case.build import iso7902_cases
 from babbitt.core.result import Outcome
+from babbitt.kinds.journal.case.build import iso7902_cases
+from babbitt.kinds.journal.film.check import film_solution
 from babbitt.kinds.journal.film.unloaded import NEEDS_A_LOAD
 from babbitt.kinds.journal.report.film_figures import all_figures
-from babbitt.solving import solve_design
 from babbitt.study.comparison import compare_methods
 
 AT_60 = {"effective_temperature": "60 degC"}
@@ -135,7 +134,7 @@ def test_a_centred_journal_carries_nothing_and_has_petroffs_torque(fed):
 
 
 def test_figures_of_a_centred_journal_vary_no_load():
-    (design,) = design_cases(case(**CENTRED, grooves=None, film_start="periodic", cavitation="reynolds"))
-    drawn = [drawing.name for drawing in all_figures(design, solve_design(design))]
+    (design,) = case(**CENTRED, grooves=None, film_start="periodic", cavitation="reynolds").problems()
+    drawn = [drawing.name for drawing in all_figures(film_solution(design))]
     assert "pressure-map" in drawn
     assert "stability-map" not in drawn

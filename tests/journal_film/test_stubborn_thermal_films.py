@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from babbitt.case import case_from_dict, design_cases, parse_case
+from babbitt.case import case_from_dict, parse_case
 from babbitt.core.result import Outcome
 from babbitt.design.conditions import GivenLoad
 from babbitt.design.heat_balance import Equilibrium
@@ -20,8 +20,7 @@ from babbitt.solving import solve
 
 def bearing(heat, size, clearance, supplies, oil, supply, pressure, speed):
     """A case from its diameter and width in mm, oil grade, supply in °C and MPa, load in MPa, speed in rpm."""
-    (case,) = design_cases(
-        parse_case(f"""
+    (case,) = parse_case(f"""
 kind: journal
 name: Stubborn
 method: film
@@ -35,8 +34,7 @@ supply: {{temperature: {supply[0]} degC, pressure: {supply[1]} MPa}}
 materials: {{bearing: EN-GJL-250, journal: C45}}
 specific_load: {pressure} MPa
 speed: {speed} rpm
-""")
-    )
+""").problems()
     assert isinstance(case, FilmCase)
     return case
 

@@ -10,9 +10,11 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from babbitt.case import design_cases, parse_case
+from babbitt.case import parse_case
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Outcome
+from babbitt.core.solution import Solution
+from babbitt.kinds.journal.compare.temperature_cost import cost_of_one_temperature
 from babbitt.kinds.journal.film import thermal_film as thermal_film_module
 from babbitt.kinds.journal.film import thermal_results as thermal_answer
 from babbitt.kinds.journal.film.check import film_check
@@ -25,10 +27,9 @@ from babbitt.kinds.journal.film.temperature_field import (
     temperature_through,
 )
 from babbitt.kinds.journal.film.thermal_film import following_stiffness, thermal_operating_film
-from babbitt.kinds.journal.report.coefficient_temperatures import beside_coefficient
-from babbitt.kinds.journal.study.temperature_cost import cost_of_one_temperature
 from babbitt.properties.fits import operating_relative_clearance
 from babbitt.report.bearing_table import bearing_table
+from babbitt.report.coefficient_temperatures import beside_coefficient
 from babbitt.reynolds.stability.routh import critical_mass
 from babbitt.study.comparison import compare_methods
 
@@ -54,7 +55,7 @@ speed: 3000 rpm
 
 
 def design(text=TEXT):
-    (found,) = design_cases(parse_case(text))
+    (found,) = parse_case(text).problems()
     return found
 
 
@@ -265,7 +266,7 @@ def test_fields_carry_the_temperature(full):
     xarray = pytest.importorskip("xarray")
     from babbitt.report.fields import fields
 
-    data = fields(case, result)
+    data = fields(Solution(case, result, state))
     assert isinstance(data, xarray.Dataset)
     assert data["temperature"].dims == ("theta", "z")
     assert float(data["temperature_through"].max()) == pytest.approx(result.maximum_temperature, abs=1e-6)

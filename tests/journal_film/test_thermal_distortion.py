@@ -6,13 +6,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from babbitt.case import design_cases, parse_case
+from babbitt.case import parse_case
 from babbitt.core.result import Outcome
+from babbitt.kinds.journal.compare.thermal_variants import thermal_variants
 from babbitt.kinds.journal.film import thermal_results as thermal_answer_module
 from babbitt.kinds.journal.film import values as film_values_module
 from babbitt.kinds.journal.film.check import film_check
 from babbitt.kinds.journal.film.thermal_film import thermal_operating_film
-from babbitt.kinds.journal.study.thermal_variants import thermal_variants
 from babbitt.reynolds.heat import thermal_equilibrium as thermal_module
 
 TEXT = """
@@ -40,7 +40,7 @@ SOFT = "compliance: [{kind: ring, outer_diameter: 220 mm, elastic_modulus: 110 G
 
 
 def design(text):
-    (found,) = design_cases(parse_case(text))
+    (found,) = parse_case(text).problems()
     return found
 
 

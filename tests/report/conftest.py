@@ -6,9 +6,17 @@ import math
 from dataclasses import replace
 
 import pytest
-from hand_made import PUBLISHED, HandMadeMachine, hand_made_result
+from hand_made import KIND, PUBLISHED, HandMadeMachine, hand_made_result
 
+from babbitt.core import kind
 from babbitt.core.result import Bound, Check, Outcome, Result
+
+
+@pytest.fixture(autouse=True)
+def hand_made_kind(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The kind of results built by hand."""
+    kind.find_kind("journal")
+    monkeypatch.setitem(kind._REGISTERED, KIND.name, KIND)
 
 
 @pytest.fixture

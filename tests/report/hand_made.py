@@ -7,7 +7,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from babbitt.core.kind import Kind
+from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check, Outcome, Result
+from babbitt.core.solution import Solution
+from babbitt.kinds.journal.report.views import ISO7902
+from babbitt.report.view import View
 
 ZERO_CELSIUS = 273.15
 
@@ -27,18 +32,40 @@ PUBLISHED = (
 )
 
 
+VIEW = View(
+    "ISO 7902", "Operating point", ISO7902.key_results, columns=ISO7902.columns, overview=ISO7902.overview
+)  # fmt: skip
+"""Of results that nothing was computed for: no inputs, no calculation, no figures."""
+
+KIND = Kind("hand_made", "results built by hand", "", "", views={"iso7902": "hand_made:VIEW"})
+
+
+@dataclass(frozen=True)
+class HandMadeProblem:
+    """What the reports read of a problem."""
+
+    name: str
+    given: tuple[tuple[str, str], ...] = ()
+    doubts: tuple[Notice, ...] = ()
+
+
 @dataclass(frozen=True)
 class HandMadeMachine:
     """What the reports read of a solved machine."""
 
     name: str
     results: tuple[Result, ...]
-    design_cases: tuple[object, ...] = ()
+    problems: tuple[object, ...] = ()
     case_hash: str = "0f1e2d3c4b5a69788796a5b4c3d2e1f00f1e2d3c4b5a69788796a5b4c3d2e1f0"
     version: str = "0.1.0"
     case_text: str = ""
     source: str = ""
     notes: str = ""
+
+    @property
+    def solutions(self) -> tuple[Solution, ...]:
+        problems = self.problems or [HandMadeProblem(result.name) for result in self.results]
+        return tuple(Solution(*pair) for pair in zip(problems, self.results, strict=True))
 
 
 def hand_made_result(row: tuple[object, ...]) -> Result:
@@ -64,4 +91,4 @@ def hand_made_result(row: tuple[object, ...]) -> Result:
         Check("C102", "specific_load", p * 1e6, 15e6, Bound.AT_MOST, "B83, calm load"),
         Check("C103", "outlet_temperature", t_ex + ZERO_CELSIUS, 110 + ZERO_CELSIUS, Bound.AT_MOST, "experience"),
     )
-    return Result(str(name), "journal", "iso7902", Outcome.CONVERGED, values, checks)
+    return Result(str(name), KIND.name, "iso7902", Outcome.CONVERGED, values, checks)

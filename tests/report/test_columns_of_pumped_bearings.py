@@ -4,7 +4,8 @@ import pytest
 from heels import STUDY
 
 from babbitt.case import parse_case, template
-from babbitt.report.columns import ABSENT, columns_of
+from babbitt.report.columns import ABSENT
+from babbitt.report.machine_table import columns_of
 from babbitt.solving import solve
 
 

@@ -11,8 +11,8 @@ from babbitt.case import load_case, parse_case
 from babbitt.core.result import Verdict
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.report import comparison_table
-from babbitt.report.comparison_figure import write_comparison_plots
 from babbitt.report.comparison_page import write_comparison_page
+from babbitt.report.comparison_plots import write_comparison_plots
 from babbitt.report.comparison_table import objected, print_comparison
 from babbitt.study.comparison import compare_methods
 
@@ -54,7 +54,7 @@ def test_temperatures_around_the_bore_are_drawn_where_a_film_of_finite_width_has
     found = compare_methods(load_case(EXAMPLES / f"{name}.yaml"))
     (plot,) = write_comparison_plots(found, tmp_path)
     write_comparison_page(found, tmp_path / "page.html")
-    assert any(isinstance(one.design, FilmCase) for one in found[0].methods) is around
+    assert any(isinstance(one.solution.problem, FilmCase) for one in found[0].methods) is around
     assert ("counter-clockwise" in plot.read_text(encoding="utf-8")) is around
     assert plot.stat().st_size > 5000
 
@@ -65,7 +65,7 @@ def test_methods_stand_from_the_one_that_sees_least_with_the_one_asked_for_marke
     assert labels[0] == "ISO 7902"
     assert labels[-2:] == ["adiabatic film", "full thermal film"]
     assert found.asked.label == "full thermal film"
-    rows = {row.meaning: row.cells for row in comparison_table.compared_rows(found.methods)}
+    rows = {row.meaning: row.cells for row in comparison_table.compared_rows(found.compared, found.methods)}
     # with the oil that its half groove delivers
     assert rows["Margin of the temperature to its limit"][0] == "+16.9 K"
     assert rows["Oil temperature at the outlet, T_ex"][2] == "–"  # the temperature is prescribed
@@ -81,7 +81,8 @@ def test_methods_that_disagree_are_named():
     (bad,) = [one for one in found.variants if one.label == "film, one temperature"]
     assert bad.result.verdict is Verdict.FAIL
     kept = tuple(check for check in bad.result.checks if check.ok)
-    good = replace(bad, label="mild", result=replace(bad.result, warnings=(), checks=kept, not_checked=()))
+    mild = replace(bad.result, warnings=(), checks=kept, not_checked=())
+    good = replace(bad, label="mild", solution=replace(bad.solution, result=mild))
     said = "The methods disagree: limits kept by mild are missed by film, one temperature."
     assert comparison_table.contradiction([good, bad]) == said
     assert comparison_table.contradiction([good]) == comparison_table.contradiction([bad]) == ""

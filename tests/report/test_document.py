@@ -9,11 +9,13 @@ from html.parser import HTMLParser
 
 import gear_cases
 import pytest
+from hand_made import HandMadeProblem
 
 from babbitt.core.files import writing
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome, Result
 from babbitt.core.result_name import ResultName
+from babbitt.core.solution import Solution
 from babbitt.kinds.journal.iso7902 import DesignCase, check
 from babbitt.kinds.journal.iso7902.model import GivenLoad
 from babbitt.report.content import content
@@ -28,13 +30,17 @@ class Solved:
     """What a report reads of a machine."""
 
     name: str
-    design_cases: tuple[DesignCase, ...]
+    problems: tuple[object, ...]
     results: tuple[Result, ...]
     case_hash: str = "ab" * 32
     version: str = "0.1.0"
     case_text: str = ""
     source: str = ""
     notes: str = ""
+
+    @property
+    def solutions(self) -> tuple[Solution, ...]:
+        return tuple(Solution(*pair) for pair in zip(self.problems, self.results, strict=True))
 
 
 def solved(name: str, *cases: DesignCase) -> Solved:
@@ -146,7 +152,7 @@ def test_the_numbers_are_those_of_the_result(one_page):
 @pytest.fixture
 def no_figures(monkeypatch):
     """Figures carry no text of a case; leaving them out saves most of the time."""
-    monkeypatch.setattr("babbitt.report.bearing_content.draw", lambda *_: ())
+    monkeypatch.setattr("babbitt.kinds.journal.report.iso7902_figures.draw", lambda *_: ())
 
 
 @pytest.mark.usefixtures("no_figures")
@@ -210,7 +216,7 @@ def test_an_unsolved_bearing_shows_why_and_no_operating_point():
 def test_a_result_without_a_film_has_a_report_of_its_own():
     values = {"reaction_1": 380.3e3, "reaction_2": 363.8e3, "wall_time": 0.1}
     statics = Result("Output shaft", "overhung_coupling", "statics", Outcome.CONVERGED, values)
-    machine = Solved("Output shaft", (), (statics,))
+    machine = Solved("Output shaft", (HandMadeProblem("Output shaft"),), (statics,))
     page = Reader(report(machine, "html"))
     assert "380.30" in page.text
     assert "wall" not in page.text.lower()

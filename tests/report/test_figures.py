@@ -21,8 +21,9 @@ pytest.importorskip("matplotlib")
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from babbitt.kinds.journal.report import plots as painters
+from babbitt.kinds.journal.report.iso7902_figures import ClearanceRange, clearance_range, draw
 from babbitt.report.drawing import Drawing, mathematics, style
-from babbitt.report.figures import ClearanceRange, clearance_range, draw, write_plots
+from babbitt.report.figures import write_plots
 
 CASES = gear_cases.varied_cases()
 SUPPOSED = ClearanceRange(0.8e-3, 1.4e-3, given=False)

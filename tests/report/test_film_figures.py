@@ -14,13 +14,12 @@ import numpy as np
 import pytest
 from scipy.integrate import simpson
 
-from babbitt.case import design_cases, load_case
+from babbitt.case import load_case
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
-from babbitt.kinds.journal.film.check import film_check
+from babbitt.kinds.journal.film.check import film_solution
 from babbitt.kinds.journal.film.field import clearance_outline, field_of, supply_patches
 from babbitt.kinds.journal.film.model import Accuracy
-from babbitt.kinds.journal.report.film_state import SLOW, state_of
 from babbitt.kinds.journal.study.locus import locus_over_load, locus_over_speed
 from babbitt.kinds.journal.study.stability_map import StabilityMap, stability_map
 from babbitt.reynolds.model import Cavitation
@@ -28,9 +27,8 @@ from babbitt.solving import MachineResult
 
 pytest.importorskip("matplotlib")
 
-from babbitt.kinds.journal.report import film_curves, film_polar, film_stability
-from babbitt.kinds.journal.report.film_figures import LEFT_OUT, all_figures, report_figures
-from babbitt.report import maps as film_maps
+from babbitt.kinds.journal.report import film_curves, film_maps, film_polar, film_stability
+from babbitt.kinds.journal.report.film_figures import LEFT_OUT, SLOW, all_figures, report_figures
 from babbitt.report.bearing_content import bearing_content
 from babbitt.report.chapters import chapters
 from babbitt.report.drawing import style
@@ -45,8 +43,8 @@ NAMES = ("two", "clockwise", "reynolds", "lobes", "pinion", "tilted")
 
 
 @cache
-def bearing(name):
-    """Case, result and film of a bearing."""
+def solution(name):
+    """A bearing with its film."""
     case = {
         "two": lambda: film_bearings.film(),
         "clockwise": lambda: film_bearings.film(speed="-3000 rpm", load_angle="-60 deg"),
@@ -54,14 +52,20 @@ def bearing(name):
         "lobes": lambda: film_bearings.film(
             grooves=LOBES, bore={"kind": "lobes", "preload": 0.5}, load="5 kN", speed="-6000 rpm"
         ),
-        "pinion": lambda: design_cases(load_case(GEAR))[2],
+        "pinion": lambda: load_case(GEAR).problems()[2],
         "tilted": lambda: film_bearings.film(
             grooves=None, pockets=POCKETS, misalignment={"x": "0.1 mrad", "y": "0.2 mrad"}
         ),
     }[name]()
-    result = film_check(case)
-    assert result.outcome.solved, result.message
-    return case, result, state_of(case, result)
+    found = film_solution(case)
+    assert found.result.outcome.solved, found.result.message
+    return found
+
+
+def bearing(name):
+    """Case, result and film of a bearing."""
+    found = solution(name)
+    return found.problem, found.result, found.state
 
 
 @cache
@@ -72,8 +76,7 @@ def field(name):
 
 @cache
 def drawn(name):
-    case, result, _ = bearing(name)
-    return all_figures(case, result)
+    return all_figures(solution(name))
 
 
 # -- the field ---------------------------------------------------------------------------------------------------
@@ -162,8 +165,7 @@ def test_every_bearing_has_all_figures_readable_in_grey(name):
 
 
 def test_equal_input_gives_equal_bytes():
-    case, result, _ = bearing("lobes")
-    assert [drawing.image for drawing in all_figures(case, result)] == [
+    assert [drawing.image for drawing in all_figures(solution("lobes"))] == [
         drawing.image for drawing in drawn("lobes")
     ]
 
@@ -326,8 +328,7 @@ def test_names_of_levels_keep_off_edges_and_supplies():
 
 
 def test_the_report_has_the_figures_of_a_film():
-    case, result, _ = bearing("two")
-    (chapter,) = chapters((case,), (result,))
+    (chapter,) = chapters((solution("two"),))
     figures = bearing_content(chapter)["figures"]
     assert [figure["name"] for figure in figures] == REPORTED
     wide = [figure["name"] for figure in figures if figure["wide"]]
@@ -339,17 +340,15 @@ def test_the_report_has_the_figures_of_a_film():
 
 
 def test_a_slow_film_says_in_the_report_what_is_left_out(monkeypatch):
-    case, result, state = bearing("tilted")
-    assert state.solution.pressure.size < SLOW
-    monkeypatch.setattr("babbitt.kinds.journal.report.film_state.SLOW", 10)
-    drawings = report_figures(case, result)
+    assert solution("tilted").state.solution.pressure.size < SLOW
+    monkeypatch.setattr("babbitt.kinds.journal.report.film_figures.SLOW", 10)
+    drawings = report_figures(solution("tilted"))
     assert [drawing.name for drawing in drawings] == REPORTED[:2]
     assert drawings[0].caption.endswith(LEFT_OUT)
 
 
 def machine(*names):
-    solved = [bearing(name) for name in names]
-    return MachineResult("m", tuple(s[1] for s in solved), tuple(s[0] for s in solved), "0" * 64)
+    return MachineResult("m", tuple(map(solution, names)), "0" * 64)
 
 
 def test_plots_of_a_film_are_written_numbered_as_the_bearings(tmp_path):
@@ -360,11 +359,10 @@ def test_plots_of_a_film_are_written_numbered_as_the_bearings(tmp_path):
 
 
 def test_an_unsolved_film_has_no_figures(tmp_path):
-    case = film_bearings.film(load="90 MN")
-    result = film_check(case)
-    assert not result.outcome.solved
-    assert report_figures(case, result) == all_figures(case, result) == ()
-    assert write_plots(MachineResult("m", (result,), (case,), "0" * 64), tmp_path) == ()
+    found = film_solution(film_bearings.film(load="90 MN"))
+    assert not found.result.outcome.solved
+    assert report_figures(found) == all_figures(found) == ()
+    assert write_plots(MachineResult("m", (found,), "0" * 64), tmp_path) == ()
 
 
 def test_a_figure_that_fails_leaves_no_file_and_no_folder(tmp_path, monkeypatch):
@@ -385,8 +383,7 @@ def dataset():
     pytest.importorskip("xarray")
     from babbitt.report.fields import fields
 
-    case, result, _ = bearing("pinion")
-    return fields(case, result)
+    return fields(solution("pinion"))
 
 
 def test_every_variable_has_a_name_and_a_unit(dataset):
@@ -413,8 +410,7 @@ def test_fields_survive_the_file(dataset, tmp_path):
 
     from babbitt.report.fields import write_fields
 
-    case, result, _ = bearing("pinion")
-    write_fields(case, result, tmp_path / "film.nc")
+    write_fields(solution("pinion"), tmp_path / "film.nc")
     with xarray.open_dataset(tmp_path / "film.nc", engine="h5netcdf") as read:
         xarray.testing.assert_identical(read.load(), dataset)
     assert [path.name for path in tmp_path.iterdir()] == ["film.nc"]
@@ -424,14 +420,13 @@ def test_fields_survive_the_file(dataset, tmp_path):
 def test_fields_that_cannot_be_written_leave_nothing(tmp_path):
     from babbitt.report.fields import write_fields
 
-    case, result, _ = bearing("two")
     with pytest.raises(InputError, match=r"ends in \.nc"):
-        write_fields(case, result, tmp_path / "film.csv")
+        write_fields(solution("two"), tmp_path / "film.csv")
     with pytest.raises(InputError, match="does not exist"):
-        write_fields(case, result, tmp_path / "none" / "film.nc")
-    unsolved = film_check(film_bearings.film(load="90 MN", accuracy=Accuracy.DRAFT.value))
+        write_fields(solution("two"), tmp_path / "none" / "film.nc")
+    unsolved = film_solution(film_bearings.film(load="90 MN", accuracy=Accuracy.DRAFT.value))
     with pytest.raises(InputError, match="without an operating point"):
-        write_fields(case, unsolved, tmp_path / "film.nc")
+        write_fields(unsolved, tmp_path / "film.nc")
     assert list(tmp_path.iterdir()) == []
 
 
@@ -443,21 +438,21 @@ def test_a_missing_extra_is_named(package, tmp_path, monkeypatch):
     from babbitt.report.fields import write_fields
 
     monkeypatch.setitem(sys.modules, package, None)
-    case, result, _ = bearing("two")
     with pytest.raises(InputError, match=r"'\.\[files\]' in a clone"):
-        write_fields(case, result, tmp_path / "film.nc")
+        write_fields(solution("two"), tmp_path / "film.nc")
     assert list(tmp_path.iterdir()) == []
 
 
 def test_the_orbit_is_drawn_where_there_is_one():
     case = film_bearings.film(dynamic_load={"kind": "rotating", "magnitude": "10 kN"})
-    result = film_check(case)
-    drawn = {drawing.name for drawing in report_figures(case, result)}
+    found = film_solution(case)
+    result = found.result
+    drawn = {drawing.name for drawing in report_figures(found)}
     assert drawn == {*REPORTED, "orbit"}
     from babbitt.kinds.journal.report.film_orbit import orbit
 
     with style():
-        figure = orbit(state_of(case, result), result)
+        figure = orbit(found.state, result)
     rows = np.array(result.arrays["orbit"])
     thickness = 1e6 * rows[:, 5]
     (panel,) = [axes for axes in figure.axes if "µm" in axes.get_ylabel()]
@@ -468,5 +463,5 @@ def test_the_orbit_is_drawn_where_there_is_one():
 
 def test_a_film_without_stiffness_has_no_curves():
     case = film_bearings.film(grooves=None, cavitation="half_sommerfeld", effective_temperature="60 degC")
-    drawn = [drawing.name for drawing in report_figures(case, film_check(case))]
+    drawn = [drawing.name for drawing in report_figures(film_solution(case))]
     assert drawn == ["pressure-map", "pressure-polar"]

@@ -69,7 +69,7 @@ def test_stable_branches_are_full_and_unstable_ones_broken():
 
     from babbitt.kinds.footstep.report import figures as heel_figures
 
-    case = solve(parse_case(TEXT)).design_cases[1]
+    case = solve(parse_case(TEXT)).problems[1]
     with heel_figures.style():
         figure = heel_figures._over_clearance(case)
     load = figure.axes[4]
@@ -86,7 +86,7 @@ def test_curves_of_the_study_are_drawn_over_gap_and_clearance():
     """Temperature of the mixed oil and leakage, its Figs. 2 and 3; golden values at 20/20 um as marks."""
     from babbitt.kinds.footstep.report import figures as heel_figures
 
-    case = solve(parse_case(TEXT)).design_cases[1]
+    case = solve(parse_case(TEXT)).problems[1]
     with heel_figures.style():
         figures = heel_figures._over_clearance(case), heel_figures._over_gap(case)
     for figure, names in zip(figures, (heel_figures.OVER_CLEARANCE, heel_figures.OVER_GAP), strict=True):
@@ -102,7 +102,7 @@ def test_names_stand_beside_their_own_curves():
     """At the right edge of the load over the gap the hot curve's name stood beside the cold curve."""
     from babbitt.kinds.footstep.report import figures as heel_figures
 
-    case = solve(parse_case(TEXT)).design_cases[1]
+    case = solve(parse_case(TEXT)).problems[1]
     with heel_figures.style():
         panel = heel_figures._over_gap(case).axes[heel_figures.OVER_GAP.index("load")]
     low, high = panel.get_ylim()
@@ -136,7 +136,7 @@ def test_the_report_is_typeset(machine):
 def lines(machine):
     from babbitt.kinds.footstep.report.calculation import heel_calculation
 
-    for case, result in zip(machine.design_cases, machine.results, strict=True):
+    for case, result in zip(machine.problems, machine.results, strict=True):
         for section in heel_calculation(case, result):
             for line in section.lines:
                 yield result.name, line
@@ -171,6 +171,6 @@ def test_the_map_shows_where_no_state_exists(tmp_path):
     from babbitt.kinds.footstep.report import figures as heel_figures
 
     with heel_figures.style():
-        figure = heel_figures._map(machine.design_cases[1])
+        figure = heel_figures._map(machine.problems[1])
     hatched = [part for part in figure.axes[0].collections if getattr(part, "hatches", None)]
     assert hatched

@@ -128,7 +128,7 @@ CASES = {
 @pytest.fixture(scope="module", params=CASES)
 def solved(request):
     machine = solve(parse_case(CASES[request.param]))
-    (case,), (result,) = machine.design_cases, machine.results
+    (case,), (result,) = machine.problems, machine.results
     assert result.outcome is Outcome.CONVERGED, result.message
     return case, result
 
@@ -154,7 +154,7 @@ def test_printed_numbers_give_the_printed_result(solved):
 
 def test_lines_of_the_middle_are_the_closed_form():
     machine = solve(parse_case(CASES["journal, film"]))
-    (case,), (result,) = machine.design_cases, machine.results
+    (case,), (result,) = machine.problems, machine.results
     (middle,) = (s for s in hydrostatic_calculation(case, result) if s.title == "The centred journal")
     found = {line.name: line.value for line in middle.lines}
     lumps = journal_lumps(case.shape, 0.02, 0.0)
@@ -168,7 +168,7 @@ def test_lines_of_the_middle_are_the_closed_form():
 
 def test_an_unsolved_bearing_has_no_calculation():
     machine = solve(parse_case(changed(PAD, load="30 kN", method="quick")))
-    assert hydrostatic_calculation(machine.design_cases[0], machine.results[0]) == ()
+    assert hydrostatic_calculation(machine.problems[0], machine.results[0]) == ()
 
 
 @pytest.mark.parametrize("name", ["pad", "journal, film", "ring", "jacking, strips"])

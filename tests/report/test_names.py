@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from babbitt import solve
-from babbitt.case import design_cases, parse_case
+from babbitt.case import parse_case
 from babbitt.core.result_name import ResultName
 from babbitt.report.chapters import chapters
 from babbitt.report.names import bearing_of, counted_results, listed, shortened, split_clearance
@@ -96,7 +96,8 @@ def machine_of(*names: str) -> str:
 @pytest.mark.parametrize("names", [("Pump [A]", "Pump [B]"), ("Gear (hot state)", "Gear (cold state)")])
 def test_brackets_in_names_of_bearings_tell_nothing(names):
     """Two bearings stay two, whatever their names look like: both are counted and summed."""
-    results = solve(parse_case(machine_of(*names))).results
+    machine = solve(parse_case(machine_of(*names)))
+    results = machine.results
     plain = solve(parse_case(machine_of("One", "Other"))).results
     found, expected = totals(results), totals(plain)
     assert found is not None
@@ -104,4 +105,4 @@ def test_brackets_in_names_of_bearings_tell_nothing(names):
     assert found.values == expected.values
     assert counted_results([result.name for result in results]) == "2 bearings"
     assert [result.name for result in results] == list(names)
-    assert len(chapters(design_cases(parse_case(machine_of(*names))), results)) == 2
+    assert len(chapters(machine.solutions)) == 2

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from babbitt.core.quantities import QUANTITIES
 from babbitt.kinds.journal.iso7902 import check
-from babbitt.report.columns import columns_of
+from babbitt.report.machine_table import columns_of
 from babbitt.report.verdict import written
 
 GEAR = tuple(check(case) for case in gear_cases.gear())

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from babbitt.case import load_case, parse_case
+from babbitt.kinds.journal.report.views import SEGMENTS
 from babbitt.properties.materials import bearing_metal
 from babbitt.report.citations import citations_of
 from babbitt.report.comparison_table import compared_rows
@@ -69,8 +70,8 @@ def test_chapter_of_a_groove_shows_both_comparisons(grooved):
     assert "Outlet without groove at the same gap" in shown
     assert "Outlet without groove under the same load" in shown
     assert any(warning["code"] == "W153" for group in chapter["warnings"] for warning in group["found"])
-    (case,) = grooved.design_cases
-    rows = {row.label: row.value for group in inputs(case) for row in group.rows}
+    (case,) = grooved.problems
+    rows = {row.label: row.value for group in inputs(case, SEGMENTS, ()) for row in group.rows}
     assert rows["Groove"] == "at -20° from the load line, 6 mm wide, open at both ends, or fed"
 
 
@@ -97,7 +98,7 @@ def test_grooves_side_by_side():
     assert list(by_label) == ["through groove", "blind groove", "cut in two", "no groove", *finite]
     assert by_label["through groove"].outlet_temperature > by_label["no groove"].outlet_temperature + 30.0
     assert len({round(one.load, 1) for one in by_label.values()}) == 1
-    rows = {row.meaning: row.cells for row in compared_rows(found.methods)}
+    rows = {row.meaning: row.cells for row in compared_rows(found.compared, found.methods)}
     assert set(rows["Groove from the load line with the rotation, θ_gF"]) == {"-20.0", "–"}
     assert len(set(rows["Groove from the widest gap with the rotation, θ_g"])) == 6  # none is alike, two are none
 

@@ -5,21 +5,24 @@ from __future__ import annotations
 import pytest
 
 from babbitt.case import kinds, parse_case, template
+from babbitt.core.kind import find_kind
 from babbitt.core.quantities import QUANTITIES
-from babbitt.report.columns import columns_of
-from babbitt.report.sweep_columns import KEY_RESULTS, panels_of, sweep_columns
+from babbitt.report.machine_table import columns_of
+from babbitt.report.sweep_columns import panels_of, sweep_columns
+from babbitt.report.view import find_view, view_of
 from babbitt.solving import solve
 
 
-def test_the_key_results_are_quantities_of_known_kinds():
-    assert KEY_RESULTS.keys() <= kinds().keys()
-    assert {name for names in KEY_RESULTS.values() for name in names} <= QUANTITIES.keys()
+@pytest.mark.parametrize("kind", [name for name in kinds() if find_kind(name).views])
+def test_key_results_are_quantities(kind):
+    for method in find_kind(kind).views:
+        assert set(find_view(kind, method).sweep) <= QUANTITIES.keys()
 
 
 @pytest.mark.parametrize("kind", ["overhung_coupling", "thrust"])
 def test_a_kind_has_columns_of_its_own_and_they_are_filled(kind):
     results = solve(parse_case(template(kind))).results
-    names = [name for name in KEY_RESULTS[kind] if name in results[0].values]
+    names = [name for name in view_of(results[0]).sweep if name in results[0].values]
     assert len(names) >= 5
     columns = sweep_columns(results)
     assert [column.heading for column in columns] == [QUANTITIES[name].symbol for name in names]

@@ -11,7 +11,7 @@ from rich.console import Console
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
-from babbitt.report.columns import columns_of
+from babbitt.report.machine_table import columns_of
 from babbitt.report.table import console, print_machine
 
 

@@ -10,10 +10,10 @@ from babbitt.case import template
 from babbitt.core.quantities import QUANTITIES
 from babbitt.kinds.thrust.report.sentences import answers as thrust_answers
 from babbitt.kinds.thrust.report.tables import tables
-from babbitt.report.columns import columns_of
 from babbitt.report.content import content
 from babbitt.report.export import to_json
 from babbitt.report.figures import write_plots
+from babbitt.report.machine_table import columns_of
 from babbitt.report.table import render
 from babbitt.solving import solve
 

@@ -41,7 +41,7 @@ def printed(machine: MachineResult) -> str:
 
 
 def input_rows(machine: MachineResult) -> dict[str, str]:
-    (chapter,) = chapters(machine.design_cases, machine.results)
+    (chapter,) = chapters(machine.solutions)
     groups = bearing_content(chapter)["inputs"]
     return {row["label"]: row["value"] for group in groups for row in group["rows"]}
 
@@ -53,14 +53,14 @@ def test_flows_that_are_not_found_are_told_with_the_reason(monkeypatch: pytest.M
     assert known.results[0].stable_at_any_mass == 1.0
     assert {"side_flow", "supply_flow"} <= set(known.results[0].values)
     lost = SimpleNamespace(outcome=Outcome.NOT_CONVERGED)
-    monkeypatch.setattr("babbitt.reynolds.lands.solve.film_at_position", lambda *_, **__: lost)
+    monkeypatch.setattr("babbitt.reynolds.equilibrium.position.film_at_position", lambda *_, **__: lost)
     machine = solve(parse_case(CASE))
     (result,) = machine.results
     assert set(result.missing) == {"side_flow", "supply_flow", "critical_mass"}
     assert result.total_flow == pytest.approx(known.results[0].total_flow, rel=1e-12)
     text = " ".join(printed(machine).split())
     assert text.count("without the supply pressure") >= 2
-    (chapter,) = chapters(machine.design_cases, machine.results)
+    (chapter,) = chapters(machine.solutions)
     labels = " ".join(row["label"] for row in bearing_content(chapter)["results"])
     assert labels.count("without the supply pressure") == 2
     (bearing,) = to_json(machine)["bearings"]

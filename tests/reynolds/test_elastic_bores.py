@@ -14,8 +14,8 @@ from babbitt.reynolds.deformation.compliance import BoreGrid, ColumnLiner, as_fi
 from babbitt.reynolds.deformation.compliance_matrix import ComplianceMatrix
 from babbitt.reynolds.deformation.elastic_ring import ElasticRing, RingSupport
 from babbitt.reynolds.deformation.half_space import HalfSpace, patch_displacement
-from babbitt.reynolds.deformation.thermal_growth import RingGrowth
 from babbitt.reynolds.heat.heat_model import BushRing
+from babbitt.reynolds.heat.thermal_growth import RingGrowth
 from babbitt.reynolds.model import JournalFilm, grooved_bore
 from babbitt.reynolds.surface.unwrapped_mesh import field_at
 

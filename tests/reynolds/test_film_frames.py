@@ -9,10 +9,10 @@ import pytest
 from babbitt.kinds.journal.film.elastic_film import ElasticFilm, elastic_film
 from babbitt.reynolds.deformation.elastic_ring import ElasticRing
 from babbitt.reynolds.deformation.half_space import HalfSpace
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.frame import LoadFrame
 from babbitt.reynolds.heat.heat_model import FilmHeat, HeatGrid
 from babbitt.reynolds.heat.thermal_equilibrium import solve_thermal_journal
-from babbitt.reynolds.lands.solve import solve_journal
 from babbitt.reynolds.model import DRAFT, FilmStart, JournalFilm, Land, Pocket, Step, grooved_bore
 from babbitt.reynolds.solution import FilmSolution
 from babbitt.reynolds.surface.surface_solution import mirrored

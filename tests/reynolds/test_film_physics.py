@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 
 from babbitt.reynolds._structs import LAND_COLUMNS, Bearing
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.lands._equilibrium import evaluate
 from babbitt.reynolds.lands._forces import RESULT_SIZE
 from babbitt.reynolds.lands._grids import new_film, new_grid, new_lines, uniform_lines
 from babbitt.reynolds.lands.operators import kernel_operator
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
 from babbitt.reynolds.model import (
     ENGINEERING,
     Cavitation,

@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import ENGINEERING, Cavitation, FilmStart, JournalFilm, Land, Resolution, grooved_bore
 
 DIAMETER, CLEARANCE, VISCOSITY, SPEED = 0.1, 1e-4, 0.02, 100.0

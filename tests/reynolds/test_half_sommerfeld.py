@@ -8,8 +8,9 @@ import pytest
 
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.lands.batch import solve_batch
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
 from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land, Resolution, grooved_bore
 
 # Friswell et al. (2010), Dynamics of Rotating Machines: D = 0.1 m, L = 0.03 m, c = 0.1 mm, 0.1 Pa s, 525 N

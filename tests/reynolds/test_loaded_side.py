@@ -7,7 +7,9 @@ import pytest
 
 from babbitt.core.result import Outcome
 from babbitt.kinds.journal.film.equilibria import find_equilibria
-from babbitt.reynolds.lands.solve import equilibrium_from, film_at_position, solve_journal
+from babbitt.reynolds.equilibrium.cavitating_film import equilibrium_from
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import DRAFT, ENGINEERING, REFERENCE, JournalFilm, grooved_bore
 from babbitt.reynolds.surface import surface_equilibrium as general
 

@@ -9,10 +9,11 @@ import pytest
 
 from babbitt.kinds.journal.film.elastic_film import displacement_under, elastic_film
 from babbitt.reynolds.deformation.compliance import ColumnLiner
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.heat.heat_model import FilmHeat, HeatGrid
 from babbitt.reynolds.heat.thermal_equilibrium import solve_thermal_journal
 from babbitt.reynolds.heat.thermal_solution import ThermalFilm
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
 from babbitt.reynolds.model import (
     DRAFT,
     ENGINEERING,

@@ -11,7 +11,8 @@ from ring_differences import assert_consistent
 
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land, Resolution, grooved_bore
 from babbitt.reynolds.oil.piezoviscosity import Barus, Roelands, pressure_of, pressure_table, reduced_pressure
 

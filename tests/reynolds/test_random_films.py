@@ -10,9 +10,10 @@ import pytest
 from films import film_faults, film_robustness, thermal_film_faults
 
 from babbitt.core.result import Outcome
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.heat import thermal_equilibrium as thermal
 from babbitt.reynolds.heat.heat_model import FilmHeat
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
 from babbitt.reynolds.model import JournalFilm, grooved_bore
 
 NUMBER = 200

@@ -8,8 +8,9 @@ import pytest
 
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
-from babbitt.reynolds.lands.starved import GivenFlow, feed_film
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
+from babbitt.reynolds.equilibrium.starved import GivenFlow, feed_film
 from babbitt.reynolds.model import ENGINEERING, Cavitation, FilmStart, JournalFilm, Land, Pocket, grooved_bore
 
 LITRE = 1e-3 / 60.0

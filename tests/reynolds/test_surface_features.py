@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from babbitt.core.notices import InputError
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import (
     DRAFT,
     ENGINEERING,

@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 
 from babbitt.core.notices import InputError
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.heat.heat_model import (
     BushRing,
     ConductingWalls,
@@ -16,7 +18,6 @@ from babbitt.reynolds.heat.heat_model import (
     mean_over_layers,
 )
 from babbitt.reynolds.heat.thermal_equilibrium import solve_thermal_journal, thermal_film_at
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
 from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land, Pocket, Resolution, grooved_bore
 from babbitt.reynolds.oil.piezoviscosity import Barus
 from babbitt.reynolds.oil.turbulence import NG_PAN, FilmTurbulence

@@ -8,8 +8,9 @@ import pytest
 
 from babbitt.reynolds.heat.globalisation import Mixing, mixed_rest, recovered
 from babbitt.reynolds.heat.heat_model import THERMAL_ENGINEERING, BushRing, ConductingWalls, FilmHeat, JournalHeat
-from babbitt.reynolds.heat.thermal_equilibrium import CLOSED, CLOSING, OPEN, cold_start, fresh_ring, rest
+from babbitt.reynolds.heat.thermal_equilibrium import CLOSED, CLOSING, OPEN
 from babbitt.reynolds.heat.thermal_film_state import GUESSED_SHARE
+from babbitt.reynolds.heat.thermal_passes import cold_start, fresh_ring, rest
 from babbitt.reynolds.lands._equilibrium import CONVERGED
 from babbitt.reynolds.model import FilmStart, JournalFilm, Land, Pocket, grooved_bore
 from babbitt.reynolds.scales import Scales

@@ -8,7 +8,8 @@ import pytest
 
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land, Pocket, Resolution, grooved_bore
 from babbitt.reynolds.surface.tilt_coefficients import tilt_coefficients
 

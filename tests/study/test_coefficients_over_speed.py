@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 from babbitt.core.notices import InputError
 from babbitt.export import FORMATS, Rotation, export, mirrored, write_ross
 from babbitt.kinds.journal.film import thermal_results as thermal_answer
-from babbitt.kinds.journal.study.coefficients import run_over_speed
+from babbitt.kinds.journal.film.coefficients_over_speed import run_over_speed
 from babbitt.study.speed_range import MOST_SPEEDS, speeds_of
 
 RPM = math.pi / 30.0

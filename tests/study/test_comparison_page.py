@@ -30,7 +30,7 @@ def test_the_page_says_what_one_temperature_costs_and_what_each_method_neglects(
     said = re.search(r"is (\d+)% thinner at its thinnest", page)
     thin = [one.result.minimum_film_thickness for one in methods if one.label in ("full thermal film", "ISO 7902")]
     assert int(said[1]) == round(100.0 * (1.0 - thin[0] / thin[1]))
-    for row in compared_rows(methods):
+    for row in compared_rows(comparison.compared, methods):
         assert len(row.cells) == len(methods)
         assert all(f'<td class="number">{cell}</td>' in page for cell in row.cells)
 

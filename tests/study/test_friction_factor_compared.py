@@ -4,10 +4,9 @@ import pytest
 
 from babbitt import parse_case
 from babbitt.case import CaseError
-from babbitt.case.build import iso7902_cases, long_films_of
-from babbitt.kinds.journal.iso7902 import DesignCase
-from babbitt.kinds.journal.study.thermal_variants import left_out_of_thermal_variants, thermal_variants
-from babbitt.solving import solve_design
+from babbitt.kinds.journal.case.build import iso7902_cases, long_films_of
+from babbitt.kinds.journal.compare.thermal_variants import left_out_of_thermal_variants, thermal_variants
+from babbitt.kinds.journal.iso7902 import DesignCase, check
 from babbitt.study.comparison import compare_methods
 
 BEARING = """
@@ -42,7 +41,7 @@ def test_thermal_films_are_compared_without_the_factor_and_say_so():
 
 def test_the_other_methods_compute_as_with_and_without_it():
     plain, case = parse_case(BEARING), parse_case(BEARING + "friction: {factor: 1.25}\n")
-    standard, same = (solve_design(iso7902_cases(one, one)[0]) for one in (case, plain))
+    standard, same = (check(iso7902_cases(one, one)[0]) for one in (case, plain))
     assert standard.friction_power > 1.1 * same.friction_power  # the hotter film takes back a part
     assert long_films_of(case, case)[0] == long_films_of(plain, plain)[0]
 
@@ -50,7 +49,7 @@ def test_the_other_methods_compute_as_with_and_without_it():
 def test_the_other_models_of_friction_have_the_factor_too():
     case = parse_case(BEARING + "friction: {factor: 1.5}\n")
     (found,) = compare_methods(case)
-    standard = [one.design for one in found.variants if isinstance(one.design, DesignCase)]
+    standard = [one.solution.problem for one in found.variants if isinstance(one.solution.problem, DesignCase)]
     assert len(standard) == 3
     assert [design.friction_factor for design in standard] == [1.5] * 3
     powers = {one.label: one.result.friction_power for one in found.variants}

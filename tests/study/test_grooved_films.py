@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 
 from babbitt.case import load_case, parse_case
-from babbitt.case.build import bearings_of, design_cases
-from babbitt.kinds.journal.study.grooved_films import unknown_to_grooved_films
+from babbitt.kinds.journal.case.build import bearings_of
+from babbitt.kinds.journal.compare.grooved_films import unknown_to_grooved_films
 from babbitt.report.figures import write_plots
 from babbitt.solving import solve
 from babbitt.study.comparison import compare_methods
@@ -75,7 +75,7 @@ SEGMENTS_BLOCK = ("segments", "  groove", "  roughness")
 )
 def test_films_that_do_not_apply_are_left_out_with_the_reason(old, new, reason):
     case = parse_case(TEXT.replace(old, new))
-    ((bearing,), (design,)) = bearings_of(case), design_cases(case)
+    ((bearing,), (design,)) = bearings_of(case), case.problems()
     assert reason in unknown_to_grooved_films(bearing, design, case)
 
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from heels import STUDY
 
-from babbitt.case import design_cases, parse_case
+from babbitt.case import parse_case
 from babbitt.kinds.footstep.states import StateName
 from babbitt.kinds.footstep.study.sweep import sweep_heel
 
-FOOTSTEP = design_cases(parse_case(STUDY))[1].footstep
+FOOTSTEP = parse_case(STUDY).problems()[1].footstep
 
 
 def test_grid_of_states():

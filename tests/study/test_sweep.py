@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from babbitt.case import CaseError, case_from_dict, design_cases, load_case, parse_case, template
+from babbitt.case import CaseError, case_from_dict, load_case, parse_case, template
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
 from babbitt.solving import solve
@@ -119,6 +119,6 @@ def _plain():
 def test_only_a_case_as_it_was_read_can_be_varied():
     case = parse_case(TEXT)
     with pytest.raises(TypeError, match="a case, not DesignCase"):
-        sweep(design_cases(case)[0], "load", [5e3])
+        sweep(case.problems()[0], "load", [5e3])
     with pytest.raises(InputError, match="changed after it was read"):
         sweep(case.model_copy(update={"load": 5e3}), "width", [0.06])

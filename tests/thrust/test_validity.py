@@ -7,7 +7,7 @@ import pytest
 from trawler_pads import PAD, SPEED, VISCOSITY
 
 from babbitt import parse_case
-from babbitt.case import design_cases, template
+from babbitt.case import template
 from babbitt.core.notices import EXPLANATIONS, Effect
 from babbitt.core.result import Verdict
 from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
@@ -51,7 +51,7 @@ def test_oil_and_heat_are_results():
 
 def test_oil_or_heat_that_is_lost_and_damping_below_zero_have_no_verdict(monkeypatch):
     """Bounds: 1e-6 of the oil that passes a pad, 1e-3 of the friction power."""
-    (design,) = design_cases(parse_case(BASE))
+    (design,) = parse_case(BASE).problems()
     state = bearing_state(design)
 
     def told(found):

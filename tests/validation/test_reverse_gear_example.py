@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from babbitt.case import design_cases, load_case
+from babbitt.case import load_case
 from babbitt.design.conditions import surface_speed
 from babbitt.solving import solve
 from babbitt.validation.reference_data import reference_data
@@ -14,7 +14,7 @@ EXAMPLE = Path(__file__).resolve().parents[2] / "examples" / "marine_reverse_gea
 DATA = reference_data("reverse_gear")["inferred"]
 
 
-BEARINGS = list(zip(design_cases(load_case(EXAMPLE)), DATA["bearings"], strict=True))
+BEARINGS = list(zip(load_case(EXAMPLE).problems(), DATA["bearings"], strict=True))
 
 
 @pytest.mark.parametrize(("case", "inferred"), BEARINGS)
@@ -42,7 +42,5 @@ def test_bearing_by_bearing(case, inferred):
 def test_the_output_wheel_has_the_load_of_the_example_of_its_shaft():
     share = solve(load_case(EXAMPLE.with_name("output_wheel_load_share.yaml"))).results[0]
     for name in ("marine_reverse_gear.yaml", "reverse_gear_film.yaml"):
-        wheel = next(
-            case for case in design_cases(load_case(EXAMPLE.with_name(name))) if case.name == "Output wheel"
-        )
+        wheel = next(case for case in load_case(EXAMPLE.with_name(name)).problems() if case.name == "Output wheel")
         assert wheel.duty.load == pytest.approx(share.reaction_2, abs=10.0)

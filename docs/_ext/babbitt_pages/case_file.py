@@ -9,7 +9,7 @@ from typing import Any
 
 from pydantic import TypeAdapter
 
-from babbitt.case.every_kind import AnyCase
+from babbitt.case import any_case
 from babbitt.case.part import Part
 from babbitt.core.units import KINDS, Kind, written
 from babbitt_pages.markdown import anchor, code, table, text
@@ -59,7 +59,7 @@ class Section:
 
 def schema() -> Schema:
     """JSON Schema of all that a file can hold."""
-    described: Schema = TypeAdapter(AnyCase).json_schema()
+    described: Schema = TypeAdapter(any_case()).json_schema()
     return described
 
 

@@ -96,8 +96,8 @@ def flow() -> str:
     steps = (
         ("case file", "YAML, with units", "what you write"),
         ("Case", "checked, SI", "babbitt.case"),
-        ("DesignCase", "one film, one point", "standards.iso7902"),
-        ("Result", "values, checks, doubts", "babbitt.core.result"),
+        ("Problem", "one film, one point", "babbitt.kinds"),
+        ("Solution", "result and its film", "babbitt.core.solution"),
         ("table, JSON, report", "the engineer's units", "babbitt.report"),
     )
     width, step = 128.0, 148.0
@@ -109,7 +109,7 @@ def flow() -> str:
         drawing.words((x + width / 2, 72), home, size=11, ink=PALE)
         if index:
             drawing.line((x - step + width + 1, 123), (x - 2, 123), weight=2, arrow=True)
-    verbs = ("load_case", "design_cases", "check", "print, write")
+    verbs = ("load_case", "calculations", "method.solve", "print, write")
     for index, verb in enumerate(verbs):
         drawing.words((20.0 + index * step + (width + step) / 2, 166), verb, size=11, ink=ACCENT)
     drawing.words(

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from babbitt.reynolds.lands.solve import solve_journal
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import JournalFilm, Land, Pocket, Resolution, grooved_bore
 from babbitt.reynolds.solution import FilmSolution
 from babbitt_pages.svg import ACCENT, INK, PALE, SHADE, Drawing, Point, polar

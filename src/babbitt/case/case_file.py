@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING, Any, Literal, Self
 
 from pydantic import Field, PrivateAttr
 
+from babbitt.case.named_files import NamedFiles
 from babbitt.case.part import Part
 from babbitt.core.files.reading import Reach
-
-if TYPE_CHECKING:
-    from babbitt.case.designs import EveryDesign
+from babbitt.core.solution import Calculation
 
 
 @dataclass(frozen=True)
@@ -43,6 +42,28 @@ class CaseFile(Part):
     _text: str = PrivateAttr("")
     _files: tuple[FilePath, ...] = PrivateAttr(())
     _origin: Origin | None = PrivateAttr(None)
+
+    if TYPE_CHECKING:  # fields of every kind, each with its own description
+
+        @property
+        def kind(self) -> str:
+            """What the file describes."""
+
+        @property
+        def name(self) -> str:
+            """Of the bearing, machine or shaft."""
+
+        @property
+        def notes(self) -> str:
+            """To be shown in the report."""
+
+        @property
+        def source(self) -> str:
+            """Where the numbers come from."""
+
+        @property
+        def assumptions(self) -> tuple[str, ...]:
+            """To be shown in the report."""
 
     @property
     def text(self) -> str:
@@ -77,6 +98,28 @@ class CaseFile(Part):
         case._origin = origin
         return case
 
-    def designs(self) -> tuple[EveryDesign, ...]:
-        """Give what is to be computed, numbers in SI and all choices made; none for the statics of a shaft."""
-        return ()
+    @classmethod
+    def with_named_files(cls, given: dict[str, Any], files: NamedFiles) -> dict[str, Any]:
+        """Put what stands in the files that a case names in their place; here no field names one.
+
+        Parameters
+        ----------
+        given : dict
+            A case as it stands in the file; it is not changed.
+        files : NamedFiles
+            What the case may read.
+
+        Raises
+        ------
+        TableError
+            For the first file that cannot be used.
+        """
+        return given
+
+    def calculations(self) -> tuple[Calculation, ...]:
+        """Give what is to be computed and how: numbers in SI, all choices made, in the order of the file."""
+        raise NotImplementedError
+
+    def problems(self) -> tuple[Any, ...]:
+        """Give what is to be computed, without how."""
+        return tuple(one.problem for one in self.calculations())

@@ -1,42 +1,75 @@
-"""What a file can hold, by its `kind`; the model of a kind is imported when the first such file is read."""
+"""What a file can hold, by its `kind`: models and templates of the registered kinds."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from importlib import import_module
-from typing import TYPE_CHECKING
+from typing import Annotated, Any, Union
 
-if TYPE_CHECKING:
-    from babbitt.case.every_kind import Case
+from pydantic import Discriminator
 
-HOMES = {
-    "journal": ("journal.case.machine", "JournalCase"),
-    "machine": ("journal.case.machine", "Machine"),
-    "overhung_coupling": ("coupling.case.overhung_coupling", "OverhungCouplingCase"),
-    "screw_heel": ("footstep.case.footstep", "ScrewHeelCase"),
-    "hydrostatic_pad": ("hydrostatic.case.hydrostatic_pad", "HydrostaticPadCase"),
-    "hydrostatic_thrust_ring": ("hydrostatic.case.hydrostatic_thrust_ring", "HydrostaticThrustRingCase"),
-    "hydrostatic_journal": ("hydrostatic.case.hydrostatic_journal", "HydrostaticJournalCase"),
-    "jacking_pocket": ("hydrostatic.case.jacking", "JackingPocketCase"),
-    "thrust": ("thrust.case.thrust", "ThrustCase"),
-    "thrust_line": ("shaft_line.case.shaft_line", "ThrustLineCase"),
-}
-"""Module of `babbitt.kinds` and class of every kind."""
+from babbitt.case.case_file import CaseFile
+from babbitt.case.error_messages import nearest, shown
+from babbitt.core import kind as registry
+from babbitt.core.notices import InputError
+
+__all__ = ["KINDS", "any_case", "kinds", "template"]
 
 
-class Kinds(Mapping[str, "type[Case]"]):
-    """The model of every kind."""
+class Kinds(Mapping[str, type[CaseFile]]):
+    """The case model of every kind, imported when it is first asked for."""
 
-    def __getitem__(self, kind: str) -> type[Case]:
-        module, name = HOMES[kind]
-        model: type[Case] = getattr(import_module(f"babbitt.kinds.{module}"), name)
+    def __getitem__(self, name: str) -> type[CaseFile]:
+        found = registry.find_kind(name)
+        if found is None:
+            raise KeyError(name)
+        model: type[CaseFile] = found.load_model()
         return model
 
+    def __contains__(self, name: object) -> bool:
+        return isinstance(name, str) and registry.find_kind(name) is not None
+
     def __iter__(self) -> Iterator[str]:
-        return iter(HOMES)
+        return iter(registry.kinds())
 
     def __len__(self) -> int:
-        return len(HOMES)
+        return len(registry.kinds())
 
 
 KINDS = Kinds()
+
+
+def any_case() -> Any:
+    """The case of any kind in one type, discriminated by `kind`; imports the models of all kinds."""
+    models = tuple(KINDS.values())
+    return Annotated[Union[models], Discriminator("kind")]  # noqa: UP007 - the models are known at run time only
+
+
+def kinds() -> Mapping[str, str]:
+    """Give the kinds of case and what each describes.
+
+    >>> list(kinds())
+    ['journal', 'machine', 'overhung_coupling', 'screw_heel', 'hydrostatic_pad',
+    'hydrostatic_thrust_ring', 'hydrostatic_journal', 'jacking_pocket', 'thrust', 'thrust_line']
+    """
+    return {name: kind.description for name, kind in registry.kinds().items()}
+
+
+def template(kind: str) -> str:
+    """Give the commented case file of a kind.
+
+    Parameters
+    ----------
+    kind : str
+        One of `kinds`.
+
+    Raises
+    ------
+    InputError
+        E005 for another kind.
+    """
+    found = registry.find_kind(kind)
+    if found is None:
+        hint = nearest(kind, kinds())
+        says = f"{shown(kind)} is not a kind of case; allowed: {', '.join(kinds())}"
+        raise InputError("E005", f"{says}; {hint}" if hint else says)
+    return found.read_template()

@@ -5,26 +5,20 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path as FilePath
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from pydantic import ValidationError
 
-from babbitt.case.case_file import Origin
+from babbitt.case.case_file import CaseFile, Origin
 from babbitt.case.document import DocumentError, Node, read_document
 from babbitt.case.error_messages import Path, nearest, shown
 from babbitt.case.kinds import KINDS
 from babbitt.case.named_files import NamedFiles, TableError
-from babbitt.case.parts.bore_file import with_tables
-from babbitt.case.parts.compliance_file import with_compliances
-from babbitt.case.parts.displacement_file import with_displacements
 from babbitt.case.problems import CaseError, Problem
 from babbitt.core.files.printing import printable
 from babbitt.core.files.reading import Reach
 from babbitt.core.notices import InputError
 from babbitt.core.units import AS_WRITTEN
-
-if TYPE_CHECKING:
-    from babbitt.case.every_kind import Case
 
 LARGEST_FILE = 1_000_000
 """Bytes."""
@@ -39,7 +33,7 @@ BLAMED: dict[str, Path] = {"E202": ("pads", "pivot")}
 """Field to blame for a refusal that a solution shows, by its code."""
 
 
-def load_case(path: str | FilePath, reach: Reach = Reach.FOLDER) -> Case:
+def load_case(path: str | FilePath, reach: Reach = Reach.FOLDER) -> CaseFile:
     """Read a case file.
 
     Parameters
@@ -51,7 +45,7 @@ def load_case(path: str | FilePath, reach: Reach = Reach.FOLDER) -> Case:
 
     Returns
     -------
-    Case
+    CaseFile
 
     Raises
     ------
@@ -62,7 +56,7 @@ def load_case(path: str | FilePath, reach: Reach = Reach.FOLDER) -> Case:
     return _parsed(_text_of(path), printable(path), NamedFiles(path.parent, reach))
 
 
-def parse_case(text: str, name: str = "<text>", reach: Reach = Reach.FOLDER) -> Case:
+def parse_case(text: str, name: str = "<text>", reach: Reach = Reach.FOLDER) -> CaseFile:
     """Read a case from text, which stays with it as `text`.
 
     Parameters
@@ -109,7 +103,7 @@ def read_file(path: FilePath) -> dict[str, Any]:
     return dict(given)
 
 
-def build_case(given: Mapping[str, Any], name: str, files: NamedFiles) -> Case:
+def build_case(given: Mapping[str, Any], name: str, files: NamedFiles) -> CaseFile:
     """Read a case from a dictionary that may read some files.
 
     Raises
@@ -128,12 +122,12 @@ def _document(text: str, name: str) -> Node:
         raise CaseError([problem]) from None
 
 
-def _parsed(text: str, name: str, files: NamedFiles) -> Case:
+def _parsed(text: str, name: str, files: NamedFiles) -> CaseFile:
     root = _document(text, name)
     return _case(root.plain(), name, root, files).with_text(text)
 
 
-def case_from_dict(given: Mapping[str, Any], name: str = "<case>", reach: Reach = Reach.FOLDER) -> Case:
+def case_from_dict(given: Mapping[str, Any], name: str = "<case>", reach: Reach = Reach.FOLDER) -> CaseFile:
     """Read a case from a dictionary, as it would stand in a file.
 
     Raises
@@ -144,13 +138,13 @@ def case_from_dict(given: Mapping[str, Any], name: str = "<case>", reach: Reach 
     return _case(dict(given), name, None, NamedFiles(FilePath(), reach))
 
 
-def located(error: InputError, case: Case, file: str | FilePath) -> CaseError:
+def located(error: InputError, case: CaseFile, file: str | FilePath) -> CaseError:
     """The refusal of a case that was read, told with its file and, where it names one, its field.
 
     Parameters
     ----------
     error : InputError
-    case : Case
+    case : CaseFile
     file : str or Path
         What the case was read from.
     """
@@ -184,7 +178,7 @@ def _named_in(message: str, given: Any) -> Path:
     return ()
 
 
-def load_cases(paths: Iterable[str | FilePath], reach: Reach = Reach.FOLDER) -> tuple[Case, ...]:
+def load_cases(paths: Iterable[str | FilePath], reach: Reach = Reach.FOLDER) -> tuple[CaseFile, ...]:
     """Read several case files, or tell every problem of all of them at once.
 
     Raises
@@ -192,7 +186,7 @@ def load_cases(paths: Iterable[str | FilePath], reach: Reach = Reach.FOLDER) -> 
     CaseError
         With the problems of all files.
     """
-    cases: list[Case] = []
+    cases: list[CaseFile] = []
     problems: list[Problem] = []
     for path in paths:
         try:
@@ -213,7 +207,7 @@ def check_files(paths: Iterable[str | FilePath]) -> tuple[Problem, ...]:
     return ()
 
 
-def _case(given: Any, name: str, root: Node | None, files: NamedFiles) -> Case:
+def _case(given: Any, name: str, root: Node | None, files: NamedFiles) -> CaseFile:
     if not isinstance(given, dict):
         says = f"the file holds {shown(given)}"
         raise CaseError([Problem(name, 1, "", says, allowed="a mapping of fields that begins with kind: ...")])
@@ -227,8 +221,9 @@ def _case(given: Any, name: str, root: Node | None, files: NamedFiles) -> Case:
         hint = nearest(kind, KINDS) if isinstance(kind, str) else ""
         raise CaseError([_problem(name, root, given, ("kind",), says, ", ".join(KINDS), hint)])
     try:
-        read = with_compliances(with_displacements(with_tables(given, files), files), files)
-        case = KINDS[kind].model_validate(read, context=AS_WRITTEN).with_files(tuple(files.taken))
+        model = KINDS[kind]
+        read = model.with_named_files(given, files)
+        case = model.model_validate(read, context=AS_WRITTEN).with_files(tuple(files.taken))
         return case.with_origin(Origin(given, files.folder / FilePath(name).name, files.reach))
     except TableError as error:
         raise CaseError([_problem(name, root, given, error.path, error.says, error.allowed, error.hint)]) from None

@@ -22,9 +22,9 @@ def case_schema() -> dict[str, Any]:
     from pydantic import TypeAdapter
     from pydantic.json_schema import GenerateJsonSchema
 
-    from babbitt.case.every_kind import AnyCase
+    from babbitt.case.kinds import any_case
 
-    drawn = TypeAdapter(AnyCase).json_schema()
+    drawn = TypeAdapter(any_case()).json_schema()
     return {
         "$schema": GenerateJsonSchema.schema_dialect,
         "title": "Babbitt case",

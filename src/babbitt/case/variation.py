@@ -5,23 +5,20 @@ from __future__ import annotations
 import copy
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from babbitt.case.build import case_hash
+from babbitt.case.case_file import CaseFile, Origin
+from babbitt.case.case_hash import case_hash
 from babbitt.case.loading import build_case, load_case, read_file
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.parts.cooling import Cooling
+from babbitt.case.parts.load_and_speed import LOADS, SPEEDS
 from babbitt.case.parts.materials import Materials
 from babbitt.case.parts.supply import Supply
 from babbitt.core.files.printing import printable
 from babbitt.core.files.reading import Reach
 from babbitt.core.notices import InputError
 from babbitt.core.units import SiNumber
-from babbitt.kinds.journal.case.operating_point import LOADS, SPEEDS
-
-if TYPE_CHECKING:
-    from babbitt.case.case_file import Origin
-    from babbitt.case.every_kind import Case
 
 __all__ = ["CaseVariation", "case_variation", "variation_of"]
 
@@ -85,7 +82,7 @@ class CaseVariation:
         except (LookupError, TypeError, InputError):
             return None
 
-    def case(self, value: str | SiNumber) -> Case:
+    def case(self, value: str | SiNumber) -> CaseFile:
         """The case with a value in the field, as a file has it or as a number in SI.
 
         Raises
@@ -186,12 +183,12 @@ def case_variation(
     return CaseVariation(file, alone, path, ("bearings", "0"), reach, inputs)
 
 
-def variation_of(case: Case, path: str) -> CaseVariation:
+def variation_of(case: CaseFile, path: str) -> CaseVariation:
     """Vary one field of a case that was read.
 
     Parameters
     ----------
-    case : Case
+    case : CaseFile
         From a file, a text or a dictionary.
     path : str
         As in `CaseVariation`.

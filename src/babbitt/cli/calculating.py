@@ -33,7 +33,7 @@ def solve(
     allow_outside: AllowOutside = False,
 ) -> None:
     """Solve the bearings of case files and print a table."""
-    from babbitt.case import CaseError, Problem, design_cases, load_cases, located
+    from babbitt.case import CaseError, Problem, load_cases, located
     from babbitt.core.notices import InputError
     from babbitt.report import outputs, print_machine
     from babbitt.report.progress import shown
@@ -45,7 +45,7 @@ def solve(
         from babbitt.report.fields import require_films
 
         for path, case in zip(files, cases, strict=True):
-            require_films(str(path), design_cases(case))
+            require_films(str(path), case)
     machines, targets = [], []
     problems: list[Problem] = []
     for path, case, target in zip(files, cases, plan.targets, strict=True):
@@ -70,7 +70,7 @@ def solve(
 @app.command()
 def check(files: Files, allow_outside: AllowOutside = False) -> None:
     """Validate case files: every problem at once, and all that `solve` would refuse."""
-    from babbitt.case import CaseError, Problem, design_cases, load_case, located
+    from babbitt.case import CaseError, Problem, load_case, located
     from babbitt.solving import refusal_of
 
     problems: list[Problem] = []
@@ -83,14 +83,14 @@ def check(files: Files, allow_outside: AllowOutside = False) -> None:
         if (refusal := refusal_of(case)) is not None:
             problems += located(refusal, case, path).problems
             continue
-        designs = design_cases(case)
-        count = len(designs)
+        problems_to_solve = case.problems()
+        count = len(problems_to_solve)
         print(
             f"{printable(path)}: usable, kind {case.kind}"
             + (f", {count} calculation{'s' * (count > 1)}" if count else "")
         )
         for said in dict.fromkeys(
-            f"{doubt.code} {doubt.message}" for design in designs for doubt in design.doubts
+            f"{doubt.code} {doubt.message}" for problem in problems_to_solve for doubt in problem.doubts
         ):
             print(f"  {said}")
     if problems:
@@ -127,7 +127,7 @@ def compare(
         require_page(report)
     found = compare_methods(case)
     if plots is not None:
-        from babbitt.report.comparison_figure import write_comparison_plots
+        from babbitt.report.comparison_plots import write_comparison_plots
 
         write_comparison_plots(found, plots)
     if report is not None:
@@ -225,25 +225,25 @@ def export(
     allow_outside: AllowOutside = False,
 ) -> None:
     """Write stiffness and damping over speed for a rotor program; the heat balance is closed at each speed."""
-    from babbitt.case import design_cases, load_case
+    from babbitt.case import load_case
     from babbitt.export import export as write_table
     from babbitt.export import mirrored
     from babbitt.export.frame import declaration
-    from babbitt.kinds.journal.study.coefficients import run_over_speed
     from babbitt.report.outputs import inputs_of
     from babbitt.study.speed_range import speeds_of
-    from babbitt.study.table_target import chosen_film, require_target
+    from babbitt.study.table_target import chosen_problem, require_target
 
     case = load_case(file, reach(allow_outside))
-    film = chosen_film(design_cases(case), file, bearing)
+    problem, method = chosen_problem(case, file, bearing)
     taken = speeds_of(speeds)
-    require_target(format_name, film, inputs_of([file], case.files), output, other_end, taken)
-    run = run_over_speed(film, taken)
+    name, clockwise = problem.name, method.is_clockwise(problem)
+    require_target(format_name, name, clockwise, inputs_of([file], case.files), output, other_end, taken)
+    run = method.coefficients_over_speed(problem, taken)
     failed = [(speed, outcome.value) for speed, outcome in run.unsolved]
     failed += [(speed, "no stiffness with following temperatures") for speed in run.unfollowed]
     if failed:
         for speed, why in failed:
-            print(f"{printable(film.name)}: {why} at {speed * 30.0 / math.pi:.0f} rpm", file=sys.stderr)
+            print(f"{printable(name)}: {why} at {speed * 30.0 / math.pi:.0f} rpm", file=sys.stderr)
         print("nothing was written; leave these speeds out", file=sys.stderr)
         raise typer.Exit(NO_SOLUTION)
     table = mirrored(run.table()) if other_end else run.table()

@@ -1,1 +1,13 @@
-"""Bearing kinds, one folder each: case language, calculation, report."""
+"""Bearing kinds, one folder each: case language, methods, views. A new kind is one folder and one line here."""
+
+from babbitt.kinds import coupling, footstep, hydrostatic, journal, shaft_line, thrust
+
+KINDS = (
+    *journal.KINDS,
+    *coupling.KINDS,
+    *footstep.KINDS,
+    *hydrostatic.KINDS,
+    *thrust.KINDS,
+    *shaft_line.KINDS,
+)
+"""The kinds that ship, in the order in which they are listed."""

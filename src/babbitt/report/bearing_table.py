@@ -14,8 +14,8 @@ from rich.text import Text
 
 from babbitt.core.quantities import QUANTITIES, Quantity
 from babbitt.core.result import Check, Result, Verdict
-from babbitt.kinds.journal.report.coefficient_temperatures import beside_coefficient
 from babbitt.report import verdict as judge
+from babbitt.report.coefficient_temperatures import beside_coefficient
 from babbitt.report.meanings import meaning
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import CheckWord

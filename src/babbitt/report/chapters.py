@@ -7,24 +7,15 @@ by side: one of them, that which comes closest to a limit, is shown in full.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import Any
 
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Check, Result
-from babbitt.kinds.footstep.model_case import HeelCase
-from babbitt.kinds.hydrostatic.jacking_model import JackingCase
-from babbitt.kinds.hydrostatic.model import HydrostaticCase
-from babbitt.kinds.journal.film.model import FilmCase
-from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
-from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
-from babbitt.kinds.shaft_line.design import LineDesign
-from babbitt.kinds.thrust.design import ThrustDesign
+from babbitt.core.solution import Solution
 from babbitt.report.names import split_clearance
-
-if TYPE_CHECKING:
-    from babbitt.case.designs import EveryDesign
+from babbitt.report.view import View, view_of
 
 
 @dataclass(frozen=True)
@@ -32,8 +23,17 @@ class Member:
     """One result of a chapter; `clearance` is ``minimum``, ``mean``, ``maximum``, or empty for the only one."""
 
     clearance: str
-    case: EveryDesign | None
-    result: Result
+    solution: Solution
+
+    @property
+    def problem(self) -> Any:
+        """What was computed."""
+        return self.solution.problem
+
+    @property
+    def result(self) -> Result:
+        """What an engineer reads of the solution."""
+        return self.solution.result
 
 
 @dataclass(frozen=True)
@@ -57,13 +57,15 @@ class Chapter:
         )
 
     @property
-    def shown_case(self) -> EveryDesign | None:
-        """The case shown in full, with those words of the case file that hold for every member."""
-        case = self.shown.case
-        if case is None or isinstance(case, ThrustDesign | LineDesign):
-            return case
-        others = [set(member.case.given) for member in self.members if member.case is not None]
-        return replace(case, given=tuple(row for row in case.given if all(row in given for given in others)))
+    def view(self) -> View:
+        """How its solutions are shown."""
+        return view_of(self.members[0].result)
+
+    @property
+    def given(self) -> tuple[tuple[str, str], ...]:
+        """Words of the case file that hold for every member."""
+        every = [set(member.problem.given) for member in self.members]
+        return tuple(row for row in self.shown.problem.given if all(row in given for given in every))
 
     @property
     def results(self) -> tuple[Result, ...]:
@@ -87,21 +89,20 @@ def _margin(check: Check, result: Result) -> float:
     return (check.limit - check.value) / (check.limit - cold)
 
 
-def chapters(cases: Sequence[EveryDesign], results: Sequence[Result]) -> tuple[Chapter, ...]:
-    """Gather the results of a machine into chapters, in their order.
+def chapters(solutions: Sequence[Solution]) -> tuple[Chapter, ...]:
+    """Gather the solutions of a machine into chapters, in their order.
 
     Parameters
     ----------
-    cases : sequence of DesignCase or FilmCase
-        What the results were computed from; empty for kinds without a film.
-    results : sequence of Result
+    solutions : sequence of Solution
 
     Returns
     -------
     tuple of Chapter
     """
     gathered: list[list[Member]] = []
-    for member in _members(cases, results):
+    for solution in solutions:
+        member = Member(split_clearance(solution.result.name)[1], solution)
         if gathered and _belongs(member, gathered[-1][-1]):
             gathered[-1].append(member)
         else:
@@ -109,34 +110,15 @@ def chapters(cases: Sequence[EveryDesign], results: Sequence[Result]) -> tuple[C
     return tuple(_chapter(members) for members in gathered)
 
 
-def _members(cases: Sequence[EveryDesign], results: Sequence[Result]) -> Iterator[Member]:
-    known: Sequence[EveryDesign | None] = cases or [None] * len(results)
-    for case, result in zip(known, results, strict=True):
-        yield Member(split_clearance(result.name)[1], case, result)
-
-
 def _belongs(member: Member, before: Member) -> bool:
     """Whether two results are those of one bearing that differ in nothing but the clearance."""
-    if member.case is None or before.case is None or "" in (member.clearance, before.clearance):
+    if "" in (member.clearance, before.clearance):
         return False
     same_name = split_clearance(member.result.name)[0] == split_clearance(before.result.name)[0]
-    return same_name and _without_clearance(member.case) == _without_clearance(before.case)
-
-
-def _without_clearance(case: EveryDesign) -> EveryDesign:
-    match case:
-        case HydrostaticCase() | JackingCase() | ThrustDesign() | LineDesign():
-            return case
-        case HeelCase():
-            return replace(case, footstep=case.smooth, other=None)
-        case FilmCase():  # the branches are equal, their types are not
-            return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
-        case LongFilmCase():
-            return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
-        case SegmentCase():
-            return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
-        case _:
-            return replace(case, name="", given=(), bearing=replace(case.bearing, relative_clearance=1.0))
+    if not same_name or type(member.problem) is not type(before.problem):
+        return False
+    alike = view_of(member.result).alike
+    return bool(alike(member.problem) == alike(before.problem))
 
 
 def _chapter(members: Sequence[Member]) -> Chapter:

@@ -9,22 +9,14 @@ from pathlib import Path
 
 from babbitt.core.files.writing import require_writable, write_file
 from babbitt.core.notices import InputError
-from babbitt.kinds.journal.study.temperature_cost import cost_of_one_temperature
-from babbitt.kinds.journal.study.thermal_variants import GLOBAL
 from babbitt.report.comparison_table import AS_ASKED, compared_rows, contradiction, head, objected
 from babbitt.report.document import GENERATOR_TAG, TEMPLATES
 from babbitt.report.drawing import rendered, style
 from babbitt.report.text import plain_text
-from babbitt.study.comparison import ISO_LABEL, Comparison, Variant
+from babbitt.study.comparison import Comparison, Variant
 
 __all__ = ["comparison_page", "require_page", "write_comparison_page"]
 
-FLOWS = (
-    "Q₃ and Q_p of the standard and of the film are not alike: the standard adds what the film pumps and what the "
-    "supply pressure presses through the bearing, the film tells what of its oil would flow without that pressure "
-    "and what more flows with it. Only their sum Q compares."
-)
-"""What one must know of the flows of standard and film."""
 CAPTION = (
     "Least film thickness, friction power, oil flow and temperatures, as far as the methods tell them. Where one "
     "finds temperatures around the bore, those in the middle of the width, hottest across the gap, stand below "
@@ -77,23 +69,22 @@ def _bearing(comparison: Comparison) -> Iterator[str]:
         f"{_text(asked.label)} (marked{AS_ASKED}). The methods differ in what they neglect: that is told for each "
         "below the figure.</p>"
     )
-    costs = list(cost_of_one_temperature(comparison))
-    if costs:
-        yield "<h3>What one temperature costs</h3>"
-        yield from (f"<p>{_text(said)}</p>" for said in costs)
+    if comparison.sentences:
+        yield f"<h3>{_text(comparison.heading)}</h3>"
+        yield from (f"<p>{_text(said)}</p>" for said in comparison.sentences)
     yield from _figure(comparison)
     yield "<h3>What each method sees and neglects</h3>"
     yield from _remarks(methods)
     for line in comparison.left_out.splitlines():
         yield f'<p class="note">{_text(line)}</p>'
     yield "<h3>Results side by side</h3>"
-    yield from _table(methods, asked)
-    if {ISO_LABEL, GLOBAL} <= {one.label for one in methods}:
-        yield f'<p class="note">{_text(FLOWS)}</p>'
+    yield from _table(comparison.compared, methods, asked)
+    if comparison.note:
+        yield f'<p class="note">{_text(comparison.note)}</p>'
     if others:
         yield "<h3>Other choices within a method</h3>"
         yield from _remarks(others)
-        yield from _table(others, asked)
+        yield from _table(comparison.compared, others, asked)
     raised = [one for variant in comparison.variants for one in variant.result.warnings]
     warned = {one.code: one.message for one in reversed(raised)}  # by the first that raises it
     if warned:
@@ -106,12 +97,11 @@ def _bearing(comparison: Comparison) -> Iterator[str]:
 
 
 def _figure(comparison: Comparison) -> Iterator[str]:
-    from babbitt.report.comparison_figure import comparison_figure, is_shown
-
-    if not any(is_shown(one) for one in comparison.variants):
-        return
     with style():
-        drawn = b64encode(rendered(comparison_figure(comparison), "svg")).decode()
+        figure = comparison.draw(comparison) if comparison.draw is not None else None
+        drawn = b64encode(rendered(figure, "svg")).decode() if figure is not None else ""
+    if not drawn:
+        return
     yield (
         f'<figure><img alt="{escape(CAPTION)}" src="data:image/svg+xml;base64,{drawn}">'
         f"<figcaption>{escape(CAPTION)}</figcaption></figure>"
@@ -130,10 +120,10 @@ def _remarks(variants: Sequence[Variant]) -> Iterator[str]:
         yield f'<p class="finding">{said}</p>'
 
 
-def _table(variants: Sequence[Variant], asked: Variant) -> Iterator[str]:
+def _table(compared: Sequence[str], variants: Sequence[Variant], asked: Variant) -> Iterator[str]:
     heads = "".join(f'<th class="number">{_text(head(one, asked))}</th>' for one in variants)
     yield f'<div class="wide"><table class="sheet"><tr><th>quantity</th><th>unit</th>{heads}</tr>'
-    for row in compared_rows(variants):
+    for row in compared_rows(compared, variants):
         cells = "".join(f'<td class="number">{escape(cell)}</td>' for cell in row.cells)
         yield f"<tr><td>{escape(row.meaning)}</td><td>{escape(row.unit)}</td>{cells}</tr>"
     yield "</table></div>"

@@ -13,100 +13,16 @@ from rich.text import Text
 from babbitt.core.notices import Effect
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result, Verdict
-from babbitt.kinds.journal.study.temperature_cost import cost_of_one_temperature
 from babbitt.report.meanings import meaning
 from babbitt.report.table import console
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import governing, margin
 from babbitt.study.comparison import Comparison, Variant
 
-COMPARED = (
-    "sommerfeld_number",
-    "eccentricity_ratio",
-    "attitude_angle",
-    "groove_angle_from_load",
-    "groove_angle_from_gap",
-    "groove_pressure",
-    "minimum_film_thickness",
-    "effective_temperature",
-    "outlet_temperature",
-    "starved_outlet_temperature",
-    "starved_minimum_film_thickness",
-    "maximum_temperature",
-    "maximum_bush_temperature",
-    "maximum_wall_temperature",
-    "journal_temperature",
-    "bearing_temperature",
-    "friction_power",
-    "film_dissipation",
-    "heat_to_oil",
-    "heat_film_to_bush",
-    "heat_film_to_journal",
-    "heat_to_surroundings",
-    "side_flow",
-    "supply_flow",
-    "total_flow",
-    "film_flow",
-    "flow_inconsistency",
-    "maximum_pressure",
-    "film_reynolds_number",
-    "critical_mass",
-    "whirl_frequency_ratio",
-    "threshold_speed",
-)
-"""What is put side by side."""
-
 WIDEST_HEAD = 14
 """Characters in a line of a head: words take the room, and numbers need little."""
 AS_ASKED = " *"
 """Behind the name of the method that the case asks for."""
-
-COMPARED_HEELS = (
-    "load",
-    "rim_pressure",
-    "face_flow",
-    "heel_leakage",
-    "heel_net_flow",
-    "maximum_temperature",
-    "friction_power",
-    "face_gap_stiffness",
-    "face_gap_damping",
-    "thermal_loop_gain",
-)
-"""The same of footsteps."""
-
-HYDROSTATIC = (
-    "load",
-    "gap",
-    "eccentricity_ratio",
-    "attitude_angle",
-    "minimum_film_thickness",
-    "mean_pressure_ratio",
-    "total_flow",
-    "pumping_power",
-    "friction_power",
-    "temperature_rise",
-    "effective_area",
-    "gap_stiffness",
-    "gap_damping",
-    "least_tilt_stiffness",
-    *(f"{name}_{axes}" for name in ("stiffness", "damping") for axes in ("xx", "xy", "yx", "yy")),
-    "critical_mass",
-    "whirl_frequency_ratio",
-    "threshold_speed",
-    "load_capacity",
-    "breakaway_pressure",
-    "lying_pressure",
-    "pocket_pressure",
-)
-"""The same of hydrostatic bearings."""
-
-
-def _compared(variants: Sequence[Variant]) -> tuple[str, ...]:
-    if variants[0].result.kind == "screw_heel":
-        return COMPARED_HEELS
-    pumped = {"mean_pressure_ratio", "pocket_pressure"}
-    return HYDROSTATIC if any(pumped & set(one.result.values) for one in variants) else COMPARED
 
 
 def print_comparison(comparisons: Sequence[Comparison]) -> bool:
@@ -118,16 +34,23 @@ def print_comparison(comparisons: Sequence[Comparison]) -> bool:
     for comparison in comparisons:
         title = Text(plain_text(comparison.name), style="bold")  # a name is never read as markup
         methods, others = comparison.methods, comparison.choices
-        to.print(_table(title, methods, comparison.asked))
+        to.print(_table(title, comparison.compared, methods, comparison.asked))
         to.print(f" {AS_ASKED} {comparison.asked.label}: what the case asks for", markup=False)
         _print_remarks(to, methods)
-        for line in cost_of_one_temperature(comparison):
+        for line in comparison.sentences:
             to.print(f"  {line}", markup=False)
         for line in comparison.left_out.splitlines():
             to.print(f"  {line}", markup=False)
         to.print()
         if others:
-            to.print(_table(Text("Other choices within a method", style="bold"), others, comparison.asked))
+            to.print(
+                _table(
+                    Text("Other choices within a method", style="bold"),
+                    comparison.compared,
+                    others,
+                    comparison.asked,
+                )
+            )
             _print_remarks(to, others)
             to.print()
     return all(comparison.asked.result.outcome.solved for comparison in comparisons)
@@ -146,13 +69,13 @@ def objected(result: Result) -> str:
     return "; ".join(said + ([f"warns {', '.join(codes)}"] if codes else []))
 
 
-def _table(title: Text, variants: Sequence[Variant], asked: Variant) -> Table:
+def _table(title: Text, compared: Sequence[str], variants: Sequence[Variant], asked: Variant) -> Table:
     table = Table(title=title, title_justify="left")
     table.add_column("quantity")
     table.add_column("unit")
     for variant in variants:
         table.add_column(fill(head(variant, asked), WIDEST_HEAD), justify="right")
-    for row in compared_rows(variants):
+    for row in compared_rows(compared, variants):
         table.add_row(row.meaning, row.unit, *row.cells)
     return table
 
@@ -166,9 +89,9 @@ class Row:
     cells: tuple[str, ...]
 
 
-def compared_rows(variants: Sequence[Variant]) -> Iterator[Row]:
+def compared_rows(compared: Sequence[str], variants: Sequence[Variant]) -> Iterator[Row]:
     """What is put side by side of some variants."""
-    for name in _compared(variants):
+    for name in compared:
         results = [variant.result for variant in variants]
         told = [result.values.get(name) if result.outcome.solved else None for result in results]
         nothing = {None, 0.0} if name in SILENT_AT_ZERO else {None}

@@ -14,8 +14,8 @@ from babbitt.report import findings
 from babbitt.report.bearing_content import Data, bearing_content
 from babbitt.report.chapters import Chapter, chapters
 from babbitt.report.check_content import check_content
-from babbitt.report.columns import columns_of, is_film, overview_columns
 from babbitt.report.findings import Group
+from babbitt.report.machine_table import columns_of, is_film, overview_columns, overview_results
 from babbitt.report.names import counted_results
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_lines, plain_text
@@ -38,7 +38,7 @@ def content(machine: MachineResult) -> Data:
         Strings, numbers, lists and dictionaries only.
     """
     results = machine.results
-    parts = chapters(machine.design_cases, results)
+    parts = chapters(machine.solutions)
     summed = totals(results)
     return {
         "name": plain_text(machine.name) or "Unnamed case",
@@ -110,8 +110,8 @@ def _rows(parts: Sequence[Chapter], results: Sequence[Result]) -> list[Data]:
 
 
 def _overview(results: Sequence[Result]) -> Data:
-    """Bearings by ISO 7902 side by side: film limits, temperatures, flows, clearances and their rules."""
-    shown = [one for one in results if one.method == "iso7902" and one.outcome.solved]
+    """Bearings side by side once more, in the columns that their view has for that."""
+    shown = overview_results(results)
     columns = overview_columns(shown)
     cells = [column.cells(shown) for column in columns]
     return {

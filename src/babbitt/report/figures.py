@@ -1,142 +1,15 @@
-"""Figures of one bearing: friction and film over speed and load, load capacity, clearance, spans."""
+"""The figures of the bearings of a machine as files."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from babbitt.case.designs import EveryDesign
 from babbitt.core.files.writing import write_files
-from babbitt.core.result import Result
-from babbitt.kinds.footstep.model_case import HeelCase
-from babbitt.kinds.footstep.report.figures import heel_figures
-from babbitt.kinds.hydrostatic.jacking_model import JackingCase
-from babbitt.kinds.hydrostatic.model import HydrostaticCase
-from babbitt.kinds.hydrostatic.report.figures import hydrostatic_figures
-from babbitt.kinds.journal.film.model import FilmCase
-from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
-from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
-from babbitt.kinds.journal.iso7902.model import DesignCase, GivenLoad
-from babbitt.kinds.journal.report import plots as painters
-from babbitt.kinds.journal.report.film_figures import all_figures
-from babbitt.kinds.journal.report.one_dimension_figures import figures_along_the_film
-from babbitt.kinds.shaft_line.design import LineDesign
-from babbitt.kinds.thrust.design import ThrustDesign
-from babbitt.kinds.thrust.report.figures import thrust_figures
-from babbitt.report.drawing import Drawing, rendered, require_format, style
+from babbitt.report.drawing import require_format
+from babbitt.report.view import view_of
+from babbitt.solving import MachineResult
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from babbitt.solving import MachineResult
-
-SUPPOSED_TOLERANCE = 0.3
-"""Relative width of the clearance shown on either side where the case gives no tolerance."""
-
-WIDE = ("speed-and-load", "spans")
-"""Figures that take the width of a page."""
-
-
-@dataclass(frozen=True)
-class ClearanceRange:
-    """Smallest and largest relative clearance at 20 °C, and whether the case itself gives them."""
-
-    smallest: float
-    largest: float
-    given: bool
-
-
-def clearance_range(case: DesignCase) -> ClearanceRange:
-    """Range of the relative clearance of a bearing: its tolerance, or a supposed one."""
-    given = case.bearing.clearance_tolerance
-    if given is not None:
-        return ClearanceRange(*given, given=True)
-    middle = case.bearing.relative_clearance
-    return ClearanceRange((1.0 - SUPPOSED_TOLERANCE) * middle, (1.0 + SUPPOSED_TOLERANCE) * middle, given=False)
-
-
-def draw(
-    case: DesignCase, result: Result, clearance: ClearanceRange, image_format: str = "svg"
-) -> tuple[Drawing, ...]:
-    """All figures of a solved bearing.
-
-    Parameters
-    ----------
-    case : DesignCase
-    result : Result
-        Its answer; an unsolved one has no figures.
-    clearance : ClearanceRange
-    image_format : {"svg", "pdf", "png"}
-
-    Returns
-    -------
-    tuple of Drawing
-    """
-    if not result.outcome.solved:
-        return ()
-    loaded = replace(case, duty=GivenLoad(result.load))
-    figures: tuple[tuple[str, str, Callable[[], Figure]], ...] = (
-        ("speed-and-load", _speed_and_load_caption(case, result), lambda: painters.speed_and_load(loaded, result)),
-        (
-            "load-capacity",
-            "Sommerfeld number over eccentricity for the span of this bearing and, paler, for the others of the "
-            f"same B/D = {case.bearing.part_width_ratio:.3g}.",
-            lambda: painters.load_capacity(case, result),
-        ),
-        (
-            "clearance",
-            _clearance_caption(clearance),
-            lambda: painters.clearance(loaded, result, clearance.smallest, clearance.largest),
-        ),
-        (
-            "spans",
-            "The same bearing with other angular spans, supply element unchanged; the span of this bearing "
-            "filled. Spans without a mark have no operating point.",
-            lambda: painters.spans(loaded, result),
-        ),
-    )
-    with style():
-        return tuple(
-            Drawing(name, caption, rendered(paint(), image_format), wide=name in WIDE)
-            for name, caption, paint in figures
-        )
-
-
-def _speed_and_load_caption(case: DesignCase, result: Result) -> str:
-    balanced = case.effective_temperature is None
-    heat = "each point with its own heat balance" if balanced else "all at the effective temperature prescribed"
-    text = (
-        "Friction coefficient and minimum film thickness over speed at the given load, and over load at the given "
-        f"speed, {heat}. Filled: the operating point."
-    )
-    if "transition_speed" in result.values:
-        text += " Dotted: transition to mixed friction at the viscosity of the operating point."
-    return text
-
-
-def _clearance_caption(clearance: ClearanceRange) -> str:
-    shown = "Effective temperature and minimum film thickness over the relative clearance at 20 °C, "
-    if clearance.given:
-        return f"{shown}from the smallest to the largest clearance of the case."
-    about = f"{shown}±{SUPPOSED_TOLERANCE:.0%} about the one computed"
-    return f"{about} (the case gives no tolerance)."
-
-
-def _all_of(case: EveryDesign, result: Result, image_format: str) -> tuple[Drawing, ...]:
-    match case:
-        case FilmCase():
-            return all_figures(case, result, image_format)
-        case LongFilmCase() | SegmentCase():
-            return figures_along_the_film(case, result, image_format)
-        case HeelCase():
-            return heel_figures(case, result, image_format)
-        case HydrostaticCase() | JackingCase():
-            return hydrostatic_figures(case, result, image_format)
-        case ThrustDesign() | LineDesign():
-            return thrust_figures(case, result, image_format)
-    return draw(case, result, clearance_range(case), image_format)
+__all__ = ["write_plots"]
 
 
 def write_plots(machine: MachineResult, folder: Path, image_format: str = "svg") -> tuple[Path, ...]:
@@ -161,7 +34,7 @@ def write_plots(machine: MachineResult, folder: Path, image_format: str = "svg")
     """
     require_format(image_format)
     made = {}
-    for place, (case, result) in enumerate(zip(machine.design_cases, machine.results, strict=False), start=1):
-        for drawing in _all_of(case, result, image_format):
+    for place, solution in enumerate(machine.solutions, start=1):
+        for drawing in view_of(solution.result).figures(solution, image_format):
             made[f"{place:02d}-{drawing.name}.{image_format}"] = drawing.image
     return write_files(folder, made)

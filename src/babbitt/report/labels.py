@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.report.meanings import OF_THRUST
+from babbitt.report.meanings import own_meaning
 from babbitt.report.vocabulary import VOCABULARY
 
 SHORT = {
@@ -117,8 +117,8 @@ def label(name: str, kind: str = "") -> str:
     >>> label("angular_speed", "thrust")
     'Rotational speed of the collar'
     """
-    if kind in ("thrust", "thrust_line") and name in OF_THRUST:
-        return OF_THRUST[name]
+    if own := own_meaning(name, kind):
+        return own
     if name in SHORT:
         return SHORT[name]
     return VOCABULARY[name].meaning if name in VOCABULARY else name

@@ -87,6 +87,15 @@ class Line:
         return number_node(self.numbers[name], max(self.digits, VOCABULARY[name].digits))
 
 
+@dataclass(frozen=True)
+class Section:
+    """A heading with its lines."""
+
+    title: str
+    lines: tuple[Line, ...]
+    remark: str = ""
+
+
 def _argument(name: str, number: float) -> Node:
     if name == "angular_span":
         return ["row", [number_node(math.degrees(number), 4), ["op", "°"]]]

@@ -14,14 +14,14 @@ from rich.text import Text
 
 from babbitt.core.files.printing import nearest_letters
 from babbitt.core.result import Result
-from babbitt.kinds.footstep.report.table import heel_table
-from babbitt.kinds.thrust.report.sentences import answers
 from babbitt.report import findings
 from babbitt.report.bearing_table import STYLES, bearing_table, engineers_table
-from babbitt.report.columns import Column, columns_of, is_film
+from babbitt.report.columns import Column
+from babbitt.report.machine_table import columns_of, is_film
 from babbitt.report.names import counted_results
 from babbitt.report.text import plain_text
 from babbitt.report.totals import totals
+from babbitt.report.view import view_of
 
 if TYPE_CHECKING:
     from babbitt.solving import MachineResult
@@ -79,15 +79,15 @@ def render(name: str, results: Sequence[Result], width: int) -> RenderableType:
     results = tuple(results)
     journals = [result for result in results if is_film(result)]
     parts: list[RenderableType] = []
-    heels = [result for result in results if result.kind == "screw_heel"]
-    if heels:
-        parts.append(heel_table(heels))
+    of_states = view_of(results[0]).state_table if results else None
+    if of_states is not None:
+        parts.append(of_states(results))
     elif len(results) == 1 or not journals:
         parts += [bearing_table(result) for result in results]
     else:
         parts.append(_machine(name, journals, width))
         parts += [bearing_table(result) for result in results if result not in journals]
-    said = [sentence for result in results for sentence in answers(result)]
+    said = [sentence for result in results for sentence in view_of(result).sentences(result)]
     parts += [Text(), *(Padding(Text(sentence), (0, 0, 0, 2)) for sentence in said)] if said else []
     parts += _remarks(results)
     return Group(*parts)

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
-from babbitt.report.columns import is_fed, is_film
+from babbitt.report.columns import is_fed
+from babbitt.report.machine_table import is_film
 from babbitt.report.names import bearing_of
 from babbitt.report.text import counted
 

@@ -2,16 +2,11 @@
 
 from __future__ import annotations
 
-import math
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
 
-from babbitt.core.result import Result
 from babbitt.report.expression import names, value
 from babbitt.report.line import SUBSTITUTED_DIGITS, Line
 from babbitt.report.vocabulary import VOCABULARY, calculated
-
-if TYPE_CHECKING:
-    from babbitt.kinds.journal.iso7902.model import DesignCase
 
 
 class Worksheet:
@@ -19,25 +14,11 @@ class Worksheet:
 
     Parameters
     ----------
-    case : DesignCase
-    result : Result
-        The answer to that case, solved.
+    known : Mapping
+        Numbers in SI by the names of the vocabulary; others are left out.
     """
 
-    def __init__(self, case: DesignCase, result: Result) -> None:
-        bearing = case.bearing
-        known = dict(result.values)
-        known |= {
-            "angular_span": math.radians(bearing.span),
-            "expansion_bearing": bearing.expansion_bearing,
-            "expansion_journal": bearing.expansion_journal,
-            "friction_factor": case.friction_factor,
-        }
-        if bearing.surfaces is not None:
-            known |= vars(bearing.surfaces)
-        if case.cooling is not None:
-            known["heat_transfer_coefficient"] = case.cooling.heat_transfer_coefficient
-            known["cooling_surface"] = case.cooling.surface
+    def __init__(self, known: Mapping[str, float]) -> None:
         self.numbers = {
             name: calculated(VOCABULARY[name], number) for name, number in known.items() if name in VOCABULARY
         }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from babbitt.case import Case
+from babbitt.case import CaseFile
 from babbitt.case.variation import CaseVariation
 from babbitt.core.notices import InputError
 from babbitt.core.result import Result
@@ -115,7 +115,7 @@ def solved_places(
     variation: CaseVariation, values: Sequence[str | SiNumber], watch: Followed = lambda places: places
 ) -> SolvedPlaces:
     """Solve a case for each value of one of its fields; arguments and errors are those of `sweep_case`."""
-    cases: dict[int, Case] = {}
+    cases: dict[int, CaseFile] = {}
     machines: dict[int, MachineResult] = {}
     refused: dict[int, InputError] = {}
     for place, value in enumerate(values):

@@ -8,7 +8,6 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.case import Case
 from babbitt.case.case_file import CaseFile
 from babbitt.case.variation import variation_of
 from babbitt.core.notices import InputError
@@ -56,7 +55,7 @@ class Sweep:
         return self.values.get(name, np.full(self.points.shape, np.nan))
 
 
-def sweep(case: Case, path: str, points: Iterable[float], name: str | None = None) -> Sweep:
+def sweep(case: CaseFile, path: str, points: Iterable[float], name: str | None = None) -> Sweep:
     """Solve a case for each value of one of its fields.
 
     Every value goes through the whole case, as if it stood in the file: what the case derives from the field
@@ -64,7 +63,7 @@ def sweep(case: Case, path: str, points: Iterable[float], name: str | None = Non
 
     Parameters
     ----------
-    case : Case
+    case : CaseFile
         From `babbitt.load_case`, `babbitt.parse_case` or `babbitt.case.case_from_dict`.
     path : str
         The field as the file has it: ``"load"``, ``"clearance.mean"``, ``"operating_points.0.speed"``.

@@ -4,31 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
-from babbitt.case.designs import EveryDesign
+from babbitt.case.case_file import CaseFile
 from babbitt.core.files.printing import printable
 from babbitt.core.files.writing import require_distinct, require_writable
+from babbitt.core.kind import find_kind
 from babbitt.core.notices import InputError
+from babbitt.core.solution import CoefficientsOverSpeed
 from babbitt.export import FORMATS
-from babbitt.kinds.journal.film.model import FilmCase
-from babbitt.kinds.journal.study.coefficients import is_clockwise
+
+__all__ = ["chosen_problem", "require_target"]
 
 
-def chosen_film(designs: Sequence[EveryDesign], file: Path, name: str | None) -> FilmCase:
-    """Give the film case of a name, or the only one.
+def chosen_problem(case: CaseFile, file: Path, name: str | None) -> tuple[Any, CoefficientsOverSpeed]:
+    """Give the problem of a name, or the only one, and its method, which knows coefficients over the speed.
 
     Raises
     ------
     InputError
-        E004 when no bearing names the film method or several could be meant, E005 for an unknown name.
+        E004 when no bearing names such a method or several could be meant, E005 for an unknown name.
     """
-    films = {design.name: design for design in designs if isinstance(design, FilmCase)}
-    if not films and any(getattr(design, "kind", "").startswith("thrust") for design in designs):
-        raise InputError(
-            "E004",
-            f"{file}: coefficients of thrust bearings are not exported; those of each pad are in the results: "
-            "babbitt solve FILE --json OUT",
-        )
+    films = {
+        one.problem.name: (one.problem, one.method)
+        for one in case.calculations()
+        if isinstance(one.method, CoefficientsOverSpeed)
+    }
+    kind = find_kind(case.kind)
+    if not films and kind is not None and kind.no_coefficients:
+        raise InputError("E004", f"{file}: {kind.no_coefficients}")
     if not films:
         raise InputError(
             "E004", f"{file}: no bearing names the film method, which alone has coefficients; write method: film"
@@ -42,7 +46,8 @@ def chosen_film(designs: Sequence[EveryDesign], file: Path, name: str | None) ->
 
 def require_target(
     format_name: str,
-    film: FilmCase,
+    name: str,
+    clockwise: bool,
     inputs: Mapping[Path, str],
     output: Path,
     other_end: bool,
@@ -60,12 +65,12 @@ def require_target(
     if format_name not in FORMATS:
         raise InputError("E005", f"no format '{format_name}'; there are: {', '.join(FORMATS)}")
     wanted = FORMATS[format_name]
-    if is_clockwise(film) is not other_end and not wanted.either_rotation:
+    if clockwise is not other_end and not wanted.either_rotation:
         turned = "clockwise from the other end" if other_end else "clockwise"
         do = "leave out --other-end" if other_end else "add --other-end, and build the rotor from that end"
         raise InputError(
             "E004",
-            f"{film.name} turns {turned}, but {format_name} takes counter-clockwise rotation for granted and "
+            f"{name} turns {turned}, but {format_name} takes counter-clockwise rotation for granted and "
             f"would take the cross-coupling with the wrong sign; {do}, or choose csv or json",
         )
     if output.suffix.lower() not in wanted.suffixes:

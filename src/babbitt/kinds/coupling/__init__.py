@@ -1,5 +1,13 @@
-"""Statics of the shaft: what its bearings have to carry."""
+"""Statics of a gear shaft with an overhung coupling: what its bearings have to carry."""
 
-from babbitt.kinds.coupling.statics import BearingLoads, MeshForce, OverhungCoupling, bearing_loads
+from babbitt.core.kind import Kind
 
-__all__ = ["BearingLoads", "MeshForce", "OverhungCoupling", "bearing_loads"]
+KINDS = (
+    Kind(
+        name="overhung_coupling",
+        description="load share of two bearings with an overhung coupling",
+        model="babbitt.kinds.coupling.case.overhung_coupling:OverhungCouplingCase",
+        template="babbitt.kinds.coupling:overhung_coupling.yaml",
+        views={"statics": "babbitt.kinds.coupling.view:STATICS"},
+    ),
+)

@@ -27,7 +27,7 @@ def turning_force(footstep: Footstep, rim_pressure: float, viscosity: float) -> 
         N, along the eccentricity (positive outwards) and across it in the sense of rotation. Rupture at ambient
         pressure (Reynolds' condition).
     """
-    from babbitt.reynolds.lands.solve import film_at_position
+    from babbitt.reynolds.equilibrium.position import film_at_position
     from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land
 
     part = footstep.geometry

@@ -11,6 +11,7 @@ import numpy as np
 
 from babbitt.core.notices import InputError, Notice
 from babbitt.core.result import Bound, Check, Outcome, Result
+from babbitt.core.solution import Solution
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.heat_balance import CEILING
 from babbitt.kinds.hydrostatic.answer import Answer, answer, answer_at, coarser
@@ -45,6 +46,11 @@ SENSIBLE = 100.0
 
 
 def hydrostatic_check(case: HydrostaticCase) -> Result:
+    """Solve one bearing; see `hydrostatic_solution`."""
+    return hydrostatic_solution(case).result
+
+
+def hydrostatic_solution(case: HydrostaticCase) -> Solution:
     """Solve one bearing.
 
     Parameters
@@ -53,7 +59,8 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
 
     Returns
     -------
-    Result
+    Solution
+        Its state holds the case at the temperature found, and the film.
         Typed failures: no film can carry the load, unstable recess network, starved recess, no equilibrium.
 
     Raises
@@ -62,6 +69,7 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
         E101 where a prescribed position leaves no gap, or closed forms do not reach.
     """
     begun = time.perf_counter()
+    asked = case
     refuse_contact(case)
     refuse_short_recess(case)
     state = heated(case)
@@ -70,10 +78,11 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
     settings = {"method": case.method, "accuracy": case.accuracy if case.method == "film" else ""}
     if outcome is not Outcome.CONVERGED:
         last = {"supply_pressure": found.network.supply_pressure, "minimum_film_thickness": found.minimum_gap}
-        return Result(
+        failed = Result(
             case.name, case.kind, case.method, outcome, last, assumptions=case.assumptions, message=message,
             settings=settings, warnings=case.doubts,
         )  # fmt: skip
+        return Solution(asked, failed, state)
     named, several = values(case, found), arrays(case, found)
     half = half_of(case, found)
     if half is not None:
@@ -96,7 +105,7 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
     if found.film is not None and found.film.network.converged:
         named["grid_error"] = grid_error(case, found)
     named |= {"iterations": float(found.steps), "wall_time": time.perf_counter() - begun}
-    return Result(
+    result = Result(
         case.name,
         case.kind,
         case.method,
@@ -109,6 +118,7 @@ def hydrostatic_check(case: HydrostaticCase) -> Result:
         settings=settings,
         arrays=several,
     )
+    return Solution(asked, result, state)
 
 
 def grid_error(case: HydrostaticCase, found: Answer) -> float:

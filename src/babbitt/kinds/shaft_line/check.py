@@ -9,6 +9,7 @@ from time import perf_counter
 from babbitt.core.notices import Notice
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Bound, Check, Outcome, Result
+from babbitt.core.solution import Solution
 from babbitt.kinds.shaft_line.admissible_amplitude import limits_of
 from babbitt.kinds.shaft_line.answer import line_answer
 from babbitt.kinds.shaft_line.design import LineDesign
@@ -29,6 +30,11 @@ SEPARATION_SOURCE = "usual practice for shaft vibration: 20 % from any excitatio
 
 
 def line_check(design: LineDesign) -> Result:
+    """Check a shaft line; see `line_solution`."""
+    return line_solution(design).result
+
+
+def line_solution(design: LineDesign) -> Solution:
     """Check a shaft line, with a bound on the work (`babbitt.kinds.thrust.work`).
 
     Parameters
@@ -37,19 +43,29 @@ def line_check(design: LineDesign) -> Result:
 
     Returns
     -------
-    Result
-        With a status in every case.
+    Solution
+        Its result has a status in every case; its state is the answer of the line, None where pads find no film.
     """
     start = perf_counter()
     try:
         with bounded_work(MOST_WORK):
             answer = line_answer(design)
     except (NoPadFilmError, WorkBoundError) as failure:
-        return Result(design.name, design.kind, METHOD, failure.outcome, {}, message=failure.said)
+        failed = Result(
+            design.name,
+            design.kind,
+            METHOD,
+            failure.outcome,
+            {},
+            message=failure.said,
+            warnings=design.thrust.doubts,
+            assumptions=(*design.lubricant.assumptions, *design.thrust.assumptions, *_assumptions(design)),
+        )
+        return Solution(design, failed)
     values = line_values(design, answer)
     values["wall_time"] = perf_counter() - start
     thrust = design.thrust
-    return Result(
+    result = Result(
         design.name,
         design.kind,
         METHOD,
@@ -76,6 +92,7 @@ def line_check(design: LineDesign) -> Result:
         },
         arrays=line_arrays(design, answer),
     )
+    return Solution(design, result, answer)
 
 
 def _end(name: str, bearable: Bearable) -> str:

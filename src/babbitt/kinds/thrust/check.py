@@ -9,6 +9,7 @@ import numpy as np
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check, Outcome, Result
+from babbitt.core.solution import Solution
 from babbitt.kinds.thrust.assumed import oil_assumptions
 from babbitt.kinds.thrust.design import ThrustDesign, ThrustState, bearing_state, share_on
 from babbitt.kinds.thrust.failures import NoPadFilmError
@@ -29,6 +30,11 @@ WAVES = 4
 
 
 def thrust_check(design: ThrustDesign) -> Result:
+    """Solve a thrust bearing; see `thrust_solution`."""
+    return thrust_solution(design).result
+
+
+def thrust_solution(design: ThrustDesign) -> Solution:
     """Solve a thrust bearing, with a bound on the work (`babbitt.kinds.thrust.work`).
 
     Parameters
@@ -37,19 +43,19 @@ def thrust_check(design: ThrustDesign) -> Result:
 
     Returns
     -------
-    Result
-        With a status in every case.
+    Solution
+        Its result has a status in every case; its state is that of the pads, None where they find no film.
     """
     with bounded_work(MOST_WORK):
         return _checked(design)
 
 
-def _checked(design: ThrustDesign) -> Result:
+def _checked(design: ThrustDesign) -> Solution:
     start = perf_counter()
     try:
         state = bearing_state(design)
     except (NoPadFilmError, WorkBoundError) as failure:
-        return Result(
+        failed = Result(
             design.name,
             design.kind,
             METHOD,
@@ -59,6 +65,7 @@ def _checked(design: ThrustDesign) -> Result:
             warnings=design.doubts,
             assumptions=(*design.lubricant.assumptions, *design.assumptions, *_assumptions(design)),
         )
+        return Solution(design, failed)
     values = share_values(design, state)
     of_runout: list[Notice] = []
     if any(one.amplitude > 0.0 for one in design.runouts):
@@ -76,7 +83,7 @@ def _checked(design: ThrustDesign) -> Result:
         turning = values.get(TURNING_FILM, 0.0)  # where none was found, none can be counted on
         least, thinnest = (TURNING_FILM, turning) if turning < thinnest else (least, thinnest)
     limit = Check("C202", least, thinnest, design.film_limit, Bound.AT_LEAST, design.film_limit_source)
-    return Result(
+    result = Result(
         design.name,
         design.kind,
         METHOD,
@@ -94,6 +101,7 @@ def _checked(design: ThrustDesign) -> Result:
         settings={"lubricant": design.lubricant.name, "pivot": design.bearing.pad.pivot.value},
         arrays=pad_arrays(state.share, design.speed),
     )
+    return Solution(design, result, state)
 
 
 def _turned(design: ThrustDesign, state: ThrustState) -> tuple[dict[str, float], float]:

@@ -11,9 +11,11 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.heat._heat_walls import MOST_RISE
 from babbitt.reynolds.heat.heat_model import FilmHeat
-from babbitt.reynolds.heat.thermal_equilibrium import (
+from babbitt.reynolds.heat.thermal_film_state import WarmRing
+from babbitt.reynolds.heat.thermal_passes import (
     ROUNDS,
     SETTLED,
     STUBBORN,
@@ -23,9 +25,7 @@ from babbitt.reynolds.heat.thermal_equilibrium import (
     fresh_ring,
     rest,
 )
-from babbitt.reynolds.heat.thermal_film_state import WarmRing
 from babbitt.reynolds.lands._equilibrium import CONTACT, CONVERGED, NO_FILM, THINNEST, TOO_MANY_STEPS
-from babbitt.reynolds.lands.solve import solve_journal
 from babbitt.reynolds.model import JournalFilm, Resolution
 from babbitt.reynolds.scales import Scales
 from babbitt.reynolds.surface.surface_equilibrium import line_density

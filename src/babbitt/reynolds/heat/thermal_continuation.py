@@ -12,18 +12,9 @@ from dataclasses import dataclass, replace
 
 from babbitt.reynolds.heat.globalisation import calmed, mixed_rest
 from babbitt.reynolds.heat.heat_model import THERMAL_ENGINEERING, FilmHeat
-from babbitt.reynolds.heat.thermal_equilibrium import (
-    SETTLED,
-    Posed,
-    WarmRest,
-    answer,
-    continued,
-    fresh_ring,
-    posed,
-    rest,
-    search,
-)
+from babbitt.reynolds.heat.thermal_equilibrium import Posed, answer, posed, search
 from babbitt.reynolds.heat.thermal_film_state import WarmRing
+from babbitt.reynolds.heat.thermal_passes import SETTLED, WarmRest, continued, fresh_ring, rest
 from babbitt.reynolds.heat.thermal_solution import ThermalFilm
 from babbitt.reynolds.lands._equilibrium import CONVERGED, NO_FILM, THINNEST, TOO_MANY_STEPS
 from babbitt.reynolds.model import JournalFilm, Resolution

@@ -29,7 +29,7 @@ RING = (Land(0.0, 2.0 * math.pi),)
 @lru_cache(maxsize=1024)
 def at_position(film: JournalFilm, x: float, y: float, vx: float = 0.0, vy: float = 0.0) -> FilmSolution:
     """The film at a position (m) and velocity (m/s) of the journal."""
-    from babbitt.reynolds.lands.solve import film_at_position
+    from babbitt.reynolds.equilibrium.position import film_at_position
 
     return film_at_position(film, (x, y), (vx, vy), FINE)
 
@@ -37,7 +37,7 @@ def at_position(film: JournalFilm, x: float, y: float, vx: float = 0.0, vy: floa
 @lru_cache(maxsize=256)
 def at_rest(film: JournalFilm, load: float) -> FilmSolution:
     """The film under a weight (N)."""
-    from babbitt.reynolds.lands.solve import solve_journal
+    from babbitt.reynolds.equilibrium.solve import solve_journal
 
     return solve_journal(film, (0.0, -load), FINE)
 

@@ -53,7 +53,7 @@ def solve_slider(slider: Slider, intervals: int) -> SliderFilm:
 
     The flux is taken from the ruptured film, q = U h θ/2.
     """
-    from babbitt.reynolds.lands.solve import film_at_position
+    from babbitt.reynolds.equilibrium.position import film_at_position
 
     places = np.linspace(0.0, 1.0, 4001)
     profile = tuple((slider.gap(places * slider.length) - slider.smallest_gap).tolist())

@@ -7,9 +7,12 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from babbitt.case.case_file import CaseFile
+from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.parts.fields import Name, Prose
+from babbitt.core.solution import Calculation
 from babbitt.core.units import si
-from babbitt.kinds.coupling import MeshForce, OverhungCoupling
+from babbitt.kinds.coupling.methods import STATICS, ShaftProblem
+from babbitt.kinds.coupling.statics import MeshForce, OverhungCoupling
 
 Distance = Annotated[float, si("m", "1 mm", "50 m")]
 PartMass = Annotated[float, si("kg", "0 kg", "1000 t")]
@@ -41,6 +44,12 @@ class OverhungCouplingCase(CaseFile):
     )
     notes: Prose = Field("", description="Notes to be shown in the report.")
     source: Prose = Field("", description="Where the numbers come from.")
+
+    def calculations(self) -> tuple[Calculation, ...]:
+        """Give the one calculation of the file."""
+        doubts = tuple(about_grouped_digits(self))
+        problem = ShaftProblem(self.name, self.kind, self.shaft(), doubts=doubts, assumptions=self.assumptions)
+        return (Calculation(problem, STATICS),)
 
     def shaft(self) -> OverhungCoupling:
         """Give the shaft of the calculation."""

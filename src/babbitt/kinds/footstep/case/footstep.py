@@ -13,6 +13,7 @@ from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.part import Complaint, not_read, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.core.notices import Notice
+from babbitt.core.solution import Calculation
 from babbitt.core.units import si, written
 from babbitt.kinds.footstep.case.footstep_parts import (
     FigureRanges,
@@ -23,6 +24,7 @@ from babbitt.kinds.footstep.case.footstep_parts import (
     HeelPart,
     WallPart,
 )
+from babbitt.kinds.footstep.methods import METHODS
 from babbitt.kinds.footstep.model import (
     PITCH_TOLERANCE,
     BackflowViscosity,
@@ -186,9 +188,9 @@ class ScrewHeelCase(CaseFile):
             tilt=self.tilt,
         )
 
-    def designs(self) -> tuple[HeelCase, ...]:
+    def calculations(self) -> tuple[Calculation, ...]:
         """Give the smooth heel, the grooved one, or both."""
-        return heel_cases(self)
+        return tuple(Calculation(problem, METHODS[problem.method.value]) for problem in heel_cases(self))
 
 
 def heel_cases(case: ScrewHeelCase) -> tuple[HeelCase, ...]:

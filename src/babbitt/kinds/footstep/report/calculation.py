@@ -9,9 +9,7 @@ from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.footstep.model import BackflowViscosity, FaceOutlet, Footstep, FrictionViscosity
 from babbitt.kinds.footstep.model_case import HeelCase
 from babbitt.kinds.footstep.states import Method
-from babbitt.kinds.journal.report.calculation import Section
-from babbitt.report.line import Line
-from babbitt.report.vocabulary import VOCABULARY, calculated
+from babbitt.report.line import Line, Section
 from babbitt.report.worksheet import Worksheet
 
 TOTAL = "2 * pi * heel_radius * heel_length / heel_clearance"
@@ -45,9 +43,7 @@ class HeelSheet(Worksheet):
                 "screw_land_width": groove.land_width,
                 "groove_starts": float(groove.starts),
             }
-        self.numbers = {
-            name: calculated(VOCABULARY[name], number) for name, number in known.items() if name in VOCABULARY
-        }
+        super().__init__(known)
 
 
 def heel_calculation(case: HeelCase, result: Result) -> tuple[Section, ...]:

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
-from babbitt.core.result import Result
 from babbitt.core.result_name import ResultName
 from babbitt.kinds.footstep.case.footstep import ScrewHeelCase, heel_cases
-from babbitt.kinds.footstep.check import heel_results
+from babbitt.kinds.footstep.methods import METHODS
 from babbitt.kinds.footstep.model_case import HeelCase
 from babbitt.kinds.footstep.states import Method
+from babbitt.study.comparison import Comparison, Variant
 
-__all__ = ["HeelVariant", "compare_heels"]
+__all__ = ["compare"]
 
 REMARKS = {
     Method.SUPERPOSITION: (
@@ -27,16 +27,22 @@ REMARKS = {
 }
 
 
-@dataclass(frozen=True)
-class HeelVariant:
-    """One steady state by one method, and what the method neglects."""
+COMPARED = (
+    "load",
+    "rim_pressure",
+    "face_flow",
+    "heel_leakage",
+    "heel_net_flow",
+    "maximum_temperature",
+    "friction_power",
+    "face_gap_stiffness",
+    "face_gap_damping",
+    "thermal_loop_gain",
+)
+"""What is put side by side."""
 
-    label: str
-    remark: str
-    result: Result
 
-
-def compare_heels(case: ScrewHeelCase) -> tuple[HeelVariant, ...]:
+def compare(case: ScrewHeelCase) -> tuple[Comparison, ...]:
     """Solve every heel of a case by both methods; that of the case stands first.
 
     Parameters
@@ -46,16 +52,19 @@ def compare_heels(case: ScrewHeelCase) -> tuple[HeelVariant, ...]:
 
     Returns
     -------
-    tuple of HeelVariant
+    tuple of Comparison
+        One, of every steady state.
     """
-    designs = heel_cases(case)
+    problems = heel_cases(case)
     first = Method(case.method)
     ordered = (first, *(method for method in Method if method is not first))
-    return tuple(variant for method in ordered for design in designs for variant in _by(design, method))
+    variants = tuple(variant for method in ordered for problem in problems for variant in _by(problem, method))
+    return (Comparison(case.name, variants, COMPARED),)
 
 
-def _by(design: HeelCase, method: Method) -> Iterator[HeelVariant]:
+def _by(problem: HeelCase, method: Method) -> Iterator[Variant]:
     label, remark = REMARKS[method]
-    for result in heel_results(replace(design, method=method)):
-        state = result.name.state if isinstance(result.name, ResultName) else ""
-        yield HeelVariant(f"{label}, {state}", remark, result)
+    for found in METHODS[method.value].solve(replace(problem, method=method)):
+        name = found.result.name
+        state = name.state if isinstance(name, ResultName) else ""
+        yield Variant(f"{label}, {state}", remark, found)

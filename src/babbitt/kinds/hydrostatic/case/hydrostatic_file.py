@@ -13,6 +13,7 @@ from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.part import Complaint, exactly_one, is_given, not_read, refused, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.core.notices import Notice
+from babbitt.core.solution import Calculation
 from babbitt.kinds.hydrostatic.case.recess_parts import Frequency, Gap, HydrostaticOil, Load, RecessOil
 from babbitt.kinds.hydrostatic.case.restrictors import (
     ConstantFlowGiven,
@@ -22,6 +23,7 @@ from babbitt.kinds.hydrostatic.case.restrictors import (
 )
 from babbitt.kinds.hydrostatic.geometry import AnnularPad, CircularPad
 from babbitt.kinds.hydrostatic.impedance import Compressibility
+from babbitt.kinds.hydrostatic.methods import METHODS
 from babbitt.kinds.hydrostatic.model import Duty, HydrostaticCase, Recesses, Shape
 
 
@@ -122,9 +124,10 @@ class HydrostaticFile(CaseFile):
             why = "viscosity is given as it is in film and restrictors"
             yield from not_read(self, why, "oil.supply_temperature", "oil.film_temperature")
 
-    def designs(self) -> tuple[HydrostaticCase, ...]:
-        """Give the case of the calculation."""
-        return (self.design(),)
+    def calculations(self) -> tuple[Calculation, ...]:
+        """Give the one calculation of the file."""
+        problem = self.design()
+        return (Calculation(problem, METHODS[problem.method]),)
 
     def design(self) -> HydrostaticCase:
         """Give the case of the calculation."""

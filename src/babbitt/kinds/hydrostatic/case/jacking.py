@@ -14,12 +14,14 @@ from babbitt.case.part import Complaint, is_given, not_read, refused, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.case.parts.own_lubricant import DynamicViscosity
 from babbitt.core.notices import Notice
+from babbitt.core.solution import Calculation
 from babbitt.core.units import si, written
 from babbitt.kinds.hydrostatic.case.recess_parts import Gap, Length, Load, RecessRow
 from babbitt.kinds.hydrostatic.case.recess_rules import clearance_is_small, in_order, lands_between
 from babbitt.kinds.hydrostatic.case.restrictors import FlowRate, SupplyPressure
 from babbitt.kinds.hydrostatic.geometry import RecessedJournal
 from babbitt.kinds.hydrostatic.jacking_model import JackingCase
+from babbitt.kinds.hydrostatic.methods import JACKING_METHODS as METHODS
 
 
 class JackingPocketCase(CaseFile):
@@ -85,9 +87,10 @@ class JackingPocketCase(CaseFile):
         if self.pockets.number == 1:
             yield from not_read(self, "a single pocket gets the flow of the pump either way", "own_restrictors")
 
-    def designs(self) -> tuple[JackingCase, ...]:
-        """Give the case of the calculation."""
-        return (self.design(),)
+    def calculations(self) -> tuple[Calculation, ...]:
+        """Give the one calculation of the file."""
+        problem = self.design()
+        return (Calculation(problem, METHODS[problem.method]),)
 
     def design(self) -> JackingCase:
         """Give the case of the calculation."""

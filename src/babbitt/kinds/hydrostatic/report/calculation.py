@@ -19,8 +19,7 @@ from babbitt.kinds.hydrostatic.report.restrictor_lines import is_linear, restric
 from babbitt.kinds.hydrostatic.report.sheet import HydrostaticSheet, JackingSheet
 from babbitt.kinds.hydrostatic.restrictors import CheckValve, ConstantFlow, MeteredFlow
 from babbitt.kinds.hydrostatic.supply import FixedPressure
-from babbitt.kinds.journal.report.calculation import Section
-from babbitt.report.line import Line
+from babbitt.report.line import Line, Section
 
 __all__ = ["hydrostatic_calculation"]
 

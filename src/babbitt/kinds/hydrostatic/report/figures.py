@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from babbitt.core.result import Result
+from babbitt.core.solution import Solution
 from babbitt.kinds.hydrostatic.answer import Answer
 from babbitt.kinds.hydrostatic.geometry import CircularPad, RecessedJournal, RectangularPad, ThrustRing
 from babbitt.kinds.hydrostatic.jacking_model import JackingCase
@@ -24,37 +25,32 @@ if TYPE_CHECKING:
 Painted = tuple[str, str, "Figure", bool]
 
 
-def hydrostatic_figures(
-    case: HydrostaticCase | JackingCase, result: Result, image_format: str = "svg"
-) -> tuple[Drawing, ...]:
+def hydrostatic_figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing, ...]:
     """All figures of a solved bearing.
 
     Parameters
     ----------
-    case : HydrostaticCase or JackingCase
-    result : Result
-        Its answer; an unsolved one has no figures.
+    solution : Solution
+        Of a hydrostatic bearing or of jacking pockets; an unsolved one has no figures.
     image_format : {"svg", "pdf", "png"}
 
     Returns
     -------
     tuple of Drawing
     """
+    problem, result = solution.problem, solution.result
     if not result.outcome.solved:
         return ()
     with style():
-        painted = of_jacking(case, result) if isinstance(case, JackingCase) else of_bearing(case, result)
+        painted = of_jacking(problem, result) if isinstance(problem, JackingCase) else of_bearing(solution)
         return tuple(
             Drawing(name, caption, rendered(figure, image_format), wide) for name, caption, figure, wide in painted
         )
 
 
-def of_bearing(case: HydrostaticCase, result: Result) -> Iterator[Painted]:
+def of_bearing(solution: Solution) -> Iterator[Painted]:
     """Load curves, pressures, coefficients over frequency, power."""
-    from babbitt.kinds.hydrostatic.heat_balance import heated
-
-    state = heated(case)
-    case, found = state.case, state.found
+    case, found, result = solution.state.case, solution.state.found, solution.result
     what = "eccentricity" if case.is_journal else "gap"
     steps = []
     if any(isinstance(one, CheckValve) for one in case.feeding.restrictors):

@@ -8,7 +8,6 @@ from babbitt.core.result import Result
 from babbitt.kinds.hydrostatic.geometry import AnnularPad, CircularPad, RecessedJournal, RectangularPad, ThrustRing
 from babbitt.kinds.hydrostatic.jacking_model import JackingCase
 from babbitt.kinds.hydrostatic.model import HydrostaticCase, Shape
-from babbitt.report.vocabulary import VOCABULARY, calculated
 from babbitt.report.worksheet import Worksheet
 
 __all__ = ["HydrostaticSheet", "JackingSheet"]
@@ -38,9 +37,7 @@ class HydrostaticSheet(Worksheet):
         known |= lengths(case.shape)
         if case.oil.lubricant is None:
             known["volumetric_heat_capacity"] = case.oil.density * case.oil.heat_capacity
-        self.numbers = {
-            name: calculated(VOCABULARY[name], number) for name, number in known.items() if name in VOCABULARY
-        }
+        super().__init__(known)
 
 
 class JackingSheet(Worksheet):
@@ -53,7 +50,7 @@ class JackingSheet(Worksheet):
             "roughness_height": case.roughness,
             "efficiency_of_pump": case.pump_efficiency,
         }
-        self.numbers = {name: number for name, number in known.items() if name in VOCABULARY}
+        super().__init__(known)
 
 
 def lengths(shape: Shape) -> dict[str, float]:

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from babbitt.core.quantities import DisplayUnit
 from babbitt.report.local_quantity import MICRO, MILLI, local
+from babbitt.report.meanings import PUMPED
 
-__all__ = ["HYDROSTATIC_WORDS"]
+__all__ = ["HYDROSTATIC_WORDS", "JACKING"]
+
+JACKING = PUMPED | {"total_flow": "Oil of all pockets", "effective_area": "Load over pocket pressure"}
+"""Jacking pockets: the oil of a pump, not of restrictors."""
 
 MEGA = DisplayUnit("MPa", 1e-6)
 PER_MINUTE = DisplayUnit("L/min", 6e4)

@@ -14,11 +14,12 @@ from babbitt.case.parts.clearance import (
     RelativeClearance,
 )
 from babbitt.case.parts.cooling import Cooling, CylinderHousing, Housing, InMachine, PedestalHousing
+from babbitt.case.parts.load_and_speed import LOADS, SPEEDS
 from babbitt.case.parts.materials import Materials, Structure
 from babbitt.case.parts.surfaces import DrawingSurfaces
 from babbitt.core.units import written
 from babbitt.kinds.journal.case.journal import JournalBearing
-from babbitt.kinds.journal.case.operating_point import LOADS, SPEEDS, OperatingPoint, stating
+from babbitt.kinds.journal.case.operating_point import OperatingPoint, stating
 from babbitt.kinds.journal.case.supply_element import (
     GrooveElement,
     HoleElement,

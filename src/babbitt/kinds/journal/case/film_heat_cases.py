@@ -18,8 +18,8 @@ from babbitt.kinds.journal.case.film_heat import (
 from babbitt.kinds.journal.case.joined_inputs import Inputs, housing_cooling
 from babbitt.kinds.journal.film.heat_model import AxialTemperature, HeatModel, TemperatureCoefficients
 from babbitt.properties.materials import structural_material
-from babbitt.reynolds.deformation.thermal_growth import RingGrowth
 from babbitt.reynolds.heat.heat_model import BushRing, ConductingWalls, JournalHeat
+from babbitt.reynolds.heat.thermal_growth import RingGrowth
 
 __all__ = ["heat_assumptions", "heat_model"]
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.parts.cooling import Cooling
+from babbitt.case.parts.load_and_speed import LOADS, SPEEDS
 from babbitt.case.parts.materials import Materials
 from babbitt.case.parts.shared import merged
 from babbitt.case.parts.supply import Supply
@@ -13,8 +14,8 @@ from babbitt.core.notices import Notice
 from babbitt.design.conditions import Duty, GivenEccentricity, GivenLoad, GivenPosition, HousingCooling, OilSupply
 from babbitt.design.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coefficient
 from babbitt.kinds.journal.case.journal import JournalBearing
-from babbitt.kinds.journal.case.machine import JournalCase, Machine
-from babbitt.kinds.journal.case.operating_point import LOADS, SPEEDS, OperatingPoint, stating
+from babbitt.kinds.journal.case.machine import SeveralBearings, SingleBearing
+from babbitt.kinds.journal.case.operating_point import OperatingPoint, stating
 from babbitt.properties.lubricants import Lubricant
 
 
@@ -48,7 +49,7 @@ class Point:
     mean: float
 
 
-def inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> Inputs:
+def inputs(bearing: JournalBearing, shared: SingleBearing | SeveralBearings) -> Inputs:
     """Join a bearing with what it shares."""
     lubricant = bearing.lubricant or shared.lubricant
     width = bearing.actual_width
@@ -61,9 +62,9 @@ def inputs(bearing: JournalBearing, shared: JournalCase | Machine) -> Inputs:
         merged(bearing.cooling, shared.cooling),
         merged(bearing.materials, shared.materials) or Materials(),
         width,
-        shared.assumptions if isinstance(shared, Machine) else (),
+        shared.assumptions if isinstance(shared, SeveralBearings) else (),
         tuple(about_grouped_digits(shared.model_copy(update={"bearings": ()})))
-        if isinstance(shared, Machine)
+        if isinstance(shared, SeveralBearings)
         else (),
     )
 

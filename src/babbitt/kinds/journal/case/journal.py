@@ -13,6 +13,7 @@ from babbitt.case.parts.choices import FrictionGiven, LimitsGiven
 from babbitt.case.parts.clearance import ClearanceGiven
 from babbitt.case.parts.compliance import ComplianceGiven
 from babbitt.case.parts.fields import Name, Prose, Span
+from babbitt.case.parts.load_and_speed import LOADS, SPEEDS
 from babbitt.case.parts.shared import SharedInputs
 from babbitt.case.parts.surfaces import SurfacesGiven
 from babbitt.core.units import si, written
@@ -44,7 +45,7 @@ from babbitt.kinds.journal.case.film_surface import (
 from babbitt.kinds.journal.case.grooved_segments import SegmentsGiven
 from babbitt.kinds.journal.case.heat_exchange import HeatExchangeGiven
 from babbitt.kinds.journal.case.load_direction import DOWNWARD
-from babbitt.kinds.journal.case.operating_point import LOADS, SPEEDS, Duty, OperatingPoint
+from babbitt.kinds.journal.case.operating_point import Duty, OperatingPoint
 from babbitt.kinds.journal.case.supply_element import SupplyElementGiven, UnevenPockets
 from babbitt.reynolds.model import FilmStart
 

@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.case.part import Complaint, is_given
+from babbitt.case.parts.load_and_speed import SPEEDS
 from babbitt.core.units import written
-from babbitt.kinds.journal.case.operating_point import SPEEDS, stating
+from babbitt.kinds.journal.case.operating_point import stating
 from babbitt.kinds.journal.case.supply_element import UnevenPockets
 
 if TYPE_CHECKING:

@@ -1,14 +1,15 @@
-"""A file with one journal bearing, or with a machine of many."""
+"""What stands in a file with one journal bearing, or with a machine of many."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Literal
+from typing import Any, Literal
 
 from pydantic import Field
 
 from babbitt.case.case_file import CaseFile
 from babbitt.case.error_messages import Path
+from babbitt.case.named_files import NamedFiles
 from babbitt.case.part import Complaint, as_far_as_usable, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.case.parts.shared import SharedInputs
@@ -16,15 +17,28 @@ from babbitt.kinds.journal.case.completeness import complaints_about
 from babbitt.kinds.journal.case.journal import JournalBearing
 
 
-class JournalCase(JournalBearing, CaseFile):
-    """A file with one journal bearing."""
+class JournalFile(CaseFile):
+    """A file with journal bearings, which may name tables of bore, load, displacement, compliance and limits."""
+
+    @classmethod
+    def with_named_files(cls, given: dict[str, Any], files: NamedFiles) -> dict[str, Any]:
+        """Put the points of tables and the text of limits in place of their files."""
+        from babbitt.kinds.journal.case.bore_file import with_tables
+        from babbitt.kinds.journal.case.compliance_file import with_compliances
+        from babbitt.kinds.journal.case.displacement_file import with_displacements
+
+        return with_compliances(with_displacements(with_tables(given, files), files), files)
+
+
+class SingleBearing(JournalBearing, JournalFile):
+    """What stands in a file with one journal bearing."""
 
     @rule
     def _nothing_is_missing(self) -> Iterator[Complaint]:
         yield from complaints_about(self, None)
 
 
-class Machine(SharedInputs, CaseFile):
+class SeveralBearings(SharedInputs, JournalFile):
     """A file with the bearings of a machine, which share what stands here and may differ in single fields."""
 
     kind: Literal["machine"] = Field(description="Several bearings that share lubricant, supply and cooling.")

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.case.part import Complaint, is_given
+from babbitt.case.parts.load_and_speed import LOADS
 from babbitt.core.notices import InputError
 from babbitt.kinds.journal.case import grooved_segments as segments
 from babbitt.kinds.journal.case import heat_exchange
-from babbitt.kinds.journal.case.operating_point import LOADS
 from babbitt.kinds.journal.case.standard_rules import film_alone_knows
 from babbitt.kinds.journal.infinitely_long_bearing.model import THICKEST_FILM
 

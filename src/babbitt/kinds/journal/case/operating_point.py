@@ -9,12 +9,10 @@ from pydantic import Field
 
 from babbitt.case.part import Complaint, Part, at_most_one, rule
 from babbitt.case.parts.fields import Name, Span
+from babbitt.case.parts.load_and_speed import LOADS, SPEEDS
 from babbitt.case.parts.supply import GaugePressure, OilTemperature, SupplyFlow
 from babbitt.core.units import either_sense, si
 from babbitt.kinds.journal.case.supply_element import SupplyElementGiven
-
-LOADS = ("load", "specific_load", "eccentricity_ratio", "position")
-SPEEDS = ("speed", "surface_speed")
 
 
 class PositionGiven(Part):

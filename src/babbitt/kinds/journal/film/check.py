@@ -10,6 +10,7 @@ from time import perf_counter
 from babbitt.core.notices import Notice
 from babbitt.core.progress import Watch, unwatched
 from babbitt.core.result import Bound, Check, Matrix, Outcome, Result
+from babbitt.core.solution import Solution
 from babbitt.design.bounds import certain, unjudged
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
 from babbitt.design.conditions import GivenLoad, contact_film
@@ -85,6 +86,11 @@ OIL_INVENTED_FROM = 0.05
 
 
 def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
+    """Solve the film of a bearing by its thermal model; see `film_solution`."""
+    return film_solution(case, watch).result
+
+
+def film_solution(case: FilmCase, watch: Watch = unwatched) -> Solution:
     """Solve the film of a bearing by its thermal model.
 
     Parameters
@@ -95,8 +101,9 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
 
     Returns
     -------
-    Result
-        With a status in every case; the values of an unsolved case describe the last film reached.
+    Solution
+        Its result has a status in every case; the values of an unsolved case describe the last film reached. Its
+        state is the `FilmState` at the place of rest, or None where no film was found.
 
     Notes
     -----
@@ -119,8 +126,10 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
     not_made: tuple[Notice, ...] = ()
     arrays, settings = {}, film_settings(case)
     no_mass = ""
+    solved = None
     if found.film is not None:
         state, slope = confirmed_state(case, found.film)
+        solved = state
         frozen, values, followed = state, film_values(case, state), True
         if case.cavitation is not Cavitation.HALF_SOMMERFELD:
             arrays = {"stiffness": rows_of(state.solution.stiffness), "damping": rows_of(state.solution.damping)}
@@ -177,7 +186,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
         values |= _supply_of_ducts(asked, beyond)
         values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
-    return Result(
+    result = Result(
         case.name,
         case.kind,
         METHOD,
@@ -195,6 +204,7 @@ def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
         | _tilt_missing(case, outcome, arrays)
         | missing_without_load(case, found.film),
     )
+    return Solution(asked, result, solved)
 
 
 def _about_flow_all_around(case: FilmCase, outcome: Outcome) -> str:

@@ -22,7 +22,7 @@ from babbitt.reynolds.deformation.compliance import BoreGrid, Compliance, as_fie
 from babbitt.reynolds.surface.unwrapped_mesh import field_at
 
 if TYPE_CHECKING:
-    from babbitt.reynolds.deformation.thermal_growth import RingGrowth
+    from babbitt.reynolds.heat.thermal_growth import RingGrowth
     from babbitt.reynolds.heat.thermal_solution import ThermalFilm
     from babbitt.reynolds.model import JournalFilm
     from babbitt.reynolds.solution import FilmSolution

@@ -19,8 +19,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.kinds.journal.film.field import clearance_outline
-from babbitt.reynolds.lands.nearby import SAME_PLACE, equilibrium_near
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
+from babbitt.reynolds.equilibrium.nearby import SAME_PLACE, equilibrium_near
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import DRAFT, JournalFilm, Resolution
 from babbitt.reynolds.solution import FilmSolution
 from babbitt.reynolds.stability.routh import StableMasses, stable_masses
@@ -114,7 +115,7 @@ def find_equilibria(
     -------
     RestingPlaces
         Empty where nothing carries the load. Equilibria nearer to contact than the last of `DEPTHS` are found only
-        if known, or if `babbitt.reynolds.lands.solve.solve_journal` finds them.
+        if known, or if `babbitt.reynolds.equilibrium.solve.solve_journal` finds them.
     """
     places = [RestingPlace(one) for one in known]
 

@@ -91,7 +91,7 @@ def _rest(ratio: float) -> float:
 
 
 def _on_grid(case: FilmCase, state: FilmState, grid: Resolution) -> FilmSolution:
-    from babbitt.reynolds.lands.solve import film_at_position
+    from babbitt.reynolds.equilibrium.position import film_at_position
 
     film = state.solution.film
     if isinstance(case.duty, GivenLoad):

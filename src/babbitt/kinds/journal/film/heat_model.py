@@ -7,8 +7,8 @@ from enum import Enum
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from babbitt.reynolds.deformation.thermal_growth import RingGrowth
     from babbitt.reynolds.heat.heat_model import ConductingWalls
+    from babbitt.reynolds.heat.thermal_growth import RingGrowth
 
 __all__ = ["AxialTemperature", "HeatModel", "TemperatureCoefficients"]
 

@@ -39,8 +39,8 @@ from babbitt.properties.fits import operating_relative_clearance
 from babbitt.reynolds.model import JournalFilm, Resolution
 
 if TYPE_CHECKING:
+    from babbitt.reynolds.equilibrium.starved import FedFilm, GivenFlow
     from babbitt.reynolds.heat.thermal_solution import ThermalFilm
-    from babbitt.reynolds.lands.starved import FedFilm, GivenFlow
     from babbitt.reynolds.solution import FilmSolution
 
 LOAD_TOLERANCE = 1e-9
@@ -179,9 +179,9 @@ def film_resting_near(case: FilmCase, state: FilmState, place: tuple[float, floa
 
     Bore, closed pockets and starved supplies settle beside that film, not beside the one of the operating point.
     """
-    from babbitt.reynolds.lands.nearby import equilibrium_near
-    from babbitt.reynolds.lands.solve import film_at_position
-    from babbitt.reynolds.lands.starved import feed_film
+    from babbitt.reynolds.equilibrium.nearby import equilibrium_near
+    from babbitt.reynolds.equilibrium.position import film_at_position
+    from babbitt.reynolds.equilibrium.starved import feed_film
 
     assert isinstance(case.duty, GivenLoad)
     load, grid = load_vector(case, case.duty.load), resolution_of(case)
@@ -215,7 +215,7 @@ def starved_film(
     NoFilmError
         As overloaded, with the least flow that will do, where the oil is too little for the load.
     """
-    from babbitt.reynolds.lands.starved import feed_film
+    from babbitt.reynolds.equilibrium.starved import feed_film
 
     fed = feed_film(film, flows, partial(_settled, case, partial(_in_given_bore, case, near)))
     if fed.solution.outcome is Outcome.OVERLOADED:
@@ -257,7 +257,7 @@ def following(load: tuple[float, float], grid: Resolution, far_and_wide: Settle,
     last: FilmSolution | None = None
 
     def solve(film: JournalFilm) -> FilmSolution:
-        from babbitt.reynolds.lands.solve import solve_journal_from
+        from babbitt.reynolds.equilibrium.solve import solve_journal_from
 
         nonlocal last, films
         films += 1
@@ -295,7 +295,7 @@ def film_at(case: FilmCase, film: JournalFilm, position: tuple[float, float]) ->
     NoFilmError
         When the position lies outside the clearance, among others.
     """
-    from babbitt.reynolds.lands.solve import film_at_position
+    from babbitt.reynolds.equilibrium.position import film_at_position
 
     found = film_at_position(film, position, resolution=resolution_of(case))
     if found.outcome is Outcome.OVERLOADED:

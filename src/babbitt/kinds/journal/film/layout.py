@@ -13,7 +13,7 @@ from babbitt.design.heat_balance import NoFilmError
 from babbitt.design.numbers import critical_reynolds_number
 from babbitt.kinds.journal.film.bore import Arc, steps_of
 from babbitt.kinds.journal.film.model import FilmCase, Hollow
-from babbitt.reynolds.lands.starved import GivenFlow
+from babbitt.reynolds.equilibrium.starved import GivenFlow
 from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land, Pocket
 from babbitt.reynolds.oil.turbulence import FilmTurbulence
 

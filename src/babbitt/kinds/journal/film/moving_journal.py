@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from babbitt.core.result import Outcome
 from babbitt.kinds.journal.film.changing_load import ChangingLoad
-from babbitt.reynolds.lands.solve import film_at_position
+from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.model import JournalFilm, Resolution
 from babbitt.reynolds.solution import FilmSolution
 

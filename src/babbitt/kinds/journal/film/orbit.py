@@ -30,7 +30,8 @@ from babbitt.kinds.journal.film.moving_journal import (
     MovingJournal,
     NoMotionError,
 )
-from babbitt.reynolds.lands.solve import film_at_position, solve_journal
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import DRAFT, Cavitation, JournalFilm, Resolution
 from babbitt.reynolds.solution import FilmSolution
 

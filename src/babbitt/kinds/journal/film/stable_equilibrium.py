@@ -34,13 +34,13 @@ def settled_film(
         The equilibrium found first. Where that is a saddle, which the smallest push makes the journal leave, the
         one nearest to `near`, if the journal stays there.
     """
-    from babbitt.reynolds.lands.solve import solve_journal
+    from babbitt.reynolds.equilibrium.solve import solve_journal
 
     found = solve_journal(film, load, grid)
     if near is None or not is_saddle(found):
         return found
     from babbitt.kinds.journal.film.equilibria import RestingPlace
-    from babbitt.reynolds.lands.nearby import equilibrium_near
+    from babbitt.reynolds.equilibrium.nearby import equilibrium_near
 
     other = equilibrium_near(film, load, (near[0] * film.clearance, near[1] * film.clearance), grid)
     return other if other is not None and RestingPlace(other).holds else found

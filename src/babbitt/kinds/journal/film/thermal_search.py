@@ -60,7 +60,7 @@ class ThermalSearch:
     def settled(self) -> float:
         """Change of temperature in a pass, K, at which a film at a given place has settled."""
         from babbitt.reynolds.heat.thermal_continuation import CLOSER
-        from babbitt.reynolds.heat.thermal_equilibrium import SETTLED
+        from babbitt.reynolds.heat.thermal_passes import SETTLED
 
         if self.exact:
             return EXACT

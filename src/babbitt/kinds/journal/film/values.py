@@ -24,7 +24,7 @@ from babbitt.kinds.journal.film.layout import closed_pockets, supply_numbers, wi
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.thermal_results import flow_without_pressure, thermal_values
 from babbitt.kinds.journal.film.unloaded import NEEDS_A_LOAD, NOTHING_CARRIED, is_unloaded
-from babbitt.reynolds.lands.starved import FedFilm
+from babbitt.reynolds.equilibrium.starved import FedFilm
 from babbitt.reynolds.model import FilmStart, JournalFilm
 
 if TYPE_CHECKING:
@@ -161,7 +161,7 @@ def _flows_of_causes(case: FilmCase, state: FilmState, flow: float, film: Journa
     calm = without_pressure(film, closed_pockets(case))
     if calm == film:
         return {"side_flow": flow, "supply_flow": 0.0, "total_flow": flow}
-    from babbitt.reynolds.lands.solve import film_at_position
+    from babbitt.reynolds.equilibrium.position import film_at_position
 
     x, y = state.solution.position
     if state.thermal is None:

@@ -8,31 +8,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from babbitt.core.result import Result
 from babbitt.kinds.journal.iso7902.film import curves_of
 from babbitt.kinds.journal.iso7902.model import Friction, GivenEccentricity
 from babbitt.kinds.journal.report.oil_lines import oil_lines
+from babbitt.kinds.journal.report.sheet import JournalSheet
 from babbitt.kinds.journal.report.supply_lines import capacity_lines, flow_lines, loss_lines
-from babbitt.report.line import SUBSTITUTED_DIGITS, Line
-from babbitt.report.worksheet import Worksheet
+from babbitt.report.line import SUBSTITUTED_DIGITS, Line, Section
 
 if TYPE_CHECKING:
     from babbitt.kinds.journal.iso7902.model import DesignCase
 
 LOAD_SCALE = "{width} * diameter * effective_viscosity * hydrodynamic_speed"
 HALVES = "2 * half_bearing_width"
-
-
-@dataclass(frozen=True)
-class Section:
-    """A heading with its lines."""
-
-    title: str
-    lines: tuple[Line, ...]
-    remark: str = ""
 
 
 def calculation(case: DesignCase, result: Result) -> tuple[Section, ...]:
@@ -51,7 +41,7 @@ def calculation(case: DesignCase, result: Result) -> tuple[Section, ...]:
     """
     if not result.outcome.solved:
         return ()
-    sheet = Worksheet(case, result)
+    sheet = JournalSheet(case, result)
     sections = (
         Section("Operating clearance", tuple(_clearance(sheet))),
         Section("Load and speed", tuple(_load_and_speed(sheet))),
@@ -75,21 +65,21 @@ def calculation(case: DesignCase, result: Result) -> tuple[Section, ...]:
     return tuple(section for section in sections if section.lines)
 
 
-def is_parted(sheet: Worksheet) -> bool:
+def is_parted(sheet: JournalSheet) -> bool:
     """Whether a groove around the circumference parts the bearing into two half bearings."""
     return "half_bearing_width" in sheet
 
 
-def _loaded_width(sheet: Worksheet) -> str:
+def _loaded_width(sheet: JournalSheet) -> str:
     return HALVES if is_parted(sheet) else "width"
 
 
-def _arguments(sheet: Worksheet) -> tuple[str, str]:
+def _arguments(sheet: JournalSheet) -> tuple[str, str]:
     """What the characteristics are read for besides load or position."""
     return "half_bearing_width_ratio" if is_parted(sheet) else "width_ratio", "angular_span"
 
 
-def _clearance(sheet: Worksheet) -> Iterator[Line]:
+def _clearance(sheet: JournalSheet) -> Iterator[Line]:
     yield sheet.line(
         "operating_relative_clearance",
         "relative_clearance + (expansion_bearing - expansion_journal) * (effective_temperature - 20)",
@@ -97,7 +87,7 @@ def _clearance(sheet: Worksheet) -> Iterator[Line]:
     yield sheet.line("radial_clearance", "operating_relative_clearance * diameter / 2")
 
 
-def _load_and_speed(sheet: Worksheet) -> Iterator[Line]:
+def _load_and_speed(sheet: JournalSheet) -> Iterator[Line]:
     if is_parted(sheet):
         sheet.note(groove_width=sheet["width"] - 2.0 * sheet["half_bearing_width"])
         halves = "two half bearings side by side, each with half the load"
@@ -108,14 +98,14 @@ def _load_and_speed(sheet: Worksheet) -> Iterator[Line]:
     yield sheet.line("surface_speed", f"{'abs(angular_speed)' if backward else 'angular_speed'} * diameter / 2")
 
 
-def _validity(sheet: Worksheet) -> Iterator[Line]:
+def _validity(sheet: JournalSheet) -> Iterator[Line]:
     yield sheet.line("film_reynolds_number", "density * surface_speed * radial_clearance / effective_viscosity")
     yield sheet.line(
         "critical_reynolds_number", "41.3 / sqrt(operating_relative_clearance)", "Re must not exceed it"
     )
 
 
-def _position(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
+def _position(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
     scale, arguments = LOAD_SCALE.format(width=_loaded_width(sheet)), _arguments(sheet)
     if isinstance(case.duty, GivenEccentricity):
         yield sheet.given("eccentricity_ratio", "prescribed")
@@ -135,7 +125,7 @@ def _position(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
     yield sheet.line("maximum_pressure", "peak_pressure_ratio * specific_load")
 
 
-def _friction(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
+def _friction(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
     load_number, angle, remark = "sommerfeld_number", "attitude_angle", "film around the whole circumference"
     sheared = "pi / ({so} * sqrt(1 - eccentricity_ratio**2))"
     if case.friction is Friction.CURVE360:
@@ -163,13 +153,13 @@ def _friction(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
     yield sheet.line("friction_torque", "friction_coefficient * load * diameter / 2")
 
 
-def _sheared_arc(case: DesignCase, sheet: Worksheet) -> float:
+def _sheared_arc(case: DesignCase, sheet: JournalSheet) -> float:
     """The integral I that the friction number of the result contains."""
     so, eps, beta = (sheet[k] for k in ("sommerfeld_number", "eccentricity_ratio", "attitude_angle"))
     return 2.0 * so * (sheet["friction_number"] / case.friction_factor - eps / 2.0 * math.sin(beta))
 
 
-def _side_flow(sheet: Worksheet) -> Iterator[Line]:
+def _side_flow(sheet: JournalSheet) -> Iterator[Line]:
     yield sheet.read("side_flow_number", "eccentricity_ratio", *_arguments(sheet))
     whole = "diameter**3 * operating_relative_clearance * hydrodynamic_speed * side_flow_number"
     if is_parted(sheet):
@@ -178,7 +168,7 @@ def _side_flow(sheet: Worksheet) -> Iterator[Line]:
         yield sheet.line("side_flow", whole)
 
 
-def _heat(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
+def _heat(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
     if case.effective_temperature is not None:
         return
     if case.oil_supply is not None:
@@ -218,7 +208,7 @@ def _iteration(result: Result) -> str:
     )
 
 
-def _limits(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
+def _limits(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
     if "empirical_film_limit" in sheet:
         yield sheet.read("empirical_film_limit", "diameter", "surface_speed", remark="table of experience values")
     if case.bearing.surfaces is not None:
@@ -230,7 +220,7 @@ def _limits(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
     yield sheet.line("pressure_speed_product", "specific_load * surface_speed")
 
 
-def _transition(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
+def _transition(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
     if "transition_speed" not in sheet:
         return
     curves = curves_of(case)
@@ -260,7 +250,7 @@ def _transition(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
     )
 
 
-def _screening(sheet: Worksheet) -> Iterator[Line]:
+def _screening(sheet: JournalSheet) -> Iterator[Line]:
     yield sheet.line("regime_number", "1e6 * effective_viscosity * hydrodynamic_speed / (2 * pi * specific_load)")
     ratio = _arguments(sheet)[0]
     yield sheet.line("stability_relative_clearance", f"3.5e-3 * sqrt(regime_number * {ratio})", "Orlov")

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.core.result import Result
+from babbitt.core.solution import Solution
 from babbitt.kinds.journal.film.isothermal import FilmState, under_found_load
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.report.drawing import Drawing, rendered, style
@@ -14,6 +15,9 @@ from babbitt.reynolds.model import Cavitation
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+SLOW = 4500
+"""Grid points of a film beyond which sweeps take seconds."""
 
 KEPT = "at the clearance and viscosity of the operating point"
 
@@ -26,26 +30,23 @@ Painted = tuple[str, str, "Figure", bool]
 """Name, caption, figure, whether it takes the width of the page."""
 
 
-def report_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tuple[Drawing, ...]:
+def report_figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing, ...]:
     """Figures for the report of a solved bearing; those that take long are left out, and the caption says so.
 
     Parameters
     ----------
-    case : FilmCase
-    result : Result
-        Its answer; an unsolved one has no figures.
+    solution : Solution
+        Of a film; an unsolved one has no figures.
     image_format : {"svg", "pdf", "png"}
 
     Returns
     -------
     tuple of Drawing
     """
-    from babbitt.kinds.journal.report.film_state import is_slow, state_of
-
+    result, state = solution.result, solution.state
     if not result.outcome.solved:
         return ()
-    state = state_of(case, result)
-    case = under_found_load(case, state)
+    case = under_found_load(solution.problem, state)
     with style():
         if is_slow(state):
             return _drawn(
@@ -61,29 +62,31 @@ def report_figures(case: FilmCase, result: Result, image_format: str = "svg") ->
         return _drawn(painted, image_format)
 
 
-def all_figures(case: FilmCase, result: Result, image_format: str = "svg") -> tuple[Drawing, ...]:
+def all_figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing, ...]:
     """Every figure of a solved bearing, the pressure as a surface included.
 
     Parameters
     ----------
-    case : FilmCase
-    result : Result
-        Its answer; an unsolved one has no figures.
+    solution : Solution
+        Of a film; an unsolved one has no figures.
     image_format : {"svg", "pdf", "png"}
 
     Returns
     -------
     tuple of Drawing
     """
-    from babbitt.kinds.journal.report.film_state import state_of
-
+    result, state = solution.result, solution.state
     if not result.outcome.solved:
         return ()
-    state = state_of(case, result)
-    case = under_found_load(case, state)
+    case = under_found_load(solution.problem, state)
     with style():
         at_rest = (*_at_rest(case, state), *_temperatures(case, state), *_surface(case, state))
         return _drawn((*at_rest, *_moving(state, result), *_swept(case, state, result)), image_format)
+
+
+def is_slow(state: FilmState) -> bool:
+    """Whether sweeps of this film take seconds."""
+    return bool(state.solution.pressure.size > SLOW)
 
 
 def _drawn(painted: Iterator[Painted] | tuple[Painted, ...], image_format: str) -> tuple[Drawing, ...]:
@@ -94,8 +97,7 @@ def _drawn(painted: Iterator[Painted] | tuple[Painted, ...], image_format: str) 
 
 def _at_rest(case: FilmCase, state: FilmState, remark: str = "") -> Iterator[Painted]:
     from babbitt.kinds.journal.film.field import field_of
-    from babbitt.kinds.journal.report import film_polar
-    from babbitt.report import maps as film_maps
+    from babbitt.kinds.journal.report import film_maps, film_polar
 
     field = field_of(state.solution, case.load_angle - math.pi)
     yield (
@@ -154,7 +156,7 @@ def _temperatures(case: FilmCase, state: FilmState) -> Iterator[Painted]:
 
 def _surface(case: FilmCase, state: FilmState) -> Iterator[Painted]:
     from babbitt.kinds.journal.film.field import field_of
-    from babbitt.report import maps as film_maps
+    from babbitt.kinds.journal.report import film_maps
 
     field = field_of(state.solution, case.load_angle - math.pi)
     yield "pressure-surface", "Pressure over the unrolled bore.", film_maps.surface(field), True

@@ -17,7 +17,8 @@ from babbitt.kinds.journal.film.temperature_field import (
     temperature_over,
     temperature_through,
 )
-from babbitt.report import maps as film_maps
+from babbitt.kinds.journal.report import film_maps
+from babbitt.report import shading
 from babbitt.report.drawing import GREY, INK, Array, Sheet, arrow
 from babbitt.reynolds.heat.heat_model import BushRing
 from babbitt.reynolds.heat.thermal_solution import ThermalFilm
@@ -45,13 +46,13 @@ def unrolled(case: FilmCase, thermal: ThermalFilm, field: FilmField) -> Figure:
     degrees, place = np.degrees(field.theta), thermal.hot_spot[1]
     shown = temperature_over(thermal, field) - ZERO_CELSIUS
     through = temperature_through(thermal, field.theta, place) - ZERO_CELSIUS
-    scale = film_maps.levels_of(np.concatenate((shown.ravel(), through.ravel())))
-    lines = film_maps.shaded(top, degrees, 1e3 * field.z, shown, scale)
+    scale = shading.levels_of(np.concatenate((shown.ravel(), through.ravel())))
+    lines = shading.shaded(top, degrees, 1e3 * field.z, shown, scale)
     film_maps.level_names(top, lines, thermal.film.film, field)
     film_maps.dress(top, case, thermal.film, field)
     top.set_ylabel("$z$ in mm")
     across = np.concatenate(([0.0], thermal.layers, [1.0]))
-    lines = film_maps.shaded(bottom, degrees, across, through, scale)
+    lines = shading.shaded(bottom, degrees, across, through, scale)
     bottom.clabel(lines, np.asarray(lines.levels)[::2], fontsize=6, fmt="%g", inline_spacing=2)
     _cover_grooves(bottom, thermal, field, place)
     bottom.set_ylabel("bush ←  $y/h$  → journal")
@@ -63,7 +64,7 @@ def unrolled(case: FilmCase, thermal: ThermalFilm, field: FilmField) -> Figure:
     film_maps.says(top, "temperature in °C, mean across the gap")
     film_maps.says(bottom, f"temperature in °C, across the gap {said_place(thermal)}")
     film_maps.rotation(top, case)
-    film_maps.bar(figure, (top, bottom), scale, "temperature in °C")
+    shading.bar(figure, (top, bottom), scale, "temperature in °C")
     return figure
 
 
@@ -81,9 +82,9 @@ def _hot_spot(top: Axes, bottom: Axes, thermal: ThermalFilm, field: FilmField) -
     line, column, layer = np.unravel_index(int(thermal.temperature.argmax()), thermal.temperature.shape)
     angle = field.theta[0] + (thermal.film.angles.ravel()[line] - field.theta[0]) % (2.0 * math.pi)
     said = f"{thermal.maximum_temperature - ZERO_CELSIUS:.1f}"
-    film_maps.point(bottom, math.degrees(angle), thermal.layers[layer], said)
+    shading.point(bottom, math.degrees(angle), thermal.layers[layer], said)
     if thermal.axial_positions.size > 1:
-        film_maps.point(top, math.degrees(angle), 1e3 * thermal.axial_positions[column], f"hottest {said}")
+        shading.point(top, math.degrees(angle), 1e3 * thermal.axial_positions[column], f"hottest {said}")
 
 
 def _cover_grooves(panel: Axes, thermal: ThermalFilm, field: FilmField, place: float) -> None:
@@ -115,11 +116,11 @@ def through(case: FilmCase, thermal: ThermalFilm, bush: BushRing | None) -> Figu
     inside = temperature_through(thermal, theta, thermal.hot_spot[1]) - ZERO_CELSIUS
     radii = 1.0 - FILM_AS_DRAWN * np.concatenate(([0.0], thermal.layers, [1.0]))
     reach = 1.12
-    shades, levels = film_maps.levels_of(inside)
+    shades, levels = shading.levels_of(inside)
     if bush is not None:
         real = np.unique(np.concatenate([np.linspace(a, b, DEPTHS) for a, b in _pairs(bush.radii)]))
         outer = bush_temperature(bush, thermal, theta, real) - ZERO_CELSIUS
-        shades, levels = film_maps.levels_of(np.concatenate((inside, outer), axis=1))
+        shades, levels = shading.levels_of(np.concatenate((inside, outer), axis=1))
         _ring(panel, theta, real / bush.radii[0], outer, shades, levels)
         for edge in bush.radii[1:]:
             panel.add_patch(Circle((0.0, 0.0), edge / bush.radii[0], fill=False, linewidth=0.5, edgecolor=INK))

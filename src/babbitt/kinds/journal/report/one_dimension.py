@@ -14,8 +14,6 @@ from babbitt.kinds.journal.infinitely_long_bearing.model import (
     NusseltLaw,
 )
 
-METHOD_NAMES = {"long_film": "Long film with heat exchange", "segments": "Heat balance by segments"}
-
 OWN_RESULTS = (
     "supply_angle",
     "rupture_angle",

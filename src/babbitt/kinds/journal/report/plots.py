@@ -9,10 +9,12 @@ import numpy as np
 
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
+from babbitt.core.solution import Calculation
 from babbitt.design.span import TABULATED_SPANS
 from babbitt.kinds.journal.iso7902.characteristics import curves
 from babbitt.kinds.journal.iso7902.film import curves_of
 from babbitt.kinds.journal.iso7902.model import Curves, DesignCase
+from babbitt.kinds.journal.methods import METHODS
 from babbitt.kinds.journal.study.design_sweep import sweep_design
 from babbitt.report.drawing import (
     GREY,
@@ -37,12 +39,14 @@ if TYPE_CHECKING:
 POINTS = 61
 """Of each sweep; odd, so that the operating point is one of them."""
 
+STANDARD = METHODS["iso7902"]
+
 
 def speed_and_load(case: DesignCase, result: Result) -> Figure:
     """Friction coefficient and minimum film thickness over speed and over load (Stribeck)."""
     speed, load = abs(case.journal_speed), result.load
     by_speed = speed_sweep(case, result)
-    by_load = sweep_design(case, "duty.load", _about(load, load / 10.0, 4.0 * load))
+    by_load = sweep_design(Calculation(case, STANDARD), "duty.load", _about(load, load / 10.0, 4.0 * load))
     figure, axes = Sheet(166.0, 78.0, 2, 2).panels(sharex="col", sharey="row")
     for column, (swept, name, here) in enumerate(((by_speed, "angular_speed", speed), (by_load, "load", load))):
         quantity = QUANTITIES[name]
@@ -79,7 +83,7 @@ def speed_sweep(case: DesignCase, result: Result) -> Sweep:
     against = max(-sense * case.bearing_speed, 0.0)  # no film below the speed at which the bearing turns back
     if slowest <= against:
         slowest = against + 0.05 * (speed - against)
-    return sweep_design(case, "journal_speed", sense * _about(speed, slowest, 2.0 * speed))
+    return sweep_design(Calculation(case, STANDARD), "journal_speed", sense * _about(speed, slowest, 2.0 * speed))
 
 
 def journal_speed_of(case: DesignCase, hydrodynamic_speed: float) -> float:
@@ -176,7 +180,7 @@ def _label_starts(panel: Axes, x: float, starts: list[tuple[float, int]]) -> Non
 def clearance(case: DesignCase, result: Result, smallest: float, largest: float) -> Figure:
     """Effective temperature and minimum film thickness from the smallest to the largest clearance."""
     points = np.linspace(smallest, largest, 41)
-    swept = sweep_design(case, "bearing.relative_clearance", points)
+    swept = sweep_design(Calculation(case, STANDARD), "bearing.relative_clearance", points)
     figure, axes = Sheet(81.0, 62.0, 2, 1).panels(sharex=True)
     here = 1e3 * case.bearing.relative_clearance
     for panel, name in zip(axes[:, 0], ("effective_temperature", "minimum_film_thickness"), strict=True):
@@ -193,7 +197,7 @@ def clearance(case: DesignCase, result: Result, smallest: float, largest: float)
 def spans(case: DesignCase, result: Result) -> Figure:
     """Film thickness, temperature, power and flow of the same bearing with other angular spans."""
     tried = [span for span in TABULATED_SPANS if case.curves is Curves.COMPUTED or span == case.bearing.span]
-    swept = sweep_design(case, "bearing.span", [float(span) for span in tried])
+    swept = sweep_design(Calculation(case, STANDARD), "bearing.span", [float(span) for span in tried])
     known = ("outlet_temperature", "bearing_temperature", "effective_temperature")
     temperature = next(name for name in known if name in result.values)
     names = ("minimum_film_thickness", temperature, "friction_power", "total_flow")

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import fields, is_dataclass, replace
-from typing import Any
+from typing import Any, TypeVar
 
-from babbitt.case.build import DesignT
-from babbitt.case.designs import AnyDesign
 from babbitt.core.notices import InputError
 from babbitt.core.result import Result
-from babbitt.solving import solve_design
+from babbitt.core.solution import Calculation
 from babbitt.study.sweep import Sweep, swept
 
 __all__ = ["sweep_design", "varied"]
 
+DesignT = TypeVar("DesignT")
 
-def sweep_design(case: AnyDesign, path: str, points: Iterable[float]) -> Sweep:
+
+def sweep_design(calculation: Calculation, path: str, points: Iterable[float]) -> Sweep:
     """Run the design check for each value of one number of a design.
 
     Nothing else changes: what a case would derive from the number keeps its value. To vary a field of a case with
@@ -24,7 +24,8 @@ def sweep_design(case: AnyDesign, path: str, points: Iterable[float]) -> Sweep:
 
     Parameters
     ----------
-    case : AnyDesign
+    calculation : Calculation
+        Of a problem that has one solution.
     path : str
         Dotted name of a scalar of the design: ``"journal_speed"``, ``"duty.load"``, ``"bearing.span"``,
         ``"oil_supply.temperature"``.
@@ -46,7 +47,8 @@ def sweep_design(case: AnyDesign, path: str, points: Iterable[float]) -> Sweep:
     refused: dict[int, str] = {}
     for place, point in enumerate(taken):
         try:
-            results.append(solve_design(varied(case, path, point)))
+            problem = varied(calculation.problem, path, point)
+            results += [one.result for one in calculation.method.solve(problem)]
         except InputError as error:
             results.append(None)
             refused[place] = str(error)

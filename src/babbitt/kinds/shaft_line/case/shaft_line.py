@@ -12,11 +12,13 @@ from pydantic import Field
 from babbitt.case.case_file import CaseFile
 from babbitt.case.part import Complaint, Part, exactly_one, rule
 from babbitt.case.parts.fields import Name, WholeNumber
+from babbitt.core.solution import Calculation
 from babbitt.core.units import si
 from babbitt.core.units import written as written_plainly
 from babbitt.kinds.shaft_line.design import LineDesign
 from babbitt.kinds.shaft_line.excitation import WITHOUT_WOBBLE, WOBBLE_LEFT_OUT, ThrustHarmonic
 from babbitt.kinds.shaft_line.line import Rod, Seating, ShaftLine
+from babbitt.kinds.shaft_line.methods import FREQUENCY_DOMAIN
 from babbitt.kinds.thrust.case.runout import RUNOUT, RunoutGiven, given_twice, waves_given_twice
 from babbitt.kinds.thrust.case.thrust import Thrust, ThrustBearingInputs, written
 from babbitt.kinds.thrust.case.thrust_pads import Damping, PartMass, Stiffness
@@ -210,9 +212,9 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
                 f"false, or {WITHOUT_WOBBLE}",
             )
 
-    def designs(self) -> tuple[LineDesign, ...]:
-        """Give the line of the calculation."""
-        return (self.line_design(),)
+    def calculations(self) -> tuple[Calculation, ...]:
+        """Give the one calculation of the file."""
+        return (Calculation(self.line_design(), FREQUENCY_DOMAIN),)
 
     def line_design(self) -> LineDesign:
         """Give the line of the calculation."""

@@ -14,6 +14,7 @@ from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.part import Complaint, Part, exactly_one, not_read, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.core.notices import InputError, Notice
+from babbitt.core.solution import Calculation
 from babbitt.core.units import either_sense, si
 from babbitt.core.units import written as written_plainly
 from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
@@ -21,6 +22,7 @@ from babbitt.kinds.thrust.case.runout import RUNOUT, Runout, RunoutGiven, said_o
 from babbitt.kinds.thrust.case.thrust_oil import GivenViscosity, OilByBalance, ThrustOil
 from babbitt.kinds.thrust.case.thrust_pads import PadMaterials, Stiffness, ThrustPads, Tilt, TiltingPivot
 from babbitt.kinds.thrust.design import GivenFilm, GivenThrust, ThrustDesign
+from babbitt.kinds.thrust.methods import THRUST_FILM
 from babbitt.kinds.thrust.pad import Pivot, ThrustPad
 from babbitt.kinds.thrust.state import TiltInertia
 from babbitt.kinds.thrust.temperature_limits import TemperatureLimits
@@ -250,9 +252,9 @@ class ThrustCase(ThrustBearingInputs, CaseFile):
         yield from not_read(self, "films of a steady thrust do not feel the mass of a pad", "pads.mass")
         yield from super()._fields_not_read()
 
-    def designs(self) -> tuple[ThrustDesign, ...]:
-        """Give the bearing of the calculation."""
-        return (self.thrust_design(),)
+    def calculations(self) -> tuple[Calculation, ...]:
+        """Give the one calculation of the file."""
+        return (Calculation(self.thrust_design(), THRUST_FILM),)
 
     def thrust_design(self) -> ThrustDesign:
         """Give the bearing of the calculation."""

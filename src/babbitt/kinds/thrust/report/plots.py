@@ -10,7 +10,7 @@ import numpy as np
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.thrust.peak import between_nodes
 from babbitt.kinds.thrust.sharing import Share
-from babbitt.report import maps as film_maps
+from babbitt.report import shading
 from babbitt.report.drawing import GREY, INK, Array, Sheet
 
 if TYPE_CHECKING:
@@ -137,10 +137,10 @@ def pad_temperature(share: Share) -> Figure:
     across = np.concatenate(([0.0], heat.layers, [1.0]))
     shown = np.concatenate((celsius[:, :1], celsius, celsius[:, -1:]), axis=1)
     degrees = np.degrees(film.theta)
-    lines = film_maps.shaded(panel, degrees, across, shown)
+    lines = shading.shaded(panel, degrees, across, shown)
     panel.clabel(lines, np.asarray(lines.levels)[::2], fontsize=6, fmt="%g", inline_spacing=2)
     line, layer = np.unravel_index(int(shown.argmax()), shown.shape)
-    film_maps.point(panel, float(degrees[line]), float(across[layer]), f"{heat.maximum - ZERO_CELSIUS:.1f}")
+    shading.point(panel, float(degrees[line]), float(across[layer]), f"{heat.maximum - ZERO_CELSIUS:.1f}")
     panel.set_xlabel("angle from the leading edge in °")
     panel.set_ylabel("pad  ←  $y/h$  →  collar")
     panel.set_ylim(0.0, 1.0)

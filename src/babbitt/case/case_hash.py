@@ -1,0 +1,46 @@
+"""The hash of a case, the same for files that say the same."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from typing import Any
+
+from babbitt.case.case_file import CaseFile
+from babbitt.case.part import Part
+
+
+def case_hash(case: CaseFile) -> str:
+    """SHA-256 of a case in canonical JSON: the same for files that differ only in layout, units and defaults.
+
+    Numbers count to twelve significant digits, beyond which a change of units may leave its traces.
+
+    Parameters
+    ----------
+    case : CaseFile
+
+    Returns
+    -------
+    str
+        64 hexadecimal digits.
+    """
+    content = _rounded(case)
+    canonical = json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=True, allow_nan=False)
+    return hashlib.sha256(canonical.encode("ascii")).hexdigest()
+
+
+def _rounded(value: Any) -> Any:
+    """What JSON can hold, floats to twelve significant digits, fields that have their default left out."""
+    match value:
+        case Part():
+            fields = type(value).model_fields
+            pairs = ((name, _rounded(getattr(value, name)), fields[name]) for name in fields)
+            return {
+                name: own for name, own, field in pairs if field.is_required() or own != _rounded(field.default)
+            }
+        case float():
+            return float(f"{value:.12g}")
+        case tuple():
+            return [_rounded(one) for one in value]
+        case _:
+            return value

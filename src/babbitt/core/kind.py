@@ -1,0 +1,155 @@
+"""The registry of bearing kinds: what a program must know of a kind before it imports its calculation.
+
+The kinds that ship stand in ``babbitt.kinds``. Other packages add theirs by the entry-point group
+``babbitt.kinds``, whose entries name a `Kind`, or by `register`.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from importlib import import_module
+from importlib.metadata import entry_points
+from importlib.resources import files
+from typing import Any
+
+from babbitt.core.notices import EXPLANATIONS
+from babbitt.core.quantities import QUANTITIES
+
+__all__ = ["Kind", "find_kind", "imported", "kinds", "register"]
+
+SHIPPED = "babbitt.kinds"
+"""Package whose ``KINDS`` are those that ship, and the group of entry points for all others."""
+
+
+def imported(path: str) -> Any:
+    """Import what a text names: a module and, behind a colon, what stands in it.
+
+    >>> imported("math:pi")
+    3.141592653589793
+    """
+    module, _, name = path.partition(":")
+    return getattr(import_module(module), name)
+
+
+@dataclass(frozen=True)
+class Kind:
+    """One kind of case; modules are named, and imported when they are first needed.
+
+    Attributes
+    ----------
+    name : str
+        What a case file says under ``kind``.
+    description : str
+        One line for lists.
+    model : str
+        Its case model, as ``module:Class``.
+    template : str
+        A commented case file to begin with, as ``package:file``.
+    views : Mapping[str, str]
+        By the name of each method, where its `babbitt.report.view.View` stands, as ``module:NAME``.
+    comparison : str
+        A function from a case to comparisons of its methods, as ``module:name``; empty where there is one method.
+    one_method : str
+        What to tell whoever compares a kind that has one method.
+    no_coefficients : str
+        What to tell whoever exports dynamic coefficients of a kind that has none to export.
+    meanings : str
+        What quantities mean in this kind, a mapping, as ``module:NAME``; empty for their usual meaning.
+    vocabulary : str
+        Quantities that occur in its calculation sheets only, as ``module:NAME``.
+    quantities : str
+        Quantities of its results that no other kind has, as ``module:NAME``; they join the vocabulary.
+    notices : str
+        Codes of its own with their explanations, a mapping, as ``module:NAME``.
+    """
+
+    name: str
+    description: str
+    model: str
+    template: str
+    views: Mapping[str, str] = field(default_factory=dict)
+    comparison: str = ""
+    one_method: str = ""
+    no_coefficients: str = ""
+    meanings: str = ""
+    vocabulary: str = ""
+    quantities: str = ""
+    notices: str = ""
+
+    def load_model(self) -> Any:
+        """Import the case model."""
+        return imported(self.model)
+
+    def read_template(self) -> str:
+        """Read the case file to begin with."""
+        package, _, name = self.template.partition(":")
+        return files(package).joinpath(name).read_text(encoding="utf-8")
+
+    def load_meanings(self) -> Mapping[str, str]:
+        """Import what quantities mean in this kind."""
+        meanings: Mapping[str, str] = imported(self.meanings) if self.meanings else {}
+        return meanings
+
+
+_REGISTERED: dict[str, Kind] = {}
+_LOADED: list[str] = []
+
+
+def register(kind: Kind) -> None:
+    """Add a kind to those that case files may name.
+
+    Raises
+    ------
+    ValueError
+        Where another kind has the name, or a quantity or code of it has another meaning already.
+    """
+    _load_shipped()
+    if _REGISTERED.get(kind.name, kind) != kind:
+        raise ValueError(f"there is another kind {kind.name!r}")
+    for one in imported(kind.quantities) if kind.quantities else ():
+        if QUANTITIES.setdefault(one.name, one) != one:
+            raise ValueError(f"the quantity {one.name!r} of kind {kind.name!r} has another meaning already")
+    for code, explanation in imported(kind.notices).items() if kind.notices else ():
+        if EXPLANATIONS.setdefault(code, explanation) != explanation:
+            raise ValueError(f"the code {code} of kind {kind.name!r} has another meaning already")
+    _REGISTERED[kind.name] = kind
+
+
+def find_kind(name: str) -> Kind | None:
+    """The kind of a name; None where there is none. Other packages are asked for names that do not ship."""
+    _load_shipped()
+    if name not in _REGISTERED:
+        _load_others()
+    return _REGISTERED.get(name)
+
+
+def kinds() -> Mapping[str, Kind]:
+    """All kinds by name: those that ship in their order, then those of other packages.
+
+    >>> list(kinds())[:4]
+    ['journal', 'machine', 'overhung_coupling', 'screw_heel']
+    """
+    _load_shipped()
+    _load_others()
+    return dict(_REGISTERED)
+
+
+def _load_shipped() -> None:
+    if SHIPPED not in _LOADED:
+        _LOADED.append(SHIPPED)
+        for kind in imported(f"{SHIPPED}:KINDS"):
+            _REGISTERED.setdefault(kind.name, kind)
+
+
+def _load_others() -> None:
+    """Look up the kinds of other packages, once; a broken one is named and leaves the others usable."""
+    if "entry points" in _LOADED:
+        return
+    _LOADED.append("entry points")
+    for entry in entry_points(group=SHIPPED):
+        try:
+            register(entry.load())
+        except Exception as error:
+            warnings.warn(f"the bearing kind {entry.name!r} cannot be used: {error}", stacklevel=3)

@@ -1,0 +1,78 @@
+"""How the steady states of a footstep are shown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from babbitt.core.result import Result
+from babbitt.core.solution import Solution
+from babbitt.kinds.footstep.report.citations import KIRICHENKO
+from babbitt.kinds.footstep.report.citations import NARROW_GROOVE as NARROW_GROOVE_THEORY
+from babbitt.kinds.footstep.report.columns import COLUMNS
+from babbitt.report.view import View
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+    from babbitt.kinds.footstep.model_case import HeelCase
+    from babbitt.report.drawing import Drawing
+    from babbitt.report.line import Section
+    from babbitt.report.rows import InputGroup
+
+__all__ = ["NARROW_GROOVE", "SUPERPOSITION"]
+
+
+def _inputs(problem: HeelCase) -> Iterable[InputGroup]:
+    from babbitt.kinds.footstep.report.inputs import heel_inputs
+    from babbitt.report.rows import groups_in_words
+
+    return groups_in_words(heel_inputs(problem))
+
+
+def _sections(solution: Solution) -> tuple[Section, ...]:
+    from babbitt.kinds.footstep.report.calculation import heel_calculation
+
+    return heel_calculation(solution.problem, solution.result)
+
+
+def _figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing, ...]:
+    from babbitt.kinds.footstep.report.figures import heel_figures
+
+    return heel_figures(solution.problem, solution.result, image_format)
+
+
+def _table(results: Sequence[Result]) -> RenderableType:
+    from babbitt.kinds.footstep.report.table import heel_table
+
+    return heel_table(results)
+
+
+def _alike(problem: HeelCase) -> HeelCase:
+    return replace(problem, footstep=problem.smooth, other=None)
+
+
+def _study(_: HeelCase) -> tuple[str, ...]:
+    return (KIRICHENKO,)
+
+
+def _narrow_groove(_: HeelCase) -> tuple[str, ...]:
+    return (KIRICHENKO, NARROW_GROOVE_THEORY)
+
+
+SUPERPOSITION = View(
+    title="Groove beside a slit (equations of the study, corrected)",
+    inputs=_inputs,
+    sections=_sections,
+    figures=_figures,
+    report_figures=_figures,
+    of_every_state=True,
+    columns=COLUMNS,
+    in_machine_table=False,
+    state_table=_table,
+    alike=_alike,
+    citations=_study,
+)
+
+NARROW_GROOVE = replace(SUPERPOSITION, title="Narrow-groove theory", citations=_narrow_groove)

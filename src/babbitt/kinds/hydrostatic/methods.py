@@ -1,0 +1,58 @@
+"""The methods of hydrostatic bearings and of jacking pockets."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from babbitt.core.progress import Watch, unwatched
+from babbitt.core.solution import Method, Solution
+
+if TYPE_CHECKING:
+    from babbitt.kinds.hydrostatic.jacking_model import JackingCase
+    from babbitt.kinds.hydrostatic.model import HydrostaticCase
+
+__all__ = ["JACKING_METHODS", "METHODS", "Jacking", "Recesses"]
+
+
+@dataclass(frozen=True)
+class Recesses:
+    """Films between recesses fed through restrictors: ``film`` in two dimensions, ``quick`` by closed forms."""
+
+    name: str
+
+    def solve(self, problem: HydrostaticCase, progress: Watch = unwatched) -> tuple[Solution, ...]:
+        """Solve network, films and heat balance."""
+        from babbitt.kinds.hydrostatic.check import hydrostatic_solution
+
+        return (hydrostatic_solution(problem),)
+
+    def refuse(self, problem: HydrostaticCase) -> None:
+        """Refuse a position that leaves no gap, and recesses that are too short for closed forms."""
+        from babbitt.kinds.hydrostatic.check import refuse_contact, refuse_short_recess
+
+        refuse_contact(problem)
+        refuse_short_recess(problem)
+
+
+@dataclass(frozen=True)
+class Jacking:
+    """Pockets that lift a shaft at rest: ``film`` in two dimensions, ``quick`` by lumped lands."""
+
+    name: str
+
+    def solve(self, problem: JackingCase, progress: Watch = unwatched) -> tuple[Solution, ...]:
+        """Find breakaway and the lifted shaft."""
+        from babbitt.kinds.hydrostatic.jacking import jacking_check
+
+        return (Solution(problem, jacking_check(problem)),)
+
+    def refuse(self, problem: JackingCase) -> None:
+        """Refuse nothing that a case file may say."""
+
+
+METHODS: dict[str, Method] = {name: Recesses(name) for name in ("film", "quick")}
+"""By the name that a case file gives."""
+
+JACKING_METHODS: dict[str, Method] = {name: Jacking(name) for name in ("film", "quick")}
+"""By the name that a case file gives."""

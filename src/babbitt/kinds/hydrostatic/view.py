@@ -1,0 +1,66 @@
+"""How the solutions of hydrostatic bearings and jacking pockets are shown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from babbitt.core.solution import Solution
+from babbitt.kinds.hydrostatic.report.columns import COLUMNS
+from babbitt.kinds.hydrostatic.report.result_rows import recess_rows
+from babbitt.report.citations import REYNOLDS
+from babbitt.report.view import View
+
+if TYPE_CHECKING:
+    from babbitt.kinds.hydrostatic.jacking_model import JackingCase
+    from babbitt.kinds.hydrostatic.model import HydrostaticCase
+    from babbitt.properties.lubricants import Lubricant
+    from babbitt.report.drawing import Drawing
+    from babbitt.report.line import Section
+    from babbitt.report.rows import InputGroup
+
+__all__ = ["FILM", "JACKING_FILM", "JACKING_QUICK", "QUICK"]
+
+
+def _inputs(problem: HydrostaticCase | JackingCase) -> Iterable[InputGroup]:
+    from babbitt.kinds.hydrostatic.report.inputs import groups
+    from babbitt.report.rows import groups_in_words
+
+    return groups_in_words(groups(problem))
+
+
+def _sections(solution: Solution) -> tuple[Section, ...]:
+    from babbitt.kinds.hydrostatic.report.calculation import hydrostatic_calculation
+
+    return hydrostatic_calculation(solution.problem, solution.result)
+
+
+def _figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing, ...]:
+    from babbitt.kinds.hydrostatic.report.figures import hydrostatic_figures
+
+    return hydrostatic_figures(solution, image_format)
+
+
+def _citations(_: object) -> tuple[str, ...]:
+    return (REYNOLDS,)
+
+
+def _oil(problem: HydrostaticCase) -> Lubricant | None:
+    return problem.oil.lubricant
+
+
+JACKING_FILM = View(
+    title="Film in two dimensions",
+    heading="Operating point",
+    rows=recess_rows,
+    inputs=_inputs,
+    sections=_sections,
+    figures=_figures,
+    report_figures=_figures,
+    columns=COLUMNS,
+    citations=_citations,
+)
+JACKING_QUICK = replace(JACKING_FILM, title="Closed forms")
+FILM = replace(JACKING_FILM, oil=_oil)
+QUICK = replace(JACKING_QUICK, oil=_oil)

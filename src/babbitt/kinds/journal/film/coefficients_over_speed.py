@@ -1,0 +1,121 @@
+"""Stiffness and damping of a bearing over its speed, each at the equilibrium of that speed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from babbitt.core.notices import InputError
+from babbitt.core.result import Outcome
+from babbitt.design.heat_balance import Equilibrium
+from babbitt.export import CoefficientTable, coefficient_table
+from babbitt.kinds.journal.film.isothermal import FilmState
+from babbitt.kinds.journal.film.model import FilmCase
+from babbitt.kinds.journal.film.thermal_film import film_equilibrium
+from babbitt.kinds.journal.film.thermal_results import temperatures_of_coefficients, with_own_coefficients
+
+STATIC = {
+    "effective_temperature": "temperature",
+    "effective_viscosity": "viscosity",
+    "total_flow": "total_flow",
+    "friction_power": "friction_power",
+}
+"""What is carried along of the heat balance: quantity, and its name in the state of the film."""
+
+
+@dataclass(frozen=True, eq=False)
+class SpeedRun:
+    """One bearing at several speeds, in rad/s and ascending; everything else stays as in the case."""
+
+    case: FilmCase
+    speeds: tuple[float, ...]
+    found: tuple[Equilibrium[FilmState], ...]
+    unfollowed: tuple[float, ...] = ()
+    """Speeds in rad/s without the stiffness for following temperatures that the case asks for."""
+
+    @property
+    def unsolved(self) -> tuple[tuple[float, Outcome], ...]:
+        """Speeds in rad/s without an equilibrium, and how the search ended there."""
+        pairs = zip(self.speeds, self.found, strict=True)
+        return tuple((speed, one.outcome) for speed, one in pairs if not one.outcome.solved)
+
+    def table(self) -> CoefficientTable:
+        """Give the coefficients over speed, with the equilibria and heat balances they belong to.
+
+        Raises
+        ------
+        InputError
+            E003 when a speed has no equilibrium or no stiffness of the kind asked for, E004 when the direction of
+            the load changes with the speed.
+        """
+        if self.unsolved:
+            speed, outcome = self.unsolved[0]
+            rpm = speed * 30.0 / math.pi
+            raise InputError("E003", f"{self.case.name}: no equilibrium at {rpm:.0f} rpm ({outcome.value})")
+        if self.unfollowed:
+            rpm = self.unfollowed[0] * 30.0 / math.pi
+            raise InputError(
+                "E003",
+                f"{self.case.name}: no stiffness with following temperatures at {rpm:.0f} rpm, as a displaced "
+                "film did not settle; leave this speed out or choose temperature_coefficients: frozen",
+            )
+        states = [one.film for one in self.found if one.film is not None]
+        table = coefficient_table(self.case.name, (state.solution for state in states), _method(self.case))
+        heat = {name: np.array([getattr(state, own) for state in states]) for name, own in STATIC.items()}
+        return replace(
+            table, static={**table.static, **heat}, temperatures=temperatures_of_coefficients(self.case)
+        )
+
+
+def run_over_speed(case: FilmCase, speeds: Iterable[float]) -> SpeedRun:
+    """Solve a bearing at several speeds, its heat balance anew at each.
+
+    Parameters
+    ----------
+    case : FilmCase
+        Load, oil and supply hold at every speed; the sense of rotation is that of the case.
+    speeds : iterable of float
+        Of the journal, rad/s, positive.
+
+    Returns
+    -------
+    SpeedRun
+        With a status at every speed, and the stiffness that the case asks for.
+
+    Raises
+    ------
+    InputError
+        E003 for a speed that is not positive, E004 for a bearing that turns, too: coefficients over the speed of
+        the journal alone do not describe it.
+    """
+    taken = tuple(sorted(set(speeds)))
+    if not taken or not all(math.isfinite(speed) and speed > 0.0 for speed in taken):
+        raise InputError("E003", f"{case.name}: give one speed or more, each positive, in rad/s")
+    if case.bearing_speed:
+        raise InputError(
+            "E004", f"{case.name}: the bearing turns, too; no table over the journal speed holds for it"
+        )
+    sense = case.rotation.sense
+    runs = [_with_coefficients(replace(case, journal_speed=sense * speed)) for speed in taken]
+    unfollowed = tuple(speed for speed, (_, followed) in zip(taken, runs, strict=True) if not followed)
+    return SpeedRun(case, taken, tuple(found for found, _ in runs), unfollowed)
+
+
+def _with_coefficients(case: FilmCase) -> tuple[Equilibrium[FilmState], bool]:
+    """Equilibrium with the stiffness that the case asks for, and whether that was found."""
+    found = film_equilibrium(case)
+    if found.film is None or not found.outcome.solved:
+        return found, True
+    state, followed = with_own_coefficients(case, found.film)
+    return replace(found, film=state), followed
+
+
+def _method(case: FilmCase) -> str:
+    if case.heat is not None:
+        heat = f"thermal {case.heat.name} at each speed"
+    else:
+        heat = "heat balance at each speed" if case.effective_temperature is None else "one effective temperature"
+    return f"Babbitt film, {case.cavitation.name.lower().replace('_', ' ')} cavitation, {heat}"

@@ -1,0 +1,99 @@
+"""The methods of journal bearings. Heavy libraries are imported when the first problem is solved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from babbitt.core.progress import Watch, unwatched
+from babbitt.core.solution import Method, Solution
+
+if TYPE_CHECKING:
+    from babbitt.kinds.journal.film.coefficients_over_speed import SpeedRun
+    from babbitt.kinds.journal.film.model import FilmCase
+    from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
+    from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
+    from babbitt.kinds.journal.iso7902.model import DesignCase
+
+__all__ = ["METHODS", "Film", "GroovedLongBearing", "InfinitelyLongBearing", "Iso7902"]
+
+
+@dataclass(frozen=True)
+class Iso7902:
+    """The design procedure of ISO 7902."""
+
+    name: ClassVar[str] = "iso7902"
+
+    def solve(self, problem: DesignCase, progress: Watch = unwatched) -> tuple[Solution, ...]:
+        """Solve by the tables of characteristics and the heat balance of the standard."""
+        from babbitt.kinds.journal.iso7902 import check
+
+        return (Solution(problem, check(problem)),)
+
+    def refuse(self, problem: DesignCase) -> None:
+        """Refuse nothing that a case file may say."""
+
+
+@dataclass(frozen=True)
+class Film:
+    """The film in two dimensions, of one temperature or with its own."""
+
+    name: ClassVar[str] = "film"
+
+    def solve(self, problem: FilmCase, progress: Watch = unwatched) -> tuple[Solution, ...]:
+        """Solve the film; `progress` follows the cycles of an orbit. The solution keeps the film."""
+        from babbitt.kinds.journal.film.check import film_solution
+
+        return (film_solution(problem, progress),)
+
+    def refuse(self, problem: FilmCase) -> None:
+        """Refuse nothing that a case file may say."""
+
+    def coefficients_over_speed(self, problem: FilmCase, speeds: Iterable[float]) -> SpeedRun:
+        """Solve at several speeds, the heat balance anew at each."""
+        from babbitt.kinds.journal.film.coefficients_over_speed import run_over_speed
+
+        return run_over_speed(problem, speeds)
+
+    def is_clockwise(self, problem: FilmCase) -> bool:
+        """Whether the journal turns clockwise, seen against z."""
+        return problem.rotation.sense < 0.0
+
+
+@dataclass(frozen=True)
+class InfinitelyLongBearing:
+    """The infinitely long film with heat exchange through journal and bush."""
+
+    name: ClassVar[str] = "long_film"
+
+    def solve(self, problem: LongFilmCase, progress: Watch = unwatched) -> tuple[Solution, ...]:
+        """Solve the film of one dimension and the network of its heat."""
+        from babbitt.kinds.journal.infinitely_long_bearing.check import long_film_check
+
+        return (Solution(problem, long_film_check(problem)),)
+
+    def refuse(self, problem: LongFilmCase) -> None:
+        """Refuse nothing that a case file may say."""
+
+
+@dataclass(frozen=True)
+class GroovedLongBearing:
+    """The heat balance by segments of an infinitely long film with a groove in the loaded zone."""
+
+    name: ClassVar[str] = "segments"
+
+    def solve(self, problem: SegmentCase, progress: Watch = unwatched) -> tuple[Solution, ...]:
+        """Solve the films before and behind the groove."""
+        from babbitt.kinds.journal.grooved_long_bearing.check import segments_check
+
+        return (Solution(problem, segments_check(problem)),)
+
+    def refuse(self, problem: SegmentCase) -> None:
+        """Refuse nothing that a case file may say."""
+
+
+METHODS: dict[str, Method] = {
+    one.name: one for one in (Iso7902(), Film(), InfinitelyLongBearing(), GroovedLongBearing())
+}
+"""By the name that a case file gives."""

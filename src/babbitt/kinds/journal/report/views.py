@@ -1,0 +1,133 @@
+"""How the solutions of each method of a journal bearing are shown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from babbitt.core.solution import Solution
+from babbitt.kinds.journal.report.columns import COLUMNS, OVERVIEW_COLUMNS
+from babbitt.kinds.journal.report.key_results import KEY_RESULTS
+from babbitt.kinds.journal.report.one_dimension import OWN_RESULTS
+from babbitt.kinds.journal.report.result_rows import supply_rows
+from babbitt.report.view import View
+
+if TYPE_CHECKING:
+    import xarray
+
+    from babbitt.kinds.journal.problems import JournalDesign
+    from babbitt.properties.lubricants import Lubricant
+    from babbitt.report.drawing import Drawing
+    from babbitt.report.line import Section
+    from babbitt.report.rows import InputGroup
+
+__all__ = ["FILM", "ISO7902", "LONG_FILM", "SEGMENTS"]
+
+
+def _inputs(problem: JournalDesign) -> Iterable[InputGroup]:
+    from babbitt.kinds.journal.report.inputs import journal_inputs
+
+    return journal_inputs(problem)
+
+
+def _alike(problem: Any) -> Any:
+    return replace(problem, name="", given=(), bearing=replace(problem.bearing, relative_clearance=1.0))
+
+
+def _oil(problem: JournalDesign) -> Lubricant:
+    return problem.lubricant
+
+
+def _calculation(solution: Solution) -> tuple[Section, ...]:
+    from babbitt.kinds.journal.report.calculation import calculation
+
+    return calculation(solution.problem, solution.result)
+
+
+def _iso7902_figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing, ...]:
+    from babbitt.kinds.journal.report.iso7902_figures import clearance_range, draw
+
+    return draw(solution.problem, solution.result, clearance_range(solution.problem), image_format)
+
+
+def _film_figures(solution: Solution, image_format: str) -> tuple[Drawing, ...]:
+    from babbitt.kinds.journal.report.film_figures import all_figures
+
+    return all_figures(solution, image_format)
+
+
+def _film_report_figures(solution: Solution) -> tuple[Drawing, ...]:
+    from babbitt.kinds.journal.report.film_figures import report_figures
+
+    return report_figures(solution)
+
+
+def _film_fields(solution: Solution) -> xarray.Dataset:
+    from babbitt.kinds.journal.report.film_fields import film_fields
+
+    return film_fields(solution)
+
+
+def _figures_along(solution: Solution, image_format: str = "svg") -> tuple[Drawing, ...]:
+    from babbitt.kinds.journal.report.one_dimension_figures import figures_along_the_film
+
+    return figures_along_the_film(solution.problem, solution.result, image_format)
+
+
+def _cited(name: str) -> Any:
+    def citations(problem: JournalDesign) -> Iterable[str]:
+        from babbitt.kinds.journal.report import citations as references
+
+        found: Iterable[str] = getattr(references, name)(problem)
+        return found
+
+    return citations
+
+
+COMMON = View(
+    title="",
+    heading="Operating point",
+    key_results=tuple(dict.fromkeys((*KEY_RESULTS, *OWN_RESULTS))),
+    rows=supply_rows,
+    inputs=_inputs,
+    columns=COLUMNS,
+    alike=_alike,
+    oil=_oil,
+)
+"""What the views of all methods share."""
+
+ISO7902 = replace(
+    COMMON,
+    title="ISO 7902",
+    sections=_calculation,
+    figures=_iso7902_figures,
+    report_figures=_iso7902_figures,
+    overview=OVERVIEW_COLUMNS,
+    citations=_cited("iso7902_citations"),
+)
+
+FILM = replace(
+    COMMON,
+    title="Film in two dimensions",
+    figures=_film_figures,
+    report_figures=_film_report_figures,
+    fields=_film_fields,
+    citations=_cited("film_citations"),
+)
+
+LONG_FILM = replace(
+    COMMON,
+    title="Long film with heat exchange",
+    figures=_figures_along,
+    report_figures=_figures_along,
+    citations=_cited("long_film_citations"),
+)
+
+SEGMENTS = replace(
+    COMMON,
+    title="Heat balance by segments",
+    figures=_figures_along,
+    report_figures=_figures_along,
+    citations=_cited("segment_citations"),
+)

@@ -1,0 +1,32 @@
+"""What a thrust bearing was computed from: its oil and metal; the case file says the rest."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from babbitt.kinds.thrust.design import ThrustDesign
+from babbitt.report.rows import InputGroup, Row, metal_rows, named_row, oil_rows
+
+__all__ = ["thrust_inputs"]
+
+
+def thrust_inputs(design: ThrustDesign) -> Iterator[InputGroup]:
+    """Groups of inputs of a thrust bearing."""
+    yield InputGroup("Lubricant", (*oil_rows(design.lubricant), *_oil(design)))
+    yield InputGroup("Material", tuple(metal_rows(design.temperatures.given_metal)))
+
+
+def _oil(design: ThrustDesign) -> Iterator[Row]:
+    oil = design.oil
+    if oil.supply_temperature is not None:
+        yield named_row("supply_temperature", oil.supply_temperature)
+        yield Row("Hot oil carried over", f"{100.0 * oil.carry_over:.4g}", None, "%")
+        across = ", across the pads" if oil.resolved else ""
+        yield Row(
+            "Temperature of the films",
+            f"varies along the pads{across} and across the gap (adiabatic)"
+            if oil.own_temperatures
+            else "one (global)",
+        )
+    if oil.effective_temperature is not None:
+        yield named_row("effective_temperature", oil.effective_temperature, "Prescribed effective temperature")

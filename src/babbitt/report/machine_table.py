@@ -1,0 +1,33 @@
+"""Which results stand in the table of a machine, and in which columns."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from babbitt.core.result import Result
+from babbitt.report.columns import Column, filled
+from babbitt.report.view import view_of
+
+__all__ = ["columns_of", "is_film", "overview_columns", "overview_results"]
+
+
+def columns_of(results: Sequence[Result]) -> tuple[Column, ...]:
+    """The columns of the first result's view in which some bearing has a number."""
+    return filled(view_of(results[0]).columns, results) if results else ()
+
+
+def overview_results(results: Sequence[Result]) -> list[Result]:
+    """Solved results whose view puts some of them side by side a second time."""
+    return [one for one in results if one.outcome.solved and view_of(one).overview]
+
+
+def overview_columns(results: Sequence[Result]) -> tuple[Column, ...]:
+    """The columns of the overview; none for fewer than two bearings."""
+    return filled(view_of(results[0]).overview, results) if len(results) > 1 else ()
+
+
+def is_film(result: Result) -> bool:
+    """Whether a result belongs in the table: it has a film, or should have had one."""
+    if not view_of(result).in_machine_table:
+        return False
+    return "minimum_film_thickness" in result.values or not result.outcome.solved

@@ -1,0 +1,126 @@
+"""How the solutions of one method are shown: what a kind gives to tables, reports, plots and fields."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from babbitt.core.kind import find_kind, imported
+from babbitt.core.result import Result
+from babbitt.core.solution import Solution
+from babbitt.report.columns import Column
+
+if TYPE_CHECKING:
+    import xarray
+    from rich.console import RenderableType
+
+    from babbitt.properties.lubricants import Lubricant
+    from babbitt.report.drawing import Drawing
+    from babbitt.report.line import Section
+    from babbitt.report.rows import InputGroup
+
+__all__ = ["NO_VIEW", "View", "find_view", "view_of"]
+
+Data = dict[str, Any]
+
+
+def _none(*_: Any) -> tuple[()]:
+    """Nothing to show."""
+    return ()
+
+
+def _itself(problem: Any) -> Any:
+    return problem
+
+
+def _no_oil(_: Any) -> None:
+    return None
+
+
+@dataclass(frozen=True)
+class View:
+    """What is shown of the solutions of one method; each part may import what it needs when it is called.
+
+    Attributes
+    ----------
+    title : str
+        Name of the method on paper.
+    heading : str
+        Of the results in a report.
+    key_results : tuple of str
+        Results at the head of a report; empty: all.
+    rows : callable
+        Results -> further rows of results, of supplies or recesses.
+    inputs : callable
+        Problem -> groups of inputs.
+    sections : callable
+        Solution -> sections of the calculation, line by line.
+    figures : callable
+        Solution and image format -> every figure.
+    report_figures : callable
+        Solution -> figures of the report; those that take long may be left out.
+    of_every_state : bool
+        Solutions of one problem are steady states: sections and figures are those of each of them.
+    tables : callable
+        Result -> tables of the report.
+    sentences : callable
+        Result -> answers in words.
+    columns : tuple of Column
+        Of the table of a machine.
+    in_machine_table : bool
+        Whether several bearings stand in one table.
+    overview : tuple of Column
+        Of a second table in reports, of the solved bearings side by side.
+    sweep : tuple of str
+        Results of a sweep, what matters most first; empty: the columns.
+    state_table : callable, optional
+        Results -> the table of the terminal in place of all others.
+    alike : callable
+        Problem -> what is equal for problems that differ in the clearance only.
+    citations : callable
+        Problem -> references of the method.
+    oil : callable
+        Problem -> its lubricant, None where a viscosity is given.
+    fields : callable, optional
+        Solution -> fields of the film as a dataset.
+    """
+
+    title: str
+    heading: str = "Results"
+    key_results: tuple[str, ...] = ()
+    rows: Callable[[Sequence[Result]], Iterable[Data]] = _none
+    inputs: Callable[[Any], Iterable[InputGroup]] = _none
+    sections: Callable[[Solution], Iterable[Section]] = _none
+    figures: Callable[[Solution, str], Iterable[Drawing]] = _none
+    report_figures: Callable[[Solution], Iterable[Drawing]] = _none
+    of_every_state: bool = False
+    tables: Callable[[Result], Iterable[Data]] = _none
+    sentences: Callable[[Result], Iterable[str]] = _none
+    columns: tuple[Column, ...] = ()
+    in_machine_table: bool = True
+    overview: tuple[Column, ...] = ()
+    sweep: tuple[str, ...] = ()
+    state_table: Callable[[Sequence[Result]], RenderableType] | None = None
+    alike: Callable[[Any], Any] = _itself
+    citations: Callable[[Any], Iterable[str]] = _none
+    oil: Callable[[Any], Lubricant | None] = _no_oil
+    fields: Callable[[Solution], xarray.Dataset] | None = None
+
+
+NO_VIEW = View("")
+"""Of a result whose kind or method is not known: its values, checks and warnings."""
+
+
+def find_view(kind: str, method: str) -> View:
+    """The view of a method of a kind; one that shows the bare values where there is none."""
+    known = find_kind(kind)
+    if known is None or method not in known.views:
+        return NO_VIEW
+    view: View = imported(known.views[method])
+    return view
+
+
+def view_of(result: Result) -> View:
+    """The view of a result, by its kind and method."""
+    return find_view(result.kind, result.method)

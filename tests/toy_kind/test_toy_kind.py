@@ -1,0 +1,84 @@
+"""A kind of one folder and one registration is read, solved, shown, swept and explained like those that ship."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import plane_slider
+import pytest
+
+from babbitt.case import CaseError, case_schema, kinds, parse_case, template
+from babbitt.core import kind as registry
+from babbitt.core.notices import EXPLANATIONS
+from babbitt.core.quantities import QUANTITIES
+from babbitt.report.citations import citations_of
+from babbitt.report.content import content
+from babbitt.solving import solve
+
+
+@pytest.fixture(autouse=True)
+def registered(monkeypatch):
+    registry.kinds()
+    for table in (registry._REGISTERED, QUANTITIES, EXPLANATIONS):
+        for name in dict(table):
+            monkeypatch.setitem(table, name, table[name])
+    before = [(table, set(table)) for table in (registry._REGISTERED, QUANTITIES, EXPLANATIONS)]
+    registry.register(plane_slider.KIND)
+    yield
+    for table, names in before:
+        for name in set(table) - names:
+            del table[name]
+
+
+def test_its_closed_form_is_that_of_the_textbook():
+    """Load number 0.0267 at the film ratio 2.19 that carries most (Cameron)."""
+    from plane_slider.method import load_number
+
+    assert load_number(2.189) == pytest.approx(0.0267, abs=5e-5)
+    assert load_number(2.189) > max(load_number(2.0), load_number(2.4))
+
+
+def test_it_is_listed_and_its_template_solves():
+    assert kinds()["plane_slider"] == plane_slider.KIND.description
+    (result,) = solve(parse_case(template("plane_slider"))).results
+    expected = 6.0 * 0.03 * 5.0 * 0.2 * (0.05 / 30e-6) ** 2 * (math.log(2.0) - 2.0 / 3.0)
+    assert result.load == pytest.approx(expected, rel=1e-12)
+    assert result.within_limits
+
+
+def test_bad_input_is_told_by_field():
+    text = template("plane_slider").replace("inlet_film: 60 um", "inlet_film: 20 um")
+    with pytest.raises(CaseError, match="inlet_film: the film does not narrow"):
+        parse_case(text)
+
+
+def test_it_stands_in_the_schema_and_cites_the_software():
+    assert "plane_slider" in json.dumps(case_schema())
+    assert citations_of(parse_case(template("plane_slider")))[0].startswith("The Babbitt developers")
+
+
+def test_it_is_reported():
+    (chapter,) = content(solve(parse_case(template("plane_slider"))))["bearings"]
+    assert chapter["method"] == "Closed form of the infinitely wide slider"
+    assert {row["label"]: row["value"] for group in chapter["inputs"] for row in group["rows"]} == {
+        "Length": "50",
+        "Speed of the runner": "5",
+    }
+    assert "Film thickness at the inlet over that at the outlet" in {row["label"] for row in chapter["results"]}
+
+
+def test_the_command_line_knows_it(run, tmp_path):
+    (tmp_path / "slider.yaml").write_text(template("plane_slider"), encoding="utf-8")
+    code, out, err = run("solve", "slider.yaml", "--report", "slider.html", "--json", "slider.json")
+    assert (code, err.count("Traceback")) == (0, 0)
+    assert "Slider" in out
+    assert json.loads((tmp_path / "slider.json").read_text())["bearings"][0]["results"]["film_ratio"] == 2.0
+    code, out, _ = run("sweep", "slider.yaml", "outlet_film", "20 um, 30 um", "--csv", "-")
+    assert code == 0
+    assert len(out.splitlines()) == 3
+    code, _, err = run("compare", "slider.yaml")
+    assert code == 2
+    assert "has one method" in err
+    assert run("check", "slider.yaml")[0] == 0
+    assert "plane_slider" in run("list", "kinds")[1]
