@@ -8,8 +8,8 @@ PIP := $(BIN)/python -m pip install --quiet --constraint constraints.txt
 unexport PYTHONDONTWRITEBYTECODE
 
 # What solves no film, or few: for the inner loop.
-FAST := src tests/cases tests/characteristics tests/design tests/docs tests/files tests/fits tests/interop \
-	tests/longfilm tests/lubricants tests/materials tests/segments tests/shafts tests/standards tests/units
+FAST := src tests/case tests/characteristics tests/design tests/docs tests/files tests/fits tests/export \
+	tests/infinitely_long_bearing tests/lubricants tests/materials tests/grooved_long_bearing tests/coupling tests/iso7902 tests/units
 
 .PHONY: demo test test-fast minima lint docs bench clean
 
@@ -31,7 +31,7 @@ minima: $(VENV)-minima/.made  ## a smoke set on the lowest versions that pyproje
 	$(VENV)-minima/bin/babbitt solve examples/starved_journal.yaml --fields out/minima.nc
 	$(VENV)-minima/bin/babbitt sweep examples/journal.yaml speed '1000 rpm:2000 rpm:3' --csv out/minima.xlsx
 	$(VENV)-minima/bin/python -m pytest -p no:xdist tests/units tests/case/test_bad_files.py tests/case/test_build.py \
-		tests/interop tests/design tests/report/test_export.py
+		tests/export tests/design tests/report/test_export.py
 
 lint: $(VENV)/.lint  ## style, types, direction of imports
 	$(BIN)/ruff check .
