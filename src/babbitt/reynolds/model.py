@@ -242,7 +242,7 @@ class JournalFilm:
 
     @property
     def is_surface(self) -> bool:
-        """Whether the film is solved node by node (``ring``); all others separate into modes of the width."""
+        """Whether the film is solved node by node (``surface``); all others separate into modes of the width."""
         return bool(
             not self.is_plain
             or self.film_start is FilmStart.PERIODIC

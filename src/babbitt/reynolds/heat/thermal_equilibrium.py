@@ -1,8 +1,8 @@
 """The door of the thermal film: where the journal rests when the oil heats itself.
 
-Every step is one pass of Reynolds equation, energy equation and walls (``warm_ring``), and one Newton step of the
-journal on the stiffness at frozen temperatures; on a coarse ring first, then on the fine one. At the end the film
-rests and the energy equation alone is solved until heat closes to round-off.
+Every step is one pass of Reynolds equation, energy equation and walls (``thermal_film_state``), and one Newton
+step of the journal on the stiffness at frozen temperatures; on a coarse ring first, then on the fine one. At the
+end the film rests and the energy equation alone is solved until heat closes to round-off.
 """
 
 from __future__ import annotations

@@ -2,7 +2,8 @@
 
 The pad lies between two grooves that are one: the oil that it sends over its trailing edge is what a pad like
 itself sends to its leading edge, carried over in part and mixed with fresh oil. Pad and runner are insulated.
-Every pass is one of Reynolds and energy equation (``warm_ring``); what moves the runner meanwhile is the caller's.
+Every pass is one of Reynolds and energy equation (``thermal_film_state``); what moves the runner meanwhile is the
+caller's.
 """
 
 from __future__ import annotations

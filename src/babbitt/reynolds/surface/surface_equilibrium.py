@@ -1,4 +1,7 @@
-"""Equilibrium of films that differ across the width (``ring``): pockets, holes, tilt, viscosity, closed rings."""
+"""Equilibrium of films that differ across the width: pockets, holes, tilt, viscosity, closed rings.
+
+Their nodes and gaps are those of ``unwrapped_mesh``.
+"""
 
 from __future__ import annotations
 

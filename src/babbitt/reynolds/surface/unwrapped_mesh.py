@@ -2,7 +2,7 @@
 
 One surface from a groove once round the bearing (or a closed ring where no groove spans the width). Lines fall on
 every groove and pocket edge; axial elements end on every pocket edge, for the pressure has kinks there
-(``ring_mesh``).
+(``mesh_lines``).
 """
 
 from __future__ import annotations
