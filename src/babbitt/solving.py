@@ -10,7 +10,7 @@ from babbitt import __version__
 from babbitt.case.case_file import CaseFile
 from babbitt.case.case_hash import case_hash
 from babbitt.core.notices import InputError
-from babbitt.core.progress import Watch, unwatched
+from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Result
 from babbitt.core.solution import Solution
 
@@ -76,7 +76,7 @@ class MachineResult:
         return replace(self, solutions=tuple(one.without_state() for one in self.solutions))
 
 
-def solve(case: CaseFile, watch: Watch = unwatched) -> MachineResult:
+def solve(case: CaseFile, watch: ProgressCallback = no_progress) -> MachineResult:
     """Solve every bearing of a case.
 
     Parameters

@@ -794,3 +794,13 @@ def test_a_search_that_ends_nowhere_prints_no_absurd_gap(gap, words):
     assert "e+0" not in said
     near = replace(lost, minimum_gap=20e-6, carried=0.4)
     assert "the smallest gap was 20 µm and 40 % of the load were carried" in judged(case, near)[1]
+
+
+def test_the_method_that_is_asked_solves_whatever_its_problem_was_made_for():
+    """A film and closed forms differ; a problem made for the one is solved by the other where that is asked."""
+    from babbitt.kinds.hydrostatic.methods import METHODS
+
+    (problem,) = parse_case(template("hydrostatic_pad")).problems()
+    for name, method in METHODS.items():
+        found = method.solve_one(problem)
+        assert found.result.method == found.problem.method == name

@@ -32,9 +32,7 @@ PUBLISHED = (
 )
 
 
-VIEW = View(
-    "ISO 7902", "Operating point", ISO7902.key_results, columns=ISO7902.columns, overview=ISO7902.overview
-)  # fmt: skip
+VIEW = View("ISO 7902", ISO7902.key_results, columns=ISO7902.columns, overview=ISO7902.overview)
 """Of results that nothing was computed for: no inputs, no calculation, no figures."""
 
 KIND = Kind("hand_made", "results built by hand", "", "", views={"iso7902": "hand_made:VIEW"})

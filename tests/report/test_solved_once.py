@@ -1,31 +1,82 @@
-"""A film is solved once, whatever is made of it: table, report, plots, fields."""
+"""What is solved stays: table, report, plots and fields of a bearing ask for no equilibrium again."""
 
 from __future__ import annotations
+
+import sys
 
 import film_bearings
 import pytest
 
-from babbitt.kinds.journal.film import check
+from babbitt.case import parse_case, template
+from babbitt.kinds.hydrostatic import check as hydrostatic_check
+from babbitt.kinds.hydrostatic.heat_balance import heated
+from babbitt.kinds.journal.film import check as film_check
+from babbitt.kinds.journal.film.thermal_film import film_equilibrium, film_within_ducts
+from babbitt.kinds.shaft_line import check as line_check
+from babbitt.kinds.shaft_line.answer import line_answer
+from babbitt.kinds.thrust import check as thrust_check
+from babbitt.kinds.thrust.design import bearing_state, operating_state
 from babbitt.report.content import content
 from babbitt.report.figures import write_plots
 from babbitt.report.table import render
 from babbitt.solving import solve
 
+SOLVERS = (film_equilibrium, film_within_ducts, heated, bearing_state, operating_state, line_answer)
+"""What finds the equilibrium of a bearing; sweeps of figures have entrances of their own."""
 
-def test_an_operating_point_is_solved_once_for_table_report_plots_and_fields(monkeypatch, tmp_path):
-    pytest.importorskip("matplotlib")
-    pytest.importorskip("xarray")
-    from babbitt.report.fields import write_machine_fields
+pytest.importorskip("matplotlib")
 
-    solved = []
-    found = check.film_within_ducts
-    monkeypatch.setattr(check, "film_within_ducts", lambda problem: solved.append(problem.name) or found(problem))
-    machine = solve(film_bearings.case(accuracy="draft"))
-    assert len(solved) == len(machine.solutions)
+
+@pytest.fixture
+def solved(monkeypatch):
+    """Names of what is called to solve, by whichever module."""
+    calls = []
+
+    def counted(solver):
+        def call(*problem):
+            calls.append(solver.__name__)
+            return solver(*problem)
+
+        return call
+
+    counters = {solver.__name__: counted(solver) for solver in SOLVERS}
+    for module in [one for name, one in sys.modules.items() if name.startswith("babbitt.")]:
+        for name, value in list(vars(module).items()):
+            if any(value is solver for solver in SOLVERS):
+                monkeypatch.setattr(module, name, counters[value.__name__])
+    return calls
+
+
+@pytest.mark.parametrize("kind", ["film", "hydrostatic_pad", "thrust", "thrust_line"])
+def test_nothing_is_solved_again_for_table_report_and_plots(kind, solved, tmp_path):
+    case = film_bearings.case(accuracy="draft") if kind == "film" else parse_case(template(kind))
+    machine = solve(case)
+    before = list(solved)
+    assert before
     render(machine.name, machine.results, 120)
     content(machine)
     write_plots(machine, tmp_path / "plots")
+    assert solved == before
+
+
+def test_nothing_is_solved_again_for_fields(solved, tmp_path):
+    pytest.importorskip("xarray")
+    from babbitt.report.fields import write_machine_fields
+
+    machine = solve(film_bearings.case(accuracy="draft"))
+    before = list(solved)
     write_machine_fields(machine, tmp_path / "fields.nc")
-    assert len(solved) == len(machine.solutions)
+    assert solved == before
     pressure = machine.solutions[0].state.solution.pressure
     assert pressure.max() == pytest.approx(machine.results[0].maximum_pressure, rel=1e-6)
+
+
+def test_the_checks_ask_what_is_counted():
+    """The names counted are those by which the checks solve."""
+    asked = (
+        film_check.film_within_ducts,
+        hydrostatic_check.heated,
+        thrust_check.bearing_state,
+        line_check.line_answer,
+    )
+    assert set(asked) <= set(SOLVERS)

@@ -173,3 +173,10 @@ def test_the_table_of_a_sweep_names_the_codes_of_its_verdicts(film, monkeypatch,
         assert bool(codes) is (result.verdict is not Verdict.PASS)
         assert row[-1] == (" ".join(codes) or None)
         assert all(code in shown for code in codes)
+
+
+def test_a_sweep_keeps_results_and_no_films(tmp_path):
+    (tmp_path / "case.yaml").write_text(template("journal"), encoding="utf-8")
+    machines = sweep_case(case_variation(tmp_path / "case.yaml", "load"), values_of("8 kN, 9 kN")).machines
+    assert len(machines) == 2
+    assert all(one.state is None for machine in machines for one in machine.solutions)

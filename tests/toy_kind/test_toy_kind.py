@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 
 import plane_slider
 import pytest
@@ -12,21 +13,21 @@ from babbitt.case import CaseError, case_schema, kinds, parse_case, template
 from babbitt.core import kind as registry
 from babbitt.core.notices import EXPLANATIONS
 from babbitt.core.quantities import QUANTITIES
+from babbitt.core.quantities.quantity import quantity
 from babbitt.report.citations import citations_of
 from babbitt.report.content import content
 from babbitt.solving import solve
 
+TABLES = (registry._REGISTERED, QUANTITIES, EXPLANATIONS)
+
 
 @pytest.fixture(autouse=True)
-def registered(monkeypatch):
+def registered():
     registry.kinds()
-    for table in (registry._REGISTERED, QUANTITIES, EXPLANATIONS):
-        for name in dict(table):
-            monkeypatch.setitem(table, name, table[name])
-    before = [(table, set(table)) for table in (registry._REGISTERED, QUANTITIES, EXPLANATIONS)]
+    before = [set(table) for table in TABLES]
     registry.register(plane_slider.KIND)
     yield
-    for table, names in before:
+    for table, names in zip(TABLES, before, strict=True):
         for name in set(table) - names:
             del table[name]
 
@@ -82,3 +83,35 @@ def test_the_command_line_knows_it(run, tmp_path):
     assert "has one method" in err
     assert run("check", "slider.yaml")[0] == 0
     assert "plane_slider" in run("list", "kinds")[1]
+
+
+ANOTHER_LOAD = (quantity("load", "L", "1", "", 4, "A number of sliders"),)
+
+
+def test_a_name_or_quantity_that_means_something_else_is_refused_and_nothing_is_added():
+    before = [dict(table) for table in TABLES]
+    with pytest.raises(ValueError, match="another meaning to journal"):
+        registry.register(replace(plane_slider.KIND, name="journal"))
+    with pytest.raises(ValueError, match="another meaning to load"):
+        registry.register(replace(plane_slider.KIND, name="other", quantities="test_toy_kind:ANOTHER_LOAD"))
+    registry.register(plane_slider.KIND)  # once more the same changes nothing
+    assert [dict(table) for table in TABLES] == before
+
+
+def test_a_broken_kind_of_another_package_is_named_and_the_rest_stays_usable(monkeypatch):
+    class Entry:
+        def __init__(self, name, kind):
+            self.name, self.kind = name, kind
+
+        def load(self):
+            if self.kind is None:
+                raise ImportError("no module named lost")
+            return self.kind
+
+    found = [Entry("lost", None), Entry("second", replace(plane_slider.KIND, name="second_slider"))]
+    monkeypatch.setattr(registry, "entry_points", lambda group: found)
+    registry._load_others.cache_clear()
+    with pytest.warns(UserWarning, match="'lost' cannot be used: no module named lost"):
+        assert registry.find_kind("second_slider") is not None
+    assert registry.find_kind("journal") is not None
+    assert registry.find_kind("lost") is None

@@ -98,7 +98,7 @@ def flow() -> str:
         ("Case", "checked, SI", "babbitt.case"),
         ("Problem", "one film, one point", "babbitt.kinds"),
         ("Solution", "result and its film", "babbitt.core.solution"),
-        ("table, JSON, report", "the engineer's units", "babbitt.report"),
+        ("report", "table, JSON, PDF, HTML", "babbitt.report"),
     )
     width, step = 128.0, 148.0
     for index, (name, content, home) in enumerate(steps):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path as FilePath
@@ -116,9 +117,9 @@ class CaseFile(Part):
         """
         return given
 
+    @abstractmethod
     def calculations(self) -> tuple[Calculation, ...]:
         """Give what is to be computed and how: numbers in SI, all choices made, in the order of the file."""
-        raise NotImplementedError
 
     def problems(self) -> tuple[Any, ...]:
         """Give what is to be computed, without how."""

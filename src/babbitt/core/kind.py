@@ -9,9 +9,11 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from importlib import import_module
 from importlib.metadata import entry_points
 from importlib.resources import files
+from types import MappingProxyType
 from typing import Any
 
 from babbitt.core.notices import EXPLANATIONS
@@ -94,27 +96,35 @@ class Kind:
 
 
 _REGISTERED: dict[str, Kind] = {}
-_LOADED: list[str] = []
 
 
 def register(kind: Kind) -> None:
-    """Add a kind to those that case files may name.
+    """Add a kind to those that case files may name, and its quantities and codes to those of all.
 
     Raises
     ------
     ValueError
-        Where another kind has the name, or a quantity or code of it has another meaning already.
+        Where another kind has the name, or a quantity or code of it has another meaning already; nothing is added.
     """
     _load_shipped()
-    if _REGISTERED.get(kind.name, kind) != kind:
-        raise ValueError(f"there is another kind {kind.name!r}")
-    for one in imported(kind.quantities) if kind.quantities else ():
-        if QUANTITIES.setdefault(one.name, one) != one:
-            raise ValueError(f"the quantity {one.name!r} of kind {kind.name!r} has another meaning already")
-    for code, explanation in imported(kind.notices).items() if kind.notices else ():
-        if EXPLANATIONS.setdefault(code, explanation) != explanation:
-            raise ValueError(f"the code {code} of kind {kind.name!r} has another meaning already")
+    _add(kind)
+
+
+def _add(kind: Kind) -> None:
+    own_quantities = {one.name: one for one in imported(kind.quantities)} if kind.quantities else {}
+    own_notices = imported(kind.notices) if kind.notices else {}
+    _require_unused(kind, _REGISTERED, {kind.name: kind})
+    _require_unused(kind, QUANTITIES, own_quantities)
+    _require_unused(kind, EXPLANATIONS, own_notices)
+    QUANTITIES.update(own_quantities)
+    EXPLANATIONS.update(own_notices)
     _REGISTERED[kind.name] = kind
+
+
+def _require_unused(kind: Kind, known: Mapping[str, Any], own: Mapping[str, Any]) -> None:
+    taken = [name for name in own if known.get(name, own[name]) != own[name]]
+    if taken:
+        raise ValueError(f"the kind {kind.name!r} gives another meaning to {', '.join(taken)}")
 
 
 def find_kind(name: str) -> Kind | None:
@@ -133,23 +143,20 @@ def kinds() -> Mapping[str, Kind]:
     """
     _load_shipped()
     _load_others()
-    return dict(_REGISTERED)
+    return MappingProxyType(_REGISTERED)
 
 
+@cache
 def _load_shipped() -> None:
-    if SHIPPED not in _LOADED:
-        _LOADED.append(SHIPPED)
-        for kind in imported(f"{SHIPPED}:KINDS"):
-            _REGISTERED.setdefault(kind.name, kind)
+    for kind in imported(f"{SHIPPED}:KINDS"):
+        _add(kind)
 
 
+@cache
 def _load_others() -> None:
     """Look up the kinds of other packages, once; a broken one is named and leaves the others usable."""
-    if "entry points" in _LOADED:
-        return
-    _LOADED.append("entry points")
     for entry in entry_points(group=SHIPPED):
         try:
-            register(entry.load())
-        except Exception as error:
-            warnings.warn(f"the bearing kind {entry.name!r} cannot be used: {error}", stacklevel=3)
+            _add(entry.load())
+        except Exception as error:  # whatever another package does wrong
+            warnings.warn(f"the bearing kind {entry.name!r} cannot be used: {error}", stacklevel=2)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
-__all__ = ["Watch", "unwatched"]
+__all__ = ["ProgressCallback", "no_progress"]
 
-Watch = Callable[[Sequence[int]], Iterable[int]]
+ProgressCallback = Callable[[Sequence[int]], Iterable[int]]
 """Hands on the numbers of the points, or cycles, one by one, and may show how far the work is."""
 
 
-def unwatched(points: Sequence[int]) -> Iterable[int]:
+def no_progress(points: Sequence[int]) -> Iterable[int]:
     """Show nothing."""
     return points

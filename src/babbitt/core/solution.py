@@ -7,12 +7,13 @@ reports, figures and exports read what was solved instead of solving it again.
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
 from babbitt.core.notices import Notice
-from babbitt.core.progress import Watch, unwatched
+from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Result
 
 __all__ = ["Calculation", "CoefficientsOverSpeed", "Method", "Problem", "Solution"]
@@ -24,6 +25,10 @@ class Problem(Protocol):
     @property
     def name(self) -> str:
         """Which bearing, operating point and clearance."""
+
+    @property
+    def kind(self) -> str:
+        """Name of its `babbitt.core.kind.Kind`."""
 
     @property
     def given(self) -> Sequence[tuple[str, str]]:
@@ -56,18 +61,26 @@ class Solution:
         return replace(self, state=None)
 
 
-class Method(Protocol):
+class Method(ABC):
     """How a problem is solved; the fields of a method are its options."""
 
-    @property
-    def name(self) -> str:
-        """The name by which a case file asks for the method."""
+    if TYPE_CHECKING:  # a field of the class or of the method
 
-    def solve(self, problem: Any, progress: Watch = unwatched) -> tuple[Solution, ...]:
+        @property
+        def name(self) -> str:
+            """The name by which a case file asks for the method."""
+
+    @abstractmethod
+    def solve(self, problem: Any, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Solve a problem: one solution, or one for each of several steady states."""
 
-    def refuse(self, problem: Any) -> None:
-        """Raise what `solve` would raise of an unusable problem, with at most one film solved.
+    def solve_one(self, problem: Any) -> Solution:
+        """Solve a problem that has one solution."""
+        (found,) = self.solve(problem)
+        return found
+
+    def refuse(self, problem: Any) -> None:  # noqa: B027 - most methods refuse nothing
+        """Raise what `solve` would raise of an unusable problem, with at most one film solved; here nothing.
 
         Raises
         ------
@@ -90,9 +103,9 @@ class CoefficientsOverSpeed(Protocol):
 class Calculation:
     """A problem, and the method that its case asks for."""
 
-    problem: Any
+    problem: Problem
     method: Method
 
-    def solve(self, progress: Watch = unwatched) -> tuple[Solution, ...]:
+    def solve(self, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Solve the problem by its method."""
         return self.method.solve(self.problem, progress)

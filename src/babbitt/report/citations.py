@@ -7,7 +7,7 @@ from babbitt.case import CaseFile
 from babbitt.properties.lubricants import AstmD341, Exponential, Vogel, Walther
 from babbitt.report.view import find_view
 
-__all__ = ["REYNOLDS", "UNFOUND", "citations_of"]
+__all__ = ["REVERSE_GEAR", "REYNOLDS", "UNFOUND", "citations_of"]
 
 BABBITT = f"The Babbitt developers: Babbitt {__version__}, calculation and design of fluid-film bearings, 2026."
 REYNOLDS = (
@@ -20,6 +20,10 @@ VOGEL = (
     "(1921) 645-646."
 )
 UNFOUND = "Author, title and journal could not be looked up: what rests on it alone counts as an assumption."
+REVERSE_GEAR = (
+    "Marine reverse gear: a study of its bearings, 2023, vol. 15, no. 5, p. 825 ff. of a Russian journal "
+    f"(`babbitt validate reverse_gear`). {UNFOUND}"
+)
 VISCOSITY_LAWS: dict[type, str] = {Walther: WALTHER, AstmD341: WALTHER, Vogel: VOGEL, Exponential: REYNOLDS}
 """Sources of the laws of viscosity over temperature."""
 
@@ -28,7 +32,7 @@ def citations_of(case: CaseFile) -> tuple[str, ...]:
     """References for the software, the methods, their characteristics and the lubricants of a case."""
     found, oils = [BABBITT], {}
     for one in case.calculations():
-        view = find_view(getattr(one.problem, "kind", case.kind), one.method.name)
+        view = find_view(one.problem.kind, one.method.name)
         found += view.citations(one.problem)
         oil = view.oil(one.problem)
         if oil is not None:

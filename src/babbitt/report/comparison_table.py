@@ -10,13 +10,12 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from babbitt.core.notices import Effect
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result, Verdict
 from babbitt.report.meanings import meaning
 from babbitt.report.table import console
 from babbitt.report.text import plain_text
-from babbitt.report.verdict import governing, margin
+from babbitt.report.verdict import governing, margin, missed_codes, questioning_codes
 from babbitt.study.comparison import Comparison, Variant
 
 WIDEST_HEAD = 14
@@ -63,8 +62,7 @@ def head(variant: Variant, asked: Variant) -> str:
 
 def objected(result: Result) -> str:
     """Limits that a result misses, and codes of warnings that touch its verdict; empty for none."""
-    missed = [one.code for one in result.limits if not one.ok]
-    codes = list(dict.fromkeys(one.code for one in result.warnings if one.effect is not Effect.INFORMATION))
+    missed, codes = missed_codes(result), questioning_codes(result)
     said = [f"misses {', '.join(missed)}"] if missed else []
     return "; ".join(said + ([f"warns {', '.join(codes)}"] if codes else []))
 

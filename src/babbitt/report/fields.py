@@ -116,7 +116,7 @@ def require_films(name: str, case: CaseFile) -> None:
     InputError
         E004.
     """
-    asked = ((getattr(one.problem, "kind", case.kind), one.method.name) for one in case.calculations())
+    asked = ((one.problem.kind, one.method.name) for one in case.calculations())
     if all(find_view(kind, method).fields is None for kind, method in asked):
         raise _no_films(name)
 

@@ -1,14 +1,62 @@
-"""What a bearing was computed from, as groups of rows."""
+"""What a bearing was computed from: rows that an engineer can check against the drawing, in groups."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
-from babbitt.report.rows import InputGroup, as_given
-from babbitt.report.view import View
+from babbitt.core.units import ZERO_CELSIUS
+from babbitt.properties.lubricants import (
+    AstmD341,
+    ConstantViscosity,
+    Exponential,
+    Lubricant,
+    PowerLaw,
+    ViscosityKind,
+    Vogel,
+    Walther,
+)
+from babbitt.properties.materials import BearingMetal
+from babbitt.report.expression import Node, number_node, text
+from babbitt.report.labels import label
+from babbitt.report.text import plain_text
+from babbitt.report.vocabulary import VOCABULARY, symbol
 
-__all__ = ["inputs"]
+if TYPE_CHECKING:
+    from babbitt.report.view import View
+
+__all__ = ["InputGroup", "Row", "as_given", "groups_in_words", "inputs", "metal_rows", "named_row", "oil_rows"]
+
+LAWS = {
+    Walther: "Walther (ASTM D341, short form)",
+    AstmD341: "ASTM D341",
+    Vogel: "Vogel",
+    Exponential: "exponential",
+    PowerLaw: "power law (50/t)^m",
+    ConstantViscosity: "constant",
+}
+
+UNITS = {"1e-6/K": "× 10⁻⁶/K"}
+"""Units as they look on paper, where the vocabulary writes them for a plain terminal."""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One input: what it is, its symbol where it has one, its value with the unit."""
+
+    label: str
+    value: str
+    symbol: Node | None = None
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class InputGroup:
+    """Inputs that belong together."""
+
+    title: str
+    rows: tuple[Row, ...]
 
 
 def inputs(problem: Any, view: View, given: Iterable[tuple[str, str]]) -> tuple[InputGroup, ...]:
@@ -28,3 +76,59 @@ def inputs(problem: Any, view: View, given: Iterable[tuple[str, str]]) -> tuple[
         Groups that say nothing are left out.
     """
     return tuple(group for group in (as_given(given), *view.inputs(problem)) if group.rows)
+
+
+def as_given(given: Iterable[tuple[str, str]]) -> InputGroup:
+    """What the case gave in other terms than those of the calculation."""
+    return InputGroup("As given", tuple(Row(plain_text(what), plain_text(words)) for what, words in given))
+
+
+def groups_in_words(said: Iterable[tuple[str, Iterable[tuple[str, str, str]]]]) -> Iterator[InputGroup]:
+    """Groups of rows that another module has put into words."""
+    for title, rows in said:
+        yield InputGroup(title, tuple(Row(what, plain_text(value), None, unit) for what, value, unit in rows))
+
+
+def named_row(name: str, value: float, given_label: str = "") -> Row:
+    """An input under its name in the vocabulary, in the engineer's unit, as exactly as it was given."""
+    quantity = VOCABULARY[name]
+    shown = text(number_node(quantity.shown(value), 6)).replace("e−", " × 10^−")
+    return Row(
+        given_label or label(name), shown, symbol(name), UNITS.get(quantity.display.label, quantity.display.label)
+    )
+
+
+def oil_rows(oil: Lubricant) -> Iterator[Row]:
+    """Rows of a lubricant: its law, viscosities, density, specific heat, source."""
+    yield Row("Name", plain_text(oil.name))
+    yield Row("Viscosity law", LAWS.get(type(oil.viscosity_law), type(oil.viscosity_law).__name__))
+    law = oil.viscosity_law
+    if isinstance(law, ConstantViscosity):
+        yield _constant(law)
+    else:
+        for celsius in (40, 100):
+            kelvin = celsius + ZERO_CELSIUS
+            if oil.covers(kelvin):
+                viscosity = f"{1e6 * oil.kinematic_viscosity(kelvin):.4g}"
+                yield Row(f"Kinematic viscosity at {celsius} °C", viscosity, None, "mm²/s")
+    if oil.covers(293.15):
+        yield Row("Density at 20 °C", f"{oil.density(293.15):.4g}", None, "kg/m³")
+    if oil.fixed_volumetric_heat_capacity is not None:
+        yield named_row("volumetric_heat_capacity", oil.fixed_volumetric_heat_capacity)
+    else:
+        yield Row("Specific heat at 50 °C", f"{oil.heat_capacity(323.15):.4g}", None, "J/(kg K)")
+    yield Row("Source", plain_text(oil.source))
+
+
+def _constant(law: ConstantViscosity) -> Row:
+    """What is constant, once: over a density that falls with temperature the other one would seem to rise."""
+    if law.kind is ViscosityKind.DYNAMIC:
+        return Row("Dynamic viscosity", f"{1e3 * law.viscosity:.4g}", None, "mPa s")
+    return Row("Kinematic viscosity", f"{1e6 * law.viscosity:.4g}", None, "mm²/s")
+
+
+def metal_rows(metal: BearingMetal | None) -> Iterator[Row]:
+    """Rows of a bearing metal; none without one."""
+    if metal is not None:
+        yield Row("Bearing metal", plain_text(metal.name))
+        yield Row("Specified in", plain_text(metal.standard))

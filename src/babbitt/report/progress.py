@@ -6,13 +6,13 @@ import sys
 from collections.abc import Iterable, Iterator, Sequence
 from threading import Timer
 
-from babbitt.core.progress import Watch
+from babbitt.core.progress import ProgressCallback
 
 PATIENCE = 1.0
 """Seconds of work after which a bar appears."""
 
 
-def shown(what: str) -> Watch:
+def shown(what: str) -> ProgressCallback:
     """Follow points with a bar named `what`; nothing is shown for short work, or where standard error is a
     file."""
 

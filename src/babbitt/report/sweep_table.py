@@ -9,7 +9,6 @@ from rich.console import Console
 from rich.text import Text
 
 from babbitt.core.files.spreadsheet import Cell, rows_text
-from babbitt.core.notices import Effect
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result, Verdict
 from babbitt.export.unit_names import static_column
@@ -18,6 +17,7 @@ from babbitt.report.findings import not_checked
 from babbitt.report.sweep_columns import sweep_columns
 from babbitt.report.table import console, fitting
 from babbitt.report.text import plain_text
+from babbitt.report.verdict import missed_codes, questioning_codes
 from babbitt.study.case_sweep import CaseSweep
 
 REFUSED = "refused"
@@ -80,11 +80,9 @@ def print_sweep(sweep: CaseSweep, to: Console | None = None) -> None:
 
 
 def codes_of(result: Result) -> tuple[str, ...]:
-    """Codes on which the verdict of a result rests: its missed limits, and the doubts that question it."""
-    missed = [check.code for check in result.checks if not check.ok and not check.advisory]
-    doubts = [notice.code for notice in result.warnings if notice.effect is not Effect.INFORMATION]
+    """Codes on which the verdict of a result rests: how it ended, its missed limits, and what questions it."""
     ended = [] if result.outcome.solved else [result.outcome.code]
-    return tuple(dict.fromkeys([*ended, *missed, *doubts]))
+    return tuple(dict.fromkeys([*ended, *missed_codes(result), *questioning_codes(result)]))
 
 
 def _cell_of(codes: Sequence[str], shown: bool) -> tuple[Text, ...]:

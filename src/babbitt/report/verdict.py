@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable
 from enum import Enum
 
+from babbitt.core.notices import Effect
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Bound, Check, Result, Verdict
 from babbitt.report.text import counted
@@ -39,6 +40,16 @@ def check_word(check: Check) -> CheckWord:
     if check.ok:
         return CheckWord.PASS
     return CheckWord.MISSED if check.advisory else CheckWord.FAIL
+
+
+def missed_codes(result: Result) -> list[str]:
+    """Codes of the limits that a result misses."""
+    return [check.code for check in result.limits if not check.ok]
+
+
+def questioning_codes(result: Result) -> list[str]:
+    """Codes of the warnings that touch the verdict of a result."""
+    return list(dict.fromkeys(one.code for one in result.warnings if one.effect is not Effect.INFORMATION))
 
 
 def governing(result: Result, quantity: str) -> Check | None:

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 
     from babbitt.properties.lubricants import Lubricant
     from babbitt.report.drawing import Drawing
+    from babbitt.report.inputs import InputGroup
     from babbitt.report.line import Section
-    from babbitt.report.rows import InputGroup
 
 __all__ = ["NO_VIEW", "View", "find_view", "view_of"]
 
@@ -46,8 +46,6 @@ class View:
     ----------
     title : str
         Name of the method on paper.
-    heading : str
-        Of the results in a report.
     key_results : tuple of str
         Results at the head of a report; empty: all.
     rows : callable
@@ -87,7 +85,6 @@ class View:
     """
 
     title: str
-    heading: str = "Results"
     key_results: tuple[str, ...] = ()
     rows: Callable[[Sequence[Result]], Iterable[Data]] = _none
     inputs: Callable[[Any], Iterable[InputGroup]] = _none

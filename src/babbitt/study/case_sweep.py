@@ -127,7 +127,7 @@ def solved_places(
     try:
         for place in watch(list(cases)):
             try:
-                machines[place] = solve(cases[place])
+                machines[place] = solve(cases[place]).without_states()
             except InputError as error:  # of some methods only the film tells what cannot be
                 refused[place] = error
     except KeyboardInterrupt:

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from babbitt.core.notices import Notice
-from babbitt.core.progress import Watch, unwatched
+from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Bound, Check, Outcome, Result
-from babbitt.core.solution import Solution
+from babbitt.core.solution import Method, Solution
 
 
 @dataclass(frozen=True)
@@ -35,12 +35,12 @@ def load_number(ratio: float) -> float:
 
 
 @dataclass(frozen=True)
-class ClosedForm:
+class ClosedForm(Method):
     """Reynolds equation in one dimension, integrated by hand."""
 
     name: ClassVar[str] = "closed_form"
 
-    def solve(self, problem: Slider, progress: Watch = unwatched) -> tuple[Solution, ...]:
+    def solve(self, problem: Slider, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Find the load that the film carries."""
         ratio = problem.inlet_film / problem.outlet_film
         scale = (
@@ -56,9 +56,6 @@ class ClosedForm:
         )
         result = Result(problem.name, problem.kind, self.name, Outcome.CONVERGED, values, (thin,))
         return (Solution(problem, result),)
-
-    def refuse(self, problem: Slider) -> None:
-        """Refuse nothing that a case file may say."""
 
 
 CLOSED_FORM = ClosedForm()

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from babbitt.core.quantities.quantity import quantity
 from babbitt.report.columns import column_of
-from babbitt.report.rows import InputGroup, Row
+from babbitt.report.inputs import InputGroup, Row
 from babbitt.report.view import View
 from plane_slider.method import Slider
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from babbitt.core.notices import Notice
-from babbitt.core.progress import Watch, unwatched
+from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Outcome, Result
-from babbitt.core.solution import Solution
+from babbitt.core.solution import Method, Solution
 from babbitt.kinds.coupling.statics import OverhungCoupling, bearing_loads
 
 __all__ = ["STATICS", "ShaftProblem", "Statics"]
@@ -27,12 +27,12 @@ class ShaftProblem:
 
 
 @dataclass(frozen=True)
-class Statics:
+class Statics(Method):
     """Equilibrium of forces and moments of a rigid shaft."""
 
     name: ClassVar[str] = "statics"
 
-    def solve(self, problem: ShaftProblem, progress: Watch = unwatched) -> tuple[Solution, ...]:
+    def solve(self, problem: ShaftProblem, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Find the loads of both bearings."""
         loads = bearing_loads(problem.shaft)
         values = {
@@ -48,9 +48,6 @@ class Statics:
             warnings=problem.doubts, assumptions=problem.assumptions,
         )  # fmt: skip
         return (Solution(problem, result),)
-
-    def refuse(self, problem: ShaftProblem) -> None:
-        """Refuse nothing that a case file may say."""
 
 
 STATICS = Statics()

@@ -1,20 +1,15 @@
 """How the statics of a shaft are shown."""
 
 from babbitt.kinds.coupling.methods import ShaftProblem
+from babbitt.report.citations import REVERSE_GEAR
 from babbitt.report.view import View
 
 __all__ = ["STATICS"]
 
 
 def _citations(_: ShaftProblem) -> tuple[str, ...]:
-    return (STUDY,)
+    return (REVERSE_GEAR,)
 
-
-STUDY = (
-    "Marine reverse gear: a study of its bearings, 2023, vol. 15, no. 5, p. 825 ff. of a Russian journal "
-    "(`babbitt validate reverse_gear`). Author, title and journal could not be looked up: what rests on it alone "
-    "counts as an assumption."
-)
 
 STATICS = View(
     title="Statics of the shaft",

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from babbitt.core.progress import Watch, unwatched
+from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.solution import Method, Solution
 
 if TYPE_CHECKING:
@@ -15,19 +15,18 @@ __all__ = ["METHODS", "SteadyStates"]
 
 
 @dataclass(frozen=True)
-class SteadyStates:
+class SteadyStates(Method):
     """Every steady state of a heel: ``superposition`` or ``narrow_groove``."""
 
     name: str
 
-    def solve(self, problem: HeelCase, progress: Watch = unwatched) -> tuple[Solution, ...]:
+    def solve(self, problem: HeelCase, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Find every steady state, the hottest first; one solution tells of none."""
         from babbitt.kinds.footstep.check import heel_results
+        from babbitt.kinds.footstep.states import Method as Equations
 
-        return tuple(Solution(problem, result) for result in heel_results(problem))
-
-    def refuse(self, problem: HeelCase) -> None:
-        """Refuse nothing that a case file may say."""
+        asked = replace(problem, method=Equations(self.name))
+        return tuple(Solution(asked, result) for result in heel_results(asked))
 
 
 METHODS: dict[str, Method] = {name: SteadyStates(name) for name in ("superposition", "narrow_groove")}

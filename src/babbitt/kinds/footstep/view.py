@@ -18,15 +18,15 @@ if TYPE_CHECKING:
 
     from babbitt.kinds.footstep.model_case import HeelCase
     from babbitt.report.drawing import Drawing
+    from babbitt.report.inputs import InputGroup
     from babbitt.report.line import Section
-    from babbitt.report.rows import InputGroup
 
 __all__ = ["NARROW_GROOVE", "SUPERPOSITION"]
 
 
 def _inputs(problem: HeelCase) -> Iterable[InputGroup]:
     from babbitt.kinds.footstep.report.inputs import heel_inputs
-    from babbitt.report.rows import groups_in_words
+    from babbitt.report.inputs import groups_in_words
 
     return groups_in_words(heel_inputs(problem))
 

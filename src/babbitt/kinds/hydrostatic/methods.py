@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from babbitt.core.progress import Watch, unwatched
+from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.solution import Method, Solution
 
 if TYPE_CHECKING:
@@ -16,16 +16,16 @@ __all__ = ["JACKING_METHODS", "METHODS", "Jacking", "Recesses"]
 
 
 @dataclass(frozen=True)
-class Recesses:
+class Recesses(Method):
     """Films between recesses fed through restrictors: ``film`` in two dimensions, ``quick`` by closed forms."""
 
     name: str
 
-    def solve(self, problem: HydrostaticCase, progress: Watch = unwatched) -> tuple[Solution, ...]:
+    def solve(self, problem: HydrostaticCase, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Solve network, films and heat balance."""
         from babbitt.kinds.hydrostatic.check import hydrostatic_solution
 
-        return (hydrostatic_solution(problem),)
+        return (hydrostatic_solution(replace(problem, method=self.name)),)
 
     def refuse(self, problem: HydrostaticCase) -> None:
         """Refuse a position that leaves no gap, and recesses that are too short for closed forms."""
@@ -36,19 +36,17 @@ class Recesses:
 
 
 @dataclass(frozen=True)
-class Jacking:
+class Jacking(Method):
     """Pockets that lift a shaft at rest: ``film`` in two dimensions, ``quick`` by lumped lands."""
 
     name: str
 
-    def solve(self, problem: JackingCase, progress: Watch = unwatched) -> tuple[Solution, ...]:
+    def solve(self, problem: JackingCase, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Find breakaway and the lifted shaft."""
         from babbitt.kinds.hydrostatic.jacking import jacking_check
 
-        return (Solution(problem, jacking_check(problem)),)
-
-    def refuse(self, problem: JackingCase) -> None:
-        """Refuse nothing that a case file may say."""
+        asked = replace(problem, method=self.name)
+        return (Solution(asked, jacking_check(asked)),)
 
 
 METHODS: dict[str, Method] = {name: Recesses(name) for name in ("film", "quick")}

@@ -17,15 +17,15 @@ if TYPE_CHECKING:
     from babbitt.kinds.hydrostatic.model import HydrostaticCase
     from babbitt.properties.lubricants import Lubricant
     from babbitt.report.drawing import Drawing
+    from babbitt.report.inputs import InputGroup
     from babbitt.report.line import Section
-    from babbitt.report.rows import InputGroup
 
 __all__ = ["FILM", "JACKING_FILM", "JACKING_QUICK", "QUICK"]
 
 
 def _inputs(problem: HydrostaticCase | JackingCase) -> Iterable[InputGroup]:
     from babbitt.kinds.hydrostatic.report.inputs import groups
-    from babbitt.report.rows import groups_in_words
+    from babbitt.report.inputs import groups_in_words
 
     return groups_in_words(groups(problem))
 
@@ -52,7 +52,6 @@ def _oil(problem: HydrostaticCase) -> Lubricant | None:
 
 JACKING_FILM = View(
     title="Film in two dimensions",
-    heading="Operating point",
     rows=recess_rows,
     inputs=_inputs,
     sections=_sections,

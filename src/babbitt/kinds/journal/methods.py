@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from babbitt.core.progress import Watch, unwatched
+from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.solution import Method, Solution
 
 if TYPE_CHECKING:
@@ -20,35 +20,29 @@ __all__ = ["METHODS", "Film", "GroovedLongBearing", "InfinitelyLongBearing", "Is
 
 
 @dataclass(frozen=True)
-class Iso7902:
+class Iso7902(Method):
     """The design procedure of ISO 7902."""
 
     name: ClassVar[str] = "iso7902"
 
-    def solve(self, problem: DesignCase, progress: Watch = unwatched) -> tuple[Solution, ...]:
+    def solve(self, problem: DesignCase, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Solve by the tables of characteristics and the heat balance of the standard."""
         from babbitt.kinds.journal.iso7902 import check
 
         return (Solution(problem, check(problem)),)
 
-    def refuse(self, problem: DesignCase) -> None:
-        """Refuse nothing that a case file may say."""
-
 
 @dataclass(frozen=True)
-class Film:
+class Film(Method):
     """The film in two dimensions, of one temperature or with its own."""
 
     name: ClassVar[str] = "film"
 
-    def solve(self, problem: FilmCase, progress: Watch = unwatched) -> tuple[Solution, ...]:
+    def solve(self, problem: FilmCase, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Solve the film; `progress` follows the cycles of an orbit. The solution keeps the film."""
         from babbitt.kinds.journal.film.check import film_solution
 
         return (film_solution(problem, progress),)
-
-    def refuse(self, problem: FilmCase) -> None:
-        """Refuse nothing that a case file may say."""
 
     def coefficients_over_speed(self, problem: FilmCase, speeds: Iterable[float]) -> SpeedRun:
         """Solve at several speeds, the heat balance anew at each."""
@@ -62,35 +56,29 @@ class Film:
 
 
 @dataclass(frozen=True)
-class InfinitelyLongBearing:
+class InfinitelyLongBearing(Method):
     """The infinitely long film with heat exchange through journal and bush."""
 
     name: ClassVar[str] = "long_film"
 
-    def solve(self, problem: LongFilmCase, progress: Watch = unwatched) -> tuple[Solution, ...]:
+    def solve(self, problem: LongFilmCase, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Solve the film of one dimension and the network of its heat."""
         from babbitt.kinds.journal.infinitely_long_bearing.check import long_film_check
 
         return (Solution(problem, long_film_check(problem)),)
 
-    def refuse(self, problem: LongFilmCase) -> None:
-        """Refuse nothing that a case file may say."""
-
 
 @dataclass(frozen=True)
-class GroovedLongBearing:
+class GroovedLongBearing(Method):
     """The heat balance by segments of an infinitely long film with a groove in the loaded zone."""
 
     name: ClassVar[str] = "segments"
 
-    def solve(self, problem: SegmentCase, progress: Watch = unwatched) -> tuple[Solution, ...]:
+    def solve(self, problem: SegmentCase, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Solve the films before and behind the groove."""
         from babbitt.kinds.journal.grooved_long_bearing.check import segments_check
 
         return (Solution(problem, segments_check(problem)),)
-
-    def refuse(self, problem: SegmentCase) -> None:
-        """Refuse nothing that a case file may say."""
 
 
 METHODS: dict[str, Method] = {

@@ -6,8 +6,8 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from babbitt.core.progress import Watch, unwatched
-from babbitt.core.solution import Solution
+from babbitt.core.progress import ProgressCallback, no_progress
+from babbitt.core.solution import Method, Solution
 
 if TYPE_CHECKING:
     from babbitt.kinds.shaft_line.design import LineDesign
@@ -16,12 +16,12 @@ __all__ = ["FREQUENCY_DOMAIN", "FrequencyDomain"]
 
 
 @dataclass(frozen=True)
-class FrequencyDomain:
+class FrequencyDomain(Method):
     """Static films, axial vibration about them in the frequency domain."""
 
     name: ClassVar[str] = "frequency domain"
 
-    def solve(self, problem: LineDesign, progress: Watch = unwatched) -> tuple[Solution, ...]:
+    def solve(self, problem: LineDesign, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Solve films and line; the solution keeps the answer of the line."""
         from babbitt.kinds.shaft_line.check import line_solution
 

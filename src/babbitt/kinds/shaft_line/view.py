@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from babbitt.kinds.shaft_line.design import LineDesign
     from babbitt.properties.lubricants import Lubricant
     from babbitt.report.drawing import Drawing
-    from babbitt.report.rows import InputGroup
+    from babbitt.report.inputs import InputGroup
 
 __all__ = ["FREQUENCY_DOMAIN"]
 
@@ -43,7 +43,6 @@ def _oil(problem: LineDesign) -> Lubricant:
 
 FREQUENCY_DOMAIN = View(
     title="Static films, vibration in the frequency domain",
-    heading="Operating point",
     inputs=_inputs,
     figures=_figures,
     report_figures=_figures,

@@ -6,8 +6,8 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
-from babbitt.core.progress import Watch, unwatched
-from babbitt.core.solution import Solution
+from babbitt.core.progress import ProgressCallback, no_progress
+from babbitt.core.solution import Method, Solution
 
 if TYPE_CHECKING:
     from babbitt.kinds.thrust.design import ThrustDesign
@@ -16,12 +16,12 @@ __all__ = ["THRUST_FILM", "ThrustFilm"]
 
 
 @dataclass(frozen=True)
-class ThrustFilm:
+class ThrustFilm(Method):
     """Films of all pads in two dimensions, and how the pads share the load."""
 
     name: ClassVar[str] = "film"
 
-    def solve(self, problem: ThrustDesign, progress: Watch = unwatched) -> tuple[Solution, ...]:
+    def solve(self, problem: ThrustDesign, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Solve films and load sharing; the solution keeps them."""
         from babbitt.kinds.thrust.check import thrust_solution
 

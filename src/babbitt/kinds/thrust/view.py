@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from babbitt.kinds.thrust.design import ThrustDesign
     from babbitt.properties.lubricants import Lubricant
     from babbitt.report.drawing import Drawing
-    from babbitt.report.rows import InputGroup
+    from babbitt.report.inputs import InputGroup
 
 __all__ = ["FILM", "sentences_of", "tables_of"]
 
@@ -58,7 +58,6 @@ def _oil(problem: ThrustDesign) -> Lubricant:
 
 FILM = View(
     title="Film in two dimensions",
-    heading="Operating point",
     inputs=_inputs,
     figures=_figures,
     report_figures=_figures,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from babbitt.core.result_name import ResultName
 from babbitt.kinds.footstep.case.footstep import ScrewHeelCase, heel_cases
@@ -64,7 +63,7 @@ def compare(case: ScrewHeelCase) -> tuple[Comparison, ...]:
 
 def _by(problem: HeelCase, method: Method) -> Iterator[Variant]:
     label, remark = REMARKS[method]
-    for found in METHODS[method.value].solve(replace(problem, method=method)):
+    for found in METHODS[method.value].solve(problem):
         name = found.result.name
         state = name.state if isinstance(name, ResultName) else ""
         yield Variant(f"{label}, {state}", remark, found)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.core.progress import Watch, unwatched
+from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.kinds.footstep.clearances import at_clearance
 from babbitt.kinds.footstep.model import Footstep
 from babbitt.kinds.footstep.states import Method, NoSteadyStateError, StateName, SteadyState, steady_states
@@ -59,7 +59,7 @@ def sweep_heel(
     face_gaps: Sequence[float],
     clearances: Sequence[float],
     method: Method = Method.SUPERPOSITION,
-    watch: Watch = unwatched,
+    watch: ProgressCallback = no_progress,
 ) -> HeelSweep:
     """Solve a footstep for every face gap and clearance.
 

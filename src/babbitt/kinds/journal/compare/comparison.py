@@ -7,7 +7,6 @@ from dataclasses import replace
 from typing import Any
 
 from babbitt.case.case_file import CaseFile
-from babbitt.core.solution import Solution
 from babbitt.kinds.journal.case.build import (
     bearings_of,
     design_cases_of,
@@ -151,7 +150,10 @@ def _compared(bearing: JournalBearing, case: CaseFile) -> Iterator[Comparison]:
         if long_films:
             label, remark = LONG_FILM
             remark += said_of_factor(bearing)
-            by_standard = (*by_standard, Variant(label, remark, _long_film(long_films[index]), detail=1))
+            by_standard = (
+                *by_standard,
+                Variant(label, remark, METHODS["long_film"].solve_one(long_films[index]), detail=1),
+            )
         by_film = tuple(_film_variant(one) for one in films)
         ordered = (*by_film, *by_standard) if bearing.method == "film" else (*by_standard, *by_film)
         plain = next((one.case for one in films if one.label == GLOBAL), films[0].case)
@@ -172,7 +174,7 @@ def _compared_in_one_dimension(bearing: JournalBearing, case: CaseFile) -> Itera
             if not reason:
                 place = groove_direction(design, found[0].result)
                 for label, remark, film, groove in grooved_films(bearing, case, index, design, place):
-                    solution = _film(film)
+                    solution = METHODS["film"].solve_one(film)
                     seen = replace(solution, result=with_groove_angles(solution.result, film, groove))
                     found.append(Variant(label, remark, seen, detail=1))
             left_out = f"the film in two dimensions is left out: {reason}" if reason else ""
@@ -201,7 +203,7 @@ def _film_variant(one: ThermalVariant) -> Variant:
         rupture, said = CAVITATION_LABELS.get(one.case.cavitation, HALF_SOMMERFELD)
         remark = said if label == GLOBAL else f"{remark}; {said}"
         label += rupture.removeprefix("film")
-    return Variant(label, remark, _film(one.case), detail=2 + one.detail)
+    return Variant(label, remark, METHODS["film"].solve_one(one.case), detail=2 + one.detail)
 
 
 def _cavitation_variants(film: FilmCase) -> tuple[Variant, ...]:
@@ -212,7 +214,7 @@ def _cavitation_variants(film: FilmCase) -> tuple[Variant, ...]:
         if cavitation is film.cavitation or (unfed and cavitation is Cavitation.MASS_CONSERVING):
             continue
         other = replace(film, cavitation=cavitation)
-        found.append(Variant(label, remark, _film(other), is_method=False))
+        found.append(Variant(label, remark, METHODS["film"].solve_one(other), is_method=False))
     return tuple(found)
 
 
@@ -224,29 +226,14 @@ def unknown_to_closed_forms(design: DesignCase) -> str:
 
 def _variants(design: DesignCase) -> tuple[Variant, ...]:
     common = "assumes one temperature for the whole film; rupture as on a centred arc; rigid parallel surfaces"
-    found = [Variant(ISO_LABEL, common, _standard(design))]
+    found = [Variant(ISO_LABEL, common, METHODS["iso7902"].solve_one(design))]
     if design.bearing.span < 360:  # all friction models agree on a full bearing
         for model, (label, remark) in FRICTION_LABELS.items():
             other = replace(design, friction=model)
             if other != design:
-                found.append(Variant(label, remark, _standard(other), is_method=False))
+                found.append(Variant(label, remark, METHODS["iso7902"].solve_one(other), is_method=False))
     elif design.curves is Curves.COMPUTED and not unknown_to_closed_forms(design):
         closed = replace(design, curves=Curves.CLOSED_FORM)
         deviates = f"deviates by up to {100.0 * DEVIATIONS['sommerfeld_number']:.0f} % in So (DIN 31652 fits)"
-        found.append(Variant(CLOSED_FORMS, deviates, _standard(closed), is_method=False))
+        found.append(Variant(CLOSED_FORMS, deviates, METHODS["iso7902"].solve_one(closed), is_method=False))
     return tuple(found)
-
-
-def _film(problem: FilmCase) -> Solution:
-    (found,) = METHODS["film"].solve(problem)
-    return found
-
-
-def _long_film(problem: LongFilmCase) -> Solution:
-    (found,) = METHODS["long_film"].solve(problem)
-    return found
-
-
-def _standard(problem: DesignCase) -> Solution:
-    (found,) = METHODS["iso7902"].solve(problem)
-    return found

@@ -41,8 +41,7 @@ def long_film_variants(case: LongFilmCase) -> Iterator[Labelled]:
     """The long film in every discretisation, that of the case first."""
     for one in dict.fromkeys((case.discretisation, *DISCRETISATIONS)):
         label, remark = DISCRETISATIONS[one]
-        (found,) = METHODS["long_film"].solve(replace(case, discretisation=one))
-        yield label, remark, found
+        yield label, remark, METHODS["long_film"].solve_one(replace(case, discretisation=one))
 
 
 def segment_variants(case: SegmentCase) -> Iterator[Labelled]:
@@ -52,12 +51,7 @@ def segment_variants(case: SegmentCase) -> Iterator[Labelled]:
         for kind in dict.fromkeys((groove.kind, *GROOVES)):
             pressure = groove.pressure if kind is GrooveKind.THROUGH else 0.0
             other = replace(case, groove=replace(groove, kind=kind, pressure=pressure))
-            yield (*GROOVES[kind], _grooved(other))
+            yield (*GROOVES[kind], METHODS["segments"].solve_one(other))
         cut = replace(groove, kind=GrooveKind.BLIND, width=0.0, pressure=0.0)
-        yield (*CUT, _grooved(replace(case, groove=cut)))
-    yield (*UNGROOVED, _grooved(replace(case, groove=None)))
-
-
-def _grooved(case: SegmentCase) -> Solution:
-    (found,) = METHODS["segments"].solve(case)
-    return found
+        yield (*CUT, METHODS["segments"].solve_one(replace(case, groove=cut)))
+    yield (*UNGROOVED, METHODS["segments"].solve_one(replace(case, groove=None)))

@@ -8,7 +8,7 @@ from dataclasses import replace
 from time import perf_counter
 
 from babbitt.core.notices import Notice
-from babbitt.core.progress import Watch, unwatched
+from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Bound, Check, Matrix, Outcome, Result
 from babbitt.core.solution import Solution
 from babbitt.design.bounds import certain, unjudged
@@ -85,18 +85,18 @@ OIL_INVENTED_FROM = 0.05
 """Mass balance error above which a film without mass conservation is doubted."""
 
 
-def film_check(case: FilmCase, watch: Watch = unwatched) -> Result:
+def film_check(case: FilmCase, watch: ProgressCallback = no_progress) -> Result:
     """Solve the film of a bearing by its thermal model; see `film_solution`."""
     return film_solution(case, watch).result
 
 
-def film_solution(case: FilmCase, watch: Watch = unwatched) -> Solution:
+def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solution:
     """Solve the film of a bearing by its thermal model.
 
     Parameters
     ----------
     case : FilmCase
-    watch : Watch
+    watch : ProgressCallback
         Follows the cycles of an orbit.
 
     Returns

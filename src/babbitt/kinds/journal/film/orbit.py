@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
-from babbitt.core.progress import Watch, unwatched
+from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Outcome
 from babbitt.kinds.journal.film.changing_load import ChangingLoad
 from babbitt.kinds.journal.film.moving_journal import (
@@ -158,7 +158,7 @@ def find_orbit(
     speed: float | None = None,
     mass: float = 0.0,
     resolution: Resolution = DRAFT,
-    watch: Watch = unwatched,
+    watch: ProgressCallback = no_progress,
 ) -> Orbit:
     """March a journal under a changing load until its orbit closes.
 
@@ -174,7 +174,7 @@ def find_orbit(
     mass : float
         Of the rotor that moves with the journal, kg.
     resolution : Resolution
-    watch : Watch
+    watch : ProgressCallback
         Follows the cycles, of which most orbits need few.
 
     Returns
@@ -201,7 +201,7 @@ def find_orbit(
     return _marched(journal, begun, watch)
 
 
-def _marched(journal: MasslessJournal | HeavyJournal, begun: float, watch: Watch) -> Orbit:
+def _marched(journal: MasslessJournal | HeavyJournal, begun: float, watch: ProgressCallback) -> Orbit:
     instants = _instants(journal.changing)
     try:
         states, outcome, moved, cycles = _last_cycle(journal, instants, watch)
@@ -217,7 +217,7 @@ def _marched(journal: MasslessJournal | HeavyJournal, begun: float, watch: Watch
 
 
 def _last_cycle(
-    journal: MasslessJournal | HeavyJournal, instants: Array, watch: Watch
+    journal: MasslessJournal | HeavyJournal, instants: Array, watch: ProgressCallback
 ) -> tuple[Array, Outcome, float, int]:
     """States of the cycle in which the orbit closes or the march ends, outcome, distance moved, and cycles."""
     state = journal.start(_begin(journal, instants))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from babbitt.core.notices import EXPLANATIONS, Notice
-from babbitt.core.progress import Watch, unwatched
+from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Check, Matrix, Outcome
 from babbitt.design.conditions import GivenLoad, sliding_speed
 from babbitt.design.warnings import RIGID_FILM_UP_TO, doubt_about_pressure
@@ -41,7 +41,7 @@ HELD_ON_ORBIT = ("minimum_film_thickness", "maximum_pressure", "specific_load", 
 """Results of the steady load whose limits hold for the worst instant of an orbit, too."""
 
 
-def orbit_of(case: FilmCase, state: FilmState, watch: Watch = unwatched) -> Orbit | None:
+def orbit_of(case: FilmCase, state: FilmState, watch: ProgressCallback = no_progress) -> Orbit | None:
     """Orbit of the journal in the film of the operating point; None under a steady load.
 
     It is seen on the grid of the case, or on a draft grid where each of its instants would take long.

@@ -10,10 +10,10 @@ from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
 from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
 from babbitt.kinds.journal.iso7902.model import Curves, DesignCase, Friction
 from babbitt.kinds.journal.problems import JournalDesign
-from babbitt.report.citations import REYNOLDS, UNFOUND
+from babbitt.report.citations import REVERSE_GEAR, REYNOLDS, UNFOUND
 from babbitt.reynolds.model import Cavitation
 
-__all__ = ["REVERSE_GEAR", "film_citations", "iso7902_citations", "long_film_citations", "segment_citations"]
+__all__ = ["film_citations", "iso7902_citations", "long_film_citations", "segment_citations"]
 
 ISO_7902 = (
     "ISO 7902-1:2020, with ISO 7902-2 and ISO 7902-3: Hydrodynamic plain journal bearings under steady-state "
@@ -46,10 +46,6 @@ LONG_FILM = (
 SEGMENTS = (
     "Heat balance by segments: an unnamed method for a bearing with a groove in the loaded zone, reconstructed "
     f"by Babbitt (`babbitt validate grooved_segments`). {UNFOUND}"
-)
-REVERSE_GEAR = (
-    "Marine reverse gear: a study of its bearings, 2023, vol. 15, no. 5, p. 825 ff. of a Russian journal "
-    f"(`babbitt validate reverse_gear`). {UNFOUND}"
 )
 DOWSON = (
     "D. Dowson: A generalized Reynolds equation for fluid-film lubrication. International Journal of Mechanical "

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.core.result import Result
@@ -43,56 +43,47 @@ def report_figures(solution: Solution, image_format: str = "svg") -> tuple[Drawi
     -------
     tuple of Drawing
     """
-    result, state = solution.result, solution.state
-    if not result.outcome.solved:
-        return ()
-    case = under_found_load(solution.problem, state)
-    with style():
-        if is_slow(state):
-            return _drawn(
-                (*_at_rest(case, state, LEFT_OUT), *_temperatures(case, state), *_moving(state, result)),
-                image_format,
-            )
-        painted = (
-            *_at_rest(case, state),
-            *_temperatures(case, state),
-            *_moving(state, result),
-            *_swept(case, state, result),
-        )
-        return _drawn(painted, image_format)
+    return _drawings(solution, _for_report, image_format)
 
 
 def all_figures(solution: Solution, image_format: str = "svg") -> tuple[Drawing, ...]:
-    """Every figure of a solved bearing, the pressure as a surface included.
+    """Every figure of a solved bearing, the pressure as a surface included; as `report_figures`."""
+    return _drawings(solution, _all, image_format)
 
-    Parameters
-    ----------
-    solution : Solution
-        Of a film; an unsolved one has no figures.
-    image_format : {"svg", "pdf", "png"}
 
-    Returns
-    -------
-    tuple of Drawing
-    """
-    result, state = solution.result, solution.state
-    if not result.outcome.solved:
+def _drawings(
+    solution: Solution, choice: Callable[[FilmCase, FilmState, Result], Iterator[Painted]], image_format: str
+) -> tuple[Drawing, ...]:
+    if not solution.result.outcome.solved:
         return ()
-    case = under_found_load(solution.problem, state)
+    case = under_found_load(solution.problem, solution.state)
     with style():
-        at_rest = (*_at_rest(case, state), *_temperatures(case, state), *_surface(case, state))
-        return _drawn((*at_rest, *_moving(state, result), *_swept(case, state, result)), image_format)
+        return tuple(
+            Drawing(name, caption, rendered(figure, image_format), wide)
+            for name, caption, figure, wide in choice(case, solution.state, solution.result)
+        )
+
+
+def _for_report(case: FilmCase, state: FilmState, result: Result) -> Iterator[Painted]:
+    slow = is_slow(state)
+    yield from _at_rest(case, state, LEFT_OUT if slow else "")
+    yield from _temperatures(case, state)
+    yield from _moving(state, result)
+    if not slow:
+        yield from _swept(case, state, result)
+
+
+def _all(case: FilmCase, state: FilmState, result: Result) -> Iterator[Painted]:
+    yield from _at_rest(case, state)
+    yield from _temperatures(case, state)
+    yield from _surface(case, state)
+    yield from _moving(state, result)
+    yield from _swept(case, state, result)
 
 
 def is_slow(state: FilmState) -> bool:
     """Whether sweeps of this film take seconds."""
     return bool(state.solution.pressure.size > SLOW)
-
-
-def _drawn(painted: Iterator[Painted] | tuple[Painted, ...], image_format: str) -> tuple[Drawing, ...]:
-    return tuple(
-        Drawing(name, caption, rendered(figure, image_format), wide) for name, caption, figure, wide in painted
-    )
 
 
 def _at_rest(case: FilmCase, state: FilmState, remark: str = "") -> Iterator[Painted]:

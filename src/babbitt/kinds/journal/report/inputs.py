@@ -34,7 +34,7 @@ from babbitt.kinds.journal.report.film_inputs import (
     said_of_step,
 )
 from babbitt.kinds.journal.report.one_dimension import said_of
-from babbitt.report.rows import InputGroup, Row, metal_rows, named_row, oil_rows
+from babbitt.report.inputs import InputGroup, Row, metal_rows, named_row, oil_rows
 
 __all__ = ["journal_inputs"]
 

@@ -7,6 +7,12 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from babbitt.core.solution import Solution
+from babbitt.kinds.journal.report.citations import (
+    film_citations,
+    iso7902_citations,
+    long_film_citations,
+    segment_citations,
+)
 from babbitt.kinds.journal.report.columns import COLUMNS, OVERVIEW_COLUMNS
 from babbitt.kinds.journal.report.key_results import KEY_RESULTS
 from babbitt.kinds.journal.report.one_dimension import OWN_RESULTS
@@ -19,8 +25,8 @@ if TYPE_CHECKING:
     from babbitt.kinds.journal.problems import JournalDesign
     from babbitt.properties.lubricants import Lubricant
     from babbitt.report.drawing import Drawing
+    from babbitt.report.inputs import InputGroup
     from babbitt.report.line import Section
-    from babbitt.report.rows import InputGroup
 
 __all__ = ["FILM", "ISO7902", "LONG_FILM", "SEGMENTS"]
 
@@ -75,19 +81,8 @@ def _figures_along(solution: Solution, image_format: str = "svg") -> tuple[Drawi
     return figures_along_the_film(solution.problem, solution.result, image_format)
 
 
-def _cited(name: str) -> Any:
-    def citations(problem: JournalDesign) -> Iterable[str]:
-        from babbitt.kinds.journal.report import citations as references
-
-        found: Iterable[str] = getattr(references, name)(problem)
-        return found
-
-    return citations
-
-
 COMMON = View(
     title="",
-    heading="Operating point",
     key_results=tuple(dict.fromkeys((*KEY_RESULTS, *OWN_RESULTS))),
     rows=supply_rows,
     inputs=_inputs,
@@ -104,7 +99,7 @@ ISO7902 = replace(
     figures=_iso7902_figures,
     report_figures=_iso7902_figures,
     overview=OVERVIEW_COLUMNS,
-    citations=_cited("iso7902_citations"),
+    citations=iso7902_citations,
 )
 
 FILM = replace(
@@ -113,7 +108,7 @@ FILM = replace(
     figures=_film_figures,
     report_figures=_film_report_figures,
     fields=_film_fields,
-    citations=_cited("film_citations"),
+    citations=film_citations,
 )
 
 LONG_FILM = replace(
@@ -121,7 +116,7 @@ LONG_FILM = replace(
     title="Long film with heat exchange",
     figures=_figures_along,
     report_figures=_figures_along,
-    citations=_cited("long_film_citations"),
+    citations=long_film_citations,
 )
 
 SEGMENTS = replace(
@@ -129,5 +124,5 @@ SEGMENTS = replace(
     title="Heat balance by segments",
     figures=_figures_along,
     report_figures=_figures_along,
-    citations=_cited("segment_citations"),
+    citations=segment_citations,
 )

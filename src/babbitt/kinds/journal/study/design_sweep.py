@@ -48,7 +48,7 @@ def sweep_design(calculation: Calculation, path: str, points: Iterable[float]) -
     for place, point in enumerate(taken):
         try:
             problem = varied(calculation.problem, path, point)
-            results += [one.result for one in calculation.method.solve(problem)]
+            results.append(calculation.method.solve_one(problem).result)
         except InputError as error:
             results.append(None)
             refused[place] = str(error)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from babbitt.core.progress import Watch, unwatched
+from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.kinds.journal.film.model import Accuracy, FilmCase
 from babbitt.reynolds.model import FilmStart, JournalFilm, Resolution
 from babbitt.reynolds.solution import attitude_angle, sommerfeld_number
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from babbitt.reynolds.lands.batch import BatchSolution
     from babbitt.reynolds.solution import FilmSolution
 
-__all__ = ["FilmPoints", "Watch", "film_points", "unwatched"]
+__all__ = ["FilmPoints", "ProgressCallback", "film_points", "no_progress"]
 
 Array = NDArray[np.float64]
 
@@ -97,7 +97,7 @@ class FilmPoints:
 
 
 def film_points(
-    case: FilmCase, state: FilmState, loads: ArrayLike, speeds: ArrayLike, watch: Watch = unwatched
+    case: FilmCase, state: FilmState, loads: ArrayLike, speeds: ArrayLike, watch: ProgressCallback = no_progress
 ) -> FilmPoints:
     """Find the equilibria of a film under other loads and at other speeds.
 
@@ -110,7 +110,7 @@ def film_points(
         supply pressures are kept.
     loads, speeds : array_like
         N and rad/s, positive; they broadcast to one axis of points.
-    watch : Watch
+    watch : ProgressCallback
         Follows the points of films that are solved one by one.
 
     Returns
@@ -165,7 +165,7 @@ def _one_by_one(
     speeds: Array,
     grid: Resolution,
     near: tuple[float, float],
-    watch: Watch,
+    watch: ProgressCallback,
 ) -> FilmPoints:
     from babbitt.kinds.journal.film.stable_equilibrium import settled_film
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.kinds.journal.film.model import FilmCase
-from babbitt.kinds.journal.study.film_points import FilmPoints, Watch, film_points, unwatched
+from babbitt.kinds.journal.study.film_points import FilmPoints, ProgressCallback, film_points, no_progress
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -27,7 +27,7 @@ LOAD_SPAN, SPEED_SPAN = (0.02, 8.0), (0.25, 2.5)
 
 
 def locus_over_load(
-    case: FilmCase, state: FilmState, loads: Iterable[float] | None = None, watch: Watch = unwatched
+    case: FilmCase, state: FilmState, loads: Iterable[float] | None = None, watch: ProgressCallback = no_progress
 ) -> FilmPoints:
     """Equilibria over the load, everything else as at the operating point.
 
@@ -38,7 +38,7 @@ def locus_over_load(
         Its film at the operating point, whose speed, clearance, viscosity and supply pressures are kept.
     loads : iterable of float, optional
         N. From a fiftieth to eight times the load of the operating point where none are given.
-    watch : Watch
+    watch : ProgressCallback
 
     Returns
     -------
@@ -51,7 +51,7 @@ def locus_over_load(
 
 
 def locus_over_speed(
-    case: FilmCase, state: FilmState, speeds: Iterable[float] | None = None, watch: Watch = unwatched
+    case: FilmCase, state: FilmState, speeds: Iterable[float] | None = None, watch: ProgressCallback = no_progress
 ) -> FilmPoints:
     """Equilibria over the speed under the same load; parameters as for `locus_over_load`, speeds in rad/s.
 

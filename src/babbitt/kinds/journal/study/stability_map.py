@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.whirl import mass_of_rotor
-from babbitt.kinds.journal.study.film_points import FilmPoints, Watch, film_points, unwatched
+from babbitt.kinds.journal.study.film_points import FilmPoints, ProgressCallback, film_points, no_progress
 from babbitt.kinds.journal.study.locus import spread
 from babbitt.reynolds.stability.rotor import RIGID, growth_rates
 
@@ -105,7 +105,7 @@ def stability_map(
     state: FilmState,
     loads: Iterable[float] | None = None,
     speeds: Iterable[float] | None = None,
-    watch: Watch = unwatched,
+    watch: ProgressCallback = no_progress,
 ) -> StabilityMap:
     """Find where a rotor in this film runs stable.
 
@@ -119,7 +119,7 @@ def stability_map(
     loads, speeds : iterable of float, optional
         N and rad/s. From a fifth to five times the load and to ten times the speed of the operating point where
         none are given.
-    watch : Watch
+    watch : ProgressCallback
         Follows films that are solved one by one.
 
     Returns

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from babbitt.kinds.thrust.design import ThrustDesign
-from babbitt.report.rows import InputGroup, Row, metal_rows, named_row, oil_rows
+from babbitt.report.inputs import InputGroup, Row, metal_rows, named_row, oil_rows
 
 __all__ = ["thrust_inputs"]
 
