@@ -140,7 +140,8 @@ def main() -> int:
         said = f"# {index} {kind}: {found.outcome.name} after {taken:.2f} s; {hint}"
         print(said, flush=True)
         if kept is not None:
-            kept.write_text((kept.read_text() if kept.exists() else "") + f"{said}\n```yaml\n{text}```\n\n")
+            before = kept.read_text(encoding="utf-8") if kept.exists() else ""
+            kept.write_text(f"{before}{said}\n```yaml\n{text}```\n\n", encoding="utf-8")
     print(f"{'kind':14}{'solved':>8}{'overloaded':>12}{'other':>8}{'median ms':>11}{'slowest ms':>12}")
     for kind, seen in outcomes.items():
         solved, over = seen.count(Outcome.CONVERGED), seen.count(Outcome.OVERLOADED)

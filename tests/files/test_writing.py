@@ -1,8 +1,10 @@
 """Every output is written whole, and only over an earlier output of Babbitt."""
 
 import errno
+import io
 import os
 import zipfile
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -144,6 +146,42 @@ def test_a_new_file_where_the_file_system_has_no_links(tmp_path, monkeypatch):
     with pytest.raises(InputError, match="exists already"):
         create_file(tmp_path / "new", b"y")
     assert (tmp_path / "new").read_bytes() == b"x"
+
+
+def test_half_a_file_is_closed_before_it_is_removed(tmp_path, monkeypatch):
+    """Without links and on a full disk: Windows removes no file that is open."""
+    path, usual_open, usual_unlink = tmp_path / "new", Path.open, Path.unlink
+    opened = []
+
+    class Full(io.BytesIO):
+        def __init__(self, name):
+            super().__init__()
+            usual_open(name, "xb").close()
+
+        def write(self, _content):
+            raise OSError(errno.ENOSPC, "No space left on device")
+
+    def without(*_):
+        raise OSError(errno.EPERM, "Operation not permitted")
+
+    def open_full(name, mode="r", **how):
+        if mode != "xb":
+            return usual_open(name, mode, **how)
+        opened.append(Full(name))
+        return opened[-1]
+
+    def unlink_closed(name, **how):
+        if name == path and not all(file.closed for file in opened):
+            raise PermissionError(errno.EACCES, "The process cannot access the file because it is being used")
+        usual_unlink(name, **how)
+
+    monkeypatch.setattr(writing.os, "link", without)
+    monkeypatch.setattr(Path, "open", open_full)
+    monkeypatch.setattr(Path, "unlink", unlink_closed)
+    with pytest.raises(InputError, match="No space left"):
+        create_file(path, b"x")
+    assert opened
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_an_input_is_refused_by_whatever_name_it_is_called(tmp_path):

@@ -221,17 +221,19 @@ def _write_beside(target: Path, named: Path, content: bytes) -> Path:
 
 def _create_in_place(path: Path, content: bytes, exists: InputError) -> None:
     try:
-        with path.open("xb") as file:
-            try:
-                file.write(content)
-                file.flush()
-            except BaseException:
-                _discard(path)
-                raise
+        file = path.open("xb")
     except FileExistsError:
         raise exists from None
     except OSError as error:
         raise _cannot_write(path, error) from None
+    try:
+        with file:
+            file.write(content)
+    except BaseException as error:  # closed by now: some systems remove no file that is open
+        _discard(path)
+        if isinstance(error, OSError):
+            raise _cannot_write(path, error) from None
+        raise
 
 
 def _write_through(path: Path, content: bytes) -> None:
