@@ -1,4 +1,5 @@
-"""Kernel: a chunk of bearings, one after the other; releases the interpreter, so chunks run on all cores."""
+"""Kernels: a chunk of bearings or of places, one after the other; they release the interpreter, so chunks run on all
+cores."""
 
 from __future__ import annotations
 
@@ -8,6 +9,7 @@ from babbitt.reynolds._compiling import compiled
 from babbitt.reynolds._structs import Bearing
 from babbitt.reynolds.lands._equilibrium import find_equilibrium
 from babbitt.reynolds.lands._forces import RESULT_SIZE
+from babbitt.reynolds.lands._positions import film_at
 
 HEAD = 5  # x, y, status, steps, smallest gap; the result vector follows
 
@@ -38,3 +40,16 @@ def find_equilibria(
         )
         found[b, 0], found[b, 1], found[b, 2], found[b, 3], found[b, 4] = x, y, status, steps, gap
         found[b, HEAD:] = result
+
+
+@compiled
+def films_at(axial, bearing, n_coarse, n_fine, places, max_steps, statuses, results):
+    """Film of one bearing at many places: rows x, y and their rates in, status and the vector of results out."""
+    result = np.zeros(RESULT_SIZE)
+    for row in range(places.shape[0]):
+        status, _, _, _ = film_at(
+            axial, bearing, n_coarse, n_fine, places[row, 0], places[row, 1], places[row, 2], places[row, 3],
+            max_steps, result,
+        )  # fmt: skip
+        statuses[row] = status
+        results[row] = result

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
@@ -60,6 +61,8 @@ def solve_batch(
     resolution: Resolution = ENGINEERING,
     *,
     max_steps: int = 80,
+    workers: int | None = None,
+    progress: Callable[[int, int], None] | None = None,
 ) -> BatchSolution:
     """Find the equilibria of many bearings that share the layout of their grooves.
 
@@ -75,6 +78,10 @@ def solve_batch(
     cavitation : Cavitation
     resolution : Resolution
     max_steps : int
+    workers : int, optional
+        Threads; by default as many as there are cores. The answer does not depend on it.
+    progress : callable, optional
+        Told how many bearings are done, and how many there are.
 
     Returns
     -------
@@ -83,7 +90,8 @@ def solve_batch(
     Raises
     ------
     InputError
-        E101 for lands that are not round, grooves under pressure or not full, or values that are not positive.
+        E101 for lands that are not round, grooves under pressure or not full, values that are not positive, or a load
+        without both components.
     """
     check_lands(lands, 0.0)
     if any(land.clearance is not None or land.centre != (0.0, 0.0) or land.profile for land in lands):
@@ -96,6 +104,10 @@ def solve_batch(
     if cavitation is Cavitation.HALF_SOMMERFELD:
         raise InputError("E101", "a batch has no half-Sommerfeld condition; solve such films one by one.")
     force = np.atleast_2d(np.asarray(load, dtype=float))
+    if force.ndim != 2 or force.shape[1] != 2:
+        raise InputError(
+            "E101", f"load has shape {np.shape(load)}; it must be (2,) or (bearings, 2): both components, in N."
+        )
     values = [np.asarray(v, dtype=float) for v in (diameter, width, clearance, viscosity, angular_speed)]
     count = np.broadcast_shapes(*(v.shape for v in values), force.shape[:1])[0]
     d, b, c, eta, omega = (np.broadcast_to(v, (count,)) for v in values)
@@ -122,9 +134,13 @@ def solve_batch(
             resolution.tolerance, max_steps, first, min(first + chunk, count), found,
         )  # fmt: skip
 
+    tell = progress or (lambda done, of: None)
     settle(0)  # compiles, where that is still to be done, before the threads start
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        list(pool.map(settle, range(chunk, count, chunk)))
+    tell(min(chunk, count), count)
+    firsts = range(chunk, count, chunk)
+    with ThreadPoolExecutor(workers or os.cpu_count()) as pool:
+        for first, _ in zip(firsts, pool.map(settle, firsts), strict=True):
+            tell(min(first + chunk, count), count)
     per_length = (unit / c)[:, None, None]
     return BatchSolution(
         solved=found[:, 2] == CONVERGED,

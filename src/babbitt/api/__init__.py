@@ -1,0 +1,1 @@
+"""The Python front door: bearings as objects, results with arrays."""
