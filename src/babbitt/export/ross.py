@@ -87,7 +87,7 @@ def write_ross(
             f"speed(s) are few; compute at least {minimum_speeds} over the range the rotor is analysed for (10 to "
             f"20 are better), or accept what it makes of them with minimum_speeds={table.speeds.size}",
         )
-    element = _element(for_rotor_programs(table), wanted, node)
+    element = bearing_element(for_rotor_programs(table), wanted, node)
     block = f"{BLOCK}{table.name}"
     write_blocks(path, {block: element})
 
@@ -156,7 +156,7 @@ def _version(version: RossVersion | int) -> RossVersion:
         ) from None
 
 
-def _element(table: CoefficientTable, version: RossVersion, node: int) -> dict[str, Any]:
+def bearing_element(table: CoefficientTable, version: RossVersion, node: int) -> dict[str, Any]:
     """The arguments of the constructor, and under ``babbitt`` what ROSS has no place for and passes over."""
     element: dict[str, Any] = {"n": node, "tag": table.name, "scale_factor": 1, "color": "#355d7a"}
     element[version.axis] = table.speeds.tolist()

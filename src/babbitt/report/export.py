@@ -35,7 +35,7 @@ def to_json(machine: MachineResult) -> dict[str, Any]:
         "babbitt": machine.version,
         "case": machine.name,
         "case_hash": machine.case_hash,
-        "bearings": [_bearing(result) for result in machine.results],
+        "bearings": [bearing_record(result) for result in machine.results],
     }
     summed = totals(machine.results)
     if summed is not None:
@@ -65,7 +65,8 @@ def escaped(text: str) -> str:
     return json.dumps(json.loads(text), indent=2, ensure_ascii=True) + ("\n" if text.endswith("\n") else "")
 
 
-def _bearing(result: Result) -> dict[str, Any]:
+def bearing_record(result: Result) -> dict[str, Any]:
+    """One bearing of `to_json`."""
     numbers: dict[str, Any] = {**_finite(result.values)}
     numbers |= {name: [list(row) for row in rows] for name, rows in result.arrays.items() if _all_finite(rows)}
     solved, governing = result.outcome.solved, result.governing_check

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import Any
 
 from babbitt.core.units.reading import _for_pint
@@ -28,7 +29,5 @@ def pint_quantity(value: Any, unit: str) -> Any:
     >>> pint_quantity(2.5, "N s/m").to("kN s/m").magnitude
     0.0025
     """
-    import pint
-
-    registry = pint.get_application_registry()
+    registry = import_module("pint").get_application_registry()
     return registry.Quantity(value, "dimensionless" if unit == "1" else _for_pint(unit))

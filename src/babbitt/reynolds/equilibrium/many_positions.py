@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
-from babbitt.reynolds._structs import Axial, Bearing
 from babbitt.reynolds.equilibrium.cavitating_film import groove_force, kernel_bearing
 from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.lands._batch import films_at
@@ -19,7 +19,7 @@ from babbitt.reynolds.lands.operators import kernel_operator
 from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Resolution
 from babbitt.reynolds.scales import Scales
 
-__all__ = ["FilmPositions", "PositionAnswers"]
+__all__ = ["FilmPositions", "PositionCoefficients", "PositionForces"]
 
 Array = NDArray[np.float64]
 
@@ -28,8 +28,8 @@ MOST_FILMS = 200
 
 
 @dataclass(frozen=True, eq=False)
-class PositionAnswers:
-    """Films at positions; every array has the positions as its first axis.
+class PositionForces:
+    """Forces at positions; every array has the positions as its first axis.
 
     Attributes
     ----------
@@ -39,15 +39,47 @@ class PositionAnswers:
         Whether the film was found.
     force : ndarray, shape (n, 2)
         On the journal, N.
-    stiffness, damping : ndarray, shape (n, 2, 2)
-        dF = -(K dx + C dx'), N/m and N s/m.
     """
 
     outside: NDArray[np.bool_]
     settled: NDArray[np.bool_]
     force: Array
+
+
+@dataclass(frozen=True, eq=False)
+class PositionCoefficients(PositionForces):
+    """Forces with their derivatives.
+
+    Attributes
+    ----------
+    stiffness, damping : ndarray, shape (n, 2, 2)
+        dF = -(K dx + C dx'), N/m and N s/m.
+    """
+
     stiffness: Array
     damping: Array
+
+
+class Loop:
+    """A film as the compiled loop takes it; coefficients freed from the steps of the grid cost another film."""
+
+    def __init__(self, film: JournalFilm, resolution: Resolution, smooth: bool) -> None:
+        scales = Scales.of(film, abs(film.angular_speed))
+        self.bearing = kernel_bearing(film, scales)._replace(smooth=smooth)
+        self.axial = kernel_operator(resolution.axial_unknowns)
+        self.intervals = (resolution.coarse_intervals, resolution.intervals)
+        lengths = np.array([scales.length, scales.length, *2 * (scales.length * scales.rate,)])
+        self.to_kernel = np.tile(scales.sense, 2) / lengths
+        self.grooves, self.force = groove_force(self.bearing), scales.sense * scales.force
+        # a vector is mirrored by `sense`, a matrix from both sides
+        self.stiffness = np.outer(scales.sense, scales.sense) * (scales.force / scales.length)
+        self.damping = self.stiffness / scales.rate
+
+    def run(self, places: Array) -> tuple[NDArray[np.int64], Array]:
+        """Status and vector of results, dimensionless, at rows of x, y and their rates."""
+        statuses, results = np.empty(len(places), np.int64), np.empty((len(places), RESULT_SIZE))
+        films_at(self.axial, self.bearing, *self.intervals, places * self.to_kernel, MOST_FILMS, statuses, results)
+        return statuses, results
 
 
 class FilmPositions:
@@ -66,25 +98,45 @@ class FilmPositions:
 
     def __init__(self, film: JournalFilm, resolution: Resolution) -> None:
         self.film, self.resolution = film, resolution
-        self.by_loop = (
+
+    @property
+    def by_loop(self) -> bool:
+        """Whether the film runs through the compiled loop."""
+        film = self.film
+        return (
             not film.is_surface
             and film.angular_speed != 0.0
             and film.film_start is FilmStart.GROOVE
             and film.cavitation is not Cavitation.HALF_SOMMERFELD
         )
-        self._forces, self._coefficients = (self._prepared(smooth) for smooth in (False, True))
 
-    def forces(self, places: Array) -> PositionAnswers:
-        """Forces at rows of x, y (m) and their rates (m/s), shape (n, 4); coefficients as far as they come along.
+    @cached_property
+    def _of_forces(self) -> Loop | None:
+        return Loop(self.film, self.resolution, False) if self.by_loop else None
+
+    @cached_property
+    def _of_coefficients(self) -> Loop | None:
+        return Loop(self.film, self.resolution, True) if self.by_loop else None
+
+    def forces(self, places: Array) -> PositionForces:
+        """Forces at rows of x, y (m) and their rates (m/s), shape (n, 4).
 
         Raises
         ------
         InputError
             E101 for what is not finite, and what `film_at_position` refuses.
         """
-        return self._answers(places, self._forces)
+        require_finite(places)
+        loop = self._of_forces
+        if loop is None:
+            return self._one_by_one(places)
+        statuses, results = loop.run(places)
+        outside, settled = statuses == NO_FILM, statuses == CONVERGED
+        found = PositionForces(outside, settled, (results[:, :2] + loop.grooves) * loop.force)
+        self._solve_again(found, places)
+        return found
 
-    def coefficients(self, places: Array) -> PositionAnswers:
+    def coefficients(self, places: Array) -> PositionCoefficients:
         """Forces, stiffness and damping at rows of x, y (m) and their rates (m/s), shape (n, 4).
 
         Raises
@@ -92,64 +144,47 @@ class FilmPositions:
         InputError
             As `forces`.
         """
-        return self._answers(places, self._coefficients)
-
-    def _prepared(self, smooth: bool) -> tuple[Scales, Bearing, Axial, Array] | None:
-        """What the compiled loop takes; coefficients freed from the steps of the grid cost another film."""
-        if not self.by_loop:
-            return None
-        scales = Scales.of(self.film, abs(self.film.angular_speed))
-        bearing = kernel_bearing(self.film, scales)._replace(smooth=smooth)
-        return scales, bearing, kernel_operator(self.resolution.axial_unknowns), groove_force(bearing)
-
-    def _answers(self, places: Array, prepared: tuple[Scales, Bearing, Axial, Array] | None) -> PositionAnswers:
-        if not np.isfinite(places).all():
-            raise InputError("E101", "a position or velocity is not a finite number.")
-        if prepared is None:
-            return _gathered([self._one(place) for place in places])
-        scales, bearing, axial, grooves = prepared
-        units = np.array([scales.length, scales.length, *2 * (scales.length * scales.rate,)])
-        statuses, results = np.empty(len(places), np.int64), np.empty((len(places), RESULT_SIZE))
-        films_at(
-            axial, bearing, self.resolution.coarse_intervals, self.resolution.intervals,
-            places * np.tile(scales.sense, 2) / units, MOST_FILMS, statuses, results,
-        )  # fmt: skip
-        # a vector is mirrored by `sense`, a matrix from both sides
-        both = np.outer(scales.sense, scales.sense) * (scales.force / scales.length)
-        found = PositionAnswers(
-            outside=statuses == NO_FILM,
-            settled=statuses == CONVERGED,
-            force=(results[:, :2] + grooves) * scales.sense * scales.force,
-            stiffness=results[:, 2:6].reshape(-1, 2, 2) * both,
-            damping=results[:, 6:].reshape(-1, 2, 2) * (both / scales.rate),
+        require_finite(places)
+        loop = self._of_coefficients
+        if loop is None:
+            return self._one_by_one(places)
+        statuses, results = loop.run(places)
+        found = PositionCoefficients(
+            statuses == NO_FILM,
+            statuses == CONVERGED,
+            (results[:, :2] + loop.grooves) * loop.force,
+            results[:, 2:6].reshape(-1, 2, 2) * loop.stiffness,
+            results[:, 6:].reshape(-1, 2, 2) * loop.damping,
         )
-        for row in np.flatnonzero(~found.settled & ~found.outside):  # lines flicker as one; nodes seldom do
-            self._put(found, row, self._one(places[row]))
+        self._solve_again(found, places)
         return found
 
-    def _one(self, place: Array) -> PositionAnswers:
+    def _solve_again(self, found: PositionForces, places: Array) -> None:
+        """Lines that share their modes may flicker as one; nodes seldom do."""
+        if found.settled.all():
+            return
+        for row in np.flatnonzero(~(found.settled | found.outside)):
+            self._put(found, int(row), places[row])
+
+    def _one_by_one(self, places: Array) -> PositionCoefficients:
+        count = len(places)
+        outside, settled = np.zeros(count, dtype=bool), np.zeros(count, dtype=bool)
+        two, matrix = (count, 2), (count, 2, 2)
+        found = PositionCoefficients(outside, settled, np.empty(two), np.empty(matrix), np.empty(matrix))
+        for row, place in enumerate(places):
+            self._put(found, row, place)
+        return found
+
+    def _put(self, found: PositionForces, row: int, place: Array) -> None:
         x, y, x_rate, y_rate = (float(part) for part in place)
         one = film_at_position(self.film, (x, y), (x_rate, y_rate), self.resolution)
-        return PositionAnswers(
-            np.array([one.outcome is Outcome.OVERLOADED]),
-            np.array([one.outcome.solved]),
-            one.force[None],
-            one.stiffness[None],
-            one.damping[None],
-        )
-
-    @staticmethod
-    def _put(found: PositionAnswers, row: int, one: PositionAnswers) -> None:
-        for name in ("outside", "settled", "force", "stiffness", "damping"):
-            getattr(found, name)[row] = getattr(one, name)[0]
+        found.outside[row], found.settled[row] = one.outcome is Outcome.OVERLOADED, one.outcome.solved
+        found.force[row] = one.force
+        if isinstance(found, PositionCoefficients):
+            found.stiffness[row], found.damping[row] = one.stiffness, one.damping
 
 
-def _gathered(answers: list[PositionAnswers]) -> PositionAnswers:
-    names = ("outside", "settled", "force", "stiffness", "damping")
-    shapes = ((0,), (0,), (0, 2), (0, 2, 2), (0, 2, 2))
-    return PositionAnswers(
-        *(
-            np.concatenate([getattr(one, name) for one in answers]) if answers else np.empty(shape)
-            for name, shape in zip(names, shapes, strict=True)
-        )
-    )
+def require_finite(places: Array) -> None:
+    """Refuse positions and velocities that are not numbers, with E101."""
+    if not np.isfinite(places).all():
+        raise InputError("E101", "a position or velocity is not a finite number.")

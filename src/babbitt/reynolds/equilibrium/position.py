@@ -39,7 +39,9 @@ def film_at_position(
         mass-conserving film is only squeezed.
     """
     if not all(math.isfinite(part) for part in (*position, *velocity)):
-        raise InputError("E101", f"position is {position} and velocity {velocity}; every component must be finite.")
+        raise InputError(
+            "E101", f"position is {position} and velocity {velocity}; every component must be finite."
+        )
     if film.cavitation is Cavitation.HALF_SOMMERFELD:
         return half_sommerfeld_at(film, position, velocity, resolution)
     return cavitating_film_at(film, position, velocity, resolution)

@@ -1,5 +1,4 @@
-"""Kernels: a chunk of bearings or of places, one after the other; they release the interpreter, so chunks run on all
-cores."""
+"""Kernels: bearings or places one after the other; they release the interpreter, so chunks run on all cores."""
 
 from __future__ import annotations
 

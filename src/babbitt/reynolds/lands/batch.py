@@ -90,8 +90,8 @@ def solve_batch(
     Raises
     ------
     InputError
-        E101 for lands that are not round, grooves under pressure or not full, values that are not positive, or a load
-        without both components.
+        E101 for lands that are not round, grooves under pressure or not full, values that are not positive, or a
+        load without both components.
     """
     check_lands(lands, 0.0)
     if any(land.clearance is not None or land.centre != (0.0, 0.0) or land.profile for land in lands):

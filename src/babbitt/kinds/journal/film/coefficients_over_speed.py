@@ -63,7 +63,9 @@ class SpeedRun:
                 "film did not settle; leave this speed out or choose temperature_coefficients: frozen",
             )
         states = [one.film for one in self.found if one.film is not None]
-        table = coefficient_table(self.case.name, (state.solution for state in states), _method(self.case))
+        table = coefficient_table(
+            self.case.name, (state.solution for state in states), method_of_coefficients(self.case)
+        )
         heat = {name: np.array([getattr(state, own) for state in states]) for name, own in STATIC.items()}
         return replace(
             table, static={**table.static, **heat}, temperatures=temperatures_of_coefficients(self.case)
@@ -113,7 +115,8 @@ def _with_coefficients(case: FilmCase) -> tuple[Equilibrium[FilmState], bool]:
     return replace(found, film=state), followed
 
 
-def _method(case: FilmCase) -> str:
+def method_of_coefficients(case: FilmCase) -> str:
+    """How the coefficients of a case are obtained, in a line."""
     if case.heat is not None:
         heat = f"thermal {case.heat.name} at each speed"
     else:

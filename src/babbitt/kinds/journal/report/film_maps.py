@@ -33,6 +33,9 @@ if TYPE_CHECKING:
 RUPTURED = 0.995
 """Liquid fraction below which the film is drawn as ruptured."""
 
+AROUND = "θ in °, counter-clockwise from $+x$"
+"""Label of the angle."""
+
 WIDEST_LEVEL = 4.0
 """Gaps are told apart up to this many radial clearances over the smallest."""
 
@@ -45,21 +48,32 @@ def unrolled(case: FilmCase, solution: FilmSolution, field: FilmField) -> Figure
     figure, axes = Sheet(166.0, 92.0, 2, 1, left=12.0, between=5.5).panels(sharex=True, sharey=True)
     figure.subplots_adjust(top=1.0 - 6.0 / 92.0)  # room for what stands above the upper panel
     top, bottom = axes[0][0], axes[1][0]
-    _pressure(top, solution, field)
-    _thickness(bottom, solution, field)
-    for panel in (top, bottom):
-        _ruptured(panel, field)
-        _outlines(panel, solution.film, field)
-        _supplies(panel, solution.film, field)
-        load_line(panel, case)
-        panel.set_ylabel("$z$ in mm")
-    _depths(bottom, solution.film, field)
-    degrees(top, field)
-    bottom.set_xlabel("θ in °, counter-clockwise from $+x$")
-    says(top, "pressure in MPa")
-    says(bottom, "film thickness in µm")
+    pressure_map(top, case, solution, field)
+    thickness_map(bottom, case, solution, field)
+    bottom.set_xlabel(AROUND)
     rotation(top, case)
     return figure
+
+
+def pressure_map(panel: Axes, case: FilmCase, solution: FilmSolution, field: FilmField) -> None:
+    """Pressure over the unrolled bore, on axes that are given."""
+    _pressure(panel, solution, field)
+    _over_bore(panel, case, solution, field)
+    says(panel, "pressure in MPa")
+
+
+def thickness_map(panel: Axes, case: FilmCase, solution: FilmSolution, field: FilmField) -> None:
+    """Film thickness over the unrolled bore, on axes that are given."""
+    _thickness(panel, solution, field)
+    _over_bore(panel, case, solution, field)
+    _depths(panel, solution.film, field)
+    says(panel, "film thickness in µm")
+
+
+def _over_bore(panel: Axes, case: FilmCase, solution: FilmSolution, field: FilmField) -> None:
+    dress(panel, case, solution, field)
+    panel.set_ylabel("$z$ in mm")
+    degrees(panel, field)
 
 
 def surface(field: FilmField) -> Figure:

@@ -23,12 +23,12 @@ NAMED = 4
 
 def orbit(state: FilmState, result: Result) -> Figure:
     """Orbit inside the room that the bore leaves; film thickness and load over the angle turned."""
-    turned, x, y, fx, fy, thickness, _ = np.array(result.arrays["orbit"]).T
+    turned, _, _, fx, fy, thickness, _ = np.array(result.arrays["orbit"]).T
     figure, axes = Sheet(166.0, 80.0, 2, 2, left=11.0, bottom=9.5, across=17.0, between=5.0).panels()
     whole = axes[0][0].get_gridspec()[:, 0]
     for panel in axes[:, 0]:
         panel.remove()
-    _orbit(figure.add_subplot(whole), state, turned, np.array([x, y]) / state.solution.film.clearance)
+    orbit_in_clearance(figure.add_subplot(whole), state, result)
     above, below = axes[:, 1]
     cycle = math.degrees(turned[-1] + turned[1])
     degrees = np.append(np.degrees(turned), cycle)
@@ -45,6 +45,12 @@ def orbit(state: FilmState, result: Result) -> Figure:
     thinnest = int(np.argmin(thickness))
     mark(above, degrees[thinnest], QUANTITIES["minimum_film_thickness"].display.scale * thickness[thinnest])
     return figure
+
+
+def orbit_in_clearance(panel: Axes, state: FilmState, result: Result) -> None:
+    """Orbit inside the room that the bore leaves, on axes that are given."""
+    turned, x, y = np.array(result.arrays["orbit"]).T[:3]
+    _orbit(panel, state, turned, np.array([x, y]) / state.solution.film.clearance)
 
 
 def _orbit(panel: Axes, state: FilmState, turned: Array, place: Array) -> None:

@@ -24,6 +24,12 @@ JOURNAL, PLAY, HIGHEST, DEEP = 1.0, 0.22, 0.85, 0.1
 def polar(case: FilmCase, solution: FilmSolution, field: FilmField) -> Figure:
     """Mid-plane pressure around the bore, the clearance enlarged."""
     figure, ((panel,),) = Sheet(81.0, 67.0, left=2.0, bottom=2.0).panels()
+    seen_along_shaft(panel, case, solution, field)
+    return figure
+
+
+def seen_along_shaft(panel: Axes, case: FilmCase, solution: FilmSolution, field: FilmField) -> None:
+    """The same on axes that are given."""
     panel.set_aspect("equal")
     panel.axis("off")
     edge = _bore(panel, solution, field)
@@ -35,7 +41,6 @@ def polar(case: FilmCase, solution: FilmSolution, field: FilmField) -> Figure:
     reach = float(edge.max()) + HIGHEST + 0.25 + 0.25 * aside
     panel.set(xlim=(-reach, reach), ylim=(-reach, reach))
     _load(panel, case, solution, float(edge.max()) + 0.12)
-    return figure
 
 
 def _bore(panel: Axes, solution: FilmSolution, field: FilmField) -> Array:

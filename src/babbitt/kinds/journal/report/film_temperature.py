@@ -47,10 +47,7 @@ def unrolled(case: FilmCase, thermal: ThermalFilm, field: FilmField) -> Figure:
     shown = temperature_over(thermal, field) - ZERO_CELSIUS
     through = temperature_through(thermal, field.theta, place) - ZERO_CELSIUS
     scale = shading.levels_of(np.concatenate((shown.ravel(), through.ravel())))
-    lines = shading.shaded(top, degrees, 1e3 * field.z, shown, scale)
-    film_maps.level_names(top, lines, thermal.film.film, field)
-    film_maps.dress(top, case, thermal.film, field)
-    top.set_ylabel("$z$ in mm")
+    _over_bore(top, case, thermal, field, scale)
     across = np.concatenate(([0.0], thermal.layers, [1.0]))
     lines = shading.shaded(bottom, degrees, across, through, scale)
     bottom.clabel(lines, np.asarray(lines.levels)[::2], fontsize=6, fmt="%g", inline_spacing=2)
@@ -61,11 +58,25 @@ def unrolled(case: FilmCase, thermal: ThermalFilm, field: FilmField) -> Figure:
     _hot_spot(top, bottom, thermal, field)
     film_maps.degrees(top, field)
     bottom.set_xlabel("θ in °, counter-clockwise from $+x$")
-    film_maps.says(top, "temperature in °C, mean across the gap")
     film_maps.says(bottom, f"temperature in °C, across the gap {said_place(thermal)}")
     film_maps.rotation(top, case)
     shading.bar(figure, (top, bottom), scale, "temperature in °C")
     return figure
+
+
+def temperature_map(panel: Axes, case: FilmCase, thermal: ThermalFilm, field: FilmField) -> None:
+    """Mean temperature across the gap over the unrolled bore, on axes that are given."""
+    _over_bore(panel, case, thermal, field, shading.levels_of(temperature_over(thermal, field) - ZERO_CELSIUS))
+    film_maps.degrees(panel, field)
+
+
+def _over_bore(panel: Axes, case: FilmCase, thermal: ThermalFilm, field: FilmField, scale: shading.Scale) -> None:
+    shown = temperature_over(thermal, field) - ZERO_CELSIUS
+    lines = shading.shaded(panel, np.degrees(field.theta), 1e3 * field.z, shown, scale)
+    film_maps.level_names(panel, lines, thermal.film.film, field)
+    film_maps.dress(panel, case, thermal.film, field)
+    panel.set_ylabel("$z$ in mm")
+    film_maps.says(panel, "temperature in °C, mean across the gap")
 
 
 def said_place(thermal: ThermalFilm) -> str:

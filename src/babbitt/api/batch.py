@@ -1,0 +1,169 @@
+"""Many grooved round bearings from arrays to arrays, without the case language."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from babbitt.core.notices import InputError
+from babbitt.kinds.journal.film.model import Accuracy
+from babbitt.reynolds.lands.batch import BatchSolution
+from babbitt.reynolds.lands.batch import solve_batch as solve_lands
+from babbitt.reynolds.model import Cavitation, grooved_bore
+
+__all__ = ["BatchSolution", "solve_batch"]
+
+Array = NDArray[np.float64]
+Choice = TypeVar("Choice", Cavitation, Accuracy)
+
+
+def solve_batch(
+    *,
+    diameter: ArrayLike,
+    width: ArrayLike,
+    radial_clearance: ArrayLike,
+    viscosity: ArrayLike,
+    speed: ArrayLike,
+    load: ArrayLike,
+    load_angle: ArrayLike | None = None,
+    groove_angles: Sequence[float] = (0.0, math.pi),
+    groove_extent: float = math.radians(20.0),
+    cavitation: Cavitation | str = Cavitation.MASS_CONSERVING,
+    accuracy: Accuracy | str = Accuracy.ENGINEERING,
+    workers: int | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> BatchSolution:
+    """Find the equilibria of many round bearings with the same axial grooves, each of one viscosity.
+
+    Parameters
+    ----------
+    diameter, width, radial_clearance : array_like
+        m; scalars or arrays of one axis, as the two that follow. They broadcast to (bearings,).
+    viscosity : array_like
+        Of the oil in the film, Pa s.
+    speed : array_like
+        Of the journal, rad/s, positive: counter-clockwise, from x towards y.
+    load : array_like
+        Force on the journal, N: vectors of shape (2,) or (bearings, 2), x right and y up, so that a weight W is
+        ``(0, -W)``; with `load_angle` magnitudes, a scalar or (bearings,).
+    load_angle : array_like, optional
+        Direction of the load from +x, counter-clockwise, rad.
+    groove_angles : sequence of float
+        Middles of the grooves from +x, rad, ascending within a turn; full of oil at ambient pressure.
+    groove_extent : float
+        Angle that each groove takes, rad.
+    cavitation : Cavitation or {"mass_conserving", "reynolds"}
+    accuracy : Accuracy or {"draft", "engineering", "reference"}
+    workers : int, optional
+        Threads; by default as many as there are cores. The answer does not depend on it.
+    progress : callable, optional
+        Told how many bearings are done, and how many there are.
+
+    Returns
+    -------
+    BatchSolution
+        Its `solved` first: the numbers of an unsolved bearing are NaN.
+
+    Raises
+    ------
+    InputError
+        E101 for a load of one component or another shape, arrays of several axes, anything that is not finite,
+        sizes and speeds that are not positive, grooves that overlap, unknown words, no grooves.
+
+    Examples
+    --------
+    >>> found = solve_batch(diameter=0.2, width=0.12, radial_clearance=150e-6, viscosity=0.02,
+    ...                     speed=[100.0, 300.0], load=(0.0, -10e3))
+    >>> found.solved, found.stiffness.shape
+    (array([ True,  True]), (2, 2, 2))
+    """
+    given = {
+        "diameter": diameter,
+        "width": width,
+        "radial_clearance": radial_clearance,
+        "viscosity": viscosity,
+        "speed": speed,
+    }
+    arrays = {name: _positive(name, values) for name, values in given.items()}
+    force = _force(load, load_angle)
+    _require_one_count({**{name: values.shape for name, values in arrays.items()}, "load": force.shape[:-1]})
+    if not len(groove_angles):
+        raise InputError("E101", "groove_angles is empty; a batch takes bearings with grooves")
+    if not all(math.isfinite(angle) for angle in (*groove_angles, groove_extent)):
+        raise InputError("E101", "groove_angles and groove_extent must be finite, in rad")
+    if workers is not None and workers < 1:
+        raise InputError("E101", f"workers is {workers}; it must be one or more")
+    found = solve_lands(
+        arrays["diameter"],
+        arrays["width"],
+        arrays["radial_clearance"],
+        arrays["viscosity"],
+        arrays["speed"],
+        force,
+        grooved_bore(tuple(float(angle) for angle in groove_angles), float(groove_extent)),
+        _member(Cavitation, "cavitation", cavitation),
+        _member(Accuracy, "accuracy", accuracy).resolution,
+        workers=workers,
+        progress=progress,
+    )
+    for values in (
+        found.position, found.eccentricity_ratio, found.minimum_film_thickness, found.stiffness, found.damping
+    ):  # fmt: skip
+        values[~found.solved] = math.nan
+    return found
+
+
+def _positive(name: str, given: ArrayLike) -> Array:
+    values = np.asarray(given, dtype=np.float64)
+    if values.ndim > 1:
+        raise InputError("E101", f"{name} has shape {values.shape}; give a scalar or one axis, (bearings,)")
+    if not (np.isfinite(values) & (values > 0.0)).all():
+        clockwise = "; a clockwise bearing is the mirror image of one with x and the load turned about" * (
+            name == "speed"
+        )
+        raise InputError("E101", f"{name} must be positive and finite everywhere, in SI{clockwise}")
+    return values
+
+
+def _force(load: ArrayLike, load_angle: ArrayLike | None) -> Array:
+    """Load vectors of shape (2,) or (bearings, 2)."""
+    values = np.asarray(load, dtype=np.float64)
+    if load_angle is None:
+        if values.ndim not in (1, 2) or values.shape[-1] != 2:
+            raise InputError(
+                "E101", f"load has shape {values.shape}; give both components, (2,) or (bearings, 2), in N, or "
+                "magnitudes with load_angle"
+            )  # fmt: skip
+        force = values
+    else:
+        angle = np.asarray(load_angle, dtype=np.float64)
+        if values.ndim > 1 or angle.ndim > 1:
+            raise InputError("E101", "with load_angle the load is a magnitude: a scalar or one axis, (bearings,)")
+        if (values < 0.0).any():
+            raise InputError("E101", "with load_angle the load is a magnitude, in N; it must not be negative")
+        _require_one_count({"load": values.shape, "load_angle": angle.shape})
+        force = np.stack(np.broadcast_arrays(values * np.cos(angle), values * np.sin(angle)), axis=-1)
+    if not np.isfinite(force).all():
+        raise InputError("E101", "load and load_angle must be finite everywhere, in N and rad")
+    return force
+
+
+def _require_one_count(shapes: dict[str, tuple[int, ...]]) -> None:
+    """Refuse arrays of different lengths, by name; one bearing goes with any number."""
+    counts = {name: shape[0] for name, shape in shapes.items() if shape and shape[0] != 1}
+    if len(set(counts.values())) > 1:
+        told = ", ".join(f"{name} {count}" for name, count in counts.items())
+        raise InputError("E101", f"the numbers of bearings differ: {told}")
+
+
+def _member(choices: type[Choice], name: str, given: Choice | str) -> Choice:
+    if isinstance(given, choices):
+        return given
+    named = {one.name.lower(): one for one in choices}
+    if given not in named:
+        raise InputError("E101", f"{name} is {given!r}; allowed: {', '.join(named)}")
+    return named[str(given)]
