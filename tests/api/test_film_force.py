@@ -1,0 +1,185 @@
+"""The force of a film at a place, against the solution that it belongs to and against its own derivatives."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from babbitt.api.results import BearingResult
+from babbitt.core.notices import InputError
+from babbitt.reynolds.equilibrium.many_positions import FilmPositions
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.model import DRAFT, Cavitation, FilmStart, JournalFilm, Land, grooved_bore
+
+Get = Callable[[str], BearingResult]
+LANDS = grooved_bore((0.0, math.pi), math.radians(20.0))
+FILMS = {
+    "grooved": JournalFilm(0.2, 0.12, 150e-6, 0.02, 300.0, LANDS),
+    "clockwise": JournalFilm(0.2, 0.12, 150e-6, 0.02, -300.0, LANDS, Cavitation.REYNOLDS),
+    "suction": JournalFilm(0.2, 0.12, 150e-6, 0.02, 300.0, LANDS, cavitation_pressure=-5e4),
+    "pressure-fed": JournalFilm(
+        0.2, 0.12, 150e-6, 0.02, 300.0, grooved_bore((0.0, math.pi), math.radians(20.0), 1e5)
+    ),
+    "widest gap": JournalFilm(
+        0.2, 0.12, 150e-6, 0.02, 300.0, (Land(-math.pi, math.pi),), Cavitation.REYNOLDS, FilmStart.WIDEST_GAP
+    ),
+    "lemon": JournalFilm(
+        0.2, 0.12, 150e-6, 0.02, 300.0,
+        (Land(0.2, 2.9, 200e-6, (0.0, -60e-6)), Land(3.3, 6.1, 200e-6, (0.0, 60e-6))),
+    ),
+}  # fmt: skip
+BY_LOOP = {"grooved", "clockwise", "suction", "lemon"}
+
+
+@pytest.mark.parametrize("name", FILMS)
+def test_many_positions_are_those_of_single_films(name: str) -> None:
+    film = FILMS[name]
+    positions = FilmPositions(film, DRAFT)
+    assert positions.by_loop == (name in BY_LOOP)
+    places = np.array([[2e-5, -6e-5, 0.0, 0.0], [-3e-5, 1e-5, 2e-3, -1e-3], [0.0, -9e-5, 0.0, 4e-3]])
+    forces, found = positions.forces(places), positions.coefficients(places)
+    for row, (x, y, vx, vy) in enumerate(places):
+        one = film_at_position(film, (x, y), (vx, vy), DRAFT)
+        assert found.settled[row] == forces.settled[row] == one.outcome.solved
+        assert found.force[row] == pytest.approx(one.force, rel=1e-9, abs=1e-6)
+        assert forces.force[row] == pytest.approx(one.force, rel=2e-3, abs=2e-3 * one.load)
+        assert found.stiffness[row] == pytest.approx(one.stiffness, rel=1e-9)
+        assert found.damping[row] == pytest.approx(one.damping, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ["grooved", "clockwise", "lemon", "pressure-fed"])
+def test_the_film_at_its_place_of_rest_carries_the_load(result: Get, name: str) -> None:
+    one = result(name)
+    force = one.film.force(*one.film.position)
+    load = one.load * np.array([math.cos(one.load_angle), math.sin(one.load_angle)])
+    assert force + load == pytest.approx(np.zeros(2), abs=1e-4 * one.load)
+    stiffness, damping = one.film.linearise(*one.film.position)
+    assert np.abs(stiffness - one.stiffness).max() < 2e-3 * np.abs(one.stiffness).max()
+    assert np.abs(damping - one.damping).max() < 2e-3 * np.abs(one.damping).max()
+
+
+@pytest.mark.parametrize("name", ["grooved", "clockwise", "lemon", "pressure-fed"])
+def test_stiffness_and_damping_are_derivatives_of_the_force(result: Get, name: str) -> None:
+    film = result(name).film
+    (x, y), step, rate = film.position + np.array([4e-6, 7e-6]), 2e-7, 1e-4
+    stiffness, damping = film.linearise(x, y)
+    moves = np.array([[step, 0.0], [0.0, step]])
+    by_move = np.array([film.force(x + dx, y + dy) - film.force(x - dx, y - dy) for dx, dy in moves]).T / (
+        2.0 * step
+    )
+    along = np.array([[rate, 0.0], [0.0, rate]])
+    by_rate = np.array([film.force(x, y, vx, vy) - film.force(x, y, -vx, -vy) for vx, vy in along]).T / (
+        2.0 * rate
+    )
+    assert np.abs(stiffness + by_move).max() < 0.03 * np.abs(stiffness).max()  # the draft grid rounds the rupture
+    assert np.abs(damping + by_rate).max() < 0.03 * np.abs(damping).max()
+
+
+def test_a_symmetric_bearing_answers_mirrored_motion_with_mirrored_force(result: Get) -> None:
+    """Turning a bearing with opposite grooves by half a turn changes nothing."""
+    film = result("grooved").film
+    here, opposite = film.force(2e-5, -5e-5, 1e-3, 2e-3), film.force(-2e-5, 5e-5, -1e-3, -2e-3)
+    assert here == pytest.approx(-opposite, rel=1e-6)
+
+
+def test_squeezing_the_film_adds_to_its_force(result: Get) -> None:
+    film = result("grooved").film
+    rest, squeezed = film.force(0.0, -5e-5), film.force(0.0, -5e-5, 0.0, -1e-2)
+    assert squeezed[1] > rest[1] > 0.0
+
+
+def test_arrays_broadcast_and_agree_with_single_calls(result: Get) -> None:
+    film = result("grooved").film
+    x, y = np.linspace(-5e-5, 5e-5, 3)[:, None], np.linspace(-8e-5, 0.0, 4)
+    found = film.force(x, y, 0.0, 1e-3)
+    assert found.shape == (3, 4, 2)
+    for place in np.ndindex(3, 4):
+        assert np.array_equal(found[place], film.force(x[place[0], 0], y[place[1]], 0.0, 1e-3))
+    assert film.force(0.0, -5e-5).shape == (2,)
+    assert film.force(np.zeros(0), 0.0).shape == (0, 2)
+    stiffness, damping = film.linearise(x, y)
+    assert stiffness.shape == damping.shape == (3, 4, 2, 2)
+
+
+@pytest.mark.parametrize("name", ["grooved", "pressure-fed"])
+def test_a_place_outside_the_clearance_is_told(result: Get, name: str) -> None:
+    film = result(name).film
+    with pytest.raises(InputError, match="outside the clearance"):
+        film.force(0.0, -1e-3)
+    with pytest.raises(InputError, match=r"y = -1000 µm"):
+        film.force([0.0, 0.0], [0.0, -1e-3])
+    with pytest.raises(InputError, match="outside the clearance"):
+        film.linearise(0.0, -1e-3)
+
+
+def test_contact_takes_over_outside_the_clearance(result: Get) -> None:
+    film = result("grooved").film
+
+    def wall(x: np.ndarray, y: np.ndarray, vx: np.ndarray, vy: np.ndarray) -> np.ndarray:
+        assert x.shape == (1,)
+        return -1e9 * np.stack((x, y), axis=-1)
+
+    found = film.force([0.0, 0.0], [-5e-5, -1e-3], contact=wall)
+    assert found[0] == pytest.approx(film.force(0.0, -5e-5))
+    assert found[1] == pytest.approx([0.0, 1e6])
+
+
+@pytest.mark.parametrize("bad", [math.nan, math.inf])
+@pytest.mark.parametrize("name", ["grooved", "pressure-fed"])
+def test_a_place_that_is_no_number_is_refused(result: Get, name: str, bad: float) -> None:
+    film = result(name).film
+    for place in ((bad, 0.0), (0.0, bad), (0.0, 0.0, bad), (0.0, 0.0, 0.0, bad)):
+        with pytest.raises(InputError, match="not a finite number"):
+            film.force(*place)
+    with pytest.raises(InputError, match="not a finite number"):
+        film.linearise(bad, 0.0)
+
+
+@pytest.mark.parametrize("name", FILMS)
+def test_the_engine_refuses_a_position_that_is_no_number(name: str) -> None:
+    with pytest.raises(InputError, match="must be finite"):
+        film_at_position(FILMS[name], (math.nan, 0.0), resolution=DRAFT)
+    with pytest.raises(InputError, match="must be finite"):
+        film_at_position(FILMS[name], (0.0, 0.0), (0.0, math.nan), resolution=DRAFT)
+
+
+def test_fields_are_those_of_the_solution(result: Get) -> None:
+    one = result("grooved")
+    film, solution = one.film, one.solution.state.solution
+    assert film.pressure.shape == (film.angle.size, film.z.size) == film.gap.shape
+    assert film.angle[-1] - film.angle[0] == pytest.approx(2.0 * math.pi)
+    assert film.pressure.max() == pytest.approx(solution.maximum_pressure, rel=1e-3)
+    assert np.nanmin(film.film_thickness) == pytest.approx(one.minimum_film_thickness, rel=1e-3)
+    assert np.isnan(film.film_thickness).any()
+    assert np.isfinite(film.gap).all()
+    assert film.liquid_fraction.min() >= 0.0
+    assert film.liquid_fraction.max() == 1.0
+    # the pressure carries the load: integrated over the bore
+    radius = 0.5 * one.diameter
+    axial = np.trapezoid(film.pressure, film.z, axis=1) * radius
+    force = [-np.trapezoid(axial * wave(film.angle), film.angle) for wave in (np.cos, np.sin)]
+    assert math.hypot(*force) == pytest.approx(one.load, rel=2e-2)
+
+
+def test_a_method_without_film_says_which_has_one(result: Get) -> None:
+    assert not hasattr(result("iso7902"), "film")
+    with pytest.raises(AttributeError, match="iso7902 has no film to show; the method film has one"):
+        _ = result("iso7902").film
+    with pytest.raises(AttributeError, match="keep='solutions'"):
+        _ = result("grooved").without_state().film
+
+
+def test_what_there_is_of_a_film_is_listed(result: Get) -> None:
+    film = result("grooved").film
+    assert {"pressure", "force", "linearise", "angle"} <= set(dir(film))
+    assert "pressure" in repr(film)
+    assert len(repr(film).splitlines()) < 25
+
+
+@pytest.mark.slow
+def test_a_thermal_film_keeps_its_viscosity_where_it_moves(result: Get) -> None:
+    one = result("thermal")
+    assert one.film.force(*one.film.position) == pytest.approx([0.0, one.load], abs=2e-2 * one.load)

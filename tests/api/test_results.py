@@ -1,0 +1,342 @@
+"""A result as an object: what it says, what it refuses to say, and what it can be turned into."""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+import json
+import math
+import pickle
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pint
+import pytest
+from film_bearings import case, solved
+
+from babbitt.api.machine_results import MachineResults
+from babbitt.api.results import BearingResult
+from babbitt.core.notices import InputError
+from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Outcome, Verdict
+from babbitt.core.units.pint_quantity import pint_quantity
+from babbitt.report.export import to_json
+from babbitt.solving import MachineResult, solve
+
+Get = Callable[[str], BearingResult]
+GetMachine = Callable[[str], MachineResult]
+
+
+def test_named_quantities_are_those_of_the_engine(result: Get, machine: GetMachine) -> None:
+    one, (engine,) = result("grooved"), machine("grooved").results
+    assert one.solved
+    assert one.outcome is Outcome.CONVERGED
+    for name, value in engine.values.items():
+        assert getattr(one, name) == value == one.values[name]
+        assert type(getattr(one, name)) is float
+    assert one.stiffness.shape == (2, 2)
+    assert one.stiffness.tolist() == [list(row) for row in engine.stiffness]
+    assert one.governing_check == engine.governing_check
+    assert one.verdict is engine.verdict
+    assert one.checks == engine.checks
+    assert one.missing == engine.missing
+
+
+def test_no_quantity_hides_behind_an_attribute() -> None:
+    own = {name for name in dir(BearingResult) if not name.startswith("_")}
+    own |= {field.name for field in dataclasses.fields(BearingResult)}
+    assert not own & set(QUANTITIES)
+
+
+def test_an_overloaded_bearing_is_not_within_limits(result: Get) -> None:
+    one = result("overloaded")
+    assert not one.solved
+    assert one.within_limits is False
+    assert one.verdict is Verdict.NO_SOLUTION
+    assert one.governing_check is None
+    assert one.message
+    assert not one.values
+    assert not one.arrays
+    assert not one.checks
+    with pytest.raises(AttributeError, match="no operating point"):
+        _ = one.minimum_film_thickness
+    with pytest.raises(AttributeError, match="no operating point"):
+        one.quantity("stiffness")
+    with pytest.raises(AttributeError, match="no film without an operating point"):
+        _ = one.film
+    assert "message" in repr(one)
+
+
+def test_an_unknown_name_tells_the_nearest(result: Get) -> None:
+    one = result("grooved")
+    with pytest.raises(AttributeError, match="minimum_film_thickness"):
+        _ = one.minimum_film_thicknes
+    with pytest.raises(AttributeError, match="stiffness"):
+        one.quantity("stifness")
+    with pytest.raises(AttributeError, match="does not give hot_spot_angle"):
+        _ = one.hot_spot_angle
+    assert not hasattr(one, "__array_interface__")
+
+
+def test_what_could_not_be_found_tells_why(result: Get) -> None:
+    one = result("grooved")
+    answer = dataclasses.replace(one.result, missing={"critical_mass": "the whirl was not followed"}, values={})
+    lacking = BearingResult(dataclasses.replace(one.solution, result=answer))
+    with pytest.raises(AttributeError, match="the whirl was not followed"):
+        _ = lacking.critical_mass
+
+
+def test_a_result_cannot_be_changed(result: Get) -> None:
+    one = result("grooved")
+    with pytest.raises(AttributeError):
+        one.solution = None  # type: ignore[misc]
+    with pytest.raises(AttributeError):
+        one.minimum_film_thickness = 1.0
+    with pytest.raises(TypeError):
+        one.values["load"] = 1.0  # type: ignore[index]
+    with pytest.raises(ValueError, match="read-only"):
+        one.stiffness[0, 0] = 0.0
+    with pytest.raises(ValueError, match="read-only"):
+        one.film.pressure[0, 0] = 0.0
+
+
+@pytest.mark.parametrize("name", ["grooved", "iso7902", "overloaded"])
+def test_a_result_survives_pickling_and_copying(result: Get, name: str) -> None:
+    one = result(name)
+    for again in (pickle.loads(pickle.dumps(one)), copy.copy(one), copy.deepcopy(one)):
+        assert again == one
+        assert hash(again) == hash(one)
+        assert repr(again) == repr(one)
+
+
+def test_results_are_equal_by_content_and_not_by_time(result: Get) -> None:
+    one = result("iso7902")
+    slower = dataclasses.replace(one.result, values={**one.result.values, "wall_time": 1e3})
+    other = dataclasses.replace(one.result, values={**one.result.values, "load": 1.0})
+    assert BearingResult(dataclasses.replace(one.solution, result=slower)) == one
+    assert BearingResult(dataclasses.replace(one.solution, result=other)) != one
+    assert one != result("grooved")
+    assert one != 1
+
+
+def test_quantities_have_their_unit_in_the_registry_of_the_application(result: Get) -> None:
+    one = result("grooved")
+    thickness = one.quantity("minimum_film_thickness")
+    assert thickness.to("um").magnitude == pytest.approx(1e6 * one.minimum_film_thickness)
+    assert thickness.check("[length]")
+    stiffness = one.quantity("stiffness").to("MN/m")
+    assert stiffness.magnitude[1, 1] == pytest.approx(1e-6 * one.stiffness[1, 1])
+    ours = pint.get_application_registry().Quantity(1.0, "mm")
+    assert (thickness + ours).to("m").magnitude == pytest.approx(1e-3 + one.minimum_film_thickness)
+    assert one.quantity("outlet_temperature").to("degC").magnitude == pytest.approx(
+        one.outlet_temperature - 273.15
+    )
+    with pytest.raises(ValueError, match="several units"):
+        result("moving").quantity("orbit")
+
+
+@pytest.mark.parametrize("unit", sorted({one.unit for one in QUANTITIES.values()} - {"SI"}))
+def test_pint_knows_the_unit_of_every_quantity(unit: str) -> None:
+    assert math.isclose(pint_quantity(2.0, unit).to_base_units().magnitude, 2.0)
+
+
+def test_dir_lists_what_there_is(result: Get) -> None:
+    listed = dir(result("grooved"))
+    assert {"minimum_film_thickness", "stiffness", "plot", "to_dict", "film"} <= set(listed)
+    assert not [name for name in listed if name.startswith("_")]
+    assert all(hasattr(result("grooved"), name) for name in listed)
+    assert "stiffness" not in dir(result("overloaded"))
+
+
+@pytest.mark.parametrize("name", ["grooved", "iso7902", "overloaded", "moving"])
+def test_the_text_of_a_result_is_short_and_tells_what_matters(result: Get, name: str) -> None:
+    one = result(name)
+    text = repr(one)
+    assert len(text.splitlines()) < 25
+    assert one.verdict.value in text
+    assert one.name in text
+    if one.solved:
+        assert f"{1e6 * one.minimum_film_thickness:.1f} µm" in text
+        assert one.governing_check is not None
+        assert one.governing_check.code in text
+    page = one._repr_html_()
+    assert page.startswith("<table")
+    assert one.verdict.value in page
+
+
+def test_markup_in_a_name_is_text_in_a_notebook(result: Get) -> None:
+    one = result("grooved")
+    named = dataclasses.replace(one.result, name="<b>Gear</b>")
+    page = BearingResult(dataclasses.replace(one.solution, result=named))._repr_html_()
+    assert "<b>" not in page
+    assert "&lt;b&gt;Gear" in page
+
+
+@pytest.mark.parametrize("name", ["grooved", "overloaded"])
+def test_a_dictionary_and_json_are_those_of_the_machine(result: Get, machine: GetMachine, name: str) -> None:
+    (record,) = to_json(machine(name))["bearings"]
+    assert result(name).to_dict() == record
+    assert json.loads(result(name).to_json()) == record
+
+
+def test_a_dataset_holds_values_and_matrices_with_units(result: Get) -> None:
+    one = result("grooved")
+    data = one.to_xarray()
+    assert float(data["minimum_film_thickness"]) == one.minimum_film_thickness
+    assert data["minimum_film_thickness"].attrs["units"] == "m"
+    assert float(data["stiffness"].sel(force="x", motion="y")) == one.stiffness[0, 1]
+    assert "wall_time" not in data
+
+
+def test_a_table_has_one_row(result: Get) -> None:
+    pytest.importorskip("pandas")
+    one = result("grooved")
+    (row,) = one.to_dataframe().to_dict("records")
+    assert row["verdict"] == one.verdict.key
+    assert row["stiffness_yx"] == one.stiffness[1, 0]
+    assert row["damping_xy"] == one.damping[0, 1]
+    assert result("overloaded").to_dataframe()["outcome"].tolist() == ["overloaded"]
+
+
+def test_without_pandas_a_table_names_what_to_install(result: Get, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "pandas", None)
+    with pytest.raises(InputError, match="pip install pandas"):
+        result("grooved").to_dataframe()
+
+
+def test_a_report_is_written(result: Get, tmp_path: Path) -> None:
+    pytest.importorskip("typst")
+    path = tmp_path / "bearing.html"
+    result("iso7902").write_report(path)
+    assert "Bearing" in path.read_text(encoding="utf-8")
+
+
+def test_fields_are_on_the_grid_of_the_film(result: Get) -> None:
+    one = result("grooved")
+    assert np.array_equal(one.fields["pressure"], one.film.pressure)
+    assert np.array_equal(one.fields["theta"], one.film.angle)
+    assert one.fields["pressure"].attrs["units"] == "Pa"
+    with pytest.raises(InputError, match="film"):
+        _ = result("iso7902").fields
+    with pytest.raises(AttributeError, match="not kept"):
+        _ = one.without_state().fields
+
+
+@pytest.mark.parametrize("what", ["pressure", "gap", "polar"])
+def test_pictures_are_drawn_on_the_axes_that_are_given(result: Get, what: str) -> None:
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    figure, axes = pyplot.subplots()
+    one = result("grooved")
+    assert getattr(one.plot, what)(ax=axes) is axes
+    assert axes.has_data()
+    own = getattr(one.plot, what)()
+    assert own.has_data()
+    assert own is not axes
+    pyplot.close(figure)
+    pyplot.close(own.figure)
+
+
+def test_the_pressure_that_is_drawn_is_that_of_the_film(result: Get) -> None:
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    one = result("grooved")
+    axes = one.plot.pressure()
+    assert f"{1e-6 * one.film.pressure.max():.3g}" in [text.get_text() for text in axes.texts]
+    pyplot.close(axes.figure)
+
+
+def test_an_orbit_is_drawn_where_there_is_one(result: Get) -> None:
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    moving = result("moving")
+    axes = moving.plot.orbit()
+    longest = max((line.get_xydata() for line in axes.lines[1:]), key=len)  # the first is the bore
+    clearance = moving.solution.state.solution.film.clearance
+    assert np.allclose(longest[:-1], moving.orbit[:, 1:3] / clearance)
+    pyplot.close(axes.figure)
+    with pytest.raises(InputError, match="dynamic_load"):
+        result("grooved").plot.orbit()
+    with pytest.raises(AttributeError, match="the method film has one"):
+        result("iso7902").plot.pressure()
+
+
+def test_temperatures_need_a_film_that_has_them(result: Get) -> None:
+    with pytest.raises(InputError, match="thermal: adiabatic"):
+        result("grooved").plot.temperature()
+    with pytest.raises(AttributeError, match="effective_temperature"):
+        _ = result("grooved").film.temperature
+
+
+@pytest.mark.slow
+def test_temperatures_of_a_thermal_film(result: Get) -> None:
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    one = result("thermal")
+    assert one.film.temperature.shape == one.film.pressure.shape
+    assert one.film.temperature.max() <= one.maximum_temperature + 1e-9
+    assert one.film.temperature.min() >= 318.15 - 1e-6  # the oil is fed at 45 degrees and only warms
+    axes = one.plot.temperature()
+    assert axes.has_data()
+    pyplot.close(axes.figure)
+
+
+def several(**given: object) -> MachineResults:
+    points = [
+        {"name": "half", "load": "10 kN", "speed": "1500 rpm"},
+        {"name": "full", "load": "30 kN", "speed": "3000 rpm"},
+    ]
+    clearance = {"kind": "relative", "minimum": "1.3 permille", "maximum": "1.7 permille"}
+    asked = {
+        "method": "iso7902", "grooves": None, "load": None, "speed": None, "operating_points": points,
+        "clearance": clearance, "supply_element": {"kind": "pocket", "width": "40 mm", "place": "both_sides"},
+    }  # fmt: skip
+    return MachineResults(solve(case(**(asked | given))))
+
+
+def test_a_machine_is_asked_by_bearing_point_and_clearance() -> None:
+    found = several()
+    assert len(found) == len(found.machine.solutions) == 4
+    assert [one.name for one in found] == [one.name for one in found.machine.results]
+    one = found.sel(bearing="Bearing", point="full", clearance="minimum")
+    assert one == found[one.name]
+    assert one.load == pytest.approx(30e3)
+    assert one.relative_clearance == pytest.approx(1.3e-3)
+    with pytest.raises(KeyError, match="2 results are meant"):
+        found.sel(point="full")
+    with pytest.raises(KeyError, match="4 results are meant"):
+        _ = found["Bearing"]
+    with pytest.raises(KeyError, match="did you mean 'full'"):
+        found.sel(point="ful")
+    with pytest.raises(KeyError, match="did you mean 'Bearing'"):
+        _ = found["Bering"]
+
+
+def test_the_result_of_a_bearing_alone_is_found_by_its_name(machine: GetMachine) -> None:
+    found = MachineResults(machine("iso7902"))
+    assert found["Bearing"].name == "Bearing"
+    assert found.solved
+    assert found.within_limits is machine("iso7902").within_limits
+
+
+def test_a_machine_as_tables_and_text() -> None:
+    found = several()
+    assert found.to_dict() == to_json(found.machine)
+    assert json.loads(found.to_json()) == found.to_dict()
+    text = repr(found)
+    assert len(text.splitlines()) == 5
+    assert all(one.name in text for one in found)
+    assert found._repr_html_().count("<tr>") == 4
+    assert pickle.loads(pickle.dumps(found)).to_dict() == found.to_dict()
+
+
+def test_a_machine_as_a_frame() -> None:
+    pytest.importorskip("pandas")
+    found = several()
+    frame = found.to_dataframe()
+    assert frame["point"].tolist() == ["half", "half", "full", "full"]
+    assert frame["load"].tolist() == pytest.approx([10e3, 10e3, 30e3, 30e3])
+
+
+def test_the_same_case_solved_twice_gives_equal_results(result: Get) -> None:
+    again = BearingResult(solved(
+        method="iso7902", grooves=None, supply_element={"kind": "pocket", "width": "40 mm", "place": "both_sides"},
+    ).solutions[0])  # fmt: skip
+    assert again == result("iso7902")
