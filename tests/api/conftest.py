@@ -1,40 +1,14 @@
-"""Solved bearings that the tests of the front door look at; each is solved once."""
+"""Results of the front door."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
-from typing import Any
 
 import pytest
-from film_bearings import GROOVES, solved
+from front_door_cases import machine_of
 
 from babbitt.api.results import BearingResult
 from babbitt.solving import MachineResult
-
-UNFED = [{"angle": f"{angle} deg", "extent": "20 deg", "pressure": "0 Pa"} for angle in (0, 180)]
-"""Grooves full of oil at ambient pressure."""
-
-FAN = {"kind": "rotating", "magnitude": "6 kN", "speed_ratio": 1}
-
-CASES: dict[str, dict[str, Any]] = {
-    "grooved": {},
-    "clockwise": {"speed": "-3000 rpm"},
-    "pressure-fed": {"grooves": GROOVES},
-    "lemon": {"bore": {"kind": "lobes", "preload": 0.5}},
-    "thermal": {"thermal": "adiabatic", "grooves": GROOVES},
-    "moving": {"dynamic_load": FAN},
-    "overloaded": {"load": "90 MN"},
-    "iso7902": {
-        "method": "iso7902", "grooves": None, "accuracy": None,
-        "supply_element": {"kind": "pocket", "width": "40 mm", "place": "both_sides"},
-    },
-}  # fmt: skip
-
-
-@cache
-def machine_of(name: str) -> MachineResult:
-    return solved(**({"grooves": UNFED, "accuracy": "draft"} | CASES[name]))
 
 
 @pytest.fixture

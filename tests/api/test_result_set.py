@@ -12,13 +12,13 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from film_bearings import solved
+from front_door_cases import UNFED
 
 from babbitt.api.result_set import ResultSet
 from babbitt.api.results import BearingResult
 from babbitt.core.notices import InputError
 from babbitt.core.result import Verdict
 from babbitt.export import read_csv, read_ross
-from conftest import UNFED
 
 Get = Callable[[str], BearingResult]
 SPEEDS = np.array([1000.0, 2000.0, 3000.0, 4000.0, 5000.0]) * np.pi / 30.0
@@ -141,7 +141,7 @@ def test_a_frame_with_a_row_for_each_point() -> None:
 def test_coefficients_are_exported_over_speed(tmp_path: Path) -> None:
     table = over_speed()
     table.export(tmp_path / "one.csv", format="csv")
-    read = read_csv(tmp_path / "one.csv")
+    (read,) = read_csv(tmp_path / "one.csv")
     assert read.speeds == pytest.approx(SPEEDS)
     assert read.stiffness == pytest.approx(table["stiffness"])
     assert read.damping == pytest.approx(table["damping"])

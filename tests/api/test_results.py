@@ -13,7 +13,8 @@ from pathlib import Path
 import numpy as np
 import pint
 import pytest
-from film_bearings import case, solved
+from film_bearings import solved
+from front_door_cases import ISO7902
 
 from babbitt.api.machine_results import MachineResults
 from babbitt.api.results import BearingResult
@@ -22,7 +23,7 @@ from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Outcome, Verdict
 from babbitt.core.units.pint_quantity import pint_quantity
 from babbitt.report.export import to_json
-from babbitt.solving import MachineResult, solve
+from babbitt.solving import MachineResult
 
 Get = Callable[[str], BearingResult]
 GetMachine = Callable[[str], MachineResult]
@@ -278,30 +279,33 @@ def test_temperatures_of_a_thermal_film(result: Get) -> None:
     pyplot.close(axes.figure)
 
 
-def several(**given: object) -> MachineResults:
+def several() -> MachineResults:
     points = [
         {"name": "half", "load": "10 kN", "speed": "1500 rpm"},
         {"name": "full", "load": "30 kN", "speed": "3000 rpm"},
     ]
-    clearance = {"kind": "relative", "minimum": "1.3 permille", "maximum": "1.7 permille"}
-    asked = {
-        "method": "iso7902", "grooves": None, "load": None, "speed": None, "operating_points": points,
-        "clearance": clearance, "supply_element": {"kind": "pocket", "width": "40 mm", "place": "both_sides"},
-    }  # fmt: skip
-    return MachineResults(solve(case(**(asked | given))))
+    limits = {"kind": "relative", "minimum": "1.3 permille", "mean": "1.5 permille", "maximum": "1.7 permille"}
+    given = {
+        "operating_points": points,
+        "load": None,
+        "speed": None,
+        "clearance": limits,
+        "clearance_cases": "all",
+    }
+    return MachineResults(solved(**(ISO7902 | given)))
 
 
 def test_a_machine_is_asked_by_bearing_point_and_clearance() -> None:
     found = several()
-    assert len(found) == len(found.machine.solutions) == 4
+    assert len(found) == len(found.machine.solutions) == 6
     assert [one.name for one in found] == [one.name for one in found.machine.results]
     one = found.sel(bearing="Bearing", point="full", clearance="minimum")
     assert one == found[one.name]
     assert one.load == pytest.approx(30e3)
     assert one.relative_clearance == pytest.approx(1.3e-3)
-    with pytest.raises(KeyError, match="2 results are meant"):
+    with pytest.raises(KeyError, match="3 results are meant"):
         found.sel(point="full")
-    with pytest.raises(KeyError, match="4 results are meant"):
+    with pytest.raises(KeyError, match="6 results are meant"):
         _ = found["Bearing"]
     with pytest.raises(KeyError, match="did you mean 'full'"):
         found.sel(point="ful")
@@ -321,9 +325,9 @@ def test_a_machine_as_tables_and_text() -> None:
     assert found.to_dict() == to_json(found.machine)
     assert json.loads(found.to_json()) == found.to_dict()
     text = repr(found)
-    assert len(text.splitlines()) == 5
+    assert len(text.splitlines()) == 7
     assert all(one.name in text for one in found)
-    assert found._repr_html_().count("<tr>") == 4
+    assert found._repr_html_().count("<tr>") == 6
     assert pickle.loads(pickle.dumps(found)).to_dict() == found.to_dict()
 
 
@@ -331,12 +335,9 @@ def test_a_machine_as_a_frame() -> None:
     pytest.importorskip("pandas")
     found = several()
     frame = found.to_dataframe()
-    assert frame["point"].tolist() == ["half", "half", "full", "full"]
-    assert frame["load"].tolist() == pytest.approx([10e3, 10e3, 30e3, 30e3])
+    assert frame["point"].tolist() == ["half"] * 3 + ["full"] * 3
+    assert frame["load"].tolist() == pytest.approx([10e3] * 3 + [30e3] * 3)
 
 
 def test_the_same_case_solved_twice_gives_equal_results(result: Get) -> None:
-    again = BearingResult(solved(
-        method="iso7902", grooves=None, supply_element={"kind": "pocket", "width": "40 mm", "place": "both_sides"},
-    ).solutions[0])  # fmt: skip
-    assert again == result("iso7902")
+    assert BearingResult(solved(**ISO7902).solutions[0]) == result("iso7902")

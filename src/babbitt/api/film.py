@@ -20,6 +20,7 @@ from babbitt.report.view import find_view
 if TYPE_CHECKING:
     from babbitt.kinds.journal.film.model import FilmCase
     from babbitt.reynolds.equilibrium.many_positions import FilmPositions, PositionForces
+    from babbitt.reynolds.heat.frozen_positions import FrozenPositions
 
 __all__ = ["Contact", "SolvedFilm", "film_of_solution", "require_state"]
 
@@ -51,9 +52,12 @@ class SolvedFilm:
         return field_of(self._state.solution, self._case.load_angle - math.pi)
 
     @cached_property
-    def _positions(self) -> FilmPositions:
+    def _positions(self) -> FilmPositions | FrozenPositions:
         from babbitt.reynolds.equilibrium.many_positions import FilmPositions
+        from babbitt.reynolds.heat.frozen_positions import FrozenPositions
 
+        if self._state.thermal is not None and self._state.thermal.nodes is not None:
+            return FrozenPositions(self._state.thermal.nodes)
         return FilmPositions(self._state.solution.film, resolution_of(self._case))
 
     @property
