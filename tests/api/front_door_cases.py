@@ -26,6 +26,8 @@ CASES: dict[str, dict[str, Any]] = {
     "lemon": {"bore": {"kind": "lobes", "preload": 0.5}},
     "thermal": {"thermal": "adiabatic", "grooves": GROOVES},
     "moving": {"dynamic_load": FAN},
+    "elastic": {"compliance": [{"kind": "column", "displacement_per_pressure": "0.5 um/MPa"}]},
+    "starved": {"grooves": GROOVES, "supply": {"temperature": "45 degC", "flow": "3 L/min"}},
     "overloaded": {"load": "90 MN"},
     "iso7902": ISO7902,
 }

@@ -61,6 +61,12 @@ def test_the_film_at_its_place_of_rest_carries_the_load(result: Get, name: str) 
     assert np.abs(damping - one.damping).max() < 2e-3 * np.abs(one.damping).max()
 
 
+@pytest.mark.parametrize("name", ["elastic", "starved"])
+def test_bore_and_supplies_stay_as_they_were_solved(result: Get, name: str) -> None:
+    one = result(name)
+    assert one.film.force(*one.film.position) == pytest.approx([0.0, one.load], abs=1e-3 * one.load)
+
+
 @pytest.mark.parametrize("name", ["grooved", "clockwise", "lemon", "pressure-fed"])
 def test_stiffness_and_damping_are_derivatives_of_the_force(result: Get, name: str) -> None:
     film = result(name).film
@@ -189,3 +195,21 @@ def test_a_thermal_film_keeps_its_viscosity_where_it_moves(result: Get) -> None:
     again = one.film.force(*one.film.position)
     one.film.force(0.0, -2e-5)
     assert np.array_equal(one.film.force(*one.film.position), again)  # the solution is not worked upon
+
+
+def test_a_place_where_the_film_does_not_settle_is_not_a_number(
+    result: Get, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    film = result("grooved").film
+    here = film.force(0.0, -5e-5)
+    forces = FilmPositions.forces
+
+    def one_lost(positions: FilmPositions, places: np.ndarray) -> object:
+        found = forces(positions, places)
+        found.settled[0] = False
+        return found
+
+    monkeypatch.setattr(FilmPositions, "forces", one_lost)
+    found = film.force([0.0, 0.0], [-5e-5, -5e-5])
+    assert np.isnan(found[0]).all()
+    assert found[1] == pytest.approx(here)

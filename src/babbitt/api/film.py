@@ -16,6 +16,7 @@ from babbitt.core.solution import Solution
 from babbitt.kinds.journal.film.field import FilmField, field_of, journal_gap
 from babbitt.kinds.journal.film.isothermal import FilmState, resolution_of, under_found_load
 from babbitt.report.view import find_view
+from babbitt.reynolds.model import Cavitation
 
 if TYPE_CHECKING:
     from babbitt.kinds.journal.film.model import FilmCase
@@ -137,15 +138,12 @@ class SolvedFilm:
         Returns
         -------
         ndarray, shape (..., 2)
-            N, with the viscosity of the operating point.
+            N, with the viscosity of the operating point; NaN where the film does not settle.
 
         Raises
         ------
         InputError
             E101 for what is not finite; E003 for a place outside the clearance, without `contact`.
-        ArithmeticError
-            Where the film at a place does not settle.
-
         Notes
         -----
         Films fed from grooves without pressure run through a compiled loop, other films are solved one by one.
@@ -172,19 +170,17 @@ class SolvedFilm:
         Returns
         -------
         stiffness, damping : ndarray, shape (..., 2, 2)
-            N/m and N s/m, [[xx, xy], [yx, yy]].
+            N/m and N s/m, [[xx, xy], [yx, yy]]; NaN where the film does not settle.
 
         Raises
         ------
         InputError
             As `force`; E004 for half-Sommerfeld films, which have no coefficients.
-        ArithmeticError
-            As `force`.
         """
         rows, shape = _rows(x, y, vx, vy)
         found = self._positions.coefficients(rows)
         self._judge(found, rows, False)
-        if np.isnan(found.stiffness).any():
+        if self._case.cavitation is Cavitation.HALF_SOMMERFELD:
             raise InputError(
                 "E004", f"{self._case.name}: a half-Sommerfeld film has no stiffness and damping; choose another "
                 "cavitation"
@@ -203,12 +199,9 @@ class SolvedFilm:
                 "for such places, or stay inside",
             )
         lost = ~(found.settled | found.outside)
-        if lost.any():
-            x, y = 1e6 * rows[lost][0, :2]
-            raise ArithmeticError(
-                f"{self._case.name}: the film at x = {x:.6g} µm, y = {y:.6g} µm does not settle on this grid; "
-                "another accuracy may help"
-            )
+        for name in ("force", "stiffness", "damping"):
+            if hasattr(found, name):
+                getattr(found, name)[lost] = math.nan
 
     def __dir__(self) -> list[str]:
         return [one for one in super().__dir__() if not one.startswith("_")]
