@@ -7,6 +7,7 @@ from typing import Any
 
 from film_bearings import GROOVES, solved
 
+from babbitt.api.results import BearingResult
 from babbitt.solving import MachineResult
 
 UNFED = [{"angle": f"{angle} deg", "extent": "20 deg", "pressure": "0 Pa"} for angle in (0, 180)]
@@ -36,3 +37,8 @@ CASES: dict[str, dict[str, Any]] = {
 @cache
 def machine_of(name: str) -> MachineResult:
     return solved(**({"grooves": UNFED, "accuracy": "draft"} | CASES[name]))
+
+
+def result_of(name: str) -> BearingResult:
+    """The result of one of `CASES`."""
+    return BearingResult(machine_of(name).solutions[0])

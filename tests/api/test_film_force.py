@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
 import numpy as np
 import pytest
+from front_door_cases import result_of
 
-from babbitt.api.results import BearingResult
 from babbitt.core.notices import InputError
 from babbitt.reynolds.equilibrium.many_positions import FilmPositions
 from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.model import DRAFT, Cavitation, FilmStart, JournalFilm, Land, grooved_bore
 
-Get = Callable[[str], BearingResult]
 LANDS = grooved_bore((0.0, math.pi), math.radians(20.0))
 FILMS = {
     "grooved": JournalFilm(0.2, 0.12, 150e-6, 0.02, 300.0, LANDS),
@@ -51,8 +49,8 @@ def test_many_positions_are_those_of_single_films(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["grooved", "clockwise", "lemon", "pressure-fed"])
-def test_the_film_at_its_place_of_rest_carries_the_load(result: Get, name: str) -> None:
-    one = result(name)
+def test_the_film_at_its_place_of_rest_carries_the_load(name: str) -> None:
+    one = result_of(name)
     force = one.film.force(*one.film.position)
     load = one.load * np.array([math.cos(one.load_angle), math.sin(one.load_angle)])
     assert force + load == pytest.approx(np.zeros(2), abs=1e-4 * one.load)
@@ -62,14 +60,14 @@ def test_the_film_at_its_place_of_rest_carries_the_load(result: Get, name: str) 
 
 
 @pytest.mark.parametrize("name", ["elastic", "starved"])
-def test_bore_and_supplies_stay_as_they_were_solved(result: Get, name: str) -> None:
-    one = result(name)
+def test_bore_and_supplies_stay_as_they_were_solved(name: str) -> None:
+    one = result_of(name)
     assert one.film.force(*one.film.position) == pytest.approx([0.0, one.load], abs=1e-3 * one.load)
 
 
 @pytest.mark.parametrize("name", ["grooved", "clockwise", "lemon", "pressure-fed"])
-def test_stiffness_and_damping_are_derivatives_of_the_force(result: Get, name: str) -> None:
-    film = result(name).film
+def test_stiffness_and_damping_are_derivatives_of_the_force(name: str) -> None:
+    film = result_of(name).film
     (x, y), step, rate = film.position + np.array([4e-6, 7e-6]), 2e-7, 1e-4
     stiffness, damping = film.linearise(x, y)
     moves = np.array([[step, 0.0], [0.0, step]])
@@ -84,21 +82,21 @@ def test_stiffness_and_damping_are_derivatives_of_the_force(result: Get, name: s
     assert np.abs(damping + by_rate).max() < 0.03 * np.abs(damping).max()
 
 
-def test_a_symmetric_bearing_answers_mirrored_motion_with_mirrored_force(result: Get) -> None:
+def test_a_symmetric_bearing_answers_mirrored_motion_with_mirrored_force() -> None:
     """Turning a bearing with opposite grooves by half a turn changes nothing."""
-    film = result("grooved").film
+    film = result_of("grooved").film
     here, opposite = film.force(2e-5, -5e-5, 1e-3, 2e-3), film.force(-2e-5, 5e-5, -1e-3, -2e-3)
     assert here == pytest.approx(-opposite, rel=1e-6)
 
 
-def test_squeezing_the_film_adds_to_its_force(result: Get) -> None:
-    film = result("grooved").film
+def test_squeezing_the_film_adds_to_its_force() -> None:
+    film = result_of("grooved").film
     rest, squeezed = film.force(0.0, -5e-5), film.force(0.0, -5e-5, 0.0, -1e-2)
     assert squeezed[1] > rest[1] > 0.0
 
 
-def test_arrays_broadcast_and_agree_with_single_calls(result: Get) -> None:
-    film = result("grooved").film
+def test_arrays_broadcast_and_agree_with_single_calls() -> None:
+    film = result_of("grooved").film
     x, y = np.linspace(-5e-5, 5e-5, 3)[:, None], np.linspace(-8e-5, 0.0, 4)
     found = film.force(x, y, 0.0, 1e-3)
     assert found.shape == (3, 4, 2)
@@ -111,8 +109,8 @@ def test_arrays_broadcast_and_agree_with_single_calls(result: Get) -> None:
 
 
 @pytest.mark.parametrize("name", ["grooved", "pressure-fed"])
-def test_a_place_outside_the_clearance_is_told(result: Get, name: str) -> None:
-    film = result(name).film
+def test_a_place_outside_the_clearance_is_told(name: str) -> None:
+    film = result_of(name).film
     with pytest.raises(InputError, match="outside the clearance"):
         film.force(0.0, -1e-3)
     with pytest.raises(InputError, match=r"y = -1000 µm"):
@@ -121,8 +119,8 @@ def test_a_place_outside_the_clearance_is_told(result: Get, name: str) -> None:
         film.linearise(0.0, -1e-3)
 
 
-def test_contact_takes_over_outside_the_clearance(result: Get) -> None:
-    film = result("grooved").film
+def test_contact_takes_over_outside_the_clearance() -> None:
+    film = result_of("grooved").film
 
     def wall(x: np.ndarray, y: np.ndarray, vx: np.ndarray, vy: np.ndarray) -> np.ndarray:
         assert x.shape == (1,)
@@ -135,8 +133,8 @@ def test_contact_takes_over_outside_the_clearance(result: Get) -> None:
 
 @pytest.mark.parametrize("bad", [math.nan, math.inf])
 @pytest.mark.parametrize("name", ["grooved", "pressure-fed"])
-def test_a_place_that_is_no_number_is_refused(result: Get, name: str, bad: float) -> None:
-    film = result(name).film
+def test_a_place_that_is_no_number_is_refused(name: str, bad: float) -> None:
+    film = result_of(name).film
     for place in ((bad, 0.0), (0.0, bad), (0.0, 0.0, bad), (0.0, 0.0, 0.0, bad)):
         with pytest.raises(InputError, match="not a finite number"):
             film.force(*place)
@@ -152,8 +150,8 @@ def test_the_engine_refuses_a_position_that_is_no_number(name: str) -> None:
         film_at_position(FILMS[name], (0.0, 0.0), (0.0, math.nan), resolution=DRAFT)
 
 
-def test_fields_are_those_of_the_solution(result: Get) -> None:
-    one = result("grooved")
+def test_fields_are_those_of_the_solution() -> None:
+    one = result_of("grooved")
     film, solution = one.film, one.solution.state.solution
     assert film.pressure.shape == (film.angle.size, film.z.size) == film.gap.shape
     assert film.angle[-1] - film.angle[0] == pytest.approx(2.0 * math.pi)
@@ -170,24 +168,24 @@ def test_fields_are_those_of_the_solution(result: Get) -> None:
     assert math.hypot(*force) == pytest.approx(one.load, rel=2e-2)
 
 
-def test_a_method_without_film_says_which_has_one(result: Get) -> None:
-    assert not hasattr(result("iso7902"), "film")
+def test_a_method_without_film_says_which_has_one() -> None:
+    assert not hasattr(result_of("iso7902"), "film")
     with pytest.raises(AttributeError, match="iso7902 has no film to show; the method film has one"):
-        _ = result("iso7902").film
+        _ = result_of("iso7902").film
     with pytest.raises(AttributeError, match="keep='solutions'"):
-        _ = result("grooved").without_state().film
+        _ = result_of("grooved").without_state().film
 
 
-def test_what_there_is_of_a_film_is_listed(result: Get) -> None:
-    film = result("grooved").film
+def test_what_there_is_of_a_film_is_listed() -> None:
+    film = result_of("grooved").film
     assert {"pressure", "force", "linearise", "angle"} <= set(dir(film))
     assert "pressure" in repr(film)
     assert len(repr(film).splitlines()) < 25
 
 
 @pytest.mark.slow
-def test_a_thermal_film_keeps_its_viscosity_where_it_moves(result: Get) -> None:
-    one = result("thermal")
+def test_a_thermal_film_keeps_its_viscosity_where_it_moves() -> None:
+    one = result_of("thermal")
     assert one.film.force(*one.film.position) == pytest.approx([0.0, one.load], abs=1e-3 * one.load)
     stiffness, damping = one.film.linearise(*one.film.position)
     assert np.abs(stiffness - one.stiffness).max() < 2e-2 * np.abs(one.stiffness).max()
@@ -197,10 +195,8 @@ def test_a_thermal_film_keeps_its_viscosity_where_it_moves(result: Get) -> None:
     assert np.array_equal(one.film.force(*one.film.position), again)  # the solution is not worked upon
 
 
-def test_a_place_where_the_film_does_not_settle_is_not_a_number(
-    result: Get, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    film = result("grooved").film
+def test_a_place_where_the_film_does_not_settle_is_not_a_number(monkeypatch: pytest.MonkeyPatch) -> None:
+    film = result_of("grooved").film
     here = film.force(0.0, -5e-5)
     forces = FilmPositions.forces
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pickle
 import sys
-from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
@@ -12,7 +11,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from film_bearings import solved
-from front_door_cases import UNFED
+from front_door_cases import UNFED, result_of
 
 from babbitt.api.result_set import ResultSet
 from babbitt.api.results import BearingResult
@@ -20,7 +19,6 @@ from babbitt.core.notices import InputError
 from babbitt.core.result import Verdict
 from babbitt.export import read_csv, read_ross
 
-Get = Callable[[str], BearingResult]
 SPEEDS = np.array([1000.0, 2000.0, 3000.0, 4000.0, 5000.0]) * np.pi / 30.0
 
 
@@ -163,7 +161,7 @@ def test_coefficients_are_those_of_the_run_over_speed() -> None:
     assert ours.static["friction_power"] == pytest.approx(run.static["friction_power"], rel=1e-6)
 
 
-def test_what_no_table_holds_is_refused(result: Get, tmp_path: Path) -> None:
+def test_what_no_table_holds_is_refused(tmp_path: Path) -> None:
     table = over_speed()
     path = tmp_path / "one.csv"
     with pytest.raises(InputError, match="version=2 or version=3"):
@@ -177,7 +175,7 @@ def test_what_no_table_holds_is_refused(result: Get, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="speed alone"):
         ResultSet({"load": [1.0, 2.0]}, [at(SPEEDS[0])] * 2, (2,)).export(path, format="csv")
     with pytest.raises(InputError, match="film has"):
-        ResultSet({"load": [1.0]}, [result("iso7902")], (1,)).export(path, format="csv")
+        ResultSet({"load": [1.0]}, [result_of("iso7902")], (1,)).export(path, format="csv")
     assert not path.exists()
 
 

@@ -7,14 +7,13 @@ import dataclasses
 import json
 import math
 import pickle
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pint
 import pytest
 from film_bearings import solved
-from front_door_cases import ISO7902
+from front_door_cases import ISO7902, machine_of, result_of
 
 from babbitt.api.machine_results import MachineResults
 from babbitt.api.results import BearingResult
@@ -23,14 +22,10 @@ from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Outcome, Verdict
 from babbitt.core.units.pint_quantity import pint_quantity
 from babbitt.report.export import to_json
-from babbitt.solving import MachineResult
-
-Get = Callable[[str], BearingResult]
-GetMachine = Callable[[str], MachineResult]
 
 
-def test_named_quantities_are_those_of_the_engine(result: Get, machine: GetMachine) -> None:
-    one, (engine,) = result("grooved"), machine("grooved").results
+def test_named_quantities_are_those_of_the_engine() -> None:
+    one, (engine,) = result_of("grooved"), machine_of("grooved").results
     assert one.solved
     assert one.outcome is Outcome.CONVERGED
     for name, value in engine.values.items():
@@ -50,8 +45,8 @@ def test_no_quantity_hides_behind_an_attribute() -> None:
     assert not own & set(QUANTITIES)
 
 
-def test_an_overloaded_bearing_is_not_within_limits(result: Get) -> None:
-    one = result("overloaded")
+def test_an_overloaded_bearing_is_not_within_limits() -> None:
+    one = result_of("overloaded")
     assert not one.solved
     assert one.within_limits is False
     assert one.verdict is Verdict.NO_SOLUTION
@@ -69,8 +64,8 @@ def test_an_overloaded_bearing_is_not_within_limits(result: Get) -> None:
     assert "message" in repr(one)
 
 
-def test_an_unknown_name_tells_the_nearest(result: Get) -> None:
-    one = result("grooved")
+def test_an_unknown_name_tells_the_nearest() -> None:
+    one = result_of("grooved")
     with pytest.raises(AttributeError, match="minimum_film_thickness"):
         _ = one.minimum_film_thicknes
     with pytest.raises(AttributeError, match="stiffness"):
@@ -80,16 +75,16 @@ def test_an_unknown_name_tells_the_nearest(result: Get) -> None:
     assert not hasattr(one, "__array_interface__")
 
 
-def test_what_could_not_be_found_tells_why(result: Get) -> None:
-    one = result("grooved")
+def test_what_could_not_be_found_tells_why() -> None:
+    one = result_of("grooved")
     answer = dataclasses.replace(one.result, missing={"critical_mass": "the whirl was not followed"}, values={})
     lacking = BearingResult(dataclasses.replace(one.solution, result=answer))
     with pytest.raises(AttributeError, match="the whirl was not followed"):
         _ = lacking.critical_mass
 
 
-def test_a_result_cannot_be_changed(result: Get) -> None:
-    one = result("grooved")
+def test_a_result_cannot_be_changed() -> None:
+    one = result_of("grooved")
     with pytest.raises(AttributeError):
         one.solution = None  # type: ignore[misc]
     with pytest.raises(AttributeError):
@@ -103,26 +98,26 @@ def test_a_result_cannot_be_changed(result: Get) -> None:
 
 
 @pytest.mark.parametrize("name", ["grooved", "iso7902", "overloaded"])
-def test_a_result_survives_pickling_and_copying(result: Get, name: str) -> None:
-    one = result(name)
+def test_a_result_survives_pickling_and_copying(name: str) -> None:
+    one = result_of(name)
     for again in (pickle.loads(pickle.dumps(one)), copy.copy(one), copy.deepcopy(one)):
         assert again == one
         assert hash(again) == hash(one)
         assert repr(again) == repr(one)
 
 
-def test_results_are_equal_by_content_and_not_by_time(result: Get) -> None:
-    one = result("iso7902")
+def test_results_are_equal_by_content_and_not_by_time() -> None:
+    one = result_of("iso7902")
     slower = dataclasses.replace(one.result, values={**one.result.values, "wall_time": 1e3})
     other = dataclasses.replace(one.result, values={**one.result.values, "load": 1.0})
     assert BearingResult(dataclasses.replace(one.solution, result=slower)) == one
     assert BearingResult(dataclasses.replace(one.solution, result=other)) != one
-    assert one != result("grooved")
+    assert one != result_of("grooved")
     assert one != 1
 
 
-def test_quantities_have_their_unit_in_the_registry_of_the_application(result: Get) -> None:
-    one = result("grooved")
+def test_quantities_have_their_unit_in_the_registry_of_the_application() -> None:
+    one = result_of("grooved")
     thickness = one.quantity("minimum_film_thickness")
     assert thickness.to("um").magnitude == pytest.approx(1e6 * one.minimum_film_thickness)
     assert thickness.check("[length]")
@@ -134,7 +129,7 @@ def test_quantities_have_their_unit_in_the_registry_of_the_application(result: G
         one.outlet_temperature - 273.15
     )
     with pytest.raises(ValueError, match="several units"):
-        result("moving").quantity("orbit")
+        result_of("moving").quantity("orbit")
 
 
 @pytest.mark.parametrize("unit", sorted({one.unit for one in QUANTITIES.values()} - {"SI"}))
@@ -142,17 +137,17 @@ def test_pint_knows_the_unit_of_every_quantity(unit: str) -> None:
     assert math.isclose(pint_quantity(2.0, unit).to_base_units().magnitude, 2.0)
 
 
-def test_dir_lists_what_there_is(result: Get) -> None:
-    listed = dir(result("grooved"))
+def test_dir_lists_what_there_is() -> None:
+    listed = dir(result_of("grooved"))
     assert {"minimum_film_thickness", "stiffness", "plot", "to_dict", "film"} <= set(listed)
     assert not [name for name in listed if name.startswith("_")]
-    assert all(hasattr(result("grooved"), name) for name in listed)
-    assert "stiffness" not in dir(result("overloaded"))
+    assert all(hasattr(result_of("grooved"), name) for name in listed)
+    assert "stiffness" not in dir(result_of("overloaded"))
 
 
 @pytest.mark.parametrize("name", ["grooved", "iso7902", "overloaded", "moving"])
-def test_the_text_of_a_result_is_short_and_tells_what_matters(result: Get, name: str) -> None:
-    one = result(name)
+def test_the_text_of_a_result_is_short_and_tells_what_matters(name: str) -> None:
+    one = result_of(name)
     text = repr(one)
     assert len(text.splitlines()) < 25
     assert one.verdict.value in text
@@ -166,8 +161,8 @@ def test_the_text_of_a_result_is_short_and_tells_what_matters(result: Get, name:
     assert one.verdict.value in page
 
 
-def test_markup_in_a_name_is_text_in_a_notebook(result: Get) -> None:
-    one = result("grooved")
+def test_markup_in_a_name_is_text_in_a_notebook() -> None:
+    one = result_of("grooved")
     named = dataclasses.replace(one.result, name="<b>Gear</b>")
     page = BearingResult(dataclasses.replace(one.solution, result=named))._repr_html_()
     assert "<b>" not in page
@@ -175,14 +170,14 @@ def test_markup_in_a_name_is_text_in_a_notebook(result: Get) -> None:
 
 
 @pytest.mark.parametrize("name", ["grooved", "overloaded"])
-def test_a_dictionary_and_json_are_those_of_the_machine(result: Get, machine: GetMachine, name: str) -> None:
-    (record,) = to_json(machine(name))["bearings"]
-    assert result(name).to_dict() == record
-    assert json.loads(result(name).to_json()) == record
+def test_a_dictionary_and_json_are_those_of_the_machine(name: str) -> None:
+    (record,) = to_json(machine_of(name))["bearings"]
+    assert result_of(name).to_dict() == record
+    assert json.loads(result_of(name).to_json()) == record
 
 
-def test_a_dataset_holds_values_and_matrices_with_units(result: Get) -> None:
-    one = result("grooved")
+def test_a_dataset_holds_values_and_matrices_with_units() -> None:
+    one = result_of("grooved")
     data = one.to_xarray()
     assert float(data["minimum_film_thickness"]) == one.minimum_film_thickness
     assert data["minimum_film_thickness"].attrs["units"] == "m"
@@ -190,45 +185,45 @@ def test_a_dataset_holds_values_and_matrices_with_units(result: Get) -> None:
     assert "wall_time" not in data
 
 
-def test_a_table_has_one_row(result: Get) -> None:
+def test_a_table_has_one_row() -> None:
     pytest.importorskip("pandas")
-    one = result("grooved")
+    one = result_of("grooved")
     (row,) = one.to_dataframe().to_dict("records")
     assert row["verdict"] == one.verdict.key
     assert row["stiffness_yx"] == one.stiffness[1, 0]
     assert row["damping_xy"] == one.damping[0, 1]
-    assert result("overloaded").to_dataframe()["outcome"].tolist() == ["overloaded"]
+    assert result_of("overloaded").to_dataframe()["outcome"].tolist() == ["overloaded"]
 
 
-def test_without_pandas_a_table_names_what_to_install(result: Get, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_pandas_a_table_names_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "pandas", None)
     with pytest.raises(InputError, match="pip install pandas"):
-        result("grooved").to_dataframe()
+        result_of("grooved").to_dataframe()
 
 
-def test_a_report_is_written(result: Get, tmp_path: Path) -> None:
+def test_a_report_is_written(tmp_path: Path) -> None:
     pytest.importorskip("typst")
     path = tmp_path / "bearing.html"
-    result("iso7902").write_report(path)
+    result_of("iso7902").write_report(path)
     assert "Bearing" in path.read_text(encoding="utf-8")
 
 
-def test_fields_are_on_the_grid_of_the_film(result: Get) -> None:
-    one = result("grooved")
+def test_fields_are_on_the_grid_of_the_film() -> None:
+    one = result_of("grooved")
     assert np.array_equal(one.fields["pressure"], one.film.pressure)
     assert np.array_equal(one.fields["theta"], one.film.angle)
     assert one.fields["pressure"].attrs["units"] == "Pa"
     with pytest.raises(InputError, match="film"):
-        _ = result("iso7902").fields
+        _ = result_of("iso7902").fields
     with pytest.raises(AttributeError, match="not kept"):
         _ = one.without_state().fields
 
 
 @pytest.mark.parametrize("what", ["pressure", "gap", "polar"])
-def test_pictures_are_drawn_on_the_axes_that_are_given(result: Get, what: str) -> None:
+def test_pictures_are_drawn_on_the_axes_that_are_given(what: str) -> None:
     pyplot = pytest.importorskip("matplotlib.pyplot")
     figure, axes = pyplot.subplots()
-    one = result("grooved")
+    one = result_of("grooved")
     assert getattr(one.plot, what)(ax=axes) is axes
     assert axes.has_data()
     own = getattr(one.plot, what)()
@@ -238,39 +233,39 @@ def test_pictures_are_drawn_on_the_axes_that_are_given(result: Get, what: str) -
     pyplot.close(own.figure)
 
 
-def test_the_pressure_that_is_drawn_is_that_of_the_film(result: Get) -> None:
+def test_the_pressure_that_is_drawn_is_that_of_the_film() -> None:
     pyplot = pytest.importorskip("matplotlib.pyplot")
-    one = result("grooved")
+    one = result_of("grooved")
     axes = one.plot.pressure()
     assert f"{1e-6 * one.film.pressure.max():.3g}" in [text.get_text() for text in axes.texts]
     pyplot.close(axes.figure)
 
 
-def test_an_orbit_is_drawn_where_there_is_one(result: Get) -> None:
+def test_an_orbit_is_drawn_where_there_is_one() -> None:
     pyplot = pytest.importorskip("matplotlib.pyplot")
-    moving = result("moving")
+    moving = result_of("moving")
     axes = moving.plot.orbit()
     longest = max((line.get_xydata() for line in axes.lines[1:]), key=len)  # the first is the bore
     clearance = moving.solution.state.solution.film.clearance
     assert np.allclose(longest[:-1], moving.orbit[:, 1:3] / clearance)
     pyplot.close(axes.figure)
     with pytest.raises(InputError, match="dynamic_load"):
-        result("grooved").plot.orbit()
+        result_of("grooved").plot.orbit()
     with pytest.raises(AttributeError, match="the method film has one"):
-        result("iso7902").plot.pressure()
+        result_of("iso7902").plot.pressure()
 
 
-def test_temperatures_need_a_film_that_has_them(result: Get) -> None:
+def test_temperatures_need_a_film_that_has_them() -> None:
     with pytest.raises(InputError, match="thermal: adiabatic"):
-        result("grooved").plot.temperature()
+        result_of("grooved").plot.temperature()
     with pytest.raises(AttributeError, match="effective_temperature"):
-        _ = result("grooved").film.temperature
+        _ = result_of("grooved").film.temperature
 
 
 @pytest.mark.slow
-def test_temperatures_of_a_thermal_film(result: Get) -> None:
+def test_temperatures_of_a_thermal_film() -> None:
     pyplot = pytest.importorskip("matplotlib.pyplot")
-    one = result("thermal")
+    one = result_of("thermal")
     assert one.film.temperature.shape == one.film.pressure.shape
     assert one.film.temperature.max() <= one.maximum_temperature + 1e-9
     assert one.film.temperature.min() >= 318.15 - 1e-6  # the oil is fed at 45 degrees and only warms
@@ -313,11 +308,11 @@ def test_a_machine_is_asked_by_bearing_point_and_clearance() -> None:
         _ = found["Bering"]
 
 
-def test_the_result_of_a_bearing_alone_is_found_by_its_name(machine: GetMachine) -> None:
-    found = MachineResults(machine("iso7902"))
+def test_the_result_of_a_bearing_alone_is_found_by_its_name() -> None:
+    found = MachineResults(machine_of("iso7902"))
     assert found["Bearing"].name == "Bearing"
     assert found.solved
-    assert found.within_limits is machine("iso7902").within_limits
+    assert found.within_limits is machine_of("iso7902").within_limits
 
 
 def test_a_machine_as_tables_and_text() -> None:
@@ -339,5 +334,5 @@ def test_a_machine_as_a_frame() -> None:
     assert frame["load"].tolist() == pytest.approx([10e3] * 3 + [30e3] * 3)
 
 
-def test_the_same_case_solved_twice_gives_equal_results(result: Get) -> None:
-    assert BearingResult(solved(**ISO7902).solutions[0]) == result("iso7902")
+def test_the_same_case_solved_twice_gives_equal_results() -> None:
+    assert BearingResult(solved(**ISO7902).solutions[0]) == result_of("iso7902")

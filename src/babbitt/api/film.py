@@ -144,6 +144,7 @@ class SolvedFilm:
         ------
         InputError
             E101 for what is not finite; E003 for a place outside the clearance, without `contact`.
+
         Notes
         -----
         Films fed from grooves without pressure run through a compiled loop, other films are solved one by one.
