@@ -13,25 +13,358 @@ TYPE_CHECKING = False  # the module typing takes longer than this one
 if TYPE_CHECKING:
     from typing import Any
 
-    from babbitt.case import load_case, parse_case, template
-    from babbitt.solving import solve
+    from babbitt.api.bearings import (
+        Footstep,
+        HydrostaticJournal,
+        HydrostaticPad,
+        JackingPocket,
+        JournalBearing,
+        Machine,
+        OverhungCoupling,
+        ThrustBearing,
+        ThrustLine,
+        ThrustRing,
+    )
+    from babbitt.api.cases import (
+        load_case,
+        parse_case,
+    )
+    from babbitt.api.clearances import (
+        diametral_clearance,
+        fit,
+        grooves,
+        radial_clearance,
+        relative_clearance,
+    )
+    from babbitt.api.common_parts import (
+        CatalogueLubricant,
+        Column,
+        ComplianceMatrix,
+        ConstantLubricant,
+        Cooling,
+        CylinderHousing,
+        Deviations,
+        DiametralClearance,
+        DrawingSurfaces,
+        ExponentialLubricant,
+        FeedHole,
+        Fit,
+        Friction,
+        HalfSpace,
+        InMachine,
+        IsoVgLubricant,
+        Limits,
+        Materials,
+        Metal,
+        PedestalHousing,
+        PowerLawLubricant,
+        RelativeClearance,
+        Ring,
+        SizeLimits,
+        Structure,
+        Supply,
+        Surfaces,
+        Tube,
+        TwoPointLubricant,
+        ViscosityIndexLubricant,
+        VogelLubricant,
+        WaltherLubricant,
+    )
+    from babbitt.api.footstep_parts import (
+        FigureRanges,
+        Heel,
+        HeelGroove,
+        HeelOil,
+        HeelOptions,
+        HeelWall,
+    )
+    from babbitt.api.hydrostatic_parts import (
+        AnnularPad,
+        Capillary,
+        CircularPad,
+        ConstantFlow,
+        FlowValve,
+        HydrostaticOil,
+        HydrostaticSupply,
+        MembraneValve,
+        MeteredFlow,
+        Orifice,
+        RecessOil,
+        RecessRow,
+        RectangularPad,
+        Slot,
+    )
+    from babbitt.api.journal_parts import (
+        ConductingBush,
+        ConductingHousing,
+        ConductingJournal,
+        Displacement,
+        EdgeCrowning,
+        Groove,
+        GrooveElement,
+        HeatExchange,
+        Hole,
+        HoleElement,
+        Liner,
+        LoadTable,
+        Lobes,
+        MeasuredBore,
+        Misalignment,
+        OperatingPoint,
+        ParabolicCrowning,
+        Pocket,
+        PocketElement,
+        Position,
+        PressureDam,
+        PressureViscosity,
+        Relief,
+        RotatingLoad,
+        RoundBore,
+        SegmentOptions,
+        SlotElement,
+        Step,
+        TableCrowning,
+        TaperedBore,
+        UnevenPockets,
+        Walls,
+        WornBore,
+    )
+    from babbitt.api.methods import (
+        Film,
+        Iso7902,
+        LongFilm,
+        Segments,
+    )
+    from babbitt.api.on_board import (
+        explain,
+        lubricants,
+        materials,
+        published_cases,
+        validate,
+    )
+    from babbitt.api.thrust_parts import (
+        FilmHeatBalance,
+        FilmTemperature,
+        FilmViscosity,
+        FixedPad,
+        LineLimits,
+        PadMaterials,
+        Pads,
+        Propeller,
+        Runout,
+        Seating,
+        ShaftPiece,
+        SpeedRange,
+        StepFace,
+        Taper,
+        ThrustRipple,
+        Tilt,
+        TiltingPivot,
+    )
+    from babbitt.case import (
+        CaseError,
+        template,
+    )
+    from babbitt.core.notices import (
+        InputError,
+    )
+    from babbitt.properties.lubricants import (
+        lubricant,
+    )
+    from babbitt.solving import (
+        solve,
+    )
 
 __version__ = "0.1.0"
 
-__all__ = ["__version__", "load_case", "parse_case", "solve", "template"]
-
-_HOMES = {
-    "load_case": "babbitt.case",
-    "parse_case": "babbitt.case",
-    "template": "babbitt.case",
-    "solve": "babbitt.solving",
+_NAMES = {
+    "babbitt.api.bearings": (
+        "Footstep HydrostaticJournal HydrostaticPad JackingPocket JournalBearing Machine "
+        "OverhungCoupling ThrustBearing ThrustLine ThrustRing"
+    ),
+    "babbitt.api.cases": "load_case parse_case",
+    "babbitt.api.clearances": "diametral_clearance fit grooves radial_clearance relative_clearance",
+    "babbitt.api.common_parts": (
+        "CatalogueLubricant Column ComplianceMatrix ConstantLubricant Cooling CylinderHousing Deviations "
+        "DiametralClearance DrawingSurfaces ExponentialLubricant FeedHole Fit Friction HalfSpace "
+        "InMachine IsoVgLubricant Limits Materials Metal PedestalHousing PowerLawLubricant "
+        "RelativeClearance Ring SizeLimits Structure Supply Surfaces Tube TwoPointLubricant "
+        "ViscosityIndexLubricant VogelLubricant WaltherLubricant"
+    ),
+    "babbitt.api.footstep_parts": "FigureRanges Heel HeelGroove HeelOil HeelOptions HeelWall",
+    "babbitt.api.hydrostatic_parts": (
+        "AnnularPad Capillary CircularPad ConstantFlow FlowValve HydrostaticOil HydrostaticSupply "
+        "MembraneValve MeteredFlow Orifice RecessOil RecessRow RectangularPad Slot"
+    ),
+    "babbitt.api.journal_parts": (
+        "ConductingBush ConductingHousing ConductingJournal Displacement EdgeCrowning Groove "
+        "GrooveElement HeatExchange Hole HoleElement Liner LoadTable Lobes MeasuredBore Misalignment "
+        "OperatingPoint ParabolicCrowning Pocket PocketElement Position PressureDam PressureViscosity "
+        "Relief RotatingLoad RoundBore SegmentOptions SlotElement Step TableCrowning TaperedBore "
+        "UnevenPockets Walls WornBore"
+    ),
+    "babbitt.api.methods": "Film Iso7902 LongFilm Segments",
+    "babbitt.api.on_board": "explain lubricants materials published_cases validate",
+    "babbitt.api.thrust_parts": (
+        "FilmHeatBalance FilmTemperature FilmViscosity FixedPad LineLimits PadMaterials Pads Propeller "
+        "Runout Seating ShaftPiece SpeedRange StepFace Taper ThrustRipple Tilt TiltingPivot"
+    ),
+    "babbitt.case": "CaseError template",
+    "babbitt.core.notices": "InputError",
+    "babbitt.properties.lubricants": "lubricant",
+    "babbitt.solving": "solve",
 }
+"""What is public, by the module where it stands."""
+
+_HOMES = {name: module for module, names in _NAMES.items() for name in names.split()}
+
+__all__ = [
+    "AnnularPad",
+    "Capillary",
+    "CaseError",
+    "CatalogueLubricant",
+    "CircularPad",
+    "Column",
+    "ComplianceMatrix",
+    "ConductingBush",
+    "ConductingHousing",
+    "ConductingJournal",
+    "ConstantFlow",
+    "ConstantLubricant",
+    "Cooling",
+    "CylinderHousing",
+    "Deviations",
+    "DiametralClearance",
+    "Displacement",
+    "DrawingSurfaces",
+    "EdgeCrowning",
+    "ExponentialLubricant",
+    "FeedHole",
+    "FigureRanges",
+    "Film",
+    "FilmHeatBalance",
+    "FilmTemperature",
+    "FilmViscosity",
+    "Fit",
+    "FixedPad",
+    "FlowValve",
+    "Footstep",
+    "Friction",
+    "Groove",
+    "GrooveElement",
+    "HalfSpace",
+    "HeatExchange",
+    "Heel",
+    "HeelGroove",
+    "HeelOil",
+    "HeelOptions",
+    "HeelWall",
+    "Hole",
+    "HoleElement",
+    "HydrostaticJournal",
+    "HydrostaticOil",
+    "HydrostaticPad",
+    "HydrostaticSupply",
+    "InMachine",
+    "InputError",
+    "Iso7902",
+    "IsoVgLubricant",
+    "JackingPocket",
+    "JournalBearing",
+    "Limits",
+    "LineLimits",
+    "Liner",
+    "LoadTable",
+    "Lobes",
+    "LongFilm",
+    "Machine",
+    "Materials",
+    "MeasuredBore",
+    "MembraneValve",
+    "Metal",
+    "MeteredFlow",
+    "Misalignment",
+    "OperatingPoint",
+    "Orifice",
+    "OverhungCoupling",
+    "PadMaterials",
+    "Pads",
+    "ParabolicCrowning",
+    "PedestalHousing",
+    "Pocket",
+    "PocketElement",
+    "Position",
+    "PowerLawLubricant",
+    "PressureDam",
+    "PressureViscosity",
+    "Propeller",
+    "RecessOil",
+    "RecessRow",
+    "RectangularPad",
+    "RelativeClearance",
+    "Relief",
+    "Ring",
+    "RotatingLoad",
+    "RoundBore",
+    "Runout",
+    "Seating",
+    "SegmentOptions",
+    "Segments",
+    "ShaftPiece",
+    "SizeLimits",
+    "Slot",
+    "SlotElement",
+    "SpeedRange",
+    "Step",
+    "StepFace",
+    "Structure",
+    "Supply",
+    "Surfaces",
+    "TableCrowning",
+    "Taper",
+    "TaperedBore",
+    "ThrustBearing",
+    "ThrustLine",
+    "ThrustRing",
+    "ThrustRipple",
+    "Tilt",
+    "TiltingPivot",
+    "Tube",
+    "TwoPointLubricant",
+    "UnevenPockets",
+    "ViscosityIndexLubricant",
+    "VogelLubricant",
+    "Walls",
+    "WaltherLubricant",
+    "WornBore",
+    "__version__",
+    "diametral_clearance",
+    "explain",
+    "fit",
+    "grooves",
+    "load_case",
+    "lubricant",
+    "lubricants",
+    "materials",
+    "parse_case",
+    "published_cases",
+    "radial_clearance",
+    "relative_clearance",
+    "solve",
+    "template",
+    "validate",
+]
 
 
 def __getattr__(name: str) -> Any:
-    """Import the public functions when they are first asked for, so that `import babbitt` stays light."""
+    """Import what is public when it is first asked for, so that `import babbitt` stays light."""
     from importlib import import_module
 
     if name not in _HOMES:
         raise AttributeError(f"module 'babbitt' has no attribute {name!r}")
     return getattr(import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    """What is public, asked for before or not."""
+    return sorted({*globals(), *__all__})

@@ -99,6 +99,13 @@ class CaseFile(Part):
         case._origin = origin
         return case
 
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """Give a copy; one with other values no longer knows what it was read from."""
+        copy = super().model_copy(update=update, deep=deep)
+        if update:
+            copy._text, copy._origin = "", None
+        return copy
+
     @classmethod
     def with_named_files(cls, given: dict[str, Any], files: NamedFiles) -> dict[str, Any]:
         """Put what stands in the files that a case names in their place; here no field names one.

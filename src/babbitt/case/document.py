@@ -12,6 +12,7 @@ from typing import Any
 
 from babbitt.case.error_messages import shown
 from babbitt.case.scalars import Scalar, scalar
+from babbitt.core.picklable_error import PicklableError
 
 DEEPEST = 20
 """Mappings and lists within each other; the case language needs seven."""
@@ -31,7 +32,7 @@ class Mark:
     column: int
 
 
-class DocumentError(Exception):
+class DocumentError(PicklableError):
     """The text is no document that a case can be read from."""
 
     def __init__(self, line: int, says: str, allowed: str = "", hint: str = "") -> None:

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 ERROR_TYPE = "case"
 """Type of the pydantic errors that already speak plainly; what they say stands in their context."""
 
+MISSING = "is missing"
+"""What is said of a field that must be given and is not."""
+
 Path = tuple[str | int, ...]
 Metadata = TypeVar("Metadata")
 
@@ -66,7 +69,8 @@ def refusal(cls: type[Part], given: Any, details: ErrorDetails) -> InitErrorDeta
         context = details["ctx"]
     else:
         says, allowed, hint = _say(cls, path, details)
-        context = {"says": says, "allowed": allowed, "hint": hint, "code": "E003"}
+        missing = () if details["type"] == "missing" else None
+        context = {"says": says, "allowed": allowed, "hint": hint, "code": "E003", "missing": missing}
     return InitErrorDetails(
         type=PydanticCustomError(ERROR_TYPE, "{says}", context), loc=path, input=details["input"]
     )
@@ -141,7 +145,7 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
     given, context = details["input"], details.get("ctx", {})
     match details["type"]:
         case "missing":
-            return "is missing", "", _described(cls, name)
+            return MISSING, "", _described(cls, name)
         case "extra_forbidden":
             hint = nearest(name, cls.model_fields)
             return "is not a field here", "" if hint else _listed(cls.model_fields), hint

@@ -8,6 +8,7 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from pydantic import ValidationError
+from pydantic_core import ErrorDetails
 
 from babbitt.case.case_file import CaseFile, Origin
 from babbitt.case.document import DocumentError, Node, read_document
@@ -151,7 +152,7 @@ def located(error: InputError, case: CaseFile, file: str | FilePath) -> CaseErro
     if isinstance(error, CaseError):
         return error
     root = read_document(case.text) if case.text else None
-    given = {} if root is None else root.plain()
+    given = (case.origin.given if case.origin is not None else {}) if root is None else root.plain()
     path = BLAMED.get(error.code) or _named_in(error.message, given)
     return CaseError([_problem(str(file), root, given, path, error.message, code=error.code)])
 
@@ -226,13 +227,38 @@ def _case(given: Any, name: str, root: Node | None, files: NamedFiles) -> CaseFi
         case = model.model_validate(read, context=AS_WRITTEN).with_files(tuple(files.taken))
         return case.with_origin(Origin(given, files.folder / FilePath(name).name, files.reach))
     except TableError as error:
-        raise CaseError([_problem(name, root, given, error.path, error.says, error.allowed, error.hint)]) from None
+        raise CaseError([table_problem(error, given, name, root)]) from None
     except ValidationError as error:
-        found = [(details["loc"], details["ctx"]) for details in error.errors(include_url=False)]
-    raise CaseError(
-        _problem(name, root, given, path, told["says"], told["allowed"], told["hint"], told["code"])
-        for path, told in found
+        found = error.errors(include_url=False)
+    raise CaseError(problems_of(found, given, name, root))
+
+
+def problems_of(
+    found: Iterable[ErrorDetails], given: Any, name: str, root: Node | None = None
+) -> tuple[Problem, ...]:
+    """Say what pydantic found in a case, each with its place.
+
+    Parameters
+    ----------
+    found : iterable of ErrorDetails
+        Of a `Part`, which speak plainly already.
+    given : object
+        What the case was to be read from.
+    name : str
+        Of the file, or what stands for it.
+    root : Node, optional
+        The document, for the lines.
+    """
+    told = [(details["loc"], details["ctx"]) for details in found]
+    return tuple(
+        _problem(name, root, given, path, one["says"], one["allowed"], one["hint"], one["code"])
+        for path, one in told
     )
+
+
+def table_problem(error: TableError, given: Any, name: str, root: Node | None = None) -> Problem:
+    """Say what is wrong with a file that a case names, with the place where it names it."""
+    return _problem(name, root, given, error.path, error.says, error.allowed, error.hint)
 
 
 def _problem(

@@ -7,11 +7,12 @@ from pathlib import Path as FilePath
 from babbitt.case.error_messages import Path
 from babbitt.core.files.printing import printable
 from babbitt.core.files.reading import Reach, UnreadableFileError, read_regular
+from babbitt.core.picklable_error import PicklableError
 
 __all__ = ["NamedFiles", "TableError"]
 
 
-class TableError(Exception):
+class TableError(PicklableError):
     """A table that cannot be used: where in the case, what is wrong, what would do."""
 
     def __init__(self, path: Path, says: str, allowed: str = "", hint: str = "") -> None:

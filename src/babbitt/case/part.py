@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import typing
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from types import FunctionType
 from typing import Any, ClassVar, Self, TypeVar
@@ -25,7 +25,7 @@ from pydantic import (
 )
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
-from babbitt.case.error_messages import ERROR_TYPE, Path, is_echo, is_missing, misspelt, refusal
+from babbitt.case.error_messages import ERROR_TYPE, MISSING, Path, is_echo, is_missing, misspelt, refusal
 from babbitt.case.grouped_digits import grouped_fields
 from babbitt.core.notices import InputError, Notice
 
@@ -42,6 +42,9 @@ class Complaint:
         What is wrong, what would do, what to try.
     code : str
         A code of `babbitt.core.notices.EXPLANATIONS`.
+    lacks : tuple, optional
+        From `path` to the field to add, empty where they are the same. None where something is wrong, unless
+        `says` is that it is missing.
     """
 
     path: Path
@@ -49,14 +52,21 @@ class Complaint:
     allowed: str = ""
     hint: str = ""
     code: str = "E004"
+    lacks: Path | None = None
+
+    @property
+    def missing(self) -> Path | None:
+        """From the field to blame to the one to add; None where more is wrong than that it is missing."""
+        return () if self.lacks is None and self.says == MISSING else self.lacks
 
     def under(self, *path: str | int) -> Complaint:
         """Tell the same of a piece further down."""
-        return Complaint((*path, *self.path), self.says, self.allowed, self.hint, self.code)
+        return replace(self, path=(*path, *self.path))
 
 
 Rule = Callable[[Any], Iterable[Complaint]]
 RuleT = TypeVar("RuleT", bound=Rule)
+PartT = TypeVar("PartT", bound="Part")
 
 
 def rule(method: RuleT) -> RuleT:
@@ -102,7 +112,7 @@ class Part(BaseModel):
             meant = misspelt(cls, given, found)
             lines = [refusal(cls, given, one) for one in found if not is_missing(one, meant)]
             if isinstance(given, Mapping):
-                lines += _lines(_usable(cls, given, info.context, meant), given)
+                lines += _lines(usable_part(cls, given, info.context, meant), given)
             raise ValidationError.from_exception_data(cls.__name__, lines) from None
         if isinstance(given, Mapping):
             part._grouped = grouped_fields(cls, given)
@@ -150,7 +160,11 @@ def exactly_one(part: Part, *names: str) -> Iterator[Complaint]:
     given = [name for name in names if is_given(part, name)]
     if not given:
         yield Complaint(
-            (), f"none of {', '.join(names)} is given", f"exactly one of {', '.join(names)}", code="E003"
+            (),
+            f"none of {', '.join(names)} is given",
+            f"exactly one of {', '.join(names)}",
+            code="E003",
+            lacks=names[:1],
         )
     yield from at_most_one(part, *names)
 
@@ -166,15 +180,16 @@ def _lines(part: Part, given: Any) -> list[InitErrorDetails]:
     lines = []
     for one in type(part).rules:
         for told in as_far_as_usable(one(part)):
-            context = {"says": told.says, "allowed": told.allowed, "hint": told.hint, "code": told.code}
+            context: dict[str, Any] = {"says": told.says, "allowed": told.allowed, "hint": told.hint}
+            context |= {"code": told.code, "missing": told.missing}
             error = PydanticCustomError(ERROR_TYPE, "{says}", context)
             lines.append(InitErrorDetails(type=error, loc=told.path, input=given))
     return lines
 
 
-def _usable(
-    cls: type[Part], given: Mapping[str, Any], context: Any, misspelt: frozenset[str] = frozenset()
-) -> Part:
+def usable_part(
+    cls: type[PartT], given: Mapping[str, Any], context: Any, misspelt: frozenset[str] = frozenset()
+) -> PartT:
     """Give the piece with its usable fields only; to touch one of the others raises AttributeError.
 
     Fields whose names were misspelt count as written and not usable.
@@ -191,10 +206,10 @@ def _usable(
             pieces = _usable_pieces(field.annotation, given[name], context)
             values |= {name: pieces} if pieces else {}
             unusable |= set() if pieces else {name}
-    part = cls.model_construct(_fields_set=({*cls.model_fields} & given.keys()) | misspelt, **values)
+    part: Any = cls.model_construct(_fields_set=({*cls.model_fields} & given.keys()) | misspelt, **values)
     for name in unusable:
         vars(part).pop(name, None)
-    return part
+    return part  # type: ignore[no-any-return]
 
 
 @cache
@@ -207,4 +222,4 @@ def _usable_pieces(annotation: Any, given: Any, context: Any) -> tuple[Part, ...
     of = typing.get_args(annotation)[0] if typing.get_origin(annotation) is tuple else None
     if not (isinstance(of, type) and issubclass(of, Part) and isinstance(given, list)):
         return ()
-    return tuple(_usable(of, piece, context) for piece in given if isinstance(piece, Mapping))
+    return tuple(usable_part(of, piece, context) for piece in given if isinstance(piece, Mapping))

@@ -92,6 +92,17 @@ class CaseVariation:
         InputError
             E005 when the path leads through something that is no mapping or list.
         """
+        title = f"{printable(self.file)} with {self.path}: {value}"
+        return build_case(self.given_with(value), title, NamedFiles(self.file.parent, self.reach))
+
+    def given_with(self, value: Any) -> dict[str, Any]:
+        """What stands in the file, with a value in the field in place of what says the same otherwise.
+
+        Raises
+        ------
+        InputError
+            E005 when the path leads through something that is no mapping or list.
+        """
         varied = copy.deepcopy(self.given)
         place, name = self._container(varied), self._steps[-1]
         self._refuse_if_overridden()
@@ -103,8 +114,7 @@ class CaseVariation:
             place[_key(place, name)] = value
         except LookupError:
             raise InputError("E005", f"{self.file}: there is no '{self.path}'{_known(place)}") from None
-        title = f"{printable(self.file)} with {self.path}: {value}"
-        return build_case(varied, title, NamedFiles(self.file.parent, self.reach))
+        return varied
 
     def _refuse_if_overridden(self) -> None:
         """Refuse a field in whose place all bearings or operating points have their own: nothing would change."""

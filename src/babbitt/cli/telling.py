@@ -11,7 +11,7 @@ import typer
 
 from babbitt.cli.app import NOT_PASSED, AllowOutside, app, reach
 from babbitt.core.files.printing import printable, takes_all_letters
-from babbitt.core.notices import EXPLANATIONS, InputError
+from babbitt.core.notices import InputError
 
 __all__ = ["cite", "explain", "list_", "new", "schema", "validate"]
 
@@ -97,15 +97,10 @@ def list_(
 @app.command()
 def explain(code: Annotated[str, typer.Argument(metavar="CODE", help="Such as W101 or C104.")]) -> None:
     """Explain a code of an error, warning or check, and what to do about it."""
-    from difflib import get_close_matches
+    from babbitt.api.on_board import explain as explained
 
-    asked = code.strip().upper()
-    found = EXPLANATIONS.get(asked)
-    if found is None:
-        near = get_close_matches(asked, EXPLANATIONS, n=4)
-        hint = f"did you mean {', '.join(near)}?" if near else f"there are: {', '.join(sorted(EXPLANATIONS))}"
-        raise InputError("E005", f"no code '{printable(code)}'; {hint}")
-    print(f"{asked}  {found.title}\n\n{found.meaning}\n\nWhat to do: {found.remedy}")
+    found = explained(code)
+    print(f"{code.strip().upper()}  {found.title}\n\n{found.meaning}\n\nWhat to do: {found.remedy}")
 
 
 @app.command()

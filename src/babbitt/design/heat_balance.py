@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Generic, Protocol, TypeVar
 
+from babbitt.core.picklable_error import PicklableError
 from babbitt.core.result import Outcome
 from babbitt.design.conditions import Designed
 from babbitt.numerics.roots import find_root
@@ -60,7 +61,7 @@ MOST_STEPS = 200
 """Bound on the steps of the root finder."""
 
 
-class NoFilmError(Exception):
+class NoFilmError(PicklableError):
     """There is no film at this temperature.
 
     Attributes

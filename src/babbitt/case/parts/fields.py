@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 from pydantic import AfterValidator, Field
 
-from babbitt.core.units import AS_WRITTEN, QuantityError, SiNumber, bare_number, read
+from babbitt.core.units import AS_WRITTEN, KINDS, Kind, QuantityError, SiNumber, bare_number, read
 from babbitt.design.span import TABULATED_SPANS
 
 if TYPE_CHECKING:
@@ -53,6 +53,14 @@ class WholeNumber:
 @dataclass(frozen=True)
 class TabulatedSpan:
     """Pydantic metadata of an angular span that the tables of the standard know; the value is in degrees."""
+
+    unit: ClassVar[str] = "rad"
+    """What a number without unit is in, where it is taken."""
+
+    @property
+    def kind(self) -> Kind:
+        """The kind of quantity."""
+        return KINDS[self.unit]
 
     def __call__(self, given: object) -> int:
         """Read and check what was given.

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from babbitt.core.files.printing import printable
 from babbitt.core.notices import InputError
+from babbitt.core.picklable_error import PicklableError
 
 __all__ = ["LARGEST_TEXT", "Reach", "UnreadableFileError", "read_regular", "read_text"]
 
@@ -23,7 +24,7 @@ class Reach(Enum):
     ANYWHERE = "anywhere"
 
 
-class UnreadableFileError(Exception):
+class UnreadableFileError(PicklableError):
     """A file that cannot be read; `says` tells why, without its name.
 
     Attributes

@@ -18,6 +18,7 @@ from babbitt.core.notices.no_solution import NO_SOLUTION
 from babbitt.core.notices.one_dimension import ONE_DIMENSION
 from babbitt.core.notices.thrust import THRUST
 from babbitt.core.notices.unusable import UNUSABLE
+from babbitt.core.picklable_error import PicklableError
 
 __all__ = ["EXPLANATIONS", "BabbittError", "Effect", "Explanation", "InputError", "Notice", "Subject"]
 
@@ -43,7 +44,7 @@ class Notice:
         return EXPLANATIONS[self.code].effect
 
 
-class BabbittError(Exception):
+class BabbittError(PicklableError):
     """A mistake or a failure that the user can understand and act upon.
 
     Parameters

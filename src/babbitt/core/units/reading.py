@@ -12,6 +12,7 @@ import re
 from functools import lru_cache
 from typing import Any
 
+from babbitt.core.picklable_error import PicklableError
 from babbitt.core.units.kinds import AMBIGUOUS_TON, KINDS, Kind, kind_of
 
 LONGEST = 60
@@ -26,7 +27,7 @@ _THOUSANDS = re.compile(r"([-+]?\d{1,3}(?:[ '_\u00a0\u202f]\d{3})+(?:\.\d+)?)(.*
 _SPELLING = str.maketrans("µμ²³⁻¹·*", "uu23-1  ", "^")
 
 
-class QuantityError(ValueError):
+class QuantityError(PicklableError, ValueError):
     """What was given is no quantity of the kind asked for.
 
     Attributes
@@ -177,7 +178,7 @@ def _with_pint(number: float, unit: str, kind: Kind, text: str) -> float:
         raise QuantityError(f"{_quoted(text)} is {other.phrase}", _wanted(kind), given=other)
     if not _UNIT.fullmatch(unit):
         raise QuantityError(f"{_quoted(text)} is not a quantity", _wanted(kind))
-    registry = _registry()
+    registry = pint_registry()
     try:
         factors = registry.parse_units(_for_pint(unit))
     except Exception:  # pint reports unknown units with many types of exception
@@ -197,7 +198,7 @@ def _with_pint(number: float, unit: str, kind: Kind, text: str) -> float:
 
 
 @lru_cache(maxsize=1)
-def _registry() -> Any:
+def pint_registry() -> Any:
     """Give our own registry: other programs in the process may have changed the application-wide one."""
     import pint
 
@@ -206,7 +207,7 @@ def _registry() -> Any:
 
 def _is_ton(name: str) -> bool:
     """Whether a unit of pint is its ton, that of the US, with or without prefix."""
-    return any(base == "ton" for _, base, _ in _registry().parse_unit_name(name))
+    return any(base == "ton" for _, base, _ in pint_registry().parse_unit_name(name))
 
 
 def _for_pint(unit: str) -> str:
@@ -216,7 +217,7 @@ def _for_pint(unit: str) -> str:
 
 
 def _kind_by_dimension(factors: Any) -> Kind | None:
-    registry = _registry()
+    registry = pint_registry()
     for kind in KINDS.values():
         if (
             kind.open_to_pint

@@ -7,6 +7,8 @@ from enum import Enum
 
 import numpy as np
 
+from babbitt.core.picklable_error import PicklableError
+
 __all__ = ["Method", "NoSteadyStateError", "StateName", "SteadyState"]
 
 
@@ -29,7 +31,7 @@ class StateName(Enum):
     DRAINING = "draining"
 
 
-class NoSteadyStateError(Exception):
+class NoSteadyStateError(PicklableError):
     """At every flow of a groove that feeds the rim, the rim receives more oil than the clearance can carry away.
 
     Attributes

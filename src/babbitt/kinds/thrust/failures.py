@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from babbitt.core.picklable_error import PicklableError
 from babbitt.core.result import Outcome
 
 __all__ = [
@@ -19,7 +20,7 @@ __all__ = [
 ]
 
 
-class NoPadFilmError(Exception):
+class NoPadFilmError(PicklableError):
     """There is no film to answer with.
 
     Attributes

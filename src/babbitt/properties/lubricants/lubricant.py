@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from babbitt.core.units import read
+from babbitt.core.units.foreign import as_python
 from babbitt.properties.lubricants._evaluation import Value, require_positive, require_range
 from babbitt.properties.lubricants.property_laws import PropertyLaw
 from babbitt.properties.lubricants.viscosity_laws import ViscosityKind, ViscosityLaw
@@ -76,6 +78,15 @@ class Lubricant:
         if self.viscosity_law.kind is ViscosityKind.KINEMATIC:
             return viscosity
         return viscosity / self.density_law(temperature)
+
+    def viscosity(self, temperature: object) -> float:
+        """Dynamic viscosity in Pa s at one temperature: in K, or text with its unit, or a pint quantity.
+
+        >>> from babbitt.properties.lubricants import lubricant
+        >>> f"{lubricant('ISO VG 46').viscosity('60 degC'):.4f} Pa s"
+        '0.0173 Pa s'
+        """
+        return float(self.dynamic_viscosity(read(as_python(temperature), "K")))
 
     def dynamic_viscosity(self, temperature: Value) -> Value:
         """Dynamic viscosity η = ν ρ in Pa s."""

@@ -110,9 +110,8 @@ class ScrewHeelCase(CaseFile):
     @rule
     def _grooved_heels_have_grooves(self) -> Iterator[Complaint]:
         if self.variants != "smooth" and self.groove is None:
-            yield Complaint(
-                ("groove",), f"variants: {self.variants} needs a groove", "groove, or variants: smooth"
-            )
+            says = f"variants: {self.variants} needs a groove"
+            yield Complaint(("groove",), says, "groove, or variants: smooth", lacks=())
 
     @rule
     def _grooves_close(self) -> Iterator[Complaint]:

@@ -61,7 +61,8 @@ class JackingPocketCase(CaseFile):
 
     def _misfits(self) -> Iterator[Complaint]:
         if not (is_given(self, "lift_gap") or is_given(self, "pump_flow")):
-            yield Complaint((), "nothing says how far to lift", "lift_gap, or pump_flow", code="E003")
+            says = "nothing says how far to lift"
+            yield Complaint((), says, "lift_gap, or pump_flow", code="E003", lacks=("lift_gap",))
         yield from clearance_is_small(self.radial_clearance, self.diameter)
         yield from in_order(self, "pocket_length", "width")
         for name in ("lift_gap", "roughness"):

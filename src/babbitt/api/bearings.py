@@ -1,0 +1,178 @@
+"""Bearings of every kind as a program makes them: the models of the case language, one class each."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, ClassVar
+
+from babbitt.api.case import Case
+from babbitt.api.methods import MethodGiven, with_method
+from babbitt.case.case_file import CaseFile
+from babbitt.case.problems import CaseError, Problem
+from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
+from babbitt.kinds.footstep.case.footstep import ScrewHeelCase
+from babbitt.kinds.hydrostatic.case.hydrostatic_journal import HydrostaticJournalCase
+from babbitt.kinds.hydrostatic.case.hydrostatic_pad import HydrostaticPadCase
+from babbitt.kinds.hydrostatic.case.hydrostatic_thrust_ring import HydrostaticThrustRingCase
+from babbitt.kinds.hydrostatic.case.jacking import JackingPocketCase
+from babbitt.kinds.journal.case import files
+from babbitt.kinds.shaft_line.case.shaft_line import ThrustLineCase
+from babbitt.kinds.thrust.case.thrust import ThrustCase
+
+__all__ = [
+    "Footstep",
+    "HydrostaticJournal",
+    "HydrostaticPad",
+    "JackingPocket",
+    "JournalBearing",
+    "Machine",
+    "OverhungCoupling",
+    "ThrustBearing",
+    "ThrustLine",
+    "ThrustRing",
+    "public_case",
+]
+
+
+class JournalBearing(Case, files.JournalCase):
+    """A circular cylindrical journal bearing.
+
+    `method` is a name of the case language or an object with options, such as ``Film(thermal="adiabatic")``.
+
+    Examples
+    --------
+    >>> bearing = JournalBearing(diameter="100 mm", width=0.05, clearance="H7/e8", span="360 deg")
+    >>> bearing.missing
+    ('load', 'speed', 'lubricant', 'supply', 'materials')
+    >>> bearing.replace(load="10 kN").load
+    10000.0
+    """
+
+    model: ClassVar[type[CaseFile]] = files.JournalCase
+    default_name: ClassVar[str] = "Journal bearing"
+
+    @classmethod
+    def in_words(cls, given: Mapping[str, Any]) -> dict[str, Any]:
+        """What was given, its method as the case language has it: a name, and fields of the bearing."""
+        return _with_method_in_words(given)
+
+    def _given_with(self, given: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
+        if path == "method" and isinstance(value, MethodGiven):
+            return with_method(given, value)
+        return super()._given_with(given, path.removeprefix("method."), value)
+
+
+class Machine(Case, files.Machine):
+    """Several journal bearings that share lubricant, supply, cooling and materials."""
+
+    model: ClassVar[type[CaseFile]] = files.Machine
+    default_name: ClassVar[str] = "Machine"
+
+    @classmethod
+    def in_words(cls, given: Mapping[str, Any]) -> dict[str, Any]:
+        """What was given, each bearing with its kind and a name."""
+        bearings = given.get("bearings")
+        if not isinstance(bearings, list | tuple):
+            return dict(given)
+        return {**given, "bearings": [_of_machine(one, number) for number, one in enumerate(bearings, 1)]}
+
+
+class ThrustBearing(Case, ThrustCase):
+    """A thrust bearing of tilting or fixed pads."""
+
+    model: ClassVar[type[CaseFile]] = ThrustCase
+    default_name: ClassVar[str] = "Thrust bearing"
+
+
+class ThrustLine(Case, ThrustLineCase):
+    """Axial vibration of a shaft line on its thrust bearing."""
+
+    model: ClassVar[type[CaseFile]] = ThrustLineCase
+    default_name: ClassVar[str] = "Shaft line"
+
+
+class HydrostaticJournal(Case, HydrostaticJournalCase):
+    """A recessed journal bearing, at rest or turning."""
+
+    model: ClassVar[type[CaseFile]] = HydrostaticJournalCase
+    default_name: ClassVar[str] = "Hydrostatic journal bearing"
+
+
+class HydrostaticPad(Case, HydrostaticPadCase):
+    """A hydrostatic pad with one recess."""
+
+    model: ClassVar[type[CaseFile]] = HydrostaticPadCase
+    default_name: ClassVar[str] = "Hydrostatic pad"
+
+
+class ThrustRing(Case, HydrostaticThrustRingCase):
+    """A hydrostatic thrust ring with several recesses."""
+
+    model: ClassVar[type[CaseFile]] = HydrostaticThrustRingCase
+    default_name: ClassVar[str] = "Hydrostatic thrust ring"
+
+
+class JackingPocket(Case, JackingPocketCase):
+    """Jacking pockets of a plain journal bearing at rest."""
+
+    model: ClassVar[type[CaseFile]] = JackingPocketCase
+    default_name: ClassVar[str] = "Jacking pocket"
+
+
+class Footstep(Case, ScrewHeelCase):
+    """The footstep of a screw with a smooth or grooved heel."""
+
+    model: ClassVar[type[CaseFile]] = ScrewHeelCase
+    default_name: ClassVar[str] = "Footstep"
+
+
+class OverhungCoupling(Case, OverhungCouplingCase):
+    """Load share of two bearings with an overhung coupling."""
+
+    model: ClassVar[type[CaseFile]] = OverhungCouplingCase
+    default_name: ClassVar[str] = "Overhung coupling"
+
+
+PUBLIC: Mapping[type[CaseFile], type[Case]] = {
+    one.model: one
+    for one in (
+        JournalBearing,
+        Machine,
+        ThrustBearing,
+        ThrustLine,
+        HydrostaticJournal,
+        HydrostaticPad,
+        ThrustRing,
+        JackingPocket,
+        Footstep,
+        OverhungCoupling,
+    )
+}
+"""By its case model, the class of each kind that ships."""
+
+
+def public_case(case: CaseFile) -> CaseFile:
+    """The same case as an object of its class here; a kind of another package as it is."""
+    public = PUBLIC.get(type(case))
+    return case if public is None else public.of(case)
+
+
+def _with_method_in_words(given: Mapping[str, Any]) -> dict[str, Any]:
+    method = given.get("method")
+    if not isinstance(method, MethodGiven):
+        return dict(given)
+    options = method.given
+    if twice := sorted(options.keys() & given.keys()):
+        says = f"given beside the {type(method).__name__} that gives it, too"
+        raise CaseError([Problem("JournalBearing", 0, twice[0], says, allowed="once")])
+    return {**given, **options, "method": method.method}
+
+
+def _of_machine(bearing: Any, number: int) -> Any:
+    if isinstance(bearing, Case):
+        words = {name: value for name, value in bearing.given.items() if name != "babbitt"}
+        named = words.get("name") != bearing.default_name
+        return {**words, "name": words["name"] if named else f"Bearing {number}"}
+    if isinstance(bearing, Mapping):
+        return {"kind": "journal", "name": f"Bearing {number}", **_with_method_in_words(bearing)}
+    return bearing

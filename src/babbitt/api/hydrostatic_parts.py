@@ -1,0 +1,82 @@
+"""Parts of hydrostatic bearings.
+
+Each is the part of the case language of the same fields, with short names.
+"""
+
+from __future__ import annotations
+
+from babbitt.api.part import OwnPart
+from babbitt.kinds.hydrostatic.case import pad_shapes, recess_parts, restrictors
+
+__all__ = [
+    "AnnularPad",
+    "Capillary",
+    "CircularPad",
+    "ConstantFlow",
+    "FlowValve",
+    "HydrostaticOil",
+    "HydrostaticSupply",
+    "MembraneValve",
+    "MeteredFlow",
+    "Orifice",
+    "RecessOil",
+    "RecessRow",
+    "RectangularPad",
+    "Slot",
+]
+
+
+class Capillary(OwnPart, restrictors.CapillaryGiven):
+    """A round tube before every recess."""
+
+
+class Orifice(OwnPart, restrictors.OrificeGiven):
+    """A sharp-edged hole before every recess."""
+
+
+class Slot(OwnPart, restrictors.SlotGiven):
+    """A flat slot before every recess."""
+
+
+class ConstantFlow(OwnPart, restrictors.ConstantFlowGiven):
+    """A pump for every recess."""
+
+
+class MeteredFlow(OwnPart, restrictors.MeteredFlowGiven):
+    """A metering stage before every recess, fed by the common supply."""
+
+
+class FlowValve(OwnPart, restrictors.FlowValveGiven):
+    """A pressure-compensating valve before every recess: more oil where the recess pressure rises."""
+
+
+class MembraneValve(OwnPart, restrictors.MembraneValveGiven):
+    """A membrane valve before every recess: its gap opens with the recess pressure."""
+
+
+class HydrostaticSupply(OwnPart, restrictors.HydrostaticSupply):
+    """Oil before the restrictors: at a fixed pressure, or from one pump."""
+
+
+class HydrostaticOil(OwnPart, recess_parts.HydrostaticOil):
+    """The oil: its numbers, or a lubricant at a temperature."""
+
+
+class RecessOil(OwnPart, recess_parts.RecessOil):
+    """Depth of the recesses and the oil that gives way in them."""
+
+
+class RecessRow(OwnPart, recess_parts.RecessRow):
+    """Equal recesses around the axis."""
+
+
+class CircularPad(OwnPart, pad_shapes.CircularGiven):
+    """A round pad with a round recess in the middle."""
+
+
+class AnnularPad(OwnPart, pad_shapes.AnnularGiven):
+    """A ring with an annular recess."""
+
+
+class RectangularPad(OwnPart, pad_shapes.RectangularGiven):
+    """A rectangle with a rectangular recess in the middle."""

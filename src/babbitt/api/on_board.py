@@ -1,0 +1,71 @@
+"""What is on board, by name: lubricants, materials, published cases, explanations."""
+
+from __future__ import annotations
+
+from difflib import get_close_matches
+from typing import TYPE_CHECKING
+
+from babbitt.core.files.printing import printable
+from babbitt.core.notices import EXPLANATIONS, Explanation, InputError
+
+if TYPE_CHECKING:
+    from babbitt.validation.case import Comparison
+
+__all__ = ["explain", "lubricants", "materials", "published_cases", "validate"]
+
+
+def lubricants() -> tuple[str, ...]:
+    """Names of the lubricants on board; `babbitt.lubricant` gives one of them.
+
+    >>> "ISO VG 46" in lubricants()
+    True
+    """
+    from babbitt.properties.lubricants import catalogue
+
+    return tuple(one.name for one in catalogue())
+
+
+def materials() -> tuple[str, ...]:
+    """Names of the bearing metals and structural materials on board."""
+    from babbitt.properties.materials import bearing_metals, structural_materials
+
+    return (*(one.name for one in bearing_metals()), *(one.name for one in structural_materials()))
+
+
+def published_cases() -> tuple[str, ...]:
+    """Names of the published cases that ship; `babbitt.validate` runs one of them."""
+    from babbitt.validation import cases
+
+    return tuple(one.name for one in cases())
+
+
+def validate(name: str) -> tuple[Comparison, ...]:
+    """Run a published case: each printed value beside ours.
+
+    Raises
+    ------
+    InputError
+        E005 for a name that is not among `published_cases`.
+    """
+    from babbitt.validation import validation_case
+
+    return tuple(validation_case(name).run())
+
+
+def explain(code: str) -> Explanation:
+    """What a code of an error, warning or check means, and what to do about it.
+
+    Raises
+    ------
+    InputError
+        E005 for a code that there is not.
+
+    >>> explain("W101").title == EXPLANATIONS["W101"].title
+    True
+    """
+    found = EXPLANATIONS.get(code.strip().upper())
+    if found is None:
+        near = get_close_matches(code.strip().upper(), EXPLANATIONS, n=4)
+        hint = f"did you mean {', '.join(near)}?" if near else f"there are: {', '.join(sorted(EXPLANATIONS))}"
+        raise InputError("E005", f"no code '{printable(code)}'; {hint}")
+    return found

@@ -1,0 +1,157 @@
+"""One case at many values: arrays that are broadcast, and products of values."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from babbitt.api.answers import answer_of
+from babbitt.api.fields import field_annotations, quantity_in, takes_list
+from babbitt.api.given import as_given
+from babbitt.case.loading import located
+from babbitt.case.problems import CaseError, Problem
+from babbitt.core.notices import InputError
+from babbitt.core.units import read
+from babbitt.core.units.foreign import as_python
+from babbitt.solving import MachineResult, solve
+
+if TYPE_CHECKING:
+    import numpy as np
+
+    from babbitt.api.case import Case
+    from babbitt.api.result_set import ResultSet
+
+__all__ = ["over_arrays", "over_product", "solutions_of"]
+
+
+def solutions_of(case: Case) -> MachineResult:
+    """Solve a case that is complete.
+
+    Raises
+    ------
+    CaseError
+        With what is missing, and for what a method refuses.
+    """
+    complete = case._complete()
+    try:
+        return solve(complete)
+    except InputError as error:
+        raise located(error, complete, type(case).__name__) from None
+
+
+def over_arrays(case: Case, values: Mapping[str, Any]) -> ResultSet | None:
+    """Solve a case over arrays that are broadcast against each other; None where there is no array.
+
+    Raises
+    ------
+    CaseError
+        For arrays that do not fit each other.
+    """
+    import numpy as np
+
+    plain = {path: as_python(value) for path, value in values.items()}
+    arrays = {path: value for path, value in plain.items() if _is_array(case, path, value)}
+    if not arrays:
+        return None
+    fixed = case.replace({path: value for path, value in plain.items() if path not in arrays})
+    where = type(case).__name__
+    texts = {path: np.array(as_given(value, where, (path,)), object) for path, value in arrays.items()}
+    try:
+        shape = np.broadcast_shapes(*(array.shape for array in texts.values()))
+    except ValueError:
+        shapes = ", ".join(f"{path} {array.shape}" for path, array in texts.items())
+        raise _refused(case, "", f"the arrays do not fit each other: {shapes}", "shapes that broadcast") from None
+    spread = {path: np.broadcast_to(array, shape) for path, array in texts.items()}
+    flat = zip(*(array.flat for array in spread.values()), strict=True)
+    points = [dict(zip(spread, point, strict=True)) for point in flat]
+    parameters = {path: _in_si(case, path, array) for path, array in spread.items()}
+    return _solved(fixed, points, parameters, shape, workers=1, keep="results")
+
+
+def over_product(case: Case, over: Mapping[str, Any], workers: int, keep: str) -> ResultSet:
+    """Solve the product of values in several fields; the last one varies fastest.
+
+    Raises
+    ------
+    CaseError
+        For a field without values, and where a case is wrong or incomplete.
+    """
+    import numpy as np
+
+    if workers < 1:
+        raise InputError("E005", f"workers is {workers}; give 1 or more")
+    if keep not in ("results", "solutions"):
+        raise InputError("E005", f"keep is {keep!r}; allowed: results, solutions")
+    axes: dict[str, np.ndarray[Any, Any]] = {}
+    for path, values in over.items():
+        given = as_given(values, type(case).__name__, (path,))
+        if not isinstance(given, list) or not given:
+            raise _refused(case, path, "has no values to go through", "a list or an array")
+        axes[path] = np.empty(len(given), object)
+        axes[path][:] = given
+    points = [dict(zip(axes, point, strict=True)) for point in itertools.product(*axes.values())]
+    parameters = {path: _in_si(case, path, axis) for path, axis in axes.items()}
+    return _solved(case, points, parameters, tuple(map(len, axes.values())), workers, keep)
+
+
+def _solved(
+    case: Case,
+    points: Sequence[Mapping[str, Any]],
+    parameters: Mapping[str, np.ndarray[Any, Any]],
+    shape: tuple[int, ...],
+    workers: int,
+    keep: str,
+) -> ResultSet:
+    from babbitt.api.result_set import ResultSet
+
+    cases = [case.replace(point)._complete() for point in points]
+    several = next((one for one in cases if len(one.calculations()) != 1), None)
+    if several is not None:
+        says = f"has {len(several.calculations())} bearings, operating points and clearances"
+        raise _refused(case, "", says, "one of each in a sweep")
+    results = [answer_of(found.solutions[0]) for found in _mapped(partial(_one, keep=keep), cases, workers)]
+    return ResultSet(parameters, results, shape)
+
+
+def _one(case: Case, keep: str) -> MachineResult:
+    """Solve one case of a sweep: the first of its steady states."""
+    from dataclasses import replace
+
+    found = solutions_of(case)
+    first = replace(found, solutions=found.solutions[:1])
+    return first if keep == "solutions" else first.without_states()
+
+
+def _mapped(function: Any, cases: Sequence[Case], workers: int) -> Iterable[MachineResult]:
+    if workers == 1:
+        return map(function, cases)
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing import get_context
+
+    # Spawned, since a process that is forked while a library holds a lock waits for it for ever.
+    with ProcessPoolExecutor(min(workers, len(cases)), mp_context=get_context("spawn")) as pool:
+        return list(pool.map(function, cases))
+
+
+def _is_array(case: Case, path: str, value: Any) -> bool:
+    """Whether a list stands for several values of a field rather than for one."""
+    found = field_annotations(case.model, path.split("."))
+    return isinstance(value, list | tuple) and bool(found) and not any(takes_list(one) for one in found)
+
+
+def _in_si(case: Case, path: str, values: np.ndarray[Any, Any]) -> np.ndarray[Any, Any]:
+    """Values of a field as coordinates: quantities in SI, anything else as given."""
+    import numpy as np
+
+    found = [quantity_in(one) for one in field_annotations(case.model, path.split("."))]
+    quantity = next((one for one in found if one is not None), None)
+    if quantity is None:
+        return values
+    flat = [read(value, quantity.unit) for value in values.flat]
+    return np.array(flat, dtype=float).reshape(values.shape)
+
+
+def _refused(case: Case, field: str, says: str, allowed: str) -> CaseError:
+    return CaseError([Problem(type(case).__name__, 0, field, says, allowed=allowed)])

@@ -1,0 +1,74 @@
+"""The numbers of a program, written with the units that a case file asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from babbitt.api.fields import expanded, quantity_in
+from babbitt.case.part import Part
+from babbitt.core.units import Kind, read
+
+__all__ = ["case_text", "quantity_text", "with_units"]
+
+
+def with_units(given: Mapping[str, Any], part: Part) -> dict[str, Any]:
+    """Write the numbers of what a part was given with their units.
+
+    Parameters
+    ----------
+    given : Mapping
+        As a program gave it.
+    part : Part
+        What was read from it, at least its usable fields.
+    """
+    values = vars(part)
+    return {name: _field(type(part), name, one, values.get(name)) for name, one in given.items()}
+
+
+def quantity_text(value: float, kind: Kind) -> str | float:
+    """Write an SI value so that it is read back to the last bit.
+
+    The first everyday unit that does so is taken, else the SI unit, which always does.
+
+    >>> from babbitt.core.units import KINDS
+    >>> quantity_text(0.12, KINDS["m"]), quantity_text(323.15, KINDS["K"]), quantity_text(0.1 + 0.2, KINDS["N"])
+    ('120 mm', '50 degC', '0.30000000000000004 N')
+    """
+    if kind.one_unit:
+        return value
+    for unit in kind.everyday:
+        short = f"{kind.from_si(value, unit):.12g} {unit}"
+        if read(short, kind.key) == value:
+            return short
+    return f"{value!r} {kind.unit}"
+
+
+def case_text(given: Mapping[str, Any]) -> str:
+    """Write a case as the text of a file, lists of numbers and small mappings on one line."""
+    import yaml
+
+    text = yaml.safe_dump(dict(given), sort_keys=False, allow_unicode=True, width=110, default_flow_style=None)
+    return str(text)
+
+
+def _field(cls: type[Part], name: str, given: Any, value: Any) -> Any:
+    if name not in cls.model_fields:
+        return given
+    annotation = cls.model_fields[name].rebuild_annotation()
+    quantity = quantity_in(annotation)
+    if isinstance(given, int | float) and not isinstance(given, bool) and quantity is None:
+        given = expanded(annotation, given)
+    return _value(given, value, None if quantity is None else quantity.kind)
+
+
+def _value(given: Any, value: Any, kind: Kind | None) -> Any:
+    match given:
+        case Mapping() if isinstance(value, Part):
+            return with_units(given, value)
+        case list():
+            values = value if isinstance(value, tuple) and len(value) == len(given) else [None] * len(given)
+            return [_value(one, read_as, kind) for one, read_as in zip(given, values, strict=True)]
+        case int() | float() if kind is not None and not isinstance(given, bool):
+            return quantity_text(float(given), kind)
+    return given
