@@ -183,7 +183,7 @@ def test_bare_numbers(given, number):
 )
 def test_expressions_are_not_evaluated(text, monkeypatch):
     """What is no number with a product of units is refused before pint sees it."""
-    monkeypatch.setattr(reading, "_registry", lambda: pytest.fail("handed to pint"))
+    monkeypatch.setattr(reading, "pint_registry", lambda: pytest.fail("handed to pint"))
     with pytest.raises(QuantityError):
         read(text, "m")
 

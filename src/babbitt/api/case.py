@@ -72,7 +72,7 @@ class Case(CaseFile):
     @property
     def missing(self) -> tuple[str, ...]:
         """Paths of the fields without which it cannot be solved; of several that would do, the first."""
-        return self._missing
+        return self._missing if self.origin is not None else self.replace()._missing
 
     @property
     def given(self) -> dict[str, Any]:
@@ -226,11 +226,9 @@ class Case(CaseFile):
         CaseError
         """
         origin = self.origin or self._origin_of(self.given)
-        if self._missing:
+        if self.missing:
             refuse_incomplete(self.model, origin.given, type(self).__name__, _files(origin))
-        if self.origin is not None:
-            return self
-        return self.replace()._complete()
+        return self if self.origin is not None else self.replace()
 
     def _origin_of(self, given: dict[str, Any]) -> Origin:
         if self.origin is not None:

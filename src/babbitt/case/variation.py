@@ -122,6 +122,8 @@ class CaseVariation:
         bearings = self.given.get("bearings")
         if not isinstance(bearings, list):
             instead = _of_points(self.given, (), first, rest)
+        elif first == "bearings" and not rest:
+            instead = []
         elif first == "bearings":
             owner = bearings[int(rest[0])]
             instead = _of_points(owner, (first, rest[0]), rest[1], rest[2:]) if len(rest) > 1 else []
