@@ -130,7 +130,7 @@ def test_arrays_are_broadcast_against_each_other(point):
 def test_a_sweep_is_the_product(point):
     grid = point.sweep({"load": np.array([5e3, 10e3]), "bore.preload": [0.3, 0.5]})
     assert grid.shape == (2, 2)
-    np.testing.assert_array_equal(grid.parameters["bore.preload"], [0.3, 0.5])
+    np.testing.assert_array_equal(grid.parameters["bore.preload"], [[0.3, 0.5], [0.3, 0.5]])
     assert grid.results[-1].minimum_film_thickness == point.solve().minimum_film_thickness
     lower = point.replace({"bore.preload": 0.3, "load": 5e3}).solve().minimum_film_thickness
     assert grid.results[0].minimum_film_thickness == lower

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from babbitt.api.answers import answer_of
+from babbitt.api.answers import first_answer
 from babbitt.api.fields import field_annotations, quantity_in, takes_list
 from babbitt.api.given import as_given
 from babbitt.case.loading import located
@@ -111,8 +111,8 @@ def _solved(
     if several is not None:
         says = f"has {len(several.calculations())} bearings, operating points and clearances"
         raise _refused(case, "", says, "one of each in a sweep")
-    results = [answer_of(found.solutions[0]) for found in _mapped(partial(_one, keep=keep), cases, workers)]
-    return ResultSet(parameters, results, shape)
+    results = [first_answer(found) for found in _mapped(partial(_one, keep=keep), cases, workers)]
+    return ResultSet(parameters, results, shape, keep)
 
 
 def _one(case: Case, keep: str) -> MachineResult:
