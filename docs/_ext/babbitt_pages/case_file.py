@@ -63,13 +63,17 @@ def schema() -> Schema:
     return described
 
 
+PUBLIC = "babbitt.api"
+"""Package of the classes for programs, which repeat the parts of the case language under short names."""
+
+
 @cache
 def sections() -> list[Section]:
     """Every mapping of the case language, outermost first, each once."""
     whole = schema()
     definitions: dict[str, Schema] = whole["$defs"]
     kinds = {kind: _target(reference) for kind, reference in whole["discriminator"]["mapping"].items()}
-    parts = {part.__name__: part for part in _below(Part)}
+    parts = {part.__name__: part for part in _below(Part) if not part.__module__.startswith(PUBLIC)}
     found: dict[str, Section] = {}
 
     def visit(name: str, through: str) -> None:
