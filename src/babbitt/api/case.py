@@ -69,6 +69,13 @@ class Case(CaseFile):
         made._take(case.model_copy(), ())
         return made
 
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """Give a copy with other values, unchecked until it is solved or written; `replace` checks them at once."""
+        copied = super().model_copy(update=update, deep=deep)
+        if update:
+            copied._origin = None
+        return copied
+
     @property
     def missing(self) -> tuple[str, ...]:
         """Paths of the fields without which it cannot be solved; of several that would do, the first."""

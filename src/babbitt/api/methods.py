@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
-from pydantic import create_model
+from pydantic import Field, create_model
 
 from babbitt.api.part import OwnPart
 from babbitt.case.part import Part
@@ -34,8 +34,10 @@ FILM_OPTIONS = (
 
 def _options(name: str, fields: tuple[str, ...]) -> Any:
     """The part of a case that has some fields of a journal bearing only."""
-    known = JournalBearing.model_fields
-    chosen: dict[str, Any] = {one: (known[one].rebuild_annotation(), known[one].default) for one in fields}
+    chosen: dict[str, Any] = {}
+    for one in fields:
+        known = JournalBearing.model_fields[one]
+        chosen[one] = known.rebuild_annotation(), Field(known.default, description=known.description)
     return create_model(name, __base__=Part, __module__=__name__, __doc__="Options of a method.", **chosen)
 
 

@@ -100,10 +100,10 @@ class CaseFile(Part):
         return case
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
-        """Give a copy; one with other values no longer knows what it was read from."""
+        """Give a copy; one with other values no longer has the text that says others."""
         copy = super().model_copy(update=update, deep=deep)
         if update:
-            copy._text, copy._origin = "", None
+            copy._text = ""
         return copy
 
     @classmethod
