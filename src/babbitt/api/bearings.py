@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from babbitt.api.case import Case
-from babbitt.api.methods import MethodGiven, with_method
+from babbitt.api.methods import MethodGiven
+from babbitt.api.words import of_machine, with_method, with_method_in_words
 from babbitt.case.case_file import CaseFile
-from babbitt.case.problems import CaseError, Problem
 from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
 from babbitt.kinds.footstep.case.footstep import ScrewHeelCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_journal import HydrostaticJournalCase
@@ -54,7 +54,7 @@ class JournalBearing(Case, files.JournalCase):
     @classmethod
     def in_words(cls, given: Mapping[str, Any]) -> dict[str, Any]:
         """What was given, its method as the case language has it: a name, and fields of the bearing."""
-        return _with_method_in_words(given)
+        return with_method_in_words(given)
 
     def _given_with(self, given: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
         if path == "method" and isinstance(value, MethodGiven):
@@ -74,7 +74,7 @@ class Machine(Case, files.Machine):
         bearings = given.get("bearings")
         if not isinstance(bearings, list | tuple):
             return dict(given)
-        return {**given, "bearings": [_of_machine(one, number) for number, one in enumerate(bearings, 1)]}
+        return {**given, "bearings": [of_machine(one, number) for number, one in enumerate(bearings, 1)]}
 
 
 class ThrustBearing(Case, ThrustCase):
@@ -155,24 +155,3 @@ def public_case(case: CaseFile) -> CaseFile:
     """The same case as an object of its class here; a kind of another package as it is."""
     public = PUBLIC.get(type(case))
     return case if public is None else public.of(case)
-
-
-def _with_method_in_words(given: Mapping[str, Any]) -> dict[str, Any]:
-    method = given.get("method")
-    if not isinstance(method, MethodGiven):
-        return dict(given)
-    options = method.given
-    if twice := sorted(options.keys() & given.keys()):
-        says = f"given beside the {type(method).__name__} that gives it, too"
-        raise CaseError([Problem("JournalBearing", 0, twice[0], says, allowed="once")])
-    return {**given, **options, "method": method.method}
-
-
-def _of_machine(bearing: Any, number: int) -> Any:
-    if isinstance(bearing, Case):
-        words = {name: value for name, value in bearing.given.items() if name != "babbitt"}
-        named = words.get("name") != bearing.default_name
-        return {**words, "name": words["name"] if named else f"Bearing {number}"}
-    if isinstance(bearing, Mapping):
-        return {"kind": "journal", "name": f"Bearing {number}", **_with_method_in_words(bearing)}
-    return bearing

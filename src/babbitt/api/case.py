@@ -70,7 +70,7 @@ class Case(CaseFile):
         return made
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
-        """Give a copy with other values, unchecked until it is solved or written; `replace` checks them at once."""
+        """Give a copy with other values, checked when it is solved or written; `replace` checks them now."""
         copied = super().model_copy(update=update, deep=deep)
         if update:
             copied._origin = None

@@ -46,7 +46,8 @@ def radial_clearance(mean: Any, *, minimum: Any = None, maximum: Any = None) -> 
     0.00013
     """
     given = _values(mean, minimum, maximum)
-    return DiametralClearance(**{name: _doubled(name, value) for name, value in given.items()})
+    doubled: dict[str, Any] = {name: _doubled(name, value) for name, value in given.items()}
+    return DiametralClearance(**doubled)
 
 
 def fit(classes: str) -> Fit:

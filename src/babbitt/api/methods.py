@@ -11,7 +11,7 @@ from babbitt.api.part import OwnPart
 from babbitt.case.part import Part
 from babbitt.kinds.journal.case.journal import JournalBearing
 
-__all__ = ["METHODS", "Film", "Iso7902", "LongFilm", "MethodGiven", "Segments", "with_method"]
+__all__ = ["METHODS", "Film", "Iso7902", "LongFilm", "MethodGiven", "Segments"]
 
 FILM_OPTIONS = (
     "thermal",
@@ -78,11 +78,3 @@ class Segments(MethodGiven, _SegmentsOptions):  # type: ignore[valid-type, misc]
 
 
 METHODS: Mapping[str, type[MethodGiven]] = {one.method: one for one in (Film, Iso7902, LongFilm, Segments)}
-
-
-def with_method(given: Mapping[str, Any], method: MethodGiven) -> dict[str, Any]:
-    """What a bearing was given, with another method: options of the one before go, those of the new one come."""
-    former = METHODS.get(str(given.get("method", "iso7902")))
-    options = set(former.model_fields) if former is not None else set()
-    kept = {name: value for name, value in given.items() if name not in options | set(type(method).model_fields)}
-    return {**kept, "method": method.method, **method.given}

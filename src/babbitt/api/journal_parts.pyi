@@ -1,0 +1,344 @@
+"""Written by scripts/write_stubs.py: what the public classes take."""
+
+from collections.abc import Iterable, Mapping
+from enum import Enum
+from typing import Any, ClassVar, Literal, SupportsFloat, SupportsIndex, TypeAlias
+
+from babbitt.api.part import OwnPart
+from babbitt.case.part import Part
+from babbitt.kinds.journal.case import dynamic_load, film_features, film_heat, film_oil, film_surface, grooved_segments, heat_exchange, operating_point, supply_element
+
+Quantity: TypeAlias = str | SupportsFloat
+
+class Groove(OwnPart, film_features.GrooveGiven):
+    def __init__(
+        self,
+        *,
+        angle: Quantity | None = ...,
+        extent: Quantity | None = ...,
+        pressure: Quantity | None = ...,
+        flow: Quantity | None = ...,
+    ) -> None: ...
+
+class Pocket(OwnPart, film_features.PocketGiven):
+    def __init__(
+        self,
+        *,
+        angle: Quantity | None = ...,
+        extent: Quantity | None = ...,
+        width: Quantity | None = ...,
+        axial_position: Quantity | None = ...,
+        pressure: Quantity | None = ...,
+        flow: Quantity | None = ...,
+    ) -> None: ...
+
+class Hole(OwnPart, film_features.SupplyHoleGiven):
+    def __init__(
+        self,
+        *,
+        angle: Quantity | None = ...,
+        diameter: Quantity | None = ...,
+        axial_position: Quantity | None = ...,
+        pressure: Quantity | None = ...,
+        flow: Quantity | None = ...,
+    ) -> None: ...
+
+class Misalignment(OwnPart, film_features.MisalignmentGiven):
+    def __init__(
+        self,
+        *,
+        x: Quantity | None = ...,
+        y: Quantity | None = ...,
+    ) -> None: ...
+
+class RoundBore(OwnPart, film_features.RoundBoreGiven):
+    def __init__(
+        self,
+        *,
+        kind: Literal["round"] | Enum | None = ...,
+    ) -> None: ...
+
+class Lobes(OwnPart, film_features.LobedBoreGiven):
+    def __init__(
+        self,
+        *,
+        kind: Literal["lobes"] | Enum | None = ...,
+        preload: Quantity | None = ...,
+        offset: Quantity | None = ...,
+    ) -> None: ...
+
+class TaperedBore(OwnPart, film_features.TaperedBoreGiven):
+    def __init__(
+        self,
+        *,
+        kind: Literal["taper_land"] | Enum | None = ...,
+        depth: Quantity | None = ...,
+        share: Quantity | None = ...,
+    ) -> None: ...
+
+class Relief(OwnPart, film_features.ReliefGiven):
+    def __init__(
+        self,
+        *,
+        angle: Quantity | None = ...,
+        extent: Quantity | None = ...,
+        width: Quantity | None = ...,
+        depth: Quantity | None = ...,
+    ) -> None: ...
+
+class PressureDam(OwnPart, film_features.PressureDamBoreGiven):
+    def __init__(
+        self,
+        *,
+        kind: Literal["pressure_dam"] | Enum | None = ...,
+        angle: Quantity | None = ...,
+        extent: Quantity | None = ...,
+        width: Quantity | None = ...,
+        depth: Quantity | None = ...,
+        relief: Mapping[str, Any] | Part | None = ...,
+    ) -> None: ...
+
+class WornBore(OwnPart, film_features.WornBoreGiven):
+    def __init__(
+        self,
+        *,
+        kind: Literal["wear"] | Enum | None = ...,
+        depth: Quantity | None = ...,
+        angle: Quantity | None = ...,
+    ) -> None: ...
+
+class MeasuredBore(OwnPart, film_features.MeasuredBoreGiven):
+    def __init__(
+        self,
+        *,
+        kind: Literal["measured"] | Enum | None = ...,
+        departures: Iterable[Quantity] | None = ...,
+        file: str | None = ...,
+        start: Quantity | None = ...,
+    ) -> None: ...
+
+class Step(OwnPart, film_surface.StepGiven):
+    def __init__(
+        self,
+        *,
+        angle: Quantity | None = ...,
+        extent: Quantity | None = ...,
+        width: Quantity | None = ...,
+        depth: Quantity | None = ...,
+        axial_position: Quantity | None = ...,
+    ) -> None: ...
+
+class ParabolicCrowning(OwnPart, film_surface.ParabolicCrowningGiven):
+    def __init__(
+        self,
+        *,
+        kind: Literal["parabolic"] | Enum | None = ...,
+        drop: Quantity | None = ...,
+    ) -> None: ...
+
+class EdgeCrowning(OwnPart, film_surface.EdgeCrowningGiven):
+    def __init__(
+        self,
+        *,
+        kind: Literal["edges"] | Enum | None = ...,
+        drop: Quantity | None = ...,
+        length: Quantity | None = ...,
+    ) -> None: ...
+
+class TableCrowning(OwnPart, film_surface.TableCrowningGiven):
+    def __init__(
+        self,
+        *,
+        kind: Literal["table"] | Enum | None = ...,
+        drops: Iterable[Quantity] | None = ...,
+    ) -> None: ...
+
+class Displacement(OwnPart, film_surface.DisplacementGiven):
+    def __init__(
+        self,
+        *,
+        angles: Iterable[Quantity] | None = ...,
+        places: Iterable[Quantity] | None = ...,
+        values: Iterable[Quantity] | None = ...,
+        file: str | None = ...,
+    ) -> None: ...
+
+class Liner(OwnPart, film_heat.LinerGiven):
+    def __init__(
+        self,
+        *,
+        thickness: Quantity | None = ...,
+        conductivity: Quantity | None = ...,
+    ) -> None: ...
+
+class ConductingBush(OwnPart, film_heat.ConductingBushGiven):
+    def __init__(
+        self,
+        *,
+        outer_diameter: Quantity | None = ...,
+        conductivity: Quantity | None = ...,
+        liner: Mapping[str, Any] | Part | None = ...,
+    ) -> None: ...
+
+class ConductingHousing(OwnPart, film_heat.ConductingHousingGiven):
+    def __init__(
+        self,
+        *,
+        outer_diameter: Quantity | None = ...,
+        conductivity: Quantity | None = ...,
+        contact_coefficient: Quantity | None = ...,
+        heat_transfer_coefficient: Quantity | None = ...,
+        ambient_temperature: Quantity | None = ...,
+    ) -> None: ...
+
+class ConductingJournal(OwnPart, film_heat.ConductingJournalGiven):
+    def __init__(
+        self,
+        *,
+        temperature: Quantity | None = ...,
+        shaft_conductance: Quantity | None = ...,
+        ambient_temperature: Quantity | None = ...,
+    ) -> None: ...
+
+class Walls(OwnPart, film_heat.WallsGiven):
+    def __init__(
+        self,
+        *,
+        bush: Mapping[str, Any] | Part | None = ...,
+        housing: Mapping[str, Any] | Part | None = ...,
+        journal: Mapping[str, Any] | Part | None = ...,
+        thermal_distortion: bool | None = ...,
+    ) -> None: ...
+
+class PressureViscosity(OwnPart, film_oil.PressureViscosityGiven):
+    def __init__(
+        self,
+        *,
+        kind: Literal["barus", "roelands"] | Enum | None = ...,
+        coefficient: Quantity | None = ...,
+    ) -> None: ...
+
+class HoleElement(OwnPart, supply_element.HoleElement):
+    def __init__(
+        self,
+        *,
+        kind: Literal["hole"] | Enum | None = ...,
+        diameter: Quantity | None = ...,
+        place: Literal["opposite", "side", "both_sides"] | Enum | None = ...,
+        number: SupportsIndex | None = ...,
+    ) -> None: ...
+
+class SlotElement(OwnPart, supply_element.SlotElement):
+    def __init__(
+        self,
+        *,
+        kind: Literal["slot"] | Enum | None = ...,
+        length: Quantity | None = ...,
+        width: Quantity | None = ...,
+        place: Literal["opposite", "side", "both_sides"] | Enum | None = ...,
+    ) -> None: ...
+
+class PocketElement(OwnPart, supply_element.PocketElement):
+    def __init__(
+        self,
+        *,
+        kind: Literal["pocket"] | Enum | None = ...,
+        width: Quantity | None = ...,
+        place: Literal["opposite", "side", "both_sides"] | Enum | None = ...,
+        extent: Quantity | None = ...,
+    ) -> None: ...
+
+class GrooveElement(OwnPart, supply_element.GrooveElement):
+    def __init__(
+        self,
+        *,
+        kind: Literal["groove_360", "groove_180"] | Enum | None = ...,
+        width: Quantity | None = ...,
+    ) -> None: ...
+
+class UnevenPockets(OwnPart, supply_element.UnevenPockets):
+    def __init__(
+        self,
+        *,
+        kind: Literal["uneven_pockets"] | Enum | None = ...,
+        width: Quantity | None = ...,
+        entry_angle: Quantity | None = ...,
+        exit_angle: Quantity | None = ...,
+        extent: Quantity | None = ...,
+        rounding: Literal["down", "nearest"] | Enum | None = ...,
+    ) -> None: ...
+
+class RotatingLoad(OwnPart, dynamic_load.RotatingLoadGiven):
+    def __init__(
+        self,
+        *,
+        kind: Literal["rotating"] | Enum | None = ...,
+        magnitude: Quantity | None = ...,
+        speed_ratio: Quantity | None = ...,
+        phase: Quantity | None = ...,
+        moving_mass: Quantity | None = ...,
+    ) -> None: ...
+
+class LoadTable(OwnPart, dynamic_load.LoadTableGiven):
+    def __init__(
+        self,
+        *,
+        kind: Literal["table"] | Enum | None = ...,
+        cycle: Quantity | None = ...,
+        angle: Iterable[Quantity] | None = ...,
+        fx: Iterable[Quantity] | None = ...,
+        fy: Iterable[Quantity] | None = ...,
+        file: str | None = ...,
+        moving_mass: Quantity | None = ...,
+    ) -> None: ...
+
+class OperatingPoint(OwnPart, operating_point.OperatingPoint):
+    def __init__(
+        self,
+        *,
+        load: Quantity | None = ...,
+        specific_load: Quantity | None = ...,
+        eccentricity_ratio: Quantity | None = ...,
+        attitude_angle: Quantity | None = ...,
+        position: Mapping[str, Any] | Part | None = ...,
+        speed: Quantity | None = ...,
+        surface_speed: Quantity | None = ...,
+        name: str | None = ...,
+        supply_temperature: Quantity | None = ...,
+        supply_pressure: Quantity | None = ...,
+        supply_flow: Quantity | None = ...,
+        span: Quantity | None = ...,
+        supply_element: Mapping[str, Any] | Part | None = ...,
+    ) -> None: ...
+
+class Position(OwnPart, operating_point.PositionGiven):
+    def __init__(
+        self,
+        *,
+        x: Quantity | None = ...,
+        y: Quantity | None = ...,
+    ) -> None: ...
+
+class HeatExchange(OwnPart, heat_exchange.HeatExchangeGiven):
+    def __init__(
+        self,
+        *,
+        nusselt: Quantity | Mapping[str, Any] | Part | None = ...,
+        bush: Mapping[str, Any] | Part | None = ...,
+        ambient: Mapping[str, Any] | Part | None = ...,
+        shaft_conductance: Quantity | None = ...,
+        discretisation: Literal["consistent", "published_mean", "published_literal"] | Enum | None = ...,
+        supply_angle: Quantity | None = ...,
+        exchange_zone: Literal["liquid_fraction", "all_around", "film"] | Enum | None = ...,
+    ) -> None: ...
+
+class SegmentOptions(OwnPart, grooved_segments.SegmentsGiven):
+    def __init__(
+        self,
+        *,
+        groove: Mapping[str, Any] | Part | None = ...,
+        film_start: Quantity | None = ...,
+        compliance: Quantity | None = ...,
+        profile: Iterable[Any] | None = ...,
+        roughness: Mapping[str, Any] | Part | None = ...,
+    ) -> None: ...
