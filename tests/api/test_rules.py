@@ -19,6 +19,7 @@ import pytest
 import babbitt
 import babbitt as bb
 from babbitt import case as case_language
+from babbitt.api import sweeping
 from babbitt.case import case_hash
 from babbitt.case.part import Part
 from babbitt.case.problems import Problem
@@ -258,10 +259,25 @@ def test_clearances_say_their_kind(bearing):
         bb.fit("H7")
 
 
-def test_a_refusal_of_a_method_is_a_case_error(bearing):
+def test_a_refusal_of_a_method_is_a_case_error(bearing, monkeypatch):
+    """What shows only when a problem is solved names its field, too."""
+
+    def refusing(case, *given):
+        raise InputError("E101", "load is beyond reach")
+
     assert bearing.check() is None
-    pad = bb.parse_case(bb.template("thrust")).replace({"pads.pivot.kind": "point"})
-    assert pad.check() is None
+    monkeypatch.setattr(sweeping, "solve", refusing)
+    with pytest.raises(bb.CaseError) as caught:
+        bearing.solve()
+    assert [problem.field for problem in caught.value.problems] == ["load"]
+
+
+def test_what_cannot_be_balanced_or_compared_is_a_case_error():
+    bearing = bb.parse_case(bb.template("thrust"))
+    with pytest.raises(bb.CaseError, match=r"pads.pivot.radius: .* no tilt balances"):
+        bearing.replace({"pads.pivot.radius": "250 mm"})
+    with pytest.raises(bb.CaseError, match=r"nothing to compare|method"):
+        bearing.compare()
 
 
 def test_a_sweep_refuses_what_it_cannot_go_through(bearing):
