@@ -16,7 +16,6 @@ from pathlib import Path
 from PIL import Image
 
 import babbitt
-from babbitt.report.document import write_report
 
 ROOT = Path(__file__).parents[1]
 PAGES = (1, 6)
@@ -44,7 +43,7 @@ def main() -> None:
     machine = babbitt.solve(babbitt.load_case(ROOT / "examples" / "marine_reverse_gear.yaml"))
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "report.pdf"
-        write_report(machine, report)
+        machine.write_report(report)
         images = [page_image(report, page) for page in PAGES]
     width = sum(image.width for image in images) + GAP * (len(images) - 1)
     picture = Image.new("L", (width, images[0].height), 255)

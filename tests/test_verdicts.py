@@ -7,10 +7,11 @@ from dataclasses import replace
 
 import pytest
 
-from babbitt import parse_case, solve
+from babbitt import parse_case
 from babbitt.cli import main
 from babbitt.core.notices import EXPLANATIONS, Effect, Notice, Subject
 from babbitt.core.result import Bound, Check, Outcome, Result, Verdict
+from babbitt.solving import solve
 
 FILM = Check("C101", "minimum_film_thickness", 30e-6, 10e-6, Bound.AT_LEAST, "test")
 WARM = Check("C104", "outlet_temperature", 353.15, 373.15, Bound.AT_MOST, "test")

@@ -3,7 +3,7 @@
 >>> import babbitt
 >>> case = babbitt.parse_case(babbitt.template("journal"))
 >>> result = babbitt.solve(case).results[0]
->>> result.outcome.solved
+>>> result.solved
 True
 """
 
@@ -13,6 +13,9 @@ TYPE_CHECKING = False  # the module typing takes longer than this one
 if TYPE_CHECKING:
     from typing import Any
 
+    from babbitt.api.answers import (
+        solve,
+    )
     from babbitt.api.bearings import (
         Footstep,
         HydrostaticJournal,
@@ -171,13 +174,11 @@ if TYPE_CHECKING:
     from babbitt.properties.lubricants import (
         lubricant,
     )
-    from babbitt.solving import (
-        solve,
-    )
 
 __version__ = "0.1.0"
 
 _NAMES = {
+    "babbitt.api.answers": "solve",
     "babbitt.api.bearings": (
         "Footstep HydrostaticJournal HydrostaticPad JackingPocket JournalBearing Machine "
         "OverhungCoupling ThrustBearing ThrustLine ThrustRing"
@@ -212,7 +213,6 @@ _NAMES = {
     "babbitt.case": "CaseError template",
     "babbitt.core.notices": "InputError",
     "babbitt.properties.lubricants": "lubricant",
-    "babbitt.solving": "solve",
 }
 """What is public, by the module where it stands."""
 

@@ -76,31 +76,21 @@ class MachineResult:
         return replace(self, solutions=tuple(one.without_state() for one in self.solutions))
 
 
-def solve(case: CaseFile, watch: ProgressCallback = no_progress) -> MachineResult:
+def solve(case: CaseFile, progress: ProgressCallback = no_progress) -> MachineResult:
     """Solve every bearing of a case.
 
     Parameters
     ----------
     case : CaseFile
         From `babbitt.load_case` or `babbitt.parse_case`.
-    watch : callable
+    progress : callable
         Hands on the numbers of the cycles of an orbit, which takes long, and may show how far it is.
 
     Returns
     -------
     MachineResult
-
-    Raises
-    ------
-    TypeError
-        If `case` is not a case, such as the path of its file.
     """
-    if not isinstance(case, CaseFile):
-        given = type(case).__name__
-        raise TypeError(
-            f"solve takes a case, not {given}; read one with babbitt.load_case(path) or parse_case(text)"
-        )
-    solutions: Sequence[Solution] = [found for one in case.calculations() for found in one.solve(watch)]
+    solutions: Sequence[Solution] = [found for one in case.calculations() for found in one.solve(progress)]
     return MachineResult(
         case.name, tuple(solutions), case_hash(case), case_text=case.text, source=case.source, notes=case.notes
     )

@@ -19,7 +19,7 @@ import pytest
 import babbitt
 import babbitt as bb
 from babbitt import case as case_language
-from babbitt.api import sweeping
+from babbitt import solving
 from babbitt.case import case_hash
 from babbitt.case.part import Part
 from babbitt.case.problems import Problem
@@ -266,7 +266,7 @@ def test_a_refusal_of_a_method_is_a_case_error(bearing, monkeypatch):
         raise InputError("E101", "load is beyond reach")
 
     assert bearing.check() is None
-    monkeypatch.setattr(sweeping, "solve", refusing)
+    monkeypatch.setattr(solving, "solve", refusing)
     with pytest.raises(bb.CaseError) as caught:
         bearing.solve()
     assert [problem.field for problem in caught.value.problems] == ["load"]

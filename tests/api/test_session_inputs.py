@@ -166,3 +166,14 @@ def test_a_published_case_runs_by_its_name():
     compared = bb.validate("raimondi_boyd_1958")
     assert compared
     assert all(one.ok for one in compared if one.judged)
+
+
+def test_a_case_is_solved_to_its_bearings(point):
+    machine = bb.solve(point)
+    assert [one.name for one in machine] == ["Journal bearing"]
+    assert machine["Journal bearing"] == point.solve()
+    assert machine.solved
+    with pytest.raises(bb.CaseError, match="load"):
+        bb.solve(point.replace(load=None))
+    with pytest.raises(TypeError, match="load_case"):
+        bb.solve("journal.yaml")

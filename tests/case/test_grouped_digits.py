@@ -2,8 +2,8 @@
 
 import pytest
 
-from babbitt import solve
 from babbitt.case import case_from_dict
+from babbitt.solving import solve
 
 JOURNAL = {
     "kind": "journal",

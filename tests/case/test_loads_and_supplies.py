@@ -4,10 +4,10 @@ import math
 
 import pytest
 
-from babbitt import solve
 from babbitt.case import CaseError, case_from_dict
 from babbitt.core.notices import EXPLANATIONS
 from babbitt.core.notices.explanation import Effect
+from babbitt.solving import solve
 
 JOURNAL = {
     "kind": "journal",

@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import pytest
 
-from babbitt import solve
 from babbitt.case import case_from_dict
 from babbitt.design.cooling import heat_transfer_coefficient, pedestal_surface
 from babbitt.kinds.journal.iso7902 import check
 from babbitt.numerics.roots import find_root
+from babbitt.solving import solve
 
 RING = {
     "kind": "journal",

@@ -19,6 +19,7 @@ from babbitt.case import kinds
 from babbitt.core.quantities import QUANTITIES
 from babbitt.report import content as report_content
 from babbitt.report.export import to_json
+from babbitt.solving import solve
 
 HERE = Path(__file__).parent
 EXAMPLES = HERE.parents[1] / "examples"
@@ -48,7 +49,7 @@ def answer(name: str) -> dict[str, Any]:
     """Results and report of one case, without what is volatile."""
     source = CASES[name]
     case = babbitt.load_case(source) if isinstance(source, Path) else babbitt.parse_case(babbitt.template(source))
-    machine = babbitt.solve(case)
+    machine = solve(case)
     made = {"results": to_json(machine), "report": report_content.content(machine)}
     kept: dict[str, Any] = json.loads(json.dumps(lasting(made)))
     return kept

@@ -21,7 +21,7 @@ from hydrostatic_bearings import (
     journal,
 )
 
-from babbitt import load_case, solve
+from babbitt import load_case
 from babbitt.case import parse_case, template
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
@@ -51,6 +51,7 @@ from babbitt.kinds.hydrostatic.surfaces import FilmOil, journal_surface
 from babbitt.kinds.hydrostatic.validity import of_powers
 from babbitt.report.export import to_json
 from babbitt.reynolds.recess.recess_film import RecessFilm
+from babbitt.solving import solve
 from babbitt.study.comparison import compare_methods
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

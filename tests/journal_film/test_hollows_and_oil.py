@@ -5,7 +5,8 @@ import math
 import film_bearings
 import pytest
 
-from babbitt import parse_case, solve
+from babbitt import parse_case
+from babbitt.solving import solve
 
 BASE = """
 kind: journal

@@ -9,12 +9,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from babbitt import solve
 from babbitt.case import parse_case
 from babbitt.core.result_name import ResultName
 from babbitt.report.chapters import chapters
 from babbitt.report.names import bearing_of, counted_results, listed, shortened, split_clearance
 from babbitt.report.totals import totals
+from babbitt.solving import solve
 
 MEAN = ResultName("A", clearance="mean")
 GEAR = [f"Pinion {letter}" for letter in "ABCDEFGHIJK"]

@@ -135,7 +135,7 @@ class Case(CaseFile):
         """
         from babbitt.solving import refusal_of
 
-        complete = self._complete()
+        complete = self.complete()
         if (refusal := refusal_of(complete)) is not None:
             raise located(refusal, complete, type(self).__name__)
 
@@ -158,8 +158,8 @@ class Case(CaseFile):
         CaseError
             With all that is wrong or missing.
         """
-        from babbitt.api.answers import answer
-        from babbitt.api.sweeping import over_arrays, solutions_of
+        from babbitt.api.answers import answer, solutions_of
+        from babbitt.api.sweeping import over_arrays
 
         values = {**(changes or {}), **fields}
         if (answers := over_arrays(self, values)) is not None:
@@ -209,7 +209,7 @@ class Case(CaseFile):
         """
         from babbitt.study.comparison import compare_methods
 
-        complete = self._complete()
+        complete = self.complete()
         try:
             return compare_methods(complete)
         except InputError as error:
@@ -223,14 +223,15 @@ class Case(CaseFile):
         CaseError
             With what is missing.
         """
-        return self._complete().text
+        return self.complete().text
 
-    def _complete(self) -> Self:
+    def complete(self) -> Self:
         """Itself where nothing is missing; values that were copied in unchecked are checked.
 
         Raises
         ------
         CaseError
+            With what is missing.
         """
         origin = self.origin or self._origin_of(self.given)
         if self.missing:

@@ -7,15 +7,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from babbitt.api.answers import first_answer
+from babbitt.api.answers import first_answer, solutions_of
 from babbitt.api.fields import field_annotations, quantity_in, takes_list
 from babbitt.api.given import as_given
-from babbitt.case.loading import located
 from babbitt.case.problems import CaseError, Problem
 from babbitt.core.notices import InputError
 from babbitt.core.units import read
 from babbitt.core.units.foreign import as_python
-from babbitt.solving import MachineResult, solve
+from babbitt.solving import MachineResult
 
 if TYPE_CHECKING:
     import numpy as np
@@ -23,22 +22,7 @@ if TYPE_CHECKING:
     from babbitt.api.case import Case
     from babbitt.api.result_set import ResultSet
 
-__all__ = ["over_arrays", "over_product", "solutions_of"]
-
-
-def solutions_of(case: Case) -> MachineResult:
-    """Solve a case that is complete.
-
-    Raises
-    ------
-    CaseError
-        With what is missing, and for what a method refuses.
-    """
-    complete = case._complete()
-    try:
-        return solve(complete)
-    except InputError as error:
-        raise located(error, complete, type(case).__name__) from None
+__all__ = ["over_arrays", "over_product"]
 
 
 def over_arrays(case: Case, values: Mapping[str, Any]) -> ResultSet | None:
@@ -106,7 +90,7 @@ def _solved(
 ) -> ResultSet:
     from babbitt.api.result_set import ResultSet
 
-    cases = [case.replace(point)._complete() for point in points]
+    cases = [case.replace(point).complete() for point in points]
     several = next((one for one in cases if len(one.calculations()) != 1), None)
     if several is not None:
         says = f"has {len(several.calculations())} bearings, operating points and clearances"

@@ -124,6 +124,16 @@ class CaseFile(Part):
         """
         return given
 
+    def complete(self) -> Self:
+        """Give the case as it can be solved; what was read from a file is.
+
+        Raises
+        ------
+        CaseError
+            With what is missing, of a case that a program makes step by step.
+        """
+        return self
+
     @abstractmethod
     def calculations(self) -> tuple[Calculation, ...]:
         """Give what is to be computed and how: numbers in SI, all choices made, in the order of the file."""
