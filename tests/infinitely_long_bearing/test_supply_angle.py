@@ -8,7 +8,6 @@ import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-import babbitt
 from babbitt.case import parse_case
 from babbitt.core.notices import InputError
 from babbitt.kinds.journal.infinitely_long_bearing.model import Discretisation, LongFilm
@@ -16,6 +15,7 @@ from babbitt.kinds.journal.infinitely_long_bearing.pressure import Gap, divergen
 from babbitt.kinds.journal.infinitely_long_bearing.solve import film_at_eccentricity
 from babbitt.report.columns import ABSENT
 from babbitt.report.sweep_columns import sweep_columns
+from babbitt.solving import solve
 from babbitt.validation.published.long_film_bearing import film
 
 FORMS = {"divergence": divergence_form, "published": published_form}
@@ -99,25 +99,25 @@ def test_supply_too_far_from_the_widest_gap(degrees):
 
 
 def test_case_file_with_angle_of_supply_and_constants_of_the_oil():
-    result = babbitt.solve(parse_case(CASE))["bearing"]
+    result = solve(parse_case(CASE))["bearing"]
     # c = 56.32 um: the reference of the published mode at 56.33 um (own numbers, 1 %)
     assert result.relative_load == pytest.approx(23.31, rel=0.01)
     assert math.degrees(result.supply_angle) == pytest.approx(180.0)
     text = CASE.replace("{discretisation: published_mean}", "{supply_angle: 240 deg}")
-    turned = babbitt.solve(parse_case(text))["bearing"]
+    turned = solve(parse_case(text))["bearing"]
     assert math.degrees(turned.arrays["film_angle"][0][0]) == pytest.approx(60.0)
     assert any("240 deg behind the narrowest gap" in said for said in turned.assumptions)
 
 
 def test_ratio_of_figure_3_is_that_along_the_line_of_centres():
     """The prototype of the published mode gives 0.83 with friction of the film zone, 3000 rpm, 0.8."""
-    result = babbitt.solve(parse_case(CASE))["bearing"]
+    result = solve(parse_case(CASE))["bearing"]
     assert result.mean_temperature_relative_load_ratio == pytest.approx(0.831, abs=0.005)
     assert abs(result.mean_temperature_load_ratio - result.mean_temperature_relative_load_ratio) > 0.005
 
 
 def test_sweep_shows_the_relative_load():
-    result = babbitt.solve(parse_case(CASE))["bearing"]
+    result = solve(parse_case(CASE))["bearing"]
     (column,) = (one for one in sweep_columns([result]) if one.heading == "W_pr")
     assert float(column.cells([result])[0]) == pytest.approx(result.relative_load, rel=1e-3)
     other = replace(result, values={name: v for name, v in result.values.items() if name != "relative_load"})
