@@ -28,7 +28,7 @@ from babbitt.kinds.hydrostatic.model import Duty, HydrostaticCase, Oil, Recesses
 from babbitt.kinds.hydrostatic.network import Feeding
 from babbitt.kinds.hydrostatic.restrictors import Capillary
 from babbitt.kinds.hydrostatic.single_recess import gap_under, pad_at
-from babbitt.kinds.hydrostatic.state import Ending, rest_under
+from babbitt.kinds.hydrostatic.state import SearchOutcome, rest_under
 from babbitt.kinds.hydrostatic.supply import FixedPressure
 from babbitt.kinds.hydrostatic.surfaces import FilmOil, journal_surface, ring_surface
 
@@ -87,7 +87,7 @@ def quick_journal() -> None:
 
 def quick_ring() -> None:
     found = answer(QUICK_RING)
-    if found.ending is not Ending.SOLVED:
+    if found.ending is not SearchOutcome.SOLVED:
         raise RuntimeError(f"quick ring: {found.ending}")
     impedance(found.response, found.network, OIL, 0.0)
 

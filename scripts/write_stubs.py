@@ -18,7 +18,7 @@ from typing import Any, Literal
 from babbitt.api.bearings import JournalBearing
 from babbitt.api.case import Case
 from babbitt.api.fields import quantity_in
-from babbitt.api.methods import MethodGiven
+from babbitt.api.methods import MethodOptions
 from babbitt.case.part import Part
 from babbitt.case.shorthand import Shorthand
 
@@ -76,13 +76,13 @@ def _own(cls: type) -> Iterator[str]:
     if issubclass(cls, Case):
         yield "model: ClassVar[type[CaseFile]]"
         yield "default_name: ClassVar[str]"
-    if issubclass(cls, MethodGiven):
+    if issubclass(cls, MethodOptions):
         yield "method: ClassVar[str]"
 
 
 def _keywords(cls: type[Part]) -> Iterator[str]:
     for name, field in cls.model_fields.items():
-        also = " | MethodGiven" if cls is JournalBearing and name == "method" else ""
+        also = " | MethodOptions" if cls is JournalBearing and name == "method" else ""
         yield f"{name}: {_type(field.rebuild_annotation())}{also} | None = ..."
 
 
@@ -126,7 +126,7 @@ def _rest(module: Any) -> Iterator[str]:
         yield "PUBLIC: Mapping[type[CaseFile], type[Case]]\n"
         yield "def public_case(case: CaseFile) -> CaseFile: ...\n"
     if module.__name__.endswith("methods"):
-        yield "METHODS: Mapping[str, type[MethodGiven]]\n"
+        yield "METHODS: Mapping[str, type[MethodOptions]]\n"
 
 
 if __name__ == "__main__":

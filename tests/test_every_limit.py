@@ -121,7 +121,7 @@ def test_a_kind_that_is_held_against_nothing_has_no_verdict():
 
 
 SOLVERS = {
-    "solve_journal", "film_at_position", "settled_film", "solve_thermal_journal",
+    "solve_journal", "film_at_position", "converged_film", "solve_thermal_journal",
     "thermal_film_at", "elastic_film", "elastic_thermal_film", "feed_film", "closed_film", "tilt_coefficients",
     "operating_film", "thermal_operating_film", "film_equilibrium", "solve_sector", "find_equilibrium",
 }  # fmt: skip

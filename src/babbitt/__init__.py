@@ -75,11 +75,11 @@ if TYPE_CHECKING:
     )
     from babbitt.api.footstep_parts import (
         FigureRanges,
+        FootstepGroove,
+        FootstepOil,
+        FootstepOptions,
+        FootstepWall,
         Heel,
-        HeelGroove,
-        HeelOil,
-        HeelOptions,
-        HeelWall,
     )
     from babbitt.api.hydrostatic_parts import (
         AnnularPad,
@@ -192,7 +192,7 @@ _NAMES = {
         "RelativeClearance Ring SizeLimits Structure Supply Surfaces Tube TwoPointLubricant "
         "ViscosityIndexLubricant VogelLubricant WaltherLubricant"
     ),
-    "babbitt.api.footstep_parts": "FigureRanges Heel HeelGroove HeelOil HeelOptions HeelWall",
+    "babbitt.api.footstep_parts": "FigureRanges Heel FootstepGroove FootstepOil FootstepOptions FootstepWall",
     "babbitt.api.hydrostatic_parts": (
         "AnnularPad Capillary CircularPad ConstantFlow FlowValve HydrostaticOil HydrostaticSupply "
         "MembraneValve MeteredFlow Orifice RecessOil RecessRow RectangularPad Slot"
@@ -255,10 +255,10 @@ __all__ = [
     "HalfSpace",
     "HeatExchange",
     "Heel",
-    "HeelGroove",
-    "HeelOil",
-    "HeelOptions",
-    "HeelWall",
+    "FootstepGroove",
+    "FootstepOil",
+    "FootstepOptions",
+    "FootstepWall",
     "Hole",
     "HoleElement",
     "HydrostaticJournal",

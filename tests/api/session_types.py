@@ -1,4 +1,4 @@
-"""The lines of a session that a strict type checker reads without complaint; `test_types.py` has it do so."""
+"""The lines of a session that a strict type checker reads without issue; `test_types.py` has it do so."""
 
 import numpy as np
 

@@ -13,10 +13,10 @@ from babbitt.kinds.journal.iso7902.model import (
     Curves,
     DesignCase,
     Friction,
-    GivenEccentricity,
-    GivenLoad,
     HousingCooling,
     OilSupply,
+    PrescribedEccentricity,
+    PrescribedLoad,
 )
 from babbitt.kinds.journal.iso7902.supply import Arrangement, CircumferentialGroove, Holes, Pockets
 from babbitt.properties.fits import Clearance
@@ -50,7 +50,7 @@ def test_the_numbers():
     assert (case.bearing.diameter, case.bearing.width, case.bearing.span) == (0.2, 0.1, 180)
     assert case.bearing.relative_clearance == pytest.approx(1.5e-3, rel=1e-14)
     assert (case.bearing.expansion_bearing, case.bearing.expansion_journal) == (23e-6, 11e-6)
-    assert case.duty == GivenLoad(40e3)
+    assert case.duty == PrescribedLoad(40e3)
     assert case.journal_speed == pytest.approx(100.0 * math.pi)
     assert case.bearing_speed == pytest.approx(10.0 * math.pi / 3.0)
     assert case.oil_supply == OilSupply(323.15, 0.2e6)
@@ -116,7 +116,7 @@ def test_the_range_of_a_speed_is_that_of_its_magnitude(speed):
 
 
 def test_prescribed_eccentricity():
-    assert built(load=None, eccentricity_ratio=0.6).duty == GivenEccentricity(0.6)
+    assert built(load=None, eccentricity_ratio=0.6).duty == PrescribedEccentricity(0.6)
 
 
 @pytest.mark.parametrize(
@@ -183,8 +183,8 @@ def test_uneven_pockets_set_the_span(pockets, span, word):
     assert case.bearing.span == span
     assert case.bearing.supply_element == Pockets(0.07, Arrangement.BOTH_SIDES)
     assert any(word in text for text in case.assumptions)
-    doubts = {notice.code for notice in case.doubts}
-    assert doubts == ({"W104", "W105"} if word == "flatters" else {"W104"})
+    warnings = {notice.code for notice in case.warnings}
+    assert warnings == ({"W104", "W105"} if word == "flatters" else {"W104"})
 
 
 def test_a_span_given_beside_uneven_pockets_wins_and_is_told():
@@ -261,11 +261,15 @@ def test_operating_points_override():
     }
     base, slow, turned, fixed = case_from_dict(given).problems()
     assert [case.name for case in (base, slow)] == ["Test [base]", "Test [slow]"]
-    assert (base.duty, base.bearing.span) == (GivenLoad(40e3), 180)
+    assert (base.duty, base.bearing.span) == (PrescribedLoad(40e3), 180)
     assert slow.journal_speed == pytest.approx(100.0 * math.pi / 30.0)
     assert (slow.oil_supply.temperature, slow.oil_supply.pressure) == (pytest.approx(333.15), 3e5)
-    assert (turned.duty, turned.bearing.span, turned.journal_speed) == (GivenLoad(10e3), 120, base.journal_speed)
-    assert (fixed.duty, fixed.bearing.span, fixed.journal_speed) == (GivenEccentricity(0.5), 90, 200.0)
+    assert (turned.duty, turned.bearing.span, turned.journal_speed) == (
+        PrescribedLoad(10e3),
+        120,
+        base.journal_speed,
+    )
+    assert (fixed.duty, fixed.bearing.span, fixed.journal_speed) == (PrescribedEccentricity(0.5), 90, 200.0)
 
 
 def test_operating_points_and_clearances_together():
@@ -415,7 +419,7 @@ def test_several_holes_do_not_interact():
 
 
 def doubts_of_a(**changes):
-    return {notice.code: notice.message for notice in built(**changes).doubts}
+    return {notice.code: notice.message for notice in built(**changes).warnings}
 
 
 def test_a_span_wider_than_a_half_groove_leaves_is_told():

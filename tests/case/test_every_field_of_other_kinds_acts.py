@@ -15,7 +15,7 @@ from babbitt.case import CaseError, case_from_dict, template
 from babbitt.case.part import Part
 from babbitt.core.notices import InputError
 from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
-from babbitt.kinds.footstep.case.footstep import ScrewHeelCase
+from babbitt.kinds.footstep.case.footstep import FootstepCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_journal import HydrostaticJournalCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_pad import HydrostaticPadCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_thrust_ring import HydrostaticThrustRingCase
@@ -34,7 +34,7 @@ KINDS = {
     "hydrostatic_journal": HydrostaticJournalCase,
     "hydrostatic_thrust_ring": HydrostaticThrustRingCase,
     "jacking_pocket": JackingPocketCase,
-    "screw_heel": ScrewHeelCase,
+    "screw_heel": FootstepCase,
     "overhung_coupling": OverhungCouplingCase,
 }
 VISCOUS = {"kind": "viscosity", "viscosity": "45 mPa s"}
@@ -375,7 +375,7 @@ def test_inertias_that_no_tilt_feels_are_told(kind, pads, unread):
     base = given(kind)
     inertias = {"inertia_radial": "0.06 kg m2", "inertia_along": "0.05 kg m2"}
     (design,) = case_from_dict(base | {"pads": base["pads"] | pads | inertias}).problems()
-    said = [f"{one.code} {one.message}" for one in getattr(design, "thrust", design).doubts]
+    said = [f"{one.code} {one.message}" for one in getattr(design, "thrust", design).warnings]
     assert {one for one in ("pads.inertia_radial", "pads.inertia_along") if is_told_unread(one, said)} == unread
 
 

@@ -20,10 +20,10 @@ JOURNAL = {
 }
 
 
-def doubts(**changes) -> list[str]:
+def warnings(**changes) -> list[str]:
     (case,) = case_from_dict(JOURNAL | changes).problems()
-    assert {notice.code for notice in case.doubts} <= {"W181"}
-    return [notice.message for notice in case.doubts]
+    assert {notice.code for notice in case.warnings} <= {"W181"}
+    return [notice.message for notice in case.warnings]
 
 
 @pytest.mark.parametrize(
@@ -36,7 +36,7 @@ def doubts(**changes) -> list[str]:
     ],
 )
 def test_three_digits_after_the_point(load, thousands, plain):
-    assert doubts(load=load) == [
+    assert warnings(load=load) == [
         f"load: '{load}' was read with a decimal point; write '{thousands}' if thousands were meant, or '{plain}'"
     ]
 
@@ -46,19 +46,19 @@ def test_three_digits_after_the_point(load, thousands, plain):
     ["12 kN", "12.5 kN", "12.50 kN", "12000 N", "12.0000 kN", "1234.500 N", "1.250e4 N", "6.125 kN", "3.999 kN"],
 )
 def test_loads_that_stay_quiet(load):
-    assert doubts(load=load) == []
+    assert warnings(load=load) == []
 
 
 def test_what_a_thousand_times_would_be_refused_stays_quiet():
     """A bore of 80.025 mm is one of a drawing; nobody means 80 m."""
-    assert doubts(diameter="80.025 mm", width="40.125 mm", span="180.000 deg") == []
-    assert doubts(clearance={"kind": "diametral", "mean": "0.120 mm"}) == []
+    assert warnings(diameter="80.025 mm", width="40.125 mm", span="180.000 deg") == []
+    assert warnings(clearance={"kind": "diametral", "mean": "0.120 mm"}) == []
 
 
 def test_the_digits_of_a_point_are_its_own():
     points = [{"name": "base"}, {"name": "light", "load": "1.500 kN"}]
     cases = case_from_dict(JOURNAL | {"operating_points": points}).problems()
-    told = [[notice.message.split(":")[0] for notice in case.doubts] for case in cases]
+    told = [[notice.message.split(":")[0] for notice in case.warnings] for case in cases]
     assert told == [[], ["operating_points.1.load"]]
 
 
@@ -72,10 +72,10 @@ def test_what_a_machine_shares_is_told_at_each_bearing():
         "supply": {"temperature": "50 degC", "pressure": "1.500 bar"},
         "bearings": [own, own | {"name": "Other", "load": "5.500 kN"}],
     }
-    told = [[one.message.split(":")[0] for one in case.doubts] for case in case_from_dict(machine).problems()]
+    told = [[one.message.split(":")[0] for one in case.warnings] for case in case_from_dict(machine).problems()]
     assert told == [[], ["load"]]  # 1500 bar is no supply pressure
     machine["supply"]["circulation_time"] = "2.500 min"
-    told = [[one.message.split(":")[0] for one in case.doubts] for case in case_from_dict(machine).problems()]
+    told = [[one.message.split(":")[0] for one in case.warnings] for case in case_from_dict(machine).problems()]
     assert told == [["supply.circulation_time"], ["supply.circulation_time", "load"]]
 
 

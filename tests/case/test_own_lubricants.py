@@ -5,9 +5,9 @@ import math
 import pytest
 from pydantic import TypeAdapter, ValidationError
 
-from babbitt.case.parts.lubricant import LubricantGiven
+from babbitt.case.parts.lubricant import LubricantInput
 
-ADAPTER = TypeAdapter(LubricantGiven)
+ADAPTER = TypeAdapter(LubricantInput)
 
 
 def made(given):

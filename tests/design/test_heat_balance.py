@@ -8,7 +8,7 @@ import pytest
 
 from babbitt.core.result import Outcome
 from babbitt.design.conditions import HousingCooling
-from babbitt.design.heat_balance import SPARING, THOROUGH, NoFilmError, find_equilibrium
+from babbitt.design.heat_balance import COARSE_SEARCH, FINE_SEARCH, NoFilmError, find_equilibrium
 
 COOLED = SimpleNamespace(oil_supply=None, cooling=HousingCooling(300.0, 1.0, 1.0))
 """Carries away 1 W for each kelvin above 300 K."""
@@ -35,14 +35,14 @@ def counted(heat, last=math.inf):
     return film_at, asked
 
 
-@pytest.mark.parametrize("policy", [THOROUGH, SPARING])
+@pytest.mark.parametrize("policy", [FINE_SEARCH, COARSE_SEARCH])
 @pytest.mark.parametrize("root", [300.4, 303.0, 341.7, 500.0])
 def test_a_falling_friction_has_one_equilibrium(policy, root):
     film_at, asked = counted(lambda t: (root - 300.0) * math.exp((root - t) / 20.0))
     found = find_equilibrium(COOLED, film_at, policy)
     assert found.outcome is Outcome.CONVERGED
     assert found.last_temperature == pytest.approx(root, abs=1e-7)
-    if policy is SPARING:
+    if policy is COARSE_SEARCH:
         assert len(asked) < 40
 
 
@@ -51,7 +51,7 @@ def test_the_sparing_search_finds_the_coolest_of_three_where_they_lie_kelvins_ap
     def heat(t):
         return (t - 300.0) + 0.01 * (330.0 - t) * (338.0 - t) * (346.0 - t)
 
-    found = find_equilibrium(COOLED, counted(heat)[0], SPARING)
+    found = find_equilibrium(COOLED, counted(heat)[0], COARSE_SEARCH)
     assert found.last_temperature == pytest.approx(330.0, abs=1e-6)
 
 
@@ -59,34 +59,34 @@ def test_the_sparing_search_sees_a_dip_between_its_steps():
     def heat(t):
         return (t - 300.0) + 0.05 * ((t - 345.0) ** 2 - 4.0)  # negative between 343 and 347 only
 
-    found = find_equilibrium(COOLED, counted(heat)[0], SPARING)
+    found = find_equilibrium(COOLED, counted(heat)[0], COARSE_SEARCH)
     assert found.outcome is Outcome.CONVERGED
     assert found.last_temperature == pytest.approx(343.0, abs=1e-6)
 
 
 def test_a_film_that_gives_way_is_asked_few_times_beyond():
     film_at, asked = counted(lambda t: 1000.0 + t, last=377.7)
-    found = find_equilibrium(COOLED, film_at, SPARING)
+    found = find_equilibrium(COOLED, film_at, COARSE_SEARCH)
     assert found.outcome is Outcome.OVERLOADED
     assert found.film is not None
-    assert 377.7 - SPARING.edge <= found.last_temperature <= 377.7
+    assert 377.7 - COARSE_SEARCH.edge <= found.last_temperature <= 377.7
     assert sum(t > 377.7 for t in asked) <= 10
     assert len(asked) < 40
 
 
 def test_an_equilibrium_just_before_the_film_gives_way_is_found():
     film_at, _ = counted(lambda t: 60.0 * math.exp((360.0 - t) / 3.0), last=361.0)
-    found = find_equilibrium(COOLED, film_at, SPARING)
+    found = find_equilibrium(COOLED, film_at, COARSE_SEARCH)
     assert found.outcome is Outcome.CONVERGED
     assert found.last_temperature == pytest.approx(360.0, abs=1e-7)
 
 
 def test_a_budget_that_runs_out_is_an_outcome():
-    scarce = replace(SPARING, most_evaluations=5)
+    scarce = replace(COARSE_SEARCH, most_evaluations=5)
     film_at, asked = counted(lambda t: 1000.0 + t)
     found = find_equilibrium(COOLED, film_at, scarce)
     assert found.outcome is Outcome.NOT_CONVERGED
     assert found.film is not None
     assert len(asked) == found.evaluations == 5
-    full = find_equilibrium(COOLED, counted(lambda t: 1000.0 + t)[0], SPARING)
+    full = find_equilibrium(COOLED, counted(lambda t: 1000.0 + t)[0], COARSE_SEARCH)
     assert full.outcome is Outcome.THERMAL_RUNAWAY

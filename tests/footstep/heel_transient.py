@@ -13,7 +13,7 @@ import numpy as np
 
 from babbitt.kinds.footstep.face import number
 from babbitt.kinds.footstep.model import Footstep
-from babbitt.kinds.footstep.superposition import GroovedHeel
+from babbitt.kinds.footstep.superposition import GroovedFootstep
 
 NODES = 60
 """Along the groove."""
@@ -28,10 +28,10 @@ class HeelInTime:
     phi: np.ndarray
     clearance_temperature: float
     largest_step: float = 0.05
-    model: GroovedHeel = field(init=False)
+    model: GroovedFootstep = field(init=False)
 
     def __post_init__(self):
-        self.model = GroovedHeel(self.footstep)
+        self.model = GroovedFootstep(self.footstep)
         part = self.footstep.geometry
         self.clearance_volume = 2.0 * math.pi * part.radius * part.length * self.footstep.clearance
 

@@ -3,11 +3,11 @@
 import math
 
 from babbitt.case import template
-from babbitt.kinds.footstep.model import Footstep, HeelGeometry, HeelOil, ScrewGroove
+from babbitt.kinds.footstep.model import Footstep, FootstepGeometry, FootstepOil, ScrewGroove
 
-GEOMETRY = HeelGeometry(35e-3, 21.8e-3, 14e-3, 5e-3, 5e-3)
+GEOMETRY = FootstepGeometry(35e-3, 21.8e-3, 14e-3, 5e-3, 5e-3)
 GROOVE = ScrewGroove(math.radians(10.0), 0.3e-3, 1.2e-3, 3.58e-3, 5)
-OIL = HeelOil(0.0225, 298.15, 0.026, 1.76e6, 880.0)
+OIL = FootstepOil(0.0225, 298.15, 0.026, 1.76e6, 880.0)
 
 STUDY = (
     template("screw_heel")

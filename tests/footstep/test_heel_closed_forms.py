@@ -13,8 +13,8 @@ from babbitt.kinds.footstep.face import Face, number
 from babbitt.kinds.footstep.model import (
     BackflowViscosity,
     FaceOutlet,
+    FootstepOptions,
     FrictionViscosity,
-    HeelOptions,
     LoadReference,
 )
 from babbitt.kinds.footstep.states import (
@@ -24,7 +24,7 @@ from babbitt.kinds.footstep.states import (
     roots_of_balance,
     steady_states,
 )
-from babbitt.kinds.footstep.superposition import GrooveChannel, GroovedHeel
+from babbitt.kinds.footstep.superposition import GrooveChannel, GroovedFootstep
 
 CONSTANT = replace(OIL, exponent=0.0)
 
@@ -110,7 +110,7 @@ def test_a_finer_search_finds_no_other_states(monkeypatch):
     for samples in (600, 1200):
         monkeypatch.setattr("babbitt.kinds.footstep.states.SAMPLES", samples)
         found[samples] = [
-            roots_of_balance(GroovedHeel(footstep(gap, clearance)))
+            roots_of_balance(GroovedFootstep(footstep(gap, clearance)))
             for gap, clearance in ((20, 20), (12, 10.6), (40, 15))
         ]
     for coarse, fine in zip(found[600], found[1200], strict=True):
@@ -131,7 +131,7 @@ heels = st.builds(
 @given(heels)
 def test_the_residual_is_negative_at_both_ends(step):
     """So that the number of steady states is even."""
-    model = GroovedHeel(step)
+    model = GroovedFootstep(step)
     ends = np.array([1e-12, 1.0]) * model.channel.largest_flow
     assert (model.residual(ends) < 0.0).all()
     if not has_steady_state(model):
@@ -176,21 +176,21 @@ def test_similarity(step, c):
 
 def test_load_counts_absolute_or_gauge_pressures():
     area = math.pi * (GEOMETRY.radius**2 - GEOMETRY.bore_radius**2)
-    gauge = footstep(options=HeelOptions(load_reference=LoadReference.GAUGE))
+    gauge = footstep(options=FootstepOptions(load_reference=LoadReference.GAUGE))
     for absolute, above in zip(steady_states(footstep()), steady_states(gauge), strict=True):
         assert absolute.load - above.load == pytest.approx(area * 0.101e6, rel=1e-12)
 
 
 def test_printed_outlet_temperature_differs_little():
     """At most 0.7 K at h = 5 µm and below 0.2 % of the load, as the specification of the correction says."""
-    printed = steady_states(footstep(5.0, options=HeelOptions(face_outlet=FaceOutlet.PRINTED)))[0]
+    printed = steady_states(footstep(5.0, options=FootstepOptions(face_outlet=FaceOutlet.PRINTED)))[0]
     ours = steady_states(footstep(5.0))[0]
     assert 0.2 < abs(printed.face_temperature - ours.face_temperature) < 0.7
     assert printed.load == pytest.approx(ours.load, rel=2e-3)
 
 
 def test_viscosity_of_friction_is_a_choice():
-    mixed = steady_states(footstep(options=HeelOptions(friction_viscosity=FrictionViscosity.MIXED)))[0]
+    mixed = steady_states(footstep(options=FootstepOptions(friction_viscosity=FrictionViscosity.MIXED)))[0]
     mean = steady_states(footstep())[0]
     assert mixed.load == mean.load
     hot, land = OIL.at(mean.groove_temperature), OIL.at(mean.rim_temperature)
@@ -203,7 +203,7 @@ def test_viscosity_of_friction_is_a_choice():
 
 
 def test_hot_oil_that_flows_back_flows_more_easily():
-    choice = HeelOptions(backflow_viscosity=BackflowViscosity.GROOVE)
+    choice = FootstepOptions(backflow_viscosity=BackflowViscosity.GROOVE)
     cold = steady_states(footstep(options=choice))[-1]
     usual = steady_states(footstep())[-1]
     assert cold.face_flow < 0.0
@@ -221,14 +221,14 @@ def test_hot_oil_that_flows_back_flows_more_easily():
 
 def test_entry_loss_lowers_the_pressure_of_the_groove():
     flow = number(1e-7)
-    free, lossy = GrooveChannel(footstep()), GrooveChannel(footstep(options=HeelOptions(entry_loss=1.0)))
+    free, lossy = GrooveChannel(footstep()), GrooveChannel(footstep(options=FootstepOptions(entry_loss=1.0)))
     loss = float(free.end(flow)[0] - lossy.end(flow)[0])
     assert loss == pytest.approx(0.5 * 880.0 * (1e-7 / (6e-3 * 0.3e-3)) ** 2, rel=1e-4)
-    assert steady_states(footstep(options=HeelOptions(entry_loss=1.0)))[0].load == pytest.approx(
+    assert steady_states(footstep(options=FootstepOptions(entry_loss=1.0)))[0].load == pytest.approx(
         steady_states(footstep())[0].load, rel=1e-6
     )
 
 
 def test_speed_reduction_removes_the_states_of_small_clearances():
     with pytest.raises(NoSteadyStateError):
-        steady_states(footstep(11.0, 10.0, options=HeelOptions(speed_reduction=0.25)))
+        steady_states(footstep(11.0, 10.0, options=FootstepOptions(speed_reduction=0.25)))

@@ -7,7 +7,7 @@ import pytest
 from heels import GEOMETRY, GROOVE, OIL, footstep
 
 from babbitt.core.notices import InputError
-from babbitt.kinds.footstep.model import HeelOptions, Wall
+from babbitt.kinds.footstep.model import FootstepOptions, Wall
 
 UNUSABLE = (0.0, -1.0, math.nan, math.inf)
 
@@ -42,8 +42,8 @@ def test_operation(name, value):
 @pytest.mark.parametrize("value", [-1e-9, math.nan])
 def test_exponents_and_factors(value):
     refused(lambda: replace(OIL, exponent=value), "exponent")
-    refused(lambda: HeelOptions(speed_reduction=value), "speed_reduction")
-    refused(lambda: HeelOptions(entry_loss=value), "entry_loss")
+    refused(lambda: FootstepOptions(speed_reduction=value), "speed_reduction")
+    refused(lambda: FootstepOptions(entry_loss=value), "entry_loss")
     refused(lambda: Wall(300.0, value), "conductance")
 
 
@@ -70,7 +70,7 @@ def test_grooves_that_do_not_close():
     wide = replace(GROOVE, land_width=3.75e-3)
     assert wide.misfit(GEOMETRY.radius) == pytest.approx(0.0403, abs=1e-3)
     refused(lambda: footstep(groove=wide), "+4.1 %", "3 %", "normal to the groove")
-    assert footstep(groove=wide, options=HeelOptions(any_pitch=True)).groove is wide
+    assert footstep(groove=wide, options=FootstepOptions(any_pitch=True)).groove is wide
     assert abs(GROOVE.misfit(GEOMETRY.radius)) == pytest.approx(0.0048, abs=1e-4)  # the published pump
 
 

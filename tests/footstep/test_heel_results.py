@@ -1,4 +1,4 @@
-"""From a case file of a footstep to results: states, doubts, status without a steady state, conventions."""
+"""From a case file of a footstep to results: states, warnings, status without a steady state, conventions."""
 
 import json
 

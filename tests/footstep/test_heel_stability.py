@@ -10,7 +10,7 @@ from heels import GROOVE, OIL, footstep
 
 from babbitt.kinds.footstep.draining import cold_groove_drains
 from babbitt.kinds.footstep.face import number
-from babbitt.kinds.footstep.model import HeelOptions, Wall
+from babbitt.kinds.footstep.model import FootstepOptions, Wall
 from babbitt.kinds.footstep.stability import RimDisturbance, stability_of_films
 from babbitt.kinds.footstep.states import (
     Method,
@@ -20,8 +20,8 @@ from babbitt.kinds.footstep.states import (
     roots_of_balance,
     steady_states,
 )
-from babbitt.kinds.footstep.superposition import GroovedHeel
-from babbitt.kinds.footstep.thermal_films import WarmFilms
+from babbitt.kinds.footstep.superposition import GroovedFootstep
+from babbitt.kinds.footstep.thermal_films import ThermalFilms
 
 PLACES = ((20.0, 20.0), (40.0, 15.0), (20.0, 10.6))
 """Face gap and clearance, um, of the march in time."""
@@ -50,7 +50,7 @@ def test_the_hot_state_is_left_and_the_cold_one_returns(place):
 
 def test_the_growth_rate_is_that_of_the_transient():
     step = footstep()
-    model, hot = GroovedHeel(step), steady_states(step)[0]
+    model, hot = GroovedFootstep(step), steady_states(step)[0]
     rate = RimDisturbance(model, model.balance(number(hot.groove_flow))).growth_rate()
     heel = HeelInTime.at(step, hot, -1e-7, nodes=600)  # what grows is carried a fortieth of the groove meanwhile
     heel.largest_step = 4e-3
@@ -65,7 +65,7 @@ def test_the_growth_rate_is_that_of_the_transient():
 @pytest.mark.parametrize("place", PLACES)
 def test_slow_disturbances_see_the_slope_of_the_balance(place, options):
     """F(0) is dR/dQ_k; the slow root is zero exactly where it is."""
-    model = GroovedHeel(footstep(*place, options=HeelOptions(**options)))
+    model = GroovedFootstep(footstep(*place, options=FootstepOptions(**options)))
     for flow in (*roots_of_balance(model), *(0.3 * model.channel.largest_flow * np.array([0.01, 0.1, 1.0]))):
         settled = RimDisturbance(model, model.balance(number(flow))).balance(np.array([0j]))[0]
         more, less = (float(model.residual(number(flow * (1.0 + sign * 1e-6)))) for sign in (1.0, -1.0))
@@ -75,7 +75,7 @@ def test_slow_disturbances_see_the_slope_of_the_balance(place, options):
 
 def test_frozen_temperatures_always_bring_the_rim_back():
     """Pressures settle: with temperatures as they are more groove flow leaves less for the clearance."""
-    model = GroovedHeel(footstep())
+    model = GroovedFootstep(footstep())
     for flow in model.channel.largest_flow * np.geomspace(1e-5, 0.99, 20):
         assert RimDisturbance(model, model.balance(number(flow))).balance(np.array([np.inf + 0j]))[0].real < -1.0
 
@@ -93,7 +93,7 @@ def test_a_weak_groove_of_cold_oil_is_the_closed_form():
     for rpm in (200.0, 400.0, 500.0, 700.0, 1450.0):
         step = footstep(oil=replace(OIL, exponent=0.0), angular_speed=rpm * math.pi / 30.0)
         (state,) = steady_states(step)
-        channel, mu, part = GroovedHeel(step).channel, OIL.viscosity, step.geometry
+        channel, mu, part = GroovedFootstep(step).channel, OIL.viscosity, step.geometry
         leak = math.pi * part.radius * step.clearance**3 / (6.0 * mu * part.length)
         groove = channel.width * GROOVE.depth**3 / (12.0 * mu * channel.length)
         face = math.pi / (6.0 * mu * step.kappa)
@@ -118,7 +118,7 @@ def test_heat_of_a_draining_groove_is_what_it_dissipates():
     """rho_c |q| dtheta/ds = mu M3/(12 h_k³), integrated from the rim by small steps."""
     step = footstep(angular_speed=400.0 * math.pi / 30.0)
     (state,) = steady_states(step)
-    channel = GroovedHeel(step).channel
+    channel = GroovedFootstep(step).channel
     q = state.groove_flow / channel.width
     n = 6.0 * (channel.speed * channel.depth - 2.0 * q)
     m3 = n * n + 12.0 * (channel.depth * channel.speed) ** 2
@@ -158,7 +158,7 @@ def test_films_return_where_their_rule_says_so():
     checked = []
     for conductance, clearance, gap in ((10.0, 20.0, 20.0), (0.02, 12.0, 20.0), (0.005, 20.0, 20.0)):
         step = footstep(gap, clearance, wall=Wall(298.15, conductance))
-        model = WarmFilms(step)
+        model = ThermalFilms(step)
         for state in steady_states(step, Method.NARROW_GROOVE):
             flow = -state.leakage
             drain, heating = model.film_slopes(flow, np.array([state.rim_temperature, state.face_temperature]))
@@ -186,7 +186,7 @@ def test_no_state_where_heat_robs_the_groove():
 def test_one_reduced_speed_in_every_friction_term():
     """The friction of a smooth heel goes with the square of the reduced speed, all of it."""
     plain = footstep(groove=None)
-    reduced = footstep(groove=None, options=HeelOptions(speed_reduction=0.25))
+    reduced = footstep(groove=None, options=FootstepOptions(speed_reduction=0.25))
     slower = footstep(groove=None, angular_speed=plain.angular_speed / 1.25)
     (one,), (two,), (three,) = (steady_states(step) for step in (plain, reduced, slower))
     assert two.friction_power == pytest.approx(one.friction_power / 1.25**2, rel=1e-12)

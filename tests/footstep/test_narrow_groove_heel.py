@@ -10,10 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from babbitt.core.notices import InputError
-from babbitt.kinds.footstep.model import BackflowViscosity, FaceOutlet, FrictionViscosity, HeelOptions, Wall
+from babbitt.kinds.footstep.model import BackflowViscosity, FaceOutlet, FootstepOptions, FrictionViscosity, Wall
 from babbitt.kinds.footstep.narrow_groove import NarrowGrooveAnnulus
 from babbitt.kinds.footstep.states import Method, StateName, steady_states
-from babbitt.kinds.footstep.thermal_films import WarmFilms
+from babbitt.kinds.footstep.thermal_films import ThermalFilms
 
 
 def test_without_depth_the_groove_is_a_plain_clearance():
@@ -40,7 +40,7 @@ def test_viscous_heat_is_positive(share, angle, depth, flow, clearance):
     groove = replace(
         GROOVE, angle=math.radians(angle), depth=depth, groove_width=4e-3 * share, land_width=4e-3 * (1.0 - share)
     )
-    step = footstep(20.0, clearance, groove=groove, options=HeelOptions(any_pitch=True))
+    step = footstep(20.0, clearance, groove=groove, options=FootstepOptions(any_pitch=True))
     assert float(NarrowGrooveAnnulus(step).heat(np.asarray(flow))) > 0.0
 
 
@@ -107,7 +107,7 @@ def test_constant_viscosity_is_the_linear_network():
     face, leak = math.pi / (6.0 * mu * step.kappa), annulus.conductance / mu
     rise = (annulus.dragged_flow + face * (0.63e6 - 0.101e6)) / (face + leak)
     assert state.rim_pressure - 0.101e6 == pytest.approx(rise, rel=1e-9)
-    assert WarmFilms(step).residual(np.asarray(-state.leakage)) == pytest.approx(0.0, abs=1e-3)
+    assert ThermalFilms(step).residual(np.asarray(-state.leakage)) == pytest.approx(0.0, abs=1e-3)
 
 
 OF_THE_STUDY = {
@@ -121,7 +121,7 @@ OF_THE_STUDY = {
 
 @pytest.mark.parametrize("name", OF_THE_STUDY)
 def test_options_of_the_study_are_refused_in_python_too(name):
-    step = footstep(options=HeelOptions(**{name: OF_THE_STUDY[name]}))
+    step = footstep(options=FootstepOptions(**{name: OF_THE_STUDY[name]}))
     with pytest.raises(InputError, match=name):
         steady_states(step, Method.NARROW_GROOVE)
     assert steady_states(step)

@@ -8,9 +8,9 @@ from heels import footstep
 
 from babbitt.kinds.footstep.check import heel_results
 from babbitt.kinds.footstep.face import Face
-from babbitt.kinds.footstep.heat_residual import leaving_flow, needed_flow, uncounted_heat
+from babbitt.kinds.footstep.heat_residual import heat_residual, leaving_flow, needed_flow
 from babbitt.kinds.footstep.model import Wall
-from babbitt.kinds.footstep.model_case import HeelCase
+from babbitt.kinds.footstep.model_case import FootstepProblem
 from babbitt.kinds.footstep.states import Method, steady_states
 
 
@@ -18,7 +18,7 @@ def test_the_shear_of_a_smooth_heel_warms_nothing():
     """59 W of shear in the clearance would heat the leakage by 696 K; what the face rubs comes on top."""
     step = footstep(groove=None)
     (state,) = steady_states(step)
-    heat, rise = uncounted_heat(step, state, Method.SUPERPOSITION)
+    heat, rise = heat_residual(step, state, Method.SUPERPOSITION)
     inlet, outlet = step.oil.temperature, state.face_temperature
     face = Face(step).shear_power(step.oil.at(0.5 * (inlet + outlet)), step.angular_speed)
     clearance = state.friction_power - face
@@ -33,7 +33,7 @@ def test_the_shear_of_a_smooth_heel_warms_nothing():
 def test_the_groove_counts_its_own_heat():
     step = footstep()
     hot = steady_states(step)[0]
-    heat, rise = uncounted_heat(step, hot, Method.SUPERPOSITION)
+    heat, rise = heat_residual(step, hot, Method.SUPERPOSITION)
     carried = 1.76e6 * hot.leakage * (hot.rim_temperature - step.oil.temperature)
     assert 0.0 < heat < hot.friction_power
     pressure = (step.supply_pressure - step.ambient_pressure) * hot.face_flow
@@ -45,13 +45,13 @@ def test_metal_takes_it():
     wall = Wall(298.15, 10.0)
     for groove in ({}, {"groove": None}):
         (state,) = steady_states(footstep(wall=wall, **groove), Method.NARROW_GROOVE)
-        heat, rise = uncounted_heat(footstep(wall=wall, **groove), state, Method.NARROW_GROOVE)
+        heat, rise = heat_residual(footstep(wall=wall, **groove), state, Method.NARROW_GROOVE)
         # The second film takes its oil at the temperature of the inlet: what the first gave it is lost.
         first = state.face_temperature if state.leakage > 0.0 else state.rim_temperature
         assert heat == pytest.approx(1.76e6 * abs(state.leakage) * (first - 298.15), rel=1e-6)
         assert 0.0 < rise < 0.1
         (state,) = steady_states(footstep(**groove), Method.NARROW_GROOVE)
-        heat, rise = uncounted_heat(footstep(**groove), state, Method.NARROW_GROOVE)
+        heat, rise = heat_residual(footstep(**groove), state, Method.NARROW_GROOVE)
         through = (0.63e6 - 0.101e6) * state.face_flow
         assert heat == pytest.approx(state.friction_power + through, rel=1e-9)
         assert rise > 5.0
@@ -62,7 +62,7 @@ def test_no_oil_that_leaves_takes_no_heat():
     step = footstep(groove=None)
     (state,) = steady_states(step, Method.NARROW_GROOVE)
     still = replace(state, leakage=0.0)
-    heat, rise = uncounted_heat(step, still, Method.NARROW_GROOVE)
+    heat, rise = heat_residual(step, still, Method.NARROW_GROOVE)
     assert heat > 0.0
     assert rise == math.inf
 
@@ -70,7 +70,7 @@ def test_no_oil_that_leaves_takes_no_heat():
 @pytest.mark.parametrize(("clearance", "advised"), [(10.0, True), (60.0, False)])
 def test_a_rise_that_oil_cannot_have_is_advice(clearance, advised):
     """Flow falls with the cube of the clearance, and friction rises: 100 K lie between. C131 tells either side."""
-    (result,) = heel_results(HeelCase("Heel", footstep(groove=None, clearance=clearance)))
+    (result,) = heel_results(FootstepProblem("Heel", footstep(groove=None, clearance=clearance)))
     (told,) = (notice.message for notice in result.warnings if notice.code == "W171")
     (check,) = (check for check in result.checks if check.code == "C131")
     assert check.advisory
@@ -87,7 +87,7 @@ def test_the_needed_oil_warms_by_the_rise_it_is_told_for(method, clearance):
     step = footstep(groove=None, clearance=clearance)
     for asked in (step, replace(step, wall=Wall(298.15, 0.05))) if method is Method.NARROW_GROOVE else (step,):
         (state,) = steady_states(asked, method)
-        heat, rise = uncounted_heat(asked, state, method)
+        heat, rise = heat_residual(asked, state, method)
         needed = needed_flow(asked, state, method, 100.0)
         metal = 0.0 if asked.wall is None else 0.05
         if needed > 0.0:
@@ -105,7 +105,7 @@ def test_the_needed_oil_warms_by_the_rise_it_is_told_for(method, clearance):
 def test_what_the_advice_about_hot_grooves_says_makes_them_cooler(cooler):
     """W161."""
     hot = {"face_gap": 10.0, "clearance": 22.0}
-    (result, *_) = heel_results(HeelCase("Heel", footstep(**hot)))
+    (result, *_) = heel_results(FootstepProblem("Heel", footstep(**hot)))
     assert "W161" in {notice.code for notice in result.warnings}
     changed = steady_states(footstep(**(hot | cooler)))[0]
     assert changed.maximum_temperature < result.maximum_temperature

@@ -1,4 +1,4 @@
-"""The design check by segments: results, doubts, statuses, and input that cannot be used."""
+"""The design check by segments: results, warnings, statuses, and input that cannot be used."""
 
 import math
 from dataclasses import replace
@@ -9,7 +9,7 @@ import babbitt
 from babbitt.case import CaseError, parse_case
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
-from babbitt.design.conditions import GivenEccentricity, GivenLoad, Limits, OilSupply
+from babbitt.design.conditions import Limits, OilSupply, PrescribedEccentricity, PrescribedLoad
 from babbitt.kinds.journal.grooved_long_bearing.check import segments_check
 from babbitt.kinds.journal.grooved_long_bearing.model import Groove, GrooveKind, SegmentBearing, SegmentCase
 from babbitt.kinds.journal.grooved_long_bearing.solve import film_at_eccentricity, film_under_load
@@ -21,7 +21,7 @@ GOOD = film("through", cells=360)
 PLAIN = SegmentCase(
     "bearing",
     SegmentBearing(0.1, 0.07, 1.53e-3),
-    GivenEccentricity(0.8),
+    PrescribedEccentricity(0.8),
     200.0,
     oil(19.5, 2.2),
     OilSupply(40.0 + ZERO, 0.0),
@@ -102,7 +102,7 @@ def test_power_law_ends_at_zero_celsius():
 
 
 def test_operating_point_of_a_grooved_film():
-    result = segments_check(replace(GROOVED, duty=GivenLoad(6.5e6 * 0.007)))
+    result = segments_check(replace(GROOVED, duty=PrescribedLoad(6.5e6 * 0.007)))
     assert result.outcome.solved
     told = next(notice for notice in result.warnings if notice.code == "W153")
     assert "108 °C" in told.message
@@ -149,28 +149,33 @@ def test_blind_groove_without_enough_oil():
 @pytest.mark.parametrize(
     ("change", "code"),
     [
-        ({"duty": GivenEccentricity(0.97)}, "W107"),
-        ({"duty": GivenEccentricity(0.97)}, "W116"),
+        ({"duty": PrescribedEccentricity(0.97)}, "W107"),
+        ({"duty": PrescribedEccentricity(0.97)}, "W116"),
         ({"bearing": SegmentBearing(0.1, 0.07, 0.011)}, "W151"),
-        ({"duty": GivenEccentricity(0.98), "bearing": replace(PLAIN.bearing, roughness=(6.3e-7, 3.2e-7))}, "W155"),
+        (
+            {"duty": PrescribedEccentricity(0.98), "bearing": replace(PLAIN.bearing, roughness=(6.3e-7, 3.2e-7))},
+            "W155",
+        ),
     ],
 )  # fmt: skip
 def test_doubts(change, code):
     assert code in codes(segments_check(replace(PLAIN, **change)))
-    assert code not in codes(segments_check(replace(PLAIN, duty=GivenEccentricity(0.3))))
+    assert code not in codes(segments_check(replace(PLAIN, duty=PrescribedEccentricity(0.3))))
 
 
 @pytest.mark.parametrize(("factor", "told"), [(2.9, True), (3.1, False)])
 def test_touch_is_judged_by_the_rms_roughness(factor, told):
     """Heights of a normal distribution have Rq = sqrt(pi/2) Ra; surfaces begin to touch below 3 sigma."""
-    least = segments_check(replace(PLAIN, duty=GivenEccentricity(0.9))).minimum_film_thickness
+    least = segments_check(replace(PLAIN, duty=PrescribedEccentricity(0.9))).minimum_film_thickness
     mean = least / (factor * math.sqrt(math.pi / 2.0) * math.sqrt(2.0))
-    rough = replace(PLAIN, duty=GivenEccentricity(0.9), bearing=replace(PLAIN.bearing, roughness=(mean, mean)))
+    rough = replace(
+        PLAIN, duty=PrescribedEccentricity(0.9), bearing=replace(PLAIN.bearing, roughness=(mean, mean))
+    )
     assert ("W155" in codes(segments_check(rough))) is told
 
 
 def test_too_large_a_load_tells_the_best_it_reached():
-    result = segments_check(replace(PLAIN, duty=GivenLoad(1e6)))
+    result = segments_check(replace(PLAIN, duty=PrescribedLoad(1e6)))
     assert result.outcome is Outcome.OVERLOADED
     assert "best specific load reached was" in result.message
     assert "MPa" in result.message
@@ -267,7 +272,7 @@ def test_reversed_rotation_mirrors_the_segments():
     assert back.outlet_temperature == there.outlet_temperature
 
 
-@pytest.mark.parametrize("duty", [GivenLoad(28e3), GivenEccentricity(0.5)])
+@pytest.mark.parametrize("duty", [PrescribedLoad(28e3), PrescribedEccentricity(0.5)])
 def test_oil_colder_than_its_law_is_not_called_overloaded(duty):
     result = segments_check(replace(PLAIN, duty=duty, oil_supply=OilSupply(ZERO - 10.0, 0.0)))
     assert result.outcome is Outcome.NO_LUBRICANT_DATA
@@ -275,7 +280,7 @@ def test_oil_colder_than_its_law_is_not_called_overloaded(duty):
 
 
 def test_one_doubt_about_temperatures_is_enough():
-    hot = segments_check(replace(PLAIN, duty=GivenEccentricity(0.97)))
+    hot = segments_check(replace(PLAIN, duty=PrescribedEccentricity(0.97)))
     assert [notice.code for notice in hot.warnings].count("W107") == 1
 
 
@@ -300,9 +305,9 @@ def judged(result):
 
 def test_segments_without_sides_are_never_judged_thick_enough():
     """A film found from its load is thinner in a bearing with sides, and so is a wall's that yields."""
-    loaded = segments_check(replace(PLAIN, duty=GivenLoad(5e3)))
-    soft = segments_check(replace(PLAIN, duty=GivenEccentricity(0.5), compliance=1e-13))
-    given = segments_check(replace(PLAIN, duty=GivenEccentricity(0.5)))
+    loaded = segments_check(replace(PLAIN, duty=PrescribedLoad(5e3)))
+    soft = segments_check(replace(PLAIN, duty=PrescribedEccentricity(0.5), compliance=1e-13))
+    given = segments_check(replace(PLAIN, duty=PrescribedEccentricity(0.5)))
     for result in (loaded, soft, given):
         assert result.minimum_film_thickness > result.empirical_film_limit
     for result in (loaded, soft):
@@ -313,7 +318,7 @@ def test_segments_without_sides_are_never_judged_thick_enough():
 
 
 def test_segments_too_thin_even_without_sides_fail():
-    result = segments_check(replace(PLAIN, duty=GivenLoad(5e3), limits=Limits(minimum_film_thickness=1e-4)))
+    result = segments_check(replace(PLAIN, duty=PrescribedLoad(5e3), limits=Limits(minimum_film_thickness=1e-4)))
     assert judged(result)[0]["C101"] is False
 
 
@@ -325,6 +330,8 @@ def test_segments_of_a_narrow_bearing_are_doubted():
     )
     assert (
         "thicker"
-        in {one.code: one.message for one in segments_check(replace(PLAIN, duty=GivenLoad(5e3))).warnings}["W158"]
+        in {one.code: one.message for one in segments_check(replace(PLAIN, duty=PrescribedLoad(5e3))).warnings}[
+            "W158"
+        ]
     )
     assert "W158" not in codes(segments_check(wide))

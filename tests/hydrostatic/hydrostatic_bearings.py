@@ -6,7 +6,7 @@ import numpy as np
 
 from babbitt.kinds.hydrostatic.geometry import AnnularPad, CircularPad, RecessedJournal, ThrustRing
 from babbitt.kinds.hydrostatic.impedance import Compressibility
-from babbitt.kinds.hydrostatic.model import Duty, HydrostaticCase, Oil, Recesses
+from babbitt.kinds.hydrostatic.model import HydrostaticCase, Oil, OperatingConditions, Recesses
 from babbitt.kinds.hydrostatic.network import Feeding
 from babbitt.kinds.hydrostatic.restrictors import Capillary, Orifice
 from babbitt.kinds.hydrostatic.supply import FixedPressure
@@ -55,7 +55,7 @@ def case(shape=None, duty=None, method="film", kind="hydrostatic_journal", fed=N
         "shape": shape,
         "feeding": fed or feeding(),
         "oil": oil or Oil(0.02, 870.0, 2000.0),
-        "duty": duty or Duty(20e3, -0.5 * math.pi, angular_speed=SPEED),
+        "duty": duty or OperatingConditions(20e3, -0.5 * math.pi, angular_speed=SPEED),
         "recesses": Recesses(1e-3),
         "compressibility": Compressibility(3.6651914e-6, 1e9),
         "accuracy": "draft",

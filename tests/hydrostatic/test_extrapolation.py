@@ -7,12 +7,12 @@ import pytest
 from hydrostatic_bearings import CLEARANCE, SPEED, case, down
 
 from babbitt.kinds.hydrostatic.check import hydrostatic_check
-from babbitt.kinds.hydrostatic.model import Duty
+from babbitt.kinds.hydrostatic.model import OperatingConditions
 
 
 def test_reference_is_the_extrapolated_film():
     """The prototype's own extrapolation of the bearing at rest at half the clearance."""
-    made = case(duty=Duty(None, position=tuple(down(0.5))), accuracy="reference")
+    made = case(duty=OperatingConditions(None, position=tuple(down(0.5))), accuracy="reference")
     result = hydrostatic_check(made)
     assert result.settings["extrapolated"] == "yes"
     assert result.load == pytest.approx(14916.07, rel=2e-4)
@@ -27,7 +27,7 @@ def test_reference_is_the_extrapolated_film():
 
 
 def test_under_a_load_the_place_is_extrapolated():
-    made = case(duty=Duty(20e3, -0.5 * math.pi, angular_speed=SPEED), accuracy="reference")
+    made = case(duty=OperatingConditions(20e3, -0.5 * math.pi, angular_speed=SPEED), accuracy="reference")
     result = hydrostatic_check(made)
     assert result.load == pytest.approx(20e3, rel=1e-9)
     assert result.minimum_film_thickness == pytest.approx(CLEARANCE * (1.0 - result.eccentricity_ratio), rel=1e-12)
@@ -36,6 +36,6 @@ def test_under_a_load_the_place_is_extrapolated():
 
 
 def test_ruptured_films_and_closed_forms_are_left_as_they_are():
-    ruptured = case(duty=Duty(30e3, -0.5 * math.pi, angular_speed=SPEED), accuracy="reference")
+    ruptured = case(duty=OperatingConditions(30e3, -0.5 * math.pi, angular_speed=SPEED), accuracy="reference")
     for made in (ruptured, case(method="quick", accuracy="reference")):
         assert "extrapolated" not in hydrostatic_check(made).settings

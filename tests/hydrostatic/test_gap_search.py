@@ -15,7 +15,7 @@ from babbitt.kinds.hydrostatic.check import hydrostatic_check
 from babbitt.kinds.hydrostatic.closed_forms import lands_of
 from babbitt.kinds.hydrostatic.gap_search import gap_for_load
 from babbitt.kinds.hydrostatic.lumps import journal_lumps, ring_lumps
-from babbitt.kinds.hydrostatic.model import Duty, Oil
+from babbitt.kinds.hydrostatic.model import Oil, OperatingConditions
 from babbitt.kinds.hydrostatic.network import Feeding
 from babbitt.kinds.hydrostatic.restrictors import ConstantFlow, MembraneValve
 from babbitt.kinds.hydrostatic.single_recess import gap_under, pad_at
@@ -59,22 +59,30 @@ def test_no_gap_between_the_bounds():
 @pytest.mark.parametrize("method", ["quick", "film"])
 @pytest.mark.parametrize("load", [0.05, 0.0])
 def test_a_ring_lighter_than_the_widest_gap_carries_is_lifted_off(load, method):
-    result = hydrostatic_check(case(RING, Duty(load), method, "hydrostatic_thrust_ring", RING_FEEDING))
+    result = hydrostatic_check(
+        case(RING, OperatingConditions(load), method, "hydrostatic_thrust_ring", RING_FEEDING)
+    )
     assert result.outcome is Outcome.LIFTED_OFF
     assert result.outcome.code == "S303"
-    widest = answer_at(case(RING, Duty(load), "quick", "hydrostatic_thrust_ring", RING_FEEDING), np.zeros(3), 2e-3)
+    widest = answer_at(
+        case(RING, OperatingConditions(load), "quick", "hydrostatic_thrust_ring", RING_FEEDING), np.zeros(3), 2e-3
+    )
     pressed = float(widest.response.force[0])
     assert pressed > load
     assert (
         f"a gap of 2 mm, the widest that is searched, the recesses still press with {pressed:.4g} N"
         in result.message
     )
-    just = hydrostatic_check(case(RING, Duty(1.1 * pressed), "quick", "hydrostatic_thrust_ring", RING_FEEDING))
+    just = hydrostatic_check(
+        case(RING, OperatingConditions(1.1 * pressed), "quick", "hydrostatic_thrust_ring", RING_FEEDING)
+    )
     assert just.outcome is Outcome.CONVERGED
 
 
 def test_a_ring_heavier_than_the_least_gap_carries_is_overloaded():
-    result = hydrostatic_check(case(RING, Duty(1e6), "quick", "hydrostatic_thrust_ring", RING_FEEDING))
+    result = hydrostatic_check(
+        case(RING, OperatingConditions(1e6), "quick", "hydrostatic_thrust_ring", RING_FEEDING)
+    )
     assert result.outcome is Outcome.OVERLOADED
     assert "1000 kN" in result.message
 
@@ -82,7 +90,9 @@ def test_a_ring_heavier_than_the_least_gap_carries_is_overloaded():
 @pytest.mark.parametrize("method", ["quick", "film"])
 def test_a_pad_without_load_is_lifted_off(method):
     fed = Feeding((CIRCULAR_CAPILLARY,), FixedPressure(5e6))
-    result = hydrostatic_check(case(CIRCULAR, Duty(0.0), method, "hydrostatic_pad", fed, Oil(0.03, 870.0, 2000.0)))
+    result = hydrostatic_check(
+        case(CIRCULAR, OperatingConditions(0.0), method, "hydrostatic_pad", fed, Oil(0.03, 870.0, 2000.0))
+    )
     assert result.outcome is Outcome.LIFTED_OFF
 
 
@@ -144,7 +154,7 @@ def test_what_flows_along_the_lands_leaves_nowhere():
 
 def test_films_beside_closed_forms_get_every_motion():
     """The film beside a pad by closed forms stands still: its kernels read a velocity for every motion."""
-    duty, fed = Duty(11e3), Feeding((CIRCULAR_CAPILLARY,), FixedPressure(5e6))
+    duty, fed = OperatingConditions(11e3), Feeding((CIRCULAR_CAPILLARY,), FixedPressure(5e6))
     made = case(CIRCULAR, duty, "quick", "hydrostatic_pad", fed, Oil(0.03, 870.0, 2000.0))
     found = answer(made)
     film, quick = (over_gap(made, found, method) for method in ("film", "quick"))
@@ -157,7 +167,9 @@ def test_films_beside_closed_forms_get_every_motion():
 def few_recesses(count, moments):
     ring = type(RING)(RING.radii, (0.0, math.pi)[:count], math.radians(100.0))
     fed = Feeding(RING_FEEDING.restrictors[:count], RING_FEEDING.supply)
-    return hydrostatic_check(case(ring, Duty(5e3, moments=moments), "quick", "hydrostatic_thrust_ring", fed))
+    return hydrostatic_check(
+        case(ring, OperatingConditions(5e3, moments=moments), "quick", "hydrostatic_thrust_ring", fed)
+    )
 
 
 @pytest.mark.parametrize("count", [1, 2])

@@ -1,4 +1,4 @@
-"""Results of hydrostatic cases: both methods, typed failures, doubts, files, limits."""
+"""Results of hydrostatic cases: both methods, typed failures, warnings, files, limits."""
 
 import json
 import math
@@ -35,7 +35,7 @@ from babbitt.kinds.hydrostatic.impedance import Compressibility
 from babbitt.kinds.hydrostatic.jacking import jacking_check, lift_at
 from babbitt.kinds.hydrostatic.jacking_model import JackingCase
 from babbitt.kinds.hydrostatic.lines import ENGINEERING
-from babbitt.kinds.hydrostatic.model import Duty, Oil, Recesses
+from babbitt.kinds.hydrostatic.model import Oil, OperatingConditions, Recesses
 from babbitt.kinds.hydrostatic.network import Feeding
 from babbitt.kinds.hydrostatic.restrictors import (
     Capillary,
@@ -45,7 +45,7 @@ from babbitt.kinds.hydrostatic.restrictors import (
     MeteredFlow,
     Orifice,
 )
-from babbitt.kinds.hydrostatic.state import Ending
+from babbitt.kinds.hydrostatic.state import SearchOutcome
 from babbitt.kinds.hydrostatic.supply import FixedPressure, Pump
 from babbitt.kinds.hydrostatic.surfaces import FilmOil, journal_surface
 from babbitt.kinds.hydrostatic.validity import of_powers
@@ -59,7 +59,7 @@ METHODS = ("film", "quick")
 
 
 def pad_case(restrictor=CIRCULAR_CAPILLARY, load=11e3, method="film", shape=CIRCULAR, supply=5e6, **changes):
-    duty = Duty(load, angular_speed=SPEED / 3.0)
+    duty = OperatingConditions(load, angular_speed=SPEED / 3.0)
     return case(
         shape, duty, method, "hydrostatic_pad", Feeding((restrictor,), FixedPressure(supply)),
         Oil(0.03, 870.0, 2000.0), **({"recesses": Recesses(1e-3, 1.0)} | changes),
@@ -111,10 +111,10 @@ def test_every_shape_carries_its_load(method):
         pad_case(CIRCULAR_ORIFICE, method=method),
         pad_case(Capillary(0.8e-3, 0.06, 0.03, 4), 20e3, method, ANNULAR, 3e6),
         pad_case(Capillary(0.8e-3, 0.06, 0.03), 20e3, method, RectangularPad(0.2, 0.1, 0.16, 0.06), 3e6),
-        case(RING, Duty(25e3, moments=(200.0, 0.0), angular_speed=100.0), method, "hydrostatic_thrust_ring",
-             RING_FEEDING),
+        case(RING, OperatingConditions(25e3, moments=(200.0, 0.0), angular_speed=100.0), method,
+             "hydrostatic_thrust_ring", RING_FEEDING),
         case(method=method),
-        case(journal(groove=6.0), Duty(8e3, 0.3), method),
+        case(journal(groove=6.0), OperatingConditions(8e3, 0.3), method),
     )  # fmt: skip
     for made in shapes:
         result = hydrostatic_check(made)
@@ -139,7 +139,7 @@ def test_recess_pressures_and_coefficients_are_in_the_file():
 
 @pytest.mark.parametrize("method", METHODS)
 def test_overload_says_how_much_was_carried(method):
-    result = hydrostatic_check(case(duty=Duty(60e3, -0.5 * math.pi), method=method))
+    result = hydrostatic_check(case(duty=OperatingConditions(60e3, -0.5 * math.pi), method=method))
     assert result.outcome is Outcome.OVERLOADED
     assert "60 kN" in result.message
     result = hydrostatic_check(pad_case(load=30e3, method=method))
@@ -150,14 +150,16 @@ def test_overload_says_how_much_was_carried(method):
 
 def test_unstable_valves_are_not_returned():
     steep = FlowValve(1e-5, 6e-12, 1.0)
-    result = hydrostatic_check(case(duty=Duty(None, position=(0.0, -0.5 * CLEARANCE)), fed=feeding(steep)))
+    result = hydrostatic_check(
+        case(duty=OperatingConditions(None, position=(0.0, -0.5 * CLEARANCE)), fed=feeding(steep))
+    )
     assert result.outcome is Outcome.UNSTABLE_NETWORK
     assert "eigenvalue" in result.message
 
 
 def test_starved_recess_is_told():
     tight = Capillary(0.3e-3, 0.1, 0.02)
-    duty = Duty(None, position=(0.0, -0.7 * CLEARANCE), angular_speed=6.0 * SPEED)
+    duty = OperatingConditions(None, position=(0.0, -0.7 * CLEARANCE), angular_speed=6.0 * SPEED)
     result = hydrostatic_check(case(duty=duty, fed=feeding(tight)))
     assert result.outcome is Outcome.STARVED_RECESS
     assert "recess" in result.message
@@ -165,31 +167,41 @@ def test_starved_recess_is_told():
 
 def test_prescribed_place_without_gap_is_refused():
     with pytest.raises(InputError, match="-90 deg"):
-        hydrostatic_check(case(duty=Duty(None, position=(0.0, -1.01 * CLEARANCE))))
+        hydrostatic_check(case(duty=OperatingConditions(None, position=(0.0, -1.01 * CLEARANCE))))
     with pytest.raises(InputError, match="closes the gap"):
         hydrostatic_check(
-            case(RING, Duty(None, gap=20e-6, tilt=(3e-4, 0.0)), "film", "hydrostatic_thrust_ring", RING_FEEDING)
+            case(
+                RING,
+                OperatingConditions(None, gap=20e-6, tilt=(3e-4, 0.0)),
+                "film",
+                "hydrostatic_thrust_ring",
+                RING_FEEDING,
+            )
         )
     with pytest.raises(InputError, match="method: film"):
         hydrostatic_check(pad_case(method="quick", shape=RectangularPad(0.2, 0.1, 0.13, 0.03)))
 
 
 DOUBTS = {
-    "W301": lambda: case(duty=Duty(30e3, -0.5 * math.pi, angular_speed=SPEED)),
+    "W301": lambda: case(duty=OperatingConditions(30e3, -0.5 * math.pi, angular_speed=SPEED)),
     "W302": lambda: pad_case(load=2e3),
     "W303": lambda: pad_case(Capillary(0.6e-3, 0.006, 0.06)),
     "W304": lambda: pad_case(Orifice(0.25e-3, 870.0), load=12e3),
-    "W305": lambda: case(duty=Duty(10e3, angular_speed=12e3), oil=Oil(0.02, 870.0, 2000.0)),
-    "W306": lambda: case(duty=Duty(10e3, angular_speed=8.0 * SPEED)),
+    "W305": lambda: case(duty=OperatingConditions(10e3, angular_speed=12e3), oil=Oil(0.02, 870.0, 2000.0)),
+    "W306": lambda: case(duty=OperatingConditions(10e3, angular_speed=8.0 * SPEED)),
     "W307": lambda: pad_case(recesses=Recesses(0.2e-3, 1.0)),
-    "W308": lambda: case(duty=Duty(10e3, angular_speed=12e3)),
+    "W308": lambda: case(duty=OperatingConditions(10e3, angular_speed=12e3)),
     "W309": lambda: pad_case(compressibility=Compressibility(20e-6, 1.2e9)),
     "W310": lambda: pad_case(compressibility=Compressibility(2e-3, 1e9)),
     "W311": lambda: pad_case(CIRCULAR_ORIFICE, 5e3),
-    "W312": lambda: case(duty=Duty(10e3, angular_speed=4.0 * SPEED)),
+    "W312": lambda: case(duty=OperatingConditions(10e3, angular_speed=4.0 * SPEED)),
     "W313": lambda: pad_case(highest_supply_pressure=4e6),
-    "W315": lambda: case(duty=Duty(None, position=(0.0, -0.8 * CLEARANCE), angular_speed=2.0 * SPEED)),
-    "W316": lambda: case(journal(number=2, land=60.0), Duty(3e3, -0.5 * math.pi), fed=feeding(number=2)),
+    "W315": lambda: case(
+        duty=OperatingConditions(None, position=(0.0, -0.8 * CLEARANCE), angular_speed=2.0 * SPEED)
+    ),
+    "W316": lambda: case(
+        journal(number=2, land=60.0), OperatingConditions(3e3, -0.5 * math.pi), fed=feeding(number=2)
+    ),
     "W317": lambda: pad_case(method="quick", shape=RectangularPad(0.2, 0.1, 0.12, 0.06)),
     "W318": lambda: pad_case(method="quick", shape=RectangularPad(0.2, 0.1, 0.14, 0.04)),
     "W319": lambda: case(method="quick"),
@@ -221,7 +233,7 @@ def test_no_doubt_about_a_sound_pad():
 
 
 def test_check_valve_stops_the_back_flow():
-    result = hydrostatic_check(case(duty=Duty(30e3, -0.5 * math.pi, angular_speed=SPEED),
+    result = hydrostatic_check(case(duty=OperatingConditions(30e3, -0.5 * math.pi, angular_speed=SPEED),
                                     fed=feeding(CheckValve(feeding().restrictors[0]))))  # fmt: skip
     assert "W301" not in codes(result)
     assert min(result.arrays["restrictor_flow"][0]) == 0.0
@@ -232,7 +244,7 @@ def test_limits_of_the_user():
     verdicts = {check.code: check.ok for check in result.checks}
     assert verdicts == {"C301": False, "C302": False, "C303": False}
     assert not result.within_limits
-    at_least = hydrostatic_check(replace(pad_case(), duty=Duty(None, gap=45e-6)))
+    at_least = hydrostatic_check(replace(pad_case(), duty=OperatingConditions(None, gap=45e-6)))
     assert result.load_capacity == pytest.approx(at_least.load, rel=1e-9)
 
 
@@ -245,7 +257,7 @@ def test_limits_that_are_not_given_are_listed():
     assert unchecked(hydrostatic_check(pad_case())) == ["C301", "C302", "C303"]
     full = hydrostatic_check(pad_case(highest_supply_pressure=6e6, least_gap=20e-6))
     assert (unchecked(full), {check.code for check in full.checks}) == ([], {"C301", "C302", "C303"})
-    placed = hydrostatic_check(replace(pad_case(), duty=Duty(None, gap=45e-6)))
+    placed = hydrostatic_check(replace(pad_case(), duty=OperatingConditions(None, gap=45e-6)))
     assert unchecked(placed) == ["C301", "C303"]
     assert unchecked(jacking_check(jacking())) == ["C304"]
     lifted = jacking_check(jacking(lift_gap=None, pump_flow=0.1e-3 / 60.0, relief_pressure=20e6))
@@ -256,7 +268,9 @@ def test_limits_that_are_not_given_are_listed():
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("speed", [0.0, SPEED, -SPEED])
 def test_load_capacity_of_a_journal_is_the_load_at_the_least_gap(method, speed):
-    made = case(duty=Duty(10e3, -0.5 * math.pi, angular_speed=speed), method=method, least_gap=20e-6)
+    made = case(
+        duty=OperatingConditions(10e3, -0.5 * math.pi, angular_speed=speed), method=method, least_gap=20e-6
+    )
     capacity = hydrostatic_check(made).load_capacity
     loaded = hydrostatic_check(replace(made, duty=replace(made.duty, load=capacity)))
     assert loaded.minimum_film_thickness == pytest.approx(20e-6, rel=5e-3)
@@ -265,7 +279,7 @@ def test_load_capacity_of_a_journal_is_the_load_at_the_least_gap(method, speed):
 @pytest.mark.parametrize("method", METHODS)
 def test_load_capacity_of_a_ring_counts_its_moments(method):
     """Under that load with the moment the edge stands at the least gap; level, the ring would carry more."""
-    duty = Duty(20e3, moments=(500.0, 0.0))
+    duty = OperatingConditions(20e3, moments=(500.0, 0.0))
     made = case(RING, duty, method, "hydrostatic_thrust_ring", RING_FEEDING, least_gap=15e-6)
     capacity = hydrostatic_check(made).load_capacity
     loaded = hydrostatic_check(replace(made, duty=replace(duty, load=capacity)))
@@ -278,7 +292,9 @@ def test_load_capacity_of_a_ring_counts_its_moments(method):
 
 def test_a_light_runner_tilts_below_its_least_gap():
     """The moment needs load to be borne: the limit of the load is not what the runner misses."""
-    made = case(RING, Duty(9e3, moments=(300.0, 0.0)), "quick", "hydrostatic_thrust_ring", RING_FEEDING)
+    made = case(
+        RING, OperatingConditions(9e3, moments=(300.0, 0.0)), "quick", "hydrostatic_thrust_ring", RING_FEEDING
+    )
     gap = hydrostatic_check(made).minimum_film_thickness
     result = hydrostatic_check(replace(made, least_gap=1.1 * gap))
     assert {check.code: check.ok for check in result.checks} == {"C301": False, "C302": True}
@@ -290,12 +306,12 @@ def test_a_light_runner_tilts_below_its_least_gap():
 @pytest.mark.parametrize("speed", [0.0, SPEED])
 def test_load_capacity_of_a_journal_lets_it_move_aside(method, speed):
     """Three recesses and a load that points at none of them, nor between two."""
-    duty = Duty(8e3, math.radians(-67.5), angular_speed=speed)
+    duty = OperatingConditions(8e3, math.radians(-67.5), angular_speed=speed)
     made = case(journal(number=3), duty, method, fed=feeding(number=3), least_gap=20e-6)
     capacity = hydrostatic_check(made).load_capacity
     loaded = hydrostatic_check(replace(made, duty=replace(duty, load=capacity)))
     assert loaded.minimum_film_thickness == pytest.approx(20e-6, rel=1e-3)
-    held = replace(made, duty=Duty(None, position=standing(loaded, duty), angular_speed=speed))
+    held = replace(made, duty=OperatingConditions(None, position=standing(loaded, duty), angular_speed=speed))
     assert hydrostatic_check(held).load_capacity == pytest.approx(capacity, rel=1e-3)
 
 
@@ -326,9 +342,11 @@ def test_overflow_of_the_relief_valve_closes_the_powers():
 @pytest.mark.parametrize("method", METHODS)
 def test_direction_of_the_load_at_a_given_place(method):
     """The load that is found there, in the direction that is told, brings the journal back to it."""
-    place = Duty(None, position=(0.2 * CLEARANCE, -0.3 * CLEARANCE), angular_speed=SPEED)
+    place = OperatingConditions(None, position=(0.2 * CLEARANCE, -0.3 * CLEARANCE), angular_speed=SPEED)
     held = hydrostatic_check(case(duty=place, method=method))
-    under = hydrostatic_check(case(duty=Duty(held.load, held.load_angle, angular_speed=SPEED), method=method))
+    under = hydrostatic_check(
+        case(duty=OperatingConditions(held.load, held.load_angle, angular_speed=SPEED), method=method)
+    )
     assert under.eccentricity_ratio == pytest.approx(math.hypot(0.2, 0.3), rel=1e-6)
     assert under.attitude_angle == pytest.approx(held.attitude_angle, abs=1e-6)
     assert "load_angle" not in under.values
@@ -486,7 +504,11 @@ def test_how_much_was_carried_does_not_depend_on_how_much_was_asked_for(load):
 
 def test_open_restrictors_are_to_be_narrowed():
     for diameter, advice in ((3e-3, "narrow the restrictors"), (0.3e-3, "widen the restrictors")):
-        made = case(fed=feeding(Capillary(diameter, 0.1, 0.02)), duty=Duty(400e3, -0.5 * math.pi), method="quick")
+        made = case(
+            fed=feeding(Capillary(diameter, 0.1, 0.02)),
+            duty=OperatingConditions(400e3, -0.5 * math.pi),
+            method="quick",
+        )
         result = hydrostatic_check(made)
         assert result.outcome is Outcome.OVERLOADED
         assert advice in result.message
@@ -496,7 +518,7 @@ def test_a_given_viscosity_that_the_heat_contradicts_has_no_verdict():
     """At a rise of 66 K a film of mineral oil is thinner by far than one at the temperature of its supply."""
 
     def turning(times):
-        return hydrostatic_check(case(duty=Duty(10e3, -0.5 * math.pi, angular_speed=times * SPEED)))
+        return hydrostatic_check(case(duty=OperatingConditions(10e3, -0.5 * math.pi, angular_speed=times * SPEED)))
 
     warm, hot = turning(2.0), turning(3.3)
     assert 20.0 < warm.temperature_rise < 40.0 < hot.temperature_rise < 100.0
@@ -511,7 +533,9 @@ def test_absurd_heat_and_negative_damping_have_no_verdict():
     from babbitt.core.notices import EXPLANATIONS
     from babbitt.core.notices.explanation import Effect
 
-    fast = hydrostatic_check(case(duty=Duty(10e3, -0.5 * math.pi, angular_speed=100e3 * math.pi / 30.0)))
+    fast = hydrostatic_check(
+        case(duty=OperatingConditions(10e3, -0.5 * math.pi, angular_speed=100e3 * math.pi / 30.0))
+    )
     assert fast.temperature_rise > 1e4
     assert "W322" in codes(fast)
     soft = Compressibility(2e-4, 1.2e9)
@@ -540,10 +564,11 @@ def test_jacking_doubts_and_refusals():
     [
         (pad_case(), 0.5),
         (pad_case(Capillary(0.8e-3, 0.06, 0.03, 4), 20e3, "quick", ANNULAR, 3e6), 0.85),
-        (case(RING, Duty(25e3, angular_speed=100.0), "quick", "hydrostatic_thrust_ring", RING_FEEDING), 0.85),
+        (case(RING, OperatingConditions(25e3, angular_speed=100.0), "quick", "hydrostatic_thrust_ring",
+              RING_FEEDING), 0.85),
         (case(method="quick"), 1.0),
-        (case(RectangularPad(0.2, 0.1, 0.16, 0.06), Duty(20e3, sliding_speed=0.5), "quick", "hydrostatic_pad",
-              Feeding((Capillary(0.8e-3, 0.06, 0.03),), FixedPressure(3e6))), 1.0),
+        (case(RectangularPad(0.2, 0.1, 0.16, 0.06), OperatingConditions(20e3, sliding_speed=0.5), "quick",
+              "hydrostatic_pad", Feeding((Capillary(0.8e-3, 0.06, 0.03),), FixedPressure(3e6))), 1.0),
     ],
 )  # fmt: skip
 def test_a_recess_moves_no_faster_than_its_outer_edge(made, share):
@@ -587,8 +612,8 @@ def test_tilts_have_units_of_their_own():
 
 def test_numbers_of_validity_are_told():
     ring = hydrostatic_check(
-        case(RING, Duty(25e3, moments=(200.0, 0.0), angular_speed=100.0), "film", "hydrostatic_thrust_ring",
-             RING_FEEDING)
+        case(RING, OperatingConditions(25e3, moments=(200.0, 0.0), angular_speed=100.0), "film",
+             "hydrostatic_thrust_ring", RING_FEEDING)
     )  # fmt: skip
     assert ring.edge_inertia == pytest.approx(
         0.5 * 870.0 * (100.0 * 0.085) ** 2 / min(ring.arrays["recess_pressure"][0]), rel=1e-12
@@ -615,7 +640,7 @@ def test_the_gap_of_least_power_does_not_depend_on_where_one_starts(gap):
     def at(height):
         flow = 2.5e6 * lands.conductance(height, 0.03)
         made = pad_case(ConstantFlow(flow), None, "quick", recesses=Recesses(0.5e-3, 4.0))
-        return hydrostatic_check(replace(made, duty=Duty(None, gap=height, angular_speed=200.0)))
+        return hydrostatic_check(replace(made, duty=OperatingConditions(None, gap=height, angular_speed=200.0)))
 
     best = at(gap).least_power_gap
     powers = [one.pumping_power + one.friction_power for one in map(at, (0.97 * best, best, 1.03 * best))]
@@ -624,7 +649,7 @@ def test_the_gap_of_least_power_does_not_depend_on_where_one_starts(gap):
 
 def test_drained_recesses_do_not_feed_each_other():
     """Every recess lets out to ambient alone: the stiffest ratio is that of a pad."""
-    drained = case(journal(groove=6.0), Duty(5e3, -0.5 * math.pi), "quick")
+    drained = case(journal(groove=6.0), OperatingConditions(5e3, -0.5 * math.pi), "quick")
     assert hydrostatic_check(drained).stiffest_pressure_ratio == 0.5
     assert hydrostatic_check(replace(drained, shape=journal())).stiffest_pressure_ratio > 0.51
 
@@ -675,7 +700,7 @@ def test_a_recess_above_what_its_pump_reaches(method):
 
 
 def test_load_capacity_of_a_journal_ends_where_a_pump_comes_to_its_pressure():
-    made = pumped(case(duty=Duty(5e3, -0.5 * math.pi), method="quick"), 1.2e-5, least_gap=5e-6)
+    made = pumped(case(duty=OperatingConditions(5e3, -0.5 * math.pi), method="quick"), 1.2e-5, least_gap=5e-6)
     capacity = hydrostatic_check(made).load_capacity
     at_limit = hydrostatic_check(replace(made, duty=replace(made.duty, load=capacity)))
     assert max(at_limit.arrays["recess_pressure"][0]) == pytest.approx(5e6, rel=1e-3)
@@ -684,22 +709,26 @@ def test_load_capacity_of_a_journal_ends_where_a_pump_comes_to_its_pressure():
 
 def test_tilts_of_a_ring_with_one_recess_by_lumped_lands_are_not_damped():
     ring = replace(RING, recess_angles=(0.0,), recess_extent=math.radians(359.0))
-    made = case(ring, Duty(None, gap=50e-6), "quick", "hydrostatic_thrust_ring",
+    made = case(ring, OperatingConditions(None, gap=50e-6), "quick", "hydrostatic_thrust_ring",
                 Feeding(RING_FEEDING.restrictors[:1], RING_FEEDING.supply))  # fmt: skip
     result = hydrostatic_check(made)
     assert 0.0 < result.compressibility_damping_loss < 1.0
 
 
 def test_a_level_ring_has_no_tilt():
-    made = case(RING, Duty(25e3, angular_speed=100.0), "film", "hydrostatic_thrust_ring", RING_FEEDING)
+    made = case(
+        RING, OperatingConditions(25e3, angular_speed=100.0), "film", "hydrostatic_thrust_ring", RING_FEEDING
+    )
     result = hydrostatic_check(made)
     assert (result.tilt_x, result.tilt_y) == (0.0, 0.0)
 
 
 def test_lumped_lands_squeeze_at_the_gap_that_was_found():
-    loaded = case(RING, Duty(25e3, moments=(400.0, 0.0)), "quick", "hydrostatic_thrust_ring", RING_FEEDING)
+    loaded = case(
+        RING, OperatingConditions(25e3, moments=(400.0, 0.0)), "quick", "hydrostatic_thrust_ring", RING_FEEDING
+    )
     under = hydrostatic_check(loaded)
-    held = Duty(None, gap=under.gap, tilt=(under.tilt_x, under.tilt_y))
+    held = OperatingConditions(None, gap=under.gap, tilt=(under.tilt_x, under.tilt_y))
     at = hydrostatic_check(replace(loaded, duty=held))
     assert at.load == pytest.approx(25e3, rel=1e-8)
     assert at.gap_damping == pytest.approx(under.gap_damping, rel=1e-9)
@@ -709,7 +738,7 @@ def test_lumped_lands_squeeze_at_the_gap_that_was_found():
 @pytest.mark.parametrize("method", METHODS)
 def test_the_smallest_gap_of_a_tilted_ring_lies_on_its_outer_edge(method):
     """h_min = h - phi r_4; a moment of 800 N m lays that edge on the runner."""
-    duty = Duty(23843.0, moments=(300.0, -200.0))
+    duty = OperatingConditions(23843.0, moments=(300.0, -200.0))
     made = case(RING, duty, method, "hydrostatic_thrust_ring", RING_FEEDING, accuracy="draft")
     result = hydrostatic_check(made)
     edge = result.gap - math.hypot(result.tilt_x, result.tilt_y) * RING.radii.outer_radius
@@ -720,7 +749,7 @@ def test_the_smallest_gap_of_a_tilted_ring_lies_on_its_outer_edge(method):
 
 @pytest.mark.parametrize("method", METHODS)
 def test_a_moment_that_tilts_the_runner_onto_the_ring_is_named(method):
-    duty = Duty(25e3, moments=(1200.0, -1600.0))
+    duty = OperatingConditions(25e3, moments=(1200.0, -1600.0))
     tilted = case(RING, duty, method, "hydrostatic_thrust_ring", RING_FEEDING, accuracy="draft")
     result = hydrostatic_check(tilted)
     assert result.outcome is Outcome.OVERLOADED
@@ -757,7 +786,7 @@ def spindle(*bores):
 def test_recesses_may_have_different_restrictors():
     """The first recess bears the load: more oil there than in the others lifts the shaft."""
     alike, plain = hydrostatic_check(spindle(0.8, 0.8, 0.8, 0.8)), hydrostatic_check(case(
-        duty=Duty(10e3, -0.5 * math.pi), method="quick"))  # fmt: skip
+        duty=OperatingConditions(10e3, -0.5 * math.pi), method="quick"))  # fmt: skip
     assert alike.minimum_film_thickness == pytest.approx(plain.minimum_film_thickness, rel=1e-9)
     assert "stiffest_pressure_ratio" in alike.values
     lifted = hydrostatic_check(spindle(1.0, 0.8, 0.6, 0.8))
@@ -779,7 +808,9 @@ def test_recesses_may_have_different_restrictors():
 @pytest.mark.parametrize("method", METHODS)
 def test_oil_that_a_recess_pushes_back_is_not_pumped_again(method):
     """At 30 kN the loaded recess stands above the supply; the pump keeps the net flow at its pressure."""
-    result = hydrostatic_check(case(duty=Duty(30e3, -0.5 * math.pi, angular_speed=SPEED), method=method))
+    result = hydrostatic_check(
+        case(duty=OperatingConditions(30e3, -0.5 * math.pi, angular_speed=SPEED), method=method)
+    )
     assert min(result.arrays["restrictor_flow"][0]) < 0.0
     assert result.pumping_power == pytest.approx(5e6 * result.total_flow, rel=1e-12)
 
@@ -788,7 +819,7 @@ def test_oil_that_a_recess_pushes_back_is_not_pumped_again(method):
 def test_a_search_that_ends_nowhere_prints_no_absurd_gap(gap, words):
     """A ring whose tilt ran away was told to have a smallest gap of 1.75e+08 µm."""
     (case,) = parse_case(template("hydrostatic_thrust_ring")).problems()
-    lost = replace(answer(case), ending=Ending.NOT_CONVERGED, minimum_gap=gap, carried=-3e7)
+    lost = replace(answer(case), ending=SearchOutcome.NOT_CONVERGED, minimum_gap=gap, carried=-3e7)
     outcome, said = judged(case, lost)
     assert outcome is Outcome.NOT_CONVERGED
     assert words in said

@@ -11,7 +11,7 @@ from babbitt.kinds.hydrostatic.check import hydrostatic_check
 from babbitt.kinds.hydrostatic.closed_forms import crude_lands, lands_of
 from babbitt.kinds.hydrostatic.geometry import CircularPad, RectangularPad
 from babbitt.kinds.hydrostatic.impedance import Compressibility, damping_loss, impedance, static_coefficients
-from babbitt.kinds.hydrostatic.model import Duty, Oil, Recesses
+from babbitt.kinds.hydrostatic.model import Oil, OperatingConditions, Recesses
 from babbitt.kinds.hydrostatic.network import Feeding
 from babbitt.kinds.hydrostatic.optimum import (
     least_power_gap,
@@ -219,8 +219,8 @@ def test_recess_of_least_pumping_power():
 
 def test_powers_and_temperature_of_the_prototype():
     made = case(
-        CIRCULAR, Duty(None, gap=40e-6, angular_speed=SPEED), "quick", "hydrostatic_pad", fed(CIRCULAR_CAPILLARY),
-        Oil(0.03, 870.0, 2000.0), recesses=Recesses(1e-3, 1.0), compressibility=OIL,
+        CIRCULAR, OperatingConditions(None, gap=40e-6, angular_speed=SPEED), "quick", "hydrostatic_pad",
+        fed(CIRCULAR_CAPILLARY), Oil(0.03, 870.0, 2000.0), recesses=Recesses(1e-3, 1.0), compressibility=OIL,
     )  # fmt: skip
     result = hydrostatic_check(made)
     assert (result.friction_power, result.pumping_power, result.temperature_rise) == pytest.approx(

@@ -23,7 +23,7 @@ from babbitt.kinds.hydrostatic.impedance import Compressibility, impedance, stat
 from babbitt.kinds.hydrostatic.lines import DRAFT, ENGINEERING
 from babbitt.kinds.hydrostatic.lumped import centred_stiffness, lumped_at
 from babbitt.kinds.hydrostatic.lumps import journal_lumps
-from babbitt.kinds.hydrostatic.model import Duty, Oil, Recesses
+from babbitt.kinds.hydrostatic.model import Oil, OperatingConditions, Recesses
 from babbitt.kinds.hydrostatic.network import Feeding
 from babbitt.kinds.hydrostatic.restrictors import Capillary, MembraneValve, MeteredFlow
 from babbitt.kinds.hydrostatic.single_recess import pad_at
@@ -48,7 +48,10 @@ def pad(restrictor, duty, supply=None):
     )  # fmt: skip
 
 
-AT_GAP, LOADED = Duty(None, gap=40e-6, angular_speed=SPEED), Duty(15e3, angular_speed=SPEED)
+AT_GAP, LOADED = (
+    OperatingConditions(None, gap=40e-6, angular_speed=SPEED),
+    OperatingConditions(15e3, angular_speed=SPEED),
+)
 ROWS = {  # gap in um, pressure ratio, W, Q, K, C of stiff oil, friction and pumping power, temperature rise
     "capillary": (CIRCULAR_CAPILLARY, AT_GAP, "40 0.5230329 11112.062 4.2143525e-6 3.9750664e8 7.0830863e6 "
                   "170.7768 21.07176 26.1624"),

@@ -25,9 +25,9 @@ from babbitt.kinds.hydrostatic.impedance import Compressibility, impedance, stat
 from babbitt.kinds.hydrostatic.jacking import gap_for_flow, lift_at
 from babbitt.kinds.hydrostatic.jacking_model import JackingCase
 from babbitt.kinds.hydrostatic.lines import ENGINEERING, REFERENCE, Grid
-from babbitt.kinds.hydrostatic.model import Duty
+from babbitt.kinds.hydrostatic.model import OperatingConditions
 from babbitt.kinds.hydrostatic.restrictors import CheckValve, ConstantFlow, FlowValve, Orifice
-from babbitt.kinds.hydrostatic.state import Ending, rest_under, state_at
+from babbitt.kinds.hydrostatic.state import SearchOutcome, rest_under, state_at
 from babbitt.kinds.hydrostatic.supply import Pump
 
 FINE = Grid(288, 8)
@@ -149,7 +149,7 @@ def test_common_pump():
 
 
 def test_steep_flow_valves_have_no_stable_state():
-    assert at_rest(-90.0, 0.5, feeding(FlowValve(1e-5, 6e-12, 1.0))).ending is Ending.UNSTABLE_NETWORK
+    assert at_rest(-90.0, 0.5, feeding(FlowValve(1e-5, 6e-12, 1.0))).ending is SearchOutcome.UNSTABLE_NETWORK
 
 
 @pytest.mark.parametrize(
@@ -246,7 +246,7 @@ def test_hybrid_at_a_given_place():
 
 
 def test_friction_of_the_hybrid_bearing():
-    made = case(duty=Duty(20e3, -0.5 * math.pi, angular_speed=SPEED), accuracy="engineering")
+    made = case(duty=OperatingConditions(20e3, -0.5 * math.pi, angular_speed=SPEED), accuracy="engineering")
     found = answer(made)
     shear = 0.02 * SPEED
     assert shear * film_lands(found.film.film, found.at, 0.05) == pytest.approx(3.117872, rel=5e-4)
@@ -350,5 +350,5 @@ def test_load_beyond_the_film_is_overload():
     state = rest_under(
         journal_film(journal()), feeding(), np.array([0.0, -30e3]), np.zeros(2), Grid(64, 4), 0.5e-6
     )
-    assert state.ending is Ending.OVERLOADED
+    assert state.ending is SearchOutcome.OVERLOADED
     assert 0.65 < state.carried < 0.72  # 21.2 kN at most

@@ -1,4 +1,4 @@
-"""The design check of the long film: statuses, doubts, and input that cannot be used."""
+"""The design check of the long film: statuses, warnings, and input that cannot be used."""
 
 import math
 import re
@@ -11,7 +11,7 @@ import babbitt
 from babbitt.case import CaseError, parse_case
 from babbitt.core.notices import EXPLANATIONS, InputError
 from babbitt.core.result import Outcome
-from babbitt.design.conditions import GivenEccentricity, GivenLoad, OilSupply
+from babbitt.design.conditions import OilSupply, PrescribedEccentricity, PrescribedLoad
 from babbitt.kinds.journal.infinitely_long_bearing.check import long_film_check
 from babbitt.kinds.journal.infinitely_long_bearing.model import (
     BushRing,
@@ -34,7 +34,7 @@ GOOD = film(Discretisation.CONSISTENT, 3000, cells=90)
 CASE = LongFilmCase(
     "bearing",
     LongFilmBearing(0.08, 0.105, 1.408e-3),
-    GivenEccentricity(0.6),
+    PrescribedEccentricity(0.6),
     3000 * math.pi / 30,
     oil(),
     OilSupply(70.0 + ZERO, 0.0),
@@ -129,7 +129,7 @@ def test_reversal_mirrors():
 
 @pytest.mark.parametrize("mode", [Discretisation.PUBLISHED_MEAN, Discretisation.PUBLISHED_LITERAL])
 def test_published_modes_say_that_they_lose_flow(mode):
-    result = long_film_check(replace(CASE, duty=GivenEccentricity(0.8), discretisation=mode))
+    result = long_film_check(replace(CASE, duty=PrescribedEccentricity(0.8), discretisation=mode))
     told = next(notice for notice in result.warnings if notice.code == "W150")
     assert mode.value in told.message
     assert result.flow_inconsistency > 1.0
@@ -138,7 +138,7 @@ def test_published_modes_say_that_they_lose_flow(mode):
 def test_local_flow_that_turns_back_is_no_operating_point():
     cold = replace(
         CASE,
-        duty=GivenEccentricity(0.95),
+        duty=PrescribedEccentricity(0.95),
         journal_speed=5.0,
         discretisation=Discretisation.PUBLISHED_LITERAL,
         oil_supply=OilSupply(20.0 + ZERO, 0.0),
@@ -162,7 +162,7 @@ def test_journal_that_nothing_touches_has_no_temperature():
         ({"oil_supply": OilSupply(149.0 + ZERO, 0.0)}, "W107"),
         ({"journal_speed": 30000 * math.pi / 30, "oil_supply": OilSupply(110.0 + ZERO, 0.0),
           "bearing": LongFilmBearing(0.08, 0.105, 4e-3)}, "W101"),
-        ({"duty": GivenEccentricity(0.97)}, "W116"),
+        ({"duty": PrescribedEccentricity(0.97)}, "W116"),
     ],
 )  # fmt: skip
 def test_doubts(change, code):
@@ -170,7 +170,7 @@ def test_doubts(change, code):
 
 
 def test_too_large_a_load_tells_how_far_it_came():
-    result = long_film_check(replace(CASE, duty=GivenLoad(1e6)))
+    result = long_film_check(replace(CASE, duty=PrescribedLoad(1e6)))
     assert result.outcome is Outcome.OVERLOADED
     assert not result.values.keys() - {"wall_time"}
     assert "largest load reached" in result.message
@@ -309,9 +309,9 @@ def test_the_surfaces_are_no_more_kept_apart_for_sure():
 @pytest.mark.parametrize(
     ("width", "duty", "words"),
     [
-        (0.008, GivenLoad(500.0), "B/D = 0.1 < 2: the film shown is thicker"),
-        (0.105, GivenEccentricity(0.5), "B/D = 1.31 < 2: the load shown is larger"),
-        (0.17, GivenLoad(15e3), None),
+        (0.008, PrescribedLoad(500.0), "B/D = 0.1 < 2: the film shown is thicker"),
+        (0.105, PrescribedEccentricity(0.5), "B/D = 1.31 < 2: the load shown is larger"),
+        (0.17, PrescribedLoad(15e3), None),
     ],
 )
 def test_a_narrow_bearing_is_doubted(width, duty, words):

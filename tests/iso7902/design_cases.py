@@ -2,7 +2,7 @@
 
 import math
 
-from babbitt.kinds.journal.iso7902.model import Bearing, DesignCase, Friction, GivenLoad, OilSupply
+from babbitt.kinds.journal.iso7902.model import Bearing, DesignCase, Friction, OilSupply, PrescribedLoad
 from babbitt.kinds.journal.iso7902.supply import Arrangement, Holes, Pockets
 from babbitt.properties.lubricants import Lubricant, OilProperties, lubricant_from_points
 
@@ -20,7 +20,7 @@ def oil(nu40: float, nu100: float, density: float) -> Lubricant:
 CASE_A = DesignCase(
     name="A",
     bearing=Bearing(0.120, 0.060, 1.12e-3, 360, 23e-6, 11e-6, Holes(0.005, Arrangement.OPPOSITE)),
-    duty=GivenLoad(36e3),
+    duty=PrescribedLoad(36e3),
     journal_speed=2000 * RPM,
     lubricant=oil(46.0, 6.8, 870.0),
     oil_supply=OilSupply(331.15, 0.5e6),
@@ -28,7 +28,7 @@ CASE_A = DesignCase(
 CASE_C = DesignCase(
     name="C",
     bearing=Bearing(0.300, 0.200, 1.2e-3, 120, 11e-6, 11e-6, Pockets(0.146, Arrangement.BOTH_SIDES)),
-    duty=GivenLoad(150e3),
+    duty=PrescribedLoad(150e3),
     journal_speed=1400 * RPM,
     lubricant=oil(46.0, 6.8, 870.0),
     oil_supply=OilSupply(323.15, 0.15e6),

@@ -7,7 +7,7 @@ from design_cases import CASE_A, CASE_C
 
 from babbitt.core.result import Outcome
 from babbitt.design.conditions import HousingCooling
-from babbitt.kinds.journal.iso7902.model import GivenLoad
+from babbitt.kinds.journal.iso7902.model import PrescribedLoad
 from babbitt.kinds.journal.iso7902.procedure import check, check_at_temperature
 from babbitt.kinds.journal.iso7902.supply import Arrangement, Pockets
 
@@ -85,7 +85,7 @@ def test_that_the_balance_is_left_open_is_told():
 
 
 def test_what_cannot_run_ends_with_a_status():
-    overloaded = check_at_temperature(replace(CASE_A, duty=GivenLoad(36e6)), 330.0)
+    overloaded = check_at_temperature(replace(CASE_A, duty=PrescribedLoad(36e6)), 330.0)
     assert overloaded.outcome is Outcome.OVERLOADED
     assert "56.9 °C" in overloaded.message
     tight = replace(CASE_A.bearing, relative_clearance=1e-4, expansion_bearing=1e-6, expansion_journal=30e-6)

@@ -6,7 +6,7 @@ from functools import partial
 import pytest
 
 from babbitt.case import case_from_dict
-from babbitt.design.heat_balance import SPARING, THOROUGH, find_equilibrium
+from babbitt.design.heat_balance import COARSE_SEARCH, FINE_SEARCH, find_equilibrium
 from babbitt.kinds.journal.iso7902.film import curves_of, film_at
 
 
@@ -38,7 +38,7 @@ def some_bearing(seed):
 def test_both_searches_end_alike(seed):
     case = some_bearing(seed)
     film = partial(film_at, case=case, shape=curves_of(case))
-    thorough, sparing = (find_equilibrium(case, film, policy) for policy in (THOROUGH, SPARING))
+    thorough, sparing = (find_equilibrium(case, film, policy) for policy in (FINE_SEARCH, COARSE_SEARCH))
     assert sparing.outcome is thorough.outcome
     if thorough.outcome.solved:
         assert sparing.last_temperature == pytest.approx(thorough.last_temperature, abs=1e-6)

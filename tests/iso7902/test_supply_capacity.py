@@ -12,7 +12,7 @@ from babbitt.core.result import Bound, Check, Verdict
 from babbitt.design.ducts import Duct
 from babbitt.kinds.journal.case.build import film_cases, iso7902_cases
 from babbitt.kinds.journal.film.check import film_check
-from babbitt.kinds.journal.iso7902.model import GivenLoad, OilSupply
+from babbitt.kinds.journal.iso7902.model import OilSupply, PrescribedLoad
 from babbitt.kinds.journal.iso7902.procedure import check, check_at_temperature
 from babbitt.kinds.journal.iso7902.supply import (
     Arrangement,
@@ -145,7 +145,7 @@ def test_the_wider_the_hole_the_cooler_the_starved_film():
 def test_where_no_film_lives_on_what_is_delivered_the_capacity_is_a_violated_limit():
     fed = fed_by(Holes(0.0005, Arrangement.OPPOSITE))
     tight = replace(fed.bearing, relative_clearance=1.4e-3, expansion_bearing=11e-6, expansion_journal=23e-6)
-    thirsty = replace(fed, bearing=tight, duty=GivenLoad(36e3))
+    thirsty = replace(fed, bearing=tight, duty=PrescribedLoad(36e3))
     result = check(thirsty)
     assert result.outcome.solved
     assert "starved_outlet_temperature" not in result.values

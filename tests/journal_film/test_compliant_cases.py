@@ -11,7 +11,7 @@ from babbitt.kinds.journal.film import isothermal as warm_film
 from babbitt.kinds.journal.film.elastic_film import displacement_under, elastic_film
 from babbitt.kinds.journal.film.field import journal_gap
 from babbitt.kinds.journal.film.isothermal import operating_film
-from babbitt.kinds.journal.film.stable_equilibrium import settled_film
+from babbitt.kinds.journal.film.stable_equilibrium import converged_film
 from babbitt.reynolds.deformation.compliance import ColumnLiner
 from babbitt.reynolds.deformation.compliance_matrix import ComplianceMatrix
 from babbitt.reynolds.deformation.elastic_ring import ElasticRing, RingSupport
@@ -157,9 +157,9 @@ def test_a_bore_that_gives_way_beside_a_groove_is_solved_from_film_to_film(monke
 
     def counted(*given):
         searches.append(given)
-        return settled_film(*given)
+        return converged_film(*given)
 
-    monkeypatch.setattr(warm_film, "settled_film", counted)
+    monkeypatch.setattr(warm_film, "converged_film", counted)
     found = answer(
         diameter="374.43 mm", width="180.62 mm", clearance={"kind": "relative", "mean": "1.49 permille"},
         lubricant="ISO VG 68", supply={"temperature": "51.2 degC", "pressure": "0.097 MPa"}, load="138.63 kN",

@@ -12,7 +12,7 @@ from babbitt.kinds.journal.film.bore import Arc, LobedBore
 from babbitt.kinds.journal.film.elastic_film import displacement_under
 from babbitt.kinds.journal.film.equilibria import RestingPlace, RestingPlaces, find_equilibria
 from babbitt.kinds.journal.film.isothermal import operating_film
-from babbitt.kinds.journal.film.other_equilibria import doubts_about_rest, resting_places, resting_values
+from babbitt.kinds.journal.film.other_equilibria import resting_places, resting_values, warnings_about_rest
 from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.model import (
@@ -121,8 +121,8 @@ def test_places_of_which_one_is_missing_have_no_verdict():
     assert found.complete
     assert len(held) == 2
     shown = held[0].film
-    assert "W134" not in {notice.code for notice in doubts_about_rest(shown, found)}
-    assert "W134" in {notice.code for notice in doubts_about_rest(shown, RestingPlaces(held))}
+    assert "W134" not in {notice.code for notice in warnings_about_rest(shown, found)}
+    assert "W134" in {notice.code for notice in warnings_about_rest(shown, RestingPlaces(held))}
     assert EXPLANATIONS["W134"].effect is Effect.NO_VERDICT
 
 

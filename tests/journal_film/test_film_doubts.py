@@ -6,7 +6,7 @@ import pytest
 from design_cases import CASE_A
 from film_bearings import GROOVES, answer, solved
 
-from babbitt.design.warnings import doubt_about_heat_balance, doubts_about_running
+from babbitt.design.warnings import warnings_about_heat_balance, warnings_about_running
 from babbitt.kinds.journal.iso7902.procedure import check
 
 QUICK = {"accuracy": "draft", "effective_temperature": "60 degC"}
@@ -89,10 +89,10 @@ def test_a_given_film_colder_than_oil_that_is_too_hot_misses_the_limit_by_the_su
 @pytest.mark.parametrize(("error", "code"), [(-2e-3, "W325"), (math.nan, "W325"), (-1e-5, "W146"), (1e-9, None)])
 def test_heat_that_is_not_accounted_for_is_told(error, code):
     """A turbulent film whose friction jumps from one temperature to the next balances to a thousandth at best."""
-    told = [notice.code for notice in doubt_about_heat_balance(error)]
+    told = [notice.code for notice in warnings_about_heat_balance(error)]
     assert told == ([] if code is None else [code])
     values = {**check(CASE_A).values, "energy_balance_error": error}
-    running = {notice.code for notice in doubts_about_running(CASE_A, values, ())}
+    running = {notice.code for notice in warnings_about_running(CASE_A, values, ())}
     assert running & {"W146", "W325"} == set(told)
 
 

@@ -73,7 +73,7 @@ POCKET = {"kind": "pocket", "width": "80 mm", "place": "opposite"}
 
 
 def codes(case):
-    return [doubt.code for doubt in case.doubts]
+    return [warning.code for warning in case.warnings]
 
 
 @pytest.mark.parametrize("element", [HOLE, SLOT, POCKET, HOLE | {"place": "side"}])
@@ -108,20 +108,20 @@ def test_lines_of_supply_that_stand_for_nothing_given_are_told(span):
 
 
 def test_what_the_film_does_not_read_beside_its_hollows_is_told():
-    (doubt,) = film(supply_element=HOLE, span="180 deg").doubts
-    assert doubt.code == "W183"
-    assert doubt.message.startswith("supply_element, span: ")
+    (warning,) = film(supply_element=HOLE, span="180 deg").warnings
+    assert warning.code == "W183"
+    assert warning.message.startswith("supply_element, span: ")
     points = [{"name": "a"}, {"name": "b", "supply_element": SLOT, "span": "120 deg"}]
     first, second = case(operating_points=points).problems()
-    assert first.doubts == ()
-    assert second.doubts[0].message.startswith("operating_points[1].supply_element, operating_points[1].span: ")
+    assert first.warnings == ()
+    assert second.warnings[0].message.startswith("operating_points[1].supply_element, operating_points[1].span: ")
     assert codes(film()) == []
 
 
 def test_the_standard_tells_what_it_does_not_read():
     (design,) = case(method="iso7902", span="360 deg", supply_element=HOLE).problems()
-    (doubt,) = design.doubts
-    assert (doubt.code, doubt.message.split(":")[0]) == ("W183", "grooves")
+    (warning,) = design.warnings
+    assert (warning.code, warning.message.split(":")[0]) == ("W183", "grooves")
 
 
 def test_an_arc_without_element_ends_at_lines_of_supply():

@@ -7,7 +7,7 @@ import pytest
 
 from babbitt.case import case_from_dict, parse_case
 from babbitt.core.result import Outcome
-from babbitt.design.conditions import GivenLoad
+from babbitt.design.conditions import PrescribedLoad
 from babbitt.design.heat_balance import Equilibrium
 from babbitt.kinds.journal.film.isothermal import operating_film
 from babbitt.kinds.journal.film.model import FilmCase
@@ -111,9 +111,9 @@ def test_a_journal_pushed_by_its_supplies_rests_where_the_film_of_one_temperatur
 
 def test_hot_oil_that_flows_back_before_the_inlet_comes_to_rest():
     """A little less load is found the ordinary way; film and temperature go on from there without a jump."""
-    assert isinstance(HOT_INLET.duty, GivenLoad)
+    assert isinstance(HOT_INLET.duty, PrescribedLoad)
     found = thermal_operating_film(HOT_INLET)
-    lighter = thermal_operating_film(replace(HOT_INLET, duty=GivenLoad(0.93 * HOT_INLET.duty.load)))
+    lighter = thermal_operating_film(replace(HOT_INLET, duty=PrescribedLoad(0.93 * HOT_INLET.duty.load)))
     assert found.outcome.solved
     assert lighter.outcome.solved
     assert found.film.thermal.heat.balance_error < 1e-7
@@ -157,7 +157,7 @@ def test_oil_in_two_patterns_and_streamers_that_flicker_leave_a_film_at_rest(cas
     assert found.outcome.solved
     assert found.film.thermal.heat.balance_error < 1e-7
     assert found.film.load == pytest.approx(case.duty.load, rel=1e-8)
-    lighter = thermal_operating_film(replace(case, duty=GivenLoad(0.97 * case.duty.load)))
+    lighter = thermal_operating_film(replace(case, duty=PrescribedLoad(0.97 * case.duty.load)))
     assert lighter.outcome.solved
     hotter = found.film.thermal.maximum_temperature / lighter.film.thermal.maximum_temperature
     assert 1.001 < hotter < 1.06
@@ -170,7 +170,7 @@ def test_a_tilted_journal_that_touches_is_overloaded_and_no_runaway():
     hottest = found.film.thermal.maximum_temperature
     assert hottest < 450.0
     assert 0.4 * TILTED.duty.load < found.film.load < 0.8 * TILTED.duty.load
-    again = thermal_operating_film(replace(TILTED, duty=GivenLoad(0.9 * found.film.load)))
+    again = thermal_operating_film(replace(TILTED, duty=PrescribedLoad(0.9 * found.film.load)))
     assert again.outcome.solved
     assert again.film.thermal.maximum_temperature < hottest + 5.0
     said = thermal_failure(TILTED, found)
@@ -190,7 +190,7 @@ def test_what_gave_way_is_heat_only_where_the_last_film_is_hot():
 
 
 def test_a_search_without_an_answer_tells_the_last_film_and_what_to_try():
-    last = thermal_operating_film(replace(HOLE, duty=GivenLoad(0.5 * HOLE.duty.load))).film
+    last = thermal_operating_film(replace(HOLE, duty=PrescribedLoad(0.5 * HOLE.duty.load))).film
     said = thermal_failure(HOLE, Equilibrium(Outcome.NOT_CONVERGED, last, 0, last.temperature))
     assert "did not come to rest together" in said
     assert f"The largest load with a film was about {0.5e-3 * HOLE.duty.load:.3g} kN" in said

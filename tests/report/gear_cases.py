@@ -10,10 +10,10 @@ from babbitt.kinds.journal.iso7902.model import (
     Bearing,
     DesignCase,
     Friction,
-    GivenEccentricity,
-    GivenLoad,
     HousingCooling,
     OilSupply,
+    PrescribedEccentricity,
+    PrescribedLoad,
     Surfaces,
 )
 from babbitt.kinds.journal.iso7902.supply import (
@@ -67,7 +67,7 @@ def gear_case(row: tuple[str, float, float, float, float, float, int]) -> Design
     return DesignCase(
         name,
         bearing,
-        GivenLoad(pressure * 1e6 * width * diameter),
+        PrescribedLoad(pressure * 1e6 * width * diameter),
         2.0 * speed / diameter,
         lubricant("TP-46 STO upper"),
         OilSupply(50.0 + ZERO_CELSIUS, 0.2e6),
@@ -94,7 +94,7 @@ OIL = lubricant_from_points(
 EXAMPLE = DesignCase(
     "Example A",
     Bearing(0.120, 0.060, 1.12e-3, 360, 23e-6, 11e-6, Holes(0.005, Arrangement.OPPOSITE)),
-    GivenLoad(36e3),
+    PrescribedLoad(36e3),
     2000.0 * RPM,
     OIL,
     OilSupply(58.0 + ZERO_CELSIUS, 0.5e6),
@@ -113,7 +113,7 @@ def varied_cases() -> dict[str, DesignCase]:
         "full": EXAMPLE,
         "arc": replace(first, friction=Friction.ARC),
         "curve360": replace(first, friction=Friction.CURVE360, friction_factor=1.256),
-        "eccentricity": replace(EXAMPLE, duty=GivenEccentricity(0.7)),
+        "eccentricity": replace(EXAMPLE, duty=PrescribedEccentricity(0.7)),
         "losses": replace(EXAMPLE, oil_supply=supply),
         "pockets": gear()[2],
         "slots": replace(
@@ -131,12 +131,12 @@ def varied_cases() -> dict[str, DesignCase]:
         "housing below inlet": replace(
             EXAMPLE,
             cooling=HousingCooling(20.0 + ZERO_CELSIUS, 60.0, 3.0),
-            duty=GivenLoad(4e3),
+            duty=PrescribedLoad(4e3),
             journal_speed=300.0 * RPM,
         ),
         "self-cooled": replace(
-            EXAMPLE, oil_supply=None, cooling=cooling, journal_speed=200.0 * RPM, duty=GivenLoad(8e3)
+            EXAMPLE, oil_supply=None, cooling=cooling, journal_speed=200.0 * RPM, duty=PrescribedLoad(8e3)
         ),
         "surfaces": first,
-        "another oil": replace(EXAMPLE, lubricant=lubricant("water"), duty=GivenLoad(2e3)),
+        "another oil": replace(EXAMPLE, lubricant=lubricant("water"), duty=PrescribedLoad(2e3)),
     }

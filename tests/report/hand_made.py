@@ -44,7 +44,7 @@ class HandMadeProblem:
 
     name: str
     given: tuple[tuple[str, str], ...] = ()
-    doubts: tuple[Notice, ...] = ()
+    warnings: tuple[Notice, ...] = ()
 
 
 @dataclass(frozen=True)

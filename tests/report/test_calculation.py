@@ -9,7 +9,7 @@ import gear_cases
 import pytest
 
 from babbitt.core.quantities import QUANTITIES
-from babbitt.kinds.journal.iso7902.model import DesignCase, GivenLoad
+from babbitt.kinds.journal.iso7902.model import DesignCase, PrescribedLoad
 from babbitt.kinds.journal.iso7902.procedure import check
 from babbitt.kinds.journal.report.calculation import calculation
 from babbitt.report.expression import number_node, text, tree, value
@@ -89,7 +89,7 @@ def test_all_results_are_finite_and_named():
 def test_an_unsolved_bearing_has_nothing_to_follow():
     case = gear_cases.EXAMPLE
     overloaded = DesignCase(
-        "too much", case.bearing, GivenLoad(9e7), case.journal_speed, case.lubricant, case.oil_supply
+        "too much", case.bearing, PrescribedLoad(9e7), case.journal_speed, case.lubricant, case.oil_supply
     )
     assert calculation(overloaded, check(overloaded)) == ()
 

@@ -12,7 +12,7 @@ from babbitt.core.result import Bound, Check
 from babbitt.core.result_name import ResultName
 from babbitt.core.solution import Solution
 from babbitt.kinds.journal.iso7902 import check
-from babbitt.kinds.journal.iso7902.model import GivenLoad
+from babbitt.kinds.journal.iso7902.model import PrescribedLoad
 from babbitt.kinds.journal.iso7902.supply import Arrangement, Holes
 from babbitt.kinds.journal.report.views import ISO7902
 from babbitt.report.bearing_content import bearing_content
@@ -54,7 +54,7 @@ def test_clearances_of_one_bearing_are_one_chapter_and_the_one_nearest_a_limit_i
 
 def test_where_the_mean_has_no_operating_point_another_is_shown():
     results = [check(case) for case in THREE]
-    results[1] = check(replace(THREE[1], duty=GivenLoad(9e7)))
+    results[1] = check(replace(THREE[1], duty=PrescribedLoad(9e7)))
     (chapter,) = chapters(solved(THREE, results))
     assert chapter.shown.clearance in ("minimum", "maximum")
 
@@ -62,7 +62,7 @@ def test_where_the_mean_has_no_operating_point_another_is_shown():
 @pytest.mark.parametrize(
     "other",
     [
-        replace(THREE[1], duty=GivenLoad(30e3)),
+        replace(THREE[1], duty=PrescribedLoad(30e3)),
         replace(THREE[1], name=ResultName("Example B", clearance="mean")),
         replace(THREE[1], bearing=replace(THREE[1].bearing, width=0.061)),
         replace(THREE[1], name="Example A"),

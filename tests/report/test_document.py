@@ -17,7 +17,7 @@ from babbitt.core.result import Outcome, Result
 from babbitt.core.result_name import ResultName
 from babbitt.core.solution import Solution
 from babbitt.kinds.journal.iso7902 import DesignCase, check
-from babbitt.kinds.journal.iso7902.model import GivenLoad
+from babbitt.kinds.journal.iso7902.model import PrescribedLoad
 from babbitt.report.content import content
 from babbitt.report.document import report, write_report
 
@@ -201,7 +201,7 @@ def test_equal_input_gives_equal_bytes():
 
 
 def test_an_unsolved_bearing_shows_why_and_no_operating_point():
-    too_much = replace(GEAR[0], name="Too much", duty=GivenLoad(5e7))
+    too_much = replace(GEAR[0], name="Too much", duty=PrescribedLoad(5e7))
     machine = solved("Gear", too_much, GEAR[1])
     assert machine.results[0].outcome is Outcome.OVERLOADED
     page = Reader(report(machine, "html"))

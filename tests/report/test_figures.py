@@ -14,7 +14,7 @@ from hand_made import HandMadeMachine
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.kinds.journal.iso7902 import check
-from babbitt.kinds.journal.iso7902.model import Curves, GivenEccentricity, GivenLoad
+from babbitt.kinds.journal.iso7902.model import Curves, PrescribedEccentricity, PrescribedLoad
 
 pytest.importorskip("matplotlib")
 
@@ -93,7 +93,7 @@ def test_every_axis_has_a_name_and_a_unit_where_it_needs_one():
 @pytest.mark.parametrize("eccentricity", [0.1, 0.5, 0.708, 0.9, 0.97])
 @pytest.mark.parametrize("name", ["full", "arc", "pockets"])
 def test_the_label_of_the_load_number_stays_within_the_axes(name, eccentricity):
-    case = replace(CASES[name], duty=GivenEccentricity(eccentricity))
+    case = replace(CASES[name], duty=PrescribedEccentricity(eccentricity))
     result = check(case)
     assert result.outcome.solved
     with style():
@@ -122,7 +122,7 @@ def test_speeds_are_varied_in_the_sense_of_journal_and_bearing(sense, share):
 
 
 def test_a_load_beyond_the_film_is_a_gap_and_no_error():
-    case = replace(CASES["full"], duty=GivenLoad(60e3))
+    case = replace(CASES["full"], duty=PrescribedLoad(60e3))
     result = check(case)
     assert result.outcome.solved
     assert len(draw(case, result, SUPPOSED)) == 4
@@ -132,13 +132,13 @@ def test_closed_forms_show_the_full_bearing_only():
     case = replace(CASES["full"], curves=Curves.CLOSED_FORM)
     result = check(case)
     with style():
-        figure = painters.spans(replace(case, duty=GivenLoad(result.load)), result)
+        figure = painters.spans(replace(case, duty=PrescribedLoad(result.load)), result)
     assert [label.get_text() for label in figure.axes[0].get_xticklabels()] == ["360"]
     assert len(draw(case, result, SUPPOSED)) == 4
 
 
 def test_an_unsolved_bearing_has_no_figures():
-    case = replace(CASES["full"], duty=GivenLoad(9e7))
+    case = replace(CASES["full"], duty=PrescribedLoad(9e7))
     assert draw(case, check(case), SUPPOSED) == ()
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from babbitt.core.result_name import ResultName
 from babbitt.kinds.journal.iso7902 import check
-from babbitt.kinds.journal.iso7902.model import GivenLoad
+from babbitt.kinds.journal.iso7902.model import PrescribedLoad
 from babbitt.report.totals import totals
 
 CASES = gear_cases.varied_cases()
@@ -42,7 +42,7 @@ def test_a_bearing_that_appears_twice_has_no_sum(of):
 
 
 def test_no_sum_of_one_bearing_or_with_one_missing():
-    overloaded = check(replace(CASES["full"], name="too much", duty=GivenLoad(9e7)))
+    overloaded = check(replace(CASES["full"], name="too much", duty=PrescribedLoad(9e7)))
     assert not overloaded.outcome.solved
     assert totals(TWO[:1]) is None
     assert totals((*TWO, overloaded)) is None

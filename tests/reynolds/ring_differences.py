@@ -5,14 +5,14 @@ import math
 import numpy as np
 
 from babbitt.reynolds.scales import Scales
-from babbitt.reynolds.surface.surface_equilibrium import Effort, Sample
+from babbitt.reynolds.surface.surface_equilibrium import Effort, SurfaceState
 from babbitt.reynolds.surface.unwrapped_mesh import build_ring
 
 
 def coefficients_and_differences(film, at, axial_unknowns=4, per_turn=192, step=1e-6):
     """Stiffness and damping, each exact and by differences, dimensionless; the wet set settles at every place."""
     ring = build_ring(film, Scales.of(film, film.angular_speed).pressure, per_turn, axial_unknowns, None)
-    sample = Sample.of(ring, Effort(math.inf))
+    sample = SurfaceState.of(ring, Effort(math.inf))
 
     def force_at(place, rate):
         for _ in range(100):

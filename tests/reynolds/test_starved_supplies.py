@@ -10,7 +10,7 @@ from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
 from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.equilibrium.solve import solve_journal
-from babbitt.reynolds.equilibrium.starved import GivenFlow, feed_film
+from babbitt.reynolds.equilibrium.starved import PrescribedFlow, feed_film
 from babbitt.reynolds.model import ENGINEERING, Cavitation, FilmStart, JournalFilm, Land, Pocket, grooved_bore
 
 LITRE = 1e-3 / 60.0
@@ -35,7 +35,7 @@ def settle(one):
 
 
 def fed(one, *flows):
-    return feed_film(one, [GivenFlow((number,), flow * LITRE) for number, flow in enumerate(flows)], settle)
+    return feed_film(one, [PrescribedFlow((number,), flow * LITRE) for number, flow in enumerate(flows)], settle)
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
@@ -86,7 +86,7 @@ def test_starved_goes_over_into_flooded(layout):
 
 
 def test_supplies_of_one_flow_share_one_fill():
-    found = feed_film(TWO_GROOVES, [GivenFlow((0, 1), 0.3 * LITRE)], settle)
+    found = feed_film(TWO_GROOVES, [PrescribedFlow((0, 1), 0.3 * LITRE)], settle)
     assert found.fill[0] == found.fill[1] < 1.0
     assert found.solution.supply_flow.sum() == pytest.approx(0.3 * LITRE, rel=1e-8)
 
@@ -97,7 +97,7 @@ def test_flow_beside_pressure():
         replace(TWO_GROOVES.lands[0], end_pressure=5e4),
         replace(TWO_GROOVES.lands[1], start_pressure=5e4),
     )
-    found = feed_film(film(lands), [GivenFlow((1,), 0.05 * LITRE)], settle)
+    found = feed_film(film(lands), [PrescribedFlow((1,), 0.05 * LITRE)], settle)
     assert found.solution.outcome.solved
     assert found.fill[1] < 1.0 == found.fill[0]
     assert found.solution.supply_flow[1] == pytest.approx(0.05 * LITRE, rel=1e-8)
@@ -150,15 +150,16 @@ def test_too_little_oil_is_told_with_the_least_that_will_do():
 def test_at_a_position_the_fill_alone_decides():
     at = (0.3e-4, -0.4e-4)
     found = feed_film(
-        POCKET, [GivenFlow((0,), 0.2 * LITRE)], lambda one: film_at_position(one, at, resolution=CLOSE)
+        POCKET, [PrescribedFlow((0,), 0.2 * LITRE)], lambda one: film_at_position(one, at, resolution=CLOSE)
     )
     assert found.solution.supply_flow[0] == pytest.approx(0.2 * LITRE, rel=1e-8)
     np.testing.assert_allclose(found.solution.position, at)
 
 
 @pytest.mark.parametrize(("given", "says"), [
-    ([GivenFlow((0,), 0.0)], "positive"), ([GivenFlow((0,), math.nan)], "positive"),
-    ([GivenFlow((1,), 1e-6)], "0 to 0"), ([GivenFlow((0,), 1e-6), GivenFlow((0,), 1e-6)], "at most once"),
+    ([PrescribedFlow((0,), 0.0)], "positive"), ([PrescribedFlow((0,), math.nan)], "positive"),
+    ([PrescribedFlow((1,), 1e-6)], "0 to 0"),
+    ([PrescribedFlow((0,), 1e-6), PrescribedFlow((0,), 1e-6)], "at most once"),
 ])  # fmt: skip
 def test_flows_that_cannot_be_given(given, says):
     with pytest.raises(InputError, match=says):
@@ -167,7 +168,7 @@ def test_flows_that_cannot_be_given(given, says):
 
 def test_the_reynolds_condition_counts_no_oil():
     with pytest.raises(InputError, match="MASS_CONSERVING"):
-        feed_film(replace(POCKET, cavitation=Cavitation.REYNOLDS), [GivenFlow((0,), 1e-6)], settle)
+        feed_film(replace(POCKET, cavitation=Cavitation.REYNOLDS), [PrescribedFlow((0,), 1e-6)], settle)
 
 
 @pytest.mark.parametrize(("change", "says"), [

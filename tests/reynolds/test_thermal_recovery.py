@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from babbitt.reynolds.heat.globalisation import Mixing, mixed_rest, recovered
+from babbitt.reynolds.heat.globalisation import Mixing, accelerated_equilibrium, recovered
 from babbitt.reynolds.heat.heat_model import THERMAL_ENGINEERING, BushRing, ConductingWalls, FilmHeat, JournalHeat
 from babbitt.reynolds.heat.thermal_equilibrium import CLOSED, CLOSING, OPEN
 from babbitt.reynolds.heat.thermal_film_state import GUESSED_SHARE
@@ -62,7 +62,7 @@ def test_mixed_passes_lead_to_the_same_rest(film, heat):
     plain, load, at = ring_for(film, heat)
     found = rest(plain, load, at, 1e-5, 1e-3)
     other, load, at = ring_for(film, heat)
-    mixed = mixed_rest(other, load, at, 1e-5, 1e-3)
+    mixed = accelerated_equilibrium(other, load, at, 1e-5, 1e-3)
     assert found.status == mixed.status == CONVERGED
     assert mixed.position == pytest.approx(found.position, abs=2e-4)
     assert other.temperature == pytest.approx(plain.temperature, abs=0.05)
@@ -71,7 +71,7 @@ def test_mixed_passes_lead_to_the_same_rest(film, heat):
 
 def test_mixed_passes_at_a_given_place_do_not_move_the_journal():
     warm, _, _ = ring_for(BEARING, FULL)
-    found = mixed_rest(warm, None, np.array([0.2, -0.5]), 1e-5, 1e-3)
+    found = accelerated_equilibrium(warm, None, np.array([0.2, -0.5]), 1e-5, 1e-3)
     assert found.status == CONVERGED
     assert found.position.tolist() == [0.2, -0.5]
 

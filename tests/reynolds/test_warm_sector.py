@@ -10,7 +10,7 @@ from babbitt.core.notices import InputError
 from babbitt.reynolds.heat.heat_model import FilmHeat, HeatGrid
 from babbitt.reynolds.oil.turbulence import NG_PAN, FilmTurbulence
 from babbitt.reynolds.sector.sector import PlaneMotion, SectorPad, sector_film
-from babbitt.reynolds.sector.thermal_sector import WarmSector
+from babbitt.reynolds.sector.thermal_sector import ThermalSectorState
 
 COLD, CAPACITY = 318.15, 1.7e6
 PAD = SectorPad(0.1, 0.2, math.radians(45.0), 0.03, 100.0)
@@ -19,7 +19,7 @@ TILTED = np.array([100e-6, 0.0, -2e-4])
 
 
 def settled(pad, heat, motion, intervals=64, degree=8):
-    sector = WarmSector.of(pad, heat, motion[0], intervals, degree)
+    sector = ThermalSectorState.of(pad, heat, motion[0], intervals, degree)
     for _ in range(80):
         if sector.advance(motion) < 1e-7:
             break
@@ -46,7 +46,7 @@ def test_oil_between_parallel_faces_warms_with_the_square_of_the_radius():
 def test_columns_share_the_area_of_the_pad(resolved):
     """They weigh conduction across the gap: the integral of r dr over the square of the outer radius."""
     heat = replace(ONE_VISCOSITY, grid=HeatGrid(resolved=resolved))
-    columns = WarmSector.of(PAD, heat, 100e-6).warm.columns
+    columns = ThermalSectorState.of(PAD, heat, 100e-6).warm.columns
     assert columns.size.size == (7 if resolved else 1)
     assert columns.size.sum() == pytest.approx(0.5 * (0.2**2 - 0.1**2) / 0.2**2, rel=1e-12)
 
@@ -98,4 +98,4 @@ def test_hot_oil_carried_over_is_mixed_with_fresh_oil():
 )
 def test_what_a_thermal_pad_film_does_not_know_is_refused(pad, heat, says):
     with pytest.raises(InputError, match=says):
-        WarmSector.of(pad, heat, 1e-4)
+        ThermalSectorState.of(pad, heat, 1e-4)

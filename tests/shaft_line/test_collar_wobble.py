@@ -16,7 +16,7 @@ from babbitt.kinds.thrust.equilibrium import sector_of
 from babbitt.kinds.thrust.face import TaperedFace
 from babbitt.kinds.thrust.load_curve import carrying
 from babbitt.kinds.thrust.pad import Pivot
-from babbitt.kinds.thrust.pad_attitude import standing_on_runout
+from babbitt.kinds.thrust.pad_attitude import attitude_on_runout
 from babbitt.kinds.thrust.sharing import share_of
 from babbitt.kinds.thrust.state import TiltInertia
 from babbitt.reynolds.sector.sector import PlaneMotion, sector_film
@@ -101,7 +101,7 @@ def turned_slowly(pad, runout):
     films = carrying(pad, VISCOSITY, SPEED)
     still = share_of(films, of, THRUST)
     return still, [
-        share_of(films, of, THRUST, standing_on_runout(of, (RunoutHarmonic(1.0, runout),), turned)).moment
+        share_of(films, of, THRUST, attitude_on_runout(of, (RunoutHarmonic(1.0, runout),), turned)).moment
         - still.moment
         for turned in (0.0, 1.1)
     ]

@@ -1,4 +1,4 @@
-"""A shaft line from case to result: values, verdicts, doubts, answers in sentences."""
+"""A shaft line from case to result: values, verdicts, warnings, answers in sentences."""
 
 import math
 from dataclasses import replace

@@ -16,7 +16,7 @@ from babbitt.kinds.shaft_line.forced import crests, forced
 from babbitt.kinds.shaft_line.impedance import dynamic_stiffness, respond
 from babbitt.kinds.shaft_line.line import Rod, Seating, ShaftLine
 from babbitt.kinds.shaft_line.natural import root_count, undamped_frequencies
-from babbitt.kinds.shaft_line.pads import GivenPads
+from babbitt.kinds.shaft_line.pads import PrescribedPads
 
 BLADE = 4.0 * SPEED
 GOLDEN_RIPPLE_POINT = [
@@ -159,7 +159,7 @@ def test_t4_slow_ripple_goes_through_the_pads_whole(uneven, ring):
 
 
 def hard(damping=0.0):
-    return GivenPads((1e16,) * 8, (damping,) * 8)
+    return PrescribedPads((1e16,) * 8, (damping,) * 8)
 
 
 def test_t5_a_rod_on_a_rigid_bearing_magnifies_the_ripple():
@@ -281,11 +281,11 @@ def test_waves_of_the_face_pass_the_pads_in_their_order():
         lambda: ThrustHarmonic(0.0, 1.0),
         lambda: RunoutHarmonic(1.0, -1e-6),
         lambda: RunoutHarmonic(1.5, 1e-6),
-        lambda: GivenPads((1e9, 1e9), (1e8,)),
-        lambda: GivenPads((1e9, 0.0), (1e8, 1e8)),
-        lambda: GivenPads((1e9, 1e9), (1e8, -1e8)),
-        lambda: GivenPads((1e9,), (1e8,)),
-        lambda: GivenPads((1e9, 1e9), (1e8, 1e8), 0.0),
+        lambda: PrescribedPads((1e9, 1e9), (1e8,)),
+        lambda: PrescribedPads((1e9, 0.0), (1e8, 1e8)),
+        lambda: PrescribedPads((1e9, 1e9), (1e8, -1e8)),
+        lambda: PrescribedPads((1e9,), (1e8,)),
+        lambda: PrescribedPads((1e9, 1e9), (1e8, 1e8), 0.0),
         lambda: forced(line(), given_pads(), 0.0, (RIPPLE,), ()),
         lambda: dynamic_stiffness(
             line(seating=Seating(1e9)), given_pads(math.inf), SPEED, given_pads().film(SPEED)

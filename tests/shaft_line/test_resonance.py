@@ -11,7 +11,7 @@ from trawler_pads import PAD, SPEED, VISCOSITY
 from babbitt.kinds.shaft_line.damped import damped_modes
 from babbitt.kinds.shaft_line.impedance import respond
 from babbitt.kinds.shaft_line.line import Rod, Seating, ShaftLine
-from babbitt.kinds.shaft_line.model import LineDuty, state_of
+from babbitt.kinds.shaft_line.model import LineOperation, state_of
 from babbitt.kinds.shaft_line.natural import undamped_frequencies
 from babbitt.kinds.shaft_line.resonance import resonances_of
 from babbitt.kinds.shaft_line.response import THRUST, pad_forces, response_peaks, static_force
@@ -70,7 +70,7 @@ def test_an_excitation_between_undamped_frequencies_may_resonate():
     bearing = ThrustBearing(pad, 5, math.inf, 0.0392, TiltInertia(5.7e-6, 5.7e-6), HousingTilt(12.3e-6, 0.822))
     shaft = (Rod(8.198, math.pi / 4.0 * (45.06e-3**2 - 18.63e-3**2), 206e9, 7850.0),)
     films, speed = carrying(pad, 0.08, 699.3 * math.pi / 30.0), 699.3 * math.pi / 30.0
-    of = LineDuty(ShaftLine(187.8, 675.5, shaft, 34.09), bearing, 1377.0, speed)
+    of = LineOperation(ShaftLine(187.8, 675.5, shaft, 34.09), bearing, 1377.0, speed)
     state = state_of(of, films)
     modes = damped_modes(of.line, state.pads, (), 600.0)
     mode = modes[0]

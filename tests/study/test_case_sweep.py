@@ -153,7 +153,7 @@ def test_a_value_that_is_refused_stops_nothing(film, capsys):
 
 
 def test_the_table_of_a_sweep_names_the_codes_of_its_verdicts(film, monkeypatch, capsys):
-    """Missed limits, and the doubts that question a result; a result that passes has none."""
+    """Missed limits, and the warnings that question a result; a result that passes has none."""
     monkeypatch.setenv("COLUMNS", "200")
     path = film.with_name("metal.yaml")
     metal = (

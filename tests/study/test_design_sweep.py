@@ -13,7 +13,7 @@ from babbitt.core.result import Outcome
 from babbitt.core.solution import Calculation
 from babbitt.kinds.journal.film.check import film_check
 from babbitt.kinds.journal.iso7902 import check
-from babbitt.kinds.journal.iso7902.model import Bearing, Curves, DesignCase, GivenLoad, OilSupply
+from babbitt.kinds.journal.iso7902.model import Bearing, Curves, DesignCase, OilSupply, PrescribedLoad
 from babbitt.kinds.journal.iso7902.supply import Arrangement, Holes
 from babbitt.kinds.journal.methods import METHODS
 from babbitt.kinds.journal.study.design_sweep import sweep_design, varied
@@ -22,7 +22,7 @@ from babbitt.properties.lubricants import lubricant
 CASE = DesignCase(
     "swept",
     Bearing(0.120, 0.060, 1.5e-3, 360, 11e-6, 11e-6, Holes(0.005, Arrangement.OPPOSITE)),
-    GivenLoad(20e3),
+    PrescribedLoad(20e3),
     209.4,
     lubricant("ISO VG 46"),
     OilSupply(323.15, 0.2e6),

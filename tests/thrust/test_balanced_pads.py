@@ -9,9 +9,9 @@ from trawler_pads import PAD, SPEED, bearing
 from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
 from babbitt.kinds.thrust.check import thrust_check
 from babbitt.kinds.thrust.design import (
-    GivenFilm,
-    GivenThrust,
     Oil,
+    PrescribedFilm,
+    PrescribedThrust,
     ThrustDesign,
     bearing_state,
     operating_state,
@@ -20,7 +20,7 @@ from babbitt.kinds.thrust.design import (
 from babbitt.kinds.thrust.face import TaperedFace
 from babbitt.kinds.thrust.failures import ThermalRunawayError
 from babbitt.kinds.thrust.pad import Pivot
-from babbitt.kinds.thrust.pad_attitude import standing_at_rest, standing_on_runout
+from babbitt.kinds.thrust.pad_attitude import attitude_at_rest, attitude_on_runout
 from babbitt.kinds.thrust.runout import RunoutHarmonic
 from babbitt.properties.lubricants import lubricant
 
@@ -32,7 +32,7 @@ TAPER = replace(PAD, pivot=Pivot.FIXED, pivot_fraction=0.5, pivot_radius=0.2825,
 
 def design(tilt=0.0, pad=PAD, thrust=500e3, oil=OIL, **other):
     of = replace(bearing(tilt=tilt), pad=pad, **other)
-    return ThrustDesign("Block", of, GivenThrust(thrust), SPEED, oil)
+    return ThrustDesign("Block", of, PrescribedThrust(thrust), SPEED, oil)
 
 
 HALF = {"number": 4, "thrust": 250e3}
@@ -70,7 +70,7 @@ def test_a_pad_that_carries_all_is_not_cooled_by_idle_ones(tilt):
     worst = state.share.states[int(state.share.loads.argmax())]
     alone = [
         operating_state(
-            replace(design(), bearing=ThrustBearing(PAD, 2), duty=GivenThrust(2.0 * worst.load), oil=oil)
+            replace(design(), bearing=ThrustBearing(PAD, 2), duty=PrescribedThrust(2.0 * worst.load), oil=oil)
         ).share.states[0]
         for oil in (replace(OIL, carry_over=0.0), OIL)
     ]
@@ -108,7 +108,7 @@ def test_both_senses_of_rotation_are_mirror_images():
 
 def test_a_film_given_and_its_thrust_are_one_answer():
     """But for the heat capacity: at the temperature of the mean film here, at that of the mean load there."""
-    given = bearing_state(replace(design(60e-6), duty=GivenFilm(50e-6)))
+    given = bearing_state(replace(design(60e-6), duty=PrescribedFilm(50e-6)))
     assert given.share.heights.mean() == pytest.approx(50e-6, rel=1e-6)
     again = bearing_state(design(60e-6, thrust=given.share.thrust))
     assert again.share.heights == pytest.approx(given.share.heights, rel=2e-2)
@@ -145,7 +145,7 @@ def test_a_collar_that_leans_loads_pads_as_a_housing_that_leans(own):
         for tilt in (runout * PAD.outer_radius / PAD.pivot_radius, 0.0)
     )
     leaning, straight = bearing_state(tilted).share, bearing_state(level)
-    standing = standing_on_runout(level.bearing, (RunoutHarmonic(1.0, runout),), 0.0)
+    standing = attitude_on_runout(level.bearing, (RunoutHarmonic(1.0, runout),), 0.0)
     turned = share_on(straight.films, straight.share, standing)
     assert turned.largest_over_mean == pytest.approx(leaning.largest_over_mean, rel=1e-5 if own else 1e-6)
     assert turned.heights == pytest.approx(leaning.heights, rel=1e-5 if own else 1e-6)
@@ -160,7 +160,7 @@ def test_a_runout_that_vanishes_leaves_the_answer_at_rest():
 @pytest.mark.parametrize("own", [False, True], ids=["global", "adiabatic"])
 def test_the_share_at_rest_is_found_again_from_near_and_far(own):
     tilted = design(30e-6, oil=replace(OIL, own_temperatures=own), **HALF)
-    at_rest, standing = bearing_state(tilted), standing_at_rest(tilted.bearing)
+    at_rest, standing = bearing_state(tilted), attitude_at_rest(tilted.bearing)
     again = share_on(at_rest.films, at_rest.share, standing)
     assert again.largest_over_mean == pytest.approx(at_rest.share.largest_over_mean, rel=1e-6)
     level = bearing_state(design(0.0, oil=tilted.oil, **HALF)).share
@@ -173,7 +173,7 @@ def test_positions_within_a_pitch_stand_for_all_where_the_bearing_is_even():
     even = bearing_state(design())
     shares = [
         share_on(
-            even.films, even.share, standing_on_runout(even.share.bearing, (RunoutHarmonic(1.0, 10e-6),), turned)
+            even.films, even.share, attitude_on_runout(even.share.bearing, (RunoutHarmonic(1.0, 10e-6),), turned)
         )
         for turned in (0.3, 0.3 + np.pi / 4.0)
     ]

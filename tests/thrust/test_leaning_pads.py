@@ -12,14 +12,14 @@ from babbitt.kinds.thrust.bearing import HousingTilt
 from babbitt.kinds.thrust.equilibrium import sector_of
 from babbitt.kinds.thrust.face import SteppedFace, TaperedFace
 from babbitt.kinds.thrust.failures import (
-    LeaningPadError,
-    LeaningPadsTouchAtFilmError,
-    LeaningPadsTouchError,
     PadsTouchError,
+    TiltedPadError,
+    TiltedPadsTouchAtFilmError,
+    TiltedPadsTouchError,
 )
 from babbitt.kinds.thrust.load_curve import carrying
 from babbitt.kinds.thrust.pad import Pivot
-from babbitt.kinds.thrust.pad_attitude import standing_at_rest, standing_on_runout
+from babbitt.kinds.thrust.pad_attitude import attitude_at_rest, attitude_on_runout
 from babbitt.kinds.thrust.runout import RunoutHarmonic
 from babbitt.kinds.thrust.sharing import share_at_film, share_of
 from babbitt.kinds.thrust.tilt import states_at
@@ -40,7 +40,7 @@ def tilted(pad, tilt=30e-6, direction=0.7, ring=2e10, **other):
 def test_the_gap_of_a_fixed_pad_gets_the_plane_of_the_housing(sense):
     """Departure and lean give -(e_o/r_o) r cos(theta - theta_t) all over every pad."""
     of = tilted(TAPER, sense=sense)
-    stands = standing_at_rest(of)
+    stands = attitude_at_rest(of)
     x, y = np.array([-0.1, 0.0, 0.08]), np.array([0.05, 0.0, -0.09])
     for angle, away, lean in zip(of.angles, stands.departures, stands.leans, strict=True):
         place = (TAPER.pivot_radius + x + 1j * sense * y) * np.exp(1j * angle)
@@ -52,8 +52,8 @@ def test_the_gap_of_a_fixed_pad_gets_the_plane_of_the_housing(sense):
 def test_a_collar_with_one_high_spot_is_a_tilt_that_turns(sense):
     """The runout A at r_p is the plane of a housing tilted by A r_o/r_p towards the high spot."""
     level = tilted(TAPER, 0.0, sense=sense)
-    turned = standing_on_runout(level, (RunoutHarmonic(1.0, 5e-6),), 0.9)
-    same = standing_at_rest(
+    turned = attitude_on_runout(level, (RunoutHarmonic(1.0, 5e-6),), 0.9)
+    same = attitude_at_rest(
         tilted(TAPER, 5e-6 * TAPER.outer_radius / TAPER.pivot_radius, sense * 0.9, sense=sense)
     )
     assert turned.departures == pytest.approx(same.departures, abs=1e-18)
@@ -61,8 +61,8 @@ def test_a_collar_with_one_high_spot_is_a_tilt_that_turns(sense):
 
 
 def test_free_tilts_follow_and_a_line_pivot_holds_the_radius():
-    assert not standing_at_rest(bearing(tilt=30e-6)).is_leaning
-    leans = standing_at_rest(tilted(LINE, direction=0.0)).leans
+    assert not attitude_at_rest(bearing(tilt=30e-6)).is_tilted
+    leans = attitude_at_rest(tilted(LINE, direction=0.0)).leans
     assert not leans[:, 1].any()
     assert leans[0, 0] == pytest.approx(-30e-6 / 0.375)
 
@@ -71,7 +71,7 @@ def test_free_tilts_follow_and_a_line_pivot_holds_the_radius():
 @pytest.mark.parametrize("ring", [math.inf, 2e10])
 def test_thrust_heights_slopes_and_free_moments_are_balanced(pad, ring):
     of = tilted(pad, ring=ring)
-    share, stands = share_of(FILMS[pad], of, THRUST), standing_at_rest(of)
+    share, stands = share_of(FILMS[pad], of, THRUST), attitude_at_rest(of)
     assert share.loads.sum() == pytest.approx(THRUST, rel=1e-6)
     positions = share.heights - share.loads / ring - stands.departures
     assert positions == pytest.approx(np.full(8, share.approach), abs=1e-6 * share.heights.max())
@@ -128,7 +128,7 @@ def test_stiffness_against_tilt_is_that_of_the_pad_coefficients(pad):
     films, small = FILMS[pad], 1e-8
     share = share_of(films, tilted(pad, small, 0.0, math.inf), THRUST)
     level = share_of(films, tilted(pad, 0.0, 0.0, math.inf), THRUST)
-    stands, state = standing_at_rest(tilted(pad, 1.0, 0.0, math.inf)), level.states[0]
+    stands, state = attitude_at_rest(tilted(pad, 1.0, 0.0, math.inf)), level.states[0]
     total = 0j
     for angle, away, lean in zip(share.bearing.angles, stands.departures, stands.leans, strict=True):
         given = np.array([away, *lean])
@@ -144,7 +144,7 @@ def test_stiffness_against_tilt_is_that_of_the_pad_coefficients(pad):
 @HELD
 def test_level_pads_are_as_before(pad):
     films, level = FILMS[pad], tilted(pad, 0.0, height_errors=(3e-6, *[0.0] * 7))
-    assert not standing_at_rest(level).is_leaning
+    assert not attitude_at_rest(level).is_tilted
     state = share_of(films, level, THRUST).states[0]
     assert state.load == pytest.approx(films.state(state.height).load, rel=1e-12)
     hardly = share_of(films, replace(level, tilt=HousingTilt(1e-13)), THRUST)
@@ -181,7 +181,7 @@ def test_turning_the_tilt_by_a_pitch_turns_pads_and_moment(pad):
 def test_stiffness_is_that_of_the_leaning_film(pad):
     """dW/dh at a lean that stays, against films solved above and below."""
     share = share_of(FILMS[pad], tilted(pad), THRUST)
-    lean = standing_at_rest(share.bearing).lean(0)
+    lean = attitude_at_rest(share.bearing).lean(0)
     from babbitt.kinds.thrust.state import condensed
 
     state = share.states[0]
@@ -208,11 +208,11 @@ def test_the_mean_film_is_the_one_given_and_its_thrust_the_same_share(ring):
 
 
 def test_faces_that_touch_before_the_thrust_is_carried_have_no_film():
-    with pytest.raises(LeaningPadsTouchError, match="pad 1 leans"):
+    with pytest.raises(TiltedPadsTouchError, match="pad 1 leans"):
         share_of(FILMS[TAPER], tilted(TAPER, 400e-6, 0.0, math.inf), 20e6)
     with pytest.raises(PadsTouchError):
         share_at_film(FILMS[TAPER], tilted(TAPER, 80e-6, 0.0, math.inf), 50e-6)
-    with pytest.raises(LeaningPadsTouchAtFilmError, match=r"mean film of 50\.0 µm; less tilt.*thicker") as told:
+    with pytest.raises(TiltedPadsTouchAtFilmError, match=r"mean film of 50\.0 µm; less tilt.*thicker") as told:
         # pivots clear, outer edges do not
         share_at_film(FILMS[TAPER], tilted(TAPER, 60e-6, 0.0, math.inf), 50e-6)
     assert told.value.outcome is Outcome.OUTSIDE_CLEARANCE
@@ -221,7 +221,7 @@ def test_faces_that_touch_before_the_thrust_is_carried_have_no_film():
 
 def balances(of, place, height):
     """Moments about the radius through the pivot over every slope at which the pad clears, over load and width."""
-    lean, sector = standing_at_rest(of).leans[place, 0], sector_of(LINE, VISCOSITY, SPEED)
+    lean, sector = attitude_at_rest(of).leans[place, 0], sector_of(LINE, VISCOSITY, SPEED)
     corners = LINE.corners()
     moments = []
     for slope in -np.geomspace(2e-6, 5e-4, 60)[::-1]:
@@ -244,7 +244,7 @@ def test_line_pivots_settle_until_a_corner_touches(ring, borne, unborne):
         thinnest.append(min(state.minimum_film_thickness for state in share.states))
     assert thinnest == sorted(thinnest, reverse=True)
     assert 0.0 < thinnest[-1] < 2e-6
-    with pytest.raises(LeaningPadsTouchError) as told:
+    with pytest.raises(TiltedPadsTouchError) as told:
         share_of(FILMS[LINE], tilted(LINE, 1e-6 * unborne, ring=ring), THRUST)
     assert told.value.pad == 2
 
@@ -252,7 +252,7 @@ def test_line_pivots_settle_until_a_corner_touches(ring, borne, unborne):
 def test_a_leaning_line_pivot_falls_over_below_a_film():
     """On a soft ring far pads lean their inner edges in; below a film no slope balances, above one does."""
     of = tilted(LINE, 110e-6, ring=1e9)
-    with pytest.raises(LeaningPadError, match=r"pad 6 leans.* the pad falls over.* straighter housing") as told:
+    with pytest.raises(TiltedPadError, match=r"pad 6 leans.* the pad falls over.* straighter housing") as told:
         share_of(FILMS[LINE], of, 1e6)
     film = told.value.thinnest
     assert balances(of, 5, 0.98 * film).min() > 0.0
@@ -263,7 +263,7 @@ def test_however_far_the_housing_tilts_the_end_is_told():
     """No tilt ends in a search without result: a film, a corner that touches, or a pad that falls over."""
     for tilt in (200e-6, 400e-6, 1e-3):
         for ring in (math.inf, 1e9):
-            with pytest.raises(LeaningPadsTouchError, match="touches the collar while the pads carry"):
+            with pytest.raises(TiltedPadsTouchError, match="touches the collar while the pads carry"):
                 share_of(FILMS[LINE], tilted(LINE, tilt, ring=ring), THRUST)
 
 
@@ -279,7 +279,7 @@ def test_pads_that_lean_alike_share_a_film(direction, solved):
             asked.append(given)
             return FILMS[LINE].state(*given)
 
-    stands = standing_at_rest(of)
+    stands = attitude_at_rest(of)
     states = states_at(Counted(), 60e-6 + stands.departures, stands)
     assert len(states) == 8
     assert len(asked) == solved
@@ -287,6 +287,6 @@ def test_pads_that_lean_alike_share_a_film(direction, solved):
 
 def test_line_pivots_across_the_tilt_are_level():
     """The radius at a right angle to the tilt stays level, to the last digit."""
-    leans = standing_at_rest(tilted(LINE, direction=0.0)).leans
+    leans = attitude_at_rest(tilted(LINE, direction=0.0)).leans
     assert not leans[[2, 6]].any()
     assert np.abs(leans[[0, 1, 3, 4, 5, 7], 0]).min() > 1e-5

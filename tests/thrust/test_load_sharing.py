@@ -12,7 +12,7 @@ from babbitt.core.notices import InputError
 from babbitt.kinds.thrust.bearing import ThrustBearing
 from babbitt.kinds.thrust.failures import PadsTouchError
 from babbitt.kinds.thrust.load_curve import carrying
-from babbitt.kinds.thrust.pad_attitude import standing_on_runout
+from babbitt.kinds.thrust.pad_attitude import attitude_on_runout
 from babbitt.kinds.thrust.runout import RunoutHarmonic
 from babbitt.kinds.thrust.sharing import share_at_film, share_of
 
@@ -67,7 +67,7 @@ def test_a_pad_that_stands_proud_carries_more():
 def test_runout_at_rest_wanders_with_the_collar():
     of = bearing(tilt=0.0)
     first, second = (
-        share_of(FILMS, of, THRUST, standing_on_runout(of, (RunoutHarmonic(1.0, 5e-6),), angle)).loads
+        share_of(FILMS, of, THRUST, attitude_on_runout(of, (RunoutHarmonic(1.0, 5e-6),), angle)).loads
         for angle in (0.0, math.pi / 4)
     )
     assert int(first.argmax()) == 0

@@ -1,4 +1,4 @@
-"""Thrust bearings from case to result: heat balance, doubts, either sense, given film, unsolved cases."""
+"""Thrust bearings from case to result: heat balance, warnings, either sense, given film, unsolved cases."""
 
 import math
 import re
@@ -10,7 +10,7 @@ from babbitt import parse_case
 from babbitt.case import template
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome, Verdict
-from babbitt.kinds.thrust.design import GivenThrust, Oil, operating_state
+from babbitt.kinds.thrust.design import Oil, PrescribedThrust, operating_state
 from babbitt.kinds.thrust.heat import HeatBalance, temperatures_of
 from babbitt.kinds.thrust.report.sentences import answers
 from babbitt.solving import solve
@@ -174,7 +174,7 @@ def test_the_template_has_its_heat_balance():
     level = re.sub("(?m)^tilt:.*$", "", template("thrust"))
     design = parse_case(level).thrust_design()
     assert isinstance(design.oil, Oil)
-    assert isinstance(design.duty, GivenThrust)
+    assert isinstance(design.duty, PrescribedThrust)
     state = operating_state(design)
     balance = design.oil.balance
     assert isinstance(balance, HeatBalance)
@@ -458,10 +458,10 @@ def test_what_the_runout_does_is_said_and_doubted():
     assert "the limit of 10.0 µm" in said
     assert not [one for one in turning.warnings if one.code == "W201"]
     tilted = result(tilt="{offset: 30 um}", runout="35 um", ring_stiffness=None)
-    [doubt] = [one.message for one in tilted.warnings if one.code == "W201"]
-    assert "tilt, heights and a runout of 35.0 µm bring a pad up to 58.2 µm nearer" in doubt
+    [warning] = [one.message for one in tilted.warnings if one.code == "W201"]
+    assert "tilt, heights and a runout of 35.0 µm bring a pad up to 58.2 µm nearer" in warning
     even = still.pivot_film_thickness * 1e6
-    assert f"the film of {even:.1f} µm that an even share has" in doubt
+    assert f"the film of {even:.1f} µm that an even share has" in warning
 
 
 @pytest.mark.parametrize("oil", ["{kind: viscosity, viscosity: 50 mPa s}", f"{BALANCE}}}"])

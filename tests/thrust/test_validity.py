@@ -16,7 +16,7 @@ from babbitt.kinds.thrust.face import SteppedFace, TaperedFace
 from babbitt.kinds.thrust.load_curve import carrying
 from babbitt.kinds.thrust.pad import Pivot
 from babbitt.kinds.thrust.sharing import share_of
-from babbitt.kinds.thrust.warnings import share_doubts
+from babbitt.kinds.thrust.warnings import sharing_warnings
 from babbitt.solving import solve
 
 BASE = template("thrust")
@@ -55,7 +55,7 @@ def test_oil_or_heat_that_is_lost_and_damping_below_zero_have_no_verdict(monkeyp
     state = bearing_state(design)
 
     def told(found):
-        return {notice.code for notice in share_doubts(design, found)} & {"W211", "W212"}
+        return {notice.code for notice in sharing_warnings(design, found)} & {"W211", "W212"}
 
     def losing(share):
         pads = tuple(replace(pad, leading_flow=pad.leading_flow * (1.0 + share)) for pad in state.share.states)

@@ -10,13 +10,20 @@ from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
 from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
 from babbitt.kinds.thrust.check import thrust_check
-from babbitt.kinds.thrust.design import GivenFilm, GivenThrust, Oil, ThrustDesign, bearing_state, operating_state
+from babbitt.kinds.thrust.design import (
+    Oil,
+    PrescribedFilm,
+    PrescribedThrust,
+    ThrustDesign,
+    bearing_state,
+    operating_state,
+)
 from babbitt.kinds.thrust.equilibrium import pad_state
 from babbitt.kinds.thrust.face import SteppedFace, TaperedFace
 from babbitt.kinds.thrust.failures import ThermalRunawayError
 from babbitt.kinds.thrust.load_curve import carrying
 from babbitt.kinds.thrust.pad import Pivot
-from babbitt.kinds.thrust.pad_attitude import standing_at_rest
+from babbitt.kinds.thrust.pad_attitude import attitude_at_rest
 from babbitt.kinds.thrust.thermal import PadOil, warm_pad
 from babbitt.properties.lubricants import ConstantViscosity, OilProperties, lubricant, lubricant_from_law
 
@@ -64,7 +71,7 @@ def test_oil_that_hardly_warms_leaves_the_isothermal_pad():
 
 def design(oil, duty=None, tilt=0.0):
     return ThrustDesign(
-        "Block", ThrustBearing(PAD, 8, 2e10, tilt=HousingTilt(tilt)), duty or GivenThrust(500e3), SPEED, oil
+        "Block", ThrustBearing(PAD, 8, 2e10, tilt=HousingTilt(tilt)), duty or PrescribedThrust(500e3), SPEED, oil
     )
 
 
@@ -153,9 +160,9 @@ def test_heat_evens_out_what_a_tilt_does():
 
 def test_a_given_film_and_its_thrust_are_one_answer():
     oil = Oil(VG_100, None, 318.15, 0.75, own_temperatures=True)
-    level = replace(design(oil, GivenFilm(45e-6)), bearing=ThrustBearing(PAD, 8))
+    level = replace(design(oil, PrescribedFilm(45e-6)), bearing=ThrustBearing(PAD, 8))
     thrust = operating_state(level).share.thrust
-    again = operating_state(replace(level, duty=GivenThrust(thrust)))
+    again = operating_state(replace(level, duty=PrescribedThrust(thrust)))
     assert again.share.heights == pytest.approx(45e-6, rel=1e-4)
 
 
@@ -170,7 +177,7 @@ def test_the_check_tells_temperatures_of_every_pad():
 def test_a_film_hotter_than_the_oil_bears_is_a_runaway():
     with pytest.raises(ThermalRunawayError):
         warm_pad(PAD, OIL, SPEED, 20e-6, 2e6)
-    result = thrust_check(design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=True), GivenThrust(500e6)))
+    result = thrust_check(design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=True), PrescribedThrust(500e6)))
     assert result.outcome is Outcome.THERMAL_RUNAWAY
     assert not result.values
     assert "friction outruns the oil" in result.message
@@ -218,9 +225,9 @@ def test_equal_pads_have_no_other_neighbours_than_their_like():
 
 def test_a_mean_film_stays_the_one_given_where_pads_warm_their_neighbours():
     """And its thrust has that share: heat capacity is taken at the mean film there, at the mean load here."""
-    found = bearing_state(replace(TILTED, duty=GivenFilm(50e-6)))
+    found = bearing_state(replace(TILTED, duty=PrescribedFilm(50e-6)))
     assert found.share.heights.mean() == pytest.approx(50e-6, rel=1e-6)
-    again = bearing_state(replace(TILTED, duty=GivenThrust(found.share.thrust)))
+    again = bearing_state(replace(TILTED, duty=PrescribedThrust(found.share.thrust)))
     assert again.share.heights == pytest.approx(found.share.heights, rel=2e-3)
 
 
@@ -229,7 +236,7 @@ def test_warm_faces_that_lean_share_thrust_and_heat(pad):
     """Held slopes, the thrust, the positions over the ring and the energy, with pads that feed each other."""
     of = replace(design(Oil(VG_100, None, 318.15, 0.75, own_temperatures=True), tilt=30e-6))
     of = replace(of, bearing=replace(of.bearing, pad=pad))
-    stands = standing_at_rest(of.bearing)
+    stands = attitude_at_rest(of.bearing)
     for state, exactly in ((operating_state(of), 1e-5), (bearing_state(of), 1e-6)):
         share = state.share
         assert share.loads.sum() == pytest.approx(500e3, rel=exactly)
@@ -257,6 +264,6 @@ def test_oil_that_hardly_warms_leaves_the_share_of_leaning_pads():
 def test_the_heat_balance_of_leaning_pads_is_closed():
     of = design(Oil(VG_100, None, 318.15, 0.75), tilt=30e-6)
     found = operating_state(replace(of, bearing=replace(of.bearing, pad=TAPER)))
-    assert standing_at_rest(found.share.bearing).is_leaning
+    assert attitude_at_rest(found.share.bearing).is_tilted
     assert found.share.loads.sum() == pytest.approx(500e3, rel=1e-5)
     assert abs(found.temperatures.error) < 1e-9

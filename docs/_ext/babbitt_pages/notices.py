@@ -9,9 +9,8 @@ FAMILIES = {
     "E": ("Unusable input", "Exit status 2. Nothing was computed and nothing was written."),
     "S": ("No solution", "Exit status 3. The message of the case says how far it came."),
     "W": (
-        "Doubts",
-        "They ride along with a result, name the numbers that raise the doubt, and each says what it does to the "
-        "verdict.",
+        "Warnings",
+        "They stand beside a result, name the numbers that raise them, and each says what it does to the verdict.",
     ),
     "C": (
         "Checks",

@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from typing import Any, ClassVar
 
 from babbitt.api.case import Case
-from babbitt.api.methods import MethodGiven
+from babbitt.api.methods import MethodOptions
 from babbitt.api.words import of_machine, with_method, with_method_in_words
 from babbitt.case.case_file import CaseFile
 from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
-from babbitt.kinds.footstep.case.footstep import ScrewHeelCase
+from babbitt.kinds.footstep.case.footstep import FootstepCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_journal import HydrostaticJournalCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_pad import HydrostaticPadCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_thrust_ring import HydrostaticThrustRingCase
@@ -57,7 +57,7 @@ class JournalBearing(Case, files.JournalCase):
         return with_method_in_words(given)
 
     def _given_with(self, given: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
-        if path == "method" and isinstance(value, MethodGiven):
+        if path == "method" and isinstance(value, MethodOptions):
             return with_method(given, value)
         return super()._given_with(given, path.removeprefix("method."), value)
 
@@ -119,10 +119,10 @@ class JackingPocket(Case, JackingPocketCase):
     default_name: ClassVar[str] = "Jacking pocket"
 
 
-class Footstep(Case, ScrewHeelCase):
+class Footstep(Case, FootstepCase):
     """The footstep of a screw with a smooth or grooved heel."""
 
-    model: ClassVar[type[CaseFile]] = ScrewHeelCase
+    model: ClassVar[type[CaseFile]] = FootstepCase
     default_name: ClassVar[str] = "Footstep"
 
 

@@ -5,12 +5,12 @@ from enum import Enum
 from typing import Any, ClassVar, Literal, SupportsFloat, SupportsIndex, TypeAlias
 
 from babbitt.api.case import Case
-from babbitt.api.methods import MethodGiven
+from babbitt.api.methods import MethodOptions
 from babbitt.api.words import of_machine, with_method, with_method_in_words
 from babbitt.case.case_file import CaseFile
 from babbitt.case.part import Part
 from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
-from babbitt.kinds.footstep.case.footstep import ScrewHeelCase
+from babbitt.kinds.footstep.case.footstep import FootstepCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_journal import HydrostaticJournalCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_pad import HydrostaticPadCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_thrust_ring import HydrostaticThrustRingCase
@@ -41,7 +41,7 @@ class JournalBearing(Case, files.JournalCase):
         surface_speed: Quantity | None = ...,
         kind: Literal["journal"] | Enum | None = ...,
         name: str | None = ...,
-        method: Literal["iso7902", "film", "long_film", "segments"] | Enum | MethodGiven | None = ...,
+        method: Literal["iso7902", "film", "long_film", "segments"] | Enum | MethodOptions | None = ...,
         diameter: Quantity | None = ...,
         width: Quantity | None = ...,
         width_ratio: Quantity | None = ...,
@@ -301,7 +301,7 @@ class JackingPocket(Case, JackingPocketCase):
         source: str | None = ...,
     ) -> None: ...
 
-class Footstep(Case, ScrewHeelCase):
+class Footstep(Case, FootstepCase):
     model: ClassVar[type[CaseFile]]
     default_name: ClassVar[str]
     def __init__(

@@ -112,27 +112,27 @@ class DrawingSurfaces(OwnPart, surfaces.DrawingSurfaces):
     """Tilt and waviness from the form tolerances of the drawing."""
 
 
-class Column(OwnPart, compliance.ColumnGiven):
+class Column(OwnPart, compliance.ColumnInput):
     """A thin liner, of which every spot gives way by itself."""
 
 
-class Ring(OwnPart, compliance.RingGiven):
+class Ring(OwnPart, compliance.RingInput):
     """Bush or housing as a thick elastic ring."""
 
 
-class HalfSpace(OwnPart, compliance.HalfSpaceGiven):
+class HalfSpace(OwnPart, compliance.HalfSpaceInput):
     """A massive housing."""
 
 
-class ComplianceMatrix(OwnPart, compliance.MatrixGiven):
+class ComplianceMatrix(OwnPart, compliance.MatrixInput):
     """A matrix of compliance that was calculated or measured elsewhere."""
 
 
-class Friction(OwnPart, choices.FrictionGiven):
+class Friction(OwnPart, choices.FrictionInput):
     """Where the film rubs."""
 
 
-class Limits(OwnPart, choices.LimitsGiven):
+class Limits(OwnPart, choices.LimitsInput):
     """Limits in place of those by experience."""
 
 

@@ -184,7 +184,7 @@ class DrawingSurfaces(OwnPart, surfaces.DrawingSurfaces):
         roundness_tolerance_journal: Quantity | None = ...,
     ) -> None: ...
 
-class Column(OwnPart, compliance.ColumnGiven):
+class Column(OwnPart, compliance.ColumnInput):
     def __init__(
         self,
         *,
@@ -195,7 +195,7 @@ class Column(OwnPart, compliance.ColumnGiven):
         displacement_per_pressure: Quantity | None = ...,
     ) -> None: ...
 
-class Ring(OwnPart, compliance.RingGiven):
+class Ring(OwnPart, compliance.RingInput):
     def __init__(
         self,
         *,
@@ -206,7 +206,7 @@ class Ring(OwnPart, compliance.RingGiven):
         support: Literal["free", "clamped"] | Enum | None = ...,
     ) -> None: ...
 
-class HalfSpace(OwnPart, compliance.HalfSpaceGiven):
+class HalfSpace(OwnPart, compliance.HalfSpaceInput):
     def __init__(
         self,
         *,
@@ -215,7 +215,7 @@ class HalfSpace(OwnPart, compliance.HalfSpaceGiven):
         poisson_ratio: Quantity | None = ...,
     ) -> None: ...
 
-class ComplianceMatrix(OwnPart, compliance.MatrixGiven):
+class ComplianceMatrix(OwnPart, compliance.MatrixInput):
     def __init__(
         self,
         *,
@@ -225,7 +225,7 @@ class ComplianceMatrix(OwnPart, compliance.MatrixGiven):
         file: str | None = ...,
     ) -> None: ...
 
-class Friction(OwnPart, choices.FrictionGiven):
+class Friction(OwnPart, choices.FrictionInput):
     def __init__(
         self,
         *,
@@ -233,7 +233,7 @@ class Friction(OwnPart, choices.FrictionGiven):
         factor: Quantity | None = ...,
     ) -> None: ...
 
-class Limits(OwnPart, choices.LimitsGiven):
+class Limits(OwnPart, choices.LimitsInput):
     def __init__(
         self,
         *,

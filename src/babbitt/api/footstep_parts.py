@@ -11,30 +11,30 @@ from babbitt.kinds.footstep.case import footstep_parts
 __all__ = [
     "FigureRanges",
     "Heel",
-    "HeelGroove",
-    "HeelOil",
-    "HeelOptions",
-    "HeelWall",
+    "FootstepGroove",
+    "FootstepOil",
+    "FootstepOptions",
+    "FootstepWall",
 ]
 
 
-class Heel(OwnPart, footstep_parts.HeelPart):
+class Heel(OwnPart, footstep_parts.HeelInput):
     """Lengths of the heel and of the recess in its face."""
 
 
-class HeelGroove(OwnPart, footstep_parts.GroovePart):
+class FootstepGroove(OwnPart, footstep_parts.GroovePart):
     """The screw groove on the heel."""
 
 
-class HeelOil(OwnPart, footstep_parts.HeelOilPart):
+class FootstepOil(OwnPart, footstep_parts.FootstepOilInput):
     """Oil whose viscosity falls exponentially: mu = viscosity exp(-exponent (T - temperature))."""
 
 
-class HeelWall(OwnPart, footstep_parts.WallPart):
+class FootstepWall(OwnPart, footstep_parts.WallPart):
     """Metal that takes heat from the films (`method: narrow_groove`)."""
 
 
-class HeelOptions(OwnPart, footstep_parts.HeelOptionsPart):
+class FootstepOptions(OwnPart, footstep_parts.FootstepOptionsInput):
     """What the study leaves open, or prints otherwise; the defaults are the consistent choices."""
 
 

@@ -10,7 +10,7 @@ from babbitt.kinds.footstep.case import footstep_parts
 
 Quantity: TypeAlias = str | SupportsFloat
 
-class Heel(OwnPart, footstep_parts.HeelPart):
+class Heel(OwnPart, footstep_parts.HeelInput):
     def __init__(
         self,
         *,
@@ -21,7 +21,7 @@ class Heel(OwnPart, footstep_parts.HeelPart):
         recess_depth: Quantity | None = ...,
     ) -> None: ...
 
-class HeelGroove(OwnPart, footstep_parts.GroovePart):
+class FootstepGroove(OwnPart, footstep_parts.GroovePart):
     def __init__(
         self,
         *,
@@ -33,7 +33,7 @@ class HeelGroove(OwnPart, footstep_parts.GroovePart):
         accept_misfit: bool | None = ...,
     ) -> None: ...
 
-class HeelOil(OwnPart, footstep_parts.HeelOilPart):
+class FootstepOil(OwnPart, footstep_parts.FootstepOilInput):
     def __init__(
         self,
         *,
@@ -44,7 +44,7 @@ class HeelOil(OwnPart, footstep_parts.HeelOilPart):
         density: Quantity | None = ...,
     ) -> None: ...
 
-class HeelWall(OwnPart, footstep_parts.WallPart):
+class FootstepWall(OwnPart, footstep_parts.WallPart):
     def __init__(
         self,
         *,
@@ -52,7 +52,7 @@ class HeelWall(OwnPart, footstep_parts.WallPart):
         conductance: Quantity | None = ...,
     ) -> None: ...
 
-class HeelOptions(OwnPart, footstep_parts.HeelOptionsPart):
+class FootstepOptions(OwnPart, footstep_parts.FootstepOptionsInput):
     def __init__(
         self,
         *,

@@ -26,31 +26,31 @@ __all__ = [
 ]
 
 
-class Capillary(OwnPart, restrictors.CapillaryGiven):
+class Capillary(OwnPart, restrictors.CapillaryInput):
     """A round tube before every recess."""
 
 
-class Orifice(OwnPart, restrictors.OrificeGiven):
+class Orifice(OwnPart, restrictors.OrificeInput):
     """A sharp-edged hole before every recess."""
 
 
-class Slot(OwnPart, restrictors.SlotGiven):
+class Slot(OwnPart, restrictors.SlotInput):
     """A flat slot before every recess."""
 
 
-class ConstantFlow(OwnPart, restrictors.ConstantFlowGiven):
+class ConstantFlow(OwnPart, restrictors.ConstantFlowInput):
     """A pump for every recess."""
 
 
-class MeteredFlow(OwnPart, restrictors.MeteredFlowGiven):
+class MeteredFlow(OwnPart, restrictors.MeteredFlowInput):
     """A metering stage before every recess, fed by the common supply."""
 
 
-class FlowValve(OwnPart, restrictors.FlowValveGiven):
+class FlowValve(OwnPart, restrictors.FlowValveInput):
     """A pressure-compensating valve before every recess: more oil where the recess pressure rises."""
 
 
-class MembraneValve(OwnPart, restrictors.MembraneValveGiven):
+class MembraneValve(OwnPart, restrictors.MembraneValveInput):
     """A membrane valve before every recess: its gap opens with the recess pressure."""
 
 
@@ -70,13 +70,13 @@ class RecessRow(OwnPart, recess_parts.RecessRow):
     """Equal recesses around the axis."""
 
 
-class CircularPad(OwnPart, pad_shapes.CircularGiven):
+class CircularPad(OwnPart, pad_shapes.CircularInput):
     """A round pad with a round recess in the middle."""
 
 
-class AnnularPad(OwnPart, pad_shapes.AnnularGiven):
+class AnnularPad(OwnPart, pad_shapes.AnnularInput):
     """A ring with an annular recess."""
 
 
-class RectangularPad(OwnPart, pad_shapes.RectangularGiven):
+class RectangularPad(OwnPart, pad_shapes.RectangularInput):
     """A rectangle with a rectangular recess in the middle."""

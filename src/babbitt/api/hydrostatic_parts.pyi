@@ -10,7 +10,7 @@ from babbitt.kinds.hydrostatic.case import pad_shapes, recess_parts, restrictors
 
 Quantity: TypeAlias = str | SupportsFloat
 
-class Capillary(OwnPart, restrictors.CapillaryGiven):
+class Capillary(OwnPart, restrictors.CapillaryInput):
     def __init__(
         self,
         *,
@@ -23,7 +23,7 @@ class Capillary(OwnPart, restrictors.CapillaryGiven):
         viscosity: Quantity | None = ...,
     ) -> None: ...
 
-class Orifice(OwnPart, restrictors.OrificeGiven):
+class Orifice(OwnPart, restrictors.OrificeInput):
     def __init__(
         self,
         *,
@@ -33,7 +33,7 @@ class Orifice(OwnPart, restrictors.OrificeGiven):
         discharge: Quantity | None = ...,
     ) -> None: ...
 
-class Slot(OwnPart, restrictors.SlotGiven):
+class Slot(OwnPart, restrictors.SlotInput):
     def __init__(
         self,
         *,
@@ -45,7 +45,7 @@ class Slot(OwnPart, restrictors.SlotGiven):
         viscosity: Quantity | None = ...,
     ) -> None: ...
 
-class ConstantFlow(OwnPart, restrictors.ConstantFlowGiven):
+class ConstantFlow(OwnPart, restrictors.ConstantFlowInput):
     def __init__(
         self,
         *,
@@ -54,7 +54,7 @@ class ConstantFlow(OwnPart, restrictors.ConstantFlowGiven):
         leakage: Quantity | None = ...,
     ) -> None: ...
 
-class MeteredFlow(OwnPart, restrictors.MeteredFlowGiven):
+class MeteredFlow(OwnPart, restrictors.MeteredFlowInput):
     def __init__(
         self,
         *,
@@ -62,7 +62,7 @@ class MeteredFlow(OwnPart, restrictors.MeteredFlowGiven):
         flow: Quantity | None = ...,
     ) -> None: ...
 
-class FlowValve(OwnPart, restrictors.FlowValveGiven):
+class FlowValve(OwnPart, restrictors.FlowValveInput):
     def __init__(
         self,
         *,
@@ -72,7 +72,7 @@ class FlowValve(OwnPart, restrictors.FlowValveGiven):
         open_conductance: Quantity | None = ...,
     ) -> None: ...
 
-class MembraneValve(OwnPart, restrictors.MembraneValveGiven):
+class MembraneValve(OwnPart, restrictors.MembraneValveInput):
     def __init__(
         self,
         *,
@@ -127,7 +127,7 @@ class RecessRow(OwnPart, recess_parts.RecessRow):
         drain_groove: Quantity | None = ...,
     ) -> None: ...
 
-class CircularPad(OwnPart, pad_shapes.CircularGiven):
+class CircularPad(OwnPart, pad_shapes.CircularInput):
     def __init__(
         self,
         *,
@@ -136,7 +136,7 @@ class CircularPad(OwnPart, pad_shapes.CircularGiven):
         recess_diameter: Quantity | None = ...,
     ) -> None: ...
 
-class AnnularPad(OwnPart, pad_shapes.AnnularGiven):
+class AnnularPad(OwnPart, pad_shapes.AnnularInput):
     def __init__(
         self,
         *,
@@ -147,7 +147,7 @@ class AnnularPad(OwnPart, pad_shapes.AnnularGiven):
         outer_diameter: Quantity | None = ...,
     ) -> None: ...
 
-class RectangularPad(OwnPart, pad_shapes.RectangularGiven):
+class RectangularPad(OwnPart, pad_shapes.RectangularInput):
     def __init__(
         self,
         *,

@@ -55,91 +55,91 @@ __all__ = [
 ]
 
 
-class Groove(OwnPart, film_features.GrooveGiven):
+class Groove(OwnPart, film_features.GrooveInput):
     """An axial groove as wide as the bearing."""
 
 
-class Pocket(OwnPart, film_features.PocketGiven):
+class Pocket(OwnPart, film_features.PocketInput):
     """A rectangular pocket, narrower than the bearing; one of 360 deg is a circumferential groove."""
 
 
-class Hole(OwnPart, film_features.SupplyHoleGiven):
+class Hole(OwnPart, film_features.SupplyHoleInput):
     """A round hole in the bore."""
 
 
-class Misalignment(OwnPart, film_features.MisalignmentGiven):
+class Misalignment(OwnPart, film_features.MisalignmentInput):
     """Misalignment of the journal axis in the bore."""
 
 
-class RoundBore(OwnPart, film_features.RoundBoreGiven):
+class RoundBore(OwnPart, film_features.RoundBoreInput):
     """A round bore."""
 
 
-class Lobes(OwnPart, film_features.LobedBoreGiven):
+class Lobes(OwnPart, film_features.LobedBoreInput):
     """A bore of lobes: every land between two grooves is an arc of a larger circle."""
 
 
-class TaperedBore(OwnPart, film_features.TaperedBoreGiven):
+class TaperedBore(OwnPart, film_features.TaperedBoreInput):
     """Lands that are cut back where the oil enters."""
 
 
-class Relief(OwnPart, film_features.ReliefGiven):
+class Relief(OwnPart, film_features.ReliefInput):
     """The track of a pressure dam bearing that relieves its loaded land."""
 
 
-class PressureDam(OwnPart, film_features.PressureDamBoreGiven):
+class PressureDam(OwnPart, film_features.PressureDamBoreInput):
     """A round bore with a recess that ends in a dam, to load the journal from the other side."""
 
 
-class WornBore(OwnPart, film_features.WornBoreGiven):
+class WornBore(OwnPart, film_features.WornBoreInput):
     """A bore worn by its journal."""
 
 
-class MeasuredBore(OwnPart, film_features.MeasuredBoreGiven):
+class MeasuredBore(OwnPart, film_features.MeasuredBoreInput):
     """A bore as it was measured."""
 
 
-class Step(OwnPart, film_surface.StepGiven):
+class Step(OwnPart, film_surface.StepInput):
     """A rectangle of the bore that lies deeper and belongs to the film."""
 
 
-class ParabolicCrowning(OwnPart, film_surface.ParabolicCrowningGiven):
+class ParabolicCrowning(OwnPart, film_surface.ParabolicCrowningInput):
     """A journal that is a barrel."""
 
 
-class EdgeCrowning(OwnPart, film_surface.EdgeCrowningGiven):
+class EdgeCrowning(OwnPart, film_surface.EdgeCrowningInput):
     """A journal, or bore, that is relieved near its edges."""
 
 
-class TableCrowning(OwnPart, film_surface.TableCrowningGiven):
+class TableCrowning(OwnPart, film_surface.TableCrowningInput):
     """A journal as it was measured along its axis."""
 
 
-class Displacement(OwnPart, film_surface.DisplacementGiven):
+class Displacement(OwnPart, film_surface.DisplacementInput):
     """What the gap gains over the bore, by elastic or thermal displacement of its surfaces."""
 
 
-class Liner(OwnPart, film_heat.LinerGiven):
+class Liner(OwnPart, film_heat.LinerInput):
     """The layer of bearing metal on the bush."""
 
 
-class ConductingBush(OwnPart, film_heat.ConductingBushGiven):
+class ConductingBush(OwnPart, film_heat.ConductingBushInput):
     """The bush, or what lies next to the bore."""
 
 
-class ConductingHousing(OwnPart, film_heat.ConductingHousingGiven):
+class ConductingHousing(OwnPart, film_heat.ConductingHousingInput):
     """What surrounds the bush."""
 
 
-class ConductingJournal(OwnPart, film_heat.ConductingJournalGiven):
+class ConductingJournal(OwnPart, film_heat.ConductingJournalInput):
     """The journal, which has one temperature."""
 
 
-class Walls(OwnPart, film_heat.WallsGiven):
+class Walls(OwnPart, film_heat.WallsInput):
     """Bush, housing and journal, which take heat from the film."""
 
 
-class PressureViscosity(OwnPart, film_oil.PressureViscosityGiven):
+class PressureViscosity(OwnPart, film_oil.PressureViscosityInput):
     """How the viscosity grows with the pressure in the film."""
 
 
@@ -163,11 +163,11 @@ class UnevenPockets(OwnPart, supply_element.UnevenPockets):
     """Two pockets at different angles from the load; they set the angular span."""
 
 
-class RotatingLoad(OwnPart, dynamic_load.RotatingLoadGiven):
+class RotatingLoad(OwnPart, dynamic_load.RotatingLoadInput):
     """A load of constant size that rotates, as that of an unbalance."""
 
 
-class LoadTable(OwnPart, dynamic_load.LoadTableGiven):
+class LoadTable(OwnPart, dynamic_load.LoadTableInput):
     """A load by table over the angle that the journal turns."""
 
 
@@ -175,13 +175,13 @@ class OperatingPoint(OwnPart, operating_point.OperatingPoint):
     """One of several operating points. What it does not give is taken from the bearing."""
 
 
-class Position(OwnPart, operating_point.PositionGiven):
+class Position(OwnPart, operating_point.PositionInput):
     """Where the journal centre stands."""
 
 
-class HeatExchange(OwnPart, heat_exchange.HeatExchangeGiven):
+class HeatExchange(OwnPart, heat_exchange.HeatExchangeInput):
     """Where heat goes besides the oil, and how the published calculation is repeated."""
 
 
-class SegmentOptions(OwnPart, grooved_segments.SegmentsGiven):
+class SegmentOptions(OwnPart, grooved_segments.SegmentsInput):
     """What the heat balance by segments knows of the film."""

@@ -10,7 +10,7 @@ from babbitt.kinds.journal.case import dynamic_load, film_features, film_heat, f
 
 Quantity: TypeAlias = str | SupportsFloat
 
-class Groove(OwnPart, film_features.GrooveGiven):
+class Groove(OwnPart, film_features.GrooveInput):
     def __init__(
         self,
         *,
@@ -20,7 +20,7 @@ class Groove(OwnPart, film_features.GrooveGiven):
         flow: Quantity | None = ...,
     ) -> None: ...
 
-class Pocket(OwnPart, film_features.PocketGiven):
+class Pocket(OwnPart, film_features.PocketInput):
     def __init__(
         self,
         *,
@@ -32,7 +32,7 @@ class Pocket(OwnPart, film_features.PocketGiven):
         flow: Quantity | None = ...,
     ) -> None: ...
 
-class Hole(OwnPart, film_features.SupplyHoleGiven):
+class Hole(OwnPart, film_features.SupplyHoleInput):
     def __init__(
         self,
         *,
@@ -43,7 +43,7 @@ class Hole(OwnPart, film_features.SupplyHoleGiven):
         flow: Quantity | None = ...,
     ) -> None: ...
 
-class Misalignment(OwnPart, film_features.MisalignmentGiven):
+class Misalignment(OwnPart, film_features.MisalignmentInput):
     def __init__(
         self,
         *,
@@ -51,14 +51,14 @@ class Misalignment(OwnPart, film_features.MisalignmentGiven):
         y: Quantity | None = ...,
     ) -> None: ...
 
-class RoundBore(OwnPart, film_features.RoundBoreGiven):
+class RoundBore(OwnPart, film_features.RoundBoreInput):
     def __init__(
         self,
         *,
         kind: Literal["round"] | Enum | None = ...,
     ) -> None: ...
 
-class Lobes(OwnPart, film_features.LobedBoreGiven):
+class Lobes(OwnPart, film_features.LobedBoreInput):
     def __init__(
         self,
         *,
@@ -67,7 +67,7 @@ class Lobes(OwnPart, film_features.LobedBoreGiven):
         offset: Quantity | None = ...,
     ) -> None: ...
 
-class TaperedBore(OwnPart, film_features.TaperedBoreGiven):
+class TaperedBore(OwnPart, film_features.TaperedBoreInput):
     def __init__(
         self,
         *,
@@ -76,7 +76,7 @@ class TaperedBore(OwnPart, film_features.TaperedBoreGiven):
         share: Quantity | None = ...,
     ) -> None: ...
 
-class Relief(OwnPart, film_features.ReliefGiven):
+class Relief(OwnPart, film_features.ReliefInput):
     def __init__(
         self,
         *,
@@ -86,7 +86,7 @@ class Relief(OwnPart, film_features.ReliefGiven):
         depth: Quantity | None = ...,
     ) -> None: ...
 
-class PressureDam(OwnPart, film_features.PressureDamBoreGiven):
+class PressureDam(OwnPart, film_features.PressureDamBoreInput):
     def __init__(
         self,
         *,
@@ -98,7 +98,7 @@ class PressureDam(OwnPart, film_features.PressureDamBoreGiven):
         relief: Mapping[str, Any] | Part | None = ...,
     ) -> None: ...
 
-class WornBore(OwnPart, film_features.WornBoreGiven):
+class WornBore(OwnPart, film_features.WornBoreInput):
     def __init__(
         self,
         *,
@@ -107,7 +107,7 @@ class WornBore(OwnPart, film_features.WornBoreGiven):
         angle: Quantity | None = ...,
     ) -> None: ...
 
-class MeasuredBore(OwnPart, film_features.MeasuredBoreGiven):
+class MeasuredBore(OwnPart, film_features.MeasuredBoreInput):
     def __init__(
         self,
         *,
@@ -117,7 +117,7 @@ class MeasuredBore(OwnPart, film_features.MeasuredBoreGiven):
         start: Quantity | None = ...,
     ) -> None: ...
 
-class Step(OwnPart, film_surface.StepGiven):
+class Step(OwnPart, film_surface.StepInput):
     def __init__(
         self,
         *,
@@ -128,7 +128,7 @@ class Step(OwnPart, film_surface.StepGiven):
         axial_position: Quantity | None = ...,
     ) -> None: ...
 
-class ParabolicCrowning(OwnPart, film_surface.ParabolicCrowningGiven):
+class ParabolicCrowning(OwnPart, film_surface.ParabolicCrowningInput):
     def __init__(
         self,
         *,
@@ -136,7 +136,7 @@ class ParabolicCrowning(OwnPart, film_surface.ParabolicCrowningGiven):
         drop: Quantity | None = ...,
     ) -> None: ...
 
-class EdgeCrowning(OwnPart, film_surface.EdgeCrowningGiven):
+class EdgeCrowning(OwnPart, film_surface.EdgeCrowningInput):
     def __init__(
         self,
         *,
@@ -145,7 +145,7 @@ class EdgeCrowning(OwnPart, film_surface.EdgeCrowningGiven):
         length: Quantity | None = ...,
     ) -> None: ...
 
-class TableCrowning(OwnPart, film_surface.TableCrowningGiven):
+class TableCrowning(OwnPart, film_surface.TableCrowningInput):
     def __init__(
         self,
         *,
@@ -153,7 +153,7 @@ class TableCrowning(OwnPart, film_surface.TableCrowningGiven):
         drops: Iterable[Quantity] | None = ...,
     ) -> None: ...
 
-class Displacement(OwnPart, film_surface.DisplacementGiven):
+class Displacement(OwnPart, film_surface.DisplacementInput):
     def __init__(
         self,
         *,
@@ -163,7 +163,7 @@ class Displacement(OwnPart, film_surface.DisplacementGiven):
         file: str | None = ...,
     ) -> None: ...
 
-class Liner(OwnPart, film_heat.LinerGiven):
+class Liner(OwnPart, film_heat.LinerInput):
     def __init__(
         self,
         *,
@@ -171,7 +171,7 @@ class Liner(OwnPart, film_heat.LinerGiven):
         conductivity: Quantity | None = ...,
     ) -> None: ...
 
-class ConductingBush(OwnPart, film_heat.ConductingBushGiven):
+class ConductingBush(OwnPart, film_heat.ConductingBushInput):
     def __init__(
         self,
         *,
@@ -180,7 +180,7 @@ class ConductingBush(OwnPart, film_heat.ConductingBushGiven):
         liner: Mapping[str, Any] | Part | None = ...,
     ) -> None: ...
 
-class ConductingHousing(OwnPart, film_heat.ConductingHousingGiven):
+class ConductingHousing(OwnPart, film_heat.ConductingHousingInput):
     def __init__(
         self,
         *,
@@ -191,7 +191,7 @@ class ConductingHousing(OwnPart, film_heat.ConductingHousingGiven):
         ambient_temperature: Quantity | None = ...,
     ) -> None: ...
 
-class ConductingJournal(OwnPart, film_heat.ConductingJournalGiven):
+class ConductingJournal(OwnPart, film_heat.ConductingJournalInput):
     def __init__(
         self,
         *,
@@ -200,7 +200,7 @@ class ConductingJournal(OwnPart, film_heat.ConductingJournalGiven):
         ambient_temperature: Quantity | None = ...,
     ) -> None: ...
 
-class Walls(OwnPart, film_heat.WallsGiven):
+class Walls(OwnPart, film_heat.WallsInput):
     def __init__(
         self,
         *,
@@ -210,7 +210,7 @@ class Walls(OwnPart, film_heat.WallsGiven):
         thermal_distortion: bool | None = ...,
     ) -> None: ...
 
-class PressureViscosity(OwnPart, film_oil.PressureViscosityGiven):
+class PressureViscosity(OwnPart, film_oil.PressureViscosityInput):
     def __init__(
         self,
         *,
@@ -268,7 +268,7 @@ class UnevenPockets(OwnPart, supply_element.UnevenPockets):
         rounding: Literal["down", "nearest"] | Enum | None = ...,
     ) -> None: ...
 
-class RotatingLoad(OwnPart, dynamic_load.RotatingLoadGiven):
+class RotatingLoad(OwnPart, dynamic_load.RotatingLoadInput):
     def __init__(
         self,
         *,
@@ -279,7 +279,7 @@ class RotatingLoad(OwnPart, dynamic_load.RotatingLoadGiven):
         moving_mass: Quantity | None = ...,
     ) -> None: ...
 
-class LoadTable(OwnPart, dynamic_load.LoadTableGiven):
+class LoadTable(OwnPart, dynamic_load.LoadTableInput):
     def __init__(
         self,
         *,
@@ -311,7 +311,7 @@ class OperatingPoint(OwnPart, operating_point.OperatingPoint):
         supply_element: Mapping[str, Any] | Part | None = ...,
     ) -> None: ...
 
-class Position(OwnPart, operating_point.PositionGiven):
+class Position(OwnPart, operating_point.PositionInput):
     def __init__(
         self,
         *,
@@ -319,7 +319,7 @@ class Position(OwnPart, operating_point.PositionGiven):
         y: Quantity | None = ...,
     ) -> None: ...
 
-class HeatExchange(OwnPart, heat_exchange.HeatExchangeGiven):
+class HeatExchange(OwnPart, heat_exchange.HeatExchangeInput):
     def __init__(
         self,
         *,
@@ -332,7 +332,7 @@ class HeatExchange(OwnPart, heat_exchange.HeatExchangeGiven):
         exchange_zone: Literal["liquid_fraction", "all_around", "film"] | Enum | None = ...,
     ) -> None: ...
 
-class SegmentOptions(OwnPart, grooved_segments.SegmentsGiven):
+class SegmentOptions(OwnPart, grooved_segments.SegmentsInput):
     def __init__(
         self,
         *,

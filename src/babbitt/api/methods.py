@@ -11,7 +11,7 @@ from babbitt.api.part import OwnPart
 from babbitt.case.part import Part
 from babbitt.kinds.journal.case.journal import JournalBearing
 
-__all__ = ["METHODS", "Film", "Iso7902", "LongFilm", "MethodGiven", "Segments"]
+__all__ = ["METHODS", "Film", "Iso7902", "LongFilm", "MethodOptions", "Segments"]
 
 FILM_OPTIONS = (
     "thermal",
@@ -47,34 +47,34 @@ _LongFilmOptions = _options("_LongFilmOptions", ("heat_exchange",))
 _SegmentsOptions = _options("_SegmentsOptions", ("segments",))
 
 
-class MethodGiven(OwnPart):
+class MethodOptions(OwnPart):
     """A method and its options."""
 
     method: ClassVar[str]
 
 
-class Film(MethodGiven, _FilmOptions):  # type: ignore[valid-type, misc]  # made of the fields of the bearing
+class Film(MethodOptions, _FilmOptions):  # type: ignore[valid-type, misc]  # made of the fields of the bearing
     """The film in two dimensions."""
 
     method: ClassVar[str] = "film"
 
 
-class Iso7902(MethodGiven, _Iso7902Options):  # type: ignore[valid-type, misc]  # made of the fields of the bearing
+class Iso7902(MethodOptions, _Iso7902Options):  # type: ignore[valid-type, misc]  # made of the fields of the bearing
     """The procedure of ISO 7902."""
 
     method: ClassVar[str] = "iso7902"
 
 
-class LongFilm(MethodGiven, _LongFilmOptions):  # type: ignore[valid-type, misc]  # made of the fields of the bearing
+class LongFilm(MethodOptions, _LongFilmOptions):  # type: ignore[valid-type, misc]  # made of the fields of the bearing
     """The long film with heat exchange."""
 
     method: ClassVar[str] = "long_film"
 
 
-class Segments(MethodGiven, _SegmentsOptions):  # type: ignore[valid-type, misc]  # made of the fields of the bearing
+class Segments(MethodOptions, _SegmentsOptions):  # type: ignore[valid-type, misc]  # made of the fields of the bearing
     """The heat balance by segments of a grooved long bearing."""
 
     method: ClassVar[str] = "segments"
 
 
-METHODS: Mapping[str, type[MethodGiven]] = {one.method: one for one in (Film, Iso7902, LongFilm, Segments)}
+METHODS: Mapping[str, type[MethodOptions]] = {one.method: one for one in (Film, Iso7902, LongFilm, Segments)}

@@ -10,10 +10,10 @@ from babbitt.kinds.journal.case.journal import JournalBearing
 
 Quantity: TypeAlias = str | SupportsFloat
 
-class MethodGiven(OwnPart):
+class MethodOptions(OwnPart):
     method: ClassVar[str]
 
-class Film(MethodGiven):
+class Film(MethodOptions):
     method: ClassVar[str]
     def __init__(
         self,
@@ -34,7 +34,7 @@ class Film(MethodGiven):
         tilt_coefficients: bool | None = ...,
     ) -> None: ...
 
-class Iso7902(MethodGiven):
+class Iso7902(MethodOptions):
     method: ClassVar[str]
     def __init__(
         self,
@@ -42,7 +42,7 @@ class Iso7902(MethodGiven):
         characteristics: Literal["computed", "closed_form"] | Enum | None = ...,
     ) -> None: ...
 
-class LongFilm(MethodGiven):
+class LongFilm(MethodOptions):
     method: ClassVar[str]
     def __init__(
         self,
@@ -50,7 +50,7 @@ class LongFilm(MethodGiven):
         heat_exchange: Mapping[str, Any] | Part | None = ...,
     ) -> None: ...
 
-class Segments(MethodGiven):
+class Segments(MethodOptions):
     method: ClassVar[str]
     def __init__(
         self,
@@ -58,4 +58,4 @@ class Segments(MethodGiven):
         segments: Mapping[str, Any] | Part | None = ...,
     ) -> None: ...
 
-METHODS: Mapping[str, type[MethodGiven]]
+METHODS: Mapping[str, type[MethodOptions]]

@@ -136,7 +136,7 @@ class BearingResult:
 
     @property
     def warnings(self) -> tuple[Notice, ...]:
-        """Doubts about the result."""
+        """Warnings about the result."""
         return self.result.warnings
 
     @property

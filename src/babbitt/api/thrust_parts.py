@@ -58,7 +58,7 @@ class Tilt(OwnPart, thrust_pads.Tilt):
     """Tilt of the housing against the collar."""
 
 
-class FilmViscosity(OwnPart, thrust_oil.GivenViscosity):
+class FilmViscosity(OwnPart, thrust_oil.PrescribedViscosity):
     """The viscosity of the films is known."""
 
 
@@ -82,7 +82,7 @@ class ShaftPiece(OwnPart, shaft_line.ShaftPiece):
     """A uniform piece of shaft."""
 
 
-class Seating(OwnPart, shaft_line.SeatingGiven):
+class Seating(OwnPart, shaft_line.SeatingInput):
     """What carries the housing of the thrust block."""
 
 

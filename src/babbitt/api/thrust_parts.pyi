@@ -77,7 +77,7 @@ class Tilt(OwnPart, thrust_pads.Tilt):
         direction: Quantity | None = ...,
     ) -> None: ...
 
-class FilmViscosity(OwnPart, thrust_oil.GivenViscosity):
+class FilmViscosity(OwnPart, thrust_oil.PrescribedViscosity):
     def __init__(
         self,
         *,
@@ -135,7 +135,7 @@ class ShaftPiece(OwnPart, shaft_line.ShaftPiece):
         end_mass: Quantity | None = ...,
     ) -> None: ...
 
-class Seating(OwnPart, shaft_line.SeatingGiven):
+class Seating(OwnPart, shaft_line.SeatingInput):
     def __init__(
         self,
         *,

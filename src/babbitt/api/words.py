@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from typing import Any
 
 from babbitt.api.case import Case
-from babbitt.api.methods import METHODS, MethodGiven
+from babbitt.api.methods import METHODS, MethodOptions
 from babbitt.case.problems import CaseError, Problem
 
 __all__ = ["of_machine", "with_method", "with_method_in_words"]
 
 
-def with_method(given: Mapping[str, Any], method: MethodGiven) -> dict[str, Any]:
+def with_method(given: Mapping[str, Any], method: MethodOptions) -> dict[str, Any]:
     """What a bearing was given, with another method: options of the one before go, those of the new one come."""
     former = METHODS.get(str(given.get("method", "iso7902")))
     options = set(former.model_fields) if former is not None else set()
@@ -29,7 +29,7 @@ def with_method_in_words(given: Mapping[str, Any]) -> dict[str, Any]:
         For an option that is given twice.
     """
     method = given.get("method")
-    if not isinstance(method, MethodGiven):
+    if not isinstance(method, MethodOptions):
         return dict(given)
     options = method.given
     if twice := sorted(options.keys() & given.keys()):

@@ -52,7 +52,7 @@ def grouped_fields(cls: type[Part], given: Mapping[str, Any]) -> tuple[tuple[str
 
 
 def about_grouped_digits(part: Part | None, *path: str | int) -> Iterator[Notice]:
-    """Doubt every quantity of a part, and of the parts within, whose digits may be grouped.
+    """Warn of every quantity of a part, and of the parts within, whose digits may be grouped.
 
     Parameters
     ----------

@@ -31,7 +31,7 @@ from babbitt.core.notices import InputError, Notice
 
 
 @dataclass(frozen=True)
-class Complaint:
+class Issue:
     """What a rule has to say about a piece of a case.
 
     Attributes
@@ -59,18 +59,18 @@ class Complaint:
         """From the field to blame to the one to add; None where more is wrong than that it is missing."""
         return () if self.lacks is None and self.says == MISSING else self.lacks
 
-    def under(self, *path: str | int) -> Complaint:
+    def under(self, *path: str | int) -> Issue:
         """Tell the same of a piece further down."""
         return replace(self, path=(*path, *self.path))
 
 
-Rule = Callable[[Any], Iterable[Complaint]]
+Rule = Callable[[Any], Iterable[Issue]]
 RuleT = TypeVar("RuleT", bound=Rule)
 PartT = TypeVar("PartT", bound="Part")
 
 
 def rule(method: RuleT) -> RuleT:
-    """Mark a method of a `Part` that yields the complaints about its fields.
+    """Mark a method of a `Part` that yields the issues about its fields.
 
     A rule may touch any field: where one it needs is itself unusable, the rule is silently not asked.
     """
@@ -121,21 +121,21 @@ class Part(BaseModel):
         return part
 
 
-def as_far_as_usable(complaints: Iterable[Complaint]) -> Iterator[Complaint]:
-    """Give complaints until they touch a field that is itself unusable, which has been told already."""
+def as_far_as_usable(issues: Iterable[Issue]) -> Iterator[Issue]:
+    """Give issues until they touch a field that is itself unusable, which has been told already."""
     try:
-        yield from complaints
+        yield from issues
     except AttributeError as error:
         if not (isinstance(error.obj, Part) and error.name in type(error.obj).model_fields):
             raise
 
 
-def refused(path: Path, attempt: Callable[[], object]) -> Iterator[Complaint]:
-    """Try something that may refuse its input, and complain in its words."""
+def refused(path: Path, attempt: Callable[[], object]) -> Iterator[Issue]:
+    """Try something that may refuse its input, and give an issue with its message."""
     try:
         attempt()
     except InputError as error:
-        yield Complaint(path, error.message, code=error.code)
+        yield Issue(path, error.message, code=error.code)
 
 
 def is_given(part: Part, name: str) -> bool:
@@ -155,11 +155,11 @@ def _is_given_at(part: Part, path: str) -> bool:
     return is_given(part, name) and (not rest or _is_given_at(getattr(part, name), rest))
 
 
-def exactly_one(part: Part, *names: str) -> Iterator[Complaint]:
+def exactly_one(part: Part, *names: str) -> Iterator[Issue]:
     """Complain unless exactly one of some fields is given."""
     given = [name for name in names if is_given(part, name)]
     if not given:
-        yield Complaint(
+        yield Issue(
             (),
             f"none of {', '.join(names)} is given",
             f"exactly one of {', '.join(names)}",
@@ -169,11 +169,11 @@ def exactly_one(part: Part, *names: str) -> Iterator[Complaint]:
     yield from at_most_one(part, *names)
 
 
-def at_most_one(part: Part, *names: str) -> Iterator[Complaint]:
+def at_most_one(part: Part, *names: str) -> Iterator[Issue]:
     """Complain if several of some fields are given."""
     first, *others = [name for name in names if is_given(part, name)] or [""]
     for other in others:
-        yield Complaint((other,), f"given besides {first}", f"one of {', '.join(names)}", "remove one")
+        yield Issue((other,), f"given besides {first}", f"one of {', '.join(names)}", "remove one")
 
 
 def _lines(part: Part, given: Any) -> list[InitErrorDetails]:

@@ -90,7 +90,7 @@ def check(files: Files, allow_outside: AllowOutside = False) -> None:
             + (f", {count} calculation{'s' * (count > 1)}" if count else "")
         )
         for said in dict.fromkeys(
-            f"{doubt.code} {doubt.message}" for problem in problems_to_solve for doubt in problem.doubts
+            f"{warning.code} {warning.message}" for problem in problems_to_solve for warning in problem.warnings
         ):
             print(f"  {said}")
     if problems:

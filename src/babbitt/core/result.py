@@ -1,4 +1,4 @@
-"""What an engineer reads: values with names, checks with verdicts, doubts, and how the iteration ended."""
+"""What an engineer reads: values with names, checks with verdicts, warnings, and how the iteration ended."""
 
 from __future__ import annotations
 
@@ -147,7 +147,7 @@ class Result:
     values : Mapping[str, float]
         Named quantities in SI; names and units in `babbitt.core.quantities.QUANTITIES`.
     checks, warnings : tuple
-        Verdicts and doubts.
+        Verdicts and warnings.
     not_checked : tuple of Notice
         Checks that could not be made for want of data, by their code, each with what is missing.
     assumptions : tuple of str

@@ -35,7 +35,7 @@ class Problem(Protocol):
         """What the case gave in other terms than those of the calculation: what, and in which words."""
 
     @property
-    def doubts(self) -> Sequence[Notice]:
+    def warnings(self) -> Sequence[Notice]:
         """What of the case may be meant otherwise than it was read."""
 
 

@@ -1,1 +1,1 @@
-"""What every method of a design check shares: conditions, heat balance, limits, verdicts, doubts."""
+"""What every method of a design check shares: conditions, heat balance, limits, verdicts, warnings."""

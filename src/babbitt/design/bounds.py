@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
-from babbitt.design.conditions import Designed
+from babbitt.design.conditions import CheckedProblem
 
 __all__ = ["FILM_CHECKS", "NO_BOUNDS", "Bounds", "bounds_of", "certain", "unjudged"]
 
@@ -21,7 +21,7 @@ TEMPERATURE_CHECKS = ("C104", "C108", "C109")
 """Limits of the temperature: of the oil, and of the bearing metal."""
 
 
-def bounds_of(case: Designed) -> Bounds:
+def bounds_of(case: CheckedProblem) -> Bounds:
     """Bounds of every method: where the temperature is prescribed, the hottest place is at least that warm; and a
     film that is prescribed cooler than its fresh oil is thicker than any that the oil can make."""
     if case.effective_temperature is None:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
 from babbitt.design.bounds import NO_BOUNDS, Bounds, bounds_of, certain, unjudged
-from babbitt.design.conditions import Designed, surface_speed
+from babbitt.design.conditions import CheckedProblem, surface_speed
 from babbitt.properties.materials import (
     ExperienceLimit,
     LoadLimits,
@@ -30,12 +30,14 @@ METAL_CHECKS = ("C105", "C106", "C107")
 """Limits of the bearing metal itself: specific load, speed, their product."""
 
 
-def limit_checks(case: Designed, values: Mapping[str, float], bounds: Bounds = NO_BOUNDS) -> tuple[Check, ...]:
+def limit_checks(
+    case: CheckedProblem, values: Mapping[str, float], bounds: Bounds = NO_BOUNDS
+) -> tuple[Check, ...]:
     """Checks of film thickness, load, temperature and metal that the data of the case allow.
 
     Parameters
     ----------
-    case : Designed
+    case : CheckedProblem
     values : Mapping[str, float]
         Named results in SI, with the limits among them.
     bounds : Bounds
@@ -44,19 +46,21 @@ def limit_checks(case: Designed, values: Mapping[str, float], bounds: Bounds = N
     return certain(_every_check(case, values), {**bounds_of(case), **bounds})
 
 
-def checks_not_made(case: Designed, values: Mapping[str, float], bounds: Bounds = NO_BOUNDS) -> tuple[Notice, ...]:
+def checks_not_made(
+    case: CheckedProblem, values: Mapping[str, float], bounds: Bounds = NO_BOUNDS
+) -> tuple[Notice, ...]:
     """The checks of the design that lack data or a value to judge, each with what is missing."""
     return (*_not_made(case, values), *unjudged(_every_check(case, values), {**bounds_of(case), **bounds}))
 
 
-def _every_check(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:
+def _every_check(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Check]:
     yield from film_checks(case, values)
     yield from load_and_temperature_checks(case, values)
     yield from metal_checks(case, values)
     yield from validity_checks(values)
 
 
-def _not_made(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
+def _not_made(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Notice]:
     bearing, metal = case.bearing, case.bearing.metal
     if case.limits.minimum_film_thickness is None and "empirical_film_limit" not in values:
         yield Notice("C101", f"no experience value for a diameter of {bearing.diameter * 1e3:.4g} mm")
@@ -83,12 +87,12 @@ def _not_made(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
         yield Notice("C111", "surfaces are not given")
 
 
-def _without_metal(case: Designed) -> str:
+def _without_metal(case: CheckedProblem) -> str:
     metal = case.bearing.metal
     return "no bearing metal is given" if metal is None else f"no experience value for {metal.family.value} alloys"
 
 
-def temperature_limit(case: Designed) -> ExperienceLimit:
+def temperature_limit(case: CheckedProblem) -> ExperienceLimit:
     """Temperature limit in K by experience, by the way the bearing is cooled."""
     if case.oil_supply is None:
         return self_cooled_temperature_limit(case.limits.tables)
@@ -116,7 +120,7 @@ def hottest_place(values: Mapping[str, float]) -> str:
     return next((name for name in HOTTEST_PLACES if name in values), limited_temperature(values))
 
 
-def limiting_temperature(case: Designed, values: Mapping[str, float]) -> SourcedValue | None:
+def limiting_temperature(case: CheckedProblem, values: Mapping[str, float]) -> SourcedValue | None:
     """What the hottest place is held against, in K.
 
     The limit of the metal, else of its family, else the general one of bearing temperatures. That last one, an
@@ -129,7 +133,7 @@ def limiting_temperature(case: Designed, values: Mapping[str, float]) -> Sourced
     return metal_temperature_limit(metal, tables)
 
 
-def film_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:
+def film_checks(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Check]:
     """Film thickness against experience and against the surfaces."""
     film = values["minimum_film_thickness"]
     name = "minimum_film_thickness"
@@ -144,7 +148,7 @@ def film_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:
         yield Check("C102", name, film, values["geometric_film_limit"], AT_LEAST, source)
 
 
-def load_and_temperature_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:
+def load_and_temperature_checks(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Check]:
     """Specific load and temperature against experience, or against the limits of the case."""
     pressure, metal = values["specific_load"], case.bearing.metal
     if case.limits.specific_load is not None:
@@ -163,7 +167,7 @@ def load_and_temperature_checks(case: Designed, values: Mapping[str, float]) -> 
         yield Check("C104", name, values[name], by_experience.general, AT_MOST, by_experience.source)
 
 
-def metal_checks(case: Designed, values: Mapping[str, float]) -> Iterator[Check]:
+def metal_checks(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Check]:
     """Load, speed and temperature against the bearing metal."""
     metal, hottest = case.bearing.metal, hottest_place(values)
 
@@ -200,7 +204,7 @@ def validity_checks(values: Mapping[str, float]) -> Iterator[Check]:
         yield Check("C111", "minimum_film_thickness", film, needed, AT_LEAST, source)
 
 
-def clearance_check(case: Designed, values: Mapping[str, float]) -> Check:
+def clearance_check(case: CheckedProblem, values: Mapping[str, float]) -> Check:
     """Advice on the mean relative clearance."""
     return Check(
         "C114",

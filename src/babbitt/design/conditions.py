@@ -49,14 +49,14 @@ class Surfaces:
 
 
 @dataclass(frozen=True)
-class GivenLoad:
+class PrescribedLoad:
     """The load in N is given, the position is found."""
 
     load: float
 
 
 @dataclass(frozen=True)
-class GivenEccentricity:
+class PrescribedEccentricity:
     """The relative eccentricity is prescribed, the load is found.
 
     `attitude_angle` (rad) fixes the direction as well, where the method allows it: the direction of the load is
@@ -68,14 +68,14 @@ class GivenEccentricity:
 
 
 @dataclass(frozen=True)
-class GivenPosition:
+class PrescribedPosition:
     """The journal centre stands `x`, `y` from the bearing centre, in m; the load and its direction are found."""
 
     x: float
     y: float
 
 
-Duty = GivenLoad | GivenEccentricity | GivenPosition
+LoadSpec = PrescribedLoad | PrescribedEccentricity | PrescribedPosition
 """What a bearing carries, or where its journal stands."""
 
 
@@ -146,7 +146,7 @@ class Proportions:
         return sum(tolerance) / 2.0 if tolerance else self.relative_clearance
 
 
-class DesignedBearing(Protocol):
+class CheckedBearing(Protocol):
     """What the limits need to know of a bearing of any method."""
 
     @property
@@ -165,11 +165,11 @@ class DesignedBearing(Protocol):
     def load_character(self) -> LoadCharacter: ...  # noqa: D102
 
 
-class Designed(Protocol):
-    """What heat balance, limits and doubts need to know of a case of any method."""
+class CheckedProblem(Protocol):
+    """What heat balance, limits and warnings need to know of a case of any method."""
 
     @property
-    def bearing(self) -> DesignedBearing: ...  # noqa: D102
+    def bearing(self) -> CheckedBearing: ...  # noqa: D102
     @property
     def oil_supply(self) -> OilSupply | None: ...  # noqa: D102
     @property
@@ -181,7 +181,7 @@ class Designed(Protocol):
     @property
     def journal_speed(self) -> float: ...  # noqa: D102
     @property
-    def duty(self) -> Duty | None: ...  # noqa: D102
+    def duty(self) -> LoadSpec | None: ...  # noqa: D102
     @property
     def bearing_speed(self) -> float: ...  # noqa: D102
     @property
@@ -192,17 +192,17 @@ Values = Mapping[str, float]
 """Named results in SI."""
 
 
-def surface_speed(case: Designed) -> float:
+def surface_speed(case: CheckedProblem) -> float:
     """Surface speed of the journal in m/s."""
     return abs(case.journal_speed) * case.bearing.diameter / 2.0
 
 
-def sliding_speed(case: Designed) -> float:
+def sliding_speed(case: CheckedProblem) -> float:
     """Speed of the journal's surface along that of the bearing, ``|U_J - U_B|`` in m/s."""
     return abs(case.journal_speed - case.bearing_speed) * case.bearing.diameter / 2.0
 
 
-def contact_film(case: Designed) -> float | None:
+def contact_film(case: CheckedProblem) -> float | None:
     """Film thickness in m at which mixed friction begins: of the case, else of the surfaces."""
     if case.limits.transition_film_thickness is not None:
         return case.limits.transition_film_thickness

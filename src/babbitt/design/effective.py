@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from babbitt.design.conditions import Designed
+from babbitt.design.conditions import CheckedProblem
 from babbitt.design.oil import properties_at
 
 
@@ -23,7 +23,13 @@ class EffectiveFilm:
 
     @classmethod
     def of(
-        cls, case: Designed, temperature: float, clearance: float, load: float, friction_power: float, flow: float
+        cls,
+        case: CheckedProblem,
+        temperature: float,
+        clearance: float,
+        load: float,
+        friction_power: float,
+        flow: float,
     ) -> EffectiveFilm:
         """Film of a case with the properties of its oil at the mean temperature (K); `clearance` is relative.
 

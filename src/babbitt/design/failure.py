@@ -5,7 +5,7 @@ from __future__ import annotations
 from babbitt.core.notices import EXPLANATIONS
 from babbitt.core.result import Outcome
 from babbitt.core.units import ZERO_CELSIUS
-from babbitt.design.conditions import Designed, GivenLoad
+from babbitt.design.conditions import CheckedProblem, PrescribedLoad
 from babbitt.design.heat_balance import Equilibrium, FilmT
 
 __all__ = ["STARVED", "STARVED_REMEDY", "failure"]
@@ -17,7 +17,7 @@ STARVED = (
 STARVED_REMEDY = "a place where the film is full, or a pressure that feeds it."
 
 
-def failure(case: Designed, found: Equilibrium[FilmT]) -> str:
+def failure(case: CheckedProblem, found: Equilibrium[FilmT]) -> str:
     """Say how far an unsolved case came, and what to try."""
     reached = f"{found.last_temperature - ZERO_CELSIUS:.1f} °C"
     match found.outcome:
@@ -29,7 +29,7 @@ def failure(case: Designed, found: Equilibrium[FilmT]) -> str:
             )
         case Outcome.OVERLOADED:
             far = f"at {reached} {_carried(found.capacity)}"
-            if isinstance(case.duty, GivenLoad):
+            if isinstance(case.duty, PrescribedLoad):
                 far += f", less than the load of {_kilonewtons(case.duty.load)} kN"
         case Outcome.THERMAL_RUNAWAY:
             far = f"at {reached} the friction power still exceeds the heat carried away"

@@ -13,7 +13,7 @@ from typing import Generic, Protocol, TypeVar
 
 from babbitt.core.picklable_error import PicklableError
 from babbitt.core.result import Outcome
-from babbitt.design.conditions import Designed
+from babbitt.design.conditions import CheckedProblem
 from babbitt.numerics.roots import find_root
 
 CEILING = 573.15
@@ -50,11 +50,11 @@ class SearchPolicy:
     most_evaluations: int
 
 
-THOROUGH = SearchPolicy(2.0, 1.0, 2.0, 2.0, 1e-9, 1e-6, 1e-12, 2000)
+FINE_SEARCH = SearchPolicy(2.0, 1.0, 2.0, 2.0, 1e-9, 1e-6, 1e-12, 2000)
 """For films that cost microseconds: two equilibria may lie only kelvins apart, and even a bearing that warms by
 millikelvins closes its heat balance to 1e-8."""
 
-SPARING = SearchPolicy(2.0, 1.6, 16.0, 4.0, 0.05, 0.1, 1e-9, 60)
+COARSE_SEARCH = SearchPolicy(2.0, 1.6, 16.0, 4.0, 0.05, 0.1, 1e-9, 60)
 """For films that cost milliseconds, and more where they collapse: large steps first, small where they count."""
 
 MOST_STEPS = 200
@@ -82,7 +82,7 @@ class NoFilmError(PicklableError):
         self.least_flow = least_flow
 
 
-class WarmFilm(Protocol):
+class FilmAtTemperature(Protocol):
     """What the heat balance needs to know of a film: temperature in K, J/(m3 K), m3/s, W."""
 
     @property
@@ -95,7 +95,7 @@ class WarmFilm(Protocol):
     def friction_power(self) -> float: ...  # noqa: D102
 
 
-FilmT = TypeVar("FilmT", bound=WarmFilm)
+FilmT = TypeVar("FilmT", bound=FilmAtTemperature)
 
 
 @dataclass(frozen=True)
@@ -114,7 +114,7 @@ class Equilibrium(Generic[FilmT]):
     least_flow: float | None = None
 
 
-def outlet_temperature(effective_temperature: float, case: Designed) -> float | None:
+def outlet_temperature(effective_temperature: float, case: CheckedProblem) -> float | None:
     """Temperature in K of the oil that leaves: ``2 T_eff - T_en``; None where no oil is supplied.
 
     A film that gives its heat to a cool housing cannot leave colder than the surroundings: there the mean rule
@@ -125,7 +125,7 @@ def outlet_temperature(effective_temperature: float, case: Designed) -> float | 
     return max(2.0 * effective_temperature - case.oil_supply.temperature, coolest_temperature(case))
 
 
-def heat_paths(film: WarmFilm, case: Designed) -> tuple[float, float]:
+def heat_paths(film: FilmAtTemperature, case: CheckedProblem) -> tuple[float, float]:
     """Heat to the oil and to the surroundings in W, at the temperature of the film."""
     to_oil = to_surroundings = 0.0
     leaving = outlet_temperature(film.temperature, case)
@@ -138,7 +138,7 @@ def heat_paths(film: WarmFilm, case: Designed) -> tuple[float, float]:
     return to_oil, to_surroundings
 
 
-def coolest_temperature(case: Designed) -> float:
+def coolest_temperature(case: CheckedProblem) -> float:
     """Temperature in K below which the film cannot settle: the coolest of inlet and ambient."""
     sinks = []
     if case.oil_supply is not None:
@@ -149,7 +149,7 @@ def coolest_temperature(case: Designed) -> float:
 
 
 def find_equilibrium(
-    case: Designed, film_at: Callable[[float], FilmT], policy: SearchPolicy = THOROUGH
+    case: CheckedProblem, film_at: Callable[[float], FilmT], policy: SearchPolicy = FINE_SEARCH
 ) -> Equilibrium[FilmT]:
     """Find the coolest temperature at which the heat balance closes; always ends with a status.
 
@@ -161,12 +161,12 @@ def find_equilibrium(
 
     Parameters
     ----------
-    case : Designed
+    case : CheckedProblem
         Supply and cooling.
     film_at : callable
         Film at a temperature in K; may raise `NoFilmError`.
     policy : SearchPolicy
-        `THOROUGH` for cheap films, `SPARING` for dear ones.
+        `FINE_SEARCH` for cheap films, `COARSE_SEARCH` for dear ones.
     """
     search = _Search(case, film_at, policy)
     try:
@@ -175,7 +175,7 @@ def find_equilibrium(
         return search.given_up()
 
 
-def _coolest(case: Designed, search: _Search[FilmT], policy: SearchPolicy) -> Equilibrium[FilmT]:
+def _coolest(case: CheckedProblem, search: _Search[FilmT], policy: SearchPolicy) -> Equilibrium[FilmT]:
     low, step, largest = coolest_temperature(case), policy.step, policy.largest_step
     while True:  # a law may not reach the coolest temperature; a warm film needs it only from where it is defined
         try:
@@ -230,7 +230,7 @@ class _SpentError(Exception):
 class _Search(Generic[FilmT]):
     """The surplus of friction heat over temperature, and the ways a search for its root can end."""
 
-    def __init__(self, case: Designed, film_at: Callable[[float], FilmT], policy: SearchPolicy) -> None:
+    def __init__(self, case: CheckedProblem, film_at: Callable[[float], FilmT], policy: SearchPolicy) -> None:
         self._case = case
         self._film_at = film_at
         self._policy = policy

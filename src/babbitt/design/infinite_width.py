@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.design.bounds import FILM_CHECKS, Bounds
-from babbitt.design.conditions import Designed, GivenLoad
+from babbitt.design.conditions import CheckedProblem, PrescribedLoad
 
-__all__ = ["WIDE_FROM", "doubt_about_width", "flattered_films"]
+__all__ = ["WIDE_FROM", "warnings_about_width", "flattered_films"]
 
 WIDE_FROM = 2.0
 """B/D from which textbooks take a bearing for infinitely wide: A. Z. Szeri, Fluid Film Lubrication: Theory and
@@ -25,11 +25,11 @@ def flattered_films(values: Mapping[str, float]) -> Bounds:
     return dict.fromkeys(FILM_CHECKS, reason)
 
 
-def doubt_about_width(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
+def warnings_about_width(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Notice]:
     """Whether a bearing is so narrow that oil leaves by its sides rather than around the journal."""
     ratio = values["width_ratio"]
     if ratio >= WIDE_FROM:
         return
-    shown = "film shown is thicker" if isinstance(case.duty, GivenLoad) else "load shown is larger"
+    shown = "film shown is thicker" if isinstance(case.duty, PrescribedLoad) else "load shown is larger"
     said = f"the {shown} than that of the bearing at the same temperatures"
     yield Notice("W158", f"B/D = {ratio:.3g} < {WIDE_FROM:g}: {said}")

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from babbitt.design.conditions import Designed, contact_film, sliding_speed, surface_speed
-from babbitt.design.heat_balance import WarmFilm, heat_paths, outlet_temperature
+from babbitt.design.conditions import CheckedProblem, contact_film, sliding_speed, surface_speed
+from babbitt.design.heat_balance import FilmAtTemperature, heat_paths, outlet_temperature
 from babbitt.design.numbers import critical_reynolds_number, film_reynolds_number
 from babbitt.properties.materials import empirical_minimum_film_thickness
 
 Named = dict[str, float]
 
 
-class DesignFilm(WarmFilm, Protocol):
+class DesignFilm(FilmAtTemperature, Protocol):
     """What the named results need to know of a film of any method, SI."""
 
     @property
@@ -25,12 +25,12 @@ class DesignFilm(WarmFilm, Protocol):
     def load(self) -> float: ...  # noqa: D102
 
 
-def hydrodynamic_speed(case: Designed) -> float:
+def hydrodynamic_speed(case: CheckedProblem) -> float:
     """Effective hydrodynamic speed ``ω_h = ω_J + ω_B`` in rad/s, whichever way it turns."""
     return abs(case.journal_speed + case.bearing_speed)
 
 
-def friction_between(case: Designed, shear: float, pressure: float) -> tuple[float, float]:
+def friction_between(case: CheckedProblem, shear: float, pressure: float) -> tuple[float, float]:
     """Friction torque on the journal in N m, and friction power in W, where the bearing may turn, too.
 
     The film is that of a bearing at rest in which the journal turns with ``ω_h = ω_J + ω_B``, but its oil is
@@ -39,7 +39,7 @@ def friction_between(case: Designed, shear: float, pressure: float) -> tuple[flo
 
     Parameters
     ----------
-    case : Designed
+    case : CheckedProblem
     shear : float
         Torque of shear with a bearing at rest and a journal that turns with ω_h, N m.
     pressure : float
@@ -50,7 +50,7 @@ def friction_between(case: Designed, shear: float, pressure: float) -> tuple[flo
     return sliding * shear + pressure, abs(turning) * (sliding**2 * shear + pressure)
 
 
-def duty_values(case: Designed, film: DesignFilm) -> Named:
+def duty_values(case: CheckedProblem, film: DesignFilm) -> Named:
     """Load and speed."""
     pressure, speed = film.load / (case.bearing.loaded_width * case.bearing.diameter), surface_speed(case)
     return {
@@ -63,7 +63,7 @@ def duty_values(case: Designed, film: DesignFilm) -> Named:
     }
 
 
-def oil_values(case: Designed, film: DesignFilm) -> Named:
+def oil_values(case: CheckedProblem, film: DesignFilm) -> Named:
     """The oil at the effective temperature, and whether the film is laminar."""
     psi, diameter = film.relative_clearance, case.bearing.diameter
     reynolds = film_reynolds_number(film.density, sliding_speed(case), psi, diameter, film.viscosity)
@@ -77,7 +77,7 @@ def oil_values(case: Designed, film: DesignFilm) -> Named:
     }
 
 
-def heat_values(case: Designed, film: DesignFilm) -> Named:
+def heat_values(case: CheckedProblem, film: DesignFilm) -> Named:
     """The temperature and where the heat goes; the latter is unknown at a temperature that is prescribed."""
     values = {"effective_temperature": film.temperature}
     if case.effective_temperature is not None or (case.oil_supply is None and case.cooling is None):
@@ -91,7 +91,7 @@ def heat_values(case: Designed, film: DesignFilm) -> Named:
     }
 
 
-def supply_values(case: Designed, film: DesignFilm) -> Named:
+def supply_values(case: CheckedProblem, film: DesignFilm) -> Named:
     """Oil that comes and goes; empty without a supply.
 
     The temperature of the oil that goes follows from the heat balance: none is told at a temperature that is
@@ -108,14 +108,14 @@ def supply_values(case: Designed, film: DesignFilm) -> Named:
     return values
 
 
-def cooling_values(case: Designed, film: DesignFilm) -> Named:
+def cooling_values(case: CheckedProblem, film: DesignFilm) -> Named:
     """What the housing cools; empty without cooling."""
     if case.cooling is None:
         return {}
     return {"ambient_temperature": case.cooling.ambient_temperature, "bearing_temperature": film.temperature}
 
 
-def limit_values(case: Designed) -> Named:
+def limit_values(case: CheckedProblem) -> Named:
     """Film thicknesses that limit the film, as far as the case and experience know them."""
     values: Named = {}
     experience = empirical_minimum_film_thickness(case.bearing.diameter, surface_speed(case), case.limits.tables)

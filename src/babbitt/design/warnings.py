@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.core.units import ZERO_CELSIUS
-from babbitt.design.conditions import Designed, OilSupply, surface_speed
+from babbitt.design.conditions import CheckedProblem, OilSupply, surface_speed
 from babbitt.design.screening import ROTORDYNAMIC_CHECK_ABOVE
 from babbitt.properties.lubricants import Lubricant
 
@@ -22,7 +22,7 @@ Assumption: a white metal of Brinell hardness 30, the hardest on board, yields a
 (D. Tabor, The Hardness of Metals, 1951: a hardness is some three times the yield strength)."""
 
 
-def doubt_about_pressure(pressure: float, where: str = "in the film") -> Iterator[Notice]:
+def warnings_about_pressure(pressure: float, where: str = "in the film") -> Iterator[Notice]:
     """Whether a film pressure in Pa is one that plain bearings know."""
     if pressure > PLAIN_BEARING_UP_TO:
         limit = f"{PLAIN_BEARING_UP_TO * 1e-6:.0f} MPa, about what soft bearing metals withstand (assumption)"
@@ -46,7 +46,7 @@ HOTTEST_OIL = ("maximum_temperature", "outlet_temperature", "effective_temperatu
 """Temperatures of a result in which the oil is not hotter than the hottest of them."""
 
 
-def doubts_about_heating(hottest: float, supplied: float | None, lubricant: Lubricant) -> Iterator[Notice]:
+def warnings_about_heating(hottest: float, supplied: float | None, lubricant: Lubricant) -> Iterator[Notice]:
     """Oil that is heated beyond sense, or above the temperatures of its data.
 
     Parameters
@@ -71,7 +71,7 @@ def doubts_about_heating(hottest: float, supplied: float | None, lubricant: Lubr
         )
 
 
-def doubt_about_heat_balance(error: float) -> Iterator[Notice]:
+def warnings_about_heat_balance(error: float) -> Iterator[Notice]:
     """Whether the heat balance closes, by its error over the friction power."""
     if not abs(error) < OPEN_HEAT:
         yield Notice("W325", f"{abs(error):.2g} of the heat of the film is not accounted for")
@@ -79,20 +79,20 @@ def doubt_about_heat_balance(error: float) -> Iterator[Notice]:
         yield Notice("W146", f"{abs(error):.2g} of the friction power is not accounted for")
 
 
-def _doubts_about_thin_film(case: Designed, film: float) -> Iterator[Notice]:
+def _warnings_about_thin_film(case: CheckedProblem, film: float) -> Iterator[Notice]:
     surfaces = case.bearing.surfaces
     if surfaces is not None and film < (rough := surfaces.roughness_bearing + surfaces.roughness_journal):
         yield Notice("W129", f"h_min = {film * 1e6:.3g} µm < Rz_B + Rz_J = {rough * 1e6:.3g} µm")
 
 
-def _doubts_about_clearance(clearances: tuple[float, ...]) -> Iterator[Notice]:
+def _warnings_about_clearance(clearances: tuple[float, ...]) -> Iterator[Notice]:
     least, most = USUAL_CLEARANCES
     outside = [one for one in clearances if not least <= one <= most]
     if outside:
         yield Notice("W130", f"ψ = {outside[0] * 1e3:.3g} ‰ lies outside {least * 1e3:g} to {most * 1e3:g} ‰")
 
 
-def doubts_about_film(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
+def warnings_about_film(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Notice]:
     """Laminar film, range of the lubricant data, rigid surfaces."""
     reynolds, critical = values["film_reynolds_number"], values["critical_reynolds_number"]
     if reynolds > critical:
@@ -107,10 +107,10 @@ def doubts_about_film(case: Designed, values: Mapping[str, float]) -> Iterator[N
         )
     supplied = None if case.oil_supply is None else case.oil_supply.temperature
     reached = max(values[name] for name in HOTTEST_OIL if name in values)
-    yield from doubts_about_heating(reached, supplied, case.lubricant)
-    yield from _doubts_about_cold_oil(case, values)
-    yield from _doubts_about_clearance((values["relative_clearance"], values["operating_relative_clearance"]))
-    yield from _doubts_about_thin_film(case, values["minimum_film_thickness"])
+    yield from warnings_about_heating(reached, supplied, case.lubricant)
+    yield from _warnings_about_cold_oil(case, values)
+    yield from _warnings_about_clearance((values["relative_clearance"], values["operating_relative_clearance"]))
+    yield from _warnings_about_thin_film(case, values["minimum_film_thickness"])
     clearance = 0.5 * values["operating_relative_clearance"] * case.bearing.diameter
     depth, eccentricity = 1.0 - values["minimum_film_thickness"] / clearance, values["eccentricity_ratio"]
     if depth > RIGID_FILM_UP_TO:
@@ -119,7 +119,7 @@ def doubts_about_film(case: Designed, values: Mapping[str, float]) -> Iterator[N
         yield Notice("W116", f"{said} > {RIGID_FILM_UP_TO:g}, end of the rigid film")
 
 
-def _doubts_about_cold_oil(case: Designed, values: Mapping[str, float]) -> Iterator[Notice]:
+def _warnings_about_cold_oil(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Notice]:
     """Oil that leaves colder than it enters, and a film prescribed colder than its oil."""
     if case.oil_supply is None:
         return
@@ -138,7 +138,7 @@ def _doubts_about_cold_oil(case: Designed, values: Mapping[str, float]) -> Itera
         )
 
 
-def doubt_about_supply(limit: float | None, wanted: float) -> Iterator[Notice]:
+def warnings_about_supply(limit: float | None, wanted: float) -> Iterator[Notice]:
     """Whether tubes and holes pass what the film wants; m³/s, no limit where they do."""
     if limit is not None:
         yield Notice(
@@ -152,7 +152,7 @@ SHARE_OF_A_HOLE = 0.1
 """Loss in a supply hole over the supply pressure from which it is told."""
 
 
-def doubt_about_hole(supply: OilSupply, diameter: float, flow: float, density: float) -> Iterator[Notice]:
+def warnings_about_hole(supply: OilSupply, diameter: float, flow: float, density: float) -> Iterator[Notice]:
     """Whether a supply hole (m) costs a notable part of the supply pressure that nothing counts; m³/s, kg/m³.
 
     The loss is 1.5 velocity heads, entrance and exit, as of `supply.holes`.
@@ -169,14 +169,14 @@ def doubt_about_hole(supply: OilSupply, diameter: float, flow: float, density: f
         )
 
 
-def doubts_about_running(
-    case: Designed, values: Mapping[str, float], checks: tuple[Check, ...]
+def warnings_about_running(
+    case: CheckedProblem, values: Mapping[str, float], checks: tuple[Check, ...]
 ) -> Iterator[Notice]:
     """Speed, heat that is not accounted for or has no pressure feed, and limits that no experience tells."""
     speed = surface_speed(case)
     if speed > ROTORDYNAMIC_CHECK_ABOVE:
         yield Notice("W109", f"surface speed {speed:.1f} m/s > {ROTORDYNAMIC_CHECK_ABOVE:g} m/s")
-    yield from doubt_about_heat_balance(values.get("energy_balance_error", 0.0))
+    yield from warnings_about_heat_balance(values.get("energy_balance_error", 0.0))
     too_hot = any(check.code == "C104" and not check.ok for check in checks)
     balanced = case.cooling is not None and case.effective_temperature is None
     if case.oil_supply is None and balanced and too_hot:

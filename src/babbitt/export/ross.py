@@ -3,7 +3,7 @@
 A file holds ``BearingElement_<tag>``: node, axis, and one list for each coefficient in N/m, N s/m and kg, axis in
 rad/s, x horizontal, y vertical, speed positive from x towards y. What differs is the name of the axis. Version 2
 calls the axis of rotor speed ``frequency``; version 3 calls it ``speed`` and keeps ``frequency`` for the whirl
-frequency. Version 3 loads a file for version 2 without a complaint and takes its speeds for whirl frequencies, so
+frequency. Version 3 loads a file for version 2 without a issue and takes its speeds for whirl frequencies, so
 the version is never guessed here, neither when writing nor when reading.
 
 References

@@ -20,7 +20,7 @@ from babbitt.report.inputs import inputs
 from babbitt.report.labels import label
 from babbitt.report.line import Line, Section
 from babbitt.report.machine_table import is_film
-from babbitt.report.names import worded
+from babbitt.report.names import format_members
 from babbitt.report.symbols import symbol_node
 from babbitt.report.text import plain_text
 
@@ -57,8 +57,8 @@ def bearing_content(chapter: Chapter) -> Data:
     checks = [check_content(check, sources) for check in solved_checks(result)]
     return {
         "name": plain_text(chapter.name),
-        "clearances": [worded([member.clearance]) for member in chapter.members] if several else [],
-        "shown": worded([shown.clearance]) if several and not view.of_every_state else "",
+        "clearances": [format_members([member.clearance]) for member in chapter.members] if several else [],
+        "shown": format_members([shown.clearance]) if several and not view.of_every_state else "",
         "verdict": judge.worst_verdict(chapter.results).value,
         "unchecked": judge.unchecked(result),
         "lacking": [
@@ -129,7 +129,7 @@ def _outcome(member: Member) -> Data:
     explanation = EXPLANATIONS.get(outcome.code)
     message = plain_text(member.result.message).removesuffix(".")
     return {
-        "clearance": f"{worded([member.clearance]).capitalize()}: " if member.clearance else "",
+        "clearance": f"{format_members([member.clearance]).capitalize()}: " if member.clearance else "",
         "code": outcome.code,
         "title": outcome.value,
         "message": message[:1].upper() + message[1:],
@@ -199,7 +199,7 @@ def _warnings(chapter: Chapter, effect: Effect) -> list[Data]:
             "code": code,
             "title": EXPLANATIONS[code].title,
             "message": "; ".join(
-                f"{message} ({worded(whose)})" if 0 < len(whose) < len(chapter.members) else message
+                f"{message} ({format_members(whose)})" if 0 < len(whose) < len(chapter.members) else message
                 for message, whose in messages.items()
             ),
             "remedy": EXPLANATIONS[code].remedy,

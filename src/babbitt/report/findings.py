@@ -1,4 +1,4 @@
-"""Misses, doubts and checks that could not be made: those of many bearings gathered by code."""
+"""Misses, warnings and checks that could not be made: those of many bearings gathered by code."""
 
 from __future__ import annotations
 

@@ -29,10 +29,10 @@ def split_clearance(name: str) -> tuple[str, str]:
     return (name.whole, name.member) if isinstance(name, ResultName) else (name, "")
 
 
-def worded(members: Sequence[str]) -> str:
+def format_members(members: Sequence[str]) -> str:
     """Say which results of one bearing are meant.
 
-    >>> worded(["minimum", "mean"]), worded(["hot state", "cold state"])
+    >>> format_members(["minimum", "mean"]), format_members(["hot state", "cold state"])
     ('minimum, mean clearance', 'hot state, cold state')
     """
     clearances = all(member in ("minimum", "mean", "maximum") for member in members)
@@ -111,6 +111,6 @@ def _joined(names: Sequence[str]) -> str:
         stem, clearance = split_clearance(name)
         together.setdefault((plain_text(stem), bool(clearance)), []).append(plain_text(clearance))
     return "; ".join(
-        f"{stem} ({worded(clearances)})" if has_clearance else stem
+        f"{stem} ({format_members(clearances)})" if has_clearance else stem
         for (stem, has_clearance), clearances in together.items()
     )

@@ -1,4 +1,4 @@
-"""What the terminal shows: the machine at a glance or one bearing in full, then misses and doubts."""
+"""What the terminal shows: the machine at a glance or one bearing in full, then misses and warnings."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def print_machine(machine: MachineResult, to: Console | None = None) -> None:
 
 
 def render(name: str, results: Sequence[Result], width: int) -> RenderableType:
-    """The table of a machine, or of one bearing, with the doubts below it.
+    """The table of a machine, or of one bearing, with the warnings below it.
 
     Parameters
     ----------

@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from babbitt.case.case_file import CaseFile
-from babbitt.case.part import Complaint, rule
+from babbitt.case.part import Issue, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.core.solution import Calculation
 from babbitt.core.units import si
@@ -32,10 +32,10 @@ class PlaneSliderCase(CaseFile):
     source: Prose = Field("", description="Where the numbers come from.")
 
     @rule
-    def _the_film_narrows(self) -> Iterator[Complaint]:
+    def _the_film_narrows(self) -> Iterator[Issue]:
         if self.inlet_film <= self.outlet_film:
             says = "the film does not narrow along the motion, so that it carries nothing"
-            yield Complaint(("inlet_film",), says, "more than outlet_film", "exchange the two")
+            yield Issue(("inlet_film",), says, "more than outlet_film", "exchange the two")
 
     def calculations(self) -> tuple[Calculation, ...]:
         """Give the one calculation of the file."""

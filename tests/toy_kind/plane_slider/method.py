@@ -25,7 +25,7 @@ class Slider:
     viscosity: float
     least_film: float
     given: tuple[tuple[str, str], ...] = ()
-    doubts: tuple[Notice, ...] = ()
+    warnings: tuple[Notice, ...] = ()
     kind: str = "plane_slider"
 
 

@@ -7,13 +7,13 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.case.part import Complaint, Part, refused, rule
+from babbitt.case.part import Issue, Part, refused, rule
 from babbitt.core.units import si
 from babbitt.design.conditions import Limits
 from babbitt.properties.materials import ExperienceLimits, parse_experience_limits
 
 
-class FrictionGiven(Part):
+class FrictionInput(Part):
     """Where the film rubs."""
 
     example: ClassVar[str] = "{model: full, factor: 1.1}"
@@ -28,7 +28,7 @@ class FrictionGiven(Part):
     )
 
 
-class LimitsGiven(Part):
+class LimitsInput(Part):
     """Limits in place of those by experience."""
 
     example: ClassVar[str] = "{minimum_film_thickness: 10 um, temperature: 90 degC}"
@@ -67,5 +67,5 @@ class LimitsGiven(Part):
         return None if self.tables is None else parse_experience_limits(self.tables, "of the case")
 
     @rule
-    def _tables_can_be_used(self) -> Iterator[Complaint]:
+    def _tables_can_be_used(self) -> Iterator[Issue]:
         yield from refused(("tables",), self.own_tables)

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.case.part import Complaint, Part, refused, rule
+from babbitt.case.part import Issue, Part, refused, rule
 from babbitt.case.parts.fields import Name
 from babbitt.case.shorthand import Shorthand
 from babbitt.core.units import si, written
@@ -32,14 +32,14 @@ class _MeanAndLimits(Part):
         return self.minimum is not None and self.maximum is not None
 
     @rule
-    def _limits_in_order(self) -> Iterator[Complaint]:
+    def _limits_in_order(self) -> Iterator[Issue]:
         if (self.minimum is None) != (self.maximum is None):
             missing = "minimum" if self.minimum is None else "maximum"
-            yield Complaint((missing,), "is missing", "both limits or none", code="E003")
+            yield Issue((missing,), "is missing", "both limits or none", code="E003")
         if self.minimum is not None and self.minimum > self.mean:
-            yield Complaint(("minimum",), "the minimum clearance is above the mean", "minimum <= mean <= maximum")
+            yield Issue(("minimum",), "the minimum clearance is above the mean", "minimum <= mean <= maximum")
         if self.maximum is not None and self.maximum < self.mean:
-            yield Complaint(("maximum",), "the maximum clearance is below the mean", "minimum <= mean <= maximum")
+            yield Issue(("maximum",), "the maximum clearance is below the mean", "minimum <= mean <= maximum")
 
     def _scaled(self, factor: float) -> Clearance:
         limits = (self.minimum, self.maximum)
@@ -102,11 +102,11 @@ class _TwoSizes(Part):
         return True
 
     @rule
-    def _bore_in_order(self) -> Iterator[Complaint]:
+    def _bore_in_order(self) -> Iterator[Issue]:
         yield from _in_order("bore", self.bore)
 
     @rule
-    def _journal_in_order(self) -> Iterator[Complaint]:
+    def _journal_in_order(self) -> Iterator[Issue]:
         yield from _in_order("journal", self.journal)
 
 
@@ -139,27 +139,27 @@ def _fit(given: Any) -> Any:
     return {"kind": "fit", "bore": bore.strip(), "journal": journal.strip()} if stroke else given
 
 
-ClearanceGiven = Annotated[
+ClearanceInput = Annotated[
     RelativeClearance | DiametralClearance | FitClearance | LimitsClearance | DeviationsClearance,
     Discriminator("kind"),
     Shorthand(_fit, "an ISO 286 fit such as H7/e8"),
 ]
 
 
-def complaints_about(clearance: ClearanceGiven, diameter: float) -> Iterator[Complaint]:
+def issues_of(clearance: ClearanceInput, diameter: float) -> Iterator[Issue]:
     """Complain about a clearance that does not suit the diameter of its bearing."""
     if isinstance(clearance, LimitsClearance):
         for name, sizes in (("bore", clearance.bore), ("journal", clearance.journal)):
             if not all(0.95 * diameter <= size <= 1.05 * diameter for size in sizes):
                 given = " to ".join(written(size, "mm") for size in sizes)
                 says = f"{name} {given} does not belong to the diameter {written(diameter, 'mm')}"
-                yield Complaint(("clearance", name), says, "sizes within 5 % of the diameter")
+                yield Issue(("clearance", name), says, "sizes within 5 % of the diameter")
                 return
     yield from refused(("clearance",), lambda: clearance.at_20_degrees(diameter).relative(diameter))
 
 
-def _in_order(name: str, limits: tuple[float, float]) -> Iterator[Complaint]:
+def _in_order(name: str, limits: tuple[float, float]) -> Iterator[Issue]:
     if limits[0] > limits[1]:
-        yield Complaint(
+        yield Issue(
             (name,), f"the lower limit of the {name} is above the upper", "[lower, upper]", "exchange them"
         )

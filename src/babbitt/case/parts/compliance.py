@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.case.part import Complaint, Part, exactly_one, rule
+from babbitt.case.part import Issue, Part, exactly_one, rule
 from babbitt.core.units import si, written
 from babbitt.reynolds.deformation.compliance import Compliance
 
@@ -21,7 +21,7 @@ Angle = Annotated[float, si("rad", "-360 deg", "360 deg")]
 MOST_ANGLES = 180
 
 
-class ColumnGiven(Part):
+class ColumnInput(Part):
     """A thin liner, of which every spot gives way by itself."""
 
     kind: Literal["column"] = Field(description="A thin liner on a stiff back; every spot gives way by itself.")
@@ -33,10 +33,10 @@ class ColumnGiven(Part):
     )
 
     @rule
-    def _one_source(self) -> Iterator[Complaint]:
+    def _one_source(self) -> Iterator[Issue]:
         yield from exactly_one(self, "thickness", "displacement_per_pressure")
         if self.thickness is not None and self.elastic_modulus is None:
-            yield Complaint(("elastic_modulus",), "is missing", "that of the liner, such as 50 GPa", code="E003")
+            yield Issue(("elastic_modulus",), "is missing", "that of the liner, such as 50 GPa", code="E003")
 
     def compliance(self, diameter: float) -> Compliance:
         """Give the compliance of the film."""
@@ -49,7 +49,7 @@ class ColumnGiven(Part):
         return ColumnLiner.of_layer(self.thickness, self.elastic_modulus, self.poisson_ratio)
 
 
-class RingGiven(Part):
+class RingInput(Part):
     """Bush or housing as a thick elastic ring."""
 
     kind: Literal["ring"] = Field(description="Bush or housing as a thick elastic ring around the bore.")
@@ -73,7 +73,7 @@ class RingGiven(Part):
         )
 
 
-class HalfSpaceGiven(Part):
+class HalfSpaceInput(Part):
     """A massive housing."""
 
     kind: Literal["half_space"] = Field(description="A massive housing, as a half-space under the unrolled bore.")
@@ -87,7 +87,7 @@ class HalfSpaceGiven(Part):
         return HalfSpace(self.elastic_modulus, self.poisson_ratio)
 
 
-class MatrixGiven(Part):
+class MatrixInput(Part):
     """A matrix of compliance that was calculated or measured elsewhere."""
 
     kind: Literal["file"] = Field(description="A matrix that was calculated or measured elsewhere.")
@@ -109,26 +109,26 @@ class MatrixGiven(Part):
     )
 
     @rule
-    def _one_source(self) -> Iterator[Complaint]:
+    def _one_source(self) -> Iterator[Issue]:
         yield from exactly_one(self, "values", "file")
 
     @rule
-    def _matrix_is_whole(self) -> Iterator[Complaint]:
+    def _matrix_is_whole(self) -> Iterator[Issue]:
         if self.values is None:
             return
         if self.angles is None:
-            yield Complaint(("angles",), "is missing", "one for every row and column of the values", code="E003")
+            yield Issue(("angles",), "is missing", "one for every row and column of the values", code="E003")
             return
         count = len(self.angles)
         if len(self.values) != count:
-            yield Complaint(("values",), f"{len(self.values)} rows for {count} angles", "a row for every angle")
+            yield Issue(("values",), f"{len(self.values)} rows for {count} angles", "a row for every angle")
         for number, row in enumerate(self.values):
             if len(row) != count:
                 says = f"{len(row)} values for {count} angles"
-                yield Complaint(("values", number), says, "a value for every angle")
+                yield Issue(("values", number), says, "a value for every angle")
         rising = all(after > before for before, after in pairwise(self.angles))
         if not rising or self.angles[-1] - self.angles[0] >= 2.0 * math.pi * (1.0 - 1e-9):
-            yield Complaint(("angles",), "the angles do not rise once around", "rising, less than one turn in all")
+            yield Issue(("angles",), "the angles do not rise once around", "rising, less than one turn in all")
 
     def compliance(self, diameter: float) -> Compliance:
         """Give the compliance of the film."""
@@ -139,15 +139,15 @@ class MatrixGiven(Part):
         return ComplianceMatrix(self.angles, self.values)
 
 
-ComplianceGiven = Annotated[ColumnGiven | RingGiven | HalfSpaceGiven | MatrixGiven, Discriminator("kind")]
+ComplianceInput = Annotated[ColumnInput | RingInput | HalfSpaceInput | MatrixInput, Discriminator("kind")]
 
 
-def complaints_about_compliance(parts: tuple[ComplianceGiven, ...], diameter: float) -> Iterator[Complaint]:
+def issues_of_compliance(parts: tuple[ComplianceInput, ...], diameter: float) -> Iterator[Issue]:
     """Complain about rings that end inside the bore."""
     for index, part in enumerate(parts):
-        if isinstance(part, RingGiven) and part.outer_diameter <= diameter * (1.0 + 1e-6):
+        if isinstance(part, RingInput) and part.outer_diameter <= diameter * (1.0 + 1e-6):
             says = f"the ring ends at {written(part.outer_diameter, 'mm')}, inside the bore"
-            yield Complaint(("compliance", index, "outer_diameter"), says, f"more than {written(diameter, 'mm')}")
+            yield Issue(("compliance", index, "outer_diameter"), says, f"more than {written(diameter, 'mm')}")
 
 
-__all__ = ["ComplianceGiven", "complaints_about_compliance"]
+__all__ = ["ComplianceInput", "issues_of_compliance"]

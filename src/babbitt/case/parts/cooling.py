@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.case.part import Complaint, Part, at_most_one, rule
+from babbitt.case.part import Issue, Part, at_most_one, rule
 from babbitt.core.units import si, written
 from babbitt.design.cooling import (
     MACHINE_SURFACE_FACTORS,
@@ -86,17 +86,17 @@ class Cooling(Part):
     housing: Housing | None = Field(None, description="Shape of the housing, in place of its surface.")
 
     @rule
-    def _one_coefficient(self) -> Iterator[Complaint]:
+    def _one_coefficient(self) -> Iterator[Issue]:
         yield from at_most_one(self, "heat_transfer_coefficient", "air_speed")
 
     @rule
-    def _one_surface(self) -> Iterator[Complaint]:
+    def _one_surface(self) -> Iterator[Issue]:
         yield from at_most_one(self, "surface", "housing")
 
 
-def complaints_about(cooling: Cooling, diameter: float) -> Iterator[Complaint]:
+def issues_of(cooling: Cooling, diameter: float) -> Iterator[Issue]:
     """Complain about a housing that its bearing does not fit into."""
     housing = cooling.housing
     if isinstance(housing, CylinderHousing) and housing.diameter <= diameter:
         says = f"the housing, {written(housing.diameter, 'mm')}, is not larger than the bearing"
-        yield Complaint(("cooling", "housing", "diameter"), says, f"more than {written(diameter, 'mm')}")
+        yield Issue(("cooling", "housing", "diameter"), says, f"more than {written(diameter, 'mm')}")

@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.case.part import Complaint, Part, at_most_one, exactly_one, is_given, refused, rule
+from babbitt.case.part import Issue, Part, at_most_one, exactly_one, is_given, refused, rule
 from babbitt.case.parts.fields import Name, WholeNumber
 from babbitt.case.parts.own_lubricant import (
     DynamicPoint,
@@ -54,7 +54,7 @@ class CatalogueLubricant(Part):
     )
 
     @rule
-    def _on_board(self) -> Iterator[Complaint]:
+    def _on_board(self) -> Iterator[Issue]:
         yield from refused(("name",), lambda: lubricant(self.name))
 
     def lubricant(self) -> Lubricant:
@@ -118,7 +118,7 @@ class TwoPointLubricant(OwnLubricant):
         return lubricant_from_points(self.name, colder, warmer, self.properties, source=self.source, law=law)
 
     @rule
-    def _lubricant_can_be_made(self) -> Iterator[Complaint]:
+    def _lubricant_can_be_made(self) -> Iterator[Issue]:
         yield from at_most_one(self, "points", "nu40")
         yield from at_most_one(self, "points", "nu100")
         if self.points is not None:
@@ -126,13 +126,13 @@ class TwoPointLubricant(OwnLubricant):
             return
         for name in ("nu40", "nu100"):
             if not is_given(self, name):
-                yield Complaint((name,), "is missing", "nu40 and nu100, or points", code="E003")
+                yield Issue((name,), "is missing", "nu40 and nu100, or points", code="E003")
         if self.nu40 is None or self.nu100 is None:
             return
         if self.nu100 >= self.nu40:
             thick, thin = written(self.nu40, "mm2/s"), written(self.nu100, "mm2/s")
             says = f"nu100 {thin} is not below nu40 {thick}: an oil is thinner at 100 degC"
-            yield Complaint(("nu100",), says, f"less than {thick}", "are the two exchanged?")
+            yield Issue(("nu100",), says, f"less than {thick}", "are the two exchanged?")
             return
         yield from refused(("nu100",), self.lubricant)
 
@@ -155,7 +155,7 @@ class WaltherLubricant(OwnLubricant):
         return lubricant_from_law(self.name, law, self.properties, source=self.source)
 
     @rule
-    def _is_an_oil(self) -> Iterator[Complaint]:
+    def _is_an_oil(self) -> Iterator[Issue]:
         thinnest, thickest = USUAL_AT_50
         law = Walther(self.intercept, self.slope, self.additive * 1e6)
         try:
@@ -166,7 +166,7 @@ class WaltherLubricant(OwnLubricant):
             says = f"A = {self.intercept:g} and B = {self.slope:g} give no oil: at 50 degC "
             says += f"{written(found, 'mm2/s')}" if math.isfinite(found) else "no viscosity at all"
             allowed = f"{written(thinnest, 'mm2/s')} to {written(thickest, 'mm2/s')} at 50 degC"
-            yield Complaint(("intercept",), says, allowed, "decimal logarithms, nu in mm2/s, T in K?")
+            yield Issue(("intercept",), says, allowed, "decimal logarithms, nu in mm2/s, T in K?")
 
 
 class VogelLubricant(OwnLubricant):
@@ -193,12 +193,12 @@ class VogelLubricant(OwnLubricant):
         return lubricant_from_law(self.name, law, self.properties, source=self.source)
 
     @rule
-    def _lubricant_can_be_made(self) -> Iterator[Complaint]:
+    def _lubricant_can_be_made(self) -> Iterator[Issue]:
         yield from exactly_one(self, "points", "factor")
         constants = [name for name in ("factor", "activation", "pole") if is_given(self, name)]
         if self.points is None and len(constants) < 3:
             if constants:
-                yield Complaint((), "Vogel's law needs all its constants", "factor, activation, pole", code="E003")
+                yield Issue((), "Vogel's law needs all its constants", "factor, activation, pole", code="E003")
             return
         yield from refused((), self.lubricant)
 
@@ -244,7 +244,7 @@ class ConstantLubricant(OwnLubricant):
         return lubricant_from_law(self.name, law, self.properties, source=self.source)
 
     @rule
-    def _lubricant_can_be_made(self) -> Iterator[Complaint]:
+    def _lubricant_can_be_made(self) -> Iterator[Issue]:
         yield from exactly_one(self, "dynamic_viscosity", "kinematic_viscosity")
 
 
@@ -252,7 +252,7 @@ def _named(given: Any) -> Any:
     return {"kind": "catalogue", "name": given} if isinstance(given, str) else given
 
 
-LubricantGiven = Annotated[
+LubricantInput = Annotated[
     CatalogueLubricant
     | IsoVgLubricant
     | ViscosityIndexLubricant

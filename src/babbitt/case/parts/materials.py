@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.case.part import Complaint, Part, exactly_one, refused, rule
+from babbitt.case.part import Issue, Part, exactly_one, refused, rule
 from babbitt.case.parts.fields import Name
 from babbitt.case.shorthand import Shorthand
 from babbitt.core.notices import InputError
@@ -42,11 +42,11 @@ class Structure(Part):
     )
 
     @rule
-    def _name_or_number(self) -> Iterator[Complaint]:
+    def _name_or_number(self) -> Iterator[Issue]:
         yield from exactly_one(self, "name", "thermal_expansion")
 
     @rule
-    def _name_is_known(self) -> Iterator[Complaint]:
+    def _name_is_known(self) -> Iterator[Issue]:
         name = self.name
         if name is not None:
             yield from refused(("name",), lambda: structural_material(name))
@@ -62,7 +62,7 @@ def _named(given: Any) -> Any:
     return {"name": given} if isinstance(given, str) else given
 
 
-StructureGiven = Annotated[Structure, Shorthand(_named, "a name in the catalogue")]
+StructureInput = Annotated[Structure, Shorthand(_named, "a name in the catalogue")]
 
 
 class Metal(Part):
@@ -91,7 +91,7 @@ class Metal(Part):
     )
 
     @rule
-    def _name_is_known(self) -> Iterator[Complaint]:
+    def _name_is_known(self) -> Iterator[Issue]:
         if not self._is_own():
             yield from refused(("name",), lambda: bearing_metal(self.name))
 
@@ -144,7 +144,7 @@ class Metal(Part):
         )
 
 
-MetalGiven = Annotated[Metal, Shorthand(_named, "a name in the catalogue")]
+MetalInput = Annotated[Metal, Shorthand(_named, "a name in the catalogue")]
 
 
 class Materials(Part):
@@ -152,16 +152,16 @@ class Materials(Part):
 
     example: ClassVar[str] = "{bearing: C10, journal: 42CrMo4}"
 
-    bearing_metal: MetalGiven | None = Field(
+    bearing_metal: MetalInput | None = Field(
         None, description="Bearing metal. Without it no specific load is checked, and no bearing passes."
     )
     load_character: Literal["calm", "shock"] | None = Field(
         None, description="How the load acts on the bearing metal. calm if not given."
     )
-    bearing: StructureGiven | None = Field(
+    bearing: StructureInput | None = Field(
         None, description="Material of shell or housing, whose thermal expansion widens the bore."
     )
-    journal: StructureGiven | None = Field(None, description="Material of the journal.")
+    journal: StructureInput | None = Field(None, description="Material of the journal.")
 
     def metal(self) -> BearingMetal | None:
         """Give the bearing metal; None where it is not named."""

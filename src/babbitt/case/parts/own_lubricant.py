@@ -8,7 +8,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from babbitt.case.part import Complaint, Part, refused, rule
+from babbitt.case.part import Issue, Part, refused, rule
 from babbitt.case.parts.fields import Name
 from babbitt.core.units import si
 from babbitt.properties.lubricants import Lubricant, OilProperties
@@ -90,11 +90,11 @@ class OwnLubricant(Part):
         """Give the lubricant of the calculation."""
 
     @rule
-    def _slopes_have_values(self) -> Iterator[Complaint]:
+    def _slopes_have_values(self) -> Iterator[Issue]:
         for name in ("density", "heat_capacity"):
             if getattr(self, f"{name}_slope") is not None and getattr(self, name) is None:
-                yield Complaint((f"{name}_slope",), f"{name}_slope is given without {name}", "both or none")
+                yield Issue((f"{name}_slope",), f"{name}_slope is given without {name}", "both or none")
 
     @rule
-    def _lubricant_can_be_made(self) -> Iterator[Complaint]:
+    def _lubricant_can_be_made(self) -> Iterator[Issue]:
         yield from refused((), self.lubricant)

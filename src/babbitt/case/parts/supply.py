@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field
 
-from babbitt.case.part import Complaint, Part, at_most_one, rule
+from babbitt.case.part import Issue, Part, at_most_one, rule
 from babbitt.case.parts.fields import WholeNumber
 from babbitt.core.units import si, zero_or
 from babbitt.design.ducts import Duct
@@ -73,5 +73,5 @@ class Supply(Part):
     )
 
     @rule
-    def _pressure_or_flow(self) -> Iterator[Complaint]:
+    def _pressure_or_flow(self) -> Iterator[Issue]:
         yield from at_most_one(self, "pressure", "flow")

@@ -71,4 +71,4 @@ class DrawingSurfaces(_Rough):
         )
 
 
-SurfacesGiven = Annotated[DirectSurfaces | DrawingSurfaces, Discriminator("kind")]
+SurfacesInput = Annotated[DirectSurfaces | DrawingSurfaces, Discriminator("kind")]

@@ -2,7 +2,7 @@
 
 A notice in a result carries its code and the message with the numbers of the case. What the code means in
 general and what can be done stands here once; ``babbitt explain CODE`` and the documentation print it.
-The first letter tells the kind: E unusable input, W doubt that rides along with a result, S no solution.
+The first letter tells the kind: E unusable input, W warning that rides along with a result, S no solution.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ EXPLANATIONS: dict[str, Explanation] = (
 
 @dataclass(frozen=True)
 class Notice:
-    """A doubt about a result: the code of an `Explanation` and the numbers of this case."""
+    """A warning about a result: the code of an `Explanation` and the numbers of this case."""
 
     code: str
     message: str

@@ -1,4 +1,4 @@
-"""Doubts about footsteps of screw pumps."""
+"""Warnings about footsteps of screw pumps."""
 
 from __future__ import annotations
 

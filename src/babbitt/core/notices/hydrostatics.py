@@ -1,4 +1,4 @@
-"""Doubts about hydrostatic bearings and jacking."""
+"""Warnings about hydrostatic bearings and jacking."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Doubts about journal bearings."""
+"""Warnings about journal bearings."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Doubts about films of one dimension."""
+"""Warnings about films of one dimension."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Doubts about thrust bearings and shaft lines."""
+"""Warnings about thrust bearings and shaft lines."""
 
 from __future__ import annotations
 

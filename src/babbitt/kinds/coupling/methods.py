@@ -22,7 +22,7 @@ class ShaftProblem:
     kind: str
     shaft: OverhungCoupling
     given: tuple[tuple[str, str], ...] = ()
-    doubts: tuple[Notice, ...] = ()
+    warnings: tuple[Notice, ...] = ()
     assumptions: tuple[str, ...] = ()
 
 
@@ -45,7 +45,7 @@ class Statics(Method):
         }
         result = Result(
             problem.name, problem.kind, self.name, Outcome.CONVERGED, values,
-            warnings=problem.doubts, assumptions=problem.assumptions,
+            warnings=problem.warnings, assumptions=problem.assumptions,
         )  # fmt: skip
         return (Solution(problem, result),)
 

@@ -12,7 +12,7 @@ KINDS = (
     Kind(
         name="screw_heel",
         description="footstep of a pump's screw, smooth or grooved heel",
-        model="babbitt.kinds.footstep.case.footstep:ScrewHeelCase",
+        model="babbitt.kinds.footstep.case.footstep:FootstepCase",
         template="babbitt.kinds.footstep:screw_heel.yaml",
         views={
             "superposition": "babbitt.kinds.footstep.view:SUPERPOSITION",

@@ -24,14 +24,14 @@ STEP = 1e-4
 """Relative step of the central differences: their error is its square, far above round-off."""
 
 
-class HeelModel(Protocol):
+class FootstepModel(Protocol):
     """A footstep whose balance has one unknown."""
 
     @property
     def footstep(self) -> Footstep:
         """What it is made for."""
 
-    def of(self, footstep: Footstep) -> HeelModel:
+    def of(self, footstep: Footstep) -> FootstepModel:
         """The same model of another footstep."""
 
     def residual(self, unknown: Array) -> Array:
@@ -47,12 +47,12 @@ def _changed(footstep: Footstep, length: Literal["face_gap", "clearance"], facto
     return replace(footstep, clearance=factor * footstep.clearance)
 
 
-def load_slope(model: HeelModel, unknown: float, length: Literal["face_gap", "clearance"]) -> float:
+def load_slope(model: FootstepModel, unknown: float, length: Literal["face_gap", "clearance"]) -> float:
     """dT/d(length) in N/m along the balance R(x, h) = 0: T_h - T_x R_h/R_x.
 
     Parameters
     ----------
-    model : HeelModel
+    model : FootstepModel
         Made of a footstep; its balance is zero at `unknown`.
     unknown : float
         Groove flow, pressure of the rim or flow of the clearance, as the model has it.
@@ -65,7 +65,7 @@ def load_slope(model: HeelModel, unknown: float, length: Literal["face_gap", "cl
     less, more = unknown - step, unknown + step
     span_h, span_x = 2.0 * STEP * size, more - less
 
-    def residual(of: HeelModel, at: float) -> float:
+    def residual(of: FootstepModel, at: float) -> float:
         return float(of.residual(number(at)))
 
     load_length = (thicker.load_at(unknown) - thinner.load_at(unknown)) / span_h

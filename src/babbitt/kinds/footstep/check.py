@@ -1,4 +1,4 @@
-"""From one heel to results: every steady state with values, doubts and stability; or why there is none."""
+"""From one heel to results: every steady state with values, warnings and stability; or why there is none."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from babbitt.kinds.footstep.axial import centrifugal_pressure
 from babbitt.kinds.footstep.clearances import critical_clearances, fold_clearance
 from babbitt.kinds.footstep.eccentric import leak_factor
 from babbitt.kinds.footstep.face import number
-from babbitt.kinds.footstep.heat_residual import leaving_flow, needed_flow, uncounted_heat, uncounted_share
+from babbitt.kinds.footstep.heat_residual import heat_residual, leaving_flow, needed_flow, uncounted_share
 from babbitt.kinds.footstep.model import PITCH_TOLERANCE, Footstep, LoadReference
-from babbitt.kinds.footstep.model_case import HeelCase
+from babbitt.kinds.footstep.model_case import FootstepProblem
 from babbitt.kinds.footstep.rotating_member import turning_force
 from babbitt.kinds.footstep.stability import RimDisturbance
 from babbitt.kinds.footstep.states import (
@@ -28,7 +28,7 @@ from babbitt.kinds.footstep.states import (
     draining_states,
     steady_states,
 )
-from babbitt.kinds.footstep.superposition import GroovedHeel
+from babbitt.kinds.footstep.superposition import GroovedFootstep
 
 __all__ = ["heel_results", "state_title"]
 
@@ -42,7 +42,7 @@ LOWEST_AMBIENT = 50e3
 """Pa absolute; less looks like a gauge pressure."""
 MANY_GROOVES = 20
 """From which narrow-groove theory meets the film in two dimensions within 1 % (validation: film_groove_pitch)."""
-LUKEWARM = 5.0
+MINOR_RISE = 5.0
 """K; friction that would warm the oil by less may be left out of it."""
 OPEN_BALANCE = 1e-6
 """Relative error of the mass balance at the rim from which a warning is given."""
@@ -63,12 +63,12 @@ def state_title(name: StateName) -> str:
     return TITLES[name]
 
 
-def heel_results(case: HeelCase) -> tuple[Result, ...]:
+def heel_results(case: FootstepProblem) -> tuple[Result, ...]:
     """Solve one heel.
 
     Parameters
     ----------
-    case : HeelCase
+    case : FootstepProblem
 
     Returns
     -------
@@ -97,7 +97,7 @@ def _titles(states: tuple[SteadyState, ...]) -> list[str]:
     ]
 
 
-def _unsolved(case: HeelCase, error: NoSteadyStateError, begun: float) -> Result:
+def _unsolved(case: FootstepProblem, error: NoSteadyStateError, begun: float) -> Result:
     far = f"{error}."
     values = {
         "face_gap": case.footstep.face_gap,
@@ -117,7 +117,7 @@ def _unsolved(case: HeelCase, error: NoSteadyStateError, begun: float) -> Result
     return Result(
         ResultName(case.name, state="grooved heel"), case.kind, case.method.value, Outcome.NO_STEADY_STATE,
         values | {"wall_time": perf_counter() - begun},
-        warnings=tuple(_doubts_about_inputs(case)), assumptions=_assumptions(case), message=message,
+        warnings=tuple(_warnings_about_inputs(case)), assumptions=_assumptions(case), message=message,
         settings=_settings(case),
     )  # fmt: skip
 
@@ -133,7 +133,12 @@ def _drained(state: SteadyState) -> str:
 
 
 def _result(
-    case: HeelCase, state: SteadyState, smooth: SteadyState, shared: dict[str, float], title: str, begun: float
+    case: FootstepProblem,
+    state: SteadyState,
+    smooth: SteadyState,
+    shared: dict[str, float],
+    title: str,
+    begun: float,
 ) -> Result:
     values = {name: value for name, value in _values(case, state).items() if not math.isnan(value)}
     if case.is_grooved:
@@ -149,12 +154,12 @@ def _result(
     )  # fmt: skip
     return Result(
         ResultName(case.name, state=title), case.kind, case.method.value, Outcome.CONVERGED, values, checks,
-        (*_doubts_about_inputs(case), *_doubts(case, state, values)), (), _assumptions(case), "",
+        (*_warnings_about_inputs(case), *_warnings(case, state, values)), (), _assumptions(case), "",
         _settings(case) | {"state": state.name.value, "stable": "yes" if state.stable else "no"},
     )  # fmt: skip
 
 
-def _heat_check(case: HeelCase, state: SteadyState) -> Check:
+def _heat_check(case: FootstepProblem, state: SteadyState) -> Check:
     """Advice: the oil that leaves must be able to take the heat left out of it, else such a state cannot last."""
     name = "heel_leakage" if case.method is Method.SUPERPOSITION else "heel_net_flow"
     needed = needed_flow(case.footstep, state, case.method, LARGEST_RISE)
@@ -162,7 +167,7 @@ def _heat_check(case: HeelCase, state: SteadyState) -> Check:
                  f"friction heat at a rise of {LARGEST_RISE:.0f} K", advisory=True)  # fmt: skip
 
 
-def _values(case: HeelCase, state: SteadyState) -> dict[str, float]:
+def _values(case: FootstepProblem, state: SteadyState) -> dict[str, float]:
     step, nan = case.footstep, math.nan
     both = case.method is Method.SUPERPOSITION
     grooved = both and case.is_grooved
@@ -207,7 +212,7 @@ def _eccentric_values(step: Footstep, state: SteadyState) -> dict[str, float]:
     return values
 
 
-def _shared_values(case: HeelCase) -> dict[str, float]:
+def _shared_values(case: FootstepProblem) -> dict[str, float]:
     """What all states of a heel have in common."""
     step, oil, part = case.footstep, case.footstep.oil, case.footstep.geometry
     stirring = step.angular_speed * part.recess_radius * part.recess_depth
@@ -230,9 +235,9 @@ def _shared_values(case: HeelCase) -> dict[str, float]:
     return values
 
 
-def _doubts_about_inputs(case: HeelCase) -> Iterator[Notice]:
+def _warnings_about_inputs(case: FootstepProblem) -> Iterator[Notice]:
     step = case.footstep
-    yield from case.doubts
+    yield from case.warnings
     if step.ambient_pressure < LOWEST_AMBIENT:
         yield Notice("W163", f"ambient pressure {1e-3 * step.ambient_pressure:.4g} kPa absolute < 50 kPa")
     groove = step.groove
@@ -255,7 +260,7 @@ def _doubts_about_inputs(case: HeelCase) -> Iterator[Notice]:
         yield Notice("W169", f"{groove.starts} starts < {MANY_GROOVES}")
 
 
-def _doubts(case: HeelCase, state: SteadyState, values: dict[str, float]) -> Iterator[Notice]:
+def _warnings(case: FootstepProblem, state: SteadyState, values: dict[str, float]) -> Iterator[Notice]:
     if not state.stable:
         yield Notice("W160", _departure(case, state))
     if state.name is StateName.DRAINING:
@@ -280,8 +285,8 @@ def _doubts(case: HeelCase, state: SteadyState, values: dict[str, float]) -> Ite
         )  # fmt: skip
     if state.axial_stiffness < 0.0:
         yield Notice("W167", f"dF/dh = {-1e-6 * state.axial_stiffness:+.3g} N/µm")
-    heat, rise = uncounted_heat(case.footstep, state, case.method)
-    if rise > LUKEWARM:
+    heat, rise = heat_residual(case.footstep, state, case.method)
+    if rise > MINOR_RISE:
         oil = f"the oil alone would be warmed by {rise:.0f} K"
         yield Notice("W171", f"{heat:.3g} W of friction and lost pressure warm neither oil nor metal; {oil}")
         if rise > LARGEST_RISE and hotter <= LARGEST_RISE:
@@ -296,14 +301,14 @@ def _doubts(case: HeelCase, state: SteadyState, values: dict[str, float]) -> Ite
         )
 
 
-def _departure(case: HeelCase, state: SteadyState) -> str:
+def _departure(case: FootstepProblem, state: SteadyState) -> str:
     """How a state that is not stable is left, and where to."""
     if state.loop_gain < 1.0:
         return "a disturbance of temperature grows from swing to swing"
     how = f"thermal loop gain {state.loop_gain:.3g} > 1"
     if case.method is not Method.SUPERPOSITION or not case.is_grooved or state.groove_flow <= 0.0:
         return how
-    model = GroovedHeel(case.footstep)
+    model = GroovedFootstep(case.footstep)
     rate = RimDisturbance(model, model.balance(number(state.groove_flow))).growth_rate()
     if rate > 0.0:
         how += f"; a disturbance grows e-fold in {1.0 / rate:.3g} s"
@@ -311,7 +316,7 @@ def _departure(case: HeelCase, state: SteadyState) -> str:
     return f"{how}: cooler, it goes to the cold state; warmer, the flow of the groove reverses. {drained}"
 
 
-def _assumptions(case: HeelCase) -> tuple[str, ...]:
+def _assumptions(case: FootstepProblem) -> tuple[str, ...]:
     step = case.footstep
     said = [
         *case.assumptions,
@@ -330,7 +335,7 @@ def _assumptions(case: HeelCase) -> tuple[str, ...]:
     return tuple(said)
 
 
-def _settings(case: HeelCase) -> dict[str, str]:
+def _settings(case: FootstepProblem) -> dict[str, str]:
     options = case.footstep.options
     settings = {
         "variant": "grooved" if case.is_grooved else "smooth",

@@ -11,7 +11,7 @@ from babbitt.kinds.footstep.eccentric import leak_factor
 from babbitt.kinds.footstep.face import number
 from babbitt.kinds.footstep.model import Footstep
 from babbitt.kinds.footstep.states import crossings, has_steady_state
-from babbitt.kinds.footstep.superposition import GrooveChannel, GroovedHeel
+from babbitt.kinds.footstep.superposition import GrooveChannel, GroovedFootstep
 
 __all__ = ["CriticalClearance", "critical_clearances", "fold_clearance", "at_clearance"]
 
@@ -81,7 +81,7 @@ def fold_clearance(footstep: Footstep, tolerance: float = 1e-10) -> float | None
     """
 
     def exists(clearance: float) -> bool:
-        return has_steady_state(GroovedHeel(at_clearance(footstep, clearance)))
+        return has_steady_state(GroovedFootstep(at_clearance(footstep, clearance)))
 
     high = footstep.clearance
     while not exists(high):

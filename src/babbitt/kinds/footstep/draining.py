@@ -19,23 +19,23 @@ from numpy.typing import NDArray
 
 from babbitt.kinds.footstep.face import log_growth, number
 from babbitt.kinds.footstep.model import Footstep
-from babbitt.kinds.footstep.superposition import Balance, GroovedHeel, SmoothHeel, slit_conductance
+from babbitt.kinds.footstep.superposition import Balance, GroovedFootstep, SmoothFootstep, slit_conductance
 from babbitt.numerics.roots import bracketed_root
 
-__all__ = ["DrainedHeel", "cold_groove_drains"]
+__all__ = ["DrainedFootstep", "cold_groove_drains"]
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class DrainedHeel:
+class DrainedFootstep:
     """Balance of a heel whose groove drains the rim, in the pressure of the rim."""
 
     footstep: Footstep
-    heel: GroovedHeel = field(init=False)
+    heel: GroovedFootstep = field(init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "heel", GroovedHeel(self.footstep))
+        object.__setattr__(self, "heel", GroovedFootstep(self.footstep))
 
     def balance(self, rim_pressure: Array) -> Balance:
         """Flows and temperatures at a pressure of the rim, Pa; that of the groove at its outer end."""
@@ -67,9 +67,9 @@ class DrainedHeel:
         held = self.footstep.ambient_pressure + n * m4 / (channel.depth**3 * m3) * rise
         return np.asarray(held - rim_pressure)
 
-    def of(self, footstep: Footstep) -> DrainedHeel:
+    def of(self, footstep: Footstep) -> DrainedFootstep:
         """The same model of another footstep."""
-        return DrainedHeel(footstep)
+        return DrainedFootstep(footstep)
 
     def load(self, at: Balance) -> float:
         """Axial load in N."""
@@ -86,7 +86,7 @@ class DrainedHeel:
     def pressures(self, samples: int) -> Array:
         """Pressures of the rim from ambient to that of the smooth heel, Pa, finer towards the latter."""
         step = self.footstep
-        smooth = SmoothHeel(replace(step, groove=None))
+        smooth = SmoothFootstep(replace(step, groove=None))
         top = bracketed_root(
             lambda p: float(smooth.residual(number(p))), step.ambient_pressure, step.supply_pressure, 1e-7
         )
@@ -97,7 +97,7 @@ class DrainedHeel:
 
 def cold_groove_drains(footstep: Footstep) -> bool:
     """Whether the groove, all oil at the temperature of the inlet, cannot hold back the rim of the smooth heel."""
-    heel, oil = GroovedHeel(footstep), footstep.oil
+    heel, oil = GroovedFootstep(footstep), footstep.oil
     leak = slit_conductance(footstep) / oil.viscosity
     face = np.pi / (6.0 * oil.viscosity * footstep.kappa)
     smooth = face / (leak + face) * (footstep.supply_pressure - footstep.ambient_pressure)

@@ -8,10 +8,10 @@ from babbitt.kinds.footstep.model import Footstep
 from babbitt.kinds.footstep.states import Method
 from babbitt.kinds.footstep.steady_state import SteadyState
 
-__all__ = ["leaving_flow", "needed_flow", "uncounted_heat", "uncounted_share"]
+__all__ = ["leaving_flow", "needed_flow", "heat_residual", "uncounted_share"]
 
 
-def uncounted_heat(step: Footstep, state: SteadyState, method: Method) -> tuple[float, float]:
+def heat_residual(step: Footstep, state: SteadyState, method: Method) -> tuple[float, float]:
     """Heat that neither oil nor metal receives, and by how much it would warm the oil that leaves.
 
     What the screw gives by friction and the oil by its loss of pressure must leave with oil or metal. The study's
@@ -46,7 +46,7 @@ def uncounted_heat(step: Footstep, state: SteadyState, method: Method) -> tuple[
 
 def needed_flow(step: Footstep, state: SteadyState, method: Method, rise: float) -> float:
     """Oil that must leave to take the heat left out of it, beside the metal, at a rise of temperature, m3/s."""
-    heat, _ = uncounted_heat(step, state, method)
+    heat, _ = heat_residual(step, state, method)
     return max(heat / rise - _conductance(step, method), 0.0) / step.oil.heat_capacity
 
 
@@ -57,7 +57,7 @@ def _conductance(step: Footstep, method: Method) -> float:
 
 def uncounted_share(step: Footstep, state: SteadyState, method: Method) -> float:
     """Heat that neither oil nor metal receives over the power that the screw and the pressure give."""
-    return abs(uncounted_heat(step, state, method)[0]) / given_power(step, state)
+    return abs(heat_residual(step, state, method)[0]) / given_power(step, state)
 
 
 def given_power(step: Footstep, state: SteadyState) -> float:

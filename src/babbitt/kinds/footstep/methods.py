@@ -9,7 +9,7 @@ from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.solution import Method, Solution
 
 if TYPE_CHECKING:
-    from babbitt.kinds.footstep.model_case import HeelCase
+    from babbitt.kinds.footstep.model_case import FootstepProblem
 
 __all__ = ["METHODS", "SteadyStates"]
 
@@ -20,7 +20,7 @@ class SteadyStates(Method):
 
     name: str
 
-    def solve(self, problem: HeelCase, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
+    def solve(self, problem: FootstepProblem, progress: ProgressCallback = no_progress) -> tuple[Solution, ...]:
         """Find every steady state, the hottest first; one solution tells of none."""
         from babbitt.kinds.footstep.check import heel_results
         from babbitt.kinds.footstep.states import Method as Equations

@@ -19,9 +19,9 @@ __all__ = [
     "FaceOutlet",
     "Footstep",
     "FrictionViscosity",
-    "HeelGeometry",
-    "HeelOil",
-    "HeelOptions",
+    "FootstepGeometry",
+    "FootstepOil",
+    "FootstepOptions",
     "LoadReference",
     "ScrewGroove",
     "Wall",
@@ -71,7 +71,7 @@ def _positive(part: object, *names: str) -> None:
 
 
 @dataclass(frozen=True)
-class HeelGeometry:
+class FootstepGeometry:
     """Lengths of heel and recess, m.
 
     Attributes
@@ -137,7 +137,7 @@ class ScrewGroove:
 
 
 @dataclass(frozen=True)
-class HeelOil:
+class FootstepOil:
     """Oil with mu = mu0 exp(-alpha (theta - theta0)).
 
     Attributes
@@ -182,7 +182,7 @@ class Wall:
 
 
 @dataclass(frozen=True)
-class HeelOptions:
+class FootstepOptions:
     """Choices that the source leaves open or that its print gets wrong; the defaults are the consistent ones.
 
     Attributes
@@ -218,8 +218,8 @@ class Footstep:
 
     Attributes
     ----------
-    geometry : HeelGeometry
-    oil : HeelOil
+    geometry : FootstepGeometry
+    oil : FootstepOil
     angular_speed : float
         omega0, rad/s.
     supply_pressure, ambient_pressure : float
@@ -227,7 +227,7 @@ class Footstep:
     face_gap, clearance : float
         h and radial delta, m.
     groove : ScrewGroove or None
-    options : HeelOptions
+    options : FootstepOptions
     wall : Wall or None
         For narrow-groove theory; None: the films are as warm as the oil that comes in.
     eccentricity_ratio : float
@@ -236,15 +236,15 @@ class Footstep:
         Slope of the heel's axis in the plane of the eccentricity, rad; positive: the rim end lies farther out.
     """
 
-    geometry: HeelGeometry
-    oil: HeelOil
+    geometry: FootstepGeometry
+    oil: FootstepOil
     angular_speed: float
     supply_pressure: float
     ambient_pressure: float
     face_gap: float
     clearance: float
     groove: ScrewGroove | None = None
-    options: HeelOptions = HeelOptions()
+    options: FootstepOptions = FootstepOptions()
     wall: Wall | None = None
     eccentricity_ratio: float = 0.0
     tilt: float = 0.0

@@ -8,13 +8,13 @@ from babbitt.core.notices import Notice
 from babbitt.kinds.footstep.model import Footstep
 from babbitt.kinds.footstep.states import Method
 
-__all__ = ["HeelCase"]
+__all__ = ["FootstepProblem"]
 
 Range = tuple[float, float]
 
 
 @dataclass(frozen=True)
-class HeelCase:
+class FootstepProblem:
     """What is computed for one variant of a footstep.
 
     Attributes
@@ -32,7 +32,7 @@ class HeelCase:
         Face gaps and clearances of the map of states; 0 for none.
     given : tuple of tuple of str
         How the case file put it, labels and words.
-    doubts : tuple of Notice
+    warnings : tuple of Notice
     assumptions : tuple of str
     kind : str
     """
@@ -45,7 +45,7 @@ class HeelCase:
     clearance_range: Range = (10e-6, 40e-6)
     map_points: int = 0
     given: tuple[tuple[str, str], ...] = ()
-    doubts: tuple[Notice, ...] = ()
+    warnings: tuple[Notice, ...] = ()
     assumptions: tuple[str, ...] = ()
     kind: str = "screw_heel"
 

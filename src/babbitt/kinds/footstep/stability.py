@@ -26,8 +26,8 @@ from numpy.typing import NDArray
 
 from babbitt.kinds.footstep.face import number, quadrature
 from babbitt.kinds.footstep.model import Footstep
-from babbitt.kinds.footstep.superposition import Balance, GrooveChannel, GroovedHeel, SmoothHeel
-from babbitt.kinds.footstep.thermal_films import WarmFilms
+from babbitt.kinds.footstep.superposition import Balance, GrooveChannel, GroovedFootstep, SmoothFootstep
+from babbitt.kinds.footstep.thermal_films import ThermalFilms
 
 __all__ = ["RimDisturbance", "Stability", "stability_of_films", "stability_of_grooved", "stability_of_smooth"]
 
@@ -66,12 +66,12 @@ class RimDisturbance:
 
     Parameters
     ----------
-    model : GroovedHeel
+    model : GroovedFootstep
     at : Balance
         The steady state; its groove flow, m³/s, is positive towards the rim.
     """
 
-    model: GroovedHeel
+    model: GroovedFootstep
     at: Balance
 
     @property
@@ -243,7 +243,7 @@ class RimDisturbance:
         return bracketed_root(real, 0.0, high, 1e-12 * high)
 
 
-def stability_of_grooved(model: GroovedHeel, at: Balance) -> Stability:
+def stability_of_grooved(model: GroovedFootstep, at: Balance) -> Stability:
     """Stability of a grooved heel by superposition."""
     disturbance = RimDisturbance(model, at)
     settled, frozen = (float(v.real) for v in disturbance.balance(np.array([0j, np.inf + 0j])))
@@ -252,7 +252,7 @@ def stability_of_grooved(model: GroovedHeel, at: Balance) -> Stability:
     return Stability(gain < 1.0 and (damped or disturbance.growing() == 0), gain)
 
 
-def stability_of_smooth(model: SmoothHeel, at: Balance) -> Stability:
+def stability_of_smooth(model: SmoothFootstep, at: Balance) -> Stability:
     """Stability of a smooth heel: the oil of the clearance follows that of the face gap with one lag."""
     step, oil = model.footstep, model.footstep.oil
     p1, leakage = float(at.rim_pressure), float(at.leakage)
@@ -262,7 +262,7 @@ def stability_of_smooth(model: SmoothHeel, at: Balance) -> Stability:
     return Stability(gain < 1.0, gain)
 
 
-def stability_of_films(model: WarmFilms, flow: float) -> Stability:
+def stability_of_films(model: ThermalFilms, flow: float) -> Stability:
     """Stability of two films of one temperature each, whose oil holds the heat (metal of given temperature)."""
     step = model.footstep
     if step.wall is None:
@@ -297,7 +297,7 @@ def _clearance_volume(step: Footstep) -> float:
 
 
 def _face_slopes(
-    model: GroovedHeel | SmoothHeel, p1: float, hot: float, groove_feeds: bool
+    model: GroovedFootstep | SmoothFootstep, p1: float, hot: float, groove_feeds: bool
 ) -> tuple[float, float, float]:
     """Slopes of the face: dQ2/dp1, m³/(s Pa), dtheta1''/dp1, K/Pa, dQ2/dtheta1', m³/(s K)."""
     step, oil, face = model.footstep, model.footstep.oil, model.face

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
 from babbitt.kinds.footstep.axial import axial_damping, load_slope
-from babbitt.kinds.footstep.draining import DrainedHeel, cold_groove_drains
+from babbitt.kinds.footstep.draining import DrainedFootstep, cold_groove_drains
 from babbitt.kinds.footstep.eccentric import side_force_of_leakage
 from babbitt.kinds.footstep.face import number
-from babbitt.kinds.footstep.model import Footstep, HeelOptions
+from babbitt.kinds.footstep.model import Footstep, FootstepOptions
 from babbitt.kinds.footstep.stability import (
     RimDisturbance,
     Stability,
@@ -22,8 +22,8 @@ from babbitt.kinds.footstep.stability import (
     stability_of_smooth,
 )
 from babbitt.kinds.footstep.steady_state import Method, NoSteadyStateError, StateName, SteadyState
-from babbitt.kinds.footstep.superposition import Balance, GroovedHeel, SmoothHeel
-from babbitt.kinds.footstep.thermal_films import WarmFilms, WarmState
+from babbitt.kinds.footstep.superposition import Balance, GroovedFootstep, SmoothFootstep
+from babbitt.kinds.footstep.thermal_films import ThermalFilmPair, ThermalFilms
 from babbitt.numerics.roots import bracketed_root
 
 __all__ = ["Method", "NoSteadyStateError", "StateName", "SteadyState", "draining_states", "steady_states"]
@@ -74,8 +74,8 @@ def steady_states(footstep: Footstep, method: Method = Method.SUPERPOSITION) -> 
     return _grooved_states(footstep)
 
 
-def _refuse_options_of_the_study(options: HeelOptions) -> None:
-    usual = HeelOptions()
+def _refuse_options_of_the_study(options: FootstepOptions) -> None:
+    usual = FootstepOptions()
     for name in ("friction_viscosity", "face_outlet", "backflow_viscosity", "entry_loss", "speed_reduction"):
         if getattr(options, name) != getattr(usual, name):
             raise InputError(
@@ -91,13 +91,13 @@ def draining_states(footstep: Footstep) -> tuple[SteadyState, ...]:
     With a viscosity that falls there is one beside every pair of states whose groove feeds the rim: the one to
     which a hot state runs when its groove stops.
     """
-    model = DrainedHeel(footstep)
+    model = DrainedFootstep(footstep)
     pressures = model.pressures(SAMPLES)
     roots = crossings(model.residual, pressures, model.residual(pressures), 1e-7)
     return tuple(_of_draining(model, root) for root in reversed(roots))
 
 
-def roots_of_balance(model: GroovedHeel) -> tuple[float, ...]:
+def roots_of_balance(model: GroovedFootstep) -> tuple[float, ...]:
     """Groove flows in m³/s at which the rim is in balance, ascending.
 
     Raises
@@ -122,7 +122,7 @@ def roots_of_balance(model: GroovedHeel) -> tuple[float, ...]:
     raise NoSteadyStateError(largest, flow, float(model.balance(number(flow)).rim_pressure))
 
 
-def has_steady_state(model: GroovedHeel) -> bool:
+def has_steady_state(model: GroovedFootstep) -> bool:
     """Whether the rim of a grooved heel can be in balance, by superposition."""
     if (model.residual(_COARSE * model.channel.largest_flow) > 0.0).any():
         return True  # between there and either end, where more comes than leaves
@@ -146,7 +146,7 @@ def crossings(
     )
 
 
-def _summit(model: GroovedHeel, low: float, high: float) -> float:
+def _summit(model: GroovedFootstep, low: float, high: float) -> float:
     """Groove flow of the largest residual between two flows."""
     from scipy.optimize import minimize_scalar
 
@@ -160,12 +160,12 @@ def _summit(model: GroovedHeel, low: float, high: float) -> float:
 
 
 def _grooved_states(footstep: Footstep) -> tuple[SteadyState, ...]:
-    model = GroovedHeel(footstep)
+    model = GroovedFootstep(footstep)
     roots = roots_of_balance(model)
     return tuple(_of_balance(model, root, name) for root, name in zip(roots, _names(model, roots), strict=True))
 
 
-def _names(model: GroovedHeel, roots: tuple[float, ...]) -> Iterator[StateName]:
+def _names(model: GroovedFootstep, roots: tuple[float, ...]) -> Iterator[StateName]:
     """Hot where the residual rises through zero, cold where it falls, fold where it only touches."""
     for root in roots:
         below, above = (float(model.residual(number(root * (1.0 + sign * 1e-6)))) for sign in (-1.0, 1.0))
@@ -178,7 +178,7 @@ def _names(model: GroovedHeel, roots: tuple[float, ...]) -> Iterator[StateName]:
 
 
 def _smooth_state(footstep: Footstep) -> SteadyState:
-    model = SmoothHeel(footstep)
+    model = SmoothFootstep(footstep)
     root = bracketed_root(
         lambda p: float(model.residual(number(p))),
         footstep.ambient_pressure,
@@ -188,11 +188,11 @@ def _smooth_state(footstep: Footstep) -> SteadyState:
     return _of_balance(model, root, StateName.SMOOTH)
 
 
-def _of_balance(model: GroovedHeel | SmoothHeel, root: float, name: StateName) -> SteadyState:
+def _of_balance(model: GroovedFootstep | SmoothFootstep, root: float, name: StateName) -> SteadyState:
     """Everything of a state by superposition; the unknown is the groove flow, or the pressure of a smooth rim."""
     at = model.balance(number(root))
     residual = abs(float(at.residual) / float(at.leakage))
-    if isinstance(model, SmoothHeel):
+    if isinstance(model, SmoothFootstep):
         return _superposed(model, root, at, name, stability_of_smooth(model, at), 0.0, residual)
     stability = stability_of_grooved(model, at)
     if name is StateName.FOLD:
@@ -200,7 +200,7 @@ def _of_balance(model: GroovedHeel | SmoothHeel, root: float, name: StateName) -
     return _superposed(model, root, at, name, stability, _groove_conductance(model, at), residual)
 
 
-def _of_draining(model: DrainedHeel, root: float) -> SteadyState:
+def _of_draining(model: DrainedFootstep, root: float) -> SteadyState:
     """Everything of a state whose groove drains the rim; the unknown is the pressure of the rim."""
     at = model.balance(number(root))
     stability, conductance = stability_of_grooved(model.heel, at), _groove_conductance(model.heel, at)
@@ -208,14 +208,14 @@ def _of_draining(model: DrainedHeel, root: float) -> SteadyState:
     return _superposed(model, root, at, StateName.DRAINING, stability, conductance, residual)
 
 
-def _groove_conductance(model: GroovedHeel, at: Balance) -> float:
+def _groove_conductance(model: GroovedFootstep, at: Balance) -> float:
     """-dQ_k/dp1 of the groove at the temperatures of the state, m³/(s Pa)."""
     slope, _ = RimDisturbance(model, at).slopes(np.array([np.inf + 0j]))
     return -1.0 / float(slope[0].real)
 
 
 def _superposed(
-    model: GroovedHeel | SmoothHeel | DrainedHeel,
+    model: GroovedFootstep | SmoothFootstep | DrainedFootstep,
     root: float,
     at: Balance,
     name: StateName,
@@ -227,7 +227,7 @@ def _superposed(
     footstep, oil = model.footstep, model.footstep.oil
     p1, outlet, leakage = float(at.rim_pressure), float(at.face_temperature), float(at.leakage)
     outflow = leakage / (p1 - footstep.ambient_pressure) + groove_conductance
-    smooth = isinstance(model, SmoothHeel)
+    smooth = isinstance(model, SmoothFootstep)
     return SteadyState(
         name=name,
         stable=stability.stable,
@@ -251,7 +251,7 @@ def _superposed(
 
 def _warm_states(footstep: Footstep) -> tuple[SteadyState, ...]:
     """States by narrow-groove theory: an odd number, since the residual has opposite signs at the ends."""
-    model = WarmFilms(footstep)
+    model = ThermalFilms(footstep)
     roots = crossings(model.residual, *_warm_grid(model), 1e-22)
     states = sorted((_of_warm(model, root) for root in roots), key=lambda state: -state.rim_temperature)
     names = _warm_names(footstep, len(states))
@@ -265,7 +265,7 @@ def _warm_names(footstep: Footstep, number: int) -> Iterable[StateName]:
     return (StateName.HOT, *[StateName.MIDDLE] * (number - 2), StateName.COLD)
 
 
-def _warm_grid(model: WarmFilms) -> tuple[Array, Array]:
+def _warm_grid(model: ThermalFilms) -> tuple[Array, Array]:
     """Flows towards the rim, from more leakage than the supply drives to that without pressure, and R there."""
     step, annulus = model.footstep, model.annulus
     cold = float(model.viscosity(number(step.oil.temperature)))
@@ -280,10 +280,10 @@ def _warm_grid(model: WarmFilms) -> tuple[Array, Array]:
     return flows, model.residual(flows)
 
 
-def _of_warm(model: WarmFilms, root: float) -> SteadyState:
+def _of_warm(model: ThermalFilms, root: float) -> SteadyState:
     """Everything of a state by narrow-groove theory; the unknown is the flow of the clearance towards the rim."""
     footstep = model.footstep
-    at: WarmState = model.state(number(root))
+    at: ThermalFilmPair = model.state(number(root))
     stability = stability_of_films(model, root)
     outflow = model.annulus.conductance / float(model.viscosity(at.annulus_temperature))
     pressure = float(at.annulus_pressure)

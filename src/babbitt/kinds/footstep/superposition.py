@@ -22,7 +22,7 @@ from babbitt.kinds.footstep.eccentric import leak_factor, mean_inverse_gap
 from babbitt.kinds.footstep.face import Face, log_growth, number
 from babbitt.kinds.footstep.model import BackflowViscosity, Footstep, FrictionViscosity
 
-__all__ = ["GrooveChannel", "GroovedHeel", "SmoothHeel"]
+__all__ = ["GrooveChannel", "GroovedFootstep", "SmoothFootstep"]
 
 Array = NDArray[np.float64]
 
@@ -102,7 +102,7 @@ def slit_conductance(footstep: Footstep) -> float:
 
 
 @dataclass(frozen=True)
-class GroovedHeel:
+class GroovedFootstep:
     """Balance of the grooved heel in its one unknown, the groove flow (B2)."""
 
     footstep: Footstep
@@ -134,9 +134,9 @@ class GroovedHeel:
         """R in m³/s."""
         return self.balance(groove_flow).residual
 
-    def of(self, footstep: Footstep) -> GroovedHeel:
+    def of(self, footstep: Footstep) -> GroovedFootstep:
         """The same model of another footstep."""
-        return GroovedHeel(footstep)
+        return GroovedFootstep(footstep)
 
     def load_at(self, unknown: float) -> float:
         """Axial load in N at a value of the unknown."""
@@ -174,7 +174,7 @@ class GroovedHeel:
 
 
 @dataclass(frozen=True)
-class SmoothHeel:
+class SmoothFootstep:
     """Balance of the smooth heel in its one unknown, the pressure of the rim (S1)."""
 
     footstep: Footstep
@@ -199,9 +199,9 @@ class SmoothHeel:
         """Leakage less the flow of the face, m³/s; it rises with the pressure of the rim."""
         return self.balance(rim_pressure).residual
 
-    def of(self, footstep: Footstep) -> SmoothHeel:
+    def of(self, footstep: Footstep) -> SmoothFootstep:
         """The same model of another footstep."""
-        return SmoothHeel(footstep)
+        return SmoothFootstep(footstep)
 
     def load_at(self, unknown: float) -> float:
         """Axial load in N at a value of the unknown."""

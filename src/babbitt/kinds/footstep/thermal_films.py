@@ -18,13 +18,13 @@ from babbitt.kinds.footstep.face import Face, number, quadrature
 from babbitt.kinds.footstep.model import Footstep, LoadReference
 from babbitt.kinds.footstep.narrow_groove import NarrowGrooveAnnulus
 
-__all__ = ["WarmFilms", "WarmState"]
+__all__ = ["ThermalFilms", "ThermalFilmPair"]
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class WarmState:
+class ThermalFilmPair:
     """Both films at one flow towards the rim; arrays or numbers, SI."""
 
     flow: Array
@@ -40,7 +40,7 @@ class WarmState:
 
 
 @dataclass(frozen=True)
-class WarmFilms:
+class ThermalFilms:
     """Balance of the footstep in the flow of the clearance towards the rim."""
 
     footstep: Footstep
@@ -75,7 +75,7 @@ class WarmFilms:
         oil = self.footstep.oil
         return np.asarray(oil.viscosity * np.exp(-oil.exponent * (temperature - oil.temperature)))
 
-    def state(self, flow: Array) -> WarmState:
+    def state(self, flow: Array) -> ThermalFilmPair:
         """Both films at flows towards the rim in m³/s."""
         step = self.footstep
         warm = self.temperature(self.annulus.heat(flow), flow)
@@ -83,7 +83,7 @@ class WarmFilms:
         drag = 6.0 * step.kappa / math.pi  # (p1 - p2)/(mu Q) of the face gap
         face_warm = self.temperature(self.shear + drag * flow**2, flow)
         face_pressure = step.supply_pressure + drag * self.viscosity(face_warm) * flow
-        return WarmState(flow, step.ambient_pressure + rise, warm, face_pressure, face_warm)
+        return ThermalFilmPair(flow, step.ambient_pressure + rise, warm, face_pressure, face_warm)
 
     def residual(self, flow: Array) -> Array:
         """Pressure of the rim by the clearance less that by the face gap, Pa."""
@@ -126,26 +126,26 @@ class WarmFilms:
         by_warmth = -oil.exponent * viscosity * heat - metal - oil.heat_capacity * abs(flow)
         return pressures, np.column_stack((by_flow, by_warmth))
 
-    def of(self, footstep: Footstep) -> WarmFilms:
+    def of(self, footstep: Footstep) -> ThermalFilms:
         """The same model of another footstep."""
-        return WarmFilms(footstep)
+        return ThermalFilms(footstep)
 
     def load_at(self, unknown: float) -> float:
         """Axial load in N at a flow towards the rim in m³/s."""
         return self.load(self.state(number(unknown)))
 
-    def friction_power(self, at: WarmState) -> float:
+    def friction_power(self, at: ThermalFilmPair) -> float:
         """Power that turns the heel, W."""
         cylinder = float(self.viscosity(at.annulus_temperature)) * float(self.annulus.wall_power(at.flow))
         return cylinder + float(self.viscosity(at.face_temperature)) * self.shear
 
-    def edge_pressure(self, at: WarmState) -> float:
+    def edge_pressure(self, at: ThermalFilmPair) -> float:
         """p3 at the edge of the recess, Pa."""
         part, step = self.footstep.geometry, self.footstep
         inner = math.log(part.recess_radius / part.bore_radius) / part.recess_depth**3 / step.kappa
         return step.supply_pressure + (float(at.face_pressure) - step.supply_pressure) * inner
 
-    def load(self, at: WarmState) -> float:
+    def load(self, at: ThermalFilmPair) -> float:
         """Axial load in N; one viscosity in the face gap."""
         part, step = self.footstep.geometry, self.footstep
         nodes, weights = quadrature(40)

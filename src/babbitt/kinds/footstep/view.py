@@ -16,7 +16,7 @@ from babbitt.report.view import View
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-    from babbitt.kinds.footstep.model_case import HeelCase
+    from babbitt.kinds.footstep.model_case import FootstepProblem
     from babbitt.report.drawing import Drawing
     from babbitt.report.inputs import InputGroup
     from babbitt.report.line import Section
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 __all__ = ["NARROW_GROOVE", "SUPERPOSITION"]
 
 
-def _inputs(problem: HeelCase) -> Iterable[InputGroup]:
+def _inputs(problem: FootstepProblem) -> Iterable[InputGroup]:
     from babbitt.kinds.footstep.report.inputs import heel_inputs
     from babbitt.report.inputs import groups_in_words
 
@@ -49,15 +49,15 @@ def _table(results: Sequence[Result]) -> RenderableType:
     return heel_table(results)
 
 
-def _alike(problem: HeelCase) -> HeelCase:
+def _alike(problem: FootstepProblem) -> FootstepProblem:
     return replace(problem, footstep=problem.smooth, other=None)
 
 
-def _study(_: HeelCase) -> tuple[str, ...]:
+def _study(_: FootstepProblem) -> tuple[str, ...]:
     return (KIRICHENKO,)
 
 
-def _narrow_groove(_: HeelCase) -> tuple[str, ...]:
+def _narrow_groove(_: FootstepProblem) -> tuple[str, ...]:
     return (KIRICHENKO, NARROW_GROOVE_THEORY)
 
 

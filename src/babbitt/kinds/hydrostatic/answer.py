@@ -17,7 +17,7 @@ from babbitt.kinds.hydrostatic.lumps import Lumps, journal_lumps, ring_lumps
 from babbitt.kinds.hydrostatic.model import HydrostaticCase
 from babbitt.kinds.hydrostatic.network import NetworkState
 from babbitt.kinds.hydrostatic.single_recess import WIDEST, gap_under, pad_at
-from babbitt.kinds.hydrostatic.state import Ending, RecessState, ending_of, rest_under, state_at
+from babbitt.kinds.hydrostatic.state import RecessState, SearchOutcome, ending_of, rest_under, state_at
 from babbitt.kinds.hydrostatic.surfaces import FilmOil, journal_surface, pad_surface, ring_surface
 from babbitt.reynolds.recess.recess_film import RecessResponse, RecessSurface
 
@@ -51,7 +51,7 @@ class Answer:
         Journal: x, y. Pads: z from ``rest_gap``, and tilts.
     rest_gap : float
         m.
-    ending : Ending
+    ending : SearchOutcome
     minimum_gap : float
         m.
     steps : int
@@ -65,7 +65,7 @@ class Answer:
     network: NetworkState
     at: Array
     rest_gap: float
-    ending: Ending
+    ending: SearchOutcome
     minimum_gap: float
     steps: int
     carried: float = 0.0
@@ -197,13 +197,13 @@ def quick_ring(case: HydrostaticCase) -> Answer:
 def without_gap(case: HydrostaticCase, found: float) -> Answer:
     """A pad or ring that no gap of the search holds, where the search gave up: see `quick_gap`."""
     widest = MOST_OPEN if isinstance(case.shape, ThrustRing) else WIDEST
-    gap, ending = {0.0: (LEAST_OPEN, Ending.OVERLOADED), math.inf: (widest, Ending.LIFTED_OFF)}.get(
-        found, (case.rest_gap, Ending.NOT_CONVERGED)
+    gap, ending = {0.0: (LEAST_OPEN, SearchOutcome.OVERLOADED), math.inf: (widest, SearchOutcome.LIFTED_OFF)}.get(
+        found, (case.rest_gap, SearchOutcome.NOT_CONVERGED)
     )
     last = answer_at(replace(case, method="quick"), np.zeros(load_vector(case).size), gap)
-    if last.ending is Ending.UNSTABLE_NETWORK:
+    if last.ending is SearchOutcome.UNSTABLE_NETWORK:
         ending = last.ending  # what it carries is no load
-    share = 0.0 if ending is Ending.LIFTED_OFF else float(last.response.force[0]) / (case.duty.load or 1.0)
+    share = 0.0 if ending is SearchOutcome.LIFTED_OFF else float(last.response.force[0]) / (case.duty.load or 1.0)
     return replace(last, ending=ending, minimum_gap=gap, carried=max(share, 0.0))
 
 

@@ -9,9 +9,9 @@ import numpy as np
 
 from babbitt.kinds.hydrostatic.answer import MOST_OPEN, Answer, answer, answer_at
 from babbitt.kinds.hydrostatic.geometry import RecessedJournal, RectangularPad, ThrustRing
-from babbitt.kinds.hydrostatic.model import Duty, HydrostaticCase
+from babbitt.kinds.hydrostatic.model import HydrostaticCase, OperatingConditions
 from babbitt.kinds.hydrostatic.pumping import held_pressure, highest_pressure, is_pumped
-from babbitt.kinds.hydrostatic.state import Ending
+from babbitt.kinds.hydrostatic.state import SearchOutcome
 from babbitt.numerics.roots import bracketed_root
 
 __all__ = ["capacity"]
@@ -58,10 +58,10 @@ def level_capacity(case: HydrostaticCase) -> float | None:
     if is_pumped(case) and excess(low) > 0.0 > excess(high):
         least = math.exp(bracketed_root(excess, low, high, 1e-6))
     state = answer_at(case, at, least)
-    return float(state.response.force[0]) if state.ending is Ending.SOLVED else None
+    return float(state.response.force[0]) if state.ending is SearchOutcome.SOLVED else None
 
 
-def carried(case: HydrostaticCase, found: Answer) -> Duty:
+def carried(case: HydrostaticCase, found: Answer) -> OperatingConditions:
     """Duty under the load of the case, or under that which it carries at a prescribed position."""
     duty, force = case.duty, found.response.force
     if duty.load is not None:
@@ -125,9 +125,9 @@ def first_load(case: HydrostaticCase) -> float:
 def margin(case: HydrostaticCase, load: float) -> float:
     """Gap above the least under a load, over the gap at rest, or what a pump's pressure leaves: the less."""
     found = answer(replace(case, duty=replace(case.duty, load=load)))
-    if found.ending is Ending.LIFTED_OFF:
+    if found.ending is SearchOutcome.LIFTED_OFF:
         return 1.0
-    if found.ending is not Ending.SOLVED:
+    if found.ending is not SearchOutcome.SOLVED:
         return CONTACT
     gap = (found.minimum_gap - (case.least_gap or 0.0)) / case.rest_gap
     return min(gap, -excess_pressure(case, found)) if is_pumped(case) else gap

@@ -1,4 +1,4 @@
-"""From a case to its result: state, values, doubts, checks."""
+"""From a case to its result: state, values, warnings, checks."""
 
 from __future__ import annotations
 
@@ -21,21 +21,21 @@ from babbitt.kinds.hydrostatic.geometry import RectangularPad, ThrustRing
 from babbitt.kinds.hydrostatic.heat_balance import heated, temperature_rise
 from babbitt.kinds.hydrostatic.model import HydrostaticCase
 from babbitt.kinds.hydrostatic.pumping import held_pressure, highest_pressure, is_pumped
-from babbitt.kinds.hydrostatic.state import Ending
-from babbitt.kinds.hydrostatic.validity import doubts
+from babbitt.kinds.hydrostatic.state import SearchOutcome
+from babbitt.kinds.hydrostatic.validity import warnings_of_solution
 from babbitt.kinds.hydrostatic.values import arrays, values
 from babbitt.kinds.hydrostatic.whirl import whirl_of
-from babbitt.reynolds.stability.whirl_checks import doubts_about_whirl, whirl_checks, whirl_values
+from babbitt.reynolds.stability.whirl_checks import warnings_about_whirl, whirl_checks, whirl_values
 
 __all__ = ["hydrostatic_check"]
 
 OUTCOMES = {
-    Ending.SOLVED: Outcome.CONVERGED,
-    Ending.OVERLOADED: Outcome.OVERLOADED,
-    Ending.LIFTED_OFF: Outcome.LIFTED_OFF,
-    Ending.UNSTABLE_NETWORK: Outcome.UNSTABLE_NETWORK,
-    Ending.THERMAL_RUNAWAY: Outcome.THERMAL_RUNAWAY,
-    Ending.NOT_CONVERGED: Outcome.NOT_CONVERGED,
+    SearchOutcome.SOLVED: Outcome.CONVERGED,
+    SearchOutcome.OVERLOADED: Outcome.OVERLOADED,
+    SearchOutcome.LIFTED_OFF: Outcome.LIFTED_OFF,
+    SearchOutcome.UNSTABLE_NETWORK: Outcome.UNSTABLE_NETWORK,
+    SearchOutcome.THERMAL_RUNAWAY: Outcome.THERMAL_RUNAWAY,
+    SearchOutcome.NOT_CONVERGED: Outcome.NOT_CONVERGED,
 }
 USER = "set in the case"
 THROTTLED, OPEN = 0.3, 0.8
@@ -80,7 +80,7 @@ def hydrostatic_solution(case: HydrostaticCase) -> Solution:
         last = {"supply_pressure": found.network.supply_pressure, "minimum_film_thickness": found.minimum_gap}
         failed = Result(
             case.name, case.kind, case.method, outcome, last, assumptions=case.assumptions, message=message,
-            settings=settings, warnings=case.doubts,
+            settings=settings, warnings=case.warnings,
         )  # fmt: skip
         return Solution(asked, failed, state)
     named, several = values(case, found), arrays(case, found)
@@ -113,7 +113,11 @@ def hydrostatic_solution(case: HydrostaticCase) -> Solution:
         named,
         checks=(*checks(case, found, named), *whirl_checks(case, whirl)),
         not_checked=tuple(not_checked(case, found, named)),
-        warnings=(*case.doubts, *doubts(case, found, named), *(doubts_about_whirl(whirl) if whirl else ())),
+        warnings=(
+            *case.warnings,
+            *warnings_of_solution(case, found, named),
+            *(warnings_about_whirl(whirl) if whirl else ()),
+        ),
         assumptions=case.assumptions,
         settings=settings,
         arrays=several,
@@ -132,7 +136,7 @@ def grid_error(case: HydrostaticCase, found: Answer) -> float:
 def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
     """How it ended, and for a failure how far it came."""
     lowest = float(found.network.pressures.min())
-    if found.ending is Ending.SOLVED:
+    if found.ending is SearchOutcome.SOLVED:
         if lowest < case.cavitation_pressure:
             recess = int(found.network.pressures.argmin()) + 1
             return Outcome.STARVED_RECESS, (
@@ -141,23 +145,23 @@ def judged(case: HydrostaticCase, found: Answer) -> tuple[Outcome, str]:
                 "supply pressure, less speed or less eccentricity keeps it full"
             )
         return Outcome.CONVERGED, ""
-    if found.ending is Ending.OVERLOADED:
+    if found.ending is SearchOutcome.OVERLOADED:
         return Outcome.OVERLOADED, overloaded(case, found)
-    if found.ending is Ending.LIFTED_OFF:
+    if found.ending is SearchOutcome.LIFTED_OFF:
         return Outcome.LIFTED_OFF, (
             f"the load is {case.duty.load or 0.0:.4g} N; at a gap of {1e3 * found.rest_gap:.4g} mm, the widest "
             "that is searched, the recesses still press with "
             f"{float(found.response.force[0]):.4g} N. Raise the load, lower the supply pressure, or take smaller "
             "restrictors"
         )
-    if found.ending is Ending.UNSTABLE_NETWORK:
+    if found.ending is SearchOutcome.UNSTABLE_NETWORK:
         return Outcome.UNSTABLE_NETWORK, (
             "the least eigenvalue of the recess network is "
             f"{found.network.least_eigenvalue:.3g} of the largest; a valve opens "
             "faster "
             "with pressure than the lands let out: lower its gain"
         )
-    if found.ending is Ending.THERMAL_RUNAWAY:
+    if found.ending is SearchOutcome.THERMAL_RUNAWAY:
         rise = temperature_rise(case, found)
         return Outcome.THERMAL_RUNAWAY, (
             f"with its oil at {CEILING - ZERO_CELSIUS:.0f} °C the film would warm it by {rise:.0f} K. Lower the "
@@ -184,7 +188,7 @@ def overloaded(case: HydrostaticCase, found: Answer) -> str:
     """Whether the load or its moment is too much, and how far it came."""
     load, share = case.duty.load or 0.0, found.carried
     level = replace(case, duty=replace(case.duty, moments=(0.0, 0.0)))
-    if any(case.duty.moments) and answer(level).ending is Ending.SOLVED:
+    if any(case.duty.moments) and answer(level).ending is SearchOutcome.SOLVED:
         moment = math.hypot(*case.duty.moments)
         came = f"; up to about {100.0 * share:.0f} % of both were carried" if share > 0.01 else ""
         return (
@@ -207,7 +211,7 @@ def about_restrictors(case: HydrostaticCase) -> str:
     if not case.is_journal or is_pumped(case):
         return ""
     centred = answer_at(replace(case, accuracy="draft"), np.zeros(2), case.rest_gap)
-    if centred.ending is not Ending.SOLVED:
+    if centred.ending is not SearchOutcome.SOLVED:
         return ""
     ratio = float(centred.network.pressures.mean()) / centred.network.supply_pressure
     says = f"where the journal is centred its recesses have {100.0 * ratio:.3g} % of the supply pressure"

@@ -12,7 +12,7 @@ from dataclasses import replace
 from babbitt.core.result import Matrix
 from babbitt.kinds.hydrostatic.answer import HALF_REFERENCE, Answer, answer
 from babbitt.kinds.hydrostatic.model import HydrostaticCase
-from babbitt.kinds.hydrostatic.state import Ending
+from babbitt.kinds.hydrostatic.state import SearchOutcome
 
 __all__ = ["half_of", "richardson", "richardson_of_matrices"]
 
@@ -39,7 +39,7 @@ def half_of(case: HydrostaticCase, found: Answer) -> Answer | None:
         return None
     half = answer(replace(case, accuracy=HALF_REFERENCE))
     full = half.film is not None and half.film.dry_share == 0.0
-    return half if half.ending is Ending.SOLVED and full else None
+    return half if half.ending is SearchOutcome.SOLVED and full else None
 
 
 def richardson(fine: Mapping[str, float], half: Mapping[str, float]) -> dict[str, float]:

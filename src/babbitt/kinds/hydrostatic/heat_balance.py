@@ -13,7 +13,7 @@ from babbitt.kinds.hydrostatic.answer import Answer, answer
 from babbitt.kinds.hydrostatic.friction import friction_power
 from babbitt.kinds.hydrostatic.model import HydrostaticCase
 from babbitt.kinds.hydrostatic.pumping import pumping_power
-from babbitt.kinds.hydrostatic.state import Ending
+from babbitt.kinds.hydrostatic.state import SearchOutcome
 from babbitt.numerics.roots import find_root
 
 __all__ = ["HeatedBearing", "heated"]
@@ -37,7 +37,7 @@ class HeatedBearing:
     case : HydrostaticCase
         With the oil at that temperature.
     found : Answer
-        Its state. `Ending.THERMAL_RUNAWAY` where the oil is hotter than any temperature allowed.
+        Its state. `SearchOutcome.THERMAL_RUNAWAY` where the oil is hotter than any temperature allowed.
     temperature : float or None
         Of the oil in the film, K; None where the viscosity is given.
     heat_error : float
@@ -70,14 +70,14 @@ def heated(case: HydrostaticCase) -> HeatedBearing:
     if supply is None or case.oil.lubricant is None:
         return HeatedBearing(case, answer(case))
     cold = _at(case, supply)
-    if cold.found.ending is not Ending.SOLVED:
+    if cold.found.ending is not SearchOutcome.SOLVED:
         return cold
     low, high = supply, supply + _excess(cold)
     halvings = 0
     while True:
         high = min(high, CEILING)
         hot = _at(case, high)
-        if hot.found.ending is not Ending.SOLVED:
+        if hot.found.ending is not SearchOutcome.SOLVED:
             halvings += 1
             if halvings > MOST_HALVINGS:
                 return hot
@@ -85,7 +85,7 @@ def heated(case: HydrostaticCase) -> HeatedBearing:
         elif _excess(hot) <= 0.0:
             break
         elif high >= CEILING:
-            return replace(hot, found=replace(hot.found, ending=Ending.THERMAL_RUNAWAY))
+            return replace(hot, found=replace(hot.found, ending=SearchOutcome.THERMAL_RUNAWAY))
         elif halvings:
             low, high = high, 2.0 * high - low
         else:
@@ -93,12 +93,12 @@ def heated(case: HydrostaticCase) -> HeatedBearing:
 
     def excess(temperature: float) -> float:
         state = _at(case, temperature)
-        return _excess(state) if state.found.ending is Ending.SOLVED else math.nan
+        return _excess(state) if state.found.ending is SearchOutcome.SOLVED else math.nan
 
     root = find_root(excess, low, high, absolute=TOLERANCE)
     state = _at(case, root.value)
-    if not root.converged and state.found.ending is Ending.SOLVED:
-        return replace(state, found=replace(state.found, ending=Ending.NOT_CONVERGED))
+    if not root.converged and state.found.ending is SearchOutcome.SOLVED:
+        return replace(state, found=replace(state.found, ending=SearchOutcome.NOT_CONVERGED))
     return state
 
 
@@ -106,7 +106,7 @@ def _at(case: HydrostaticCase, temperature: float) -> HeatedBearing:
     """The bearing with its oil at a temperature in K."""
     warm = replace(case, oil=case.oil.at(temperature))
     found = answer(warm)
-    if found.ending is not Ending.SOLVED:
+    if found.ending is not SearchOutcome.SOLVED:
         return HeatedBearing(warm, found, temperature, math.nan)
     rise = temperature_rise(warm, found)
     supply = case.oil.supply_temperature

@@ -280,7 +280,7 @@ def jacking_check(case: JackingCase) -> Result:
     return Result(
         case.name, case.kind, case.method, Outcome.CONVERGED, named, checks=tuple(checks(case, named)),
         not_checked=tuple(not_checked(case)),
-        warnings=(*case.doubts, *jacking_doubts(case, upper, gap)), assumptions=assumptions(case),
+        warnings=(*case.warnings, *jacking_warnings(case, upper, gap)), assumptions=assumptions(case),
         settings=settings,
     )  # fmt: skip
 
@@ -354,7 +354,7 @@ def failure(case: JackingCase, lifted: LiftPoint, gap: float) -> tuple[Outcome, 
     )
 
 
-def jacking_doubts(case: JackingCase, upper: float, gap: float) -> Iterator[Notice]:
+def jacking_warnings(case: JackingCase, upper: float, gap: float) -> Iterator[Notice]:
     """Breakaway above the relief valve; several pockets on one pump without restrictors; rough closed forms."""
     if case.relief_pressure is not None and upper > case.relief_pressure:
         yield Notice("W314", f"up to {1e-6 * upper:.4g} MPa to break away, the relief valve opens at "

@@ -39,7 +39,7 @@ class JackingCase:
     accuracy : str
     own_restrictors : bool
         Whether every pocket has a restrictor or its stage of a flow divider.
-    given, assumptions, doubts : tuple
+    given, assumptions, warnings : tuple
     """
 
     name: str
@@ -56,7 +56,7 @@ class JackingCase:
     own_restrictors: bool = True
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()
-    doubts: tuple[Notice, ...] = ()
+    warnings: tuple[Notice, ...] = ()
     kind: str = "jacking_pocket"
 
     def __post_init__(self) -> None:

@@ -17,7 +17,7 @@ from babbitt.kinds.hydrostatic.geometry import RecessedJournal
 from babbitt.kinds.hydrostatic.impedance import static_coefficients
 from babbitt.kinds.hydrostatic.lumps import Lumps
 from babbitt.kinds.hydrostatic.network import Feeding, NetworkState, solve_network
-from babbitt.kinds.hydrostatic.state import Ending, ending_of
+from babbitt.kinds.hydrostatic.state import SearchOutcome, ending_of
 from babbitt.reynolds.recess.recess_film import RecessResponse
 
 __all__ = ["LumpedState", "centred_stiffness", "land_interaction", "level_under", "lumped_at", "lumped_under"]
@@ -40,7 +40,7 @@ class LumpedState:
     network : NetworkState
     at : ndarray
         Position, m and rad.
-    ending : Ending
+    ending : SearchOutcome
     carried : float
         Greatest share of the load found to be carried, where not all was.
     """
@@ -48,7 +48,7 @@ class LumpedState:
     response: RecessResponse
     network: NetworkState
     at: Array
-    ending: Ending
+    ending: SearchOutcome
     carried: float = 0.0
 
 
@@ -141,9 +141,9 @@ def lumped_under(lumps: Lumps, feeding: Feeding, load: Array, state: LumpedState
         if lumps.thinnest(at) < 1e-3 * lumps.gap:
             break
         state = lumped_at(lumps, feeding, at, state.network)
-        if state.ending is not Ending.SOLVED:
+        if state.ending is not SearchOutcome.SOLVED:
             return replace(state, carried=best)
-    return LumpedState(state.response, state.network, state.at, Ending.OVERLOADED, best)
+    return LumpedState(state.response, state.network, state.at, SearchOutcome.OVERLOADED, best)
 
 
 def step_against(lumps: Lumps, stiffness: Array, residual: Array) -> Array:

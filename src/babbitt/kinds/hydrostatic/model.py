@@ -20,7 +20,7 @@ from babbitt.kinds.hydrostatic.impedance import Compressibility
 from babbitt.kinds.hydrostatic.network import Feeding
 from babbitt.properties.lubricants import Lubricant
 
-__all__ = ["Duty", "HydrostaticCase", "Oil", "Recesses", "Shape", "beyond_data"]
+__all__ = ["OperatingConditions", "HydrostaticCase", "Oil", "Recesses", "Shape", "beyond_data"]
 
 Shape = PadShape | ThrustRing | RecessedJournal
 """All shapes."""
@@ -73,7 +73,7 @@ class Oil:
 
 
 def beyond_data(lubricant: Lubricant, temperature: float, place: str) -> Iterator[Notice]:
-    """Doubt about a lubricant that is used outside the temperatures for which its numbers are meant.
+    """Warning about a lubricant that is used outside the temperatures for which its numbers are meant.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ def beyond_data(lubricant: Lubricant, temperature: float, place: str) -> Iterato
 
 
 @dataclass(frozen=True)
-class Duty:
+class OperatingConditions:
     """What the bearing carries, or where it stands; SI.
 
     Attributes
@@ -152,7 +152,7 @@ class HydrostaticCase:
     shape : Shape
     feeding : Feeding
     oil : Oil
-    duty : Duty
+    duty : OperatingConditions
     recesses : Recesses
     compressibility : Compressibility
     frequencies : tuple of float
@@ -166,7 +166,7 @@ class HydrostaticCase:
         Gauge, Pa.
     accuracy : str
         ``draft``, ``engineering`` or ``reference``.
-    given, assumptions, doubts : tuple
+    given, assumptions, warnings : tuple
         For the report.
     rotor_mass, shaft_stiffness : float or None
         Part of the rotor that a journal bearing carries, kg, and its shaft, N/m; None is the mass whose weight is
@@ -179,7 +179,7 @@ class HydrostaticCase:
     shape: Shape
     feeding: Feeding
     oil: Oil
-    duty: Duty
+    duty: OperatingConditions
     recesses: Recesses
     compressibility: Compressibility
     frequencies: tuple[float, ...] = ()
@@ -190,7 +190,7 @@ class HydrostaticCase:
     accuracy: str = "engineering"
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()
-    doubts: tuple[Notice, ...] = ()
+    warnings: tuple[Notice, ...] = ()
     rotor_mass: float | None = None
     shaft_stiffness: float | None = None
 

@@ -14,7 +14,7 @@ from babbitt.kinds.hydrostatic.lines import Grid
 from babbitt.kinds.hydrostatic.network import Feeding, NetworkState, solve_network
 from babbitt.reynolds.recess.recess_film import RecessFilm, RecessResponse, RecessSurface
 
-__all__ = ["Ending", "RecessState", "ending_of", "rest_under", "state_at"]
+__all__ = ["SearchOutcome", "RecessState", "ending_of", "rest_under", "state_at"]
 
 Array = NDArray[np.float64]
 Build = Callable[[Grid], RecessSurface]
@@ -22,7 +22,7 @@ MOST_STEPS = 80
 TIGHT = 1e-10
 
 
-class Ending(Enum):
+class SearchOutcome(Enum):
     """How a search ended."""
 
     SOLVED = "solved"
@@ -45,7 +45,7 @@ class RecessState:
     network : NetworkState
     at : ndarray, shape (motions,)
         Position, m and rad.
-    ending : Ending
+    ending : SearchOutcome
     steps : int
     residual : float
         Largest force that is not carried over the load, and pressure change over pressure.
@@ -57,7 +57,7 @@ class RecessState:
     response: RecessResponse
     network: NetworkState
     at: Array
-    ending: Ending
+    ending: SearchOutcome
     steps: int
     residual: float
     carried: float = 0.0
@@ -70,7 +70,7 @@ class RecessState:
     @property
     def solved(self) -> bool:
         """Whether this is a state of the bearing."""
-        return self.ending is Ending.SOLVED
+        return self.ending is SearchOutcome.SOLVED
 
     @property
     def gap(self) -> float:
@@ -156,11 +156,11 @@ def fixed_state(film: RecessFilm, feeding: Feeding, at: Array, pressures: Array,
     return RecessState(film, response, network, at, ending, steps, moved)
 
 
-def ending_of(network: NetworkState, settled: bool = True) -> Ending:
+def ending_of(network: NetworkState, settled: bool = True) -> SearchOutcome:
     """Whether a state is one, and stable; ``settled`` where film and network agree."""
     if not network.is_stable:
-        return Ending.UNSTABLE_NETWORK
-    return Ending.SOLVED if network.converged and settled else Ending.NOT_CONVERGED
+        return SearchOutcome.UNSTABLE_NETWORK
+    return SearchOutcome.SOLVED if network.converged and settled else SearchOutcome.NOT_CONVERGED
 
 
 def rest_under(
@@ -189,14 +189,14 @@ def rest_under(
     pressures, supply = first_guess(feeding, coarse)
     first = descend(coarse, feeding, load, start, pressures, supply, thinnest, 1e-4)
     if not first.solved:
-        first = climb(coarse, feeding, load, start, thinnest)
+        first = continue_to_load(coarse, feeding, load, start, thinnest)
         if not first.solved:
             return first
     network = first.network
     fine = RecessFilm.on(build(grid))
     last = descend(fine, feeding, load, first.at, network.pressures, network.supply_pressure, thinnest, TIGHT)
-    if last.ending in (Ending.OVERLOADED, Ending.NOT_CONVERGED):
-        climbed = climb(fine, feeding, load, start, thinnest)
+    if last.ending in (SearchOutcome.OVERLOADED, SearchOutcome.NOT_CONVERGED):
+        climbed = continue_to_load(fine, feeding, load, start, thinnest)
         if not climbed.solved:
             return climbed
         network = climbed.network
@@ -206,7 +206,9 @@ def rest_under(
     return last
 
 
-def climb(film: RecessFilm, feeding: Feeding, load: Array, start: Array, thinnest: float) -> RecessState:
+def continue_to_load(
+    film: RecessFilm, feeding: Feeding, load: Array, start: Array, thinnest: float
+) -> RecessState:
     """Raise the load in shares, halving the rise where it fails; the answer tells how far it came."""
     pressures, supply = first_guess(feeding, film)
     at, share, rise = start, 0.0, 0.1
@@ -251,7 +253,7 @@ def descend(
         if max(moved, short) < tolerance and response.changed == 0:
             return RecessState(film, response, network, at, ending_of(network), step, max(moved, short))
         if not np.isfinite(short):
-            return RecessState(film, response, network, at, Ending.NOT_CONVERGED, step, short)
+            return RecessState(film, response, network, at, SearchOutcome.NOT_CONVERGED, step, short)
         stiffness, damping = static_coefficients(response, network)
         slow = 0.05 * float(np.abs(np.diag(stiffness) / np.diag(damping)).max())
         if short > 1.05 * old and short > 1e-6:
@@ -264,7 +266,7 @@ def descend(
             creep = max(4.0 * creep, slow)
             move = towards(stiffness + creep * damping, residual)
         if not np.isfinite(move).all():
-            return RecessState(film, response, network, at, Ending.NOT_CONVERGED, step, short)
+            return RecessState(film, response, network, at, SearchOutcome.NOT_CONVERGED, step, short)
         new_gap, halvings = film.gap(at + move), 0
         while not new_gap > 0.4 * gap and halvings < 40:
             move, halvings = 0.5 * move, halvings + 1
@@ -276,8 +278,8 @@ def descend(
             supply = network.supply_pressure
         at, gap = at + move, new_gap
         if gap < thinnest:
-            return RecessState(film, response, network, at, Ending.OVERLOADED, step, short)
-    return RecessState(film, response, network, at, Ending.NOT_CONVERGED, step, max(moved, short))
+            return RecessState(film, response, network, at, SearchOutcome.OVERLOADED, step, short)
+    return RecessState(film, response, network, at, SearchOutcome.NOT_CONVERGED, step, max(moved, short))
 
 
 def towards(stiffness: Array, residual: Array) -> Array:

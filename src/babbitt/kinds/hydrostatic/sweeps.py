@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from babbitt.kinds.hydrostatic.answer import Answer, answer_at, load_vector
 from babbitt.kinds.hydrostatic.impedance import impedance
 from babbitt.kinds.hydrostatic.model import HydrostaticCase
-from babbitt.kinds.hydrostatic.state import Ending
+from babbitt.kinds.hydrostatic.state import SearchOutcome
 
 __all__ = ["FrequencyCurve", "LoadCurve", "PowerMap", "over_frequency", "over_gap", "power_map"]
 
@@ -64,7 +64,7 @@ def states_over_gap(case: HydrostaticCase, found: Answer) -> Iterator[tuple[floa
         places = [(share * own, level, share * own) for share in GAPS]
     for place, at, gap in places:
         state = answer_at(case, at, gap)
-        if state.ending is not Ending.SOLVED:
+        if state.ending is not SearchOutcome.SOLVED:
             continue
         stiffness = impedance(state.response, state.network, case.compressibility, 0.0)[0]
         force = state.response.force

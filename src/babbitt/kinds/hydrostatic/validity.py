@@ -1,4 +1,4 @@
-"""Doubts about a hydrostatic bearing: where its theory, or good practice, ends."""
+"""Warnings about a hydrostatic bearing: where its theory, or good practice, ends."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from babbitt.kinds.hydrostatic.model import HydrostaticCase, beyond_data
 from babbitt.kinds.hydrostatic.pumping import is_pumped, law_of
 from babbitt.kinds.hydrostatic.restrictors import Capillary, Orifice
 
-__all__ = ["doubts"]
+__all__ = ["warnings_of_solution"]
 
 LAMINAR_FILM, LAMINAR_TUBE = 1000.0, 2000.0
 SLENDER, SMALLEST_ORIFICE = 20.0, 0.3e-3
@@ -28,7 +28,7 @@ LARGEST_RISE_UNBALANCED = 40.0
 The film is half of it warmer than its supply, which halves the viscosity of mineral oils."""
 
 
-def doubts(case: HydrostaticCase, found: Answer, named: Mapping[str, float]) -> Iterator[Notice]:
+def warnings_of_solution(case: HydrostaticCase, found: Answer, named: Mapping[str, float]) -> Iterator[Notice]:
     """All that is to be said of a solved bearing.
 
     Parameters

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from babbitt.kinds.hydrostatic.answer import Answer, answer
 from babbitt.kinds.hydrostatic.impedance import impedance
 from babbitt.kinds.hydrostatic.model import HydrostaticCase
-from babbitt.kinds.hydrostatic.state import Ending
+from babbitt.kinds.hydrostatic.state import SearchOutcome
 from babbitt.reynolds.stability.rotor import RIGID, stable_masses_of_rotor
 from babbitt.reynolds.stability.routh import whirl_frequency
 from babbitt.reynolds.stability.whirl_limits import ElasticWhirl, Whirl, crossing, rotor_mass, stability_excess
@@ -80,7 +80,7 @@ def threshold_speed(case: HydrostaticCase, found: Answer, mass: float, shaft: fl
     def excess(speed: float) -> float:
         other = replace(case, duty=replace(under, angular_speed=sense * speed))
         state = answer(other)
-        film = coefficients_on_threshold(other, state) if state.ending is Ending.SOLVED else None
+        film = coefficients_on_threshold(other, state) if state.ending is SearchOutcome.SOLVED else None
         if film is None:
             return math.nan
         return stability_excess(stable_masses_of_rotor(*film, shaft_stiffness=shaft).reserve(mass))

@@ -13,7 +13,7 @@ from babbitt.kinds.thrust.design import ThrustState, temperatures_of_share
 from babbitt.kinds.thrust.pressure_limits import pressure_checks
 from babbitt.kinds.thrust.values import share_values
 
-__all__ = ["Excess", "excess_of", "limits_of", "motion_values"]
+__all__ = ["Excess", "limit_margin", "limits_of", "motion_values"]
 
 Excess = tuple[float, str]
 """By how much the worst check is missed, over its limit (0 or less: all are kept), and its code."""
@@ -59,7 +59,7 @@ def limits_of(design: LineDesign, values: Mapping[str, float]) -> Iterator[Check
     yield from pressure_checks(thrust.temperatures.given_metal, values)
 
 
-def excess_of(design: LineDesign) -> Callable[[LineState], Excess]:
+def limit_margin(design: LineDesign) -> Callable[[LineState], Excess]:
     """Give a function that says by how much a state of the line misses its worst check, advice left aside."""
 
     def excess(state: LineState) -> Excess:

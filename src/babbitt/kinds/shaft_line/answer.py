@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from functools import lru_cache
 
-from babbitt.kinds.shaft_line.admissible_amplitude import excess_of
+from babbitt.kinds.shaft_line.admissible_amplitude import limit_margin
 from babbitt.kinds.shaft_line.design import LineDesign
 from babbitt.kinds.shaft_line.inverse import Admissible, admissible, ring_for_loss
 from babbitt.kinds.shaft_line.model import LineState, state_of
@@ -16,8 +16,8 @@ from babbitt.kinds.shaft_line.resonance import Resonances, resonances_of
 from babbitt.kinds.shaft_line.stages import Attribution, attribution
 from babbitt.kinds.shaft_line.sweeps import CampbellPoint, RingPoint, ring_sweep, speed_sweep, usual_rings
 from babbitt.kinds.thrust.design import ThrustState, operating_state
-from babbitt.kinds.thrust.pad_attitude import standing_at_rest
-from babbitt.kinds.thrust.thermal_films import WarmFilms
+from babbitt.kinds.thrust.pad_attitude import attitude_at_rest
+from babbitt.kinds.thrust.thermal_films import ThermalLoadCurve
 
 __all__ = ["MODES", "RINGS", "LineAnswer", "line_answer"]
 
@@ -88,8 +88,8 @@ def line_answer(design: LineDesign) -> LineAnswer:
     duty, films = design.duty, static.films
     state = state_of(duty, films, static.share)
     natural = modes(design.line, state.pads, MODES)
-    similar = duty.bearing.pad.is_plane and not isinstance(films, WarmFilms)
-    wanted = RINGS if similar and not standing_at_rest(duty.bearing).is_leaning else FEWER_RINGS
+    similar = duty.bearing.pad.is_plane and not isinstance(films, ThermalLoadCurve)
+    wanted = RINGS if similar and not attitude_at_rest(duty.bearing).is_tilted else FEWER_RINGS
     nonlinear, not_repeating = _nonlinear(state) if design.nonlinear else (None, "")
     rings = usual_rings(duty, state, wanted)
     return LineAnswer(
@@ -98,7 +98,7 @@ def line_answer(design: LineDesign) -> LineAnswer:
         modes=natural,
         resonances=resonances_of(state, natural),
         causes=attribution(state),
-        bearable=admissible(duty, films, excess_of(design)),
+        bearable=admissible(duty, films, limit_margin(design)),
         wanted_rings=wanted,
         rings=ring_sweep(duty, films, rings),
         half=ring_for_loss(duty, films, 0.5 * state.losses.mean_bound, rings[:: 3 if wanted == RINGS else 1]),

@@ -13,14 +13,14 @@ from babbitt.core.solution import Solution
 from babbitt.kinds.shaft_line.admissible_amplitude import limits_of
 from babbitt.kinds.shaft_line.answer import line_answer
 from babbitt.kinds.shaft_line.design import LineDesign
-from babbitt.kinds.shaft_line.inverse import Bearable
+from babbitt.kinds.shaft_line.inverse import AdmissibleAmplitude
 from babbitt.kinds.shaft_line.resonance import NEAR
 from babbitt.kinds.shaft_line.values import bearables, line_arrays, line_values
-from babbitt.kinds.shaft_line.warnings import line_doubts
+from babbitt.kinds.shaft_line.warnings import line_warnings
 from babbitt.kinds.thrust.assumed import oil_assumptions
 from babbitt.kinds.thrust.failures import NoPadFilmError
 from babbitt.kinds.thrust.pressure_limits import pressures_not_checked
-from babbitt.kinds.thrust.warnings import share_doubts
+from babbitt.kinds.thrust.warnings import sharing_warnings
 from babbitt.kinds.thrust.work import MOST_WORK, WorkBoundError, bounded_work
 
 __all__ = ["line_check"]
@@ -58,7 +58,7 @@ def line_solution(design: LineDesign) -> Solution:
             failure.outcome,
             {},
             message=failure.said,
-            warnings=design.thrust.doubts,
+            warnings=design.thrust.warnings,
             assumptions=(*design.lubricant.assumptions, *design.thrust.assumptions, *_assumptions(design)),
         )
         return Solution(design, failed)
@@ -72,7 +72,7 @@ def line_solution(design: LineDesign) -> Solution:
         Outcome.CONVERGED,
         values,
         tuple(_checks(design, values)),
-        (*thrust.doubts, *share_doubts(thrust, answer.static), *line_doubts(design, answer)),
+        (*thrust.warnings, *sharing_warnings(thrust, answer.static), *line_warnings(design, answer)),
         (
             *_not_checked(design),
             *thrust.temperatures.not_checked(values),
@@ -95,7 +95,7 @@ def line_solution(design: LineDesign) -> Solution:
     return Solution(design, result, answer)
 
 
-def _end(name: str, bearable: Bearable) -> str:
+def _end(name: str, bearable: AdmissibleAmplitude) -> str:
     """What an admissible amplitude ends with: a code, "no film", or "no limit below" where it was sought."""
     if math.isfinite(bearable.largest):
         return bearable.code or "no film"

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from babbitt.core.notices import Notice
 from babbitt.kinds.shaft_line.excitation import RunoutHarmonic, ThrustHarmonic
 from babbitt.kinds.shaft_line.line import ShaftLine
-from babbitt.kinds.shaft_line.model import LineDuty
-from babbitt.kinds.thrust.design import GivenThrust, ThrustDesign, warm_films
-from babbitt.kinds.thrust.load_curve import Carrying
+from babbitt.kinds.shaft_line.model import LineOperation
+from babbitt.kinds.thrust.design import PrescribedThrust, ThrustDesign, warm_films
+from babbitt.kinds.thrust.load_curve import LoadCurve
 from babbitt.properties.lubricants import Lubricant
 
 __all__ = ["LineDesign"]
@@ -63,18 +63,18 @@ class LineDesign:
         return self.thrust.given
 
     @property
-    def doubts(self) -> tuple[Notice, ...]:
-        """Doubts that arose while the case was made."""
-        return self.thrust.doubts
+    def warnings(self) -> tuple[Notice, ...]:
+        """Warnings that arose while the case was made."""
+        return self.thrust.warnings
 
     @property
-    def duty(self) -> LineDuty:
+    def duty(self) -> LineOperation:
         """What is solved."""
-        assert isinstance(self.thrust.duty, GivenThrust)
-        return LineDuty(
+        assert isinstance(self.thrust.duty, PrescribedThrust)
+        return LineOperation(
             self.line, self.thrust.bearing, self.thrust.duty.thrust, self.thrust.speed, self.thrusts, self.runouts
         )
 
-    def films_at(self, duty: LineDuty) -> Carrying:
+    def films_at(self, duty: LineOperation) -> LoadCurve:
         """Films of one pad at the speed and thrust of a duty."""
-        return warm_films(self.thrust, duty.bearing, duty.speed, GivenThrust(duty.thrust))[0]
+        return warm_films(self.thrust, duty.bearing, duty.speed, PrescribedThrust(duty.thrust))[0]

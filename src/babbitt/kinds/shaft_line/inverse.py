@@ -7,16 +7,16 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from babbitt.kinds.shaft_line.admissible_amplitude import Excess
-from babbitt.kinds.shaft_line.model import LineDuty, LineState, state_of
+from babbitt.kinds.shaft_line.model import LineOperation, LineState, state_of
 from babbitt.kinds.shaft_line.sweeps import RingPoint, ring_point
 from babbitt.kinds.thrust.failures import NoPadFilmError
-from babbitt.kinds.thrust.load_curve import Carrying
+from babbitt.kinds.thrust.load_curve import LoadCurve
 from babbitt.kinds.thrust.sharing import share_of
 from babbitt.numerics.roots import bracketed_root
 
 __all__ = [
     "Admissible",
-    "Bearable",
+    "AdmissibleAmplitude",
     "admissible",
     "ring_for_film_amplitude",
     "ring_for_loss",
@@ -36,7 +36,7 @@ Judge = Callable[[LineState], Excess]
 
 
 @dataclass(frozen=True)
-class Bearable:
+class AdmissibleAmplitude:
     """How large one cause may be with the others as they are.
 
     Attributes
@@ -61,29 +61,29 @@ class Admissible:
 
     Attributes
     ----------
-    runout : Bearable or None
+    runout : AdmissibleAmplitude or None
         Of the face at the pivot radius, m; of several waves the first, all in proportion. None without runout.
-    tilt : Bearable
+    tilt : AdmissibleAmplitude
         Of the housing at the outer radius of the pads, m.
-    ripple : Bearable or None
+    ripple : AdmissibleAmplitude or None
         Of the thrust, N, as the runout. None without ripple.
     """
 
-    runout: Bearable | None
-    tilt: Bearable
-    ripple: Bearable | None
+    runout: AdmissibleAmplitude | None
+    tilt: AdmissibleAmplitude
+    ripple: AdmissibleAmplitude | None
 
 
-def admissible(duty: LineDuty, films: Carrying, judge: Judge) -> Admissible:
+def admissible(duty: LineOperation, films: LoadCurve, judge: Judge) -> Admissible:
     """Largest runout, tilt and ripple that keep all limits.
 
     Parameters
     ----------
-    duty : LineDuty
-    films : Carrying
+    duty : LineOperation
+    films : LoadCurve
     judge : callable
         Says by how much a state misses its worst check, see
-        `babbitt.kinds.shaft_line.admissible_amplitude.excess_of`.
+        `babbitt.kinds.shaft_line.admissible_amplitude.limit_margin`.
     """
     share = share_of(films, duty.bearing, duty.thrust)
     tilt = duty.bearing.tilt.offset or films.height_for(duty.thrust / duty.bearing.number)
@@ -101,30 +101,30 @@ def admissible(duty: LineDuty, films: Carrying, judge: Judge) -> Admissible:
     )
 
 
-def _judged(duty: LineDuty, films: Carrying, judge: Judge) -> Excess:
+def _judged(duty: LineOperation, films: LoadCurve, judge: Judge) -> Excess:
     try:
         return judge(state_of(duty, films))
     except NoPadFilmError:
         return NO_FILM
 
 
-def _largest(of: Callable[[float], Excess], scale: float, shown: float) -> Bearable:
+def _largest(of: Callable[[float], Excess], scale: float, shown: float) -> AdmissibleAmplitude:
     """Largest amplitude from 0 up to which all limits are kept, sought from a scale."""
     missed, code = of(0.0)
     if missed > 0.0:
-        return Bearable(0.0, code, 0.0)
+        return AdmissibleAmplitude(0.0, code, 0.0)
     low, high = 0.0, FIRST * scale
     while (found := of(high))[0] <= 0.0:
         low, high = high, 2.0 * high
         if high > WIDEST * scale:
-            return Bearable(math.inf, "", low)
+            return AdmissibleAmplitude(math.inf, "", low)
     edge = bracketed_root(lambda a: of(a)[0], low, high, relative=RELATIVE)
     largest = rounded_down(edge, shown)
     for _ in range(SHORTER):
         if of(largest)[0] <= 0.0:
             break
         largest = rounded_down(largest * (1.0 - 2.0 * RELATIVE), shown)
-    return Bearable(largest, _beyond(of, edge, found), high)
+    return AdmissibleAmplitude(largest, _beyond(of, edge, found), high)
 
 
 def _beyond(of: Callable[[float], Excess], edge: float, found: Excess) -> str:
@@ -144,13 +144,15 @@ def rounded_down(value: float, step: float) -> float:
     return float(f"{math.floor(value / step * (1.0 + 1e-12)) * step:.12g}")
 
 
-def ring_for_loss(duty: LineDuty, films: Carrying, loss: float, rings: tuple[float, ...]) -> RingPoint | None:
+def ring_for_loss(
+    duty: LineOperation, films: LoadCurve, loss: float, rings: tuple[float, ...]
+) -> RingPoint | None:
     """The stiffest ring on which L1 (bound) falls to ``loss``; None where no ring among ``rings`` reaches it.
 
     Parameters
     ----------
-    duty : LineDuty
-    films : Carrying
+    duty : LineOperation
+    films : LoadCurve
     loss : float
     rings : tuple of float
         Stiffnesses between which it is sought, N/m.
@@ -159,14 +161,14 @@ def ring_for_loss(duty: LineDuty, films: Carrying, loss: float, rings: tuple[flo
 
 
 def ring_for_film_amplitude(
-    duty: LineDuty, films: Carrying, amplitude: float, rings: tuple[float, ...]
+    duty: LineOperation, films: LoadCurve, amplitude: float, rings: tuple[float, ...]
 ) -> RingPoint | None:
     """The stiffest ring on which the film amplitude from runout falls to ``amplitude`` (m)."""
     return _stiffest(duty, films, rings, lambda point: point.film_amplitude - amplitude)
 
 
 def _stiffest(
-    duty: LineDuty, films: Carrying, rings: tuple[float, ...], excess: Callable[[RingPoint], float]
+    duty: LineOperation, films: LoadCurve, rings: tuple[float, ...], excess: Callable[[RingPoint], float]
 ) -> RingPoint | None:
     stiff: RingPoint | None = None
     for ring in sorted(rings, reverse=True):

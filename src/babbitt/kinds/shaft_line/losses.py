@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from babbitt.kinds.shaft_line.forced import Forced, Part, crests
 from babbitt.kinds.thrust.gap import gap_samples, minimum_gap
 from babbitt.kinds.thrust.sharing import Share
-from babbitt.kinds.thrust.state import tilt_answer, wobble_answer
+from babbitt.kinds.thrust.state import face_runout_response, tilt_answer
 
 __all__ = ["FilmCheck", "Losses", "film_check", "gap_motions", "losses_of", "moment_amplitude"]
 
@@ -132,7 +132,7 @@ def gap_motions(share: Share, part: Part) -> ComplexArray:
     for state, gap, under in zip(share.states, part.response.gaps, part.runout, strict=True):
         tilts = gap * tilt_answer(state, frequency, inertia)
         if part.leans:
-            tilts = tilts + under * wobble_answer(state, frequency, inertia)
+            tilts = tilts + under * face_runout_response(state, frequency, inertia)
         rows.append([gap, *tilts])
     return np.array(rows)
 

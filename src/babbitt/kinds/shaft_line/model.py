@@ -10,14 +10,14 @@ from babbitt.kinds.shaft_line.line import ShaftLine
 from babbitt.kinds.shaft_line.losses import FilmCheck, Losses, film_check, losses_of, moment_amplitude
 from babbitt.kinds.shaft_line.pads import FilmPads
 from babbitt.kinds.thrust.bearing import ThrustBearing
-from babbitt.kinds.thrust.load_curve import Carrying
+from babbitt.kinds.thrust.load_curve import LoadCurve
 from babbitt.kinds.thrust.sharing import Share, share_of
 
-__all__ = ["LineDuty", "LineState", "state_of"]
+__all__ = ["LineOperation", "LineState", "state_of"]
 
 
 @dataclass(frozen=True)
-class LineDuty:
+class LineOperation:
     """A line, its bearing and what shakes them; the oil stands with the films.
 
     Attributes
@@ -39,11 +39,11 @@ class LineDuty:
     thrusts: tuple[ThrustHarmonic, ...] = ()
     runouts: tuple[RunoutHarmonic, ...] = ()
 
-    def with_ring(self, stiffness: float) -> LineDuty:
+    def with_ring(self, stiffness: float) -> LineOperation:
         """On another backing ring, N/m per pad."""
         return replace(self, bearing=replace(self.bearing, ring_stiffness=stiffness))
 
-    def with_tilt(self, offset: float) -> LineDuty:
+    def with_tilt(self, offset: float) -> LineOperation:
         """With another tilt of the housing, m at the outer radius; by itself towards the highest pad."""
         bearing = self.bearing
         tilt = replace(bearing.tilt, offset=offset)
@@ -52,19 +52,19 @@ class LineDuty:
             tilt = replace(tilt, direction=float(bearing.angles[highest]))
         return replace(self, bearing=replace(bearing, tilt=tilt))
 
-    def with_runout(self, factor: float) -> LineDuty:
+    def with_runout(self, factor: float) -> LineOperation:
         """With all runout amplitudes times a factor."""
         return replace(self, runouts=tuple(part.scaled(factor) for part in self.runouts))
 
-    def with_ripple(self, factor: float) -> LineDuty:
+    def with_ripple(self, factor: float) -> LineOperation:
         """With all thrust amplitudes times a factor."""
         return replace(self, thrusts=tuple(part.scaled(factor) for part in self.thrusts))
 
-    def rigid(self) -> LineDuty:
+    def rigid(self) -> LineOperation:
         """With a rigid shaft of the same mass (stages 1 and 2)."""
         return replace(self, line=self.line.rigid())
 
-    def at_speed(self, speed: float) -> LineDuty:
+    def at_speed(self, speed: float) -> LineOperation:
         """At another speed; thrust and ripple grow with its square, as propellers of one pitch have it."""
         factor = (speed / self.speed) ** 2
         return replace(self, speed=speed, thrust=self.thrust * factor).with_ripple(factor)
@@ -86,8 +86,8 @@ class LineState:
 
     Attributes
     ----------
-    duty : LineDuty
-    films : Carrying
+    duty : LineOperation
+    films : LoadCurve
     share : Share
     pads : FilmPads
     forced : Forced
@@ -95,8 +95,8 @@ class LineState:
     film : FilmCheck
     """
 
-    duty: LineDuty
-    films: Carrying
+    duty: LineOperation
+    films: LoadCurve
     share: Share
     pads: FilmPads
     forced: Forced
@@ -129,13 +129,13 @@ class LineState:
         return self.forced.worst_turn()[1] / self.share.mean_load
 
 
-def state_of(duty: LineDuty, films: Carrying, share: Share | None = None) -> LineState:
+def state_of(duty: LineOperation, films: LoadCurve, share: Share | None = None) -> LineState:
     """Solve a line at one speed.
 
     Parameters
     ----------
-    duty : LineDuty
-    films : Carrying
+    duty : LineOperation
+    films : LoadCurve
         Of one pad, in the oil and at the speed of the duty.
     share : Share, optional
         Static share where it is known already.

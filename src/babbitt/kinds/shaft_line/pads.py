@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from babbitt.core.notices import InputError
 from babbitt.kinds.thrust.bearing import ThrustBearing
 from babbitt.kinds.thrust.sharing import Share
-from babbitt.kinds.thrust.state import condensed, wobble_answer
+from babbitt.kinds.thrust.state import condensed, face_runout_response
 
-__all__ = ["DynamicPads", "FilmPads", "GivenPads"]
+__all__ = ["DynamicPads", "FilmPads", "PrescribedPads"]
 
 Array = NDArray[np.float64]
 ComplexArray = NDArray[np.complex128]
@@ -54,7 +54,7 @@ class DynamicPads(Protocol):
 
 
 @dataclass(frozen=True)
-class GivenPads:
+class PrescribedPads:
     """Pads with stiffness (N/m) and damping (N s/m) given, the same at every frequency.
 
     Attributes
@@ -160,13 +160,13 @@ class FilmPads:
         return np.array([condensed(state, frequency, self.bearing.inertia) for state in self.share.states])
 
     def wobble(self, frequency: float) -> ComplexArray:
-        """-(K + j nu C)_1t g / (k + j nu d), see `wobble_answer`."""
+        """-(K + j nu C)_1t g / (k + j nu d), see `face_runout_response`."""
         inertia = self.bearing.inertia
         added = np.zeros(self.bearing.number, dtype=complex)
         for place, (state, film) in enumerate(zip(self.share.states, self.film(frequency), strict=True)):
             if film != 0.0:  # a face that leans away with the housing may carry nothing
                 row = (state.stiffness + 1j * frequency * state.damping)[0, 1:]
-                added[place] = -row @ wobble_answer(state, frequency, inertia) / film
+                added[place] = -row @ face_runout_response(state, frequency, inertia) / film
         return added
 
     def films(self, frequencies: Array) -> ComplexArray:

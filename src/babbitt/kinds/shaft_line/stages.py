@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from babbitt.kinds.shaft_line.model import LineDuty, LineState, state_of
-from babbitt.kinds.thrust.load_curve import Carrying
+from babbitt.kinds.shaft_line.model import LineOperation, LineState, state_of
+from babbitt.kinds.thrust.load_curve import LoadCurve
 
 __all__ = ["Attribution", "Stage", "attribution", "stages"]
 
@@ -67,7 +67,7 @@ class Stage:
     state: LineState
 
 
-def stages(duty: LineDuty, films: Carrying) -> tuple[Stage, ...]:
+def stages(duty: LineOperation, films: LoadCurve) -> tuple[Stage, ...]:
     """1a runout, 1b propeller, 1c both on a point mass; 2 adds tilt, 3 the elastic shaft, 3d propeller damping."""
     undamped = replace(duty, line=replace(duty.line, propeller_damping=0.0))
     level = undamped.with_tilt(0.0).rigid()

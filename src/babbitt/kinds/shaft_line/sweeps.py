@@ -9,11 +9,11 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from babbitt.kinds.shaft_line.losses import separation
-from babbitt.kinds.shaft_line.model import LineDuty, LineState, state_of
+from babbitt.kinds.shaft_line.model import LineOperation, LineState, state_of
 from babbitt.kinds.shaft_line.natural import undamped_frequencies
 from babbitt.kinds.shaft_line.resonance import NEAR, Resonances, lobes_of, resonances_about
 from babbitt.kinds.thrust.failures import NoPadFilmError
-from babbitt.kinds.thrust.load_curve import Carrying
+from babbitt.kinds.thrust.load_curve import LoadCurve
 
 __all__ = ["CampbellPoint", "RingPoint", "barred_ranges", "ring_point", "ring_sweep", "speed_sweep", "usual_rings"]
 
@@ -54,7 +54,7 @@ class RingPoint:
     largest_over_mean: float
 
 
-def ring_point(duty: LineDuty, films: Carrying, stiffness: float) -> RingPoint:
+def ring_point(duty: LineOperation, films: LoadCurve, stiffness: float) -> RingPoint:
     """Solve the line on a ring of one stiffness (N/m)."""
     state = state_of(duty.with_ring(stiffness), films)
     first = undamped_frequencies(duty.line, state.pads, 1)[0]
@@ -70,7 +70,7 @@ def ring_point(duty: LineDuty, films: Carrying, stiffness: float) -> RingPoint:
     )
 
 
-def ring_sweep(duty: LineDuty, films: Carrying, stiffnesses: Sequence[float]) -> tuple[RingPoint, ...]:
+def ring_sweep(duty: LineOperation, films: LoadCurve, stiffnesses: Sequence[float]) -> tuple[RingPoint, ...]:
     """Solve the line on rings of several stiffnesses (N/m per pad); without those on which pads find no film."""
     points = []
     for stiffness in stiffnesses:
@@ -101,7 +101,7 @@ class CampbellPoint:
 
 
 def speed_sweep(
-    duty: LineDuty, films_at: Callable[[LineDuty], Carrying], speeds: Sequence[float]
+    duty: LineOperation, films_at: Callable[[LineOperation], LoadCurve], speeds: Sequence[float]
 ) -> tuple[CampbellPoint, ...]:
     """Solve the line at several speeds, thrust and ripple growing with the square of the speed.
 
@@ -109,7 +109,7 @@ def speed_sweep(
 
     Parameters
     ----------
-    duty : LineDuty
+    duty : LineOperation
         At the speed at which its thrust holds.
     films_at : callable
         Gives the films of a duty: at a fixed viscosity, or by the heat balance.
@@ -174,7 +174,7 @@ def _followed(first: Sequence[float], second: Sequence[float]) -> list[tuple[flo
     return pairs + [(one, one) for one in left]
 
 
-def usual_rings(duty: LineDuty, state: LineState, number: int = 40) -> tuple[float, ...]:
+def usual_rings(duty: LineOperation, state: LineState, number: int = 40) -> tuple[float, ...]:
     """Stiffnesses from a hundredth of the film to a hundred times it, N/m per pad, as many as asked for."""
     film = float(state.pads.static_stiffness.mean())
     low, high = math.log(0.01 * film), math.log(100.0 * film)

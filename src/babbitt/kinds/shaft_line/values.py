@@ -11,7 +11,7 @@ from babbitt.kinds.shaft_line.admissible_amplitude import motion_values
 from babbitt.kinds.shaft_line.answer import MODES, LineAnswer
 from babbitt.kinds.shaft_line.axial import axial_amplitudes
 from babbitt.kinds.shaft_line.design import LineDesign
-from babbitt.kinds.shaft_line.inverse import Bearable
+from babbitt.kinds.shaft_line.inverse import AdmissibleAmplitude
 from babbitt.kinds.shaft_line.sweeps import barred_ranges
 from babbitt.kinds.thrust.values import pad_arrays, share_values
 
@@ -65,7 +65,7 @@ def line_values(design: LineDesign, answer: LineAnswer) -> dict[str, float]:
     return values
 
 
-def bearables(answer: LineAnswer) -> dict[str, Bearable]:
+def bearables(answer: LineAnswer) -> dict[str, AdmissibleAmplitude]:
     """What the line can bear, by the names of its results."""
     found = answer.bearable
     each = {

@@ -11,11 +11,11 @@ from babbitt.kinds.shaft_line.design import LineDesign
 from babbitt.kinds.shaft_line.losses import LINEAR_UP_TO
 from babbitt.kinds.shaft_line.resonance import NEAR
 
-__all__ = ["line_doubts"]
+__all__ = ["line_warnings"]
 
 
-def line_doubts(design: LineDesign, answer: LineAnswer) -> Iterator[Notice]:
-    """Doubts about the motion; those about the static share are `babbitt.kinds.thrust.warnings.share_doubts`."""
+def line_warnings(design: LineDesign, answer: LineAnswer) -> Iterator[Notice]:
+    """Warnings about the motion; `babbitt.kinds.thrust.warnings.sharing_warnings` are about the static share."""
     yield from _about_the_motion(answer)
     yield from _about_the_sweeps(design, answer)
 

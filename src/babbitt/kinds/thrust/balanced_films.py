@@ -30,9 +30,9 @@ from babbitt.design.oil import highest_usable
 from babbitt.kinds.thrust.equilibrium import leaning_state, pad_state
 from babbitt.kinds.thrust.failures import NoPadFilmError, ThermalRunawayError
 from babbitt.kinds.thrust.heat import HeatBalance, Temperatures
-from babbitt.kinds.thrust.load_curve import Carrying
+from babbitt.kinds.thrust.load_curve import LoadCurve
 from babbitt.kinds.thrust.pad import ThrustPad
-from babbitt.kinds.thrust.pad_attitude import LEVEL, Lean
+from babbitt.kinds.thrust.pad_attitude import PARALLEL, PadTilt
 from babbitt.kinds.thrust.state import PadState, PadTemperatures
 from babbitt.kinds.thrust.tabulated import MOST_STEPS, TabulatedFilms
 from babbitt.numerics.roots import bracketed_root
@@ -55,7 +55,7 @@ class BalancedFilms:
 
     Attributes
     ----------
-    films : Carrying
+    films : LoadCurve
         At the viscosity of the pad under the mean load.
     balance : HeatBalance
     middle : PadState
@@ -64,7 +64,7 @@ class BalancedFilms:
         rho c, J/(m3 K).
     """
 
-    films: Carrying
+    films: LoadCurve
     balance: HeatBalance
     middle: PadState
     capacity: float
@@ -133,13 +133,13 @@ class BalancedFilms:
                 height = following
         return height
 
-    def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
+    def state(self, height: float, lean: PadTilt = PARALLEL, near: PadState | None = None) -> PadState:
         """The film at a height of a pad that takes in what its like sends off."""
         if abs(height / self.middle.height - 1.0) < SAME and not any(lean):
             return self.middle
         return self._balanced(height, lean, near, None)
 
-    def fed(self, height: float, inlet: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
+    def fed(self, height: float, inlet: float, lean: PadTilt = PARALLEL, near: PadState | None = None) -> PadState:
         """The film at a height of a pad that takes in oil of a temperature, K.
 
         Raises
@@ -154,10 +154,10 @@ class BalancedFilms:
     def at(self, viscosity: float, angular_speed: float) -> BalancedFilms:
         """The same films at another speed about the same height; viscosity is their own."""
         moved = replace(self, films=self.films.at(viscosity, angular_speed))
-        middle = moved._balanced(self.middle.height, LEVEL, None, None)
+        middle = moved._balanced(self.middle.height, PARALLEL, None, None)
         return replace(moved, films=moved.films.at(middle.viscosity, angular_speed), middle=middle)
 
-    def _balanced(self, height: float, lean: Lean, near: PadState | None, inlet: float | None) -> PadState:
+    def _balanced(self, height: float, lean: PadTilt, near: PadState | None, inlet: float | None) -> PadState:
         alike = None if self.pad.turbulence is not None else self.films.state(height, lean, near)
 
         def film(temperature: float) -> PadState:
@@ -179,7 +179,7 @@ class BalancedFilms:
         found = film(bracketed_root(excess, low, high, absolute=TOLERANCE))
         return replace(found, balance=self._temperatures(found, inlet))
 
-    def _turbulent(self, height: float, viscosity: float, lean: Lean, near: PadState | None) -> PadState:
+    def _turbulent(self, height: float, viscosity: float, lean: PadTilt, near: PadState | None) -> PadState:
         guess = self.middle if near is None else near
         share = height / guess.height
         if any(lean):

@@ -1,4 +1,4 @@
-"""Design check of a thrust bearing: values, verdicts and doubts."""
+"""Design check of a thrust bearing: values, verdicts and warnings."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from babbitt.core.solution import Solution
 from babbitt.kinds.thrust.assumed import oil_assumptions
 from babbitt.kinds.thrust.design import ThrustDesign, ThrustState, bearing_state, share_on
 from babbitt.kinds.thrust.failures import NoPadFilmError
-from babbitt.kinds.thrust.pad_attitude import standing_at_rest, standing_on_runout
+from babbitt.kinds.thrust.pad_attitude import attitude_at_rest, attitude_on_runout
 from babbitt.kinds.thrust.pressure_limits import pressure_checks, pressures_not_checked
 from babbitt.kinds.thrust.values import pad_arrays, share_values
-from babbitt.kinds.thrust.warnings import LEAST_SHARE, share_doubts
+from babbitt.kinds.thrust.warnings import LEAST_SHARE, sharing_warnings
 from babbitt.kinds.thrust.work import MOST_WORK, WorkBoundError, bounded_work
 
 __all__ = ["thrust_check"]
@@ -62,7 +62,7 @@ def _checked(design: ThrustDesign) -> Solution:
             failure.outcome,
             {},
             message=failure.said,
-            warnings=design.doubts,
+            warnings=design.warnings,
             assumptions=(*design.lubricant.assumptions, *design.assumptions, *_assumptions(design)),
         )
         return Solution(design, failed)
@@ -90,7 +90,7 @@ def _checked(design: ThrustDesign) -> Solution:
         Outcome.CONVERGED,
         values,
         (limit, *design.temperatures.checks(values), *pressure_checks(design.temperatures.given_metal, values)),
-        (*design.doubts, *share_doubts(design, state), *of_runout),
+        (*design.warnings, *sharing_warnings(design, state), *of_runout),
         (*design.temperatures.not_checked(values), *pressures_not_checked(design.temperatures.given_metal)),
         (
             *design.lubricant.assumptions,
@@ -116,9 +116,9 @@ def _turned(design: ThrustDesign, state: ThrustState) -> tuple[dict[str, float],
     least_count = TURNS * math.ceil(max(one.order for one in design.runouts) / WAVES)
     number = design.bearing.number
     count = number * math.ceil(least_count / number)  # whichever pad is called the first
-    alike = standing_at_rest(design.bearing).is_even  # then a turn by one pitch gives pads other names only
+    alike = attitude_at_rest(design.bearing).is_even  # then a turn by one pitch gives pads other names only
     for turned in 2.0 * np.pi * np.arange(count // number if alike else count) / count:
-        stands = standing_on_runout(design.bearing, design.runouts, float(turned))
+        stands = attitude_on_runout(design.bearing, design.runouts, float(turned))
         share = share_on(state.films, share, stands)
         largest = max(largest, share.largest_over_mean)
         least = min(least, float(share.loads.min()) / share.mean_load)

@@ -8,25 +8,25 @@ from dataclasses import dataclass, replace
 from babbitt.core.notices import Notice
 from babbitt.kinds.thrust.balanced_films import BalancedFilms, temperatures_together
 from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
-from babbitt.kinds.thrust.failures import HollowPadError, NoPadFilmError
+from babbitt.kinds.thrust.failures import ConcavePadError, NoPadFilmError
 from babbitt.kinds.thrust.fed_pads import share_of_fed_pads
 from babbitt.kinds.thrust.heat import HeatBalance, Temperatures, balanced
-from babbitt.kinds.thrust.load_curve import Carrying, carrying
+from babbitt.kinds.thrust.load_curve import LoadCurve, carrying
 from babbitt.kinds.thrust.neighbours import SETTLED, share_with_neighbours
-from babbitt.kinds.thrust.pad_attitude import Standing, standing_at_rest
+from babbitt.kinds.thrust.pad_attitude import PadAttitude, attitude_at_rest
 from babbitt.kinds.thrust.runout import RunoutHarmonic
 from babbitt.kinds.thrust.sharing import Share, exactly_shared, share_at_film, share_of
 from babbitt.kinds.thrust.state import PadState, PadTemperatures
 from babbitt.kinds.thrust.tabulated import TabulatedFilms
 from babbitt.kinds.thrust.temperature_limits import TemperatureLimits
 from babbitt.kinds.thrust.thermal import PadOil
-from babbitt.kinds.thrust.thermal_films import WarmFilms, own_temperatures, warm_carrying
+from babbitt.kinds.thrust.thermal_films import ThermalLoadCurve, own_temperatures, thermal_load_curve
 from babbitt.properties.lubricants import Lubricant
 from babbitt.reynolds.oil.turbulence import TurbulenceLaw
 
 __all__ = [
-    "GivenFilm",
-    "GivenThrust",
+    "PrescribedFilm",
+    "PrescribedThrust",
     "Oil",
     "ThrustDesign",
     "ThrustState",
@@ -42,14 +42,14 @@ NEARLY = 3e-7
 
 
 @dataclass(frozen=True)
-class GivenThrust:
+class PrescribedThrust:
     """The thrust in N is given, the film is found."""
 
     thrust: float
 
 
 @dataclass(frozen=True)
-class GivenFilm:
+class PrescribedFilm:
     """The mean film at the pivots in m is given, the thrust is found."""
 
     film: float
@@ -112,7 +112,7 @@ class ThrustDesign:
     name : str
     bearing : ThrustBearing
         Its ``sense`` is that of the speed; pads are mirrored already.
-    duty : GivenThrust or GivenFilm
+    duty : PrescribedThrust or PrescribedFilm
     speed : float
         Magnitude, rad/s.
     oil : Oil
@@ -123,13 +123,13 @@ class ThrustDesign:
     film_limit_source : str
     temperatures : TemperatureLimits
     turbulence : TurbulenceLaw or None
-    given, assumptions, doubts
+    given, assumptions, warnings
         As of `babbitt.kinds.journal.film.model.FilmCase`.
     """
 
     name: str
     bearing: ThrustBearing
-    duty: GivenThrust | GivenFilm
+    duty: PrescribedThrust | PrescribedFilm
     speed: float
     oil: Oil
     runouts: tuple[RunoutHarmonic, ...] = ()
@@ -139,7 +139,7 @@ class ThrustDesign:
     turbulence: TurbulenceLaw | None = None
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()
-    doubts: tuple[Notice, ...] = ()
+    warnings: tuple[Notice, ...] = ()
     kind: str = "thrust"
 
     @property
@@ -152,7 +152,7 @@ class ThrustDesign:
 class ThrustState:
     """Operating point: films of one pad, their share of the thrust, temperatures where a balance was made."""
 
-    films: Carrying
+    films: LoadCurve
     share: Share
     temperatures: Temperatures | None
 
@@ -168,16 +168,16 @@ def operating_state(design: ThrustDesign) -> ThrustState:
     """
     films, together = warm_films(design, design.bearing, design.speed, design.duty)
     share = _share(films, design.bearing, design.duty)
-    if isinstance(films, TabulatedFilms) and isinstance(design.duty, GivenThrust):
+    if isinstance(films, TabulatedFilms) and isinstance(design.duty, PrescribedThrust):
         share = exactly_shared(films, share)
-    if together is not None and standing_at_rest(design.bearing).is_even:
+    if together is not None and attitude_at_rest(design.bearing).is_even:
         return ThrustState(films, share, together)
     return ThrustState(films, share, temperatures_of_share(films, share))
 
 
-def temperatures_of_share(films: Carrying, share: Share) -> Temperatures | None:
+def temperatures_of_share(films: LoadCurve, share: Share) -> Temperatures | None:
     """Temperatures of pads that take in what their like sends off; None where the viscosity is fixed."""
-    if isinstance(films, WarmFilms):
+    if isinstance(films, ThermalLoadCurve):
         return own_temperatures(films.oil, share.states)
     if isinstance(films, BalancedFilms):
         return temperatures_together(films, share.states)
@@ -196,33 +196,33 @@ def bearing_state(design: ThrustDesign) -> ThrustState:
     state = operating_state(design)
     bearing = state.share.bearing
     films = state.films
-    if standing_at_rest(bearing).is_even:
+    if attitude_at_rest(bearing).is_even:
         return state
-    film = design.duty.film if isinstance(design.duty, GivenFilm) else None
-    share = _fed_by_neighbours(films, state.share, standing_at_rest(bearing), film)
-    if isinstance(films, WarmFilms):
+    film = design.duty.film if isinstance(design.duty, PrescribedFilm) else None
+    share = _fed_by_neighbours(films, state.share, attitude_at_rest(bearing), film)
+    if isinstance(films, ThermalLoadCurve):
         return ThrustState(films, share, own_temperatures(films.oil, share.states, bearing.sense))
     if isinstance(films, BalancedFilms):
         return ThrustState(films, share, temperatures_together(films, share.states, bearing.sense))
     return state
 
 
-def share_on(films: Carrying, near: Share, standing: Standing) -> Share:
+def share_on(films: LoadCurve, near: Share, standing: PadAttitude) -> Share:
     """The share of pads that stand otherwise; those with temperatures take in the oil of the pad before.
 
     Parameters
     ----------
-    films : Carrying
+    films : LoadCurve
     near : Share
         Of pads that stand nearly so, from which the search begins.
-    standing : Standing
+    standing : PadAttitude
         How the pads stand to the collar.
 
     Raises
     ------
     NoPadFilmError
     """
-    if isinstance(films, WarmFilms | BalancedFilms):
+    if isinstance(films, ThermalLoadCurve | BalancedFilms):
         with suppress(NoPadFilmError):
             return _fed_by_neighbours(films, near, standing, tolerance=NEARLY)
     begin = share_of(films, near.bearing, near.thrust, standing)
@@ -230,10 +230,14 @@ def share_on(films: Carrying, near: Share, standing: Standing) -> Share:
 
 
 def _fed_by_neighbours(
-    films: Carrying, share: Share, standing: Standing, mean_film: float | None = None, tolerance: float = SETTLED
+    films: LoadCurve,
+    share: Share,
+    standing: PadAttitude,
+    mean_film: float | None = None,
+    tolerance: float = SETTLED,
 ) -> Share:
     """The same share where films have no temperature."""
-    if isinstance(films, WarmFilms):
+    if isinstance(films, ThermalLoadCurve):
         return share_with_neighbours(films, share, mean_film, standing, tolerance)
     if isinstance(films, BalancedFilms):
         return share_of_fed_pads(films, share, mean_film, standing)
@@ -241,15 +245,15 @@ def _fed_by_neighbours(
 
 
 def warm_films(
-    design: ThrustDesign, bearing: ThrustBearing, speed: float, duty: GivenThrust | GivenFilm
-) -> tuple[Carrying, Temperatures | None]:
+    design: ThrustDesign, bearing: ThrustBearing, speed: float, duty: PrescribedThrust | PrescribedFilm
+) -> tuple[LoadCurve, Temperatures | None]:
     """Films of one pad in the oil of the design at a speed and a duty; temperatures of pads that share evenly."""
     if (warm := design.oil.warm) is not None:
         begin = carrying(bearing.pad, warm.fresh_viscosity, speed)
-        if isinstance(duty, GivenFilm):
-            return warm_carrying(bearing.pad, warm, speed, duty.film), None
+        if isinstance(duty, PrescribedFilm):
+            return thermal_load_curve(bearing.pad, warm, speed, duty.film), None
         mean = duty.thrust / bearing.number
-        return warm_carrying(bearing.pad, warm, speed, begin.height_for(mean), mean), None
+        return thermal_load_curve(bearing.pad, warm, speed, begin.height_for(mean), mean), None
     films = carrying(bearing.pad, design.oil.fixed_viscosity, speed)
     balance = design.oil.balance
     if balance is None:
@@ -257,12 +261,12 @@ def warm_films(
 
     even = replace(bearing, tilt=HousingTilt(), height_errors=())
 
-    def pads_on(in_oil: Carrying) -> tuple[PadState, ...]:
+    def pads_on(in_oil: LoadCurve) -> tuple[PadState, ...]:
         return _share(in_oil, even, duty).states
 
     try:
         found, together = balanced(balance, films, speed, pads_on)
-    except HollowPadError as failure:
+    except ConcavePadError as failure:
         raise _hollow(balance, films, bearing, speed, duty) or failure from None
     middle = replace(
         pads_on(found)[0], balance=PadTemperatures(together.inlet, together.trailing - together.inlet)
@@ -272,18 +276,22 @@ def warm_films(
 
 
 def _hollow(
-    balance: HeatBalance, films: Carrying, bearing: ThrustBearing, speed: float, duty: GivenThrust | GivenFilm
-) -> HollowPadError | None:
+    balance: HeatBalance,
+    films: LoadCurve,
+    bearing: ThrustBearing,
+    speed: float,
+    duty: PrescribedThrust | PrescribedFilm,
+) -> ConcavePadError | None:
     """What hollow pads carry at most, at the temperature of the thinnest film on which they balance."""
-    if not isinstance(films, TabulatedFilms) or not isinstance(duty, GivenThrust):
+    if not isinstance(films, TabulatedFilms) or not isinstance(duty, PrescribedThrust):
         return None
     thinnest, _ = films.thinnest
     at_most, _ = balanced(balance, films, speed, lambda in_oil: (in_oil.state(thinnest),))
     load = at_most.state(thinnest).load
-    return HollowPadError(bearing.pad.crown, load, duty.thrust, bearing.number)
+    return ConcavePadError(bearing.pad.crown, load, duty.thrust, bearing.number)
 
 
-def _share(films: Carrying, bearing: ThrustBearing, duty: GivenThrust | GivenFilm) -> Share:
-    if isinstance(duty, GivenThrust):
+def _share(films: LoadCurve, bearing: ThrustBearing, duty: PrescribedThrust | PrescribedFilm) -> Share:
+    if isinstance(duty, PrescribedThrust):
         return share_of(films, bearing, duty.thrust)
     return share_at_film(films, bearing, duty.film)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from babbitt.core.notices import InputError
 from babbitt.kinds.thrust.gap import minimum_gap
 from babbitt.kinds.thrust.pad import DEGREE, ThrustPad
-from babbitt.kinds.thrust.pad_attitude import LEVEL, Lean
+from babbitt.kinds.thrust.pad_attitude import PARALLEL, PadTilt
 from babbitt.kinds.thrust.peak import peak_pressure
 from babbitt.kinds.thrust.state import PadState
 from babbitt.kinds.thrust.work import COLD_FILM, spend
@@ -58,7 +58,7 @@ def pad_state(
     guess: tuple[float, float] | None = None,
     intervals: int | None = None,
     degree: int = DEGREE,
-    lean: Lean = LEVEL,
+    lean: PadTilt = PARALLEL,
 ) -> PadState:
     """Film of a pad whose pivot stands at a height, at the tilts at which free moments vanish.
 
@@ -122,7 +122,7 @@ def _balanced(pad: ThrustPad, sector: SectorPad, motion: Array, mesh: tuple[int,
 
 
 def leaning_state(
-    pad: ThrustPad, height: float, viscosity: float, angular_speed: float, along: float, lean: Lean
+    pad: ThrustPad, height: float, viscosity: float, angular_speed: float, along: float, lean: PadTilt
 ) -> PadState:
     """A film that leans; a line pivot that leans much tilts less than a level one, so less is tried in turn.
 
@@ -192,7 +192,7 @@ def first_slopes(pad: ThrustPad, height: float) -> tuple[float, float]:
     return (0.0, -FIRST_RISE * height / behind) if 2 in pad.free_tilts else (0.0, 0.0)
 
 
-def first_motion(pad: ThrustPad, height: float, slopes: tuple[float, float], lean: Lean) -> Array:
+def first_motion(pad: ThrustPad, height: float, slopes: tuple[float, float], lean: PadTilt) -> Array:
     """Where a pad is moved from, (height, slope_x, slope_y): held slopes stay, free ones such that it clears.
 
     Raises

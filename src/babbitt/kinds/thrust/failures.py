@@ -6,11 +6,11 @@ from babbitt.core.picklable_error import PicklableError
 from babbitt.core.result import Outcome
 
 __all__ = [
-    "HollowPadError",
-    "LeaningPadAtFilmError",
-    "LeaningPadError",
-    "LeaningPadsTouchAtFilmError",
-    "LeaningPadsTouchError",
+    "ConcavePadError",
+    "TiltedPadAtFilmError",
+    "TiltedPadError",
+    "TiltedPadsTouchAtFilmError",
+    "TiltedPadsTouchError",
     "NoPadFilmError",
     "OverloadedPadsError",
     "PadsTouchError",
@@ -76,7 +76,7 @@ class OverloadedPadsError(NoPadFilmError):
         super().__init__(self.said)
 
 
-class HollowPadError(NoPadFilmError):
+class ConcavePadError(NoPadFilmError):
     """A hollow pad has no balance on a film so thin.
 
     Attributes
@@ -115,7 +115,7 @@ class PadsTouchError(NoPadFilmError):
         super().__init__(self.said)
 
 
-class LeaningPadsTouchError(NoPadFilmError):
+class TiltedPadsTouchError(NoPadFilmError):
     """Faces that are held at a slope touch the collar before the pads carry the thrust.
 
     Attributes
@@ -136,7 +136,7 @@ class LeaningPadsTouchError(NoPadFilmError):
         super().__init__(self.said)
 
 
-class LeaningPadsTouchAtFilmError(NoPadFilmError):
+class TiltedPadsTouchAtFilmError(NoPadFilmError):
     """Faces that are held at a slope touch the collar at the mean film that is given."""
 
     outcome = Outcome.OUTSIDE_CLEARANCE
@@ -149,7 +149,7 @@ class LeaningPadsTouchAtFilmError(NoPadFilmError):
         super().__init__(self.said)
 
 
-class LeaningPadError(NoPadFilmError):
+class TiltedPadError(NoPadFilmError):
     """A pad whose face is held at a slope does not come to rest.
 
     Attributes
@@ -163,24 +163,24 @@ class LeaningPadError(NoPadFilmError):
     def __init__(self, pad: int | None = None, thinnest: float | None = None) -> None:
         self.pad, self.thinnest = pad, thinnest
         self.said = (
-            f"{_restless(pad, thinnest)}, and the thrust asks for less film; a straighter housing, less thrust, a "
-            "ring that gives way, or pads on point pivots"
+            f"{_unbalanced(pad, thinnest)}, and the thrust asks for less film; a straighter housing, less thrust, "
+            "a ring that gives way, or pads on point pivots"
         )
         super().__init__(self.said)
 
 
-class LeaningPadAtFilmError(NoPadFilmError):
+class TiltedPadAtFilmError(NoPadFilmError):
     """A pad whose face is held at a slope does not come to rest at the mean film that is given."""
 
     def __init__(self, pad: int | None, film: float, thinnest: float | None = None) -> None:
         self.said = (
-            f"{_restless(pad, thinnest)}, at a mean film of {film * 1e6:.1f} µm; less tilt of the housing, a "
+            f"{_unbalanced(pad, thinnest)}, at a mean film of {film * 1e6:.1f} µm; less tilt of the housing, a "
             "thicker film, or pads on point pivots"
         )
         super().__init__(self.said)
 
 
-def _restless(pad: int | None, thinnest: float | None) -> str:
+def _unbalanced(pad: int | None, thinnest: float | None) -> str:
     if pad is None:
         return "the pads do not come to rest with faces that lean with the housing"
     if thinnest is None:

@@ -15,7 +15,7 @@ from babbitt.core.notices import InputError
 from babbitt.kinds.thrust.balanced_films import BalancedFilms
 from babbitt.kinds.thrust.failures import UnsettledFeedError
 from babbitt.kinds.thrust.neighbours import FOLLOWING, MOST_ROUNDS, STEP, Mixing, common_heights, mixed_inlets
-from babbitt.kinds.thrust.pad_attitude import Standing, standing_at_rest
+from babbitt.kinds.thrust.pad_attitude import PadAttitude, attitude_at_rest
 from babbitt.kinds.thrust.sharing import Share
 from babbitt.kinds.thrust.state import PadState, condensed
 
@@ -28,7 +28,7 @@ SETTLED = 1e-9
 
 
 def share_of_fed_pads(
-    films: BalancedFilms, share: Share, mean_film: float | None = None, standing: Standing | None = None
+    films: BalancedFilms, share: Share, mean_film: float | None = None, standing: PadAttitude | None = None
 ) -> Share:
     """The share of pads that take in the oil of the pad before.
 
@@ -39,7 +39,7 @@ def share_of_fed_pads(
         Of pads that take in that of their like, from which the search begins.
     mean_film : float, optional
         Mean film at the pivots that is kept, m, in place of the thrust.
-    standing : Standing, optional
+    standing : PadAttitude, optional
         How the pads stand to the collar; as the bearing has it at rest when omitted.
 
     Raises
@@ -49,7 +49,7 @@ def share_of_fed_pads(
     ThermalRunawayError
     """
     bearing, states, heights, mixing = share.bearing, share.states, share.heights.copy(), Mixing()
-    stands = standing_at_rest(bearing) if standing is None else standing
+    stands = attitude_at_rest(bearing) if standing is None else standing
     inlets, known = _inlets(films, states, bearing.sense), heights
     for _ in range(MOST_ROUNDS):
         try:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from babbitt.core.notices import InputError
 from babbitt.kinds.thrust.balanced_films import BalancedFilms
 from babbitt.kinds.thrust.gap import minimum_gap
-from babbitt.kinds.thrust.load_curve import Carrying, SimilarFilms
+from babbitt.kinds.thrust.load_curve import LoadCurve, SimilarFilms
 from babbitt.kinds.thrust.pad import DEGREE, ThrustPad
 
 __all__ = ["FilmTable", "film_table"]
@@ -74,7 +74,7 @@ class FilmTable:
         )
 
 
-def film_table(films: Carrying) -> FilmTable:
+def film_table(films: LoadCurve) -> FilmTable:
     """Tabulate the films of a plane pad about its equilibrium.
 
     Raises

@@ -19,7 +19,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from babbitt.kinds.thrust.failures import NoPadFilmError, ThermalRunawayError
-from babbitt.kinds.thrust.load_curve import Carrying
+from babbitt.kinds.thrust.load_curve import LoadCurve
 from babbitt.kinds.thrust.state import PadState
 from babbitt.properties.lubricants import Lubricant
 
@@ -97,16 +97,16 @@ def temperatures_of(balance: HeatBalance, states: tuple[PadState, ...], effectiv
 
 def balanced(
     balance: HeatBalance,
-    films: Carrying,
+    films: LoadCurve,
     speed: float,
-    pads_on: Callable[[Carrying], tuple[PadState, ...]],
-) -> tuple[Carrying, Temperatures]:
+    pads_on: Callable[[LoadCurve], tuple[PadState, ...]],
+) -> tuple[LoadCurve, Temperatures]:
     """Effective temperature at which friction heats the oil to it.
 
     Parameters
     ----------
     balance : HeatBalance
-    films : Carrying
+    films : LoadCurve
         Of the pad at any viscosity.
     speed : float
         rad/s.
@@ -126,7 +126,7 @@ def balanced(
     """
     from babbitt.numerics.roots import bracketed_root
 
-    def at(temperature: float) -> Carrying:
+    def at(temperature: float) -> LoadCurve:
         return films.at(float(balance.lubricant.dynamic_viscosity(temperature)), speed)
 
     def excess(temperature: float) -> float:

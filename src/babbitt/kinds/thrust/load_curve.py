@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from babbitt.kinds.thrust.equilibrium import leaning_state, pad_state
 from babbitt.kinds.thrust.pad import ThrustPad
-from babbitt.kinds.thrust.pad_attitude import LEVEL, Lean
+from babbitt.kinds.thrust.pad_attitude import PARALLEL, PadTilt
 from babbitt.kinds.thrust.state import PadState
 from babbitt.kinds.thrust.tabulated import TabulatedFilms, require_load, tabulated
 
-__all__ = ["Carrying", "SimilarFilms", "carrying"]
+__all__ = ["LoadCurve", "SimilarFilms", "carrying"]
 
 Array = NDArray[np.float64]
 
@@ -22,7 +22,7 @@ REFERENCE_SHARE = 1e-4
 """Film at which a plane pad is solved, over its mean radius; by similarity any would do."""
 
 
-class Carrying(Protocol):
+class LoadCurve(Protocol):
     """Load of a pad over its film, and the film at any thickness."""
 
     def __hash__(self) -> int:
@@ -49,10 +49,10 @@ class Carrying(Protocol):
     def height_for(self, load: float) -> float:
         """Height of the pivot, m, at which the pad carries a load, N."""
 
-    def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
+    def state(self, height: float, lean: PadTilt = PARALLEL, near: PadState | None = None) -> PadState:
         """The whole film at a height, with the slopes that the pivot holds; ``near``: one to start from."""
 
-    def at(self, viscosity: float, angular_speed: float) -> Carrying:
+    def at(self, viscosity: float, angular_speed: float) -> LoadCurve:
         """The same pad in another oil and at another speed."""
 
 
@@ -90,7 +90,7 @@ class SimilarFilms:
         """sqrt(A/W)."""
         return float(np.sqrt(self.constant / load))
 
-    def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
+    def state(self, height: float, lean: PadTilt = PARALLEL, near: PadState | None = None) -> PadState:
         """The similar film; one that leans is solved."""
         similar = self.reference.similar(height, self.viscosity, self.angular_speed)
         if not any(lean):

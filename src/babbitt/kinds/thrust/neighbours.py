@@ -20,11 +20,11 @@ from numpy.typing import NDArray
 from babbitt.kinds.thrust.bearing import ThrustBearing
 from babbitt.kinds.thrust.equilibrium import UnbalancedPadError
 from babbitt.kinds.thrust.failures import UnsettledPadError
-from babbitt.kinds.thrust.pad_attitude import Standing, standing_at_rest
+from babbitt.kinds.thrust.pad_attitude import PadAttitude, attitude_at_rest
 from babbitt.kinds.thrust.sharing import Share
 from babbitt.kinds.thrust.state import PadState, condensed
-from babbitt.kinds.thrust.thermal import PadOil, WarmStart, warm_pad
-from babbitt.kinds.thrust.thermal_films import WarmFilms
+from babbitt.kinds.thrust.thermal import InitialState, PadOil, warm_pad
+from babbitt.kinds.thrust.thermal_films import ThermalLoadCurve
 
 __all__ = ["Mixing", "common_heights", "mixed_inlets", "share_with_neighbours"]
 
@@ -83,22 +83,22 @@ class Mixing:
 
 
 def share_with_neighbours(
-    films: WarmFilms,
+    films: ThermalLoadCurve,
     share: Share,
     mean_film: float | None = None,
-    standing: Standing | None = None,
+    standing: PadAttitude | None = None,
     tolerance: float = SETTLED,
 ) -> Share:
     """The share of pads that take in the oil of the pad before.
 
     Parameters
     ----------
-    films : WarmFilms
+    films : ThermalLoadCurve
     share : Share
         Of pads that take in that of their like, from which the search begins.
     mean_film : float, optional
         Mean film at the pivots that is kept, m, in place of the thrust.
-    standing : Standing, optional
+    standing : PadAttitude, optional
         How the pads stand to the collar; as the bearing has it at rest when omitted.
     tolerance : float
         Change of the heights, over them, and of the inlet temperatures, over 1000 K, that ends the search.
@@ -109,7 +109,7 @@ def share_with_neighbours(
         If the pads go on to change each other.
     """
     bearing, oil = share.bearing, films.oil
-    stands = standing_at_rest(bearing) if standing is None else standing
+    stands = attitude_at_rest(bearing) if standing is None else standing
     leans = [stands.lean(place) for place in range(bearing.number)]
     pads = [_first(films, state) for state in share.states]
     inlets = _inlets(oil, [pad.state for pad in pads], bearing.sense)
@@ -135,7 +135,7 @@ def share_with_neighbours(
     raise UnsettledPadError
 
 
-def _closed(oil: PadOil, pads: list[WarmStart], sense: float) -> tuple[PadState, ...]:
+def _closed(oil: PadOil, pads: list[InitialState], sense: float) -> tuple[PadState, ...]:
     """The pads with their films as they flow, and the heat that goes from one to the next closed."""
     states = [pad.state for pad in pads]
     last = np.zeros(len(pads))
@@ -149,7 +149,7 @@ def _closed(oil: PadOil, pads: list[WarmStart], sense: float) -> tuple[PadState,
     return tuple(states)
 
 
-def _first(films: WarmFilms, state: PadState) -> WarmStart:
+def _first(films: ThermalLoadCurve, state: PadState) -> InitialState:
     """The solved pad that is nearest."""
     return min(films.starts, key=lambda start: abs(np.log(start.state.height / state.height)))
 
@@ -189,7 +189,7 @@ def mixed_inlets(carried: Array, sent: Array, entering: Array, cold: float, sens
 
 def common_heights(
     bearing: ThrustBearing,
-    stands: Standing,
+    stands: PadAttitude,
     thrust: float,
     mean_film: float | None,
     heights: Array,
@@ -203,7 +203,7 @@ def common_heights(
     Parameters
     ----------
     bearing : ThrustBearing
-    stands : Standing
+    stands : PadAttitude
     thrust : float
         F_0, N.
     mean_film : float or None

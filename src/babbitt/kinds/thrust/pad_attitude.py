@@ -16,19 +16,19 @@ from babbitt.kinds.thrust.bearing import ThrustBearing
 from babbitt.kinds.thrust.pad import ThrustPad
 from babbitt.kinds.thrust.runout import RunoutHarmonic
 
-__all__ = ["LEVEL", "Standing", "standing_at_rest", "standing_on_runout"]
+__all__ = ["PARALLEL", "PadAttitude", "attitude_at_rest", "attitude_on_runout"]
 
 Array = NDArray[np.float64]
 
-Lean = tuple[float, float]
+PadTilt = tuple[float, float]
 """Parts of alpha_x and alpha_y that a pad which does not follow keeps."""
-LEVEL: Lean = (0.0, 0.0)
+PARALLEL: PadTilt = (0.0, 0.0)
 DIGITS = 12
 """Of a slope over the steepest: by round-off pads that lean alike would differ, and level ones lean."""
 
 
 @dataclass(frozen=True, eq=False)
-class Standing:
+class PadAttitude:
     """What is added to the gaps of the pads.
 
     Attributes
@@ -45,31 +45,31 @@ class Standing:
     @property
     def is_even(self) -> bool:
         """Whether all pads stand alike."""
-        return float(np.ptp(self.departures)) == 0.0 and not self.is_leaning
+        return float(np.ptp(self.departures)) == 0.0 and not self.is_tilted
 
     @property
-    def is_leaning(self) -> bool:
+    def is_tilted(self) -> bool:
         """Whether the face of a pad is held at a slope."""
         return bool(self.leans.any())
 
-    def lean(self, place: int) -> Lean:
+    def lean(self, place: int) -> PadTilt:
         """Of one pad, from 0."""
         return float(self.leans[place, 0]), float(self.leans[place, 1])
 
 
-def standing_at_rest(bearing: ThrustBearing) -> Standing:
+def attitude_at_rest(bearing: ThrustBearing) -> PadAttitude:
     """Under the tilt of the housing, on a collar that is square to the shaft."""
     away = bearing.angles - bearing.tilt.direction
     steep = bearing.tilt.offset / bearing.pad.outer_radius
     slopes = steep * _rounded(-np.cos(away), bearing.sense * np.sin(away))
-    return Standing(bearing.departures(), _held(bearing.pad, slopes))
+    return PadAttitude(bearing.departures(), _held(bearing.pad, slopes))
 
 
-def standing_on_runout(bearing: ThrustBearing, runouts: Sequence[RunoutHarmonic], turned: float) -> Standing:
+def attitude_on_runout(bearing: ThrustBearing, runouts: Sequence[RunoutHarmonic], turned: float) -> PadAttitude:
     """The same with a collar whose face is not square to the shaft, and has turned.
 
     Of one high spot the face is a plane: under pad i it stands out by xi_i (1 + X/r_p - j Y/r_p), see
-    `babbitt.kinds.thrust.state.wobble_answer`. Of waves only the height at the pivot counts.
+    `babbitt.kinds.thrust.state.face_runout_response`. Of waves only the height at the pivot counts.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def standing_on_runout(bearing: ThrustBearing, runouts: Sequence[RunoutHarmonic]
     turned : float
         Angle of the collar in the sense of rotation, rad; at 0 without a phase a high spot is under pad 1.
     """
-    still = standing_at_rest(bearing)
+    still = attitude_at_rest(bearing)
     departures, leans = still.departures.copy(), still.leans.copy()
     for one in runouts:
         passed = one.order * (turned - bearing.phases()) + one.phase
@@ -87,7 +87,7 @@ def standing_on_runout(bearing: ThrustBearing, runouts: Sequence[RunoutHarmonic]
         if one.leans:
             steep = -one.amplitude / bearing.pad.pivot_radius
             leans += _held(bearing.pad, steep * _rounded(np.cos(passed), np.sin(passed)))
-    return Standing(departures, leans)
+    return PadAttitude(departures, leans)
 
 
 def _rounded(x: Array, y: Array) -> Array:

@@ -14,17 +14,17 @@ from babbitt.core.notices import InputError
 from babbitt.kinds.thrust.bearing import ThrustBearing
 from babbitt.kinds.thrust.face import SteppedFace
 from babbitt.kinds.thrust.failures import (
-    HollowPadError,
-    LeaningPadAtFilmError,
-    LeaningPadError,
-    LeaningPadsTouchAtFilmError,
-    LeaningPadsTouchError,
+    ConcavePadError,
     OverloadedPadsError,
     PadsTouchError,
+    TiltedPadAtFilmError,
+    TiltedPadError,
+    TiltedPadsTouchAtFilmError,
+    TiltedPadsTouchError,
 )
-from babbitt.kinds.thrust.load_curve import Carrying
+from babbitt.kinds.thrust.load_curve import LoadCurve
 from babbitt.kinds.thrust.load_sharing import THINNEST, LoadLaw, approach_at_film, approach_under, heights_at
-from babbitt.kinds.thrust.pad_attitude import Standing, standing_at_rest
+from babbitt.kinds.thrust.pad_attitude import PadAttitude, attitude_at_rest
 from babbitt.kinds.thrust.state import PadState
 from babbitt.kinds.thrust.tilt import settled, states_at
 
@@ -92,17 +92,19 @@ class Share:
         return float(self.loads.max() / self.mean_load)
 
 
-def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, standing: Standing | None = None) -> Share:
+def share_of(
+    films: LoadCurve, bearing: ThrustBearing, thrust: float, standing: PadAttitude | None = None
+) -> Share:
     """Position of the collar at which the pads together carry the thrust (S3).
 
     Parameters
     ----------
-    films : Carrying
+    films : LoadCurve
         Of one pad.
     bearing : ThrustBearing
     thrust : float
         F0, N, positive.
-    standing : Standing, optional
+    standing : PadAttitude, optional
         How the pads stand to the collar; as the bearing has it at rest when omitted.
 
     Raises
@@ -111,12 +113,12 @@ def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, standing: S
         E201 if the thrust is not positive.
     OverloadedPadsError
         If the pads carry less, however thin their films.
-    LeaningPadsTouchError, LeaningPadError
+    TiltedPadsTouchError, TiltedPadError
         See `babbitt.kinds.thrust.tilt.settled`.
     """
     if not (math.isfinite(thrust) and thrust > 0.0):
         raise InputError("E201", f"thrust is {thrust:g} N; it must be positive.")
-    stands = standing_at_rest(bearing) if standing is None else standing
+    stands = attitude_at_rest(bearing) if standing is None else standing
     away, c = stands.departures, bearing.ring_stiffness
     if stands.is_even:
         return _evenly(films, bearing, thrust, float(away[0]))
@@ -135,12 +137,12 @@ def share_of(films: Carrying, bearing: ThrustBearing, thrust: float, standing: S
     return Share(bearing, thrust, _approach(heights, loads, bearing, away), heights, loads, states)
 
 
-def exactly_shared(films: Carrying, share: Share) -> Share:
+def exactly_shared(films: LoadCurve, share: Share) -> Share:
     """A share by a table of films made exact: its films are solved, and the table is drawn through them.
 
     Parameters
     ----------
-    films : Carrying
+    films : LoadCurve
     share : Share
         Of pads that stand level.
 
@@ -149,8 +151,8 @@ def exactly_shared(films: Carrying, share: Share) -> Share:
     Share
         Whose loads make up the thrust to 1e-9, where a few rounds reach that.
     """
-    bearing, stands = share.bearing, standing_at_rest(share.bearing)
-    if stands.is_even or stands.is_leaning:
+    bearing, stands = share.bearing, attitude_at_rest(share.bearing)
+    if stands.is_even or stands.is_tilted:
         return share
     c, away = bearing.ring_stiffness, stands.departures
     for _ in range(MOST_CORRECTIONS):
@@ -169,7 +171,7 @@ def exactly_shared(films: Carrying, share: Share) -> Share:
 class _Corrected:
     """Loads of a table times a factor for each pad."""
 
-    films: Carrying
+    films: LoadCurve
     factors: Array
 
     def load(self, height: Array) -> Array:
@@ -181,12 +183,12 @@ class _Corrected:
         return np.asarray(self.factors * self.films.slope(height))
 
 
-def share_at_film(films: Carrying, bearing: ThrustBearing, film: float) -> Share:
+def share_at_film(films: LoadCurve, bearing: ThrustBearing, film: float) -> Share:
     """The share at which the films at the pivots have a mean, whatever the ring gives way.
 
     Parameters
     ----------
-    films : Carrying
+    films : LoadCurve
         Of one pad.
     bearing : ThrustBearing
     film : float
@@ -196,10 +198,10 @@ def share_at_film(films: Carrying, bearing: ThrustBearing, film: float) -> Share
     ------
     PadsTouchError
         If tilt and heights bring a pad on a rigid ring nearer than the mean film.
-    LeaningPadsTouchAtFilmError, LeaningPadAtFilmError
+    TiltedPadsTouchAtFilmError, TiltedPadAtFilmError
         If faces that lean touch the collar, or a pad does not come to rest.
     """
-    stands = standing_at_rest(bearing)
+    stands = attitude_at_rest(bearing)
     away, c = stands.departures, bearing.ring_stiffness
 
     def place(law: LoadLaw) -> Array:
@@ -212,19 +214,19 @@ def share_at_film(films: Carrying, bearing: ThrustBearing, film: float) -> Share
         raise PadsTouchError(film, film - float(heights.min()), 1 + int(heights.argmin()))
     try:
         heights, states = _found(films, stands, heights, place)
-    except LeaningPadsTouchError as touching:
-        raise LeaningPadsTouchAtFilmError(touching.pad, film) from None
-    except LeaningPadError as restless:
-        raise LeaningPadAtFilmError(restless.pad, film, restless.thinnest) from None
+    except TiltedPadsTouchError as touching:
+        raise TiltedPadsTouchAtFilmError(touching.pad, film) from None
+    except TiltedPadError as restless:
+        raise TiltedPadAtFilmError(restless.pad, film, restless.thinnest) from None
     loads = np.array([state.load for state in states])
     return Share(bearing, float(loads.sum()), _approach(heights, loads, bearing, away), heights, loads, states)
 
 
 def _found(
-    films: Carrying, stands: Standing, heights: Array, place: Callable[[LoadLaw], Array]
+    films: LoadCurve, stands: PadAttitude, heights: Array, place: Callable[[LoadLaw], Array]
 ) -> tuple[Array, tuple[PadState, ...]]:
     """Heights and films of the pads, from the heights at which level ones share."""
-    if stands.is_leaning:
+    if stands.is_tilted:
         return settled(films, stands, heights, place)
     return heights, states_at(films, heights, stands)
 
@@ -234,18 +236,18 @@ def _approach(heights: Array, loads: Array, bearing: ThrustBearing, away: Array)
     return float((heights - loads / bearing.ring_stiffness - away).mean())
 
 
-def _require_carried(films: Carrying, thrust: float, carried: float) -> None:
+def _require_carried(films: LoadCurve, thrust: float, carried: float) -> None:
     """Pads of a face carry no more than a bound, where a table continued goes on."""
     if not carried > (1.0 - CARRIED) * thrust:
         raise OverloadedPadsError(thrust, carried, isinstance(films.pad.face, SteppedFace))
 
 
-def _evenly(films: Carrying, bearing: ThrustBearing, thrust: float, away: float) -> Share:
+def _evenly(films: LoadCurve, bearing: ThrustBearing, thrust: float, away: float) -> Share:
     """Pads that all stand alike carry alike."""
     try:
         height, state = _alone(films, thrust / bearing.number)
-    except HollowPadError as failure:
-        raise HollowPadError(failure.crown, failure.most, thrust, bearing.number) from None
+    except ConcavePadError as failure:
+        raise ConcavePadError(failure.crown, failure.most, thrust, bearing.number) from None
     _require_carried(films, thrust, bearing.number * state.load)
     yielding = 0.0 if math.isinf(bearing.ring_stiffness) else state.load / bearing.ring_stiffness
     even = np.ones(bearing.number)
@@ -254,7 +256,7 @@ def _evenly(films: Carrying, bearing: ThrustBearing, thrust: float, away: float)
 
 
 @lru_cache(maxsize=16)
-def _alone(films: Carrying, load: float) -> tuple[float, PadState]:
+def _alone(films: LoadCurve, load: float) -> tuple[float, PadState]:
     """Height and film of a pad under a load; kept, since rings of any stiffness load even pads alike."""
     height = films.height_for(load)
     return height, films.state(height)

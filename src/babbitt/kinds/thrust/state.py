@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from babbitt.reynolds.sector.sector import SectorFilm
     from babbitt.reynolds.sector.thermal_sector import SectorHeat
 
-__all__ = ["PadState", "PadTemperatures", "TiltInertia", "condensed", "tilt_answer", "wobble_answer"]
+__all__ = ["PadState", "PadTemperatures", "TiltInertia", "condensed", "tilt_answer", "face_runout_response"]
 
 Array = NDArray[np.float64]
 ComplexArray = NDArray[np.complex128]
@@ -198,7 +198,7 @@ def tilt_answer(state: PadState, frequency: float, inertia: TiltInertia) -> Comp
     return answer
 
 
-def wobble_answer(state: PadState, frequency: float, inertia: TiltInertia) -> ComplexArray:
+def face_runout_response(state: PadState, frequency: float, inertia: TiltInertia) -> ComplexArray:
     """Slopes of the gap over the runout under the pivot, where the face of the collar is a plane that wobbles.
 
     Under a pad the face stands out by xi (1 + X/r_p - j Y/r_p), the wave of a plane that leans. A free tilt

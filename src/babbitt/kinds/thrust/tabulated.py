@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
 from babbitt.kinds.thrust.equilibrium import UnbalancedPadError, leaning_state, pad_state
-from babbitt.kinds.thrust.failures import HollowPadError
+from babbitt.kinds.thrust.failures import ConcavePadError
 from babbitt.kinds.thrust.pad import ThrustPad
-from babbitt.kinds.thrust.pad_attitude import LEVEL, Lean
+from babbitt.kinds.thrust.pad_attitude import PARALLEL, PadTilt
 from babbitt.kinds.thrust.state import PadState
 
 __all__ = ["TabulatedFilms", "require_load", "tabulated"]
@@ -99,7 +99,7 @@ class TabulatedFilms:
         power = height * float(self.slope(at)) / float(self.load(at))
         return height * float(np.exp(np.clip(-change / power, -0.5, 0.5)))
 
-    def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
+    def state(self, height: float, lean: PadTilt = PARALLEL, near: PadState | None = None) -> PadState:
         """The film at a height, solved."""
         place = int(np.argmin(np.abs(np.log(self.heights / height))))
         slopes = self.slopes[place]
@@ -110,7 +110,7 @@ class TabulatedFilms:
         guess = (slopes[0] * share, slopes[1] * share)
         hollow = self.pad.crown < 0.0 and self.pad.free_tilts
         if hollow and height < self.heights[1] * (1.0 - SAME) and height < self.thinnest[0] * (1.0 - NARROW):
-            raise HollowPadError(self.pad.crown, self.thinnest[1])
+            raise ConcavePadError(self.pad.crown, self.thinnest[1])
         try:
             return pad_state(self.pad, height, self.viscosity, self.angular_speed, guess)
         except UnbalancedPadError:

@@ -26,16 +26,16 @@ from babbitt.kinds.thrust.equilibrium import (
 )
 from babbitt.kinds.thrust.failures import ThermalRunawayError, UnsettledPadError
 from babbitt.kinds.thrust.pad import DEGREE, ThrustPad
-from babbitt.kinds.thrust.pad_attitude import LEVEL, Lean
+from babbitt.kinds.thrust.pad_attitude import PARALLEL, PadTilt
 from babbitt.kinds.thrust.state import PadState
 from babbitt.kinds.thrust.work import spend
 from babbitt.properties.lubricants import Lubricant
 
 if TYPE_CHECKING:
     from babbitt.reynolds.heat.heat_model import FilmHeat
-    from babbitt.reynolds.sector.thermal_sector import WarmSector
+    from babbitt.reynolds.sector.thermal_sector import ThermalSectorState
 
-__all__ = ["PadOil", "WarmStart", "warm_pad"]
+__all__ = ["PadOil", "InitialState", "warm_pad"]
 
 Array = NDArray[np.float64]
 
@@ -47,7 +47,7 @@ BALANCED = 1e-6
 MOVED = 0.4
 """Largest change of the logarithm of the height in a step."""
 POLISH = 12
-STUBBORN, NEARLY_SETTLED, NEARLY_BALANCED = 120, 5e-2, 2e-4
+MAX_STALLED_PASSES, NEARLY_SETTLED, NEARLY_BALANCED = 120, 5e-2, 2e-4
 """Passes after which a film whose rupture goes to and fro between two lines is let be, at which change of
 temperature, K, and which miss of forces over the load."""
 KEPT, HALVINGS = 0.3, 40
@@ -105,12 +105,12 @@ class PadOil:
 
 
 @dataclass(frozen=True, eq=False)
-class WarmStart:
+class InitialState:
     """A pad that rests, from which another one is begun."""
 
     oil: PadOil
     state: PadState
-    sector: WarmSector
+    sector: ThermalSectorState
 
 
 def warm_pad(
@@ -119,11 +119,11 @@ def warm_pad(
     angular_speed: float,
     height: float,
     load: float | None = None,
-    start: WarmStart | None = None,
+    start: InitialState | None = None,
     intervals: int | None = None,
     degree: int = DEGREE,
-    lean: Lean = LEVEL,
-) -> WarmStart:
+    lean: PadTilt = PARALLEL,
+) -> InitialState:
     """Film of a pad with its own temperatures, at a height of its pivot or under a load.
 
     Parameters
@@ -136,7 +136,7 @@ def warm_pad(
         Film at the pivot, m; with a load where its search begins.
     load : float, optional
         N.
-    start : WarmStart, optional
+    start : InitialState, optional
         A pad nearby, with the same mesh.
     intervals, degree, lean
         As `babbitt.kinds.thrust.equilibrium.pad_state`.
@@ -152,11 +152,11 @@ def warm_pad(
     """
     if not (np.isfinite(height) and height > 0.0):
         raise InputError("E201", f"film at the pivot is {height:g} m; it must be positive.")
-    from babbitt.reynolds.sector.thermal_sector import WarmSector
+    from babbitt.reynolds.sector.thermal_sector import ThermalSectorState
 
     spend(ITSELF * _cost_of_pass(oil.resolved))
     fresh = sector_of(pad, oil.fresh_viscosity, angular_speed)
-    sector = WarmSector.of(fresh, oil.heat(), height, intervals or pad.intervals, degree)
+    sector = ThermalSectorState.of(fresh, oil.heat(), height, intervals or pad.intervals, degree)
     if start is not None:
         sector.start_from(start.sector)
         share = height / start.state.height
@@ -179,11 +179,11 @@ def warm_pad(
     if not change < SETTLED:
         raise UnsettledPadError
     state = state_of_film(pad, film, motion, heat.effective_viscosity, angular_speed)
-    return WarmStart(oil, replace(state, heat=heat), sector)
+    return InitialState(oil, replace(state, heat=heat), sector)
 
 
 def _cold_slopes(
-    pad: ThrustPad, oil: PadOil, angular_speed: float, height: float, lean: Lean
+    pad: ThrustPad, oil: PadOil, angular_speed: float, height: float, lean: PadTilt
 ) -> tuple[float, float]:
     """Slopes of the pad in fresh oil, from which a search begins."""
     try:
@@ -193,7 +193,7 @@ def _cold_slopes(
     return cold.slope_x, cold.slope_y
 
 
-def _at_rest(pad: ThrustPad, sector: WarmSector, motion: Array, load: float | None) -> Array:
+def _at_rest(pad: ThrustPad, sector: ThermalSectorState, motion: Array, load: float | None) -> Array:
     """Passes until film, temperatures and pad rest; then the pad alone, exactly, at frozen temperatures."""
     free = list(pad.free_tilts) if load is None else [0, *pad.free_tilts]
     to_film, width = pad.from_pivot(), pad.outer_radius - pad.inner_radius
@@ -215,7 +215,7 @@ def _at_rest(pad: ThrustPad, sector: WarmSector, motion: Array, load: float | No
         )
         if not np.isfinite(miss) or np.isnan(change):
             break
-        if passes > STUBBORN and change < NEARLY_SETTLED and miss < NEARLY_BALANCED:
+        if passes > MAX_STALLED_PASSES and change < NEARLY_SETTLED and miss < NEARLY_BALANCED:
             return motion
         if polishing or (change < SETTLED and miss < BALANCED):
             polishing += 1
@@ -247,7 +247,7 @@ def _calmer(share: float, step: Array, last: Array) -> float:
     return max(0.6 * share, LEAST_SHARE) if float(step @ last) < 0.0 else min(1.3 * share, 1.0)
 
 
-def _moved(pad: ThrustPad, sector: WarmSector, motion: Array, step: Array) -> Array | None:
+def _moved(pad: ThrustPad, sector: ThermalSectorState, motion: Array, step: Array) -> Array | None:
     """The pad after a step that neither flies off nor takes most of the least gap; None: nowhere."""
     growth = float(np.clip(step[0] / motion[0], -0.9, None))
     if abs(np.log1p(growth)) > MOVED:

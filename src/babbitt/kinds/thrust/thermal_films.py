@@ -13,12 +13,12 @@ from babbitt.core.notices import InputError
 from babbitt.kinds.thrust.failures import NoPadFilmError, ThermalRunawayError
 from babbitt.kinds.thrust.heat import Temperatures
 from babbitt.kinds.thrust.pad import ThrustPad
-from babbitt.kinds.thrust.pad_attitude import LEVEL, Lean
+from babbitt.kinds.thrust.pad_attitude import PARALLEL, PadTilt
 from babbitt.kinds.thrust.state import PadState
 from babbitt.kinds.thrust.tabulated import TabulatedFilms
-from babbitt.kinds.thrust.thermal import PadOil, WarmStart, warm_pad
+from babbitt.kinds.thrust.thermal import InitialState, PadOil, warm_pad
 
-__all__ = ["WarmFilms", "own_temperatures", "warm_carrying"]
+__all__ = ["ThermalLoadCurve", "own_temperatures", "thermal_load_curve"]
 
 Array = NDArray[np.float64]
 
@@ -29,16 +29,16 @@ SAME = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
-class WarmFilms:
+class ThermalLoadCurve:
     """Films with their own temperatures: not similar, and at one speed in one oil.
 
     Attributes
     ----------
-    middle : WarmStart
+    middle : InitialState
         The pad under the mean load. Others are tabulated about it when they are asked for.
     """
 
-    middle: WarmStart
+    middle: InitialState
 
     @property
     def pad(self) -> ThrustPad:
@@ -61,7 +61,7 @@ class WarmFilms:
         return self.middle.state.angular_speed
 
     @cached_property
-    def starts(self) -> tuple[WarmStart, ...]:
+    def starts(self) -> tuple[InitialState, ...]:
         """Solved pads, thin films first."""
         height = self.middle.state.height
         around = height * np.geomspace(THIN, THICK, COUNT)
@@ -96,21 +96,21 @@ class WarmFilms:
         except (InputError, NoPadFilmError):
             return begin
 
-    def state(self, height: float, lean: Lean = LEVEL, near: PadState | None = None) -> PadState:
+    def state(self, height: float, lean: PadTilt = PARALLEL, near: PadState | None = None) -> PadState:
         """The film at a height, solved."""
         if abs(height / self.middle.state.height - 1.0) < SAME and not any(lean):
             return self.middle.state
         start = min(self.starts, key=lambda start: abs(np.log(start.state.height / height)))
         return warm_pad(self.pad, self.oil, self.angular_speed, height, None, start, lean=lean).state
 
-    def at(self, viscosity: float, angular_speed: float) -> WarmFilms:
+    def at(self, viscosity: float, angular_speed: float) -> ThermalLoadCurve:
         """The same films at another speed; viscosity is their own."""
-        return warm_carrying(self.pad, self.oil, angular_speed, self.middle.state.height)
+        return thermal_load_curve(self.pad, self.oil, angular_speed, self.middle.state.height)
 
 
-def warm_carrying(
+def thermal_load_curve(
     pad: ThrustPad, oil: PadOil, angular_speed: float, height: float, load: float | None = None
-) -> WarmFilms:
+) -> ThermalLoadCurve:
     """Films of a pad around one of them; heat capacity and conductivity at its mean temperature.
 
     Parameters
@@ -134,12 +134,12 @@ def warm_carrying(
     heat = first.state.heat
     assert heat is not None
     oil = replace(oil, property_temperature=0.5 * (heat.inlet + heat.trailing))
-    return WarmFilms(warm_pad(pad, oil, angular_speed, first.state.height, load, first))
+    return ThermalLoadCurve(warm_pad(pad, oil, angular_speed, first.state.height, load, first))
 
 
-def _outward(start: WarmStart, heights: Iterable[float]) -> list[WarmStart]:
+def _outward(start: InitialState, heights: Iterable[float]) -> list[InitialState]:
     """Films each begun from the one before, as far as there are any that carry more when thinner."""
-    found: list[WarmStart] = []
+    found: list[InitialState] = []
     near = start
     for height in heights:
         oil, pad = near.oil, near.state.pad

@@ -15,15 +15,15 @@ from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
 from babbitt.kinds.thrust.failures import (
-    LeaningPadError,
-    LeaningPadsTouchError,
     ThermalRunawayError,
+    TiltedPadError,
+    TiltedPadsTouchError,
     UnsettledPadError,
 )
 from babbitt.kinds.thrust.gap import minimum_gap
-from babbitt.kinds.thrust.load_curve import Carrying
+from babbitt.kinds.thrust.load_curve import LoadCurve
 from babbitt.kinds.thrust.pad import ThrustPad
-from babbitt.kinds.thrust.pad_attitude import Lean, Standing
+from babbitt.kinds.thrust.pad_attitude import PadAttitude, PadTilt
 from babbitt.kinds.thrust.state import PadState, condensed
 
 __all__ = ["PowerLaws", "settled", "states_at"]
@@ -75,14 +75,14 @@ class PowerLaws:
 
 
 def settled(
-    films: Carrying, standing: Standing, first: Array, place: Callable[[PowerLaws], Array]
+    films: LoadCurve, standing: PadAttitude, first: Array, place: Callable[[PowerLaws], Array]
 ) -> tuple[Array, tuple[PadState, ...]]:
     """Heights of pads that lean, and their films.
 
     Parameters
     ----------
-    films : Carrying
-    standing : Standing
+    films : LoadCurve
+    standing : PadAttitude
     first : ndarray, shape (z,)
         Heights at the pivots from which the search begins, m, such as those of level pads.
     place : callable
@@ -90,9 +90,9 @@ def settled(
 
     Raises
     ------
-    LeaningPadsTouchError
+    TiltedPadsTouchError
         If faces touch the collar before the pads carry the thrust.
-    LeaningPadError
+    TiltedPadError
         If a pad does not balance, or the heights do not settle.
     """
     touching = nearest = _nearest(films.pad, standing)
@@ -102,7 +102,7 @@ def settled(
     for _ in range(MOST_ROUNDS):
         try:
             states = states_at(films, heights, standing, states)
-        except LeaningPadError as failure:
+        except TiltedPadError as failure:
             if failure.pad is None:
                 raise
             pad = failure.pad - 1
@@ -124,32 +124,32 @@ def settled(
         if float((new - nearest).min()) < GONE:
             pad = int((new - nearest).argmin())
             if states[pad].minimum_film_thickness > TOUCHING * heights[pad]:
-                raise LeaningPadError(1 + pad, float(nearest[pad]))
-            raise LeaningPadsTouchError(1 + pad, float(laws.loads.sum()))
+                raise TiltedPadError(1 + pad, float(nearest[pad]))
+            raise TiltedPadsTouchError(1 + pad, float(laws.loads.sum()))
         heights = new
-    raise LeaningPadError
+    raise TiltedPadError
 
 
 def states_at(
-    films: Carrying, heights: Array, standing: Standing, near: tuple[PadState, ...] = ()
+    films: LoadCurve, heights: Array, standing: PadAttitude, near: tuple[PadState, ...] = ()
 ) -> tuple[PadState, ...]:
     """Films at the heights; pads that stand and lean alike share one.
 
     Parameters
     ----------
-    films : Carrying
+    films : LoadCurve
     heights : ndarray, shape (z,)
         m.
-    standing : Standing
+    standing : PadAttitude
     near : tuple of PadState
         Films of the pads near these heights with the same leans, from which to start; empty for none.
 
     Raises
     ------
-    LeaningPadError
+    TiltedPadError
         If a pad that leans does not balance.
     """
-    found: dict[tuple[float, Lean], PadState] = {}
+    found: dict[tuple[float, PadTilt], PadState] = {}
     states = []
     for place, height in enumerate(heights):
         lean = standing.lean(place)
@@ -161,12 +161,12 @@ def states_at(
                 # no balance, a place between the samples touches, or a thin film runs too hot
                 if not any(lean):
                     raise
-                raise LeaningPadError(1 + place) from None
+                raise TiltedPadError(1 + place) from None
         states.append(found[key])
     return tuple(states)
 
 
-def _nearest(pad: ThrustPad, standing: Standing) -> Array:
+def _nearest(pad: ThrustPad, standing: PadAttitude) -> Array:
     """Heights at which the faces touch the collar, free tilts at zero, m, shape (z,)."""
     return -minimum_gap(pad, np.column_stack([np.zeros(len(standing.leans)), standing.leans]))
 

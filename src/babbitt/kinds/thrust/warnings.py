@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from babbitt.core.notices import Notice
-from babbitt.design.warnings import LARGEST_RISE, OPEN_HEAT, doubt_about_pressure, doubts_about_heating
+from babbitt.design.warnings import LARGEST_RISE, OPEN_HEAT, warnings_about_heating, warnings_about_pressure
 from babbitt.kinds.thrust.design import ThrustDesign, ThrustState
 from babbitt.kinds.thrust.state import CONTACT, condensed
 from babbitt.kinds.thrust.values import effective_viscosity, hottest_oil, reynolds_number, rise_of_passing_oil
 
-__all__ = ["LEAST_SHARE", "share_doubts"]
+__all__ = ["LEAST_SHARE", "sharing_warnings"]
 
 LEAST_SHARE = 0.01
 """Pad load over the mean below which a pad is as good as unloaded."""
@@ -22,8 +22,8 @@ LAMINAR_UP_TO = 1000.0
 """Reynolds number of a film, rho U h/mu, up to which it is taken as laminar: Ng and Pan's theory departs there."""
 
 
-def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
-    """Doubts about the static share."""
+def sharing_warnings(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
+    """Warnings about the static share."""
     share, bearing = state.share, design.bearing
     even = state.films.height_for(share.mean_load)
     nearest = -float(bearing.departures().min())
@@ -45,7 +45,7 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
     least = float(share.loads.min() / share.mean_load)
     if least < LEAST_SHARE:
         yield Notice("W201", f"pad {1 + int(share.loads.argmin())} carries {least:.2%} of the mean load")
-    yield from doubt_about_pressure(max(pad.maximum_pressure for pad in share.states), "in the film of a pad")
+    yield from warnings_about_pressure(max(pad.maximum_pressure for pad in share.states), "in the film of a pad")
     yield from _about_the_model(design, state)
     films = [pad.minimum_film_thickness for pad in share.states]
     if min(films) <= CONTACT:
@@ -61,7 +61,7 @@ def share_doubts(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:
     known = (*hottest_oil(share).values(), *([] if state.temperatures is None else [state.temperatures.trailing]))
     hottest = max(known, default=design.oil.effective_temperature)
     if hottest is not None:
-        yield from doubts_about_heating(hottest, design.oil.supply_temperature, design.lubricant)
+        yield from warnings_about_heating(hottest, design.oil.supply_temperature, design.lubricant)
 
 
 def _about_the_model(design: ThrustDesign, state: ThrustState) -> Iterator[Notice]:

@@ -23,7 +23,7 @@ from babbitt.numerics.roots import bracketed_root
 from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm
 from babbitt.reynolds.solution import FilmSolution
 
-__all__ = ["FedFilm", "GivenFlow", "feed_film"]
+__all__ = ["FedFilm", "PrescribedFlow", "feed_film"]
 
 Array = NDArray[np.float64]
 
@@ -44,7 +44,7 @@ MOST_FILMS = 150
 
 
 @dataclass(frozen=True)
-class GivenFlow:
+class PrescribedFlow:
     """A flow in m3/s that some supplies share with one fill.
 
     Attributes
@@ -91,7 +91,7 @@ class FedFilm:
 
 
 def feed_film(
-    film: JournalFilm, given: Sequence[GivenFlow], settle: Callable[[JournalFilm], FilmSolution]
+    film: JournalFilm, given: Sequence[PrescribedFlow], settle: Callable[[JournalFilm], FilmSolution]
 ) -> FedFilm:
     """Find how far each supply of given flow fills the film.
 
@@ -99,7 +99,7 @@ def feed_film(
     ----------
     film : JournalFilm
         With all supplies flooded; the pressures of those with given flow do not count.
-    given : sequence of GivenFlow
+    given : sequence of PrescribedFlow
     settle : callable
         Solves a film, at its load or position.
 
@@ -121,7 +121,7 @@ def feed_film(
         return search.failed(failure)
 
 
-def check(film: JournalFilm, given: Sequence[GivenFlow]) -> None:
+def check(film: JournalFilm, given: Sequence[PrescribedFlow]) -> None:
     """Refuse flows that cannot be given."""
     if film.cavitation is not Cavitation.MASS_CONSERVING:
         raise InputError("E101", "a given supply flow needs Cavitation.MASS_CONSERVING, which counts the oil.")
@@ -175,7 +175,7 @@ class _Search:
     """States of the supplies at which flows and fills agree."""
 
     def __init__(
-        self, film: JournalFilm, given: tuple[GivenFlow, ...], settle: Callable[[JournalFilm], FilmSolution]
+        self, film: JournalFilm, given: tuple[PrescribedFlow, ...], settle: Callable[[JournalFilm], FilmSolution]
     ) -> None:
         self._film = film
         self._given = given

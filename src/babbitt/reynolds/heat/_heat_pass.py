@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from babbitt.reynolds._compiling import compiled
 from babbitt.reynolds.heat._heat_cells import sweep_energy
 from babbitt.reynolds.heat._heat_flows import gather_flows, spread_viscosity
-from babbitt.reynolds.heat._heat_walls import MOST_RISE, ask_walls, fill_film
+from babbitt.reynolds.heat._heat_walls import MOST_RISE, fill_film, update_wall_temperatures
 from babbitt.reynolds.surface._surface_forces import carry_streamers, drain_edge, evaluate_surface
 
 Array = NDArray[float64]
@@ -101,5 +101,7 @@ def warm_pass(
                 for k in range(len(columns.layers)):
                     temperature[i, c, k] = before[i, c, k] + rises[i, c, k] * (MOST_RISE / most)
     if not (walls.insulated or stale):
-        change = ask_walls(surface, columns, flows, cells, walls, temperature, groove, pace.walls, change)
+        change = update_wall_temperatures(
+            surface, columns, flows, cells, walls, temperature, groove, pace.walls, change
+        )
     return changed, change, along, powers, stale

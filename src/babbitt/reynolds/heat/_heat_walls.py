@@ -69,7 +69,7 @@ def film_conductance(columns, flows, walls, i):
 
 
 @inner
-def stale_walls(columns, flows, walls):
+def wall_jacobian_outdated(columns, flows, walls):
     """Whether the film has become another one than that for which the derivatives of the walls were made."""
     most, change = 0.0, 0.0
     for i in range(walls.conductance.size):
@@ -80,9 +80,9 @@ def stale_walls(columns, flows, walls):
 
 @compiled
 def fill_film(surface, columns, flows, stirred, viscosity, cells, walls):
-    """Cells of the energy equation for the flows as they stand; whether the walls are stale (``stale_walls``)."""
+    """Cells of the energy equation for these flows; whether ``wall_jacobian_outdated``."""
     fill_cells(surface, columns, flows, walls.conduction, stirred, walls.insulated, walls.fresh, viscosity, cells)
-    return not walls.insulated and stale_walls(columns, flows, walls)
+    return not walls.insulated and wall_jacobian_outdated(columns, flows, walls)
 
 
 @inner
@@ -129,7 +129,7 @@ def move_walls(walls, step, part):
 
 
 @compiled
-def ask_walls(surface, columns, flows, cells, walls, temperature, groove, part, change):
+def update_wall_temperatures(surface, columns, flows, cells, walls, temperature, groove, part, change):
     """Let the walls answer and the film follow by one sweep: else they chase each other from pass to pass.
 
     A film that was held back, its ``change`` being more than ``MOST_RISE``, does not. Returns the larger change.
@@ -162,7 +162,7 @@ def close_energy(surface, columns, flows, cells, walls, temperature, groove, mos
 
 
 @compiled
-def answers_of_film(surface, columns, flows, cells, walls, fluxes, heats, most, tolerance):
+def wall_response_matrix(surface, columns, flows, cells, walls, fluxes, heats, most, tolerance):
     """What the film gives to the walls with one of them at 1 K and all else at zero; the film is remembered.
 
     For every harmonic of the bush, and last for the journal: flux into the bush (W/m2), ``fluxes`` (lines,

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from babbitt.reynolds.equilibrium.many_positions import PositionCoefficients, require_finite
 from babbitt.reynolds.stability.load_slope import RestingNodes
-from babbitt.reynolds.surface.surface_equilibrium import Sample
+from babbitt.reynolds.surface.surface_equilibrium import SurfaceState
 
 __all__ = ["FrozenPositions"]
 
@@ -69,7 +69,7 @@ class FrozenPositions:
         return found
 
 
-def _settled(sample: Sample, wet: NDArray[np.bool_], at: Array, rate: Array) -> bool:
+def _settled(sample: SurfaceState, wet: NDArray[np.bool_], at: Array, rate: Array) -> bool:
     """Let the wet set settle from that at rest, else from a full film; whether it did."""
     for start in (wet, np.ones_like(wet)):
         sample.work.wet[:] = start

@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.heat._heat_walls import MOST_RISE
 from babbitt.reynolds.heat.heat_model import FilmHeat
-from babbitt.reynolds.heat.thermal_film_state import WarmRing
+from babbitt.reynolds.heat.thermal_film_state import ThermalFilmState
 from babbitt.reynolds.heat.thermal_passes import (
+    MAX_STALLED_PASSES,
     ROUNDS,
     SETTLED,
-    STUBBORN,
-    WarmRest,
+    ThermalEquilibrium,
     attempt,
     continued,
     fresh_ring,
@@ -30,7 +30,7 @@ from babbitt.reynolds.model import JournalFilm, Resolution
 from babbitt.reynolds.scales import Scales
 from babbitt.reynolds.surface.surface_equilibrium import line_density
 
-__all__ = ["calmed", "mixed_rest", "recovered"]
+__all__ = ["stabilised", "accelerated_equilibrium", "recovered"]
 
 Array = NDArray[np.float64]
 
@@ -50,9 +50,9 @@ GAP_IN_KELVIN = 50.0
 
 
 def recovered(
-    film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution, lost: WarmRest,
-    share: float,
-) -> WarmRest:  # fmt: skip
+    film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution,
+    lost: ThermalEquilibrium, share: float,
+) -> ThermalEquilibrium:  # fmt: skip
     """Where the film rests after all, or where a search ended.
 
     A film that was thrown about under its whole load goes on, with passes that remember each other. What else was
@@ -73,38 +73,45 @@ def recovered(
         return lost
     at, gap = one.position / scales.length, one.minimum_film_thickness / scales.length
     warm = _ring_at(film, heat, scales, at, gap, resolution)
-    found = calmed(rest(warm, load, at, resolution.tolerance, SETTLED), resolution, SETTLED)
+    found = stabilised(rest(warm, load, at, resolution.tolerance, SETTLED), resolution, SETTLED)
     return found if found.status == CONVERGED else lost
 
 
 def _gone_on(
-    film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution, lost: WarmRest
-) -> WarmRest:
+    film: JournalFilm,
+    heat: FilmHeat,
+    scales: Scales,
+    load: Array,
+    resolution: Resolution,
+    lost: ThermalEquilibrium,
+) -> ThermalEquilibrium:
     """Where passes that remember each other bring a film that was thrown about under its whole load."""
     if not _is_thrown_about(lost) or lost.load is None or not np.array_equal(lost.load, load):
         return lost
     warm = continued(_ring_at(film, heat, scales, lost.position, lost.gap, resolution), lost.warm)
-    return mixed_rest(warm, load, lost.position, resolution.tolerance, SETTLED)
+    return accelerated_equilibrium(warm, load, lost.position, resolution.tolerance, SETTLED)
 
 
-def _is_thrown_about(found: WarmRest) -> bool:
+def _is_thrown_about(found: ThermalEquilibrium) -> bool:
     return found.status == TOO_MANY_STEPS and found.gap > THINNEST
 
 
-def calmed(found: WarmRest, resolution: Resolution, settled: float) -> WarmRest:
+def stabilised(found: ThermalEquilibrium, resolution: Resolution, settled: float) -> ThermalEquilibrium:
     """Let a film that passes threw about come to rest after all, on the same lines."""
     if found.load is None or not _is_thrown_about(found):
         return found
-    return mixed_rest(found.warm, found.load, found.position, resolution.tolerance, settled)
+    return accelerated_equilibrium(found.warm, found.load, found.position, resolution.tolerance, settled)
 
 
 def _ring_at(
     film: JournalFilm, heat: FilmHeat, scales: Scales, at: Array, gap: float, resolution: Resolution
-) -> WarmRing:
+) -> ThermalFilmState:
     return fresh_ring(film, heat, scales, 2 * resolution.intervals, resolution, line_density(film, at, gap))
 
 
-def mixed_rest(warm: WarmRing, load: Array | None, at: Array, tolerance: float, settled: float) -> WarmRest:
+def accelerated_equilibrium(
+    warm: ThermalFilmState, load: Array | None, at: Array, tolerance: float, settled: float
+) -> ThermalEquilibrium:
     """Let film, temperature and journal (where there is a load) come to rest by Anderson's mixing of the passes.
 
     A pass is a map G of temperatures, walls and journal; its residual f = G(x) - x. Of the last passes that
@@ -128,15 +135,15 @@ def mixed_rest(warm: WarmRing, load: Array | None, at: Array, tolerance: float, 
         left = np.zeros(2) if load is None else warm.sample.force + load
         size = math.hypot(*left)
         if not (math.isfinite(size) and math.isfinite(change)):
-            return WarmRest(warm, at, NO_FILM, passes, gap)
+            return ThermalEquilibrium(warm, at, NO_FILM, passes, gap)
         if change < settled and size <= floor:
             calm += 1
-            if changed == 0 or calm > STUBBORN:
-                return WarmRest(warm, at, CONVERGED, passes, gap, load, mixed=True)
+            if changed == 0 or calm > MAX_STALLED_PASSES:
+                return ThermalEquilibrium(warm, at, CONVERGED, passes, gap, load, mixed=True)
         try:
             step = np.linalg.solve(warm.sample.stiffness, left) if size > 0.0 else left
         except np.linalg.LinAlgError:  # no film that answers to the journal
-            return WarmRest(warm, at, NO_FILM, passes, gap)
+            return ThermalEquilibrium(warm, at, NO_FILM, passes, gap)
         start, move = mixing.move(before, np.concatenate((_packed(warm), at + step)))
         move *= min(1.0, MOST_RISE / max(float(np.abs(move[:-2]).max()), 1e-300))
         at, gap = start[-2:], warm.sample.gap(start[-2:])
@@ -145,10 +152,10 @@ def mixed_rest(warm: WarmRing, load: Array | None, at: Array, tolerance: float, 
             move, halvings = 0.5 * move, halvings + 1
             new_gap = warm.sample.gap(at + move[-2:])
         if not new_gap > CONTACT:
-            return WarmRest(warm, at, NO_FILM, passes, gap)
+            return ThermalEquilibrium(warm, at, NO_FILM, passes, gap)
         _unpack(warm, start[:-2] + move[:-2])
         at, gap = at + move[-2:], new_gap
-    return WarmRest(warm, at, TOO_MANY_STEPS, MOST_MIXED, gap, load)
+    return ThermalEquilibrium(warm, at, TOO_MANY_STEPS, MOST_MIXED, gap, load)
 
 
 @dataclass
@@ -195,19 +202,19 @@ class Mixing:
         return float(np.linalg.norm(residual * self.scale))
 
 
-def _packed(warm: WarmRing) -> Array:
+def _packed(warm: ThermalFilmState) -> Array:
     """Temperatures of film, supplies and walls, K."""
     walls = warm.walls
     return np.concatenate((warm.temperature.ravel(), warm.groove, walls.harmonics, walls.journal[:1]))
 
 
-def _scale(warm: WarmRing) -> Array:
+def _scale(warm: ThermalFilmState) -> Array:
     """Weights of ``_packed``: the film counts by its root mean square."""
     film = np.full(warm.temperature.size, warm.temperature.size**-0.5)
     return np.concatenate((film, np.ones(warm.groove.size + warm.walls.harmonics.size + 1)))
 
 
-def _unpack(warm: WarmRing, packed: Array) -> None:
+def _unpack(warm: ThermalFilmState, packed: Array) -> None:
     walls, film, supplies = warm.walls, warm.temperature.size, warm.groove.size
     warm.temperature[:] = packed[:film].reshape(warm.temperature.shape)
     warm.groove[:] = packed[film : film + supplies]

@@ -10,11 +10,11 @@ from __future__ import annotations
 import time
 from dataclasses import dataclass, replace
 
-from babbitt.reynolds.heat.globalisation import calmed, mixed_rest
+from babbitt.reynolds.heat.globalisation import accelerated_equilibrium, stabilised
 from babbitt.reynolds.heat.heat_model import THERMAL_ENGINEERING, FilmHeat
 from babbitt.reynolds.heat.thermal_equilibrium import Posed, answer, posed, search
-from babbitt.reynolds.heat.thermal_film_state import WarmRing
-from babbitt.reynolds.heat.thermal_passes import SETTLED, WarmRest, continued, fresh_ring, rest
+from babbitt.reynolds.heat.thermal_film_state import ThermalFilmState
+from babbitt.reynolds.heat.thermal_passes import SETTLED, ThermalEquilibrium, continued, fresh_ring, rest
 from babbitt.reynolds.heat.thermal_solution import ThermalFilm
 from babbitt.reynolds.lands._equilibrium import CONVERGED, NO_FILM, THINNEST, TOO_MANY_STEPS
 from babbitt.reynolds.model import JournalFilm, Resolution
@@ -34,11 +34,11 @@ class ThermalTrail:
 
     Attributes
     ----------
-    last : WarmRest or None
+    last : ThermalEquilibrium or None
         Where the last film that was found came to rest.
     """
 
-    last: WarmRest | None = None
+    last: ThermalEquilibrium | None = None
 
     def solve(
         self,
@@ -71,28 +71,28 @@ class ThermalTrail:
         density = line_density(asked.seen, self.last.position, self.last.gap)
         warm = _continued(self.last, asked, heat, resolution, density)
         found = rest(warm, asked.load, self.last.position, resolution.tolerance, SETTLED)
-        return self._noted(asked, _with_a_gap(calmed(found, resolution, SETTLED)), begun)
+        return self._noted(asked, _with_a_gap(stabilised(found, resolution, SETTLED)), begun)
 
-    def _noted(self, asked: Posed, found: WarmRest, begun: float) -> ThermalFilm:
+    def _noted(self, asked: Posed, found: ThermalEquilibrium, begun: float) -> ThermalFilm:
         if found.status == CONVERGED:
             self.last = found
         return answer(asked.frame, asked.seen, asked.scales, found, begun)
 
 
-def _beside(last: WarmRest, asked: Posed, heat: FilmHeat, resolution: Resolution) -> WarmRest:
+def _beside(last: ThermalEquilibrium, asked: Posed, heat: FilmHeat, resolution: Resolution) -> ThermalEquilibrium:
     """Where a film rests that is close to the last one, on its lines."""
     warm = _continued(last, asked, heat, resolution, last.warm.density)
     if last.mixed:
-        return _with_a_gap(mixed_rest(warm, asked.load, last.position, resolution.tolerance, SETTLED))
+        return _with_a_gap(accelerated_equilibrium(warm, asked.load, last.position, resolution.tolerance, SETTLED))
     found = rest(warm, asked.load, last.position, resolution.tolerance, CLOSER)
     if found.status == TOO_MANY_STEPS:  # as streamers that flicker for ever: it may rest less closely
         found = rest(warm, asked.load, found.position, resolution.tolerance, SETTLED)
-    return _with_a_gap(calmed(found, resolution, SETTLED))
+    return _with_a_gap(stabilised(found, resolution, SETTLED))
 
 
 def _continued(
-    last: WarmRest, asked: Posed, heat: FilmHeat, resolution: Resolution, density: Density | None
-) -> WarmRing:
+    last: ThermalEquilibrium, asked: Posed, heat: FilmHeat, resolution: Resolution, density: Density | None
+) -> ThermalFilmState:
     """Ring with the temperatures of the last film."""
     lines = fresh_ring(asked.seen, heat, asked.scales, 2 * resolution.intervals, resolution, density)
     warm = continued(lines, last.warm)
@@ -100,5 +100,5 @@ def _continued(
     return warm
 
 
-def _with_a_gap(found: WarmRest) -> WarmRest:
+def _with_a_gap(found: ThermalEquilibrium) -> ThermalEquilibrium:
     return replace(found, status=NO_FILM) if found.gap < THINNEST else found

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
 from babbitt.reynolds.frame import LoadFrame
-from babbitt.reynolds.heat.globalisation import mixed_rest, recovered
+from babbitt.reynolds.heat.globalisation import accelerated_equilibrium, recovered
 from babbitt.reynolds.heat.heat_model import THERMAL_ENGINEERING, FilmHeat
 from babbitt.reynolds.heat.thermal_passes import (
     COLD_LOAD,
@@ -24,7 +24,7 @@ from babbitt.reynolds.heat.thermal_passes import (
     MOST_PASSES,
     SETTLED,
     SWEEPS,
-    WarmRest,
+    ThermalEquilibrium,
     attempt,
     fresh_ring,
     rest,
@@ -41,7 +41,7 @@ from babbitt.reynolds.lands._equilibrium import (
 from babbitt.reynolds.model import Cavitation, JournalFilm, Resolution
 from babbitt.reynolds.scales import Scales
 from babbitt.reynolds.stability.load_slope import RestingNodes
-from babbitt.reynolds.surface.surface_equilibrium import SettledRing, line_density
+from babbitt.reynolds.surface.surface_equilibrium import SurfaceEquilibrium, line_density
 from babbitt.reynolds.surface.surface_equilibrium import rest as carry
 from babbitt.reynolds.surface.surface_solution import (
     couette_shear,
@@ -161,20 +161,22 @@ def thermal_film_at(
     warm = fresh_ring(seen, heat, scales, 2 * resolution.intervals, resolution, None)
     gap = warm.sample.gap(at)
     if not gap > 0.0:
-        return answer(frame, seen, scales, WarmRest(warm, at, NO_FILM, 0, gap), begun)
+        return answer(frame, seen, scales, ThermalEquilibrium(warm, at, NO_FILM, 0, gap), begun)
     status, passes = TOO_MANY_STEPS, 0
     while passes < MOST_PASSES and status != CONVERGED:
         passes += 1
         changed, change = warm.advance(at, SWEEPS)
         if changed == 0 and change < settled:
             status = CONVERGED
-    found = WarmRest(warm, at, status, passes, gap)
+    found = ThermalEquilibrium(warm, at, status, passes, gap)
     if status != CONVERGED:
-        found = mixed_rest(warm, None, at, resolution.tolerance, settled)
+        found = accelerated_equilibrium(warm, None, at, resolution.tolerance, settled)
     return answer(frame, seen, scales, found, begun)
 
 
-def search(film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution) -> WarmRest:
+def search(
+    film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution
+) -> ThermalEquilibrium:
     """On the fine ring at once where the film stays thick, else after a coarse one; then with a growing load."""
     size = math.hypot(*load)
     found = on_usual_lines(film, heat, scales, load, resolution) if size <= COLD_LOAD else None
@@ -188,7 +190,7 @@ def search(film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resol
 
 def on_usual_lines(
     film: JournalFilm, heat: FilmHeat, scales: Scales, load: Array, resolution: Resolution
-) -> WarmRest | None:
+) -> ThermalEquilibrium | None:
     """Equilibrium on the fine ring at once; None where the film is thin already at the temperature guessed.
 
     Lines crowd a little where a film of usual thickness would be thin.
@@ -204,7 +206,7 @@ def on_usual_lines(
     return rest(warm, load, at, resolution.tolerance, SETTLED) if gap > THICK else None
 
 
-def polished(found: WarmRest) -> WarmRest:
+def polished(found: ThermalEquilibrium) -> ThermalEquilibrium:
     """Let the film carry the load exactly, its temperatures as they are: Newton steps from the last pass.
 
     The film is left with the coefficients of its answer (``smooth``); a step from ``NEARLY`` there is the last.
@@ -228,7 +230,9 @@ def polished(found: WarmRest) -> WarmRest:
     return replace(found, position=at, gap=gap, status=TOO_MANY_STEPS if missed else found.status)
 
 
-def answer(frame: LoadFrame, seen: JournalFilm, scales: Scales, found: WarmRest, begun: float) -> ThermalFilm:
+def answer(
+    frame: LoadFrame, seen: JournalFilm, scales: Scales, found: ThermalEquilibrium, begun: float
+) -> ThermalFilm:
     """Close the heat balance, solve for the coefficients; everything in SI and in the frame as given."""
     warm = found.warm
     if found.status == CONVERGED:
@@ -237,7 +241,7 @@ def answer(frame: LoadFrame, seen: JournalFilm, scales: Scales, found: WarmRest,
         warm.gather(found.position)
         if not warm.close(CLOSING, CLOSED) < OPEN:
             found = replace(found, status=TOO_MANY_STEPS)
-    settled = SettledRing(seen, warm.sample, found.position, found.status, found.passes, found.gap)
+    settled = SurfaceEquilibrium(seen, warm.sample, found.position, found.status, found.passes, found.gap)
     surface = warm.sample.ring.surface
     viscosity = warm.flows.shear_viscosity[: surface.step.size][:, warm.columns.column[surface.node]]
     streamers = streamer_shear(settled, couette_shear(settled, viscosity))

@@ -11,15 +11,21 @@ from numpy.typing import NDArray
 from babbitt.reynolds.heat._heat_cells import Cells, new_cells
 from babbitt.reynolds.heat._heat_flows import Columns, Flows, new_flows, spread_viscosity
 from babbitt.reynolds.heat._heat_pass import Drains, Pace, gather_heat, warm_pass
-from babbitt.reynolds.heat._heat_walls import Walls, answers_of_film, ask_walls, close_energy, fill_film
+from babbitt.reynolds.heat._heat_walls import (
+    Walls,
+    close_energy,
+    fill_film,
+    update_wall_temperatures,
+    wall_response_matrix,
+)
 from babbitt.reynolds.heat.heat_model import FilmHeat
 from babbitt.reynolds.model import JournalFilm
 from babbitt.reynolds.surface.mesh_lines import Density
-from babbitt.reynolds.surface.surface_equilibrium import Sample
+from babbitt.reynolds.surface.surface_equilibrium import SurfaceState
 from babbitt.reynolds.surface.surface_solution import drained_edges, fed_lines
-from babbitt.reynolds.surface.unwrapped_mesh import TURN, Ring
+from babbitt.reynolds.surface.unwrapped_mesh import TURN, UnwrappedMesh
 
-__all__ = ["WarmRing", "columns_of"]
+__all__ = ["ThermalFilmState", "columns_of"]
 
 Array = NDArray[np.float64]
 GUESSED_SHARE = 0.8
@@ -48,12 +54,12 @@ USUAL_LAYERS = 8
 
 
 @dataclass(eq=False)
-class WarmRing:
+class ThermalFilmState:
     """Film and temperature on one ring.
 
     Attributes
     ----------
-    sample : Sample
+    sample : SurfaceState
     heat : FilmHeat
     columns : Columns
     flows : Flows
@@ -88,7 +94,7 @@ class WarmRing:
         That of the lines; None where they stand evenly.
     """
 
-    sample: Sample
+    sample: SurfaceState
     heat: FilmHeat
     columns: Columns
     flows: Flows
@@ -110,7 +116,7 @@ class WarmRing:
     density: Density | None = None
 
     @classmethod
-    def of(cls, sample: Sample, heat: FilmHeat, film: JournalFilm, speed: float) -> WarmRing:
+    def of(cls, sample: SurfaceState, heat: FilmHeat, film: JournalFilm, speed: float) -> ThermalFilmState:
         """Film at the supply temperature, sheared at ``speed`` (rad/s)."""
         columns = columns_of(sample.ring, heat)
         lines, count, layers = *columns.supply.shape, columns.layer.size
@@ -148,7 +154,7 @@ class WarmRing:
         self.dissipation, self.friction, self.effective_viscosity = powers
         if stale:
             self.prepare_walls()
-            change = ask_walls(sample.ring.surface, self.columns, self.flows, self.cells, walls,
+            change = update_wall_temperatures(sample.ring.surface, self.columns, self.flows, self.cells, walls,
                                self.temperature, self.groove, part, change)  # fmt: skip
         self.passes += 1
         change *= max(1.0, RELAX / self.relaxation)
@@ -193,7 +199,7 @@ class WarmRing:
         """Derivatives of the balance of the walls, for the film as it is."""
         walls, modes = self.walls, self.walls.admittance.size
         fluxes, heats = np.empty((walls.bush.size, modes + 1)), np.empty(modes + 1)
-        answers_of_film(self.sample.ring.surface, self.columns, self.flows, self.cells, walls, fluxes, heats,
+        wall_response_matrix(self.sample.ring.surface, self.columns, self.flows, self.cells, walls, fluxes, heats,
                         ANSWER_SWEEPS, ANSWERED)  # fmt: skip
         matrix = np.concatenate((-walls.analysis @ fluxes, -heats[None]))
         matrix.ravel()[:: modes + 2] += np.append(walls.admittance, walls.journal[2])
@@ -202,7 +208,7 @@ class WarmRing:
             matrix[modes, modes] = 1.0
         walls.inverse[:] = np.linalg.inv(matrix)
 
-    def start_from(self, coarse: WarmRing) -> None:
+    def start_from(self, coarse: ThermalFilmState) -> None:
         """Take over the temperatures of a coarser ring, linear between its lines."""
         old, new = coarse.sample.ring.theta, self.sample.ring.theta
         lines = self.temperature.shape[0]
@@ -246,7 +252,7 @@ class WarmRing:
         return float((self.walls.bush_flux * self.walls.width).sum() * self.walls.area)
 
 
-def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
+def columns_of(ring: UnwrappedMesh, heat: FilmHeat) -> Columns:
     """Columns of a ring: all nodes together, or each its own where asked for or where supplies are narrower.
 
     A node on a side goes with the one beside it: alone it would hold hardly any oil, and any temperature.
@@ -265,12 +271,12 @@ def columns_of(ring: Ring, heat: FilmHeat) -> Columns:
     return Columns(column, supply.copy(), side, counted, heat.grid.thicknesses(), size)
 
 
-def drains_of(ring: Ring) -> Drains:
+def drains_of(ring: UnwrappedMesh) -> Drains:
     """Sides that may run partly filled."""
     return Drains(np.array(drained_edges(ring), dtype=np.int64), fed_lines(ring))
 
 
-def walls_of(ring: Ring, heat: FilmHeat, film: JournalFilm, speed: float, lines: int) -> Walls:
+def walls_of(ring: UnwrappedMesh, heat: FilmHeat, film: JournalFilm, speed: float, lines: int) -> Walls:
     """Walls at the supply temperature, and the harmonics of the bush."""
     cold, given = heat.supply_temperature, heat.walls
     radius, width = 0.5 * film.diameter, line_widths(ring, lines)
@@ -317,7 +323,7 @@ def stirring_of(film: JournalFilm, heat: FilmHeat) -> float:
     return film.viscosity * capacity / heat.conductivity / TURBULENT_PRANDTL
 
 
-def line_widths(ring: Ring, lines: int) -> Array:
+def line_widths(ring: UnwrappedMesh, lines: int) -> Array:
     """Half of the intervals beside every line, rad."""
     step = np.diff(ring.theta)
     width = np.zeros(lines)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from babbitt.reynolds.heat._heat_cells import supply_balances
 from babbitt.reynolds.heat.heat_model import mean_over_layers
-from babbitt.reynolds.heat.thermal_film_state import WarmRing
+from babbitt.reynolds.heat.thermal_film_state import ThermalFilmState
 from babbitt.reynolds.scales import Scales
 from babbitt.reynolds.solution import FilmSolution
 from babbitt.reynolds.stability.load_slope import RestingNodes
@@ -130,7 +130,7 @@ class ThermalFilm:
         return mean_over_layers(self.temperature, self.layers)
 
 
-def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequence[int]) -> ThermalFilm:
+def thermal_film(film: FilmSolution, scales: Scales, warm: ThermalFilmState, order: Sequence[int]) -> ThermalFilm:
     """Temperatures and heat of a ring beside its film; ``order`` of its supplies in the bearing as given."""
     columns, unit = warm.columns, warm.walls.flow_heat
     cold = warm.heat.supply_temperature
@@ -171,7 +171,7 @@ def thermal_film(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequ
     )
 
 
-def side_oil(warm: WarmRing) -> tuple[Array, Array]:
+def side_oil(warm: ThermalFilmState) -> tuple[Array, Array]:
     """What leaves over the sides, dimensionless, and how warm it is, K, both (lines, columns)."""
     flows = warm.flows
     profile = flows.pressure_profile[np.arange(flows.leak.shape[0]) % flows.pressure_profile.shape[0]]
@@ -201,7 +201,9 @@ class SupplyExchange:
     back: Array
 
 
-def supply_exchange(film: FilmSolution, scales: Scales, warm: WarmRing, order: Sequence[int]) -> SupplyExchange:
+def supply_exchange(
+    film: FilmSolution, scales: Scales, warm: ThermalFilmState, order: Sequence[int]
+) -> SupplyExchange:
     """Flows of the supplies of a film, from the balance of the oil that they mix.
 
     Of what leaves over the ends of a groove, the warm oil that the next film does not take goes first; the rest is

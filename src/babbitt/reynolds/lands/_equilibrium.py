@@ -14,7 +14,7 @@ import numpy as np
 from babbitt.reynolds._compiling import compiled, inner, spliced
 from babbitt.reynolds.lands._elimination import count_wet, solve_land
 from babbitt.reynolds.lands._endings import add_ends, find_ends
-from babbitt.reynolds.lands._forces import add_forces, update_wet_set
+from babbitt.reynolds.lands._forces import add_forces, update_active_set
 from babbitt.reynolds.lands._grids import (
     film_coefficients,
     graded_lines,
@@ -70,7 +70,7 @@ def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, re
         if smooth:
             add_ends(axial, grid, k, film, lines, first, result)
         else:
-            changed += update_wet_set(axial, bearing, grid, k, film, lines)
+            changed += update_active_set(axial, bearing, grid, k, film, lines)
     return changed
 
 

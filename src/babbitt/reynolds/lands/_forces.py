@@ -18,7 +18,7 @@ RESULT_SIZE = 10
 
 
 @inlined
-def update_wet_set(axial, bearing, grid, k, film, lines):
+def update_active_set(axial, bearing, grid, k, film, lines):
     """Semismooth Newton step on the complementarity: returns how many nodes changed.
 
     Wet nodes with p < 0 dry up. Dry nodes become wet where the void is negative (mass conserving) or where the row

@@ -18,15 +18,15 @@ from babbitt.reynolds.heat._heat_cells import groove_balance, new_cells
 from babbitt.reynolds.heat._heat_flows import new_flows
 from babbitt.reynolds.heat._heat_walls import Walls
 from babbitt.reynolds.heat.heat_model import FilmHeat, mean_over_layers
-from babbitt.reynolds.heat.thermal_film_state import WarmRing, columns_of, drains_of, line_widths
+from babbitt.reynolds.heat.thermal_film_state import ThermalFilmState, columns_of, drains_of, line_widths
 from babbitt.reynolds.heat.thermal_solution import HeatSplit, side_oil
 from babbitt.reynolds.model import Cavitation
 from babbitt.reynolds.sector._sector_surface import sector_mesh, sector_surface
 from babbitt.reynolds.sector.sector import SectorFilm, SectorPad, motion_lengths, sector_answer
-from babbitt.reynolds.surface.surface_equilibrium import Effort, Sample
-from babbitt.reynolds.surface.unwrapped_mesh import Ring
+from babbitt.reynolds.surface.surface_equilibrium import Effort, SurfaceState
+from babbitt.reynolds.surface.unwrapped_mesh import UnwrappedMesh
 
-__all__ = ["SectorHeat", "WarmSector"]
+__all__ = ["SectorHeat", "ThermalSectorState"]
 
 Array = NDArray[np.float64]
 
@@ -83,7 +83,7 @@ class SectorHeat:
 
 
 @dataclass(eq=False)
-class WarmSector:
+class ThermalSectorState:
     """A pad between grooves, and its temperatures on their way.
 
     Attributes
@@ -94,16 +94,18 @@ class WarmSector:
         Unit of the gap, m.
     unit : float
         Of the pressure, Pa.
-    warm : WarmRing
+    warm : ThermalFilmState
     """
 
     pad: SectorPad
     height: float
     unit: float
-    warm: WarmRing
+    warm: ThermalFilmState
 
     @classmethod
-    def of(cls, pad: SectorPad, heat: FilmHeat, height: float, intervals: int = 64, degree: int = 8) -> WarmSector:
+    def of(
+        cls, pad: SectorPad, heat: FilmHeat, height: float, intervals: int = 64, degree: int = 8
+    ) -> ThermalSectorState:
         """A pad whose film is at the supply temperature still.
 
         Parameters
@@ -136,13 +138,13 @@ class WarmSector:
         supply = np.full(surface.held.shape, -1, dtype=np.int64)
         supply[[0, last]] = GROOVE
         supply[:, list(mesh.side_nodes)] = -2
-        ring = Ring(surface, theta, mesh, supply, ((0, 0), (last, last)))
-        sample = Sample.of(ring, Effort(np.inf))
+        ring = UnwrappedMesh(surface, theta, mesh, supply, ((0, 0), (last, last)))
+        sample = SurfaceState.of(ring, Effort(np.inf))
         columns = columns_of(ring, heat)
         lines, count, layers = *columns.supply.shape, columns.layer.size
         cold, capacity = heat.supply_temperature, heat.volumetric_heat_capacity
         speed, radius = pad.angular_speed, pad.outer_radius
-        warm = WarmRing(
+        warm = ThermalFilmState(
             sample, heat, columns, new_flows(lines, theta.size - 1, count, layers),
             new_cells(lines, count, layers), np.full((lines, count, layers), cold), np.full(1, cold),
             _insulated(ring, heat, speed, height, capacity * speed * radius**2 * height), pad.viscosity,
@@ -151,7 +153,7 @@ class WarmSector:
         )  # fmt: skip
         return cls(pad, height, unit, warm)
 
-    def start_from(self, before: WarmSector) -> None:
+    def start_from(self, before: ThermalSectorState) -> None:
         """Take over the temperatures of a film on the same lines."""
         self.warm.temperature[:] = before.warm.temperature
         self.warm.groove[:] = before.warm.groove
@@ -267,7 +269,7 @@ def _lines(pad: SectorPad, intervals: int) -> Array:
     return np.asarray(theta / theta[-1] * pad.extent)
 
 
-def _insulated(ring: Ring, heat: FilmHeat, speed: float, height: float, flow_heat: float) -> Walls:
+def _insulated(ring: UnwrappedMesh, heat: FilmHeat, speed: float, height: float, flow_heat: float) -> Walls:
     """No walls: heat goes with the oil."""
     lines, cold = ring.surface.held.shape[0], heat.supply_temperature
     one = np.ones(1)

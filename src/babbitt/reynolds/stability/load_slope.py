@@ -22,7 +22,7 @@ from babbitt.reynolds.lands._equilibrium import CONVERGED
 from babbitt.reynolds.model import Cavitation, JournalFilm, Resolution
 from babbitt.reynolds.scales import Scales
 from babbitt.reynolds.solution import FilmSolution
-from babbitt.reynolds.surface.surface_equilibrium import SettledRing, ring_at
+from babbitt.reynolds.surface.surface_equilibrium import SurfaceEquilibrium, ring_at
 from babbitt.reynolds.surface.surface_solution import mirrored, true_pressures
 from babbitt.reynolds.surface.unwrapped_mesh import field_at, gauss_angles
 
@@ -81,13 +81,13 @@ class RestingNodes:
 
     Attributes
     ----------
-    ring : SettledRing
+    ring : SurfaceEquilibrium
     frame : LoadFrame
         From the film as given to that which was solved.
     scales : Scales
     """
 
-    ring: SettledRing
+    ring: SurfaceEquilibrium
     frame: LoadFrame
     scales: Scales
 
@@ -135,7 +135,7 @@ def confirmed_coefficients(
         return found, None
     ring, scales = nodes.ring, nodes.scales
     frozen = ring.sample.stiffness.copy(), ring.sample.damping.copy()
-    slope, check = _slope_beside(_Beside(found, nodes, bore_gain), frozen)
+    slope, check = _slope_beside(_NearbyFilms(found, nodes, bore_gain), frozen)
     if slope is None:
         return found, check
     c, s = math.cos(nodes.frame.angle), math.sin(nodes.frame.angle)
@@ -155,7 +155,7 @@ def _nodes_of(found: FilmSolution, resolution: Resolution) -> RestingNodes:
     return RestingNodes(ring_at(seen, scales.pressure, at, np.zeros(2), resolution), frame, scales)
 
 
-def _slope_beside(beside: _Beside, frozen: Pair) -> tuple[Pair | None, SlopeCheck]:
+def _slope_beside(beside: _NearbyFilms, frozen: Pair) -> tuple[Pair | None, SlopeCheck]:
     """Slope that takes the place of the frozen coefficients, None where they are confirmed or none is settled."""
     step = STEP * beside.nodes.ring.gap
     before, last = _slope(beside, step), None
@@ -184,7 +184,7 @@ def _check(one: Pair, slope: Pair, *, settled: bool) -> SlopeCheck:
     return SlopeCheck(off[0], off[1], settled)
 
 
-def _slope(beside: _Beside, step: float) -> Pair:
+def _slope(beside: _NearbyFilms, step: float) -> Pair:
     """Central differences of the force over steps of the journal and over its velocity."""
     stiffness, damping, still = np.zeros((2, 2)), np.zeros((2, 2)), np.zeros(2)
     beside.settled = True
@@ -207,7 +207,7 @@ class _Displaced:
     gain: Array
 
 
-class _Beside:
+class _NearbyFilms:
     """Films beside a film at rest, on its nodes; `settled` tells whether all since it was set found their end."""
 
     def __init__(self, found: FilmSolution, nodes: RestingNodes, bore_gain: BoreGain | None) -> None:

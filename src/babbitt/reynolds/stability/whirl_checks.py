@@ -1,4 +1,4 @@
-"""What the whirl of a rotor adds to the answer of a bearing: numbers, verdicts, doubts."""
+"""What the whirl of a rotor adds to the answer of a bearing: numbers, verdicts, warnings."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from babbitt.core.notices import Notice
 from babbitt.core.result import Bound, Check
 from babbitt.reynolds.stability.whirl_limits import Whirl
 
-__all__ = ["CarriesRotor", "doubts_about_whirl", "whirl_checks", "whirl_values", "without_critical_mass"]
+__all__ = ["CarriesRotor", "warnings_about_whirl", "whirl_checks", "whirl_values", "without_critical_mass"]
 
 
 class CarriesRotor(Protocol):
@@ -59,7 +59,7 @@ def without_critical_mass(whirl: Whirl | None) -> str:
     return "stiffness and damping tell no critical mass"
 
 
-def doubts_about_whirl(whirl: Whirl) -> Iterator[Notice]:
+def warnings_about_whirl(whirl: Whirl) -> Iterator[Notice]:
     """A rotor too heavy or too light for the film."""
     stable = whirl.stable if whirl.elastic is None else whirl.elastic.stable
     if stable.reserve(whirl.rotor_mass) >= 1.0:

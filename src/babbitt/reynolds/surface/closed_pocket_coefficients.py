@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.reynolds.model import FilmStart
-from babbitt.reynolds.surface.surface_equilibrium import SettledRing
+from babbitt.reynolds.surface.surface_equilibrium import SurfaceEquilibrium
 
 __all__ = ["closed_coefficients"]
 
@@ -26,12 +26,12 @@ STEP = 1e-5
 """Of the journal in least gaps; pressures and velocities act linearly."""
 
 
-def closed_coefficients(settled: SettledRing) -> tuple[Array, Array]:
+def closed_coefficients(settled: SurfaceEquilibrium) -> tuple[Array, Array]:
     """Stiffness and damping, dimensionless, of a settled film whose pockets may be closed.
 
     Parameters
     ----------
-    settled : SettledRing
+    settled : SurfaceEquilibrium
         Stays as it is.
 
     Returns

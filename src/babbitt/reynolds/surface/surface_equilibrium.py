@@ -33,9 +33,9 @@ from babbitt.reynolds.surface._surface_film import (
 )
 from babbitt.reynolds.surface._surface_forces import evaluate_surface
 from babbitt.reynolds.surface.mesh_lines import Density
-from babbitt.reynolds.surface.unwrapped_mesh import Ring, axial_gain, build_ring, gap_over_lands
+from babbitt.reynolds.surface.unwrapped_mesh import UnwrappedMesh, axial_gain, build_ring, gap_over_lands
 
-__all__ = ["OUT_OF_WORK", "SettledRing", "rest_ring", "rest_ring_near", "ring_at"]
+__all__ = ["OUT_OF_WORK", "SurfaceEquilibrium", "rest_ring", "rest_ring_near", "ring_at"]
 
 Array = NDArray[np.float64]
 ZERO = np.zeros(4)
@@ -74,10 +74,10 @@ class Effort:
 
 
 @dataclass(eq=False)
-class Sample:
+class SurfaceState:
     """A ring with its workspace and the last result."""
 
-    ring: Ring
+    ring: UnwrappedMesh
     film: SurfaceFilm
     work: SurfaceWork
     force: Array
@@ -86,7 +86,7 @@ class Sample:
     effort: Effort
 
     @classmethod
-    def of(cls, ring: Ring, effort: Effort) -> Sample:
+    def of(cls, ring: UnwrappedMesh, effort: Effort) -> SurfaceState:
         """Workspace with all nodes wet."""
         motions = ring.surface.lever.shape[0]
         square = np.zeros((motions, motions))
@@ -114,7 +114,7 @@ class Sample:
         """Smallest gap."""
         return float(smallest_surface_gap(self.ring.surface, at))
 
-    def start_from(self, coarse: Sample) -> None:
+    def start_from(self, coarse: SurfaceState) -> None:
         """Take over the wet set of a sample on the same axial mesh; on other lines: wet if a line beside it is."""
         lines = self.work.wet.shape[0]
         old = coarse.ring.theta
@@ -127,11 +127,11 @@ class Sample:
 
 
 @dataclass(frozen=True, eq=False)
-class SettledRing:
+class SurfaceEquilibrium:
     """What an equilibrium search on rings returns."""
 
     film: JournalFilm
-    sample: Sample
+    sample: SurfaceState
     position: Array
     status: int
     steps: int
@@ -154,7 +154,7 @@ def line_density(film: JournalFilm, at: Array, gap: float) -> Density:
 
 
 def rest(
-    sample: Sample, load: Array, at: Array, tolerance: float, max_steps: int, patient: bool
+    sample: SurfaceState, load: Array, at: Array, tolerance: float, max_steps: int, patient: bool
 ) -> tuple[Array, int, int, float]:
     """Move the journal until the film on this ring carries the load (the steps of ``_equilibrium.settle``)."""
     size_of_load = math.hypot(*load)
@@ -197,7 +197,9 @@ def rest(
     return at, TOO_MANY_STEPS, max_steps, gap
 
 
-def rest_ring(film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int) -> SettledRing:
+def rest_ring(
+    film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int
+) -> SurfaceEquilibrium:
     """Equilibrium under a dimensionless load: a fast and a patient attempt, then both from a finer ring."""
     effort = Effort.for_ring(film, unit, resolution)
     for refinement, patient in ((4, False), (4, True), (2, False), (2, True)):
@@ -207,7 +209,7 @@ def rest_ring(film: JournalFilm, unit: float, load: Array, resolution: Resolutio
     return thick_enough(settled)
 
 
-def thick_enough(settled: SettledRing) -> SettledRing:
+def thick_enough(settled: SurfaceEquilibrium) -> SurfaceEquilibrium:
     """The same, but as overloaded where what is left of the film counts as none."""
     thin = settled.gap < THINNEST and settled.status != OUT_OF_WORK
     return replace(settled, status=NO_FILM) if thin else settled
@@ -215,7 +217,7 @@ def thick_enough(settled: SettledRing) -> SettledRing:
 
 def rest_ring_near(
     film: JournalFilm, unit: float, load: Array, resolution: Resolution, max_steps: int, at: Array
-) -> SettledRing:
+) -> SurfaceEquilibrium:
     """Equilibrium under a dimensionless load from a position close to it, on lines drawn for that position."""
     near = ring_at(film, unit, at, ZERO[:2], resolution)
     if near.status != CONVERGED:
@@ -225,7 +227,7 @@ def rest_ring_near(
     at, status, steps, gap = rest(sample, load, at, resolution.tolerance, max_steps, False)
     if status == CONVERGED:
         sample.evaluate(at, smooth=True)
-    return thick_enough(SettledRing(film, sample, at, status, near.steps + steps, gap))
+    return thick_enough(SurfaceEquilibrium(film, sample, at, status, near.steps + steps, gap))
 
 
 def attempt(
@@ -237,16 +239,16 @@ def attempt(
     effort: Effort,
     refinement: int,
     patient: bool,
-) -> SettledRing:
+) -> SurfaceEquilibrium:
     """Coarse rings first, heavier loads step by step, then the fine ring, with ``refinement`` times the lines."""
     per_turn = resolution.ring_intervals
     size = math.hypot(*load)
     share = min(1.0, MODERATE_LOAD / max(size, 1e-300))
     at, density, total, last_gap = beginning(film, load), None, 0, math.inf
-    coarse: Sample | None = None
+    coarse: SurfaceState | None = None
     steps_per_grid = PATIENT_STEPS if patient else max_steps
     for _ in range(60):
-        sample = Sample.of(
+        sample = SurfaceState.of(
             build_ring(film, unit, per_turn // refinement, resolution.axial_unknowns, density), effort
         )
         if coarse is not None:
@@ -258,19 +260,19 @@ def attempt(
         if max(gap, last_gap) < THINNEST and not effort.spent:  # no way back from there is known
             status = NO_FILM
         if status == NO_FILM or effort.spent or not (settled or patient):
-            return SettledRing(film, sample, at, status, total, gap)
+            return SurfaceEquilibrium(film, sample, at, status, total, gap)
         density = line_density(film, at, gap)
         if settled and share == 1.0 and (gap > 0.2 or abs(gap - last_gap) < 0.1 * gap):
             break
         last_gap = gap
         if settled:
             share = min(1.0, 4.0 * share)
-    fine = Sample.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density), effort)
+    fine = SurfaceState.of(build_ring(film, unit, per_turn, resolution.axial_unknowns, density), effort)
     fine.start_from(sample)
     at, status, steps, gap = rest(fine, load, at, resolution.tolerance, max_steps, patient)
     if status == CONVERGED:
         fine.evaluate(at, smooth=True)
-    return SettledRing(film, fine, at, status, total + steps, gap)
+    return SurfaceEquilibrium(film, fine, at, status, total + steps, gap)
 
 
 STARVED_START = 0.5
@@ -298,15 +300,15 @@ CALM = 1e-4
 let be: what an equilibrium with such nodes may miss of its load (`rest`)."""
 
 
-def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: Resolution) -> SettledRing:
+def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: Resolution) -> SurfaceEquilibrium:
     """Film at a position and velocity, (2,), or with the tilts of ``build_ring``, (4,)."""
     total, coarse, density, effort = 0, None, None, Effort(math.inf)
     for per_turn in (resolution.ring_intervals // 4, resolution.ring_intervals):
         ring = build_ring(film, unit, per_turn, resolution.axial_unknowns, density, motions=at.size)
-        sample = Sample.of(ring, effort)
+        sample = SurfaceState.of(ring, effort)
         gap = sample.gap(at)
         if not gap > 0.0:
-            return SettledRing(film, sample, at, NO_FILM, total, gap)
+            return SurfaceEquilibrium(film, sample, at, NO_FILM, total, gap)
         if coarse is not None:
             sample.start_from(coarse)
         density = line_density(film, at, gap)
@@ -319,12 +321,12 @@ def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: 
                 total += rounds
         coarse = sample
     if not settled:
-        return SettledRing(film, sample, at, TOO_MANY_STEPS, total, gap)
+        return SurfaceEquilibrium(film, sample, at, TOO_MANY_STEPS, total, gap)
     sample.evaluate(at, rate, smooth=True)
-    return SettledRing(film, sample, at, CONVERGED, total, gap)
+    return SurfaceEquilibrium(film, sample, at, CONVERGED, total, gap)
 
 
-def _wet_set(sample: Sample, at: Array, rate: Array) -> tuple[bool, int]:
+def _wet_set(sample: SurfaceState, at: Array, rate: Array) -> tuple[bool, int]:
     """Rounds of the wet set at one place: whether it rests or hardly changes the force, and how many they were."""
     forces = []
     for number in range(1, WET_ROUNDS + 1):

@@ -17,8 +17,8 @@ from babbitt.reynolds.solution import FilmSolution
 from babbitt.reynolds.surface._surface_film import Surface, SurfaceFilm, SurfaceWork, liquid
 from babbitt.reynolds.surface._surface_forces import carry_streamers, drain_edge
 from babbitt.reynolds.surface.closed_pocket_coefficients import closed_coefficients
-from babbitt.reynolds.surface.surface_equilibrium import OUT_OF_WORK, SettledRing
-from babbitt.reynolds.surface.unwrapped_mesh import Ring, groove_lines
+from babbitt.reynolds.surface.surface_equilibrium import OUT_OF_WORK, SurfaceEquilibrium
+from babbitt.reynolds.surface.unwrapped_mesh import UnwrappedMesh, groove_lines
 
 __all__ = ["mirrored", "ring_solution", "solution_of"]
 
@@ -58,7 +58,7 @@ def mirrored(film: JournalFilm) -> JournalFilm:
     )
 
 
-def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun: float) -> FilmSolution:
+def ring_solution(film: JournalFilm, scales: Scales, settled: SurfaceEquilibrium, begun: float) -> FilmSolution:
     """Everything in SI and in the fixed frame, once the streamers of the film are carried to its end."""
     sample, ring = settled.sample, settled.sample.ring
     if not ring.surface.conserving and ring.surface.speed > 0.0:
@@ -68,7 +68,11 @@ def ring_solution(film: JournalFilm, scales: Scales, settled: SettledRing, begun
 
 
 def solution_of(
-    film: JournalFilm, scales: Scales, settled: SettledRing, torques: tuple[float, float, float], begun: float
+    film: JournalFilm,
+    scales: Scales,
+    settled: SurfaceEquilibrium,
+    torques: tuple[float, float, float],
+    begun: float,
 ) -> FilmSolution:
     """Everything in SI and in the fixed frame; ``torques`` on journal and bearing, and the part of both by
     streamers, dimensionless."""
@@ -115,7 +119,7 @@ def solution_of(
 
 
 @dataclass(frozen=True)
-class RingFlows:
+class SurfaceFlows:
     """Flows of a ring, dimensionless: from supplies, to both sides and drawn in there, into and out of lands."""
 
     supplies: Array
@@ -125,7 +129,7 @@ class RingFlows:
     leaving: Array
 
 
-def flows_of(settled: SettledRing, along: Array) -> RingFlows:
+def flows_of(settled: SurfaceEquilibrium, along: Array) -> SurfaceFlows:
     """Flows from the balances of the nodes that are held, and the flux ``along`` the film (``flux_along``).
 
     The nodes on the sides of a groove between lands are held by the surroundings; what they send along the film
@@ -151,24 +155,26 @@ def flows_of(settled: SettledRing, along: Array) -> RingFlows:
         outward[last] = past_groove
     sides = outward.sum(axis=0)
     drawn = float(np.maximum(-outward, 0.0).sum())
-    return RingFlows(supplies, sides if len(edges) == 2 else np.full(2, 0.5 * sides[0]), drawn, entering, leaving)
+    return SurfaceFlows(
+        supplies, sides if len(edges) == 2 else np.full(2, 0.5 * sides[0]), drawn, entering, leaving
+    )
 
 
-def drain_sides(ring: Ring, film: SurfaceFilm, work: SurfaceWork) -> None:
+def drain_sides(ring: UnwrappedMesh, film: SurfaceFilm, work: SurfaceWork) -> None:
     """Let sides at cavitation pressure run partly filled where less oil arrives than their gap could carry."""
     fed = fed_lines(ring)
     for edge in drained_edges(ring):
         drain_edge(ring.surface, film, work, edge, fed)
 
 
-def drained_edges(ring: Ring) -> list[int]:
+def drained_edges(ring: UnwrappedMesh) -> list[int]:
     """Nodes of the sides that can run partly filled: those at cavitation pressure of a film that moves."""
     if not ring.surface.speed > 0.0:
         return []
     return [edge for edge in ring.mesh.side_nodes if ring.surface.held_pressure[0, edge] <= 0.0]
 
 
-def fed_lines(ring: Ring) -> NDArray[np.bool_]:
+def fed_lines(ring: UnwrappedMesh) -> NDArray[np.bool_]:
     """Lines on the ends of grooves."""
     fed = np.zeros(ring.surface.held.shape[0], dtype=bool)
     fed[[line for ends in ring.groove_lines for line in ends]] = True
@@ -181,7 +187,7 @@ def twins(film: JournalFilm, grooves: int) -> list[int]:
     return [*range(grooves), *(grooves + film.pockets.index(image) for image in images)]
 
 
-def flux_along(settled: SettledRing) -> Array:
+def flux_along(settled: SurfaceEquilibrium) -> Array:
     """Flux from every line to the next, as ``_surface_forces.balance_rows`` has it; shape (n, nodes)."""
     surface, film, work = settled.sample.ring.surface, settled.sample.film, settled.sample.work
     here = np.arange(surface.step.size)
@@ -205,7 +211,7 @@ def supply_order(film: JournalFilm, seen: JournalFilm) -> list[int]:
     return before + pockets
 
 
-def friction(settled: SettledRing) -> tuple[float, float, float]:
+def friction(settled: SurfaceEquilibrium) -> tuple[float, float, float]:
     """Torques on journal and bearing: Couette shear with the liquid fraction, and -+ (h/2) dp/dtheta; and the part
     of the shear by streamers."""
     surface, work = settled.sample.ring.surface, settled.sample.work
@@ -217,7 +223,7 @@ def friction(settled: SettledRing) -> tuple[float, float, float]:
     return couette + hydraulic, couette - hydraulic, streamer_shear(settled, shear)
 
 
-def slope_torque(settled: SettledRing) -> float:
+def slope_torque(settled: SurfaceEquilibrium) -> float:
     """Half of what the torque on the journal has more than that by shear on the bore: (h/2) dp/dtheta over the
     film, whatever its viscosity across the gap."""
     surface, work = settled.sample.ring.surface, settled.sample.work
@@ -229,7 +235,7 @@ def slope_torque(settled: SettledRing) -> float:
     return float((slope @ surface.share).sum())
 
 
-def couette_shear(settled: SettledRing, viscosity: Array) -> Array:
+def couette_shear(settled: SurfaceEquilibrium, viscosity: Array) -> Array:
     """Torque of every piece of the surface by shear of its oil, shape (n, points), over that of its share of the
     width, at viscosities over the reference.
 
@@ -248,14 +254,14 @@ def couette_shear(settled: SettledRing, viscosity: Array) -> Array:
     return shear
 
 
-def streamer_shear(settled: SettledRing, shear: Array) -> float:
+def streamer_shear(settled: SurfaceEquilibrium, shear: Array) -> float:
     """What of a shear (`couette_shear`) belongs to the oil that the ruptured film carries."""
     surface, work = settled.sample.ring.surface, settled.sample.work
     ruptured = (work.fill[: surface.step.size] < 1.0)[:, surface.node]
     return float((np.where(ruptured, shear, 0.0) @ surface.share).sum())
 
 
-def _gaps(settled: SettledRing) -> tuple[Array, Array]:
+def _gaps(settled: SurfaceEquilibrium) -> tuple[Array, Array]:
     """Gaps at both Gauss points of every interval, shape (n, points)."""
     surface = settled.sample.ring.surface
     lift = settled.position[:, None] * surface.lever
@@ -267,7 +273,7 @@ def true_pressures(surface: Surface, reduced: Array) -> Array:
     return pressure_of(surface.piezo, reduced) if surface.piezo.size else reduced
 
 
-def _in_hollow(settled: SettledRing, after: NDArray[np.int64]) -> NDArray[np.bool_]:
+def _in_hollow(settled: SurfaceEquilibrium, after: NDArray[np.int64]) -> NDArray[np.bool_]:
     """Whether a piece of the surface, one interval long and one axial element wide, lies in a hollow.
 
     Elements end at the edges of hollows, so a piece lies in one when every node around it is held by a supply; the

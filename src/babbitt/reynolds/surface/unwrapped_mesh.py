@@ -20,7 +20,7 @@ from babbitt.reynolds.oil.piezoviscosity import pressure_table, reduced_pressure
 from babbitt.reynolds.surface._surface_film import Surface, counted
 from babbitt.reynolds.surface.mesh_lines import Density, GrooveArc, axial_mesh, groove_arcs, ring_lines, within
 
-__all__ = ["Ring", "build_ring"]
+__all__ = ["UnwrappedMesh", "build_ring"]
 
 Array = NDArray[np.float64]
 TURN = 2.0 * math.pi
@@ -29,7 +29,7 @@ PLUG = 1e12  # viscosity there
 
 
 @dataclass(frozen=True, eq=False)
-class Ring:
+class UnwrappedMesh:
     """A surface for the kernels with what belongs to its nodes.
 
     Attributes
@@ -53,7 +53,7 @@ class Ring:
 
 def build_ring(
     film: JournalFilm, pressure_unit: float, per_turn: int, degree: int, density: Density | None, motions: int = 2
-) -> Ring:
+) -> UnwrappedMesh:
     """Surface of a film in dimensionless quantities (counter-clockwise journal).
 
     Parameters
@@ -107,7 +107,7 @@ def build_ring(
         kappa=(film.diameter / film.width) ** 2 / 12.0, speed=1.0 if film.angular_speed else 0.0,
         conserving=film.cavitation is Cavitation.MASS_CONSERVING,
     )  # fmt: skip
-    return Ring(surface, theta, mesh, held.supply, ends)
+    return UnwrappedMesh(surface, theta, mesh, held.supply, ends)
 
 
 @dataclass(frozen=True, eq=False)

@@ -42,7 +42,7 @@ class Entry:
     width_ratio: float
     printed: float
     decimals: int
-    doubt: str
+    warning: str
     judged: bool
 
     @property
@@ -59,19 +59,19 @@ def width_label(width_ratio: float) -> str:
 def entries() -> Iterator[Entry]:
     """Every number of the table, quantity by quantity and column by column."""
     data = reference_data("butenschoen_1976")
-    doubts = {(d["quantity"], d["eccentricity_ratio"], d["width_ratio"]): d for d in data["suspect"]}
+    warnings = {(d["quantity"], d["eccentricity_ratio"], d["width_ratio"]): d for d in data["suspect"]}
     for quantity in SYMBOLS:
         for column, ratio in enumerate(data["width_ratios"]):
             for row, eccentricity in enumerate(data["eccentricity_ratios"]):
-                doubt = doubts.get((quantity, eccentricity, ratio), {})
+                warning = warnings.get((quantity, eccentricity, ratio), {})
                 yield Entry(
                     quantity,
                     eccentricity,
                     ratio,
                     data[quantity][row][column],
                     data["printed_decimals"][quantity],
-                    doubt.get("reason", ""),
-                    doubt.get("judged", True),
+                    warning.get("reason", ""),
+                    warning.get("judged", True),
                 )
 
 
@@ -97,7 +97,7 @@ def run() -> tuple[Comparison, ...]:
 
 
 def _comparison(entry: Entry) -> Comparison:
-    odd_flow = entry.doubt and entry.quantity == "side_flow"
+    odd_flow = entry.warning and entry.quantity == "side_flow"
     tolerance = _TOLERANCE_OF_ODD_ENTRIES if odd_flow else _TOLERANCES[entry.quantity]
     return compared(entry, computed, tolerance)
 
@@ -113,8 +113,8 @@ def compared(entry: Entry, ours: Answer, tolerance: Within) -> Comparison:
         UNITS.get(entry.quantity, ""),
         "table of pure rotation",
         entry.decimals,
-        suspect="" if entry.judged else entry.doubt,
-        remark=entry.doubt if entry.judged else "",
+        suspect="" if entry.judged else entry.warning,
+        remark=entry.warning if entry.judged else "",
     )
 
 

@@ -69,7 +69,7 @@ def _at_the_widths_of_the_table() -> tuple[Comparison, ...]:
             UNITS.get(entry.quantity, ""),
             "table of pure rotation",
             entry.decimals,
-            remark=entry.doubt,
+            remark=entry.warning,
         )
         for entry in entries()
     )

@@ -50,7 +50,7 @@ def run() -> tuple[Comparison, ...]:
 
 def _rows() -> Iterator[Comparison]:
     data = reference_data("butenschoen_1976_squeeze")
-    doubts = {(d["eccentricity_ratio"], d["width_ratio"]): d["reason"] for d in data["suspect"]}
+    warnings = {(d["eccentricity_ratio"], d["width_ratio"]): d["reason"] for d in data["suspect"]}
     for column, ratio in enumerate(_WIDTH_RATIOS, start=1):
         for row in data["rows"]:
             yield Comparison(
@@ -62,7 +62,7 @@ def _rows() -> Iterator[Comparison]:
                 "",
                 "table of pure squeeze",
                 _decimals(row[column]),
-                suspect=doubts.get((row[0], ratio), ""),
+                suspect=warnings.get((row[0], ratio), ""),
             )
 
 

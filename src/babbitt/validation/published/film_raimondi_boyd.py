@@ -104,11 +104,11 @@ def _rows() -> Iterator[Comparison]:
                         "°" if quantity == "φ" else "",
                         f"table, L/D = {width}",
                         len(f"{value:.6f}".rstrip("0").partition(".")[2]),
-                        suspect=_doubt(quantity, film, ratio, coarse),
+                        suspect=_warning(quantity, film, ratio, coarse),
                     )
 
 
-def _doubt(quantity: str, film: float, ratio: float, coarse: str) -> str:
+def _warning(quantity: str, film: float, ratio: float, coarse: str) -> str:
     if quantity == "Q" and math.isinf(ratio) and film in _WIDE_FLOW_FILMS:
         return _WIDE_FLOW
     return coarse if (film, ratio, quantity) in COARSE_GRID else ""

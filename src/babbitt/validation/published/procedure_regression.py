@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.core.result import Result
 from babbitt.core.units import ZERO_CELSIUS
-from babbitt.kinds.journal.iso7902.model import Bearing, DesignCase, Friction, GivenLoad, OilSupply
+from babbitt.kinds.journal.iso7902.model import Bearing, DesignCase, Friction, OilSupply, PrescribedLoad
 from babbitt.kinds.journal.iso7902.procedure import check
 from babbitt.kinds.journal.iso7902.supply import Arrangement, Holes, Pockets
 from babbitt.properties.lubricants import Lubricant, OilProperties, lubricant_from_points
@@ -44,7 +44,7 @@ def full_bearing() -> DesignCase:
     return DesignCase(
         "A",
         Bearing(0.120, 0.060, 1.12e-3, 360, 23e-6, 11e-6, Holes(0.005, Arrangement.OPPOSITE)),
-        GivenLoad(36e3),
+        PrescribedLoad(36e3),
         2000.0 * _RPM,
         _oil(),
         OilSupply(58.0 + ZERO_CELSIUS, 0.5e6),
@@ -56,7 +56,7 @@ def partial_bearing() -> DesignCase:
     return DesignCase(
         "C",
         Bearing(0.300, 0.200, 1.2e-3, 120, 11e-6, 11e-6, Pockets(0.73 * 0.200, Arrangement.BOTH_SIDES)),
-        GivenLoad(150e3),
+        PrescribedLoad(150e3),
         1400.0 * _RPM,
         _oil(),
         OilSupply(50.0 + ZERO_CELSIUS, 0.15e6),

@@ -11,7 +11,7 @@ from typing import Any
 
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.coupling.statics import MeshForce, OverhungCoupling, bearing_loads
-from babbitt.kinds.journal.iso7902.model import Bearing, DesignCase, Friction, GivenLoad, OilSupply
+from babbitt.kinds.journal.iso7902.model import Bearing, DesignCase, Friction, OilSupply, PrescribedLoad
 from babbitt.kinds.journal.iso7902.supply import Arrangement, HalfCircumferentialGroove, Pockets, SupplyElement
 from babbitt.properties.lubricants import lubricant
 from babbitt.validation.reference_data import reference_data
@@ -95,7 +95,7 @@ def design_case(
             expansion_journal=_JOURNAL_STEEL,
             supply_element=_supply_element(bearing, width),
         ),
-        duty=GivenLoad(load(name)),
+        duty=PrescribedLoad(load(name)),
         journal_speed=2.0 * bearing["surface_speed_m_s"] / diameter,
         lubricant=lubricant(common["lubricant"]),
         oil_supply=OilSupply(common["inlet_temperature_C"] + ZERO_CELSIUS, 1e6 * common["element_pressure_MPa"]),

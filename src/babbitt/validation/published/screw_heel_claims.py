@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.footstep.clearances import critical_clearances
 from babbitt.kinds.footstep.states import SteadyState, steady_states
-from babbitt.kinds.footstep.superposition import GroovedHeel
+from babbitt.kinds.footstep.superposition import GroovedFootstep
 from babbitt.validation.case import Comparison, Story, ValidationCase
 from babbitt.validation.figure import GREY, INK
 from babbitt.validation.published.screw_heel_common import SOURCE, footstep, smooth, states
@@ -95,7 +95,7 @@ def largest_gain(gap: float, clearance: float) -> float:
     """Load gain in percent that the highest pressure of the groove allows at any groove flow."""
     import numpy as np
 
-    model = GroovedHeel(footstep(gap, clearance))
+    model = GroovedFootstep(footstep(gap, clearance))
     flows = np.geomspace(1e-4, 1.0, 4000) * model.channel.largest_flow
     best = flows[int(np.argmax(model.channel.end(flows)[0]))]
     plain = steady_states(smooth(footstep(gap, clearance)))[0].load

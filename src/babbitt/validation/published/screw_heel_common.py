@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 from babbitt.core.units import ZERO_CELSIUS
-from babbitt.kinds.footstep.model import Footstep, HeelGeometry, HeelOil, ScrewGroove
+from babbitt.kinds.footstep.model import Footstep, FootstepGeometry, FootstepOil, ScrewGroove
 from babbitt.kinds.footstep.states import Method, SteadyState, steady_states
 from babbitt.validation.reference_data import reference_data
 
@@ -25,8 +25,8 @@ def footstep(face_gap: float = 20.0, clearance: float = 20.0) -> Footstep:
     """The grooved footstep at a face gap and a clearance in micrometres."""
     d = reference_data("screw_heel")["case"]
     return Footstep(
-        HeelGeometry(d["length"], d["radius"], d["recess_radius"], d["bore_radius"], d["recess_depth"]),
-        HeelOil(
+        FootstepGeometry(d["length"], d["radius"], d["recess_radius"], d["bore_radius"], d["recess_depth"]),
+        FootstepOil(
             d["viscosity"],
             d["temperature_celsius"] + ZERO_CELSIUS,
             d["exponent"],

@@ -11,7 +11,7 @@ import numpy as np
 
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.thrust.bearing import ThrustBearing
-from babbitt.kinds.thrust.design import GivenThrust, Oil, ThrustDesign, ThrustState, operating_state
+from babbitt.kinds.thrust.design import Oil, PrescribedThrust, ThrustDesign, ThrustState, operating_state
 from babbitt.kinds.thrust.gap import minimum_gap
 from babbitt.kinds.thrust.pad import ThrustPad
 from babbitt.properties.lubricants import lubricant
@@ -46,7 +46,7 @@ def solved(carry_over: float, *, own: bool = False, resolved: bool = False) -> T
     design = ThrustDesign(
         "Hydro-generator",
         ThrustBearing(pad, data["pads"]),
-        GivenThrust(data["load_N"]),
+        PrescribedThrust(data["load_N"]),
         data["rpm"] * math.pi / 30.0,
         oil,
     )

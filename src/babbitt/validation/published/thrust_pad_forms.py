@@ -13,7 +13,7 @@ from babbitt.kinds.shaft_line.forced import forced
 from babbitt.kinds.shaft_line.impedance import respond
 from babbitt.kinds.shaft_line.line import Seating, ShaftLine
 from babbitt.kinds.shaft_line.natural import undamped_frequencies
-from babbitt.kinds.shaft_line.pads import FilmPads, GivenPads
+from babbitt.kinds.shaft_line.pads import FilmPads, PrescribedPads
 from babbitt.kinds.thrust.sharing import share_of
 from babbitt.kinds.thrust.state import condensed
 from babbitt.validation.case import Comparison, Story, ValidationCase
@@ -101,7 +101,7 @@ def _exact() -> Iterator[Comparison]:
         "N/m",
         "similarity",
     )
-    hard = GivenPads((1e16,) * 8, (0.0,) * 8)
+    hard = PrescribedPads((1e16,) * 8, (0.0,) * 8)
     bare = ShaftLine(14e3, 0.0, (ROD,), 8e3)
     angle = BLADE * ROD.transit_time
     magnified = 1.0 / (math.cos(angle) - 14e3 / ROD.mass * angle * math.sin(angle))
@@ -117,7 +117,7 @@ def _exact() -> Iterator[Comparison]:
         "",
         "closed form",
     )
-    even = GivenPads((2.5e9,) * 8, (1.8e8,) * 8, 2e10, 18.0)
+    even = PrescribedPads((2.5e9,) * 8, (1.8e8,) * 8, 2e10, 18.0)
     kt = even.film(SPEED)[0]
     under = 2e10 - SPEED**2 * 18.0
     expected = abs(kt * under / (kt + under)) * 5e-6
@@ -143,10 +143,10 @@ def _pad() -> Iterator[Comparison]:
         yield Comparison(name, "pad at 62.5 kN", expected, ours, Within(5e-3), unit, "prototype")
 
 
-def given_pads() -> GivenPads:
+def given_pads() -> PrescribedPads:
     """Films given: k_i = 2.5e9 (1 + 0.4 cos gamma_i), d_i = 1.8e8 (1 + 0.4 cos gamma_i)."""
     weight = 1.0 + 0.4 * np.cos(2.0 * math.pi * np.arange(8) / 8)
-    return GivenPads(tuple(2.5e9 * weight), tuple(1.8e8 * weight), 2e10, 18.0)
+    return PrescribedPads(tuple(2.5e9 * weight), tuple(1.8e8 * weight), 2e10, 18.0)
 
 
 def _given_films() -> Iterator[Comparison]:

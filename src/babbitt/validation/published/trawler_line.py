@@ -7,9 +7,9 @@ from functools import lru_cache
 
 from babbitt.kinds.shaft_line.excitation import RunoutHarmonic, ThrustHarmonic
 from babbitt.kinds.shaft_line.line import Rod, ShaftLine
-from babbitt.kinds.shaft_line.model import LineDuty
+from babbitt.kinds.shaft_line.model import LineOperation
 from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
-from babbitt.kinds.thrust.load_curve import Carrying, carrying
+from babbitt.kinds.thrust.load_curve import LoadCurve, carrying
 from babbitt.kinds.thrust.pad import ThrustPad
 from babbitt.kinds.thrust.state import TiltInertia
 
@@ -26,13 +26,13 @@ def line() -> ShaftLine:
     return ShaftLine(14e3, 8e4, (ROD,), 8e3)
 
 
-def duty() -> LineDuty:
+def duty() -> LineOperation:
     """Base case: 500 kN, 125 rpm, tilt 30 um, runout 5 um, ripple 10 %."""
     bearing = ThrustBearing(PAD, 8, 2e10, 18.0, TiltInertia(0.06, 0.05), HousingTilt(30e-6))
-    return LineDuty(line(), bearing, 500e3, SPEED, (RIPPLE,), (RUNOUT,))
+    return LineOperation(line(), bearing, 500e3, SPEED, (RIPPLE,), (RUNOUT,))
 
 
 @lru_cache
-def films() -> Carrying:
+def films() -> LoadCurve:
     """Films of one pad at 45 mPa s."""
     return carrying(PAD, VISCOSITY, SPEED)

@@ -47,8 +47,8 @@ class OverhungCouplingCase(CaseFile):
 
     def calculations(self) -> tuple[Calculation, ...]:
         """Give the one calculation of the file."""
-        doubts = tuple(about_grouped_digits(self))
-        problem = ShaftProblem(self.name, self.kind, self.shaft(), doubts=doubts, assumptions=self.assumptions)
+        warnings = tuple(about_grouped_digits(self))
+        problem = ShaftProblem(self.name, self.kind, self.shaft(), warnings=warnings, assumptions=self.assumptions)
         return (Calculation(problem, STATICS),)
 
     def shaft(self) -> OverhungCoupling:

@@ -10,18 +10,18 @@ from pydantic import Field
 
 from babbitt.case.case_file import CaseFile
 from babbitt.case.grouped_digits import about_grouped_digits
-from babbitt.case.part import Complaint, not_read, rule
+from babbitt.case.part import Issue, not_read, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.core.notices import Notice
 from babbitt.core.solution import Calculation
 from babbitt.core.units import si, written
 from babbitt.kinds.footstep.case.footstep_parts import (
     FigureRanges,
+    FootstepOilInput,
+    FootstepOptionsInput,
     Gap,
     GroovePart,
-    HeelOilPart,
-    HeelOptionsPart,
-    HeelPart,
+    HeelInput,
     WallPart,
 )
 from babbitt.kinds.footstep.methods import METHODS
@@ -30,22 +30,22 @@ from babbitt.kinds.footstep.model import (
     BackflowViscosity,
     FaceOutlet,
     Footstep,
+    FootstepGeometry,
+    FootstepOil,
+    FootstepOptions,
     FrictionViscosity,
-    HeelGeometry,
-    HeelOil,
-    HeelOptions,
     LoadReference,
     ScrewGroove,
     Wall,
 )
-from babbitt.kinds.footstep.model_case import HeelCase
+from babbitt.kinds.footstep.model_case import FootstepProblem
 from babbitt.kinds.footstep.states import Method
 
 OF_GROOVES = ("friction_viscosity", "backflow_viscosity", "local_loss_coefficient")
 """Options that only a grooved heel reads."""
 
 
-class ScrewHeelCase(CaseFile):
+class FootstepCase(CaseFile):
     """The hydrostatic footstep of a pump's screw, with a smooth or a screw-grooved heel."""
 
     kind: Literal["screw_heel"] = Field(description="Footstep with a smooth or screw-grooved heel.")
@@ -55,11 +55,11 @@ class ScrewHeelCase(CaseFile):
         description="The study's equations (adiabatic groove beside a full slit), or narrow-groove theory.",
     )
     variants: Literal["both", "smooth", "grooved"] = Field("both", description="Which heels to compute.")
-    heel: HeelPart = Field(description="Lengths of heel and recess.")
+    heel: HeelInput = Field(description="Lengths of heel and recess.")
     groove: GroovePart | None = Field(None, description="Screw groove on the heel.")
     face_gap: Gap = Field(description="Face gap h.")
     clearance: Gap = Field(description="Radial clearance delta of the heel.")
-    oil: HeelOilPart = Field(description="Oil.")
+    oil: FootstepOilInput = Field(description="Oil.")
     wall: WallPart | None = Field(None, description="Metal that takes heat from the films.")
     speed: Annotated[float, si("rad/s", "0.1 rpm", "1000000 rpm")] = Field(
         description="Speed of the screw, without a sign: it turns so that the groove drags oil from its outer end "
@@ -85,7 +85,7 @@ class ScrewHeelCase(CaseFile):
     tilt: Annotated[float, si("rad", "-2 deg", "2 deg")] = Field(
         0.0, description="Slope of the heel in the plane of the eccentricity; positive: the rim lies farther out."
     )
-    options: HeelOptionsPart = Field(HeelOptionsPart(), description="Choices of the study's equations.")
+    options: FootstepOptionsInput = Field(FootstepOptionsInput(), description="Choices of the study's equations.")
     figures: FigureRanges = Field(FigureRanges(), description="Ranges of the curves.")
     assumptions: tuple[Prose, ...] = Field(
         (), max_length=100, description="Assumptions to be shown in the report."
@@ -99,22 +99,22 @@ class ScrewHeelCase(CaseFile):
         return self.supply_pressure + (self.ambient_pressure if self.pressures == "gauge" else 0.0)
 
     @rule
-    def _supply_above_ambient(self) -> Iterator[Complaint]:
+    def _supply_above_ambient(self) -> Iterator[Issue]:
         if self.pressures == "absolute" and not self.supply_pressure > self.ambient_pressure:
             says = (
                 f"the supply, {written(self.supply_pressure, 'MPa')} absolute, is not above ambient, "
                 f"{written(self.ambient_pressure, 'MPa')}"
             )
-            yield Complaint(("supply_pressure",), says, "more than ambient_pressure", "write pressures: gauge")
+            yield Issue(("supply_pressure",), says, "more than ambient_pressure", "write pressures: gauge")
 
     @rule
-    def _grooved_heels_have_grooves(self) -> Iterator[Complaint]:
+    def _grooved_heels_have_grooves(self) -> Iterator[Issue]:
         if self.variants != "smooth" and self.groove is None:
             says = f"variants: {self.variants} needs a groove"
-            yield Complaint(("groove",), says, "groove, or variants: smooth", lacks=())
+            yield Issue(("groove",), says, "groove, or variants: smooth", lacks=())
 
     @rule
-    def _grooves_close(self) -> Iterator[Complaint]:
+    def _grooves_close(self) -> Iterator[Issue]:
         groove = self.groove
         if groove is None or groove.accept_misfit:
             return
@@ -125,27 +125,25 @@ class ScrewHeelCase(CaseFile):
                 f"land_width)/(2 pi radius sin angle), a misfit of {100.0 * misfit:+.2g} %"
             )
             hint = "both widths are normal to the groove; accept_misfit: true takes the numbers as they are"
-            yield Complaint(("groove",), says, f"at most {100.0 * PITCH_TOLERANCE:.0f} %", hint)
+            yield Issue(("groove",), says, f"at most {100.0 * PITCH_TOLERANCE:.0f} %", hint)
 
     @rule
-    def _heel_fits_the_cup(self) -> Iterator[Complaint]:
+    def _heel_fits_the_cup(self) -> Iterator[Issue]:
         reach = abs(self.eccentricity_ratio) + 0.5 * abs(self.tilt) * self.heel.length / self.clearance
         if reach >= 1.0:
             says = f"eccentricity and tilt bring the heel to {reach:.3g} of the clearance at one end"
-            yield Complaint(("tilt",) if self.tilt else ("eccentricity_ratio",), says, "less than 1 at both ends")
+            yield Issue(("tilt",) if self.tilt else ("eccentricity_ratio",), says, "less than 1 at both ends")
 
     @rule
-    def _wall_is_used(self) -> Iterator[Complaint]:
+    def _wall_is_used(self) -> Iterator[Issue]:
         if self.wall is not None and self.method == "superposition":
-            yield Complaint(
-                ("wall",), "superposition knows no heat to the metal", "method: narrow_groove with a wall"
-            )
+            yield Issue(("wall",), "superposition knows no heat to the metal", "method: narrow_groove with a wall")
 
     @rule
-    def _options_are_used(self) -> Iterator[Complaint]:
+    def _options_are_used(self) -> Iterator[Issue]:
         if self.method == "narrow_groove":
             for name in sorted(self.options.model_fields_set):
-                yield Complaint(
+                yield Issue(
                     ("options", name),
                     "belongs to the study's equations; narrow_groove does not know it",
                     "nothing with method: narrow_groove",
@@ -161,10 +159,10 @@ class ScrewHeelCase(CaseFile):
         """Give the footstep of one variant."""
         heel, oil, chosen = self.heel, self.oil, self.options
         return Footstep(
-            geometry=HeelGeometry(
+            geometry=FootstepGeometry(
                 heel.length, heel.radius, heel.recess_radius, heel.bore_radius, heel.recess_depth
             ),
-            oil=HeelOil(
+            oil=FootstepOil(
                 oil.viscosity, oil.temperature, oil.viscosity_exponent, oil.volumetric_heat_capacity, oil.density
             ),
             angular_speed=self.speed,
@@ -173,7 +171,7 @@ class ScrewHeelCase(CaseFile):
             face_gap=self.face_gap,
             clearance=self.clearance,
             groove=self._groove() if grooved else None,
-            options=HeelOptions(
+            options=FootstepOptions(
                 friction_viscosity=FrictionViscosity[chosen.friction_viscosity.upper()],
                 face_outlet=FaceOutlet[chosen.face_outlet.upper()],
                 backflow_viscosity=BackflowViscosity[chosen.backflow_viscosity.upper()],
@@ -192,13 +190,13 @@ class ScrewHeelCase(CaseFile):
         return tuple(Calculation(problem, METHODS[problem.method.value]) for problem in heel_cases(self))
 
 
-def heel_cases(case: ScrewHeelCase) -> tuple[HeelCase, ...]:
+def heel_cases(case: FootstepCase) -> tuple[FootstepProblem, ...]:
     """Design cases of a footstep: the smooth heel, the grooved one, or both."""
     wanted = {"both": (False, True), "smooth": (False,), "grooved": (True,)}[case.variants]
     made = {grooved: case.footstep(grooved) for grooved in wanted}
     ranges = case.figures
     return tuple(
-        HeelCase(
+        FootstepProblem(
             case.name,
             footstep,
             Method(case.method),
@@ -214,7 +212,7 @@ def heel_cases(case: ScrewHeelCase) -> tuple[HeelCase, ...]:
     )
 
 
-def _fields_not_read(case: ScrewHeelCase) -> Iterator[Notice]:
+def _fields_not_read(case: FootstepCase) -> Iterator[Notice]:
     """Tell of fields that make no difference to a smooth heel where it alone is computed."""
     if case.variants == "smooth":
         yield from not_read(
@@ -222,7 +220,7 @@ def _fields_not_read(case: ScrewHeelCase) -> Iterator[Notice]:
         )
 
 
-def _given(case: ScrewHeelCase) -> Iterator[tuple[str, str]]:
+def _given(case: FootstepCase) -> Iterator[tuple[str, str]]:
     """How the case put what it may put in several ways."""
     yield "Supply pressure", f"{1e-6 * case.supply_pressure:.6g} MPa, {case.pressures}"
     if case.groove is not None:

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from babbitt.case.part import Complaint, Part, rule
+from babbitt.case.part import Issue, Part, rule
 from babbitt.case.parts.fields import WholeNumber
 from babbitt.core.units import si, written
 
@@ -15,7 +15,7 @@ Gap = Annotated[float, si("m", "0.5 um", "1 mm")]
 Radius = Annotated[float, si("m", "0.1 mm", "1 m")]
 
 
-class HeelPart(Part):
+class HeelInput(Part):
     """Lengths of the heel and of the recess in its face."""
 
     length: Annotated[float, si("m", "1 mm", "1 m")] = Field(description="Length of the cylindrical heel L.")
@@ -25,12 +25,12 @@ class HeelPart(Part):
     recess_depth: Annotated[float, si("m", "0.01 mm", "100 mm")] = Field(description="Depth of the recess H.")
 
     @rule
-    def _radii_in_order(self) -> Iterator[Complaint]:
+    def _radii_in_order(self) -> Iterator[Issue]:
         pairs = (("recess_radius", "bore_radius"), ("radius", "recess_radius"))
         for larger, smaller in pairs:
             if not getattr(self, larger) > getattr(self, smaller):
                 says = f"{smaller} is {written(getattr(self, smaller), 'mm')}, not less than {larger}"
-                yield Complaint((smaller,), says, "bore_radius < recess_radius < radius")
+                yield Issue((smaller,), says, "bore_radius < recess_radius < radius")
 
 
 class GroovePart(Part):
@@ -52,7 +52,7 @@ class GroovePart(Part):
     )
 
 
-class HeelOilPart(Part):
+class FootstepOilInput(Part):
     """Oil whose viscosity falls exponentially: mu = viscosity exp(-exponent (T - temperature))."""
 
     viscosity: Annotated[float, si("Pa s", "0.01 mPa s", "1000 Pa s")] = Field(
@@ -81,7 +81,7 @@ class WallPart(Part):
     )
 
 
-class HeelOptionsPart(Part):
+class FootstepOptionsInput(Part):
     """What the study leaves open, or prints otherwise; the defaults are the consistent choices."""
 
     friction_viscosity: Literal["mean", "mixed"] = Field(
@@ -121,9 +121,9 @@ class FigureRanges(Part):
     )
 
     @rule
-    def _in_order(self) -> Iterator[Complaint]:
+    def _in_order(self) -> Iterator[Issue]:
         for name in ("face_gap", "clearance"):
             low, high = getattr(self, f"{name}_from"), getattr(self, f"{name}_to")
             if not high > 1.05 * low:
                 says = f"{name}_to is {written(high, 'um')}, {name}_from {written(low, 'um')}"
-                yield Complaint((f"{name}_to",), says, f"more than {name}_from")
+                yield Issue((f"{name}_to",), says, f"more than {name}_from")

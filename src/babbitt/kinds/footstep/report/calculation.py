@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from babbitt.core.result import Result
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.footstep.model import BackflowViscosity, FaceOutlet, Footstep, FrictionViscosity
-from babbitt.kinds.footstep.model_case import HeelCase
+from babbitt.kinds.footstep.model_case import FootstepProblem
 from babbitt.kinds.footstep.states import Method
 from babbitt.report.line import Line, Section
 from babbitt.report.worksheet import Worksheet
@@ -15,7 +15,7 @@ from babbitt.report.worksheet import Worksheet
 TOTAL = "2 * pi * heel_radius * heel_length / heel_clearance"
 
 
-class HeelSheet(Worksheet):
+class FootstepSheet(Worksheet):
     """The numbers of one steady state; see `Worksheet`."""
 
     def __init__(self, step: Footstep, result: Result) -> None:
@@ -46,12 +46,12 @@ class HeelSheet(Worksheet):
         super().__init__(known)
 
 
-def heel_calculation(case: HeelCase, result: Result) -> tuple[Section, ...]:
+def heel_calculation(case: FootstepProblem, result: Result) -> tuple[Section, ...]:
     """Lines of one steady state by superposition; none for narrow grooves, unsolved heels and unusual options.
 
     Parameters
     ----------
-    case : HeelCase
+    case : FootstepProblem
     result : Result
         One of its answers.
     """
@@ -65,7 +65,7 @@ def heel_calculation(case: HeelCase, result: Result) -> tuple[Section, ...]:
     )
     if not (result.outcome.solved and case.method is Method.SUPERPOSITION and plain):
         return ()
-    sheet = HeelSheet(step, result)
+    sheet = FootstepSheet(step, result)
     outward = sheet["face_flow"] > 0.0
     sections = [
         Section("Groove", tuple(_groove(sheet))) if case.is_grooved else None,
@@ -76,7 +76,7 @@ def heel_calculation(case: HeelCase, result: Result) -> tuple[Section, ...]:
     return tuple(section for section in sections if section is not None)
 
 
-def _groove(sheet: HeelSheet) -> Iterator[Line]:
+def _groove(sheet: FootstepSheet) -> Iterator[Line]:
     yield sheet.line("groove_wall_speed", "groove_speed * heel_radius * cos(groove_angle)")
     yield sheet.line("groove_length", "heel_length / sin(groove_angle)")
     yield sheet.given("heel_groove_flow", "at which the balance below closes")
@@ -98,7 +98,7 @@ def _groove(sheet: HeelSheet) -> Iterator[Line]:
     )
 
 
-def _face(sheet: HeelSheet, outward: bool) -> Iterator[Line]:
+def _face(sheet: FootstepSheet, outward: bool) -> Iterator[Line]:
     yield sheet.line(
         "face_resistance",
         "ln(heel_radius / recess_radius) / face_gap**3 + ln(recess_radius / bore_radius) / recess_depth**3",
@@ -118,7 +118,7 @@ def _face(sheet: HeelSheet, outward: bool) -> Iterator[Line]:
         )
 
 
-def _clearance(sheet: HeelSheet, outward: bool, grooved: bool) -> Iterator[Line]:
+def _clearance(sheet: FootstepSheet, outward: bool, grooved: bool) -> Iterator[Line]:
     if grooved and outward:
         yield sheet.line(
             "rim_temperature",
@@ -143,7 +143,7 @@ def _clearance(sheet: HeelSheet, outward: bool, grooved: bool) -> Iterator[Line]
     yield sheet.line("heel_leakage", parts, "the balance closes", digits=7)
 
 
-def _friction(sheet: HeelSheet, step: Footstep) -> Iterator[Line]:
+def _friction(sheet: FootstepSheet, step: Footstep) -> Iterator[Line]:
     oil = step.oil
     if step.groove is None:
         shear = oil.at(sheet["face_outlet_temperature"] + ZERO_CELSIUS)

@@ -10,9 +10,9 @@ import numpy as np
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result
 from babbitt.kinds.footstep.model import Footstep
-from babbitt.kinds.footstep.model_case import HeelCase
+from babbitt.kinds.footstep.model_case import FootstepProblem
 from babbitt.kinds.footstep.states import Method, NoSteadyStateError, StateName, SteadyState, steady_states
-from babbitt.kinds.footstep.study.sweep import HeelSweep, sweep_heel
+from babbitt.kinds.footstep.study.sweep import FootstepSweep, sweep_heel
 from babbitt.report.drawing import (
     GREY,
     INK,
@@ -52,12 +52,12 @@ OVER_GAP = ("rim_temperature", "heel_leakage", "load", "friction_power")
 """Quantities of the panels; temperature of the mixed oil and leakage are curves of the study's Figs. 2 and 3."""
 
 
-def heel_figures(case: HeelCase, result: Result, image_format: str = "svg") -> tuple[Drawing, ...]:
+def heel_figures(case: FootstepProblem, result: Result, image_format: str = "svg") -> tuple[Drawing, ...]:
     """The figures of a footstep; they stand with one of its results, the first of the grooved heel if it has one.
 
     Parameters
     ----------
-    case : HeelCase
+    case : FootstepProblem
     result : Result
         One of its answers; those of a heel without steady state show where there is one.
     image_format : {"svg", "pdf", "png"}
@@ -75,7 +75,7 @@ def heel_figures(case: HeelCase, result: Result, image_format: str = "svg") -> t
         )
 
 
-def _shows_figures(case: HeelCase, result: Result) -> bool:
+def _shows_figures(case: FootstepProblem, result: Result) -> bool:
     if not case.is_grooved:
         return case.other is None
     return (
@@ -84,7 +84,7 @@ def _shows_figures(case: HeelCase, result: Result) -> bool:
     )
 
 
-def _painted(case: HeelCase) -> Iterator[tuple[str, str, Figure]]:
+def _painted(case: FootstepProblem) -> Iterator[tuple[str, str, Figure]]:
     marked = case.is_grooved and case.method is Method.SUPERPOSITION
     marks = " Dotted: critical clearance (Q₂ = 0) and the fold." if marked else ""
     smooth = "; grey: smooth heel" if case.other is not None or not case.is_grooved else ""
@@ -111,7 +111,7 @@ def _painted(case: HeelCase) -> Iterator[tuple[str, str, Figure]]:
         )
 
 
-def _map(case: HeelCase) -> Figure:
+def _map(case: FootstepProblem) -> Figure:
     """Contours of the load over clearance and face gap, with the region without a steady state."""
     figure, ((panel,),) = Sheet(166.0, 92.0, left=14.0).panels()
     gaps = np.linspace(*case.gap_range, case.map_points)
@@ -133,7 +133,7 @@ def _stable_load(states: tuple[SteadyState, ...]) -> float:
     return next((state.load for state in states if state.stable), float("nan"))
 
 
-def _sweeps(case: HeelCase, gaps: Array, clearances: Array) -> list[HeelSweep]:
+def _sweeps(case: FootstepProblem, gaps: Array, clearances: Array) -> list[FootstepSweep]:
     """Of the smooth heel, then of the grooved one if there is one."""
     wanted: list[Footstep] = [case.smooth] if case.other is not None or not case.is_grooved else []
     if case.is_grooved:
@@ -147,7 +147,7 @@ def _watch(places: Any) -> Any:
     return shown("steady states of the footstep")(places)
 
 
-def _over_clearance(case: HeelCase) -> Figure:
+def _over_clearance(case: FootstepProblem) -> Figure:
     figure, axes = Sheet(166.0, 148.0, 3, 2, left=14.0, across=22.0, between=6.0).panels(sharex=True)
     figure.subplots_adjust(right=1.0 - 11.0 / 166.0)
     clearances = np.geomspace(*case.clearance_range, POINTS)
@@ -168,7 +168,7 @@ def _over_clearance(case: HeelCase) -> Figure:
     return figure
 
 
-def _over_gap(case: HeelCase) -> Figure:
+def _over_gap(case: FootstepProblem) -> Figure:
     figure, axes = Sheet(166.0, 100.0, 2, 2, left=14.0, across=22.0, between=6.0).panels(sharex=True)
     figure.subplots_adjust(right=1.0 - 11.0 / 166.0)
     gaps = np.linspace(*case.gap_range, POINTS)
@@ -183,7 +183,7 @@ def _over_gap(case: HeelCase) -> Figure:
     return figure
 
 
-def _branches(panel: Axes, places: Array, sweep: HeelSweep, name: str) -> list[End]:
+def _branches(panel: Axes, places: Array, sweep: FootstepSweep, name: str) -> list[End]:
     """One quantity along every branch, its stable part full and its unstable part broken; where each ends."""
     ends: list[End] = []
     for branch in sweep.names:
@@ -220,7 +220,7 @@ def _attribute(name: str) -> str:
     return {"heel_leakage": "leakage"}.get(name, name)
 
 
-def _marks(panel: Axes, case: HeelCase, at: float, name: str) -> None:
+def _marks(panel: Axes, case: FootstepProblem, at: float, name: str) -> None:
     """The states of the case itself, open where they are not stable."""
     for state in _states(case):
         value = float(in_engineers_unit(name, np.array(getattr(state, _attribute(name)))))
@@ -228,14 +228,14 @@ def _marks(panel: Axes, case: HeelCase, at: float, name: str) -> None:
         panel.plot([at], [value], "o", color=INK, markerfacecolor=filled, zorder=5, clip_on=False)
 
 
-def _states(case: HeelCase) -> tuple[SteadyState, ...]:
+def _states(case: FootstepProblem) -> tuple[SteadyState, ...]:
     try:
         return steady_states(case.footstep, case.method)
     except NoSteadyStateError:
         return ()
 
 
-def _fold(case: HeelCase) -> float | None:
+def _fold(case: FootstepProblem) -> float | None:
     from babbitt.kinds.footstep.clearances import fold_clearance
 
     if not case.is_grooved or case.method is not Method.SUPERPOSITION:
@@ -243,7 +243,7 @@ def _fold(case: HeelCase) -> float | None:
     return fold_clearance(case.footstep)
 
 
-def _verticals(panel: Axes, case: HeelCase) -> None:
+def _verticals(panel: Axes, case: FootstepProblem) -> None:
     """Critical clearance of the hot branch, and fold."""
     if not case.is_grooved or case.method is not Method.SUPERPOSITION:
         return

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.footstep.model import Footstep
-from babbitt.kinds.footstep.model_case import HeelCase
+from babbitt.kinds.footstep.model_case import FootstepProblem
 from babbitt.kinds.footstep.states import Method
 
 Said = tuple[str, str, str]
@@ -19,7 +19,7 @@ METHODS = {
 }
 
 
-def heel_inputs(case: HeelCase) -> tuple[tuple[str, tuple[Said, ...]], ...]:
+def heel_inputs(case: FootstepProblem) -> tuple[tuple[str, tuple[Said, ...]], ...]:
     """Groups of inputs: title, and what is said."""
     step = case.footstep
     if step.groove is None and case.other is not None:
@@ -83,7 +83,7 @@ def _operation(step: Footstep) -> Iterator[Said]:
         yield "Metal", f"{step.wall.temperature - ZERO_CELSIUS:.4g} °C, {step.wall.conductance:.4g} W/K", ""
 
 
-def _method(case: HeelCase, step: Footstep) -> Iterator[Said]:
+def _method(case: FootstepProblem, step: Footstep) -> Iterator[Said]:
     yield "Equations", METHODS[case.method], ""
     options = step.options
     yield "Load counts", options.load_reference.value, ""

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from babbitt.core.result_name import ResultName
-from babbitt.kinds.footstep.case.footstep import ScrewHeelCase, heel_cases
+from babbitt.kinds.footstep.case.footstep import FootstepCase, heel_cases
 from babbitt.kinds.footstep.methods import METHODS
-from babbitt.kinds.footstep.model_case import HeelCase
+from babbitt.kinds.footstep.model_case import FootstepProblem
 from babbitt.kinds.footstep.states import Method
 from babbitt.study.comparison import Comparison, Variant
 
@@ -41,12 +41,12 @@ COMPARED = (
 """What is put side by side."""
 
 
-def compare(case: ScrewHeelCase) -> tuple[Comparison, ...]:
+def compare(case: FootstepCase) -> tuple[Comparison, ...]:
     """Solve every heel of a case by both methods; that of the case stands first.
 
     Parameters
     ----------
-    case : ScrewHeelCase
+    case : FootstepCase
         Its wall counts for narrow grooves alone.
 
     Returns
@@ -61,7 +61,7 @@ def compare(case: ScrewHeelCase) -> tuple[Comparison, ...]:
     return (Comparison(case.name, variants, COMPARED),)
 
 
-def _by(problem: HeelCase, method: Method) -> Iterator[Variant]:
+def _by(problem: FootstepProblem, method: Method) -> Iterator[Variant]:
     label, remark = REMARKS[method]
     for found in METHODS[method.value].solve(problem):
         name = found.result.name

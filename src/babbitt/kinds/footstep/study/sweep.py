@@ -13,13 +13,13 @@ from babbitt.kinds.footstep.clearances import at_clearance
 from babbitt.kinds.footstep.model import Footstep
 from babbitt.kinds.footstep.states import Method, NoSteadyStateError, StateName, SteadyState, steady_states
 
-__all__ = ["HeelSweep", "sweep_heel"]
+__all__ = ["FootstepSweep", "sweep_heel"]
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class HeelSweep:
+class FootstepSweep:
     """Steady states on a grid.
 
     Attributes
@@ -60,7 +60,7 @@ def sweep_heel(
     clearances: Sequence[float],
     method: Method = Method.SUPERPOSITION,
     watch: ProgressCallback = no_progress,
-) -> HeelSweep:
+) -> FootstepSweep:
     """Solve a footstep for every face gap and clearance.
 
     Parameters
@@ -74,7 +74,7 @@ def sweep_heel(
 
     Returns
     -------
-    HeelSweep
+    FootstepSweep
     """
     found: list[list[tuple[SteadyState, ...]]] = [[() for _ in clearances] for _ in face_gaps]
     for place in watch(range(len(face_gaps) * len(clearances))):
@@ -84,4 +84,4 @@ def sweep_heel(
             found[row][column] = steady_states(point, method)
         except NoSteadyStateError:
             continue
-    return HeelSweep(tuple(face_gaps), tuple(clearances), tuple(map(tuple, found)))
+    return FootstepSweep(tuple(face_gaps), tuple(clearances), tuple(map(tuple, found)))

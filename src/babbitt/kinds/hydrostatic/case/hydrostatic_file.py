@@ -10,21 +10,21 @@ from pydantic import Field
 
 from babbitt.case.case_file import CaseFile
 from babbitt.case.grouped_digits import about_grouped_digits
-from babbitt.case.part import Complaint, exactly_one, is_given, not_read, refused, rule
+from babbitt.case.part import Issue, exactly_one, is_given, not_read, refused, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.core.notices import Notice
 from babbitt.core.solution import Calculation
 from babbitt.kinds.hydrostatic.case.recess_parts import Frequency, Gap, HydrostaticOil, Load, RecessOil
 from babbitt.kinds.hydrostatic.case.restrictors import (
-    ConstantFlowGiven,
+    ConstantFlowInput,
     HydrostaticSupply,
-    MeteredFlowGiven,
-    RestrictorGiven,
+    MeteredFlowInput,
+    RestrictorInput,
 )
 from babbitt.kinds.hydrostatic.geometry import AnnularPad, CircularPad
 from babbitt.kinds.hydrostatic.impedance import Compressibility
 from babbitt.kinds.hydrostatic.methods import METHODS
-from babbitt.kinds.hydrostatic.model import Duty, HydrostaticCase, Recesses, Shape
+from babbitt.kinds.hydrostatic.model import HydrostaticCase, OperatingConditions, Recesses, Shape
 
 
 class HydrostaticFile(CaseFile):
@@ -43,8 +43,8 @@ class HydrostaticFile(CaseFile):
         description="Grid of the film. A full film of reference accuracy is solved on half the lines as well and "
         "extrapolated.",
     )
-    restrictor: RestrictorGiven | None = Field(None, description="The restrictor before every recess.")
-    restrictors: tuple[RestrictorGiven, ...] = Field(
+    restrictor: RestrictorInput | None = Field(None, description="The restrictor before every recess.")
+    restrictors: tuple[RestrictorInput, ...] = Field(
         (), max_length=60, description="One for every recess in their order, where they are not alike."
     )
     supply: HydrostaticSupply = Field(description="Oil before the restrictors.")
@@ -66,7 +66,7 @@ class HydrostaticFile(CaseFile):
         """Give the shape of the calculation."""
 
     @abstractmethod
-    def duty(self) -> Duty:
+    def duty(self) -> OperatingConditions:
         """Give the duty of the calculation."""
 
     @property
@@ -74,45 +74,45 @@ class HydrostaticFile(CaseFile):
         """Number of recesses."""
         return 1
 
-    def misfits(self) -> Iterator[Complaint]:
+    def misfits(self) -> Iterator[Issue]:
         """Complain of lengths and angles that do not fit each other."""
         yield from ()
 
     @rule
-    def _shape_can_be_made(self) -> Iterator[Complaint]:
+    def _shape_can_be_made(self) -> Iterator[Issue]:
         told = list(self.misfits())
         yield from told or refused(self.shaped_by, self.shape)
 
     @rule
-    def _oil_reaches(self) -> Iterator[Complaint]:
+    def _oil_reaches(self) -> Iterator[Issue]:
         yield from refused(("oil",), self.oil.oils)
 
     @rule
-    def _restrictors_fit(self) -> Iterator[Complaint]:
+    def _restrictors_fit(self) -> Iterator[Issue]:
         yield from exactly_one(self, "restrictor", "restrictors")
         given, count = self.restrictors, self.recess_count
         if is_given(self, "restrictors") and len(given) != count:
             says = f"{len(given)} restrictor{'s' * (len(given) != 1)} for {count} recess{'es' * (count > 1)}"
-            yield Complaint(("restrictors",), says, "one for every recess", "restrictor is for all alike")
-        pumped = [isinstance(one, ConstantFlowGiven | MeteredFlowGiven) for one in given]
+            yield Issue(("restrictors",), says, "one for every recess", "restrictor is for all alike")
+        pumped = [isinstance(one, ConstantFlowInput | MeteredFlowInput) for one in given]
         if any(pumped) and not all(pumped):
             kind = given[pumped.index(True)].kind
             says = f"{kind} has a flow of its own for its recess, and other recesses hang on the supply"
             allowed = f"{kind} for all recesses, or other restrictors for all"
-            yield Complaint(("restrictors", pumped.index(True)), says, allowed)
+            yield Issue(("restrictors", pumped.index(True)), says, allowed)
 
     @rule
-    def _one_pump_too_many(self) -> Iterator[Complaint]:
+    def _one_pump_too_many(self) -> Iterator[Issue]:
         own = self.restrictors[0] if self.restrictors else self.restrictor
         if not is_given(self.supply, "pump_flow"):
             return
-        if isinstance(own, ConstantFlowGiven):
+        if isinstance(own, ConstantFlowInput):
             says = "constant_flow has a pump for every recess, and the supply names one pump for all"
             hint = "the pressure that the pumps of the recesses can reach; restrictor.flow is what each delivers"
-            yield Complaint(("supply", "pump_flow"), says, "pressure", hint)
-        if isinstance(own, MeteredFlowGiven):
+            yield Issue(("supply", "pump_flow"), says, "pressure", hint)
+        if isinstance(own, MeteredFlowInput):
             says = "metered_flow needs a supply that stands at its pressure, and this one delivers a flow"
-            yield Complaint(("supply", "pump_flow"), says, "pressure", "that of the pump's relief valve")
+            yield Issue(("supply", "pump_flow"), says, "pressure", "that of the pump's relief valve")
 
     def _fields_not_read(self) -> Iterator[Notice]:
         """Tell of fields that make no difference to this bearing."""
@@ -163,5 +163,5 @@ class HydrostaticFile(CaseFile):
             highest_supply_pressure=self.supply.highest_pressure,
             accuracy=self.accuracy,
             assumptions=tuple(assumptions),
-            doubts=(*about_grouped_digits(self), *self._fields_not_read(), *self.oil.doubts()),
+            warnings=(*about_grouped_digits(self), *self._fields_not_read(), *self.oil.warnings()),
         )

@@ -9,14 +9,14 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from babbitt.case.part import Complaint, exactly_one, is_given, not_read, rule
+from babbitt.case.part import Issue, exactly_one, is_given, not_read, rule
 from babbitt.core.notices import Notice
 from babbitt.core.units import si
 from babbitt.kinds.hydrostatic.case.hydrostatic_file import HydrostaticFile
 from babbitt.kinds.hydrostatic.case.recess_parts import Angle, Gap, Length, RecessRow, Speed
 from babbitt.kinds.hydrostatic.case.recess_rules import clearance_is_small, in_order, lands_between
 from babbitt.kinds.hydrostatic.geometry import RecessedJournal
-from babbitt.kinds.hydrostatic.model import Duty, HydrostaticCase
+from babbitt.kinds.hydrostatic.model import HydrostaticCase, OperatingConditions
 
 
 class HydrostaticJournalCase(HydrostaticFile):
@@ -52,18 +52,18 @@ class HydrostaticJournalCase(HydrostaticFile):
     )
 
     @rule
-    def _load_or_position(self) -> Iterator[Complaint]:
+    def _load_or_position(self) -> Iterator[Issue]:
         yield from exactly_one(self, "load", "eccentricity_ratio")
         if is_given(self, "load") and is_given(self, "attitude_angle"):
             says = "attitude_angle is of a given position, but the load is given"
-            yield Complaint(("attitude_angle",), says, "eccentricity_ratio in place of the load", "remove one")
+            yield Issue(("attitude_angle",), says, "eccentricity_ratio in place of the load", "remove one")
 
     @property
     def recess_count(self) -> int:
         """Number of recesses."""
         return self.recesses.number
 
-    def misfits(self) -> Iterator[Complaint]:
+    def misfits(self) -> Iterator[Issue]:
         """Complain of recesses that leave the bearing or no land between them."""
         yield from clearance_is_small(self.radial_clearance, self.diameter)
         yield from in_order(self, "recess_length", "width")
@@ -77,11 +77,11 @@ class HydrostaticJournalCase(HydrostaticFile):
             row.drain_groove,
         )  # fmt: skip
 
-    def duty(self) -> Duty:
+    def duty(self) -> OperatingConditions:
         """Give the duty of the calculation."""
         e = (self.eccentricity_ratio or 0.0) * self.radial_clearance
         angle = self.load_angle + math.copysign(1.0, self.speed) * self.attitude_angle
-        return Duty(
+        return OperatingConditions(
             self.load,
             self.load_angle,
             position=(e * math.cos(angle), e * math.sin(angle)),

@@ -8,14 +8,14 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from babbitt.case.part import Complaint, exactly_one, is_given, rule
+from babbitt.case.part import Issue, exactly_one, is_given, rule
 from babbitt.core.units import si, written
 from babbitt.kinds.hydrostatic.case.hydrostatic_file import HydrostaticFile
 from babbitt.kinds.hydrostatic.case.pad_shapes import DIAMETERS
 from babbitt.kinds.hydrostatic.case.recess_parts import Gap, Length, RecessRow, Speed
 from babbitt.kinds.hydrostatic.case.recess_rules import in_order, lands_between
 from babbitt.kinds.hydrostatic.geometry import AnnularPad, ThrustRing
-from babbitt.kinds.hydrostatic.model import Duty
+from babbitt.kinds.hydrostatic.model import OperatingConditions
 
 
 class HydrostaticThrustRingCase(HydrostaticFile):
@@ -37,17 +37,15 @@ class HydrostaticThrustRingCase(HydrostaticFile):
     speed: Speed = Field(0.0, description="Rotational speed of the runner; positive counter-clockwise.")
 
     @rule
-    def _load_or_gap(self) -> Iterator[Complaint]:
+    def _load_or_gap(self) -> Iterator[Issue]:
         yield from exactly_one(self, "load", "gap")
         if is_given(self, "tilt") and self.gap is None:
-            yield Complaint(("tilt",), "a tilt is given without the gap", "gap and tilt, or load and moments")
+            yield Issue(("tilt",), "a tilt is given without the gap", "gap and tilt, or load and moments")
         if is_given(self, "moments") and self.load is None:
-            yield Complaint(
-                ("moments",), "moments are given without the load", "load and moments, or gap and tilt"
-            )
+            yield Issue(("moments",), "moments are given without the load", "load and moments, or gap and tilt")
 
     @rule
-    def _tilt_leaves_a_gap(self) -> Iterator[Complaint]:
+    def _tilt_leaves_a_gap(self) -> Iterator[Issue]:
         tilt, edge = math.hypot(*self.tilt), 0.5 * self.outer_diameter
         if self.gap is not None and tilt * edge >= self.gap:
             where = math.degrees(math.atan2(-self.tilt[0], self.tilt[1]))
@@ -55,16 +53,14 @@ class HydrostaticThrustRingCase(HydrostaticFile):
                 f"a tilt of {1e3 * tilt:.4g} mm/m closes the gap of {written(self.gap, 'um')} on the outer "
                 f"edge at {where:.4g} deg"
             )
-            yield Complaint(
-                ("tilt",), says, f"less than {1e3 * self.gap / edge:.4g} mm/m in all", "or a wider gap"
-            )
+            yield Issue(("tilt",), says, f"less than {1e3 * self.gap / edge:.4g} mm/m in all", "or a wider gap")
 
     @property
     def recess_count(self) -> int:
         """Number of recesses."""
         return self.recesses.number
 
-    def misfits(self) -> Iterator[Complaint]:
+    def misfits(self) -> Iterator[Issue]:
         """Complain of edges out of order and of recesses without lands between them."""
         yield from in_order(self, *DIAMETERS)
         yield from lands_between("recesses", self.recesses)
@@ -80,6 +76,8 @@ class HydrostaticThrustRingCase(HydrostaticFile):
         row = self.recesses
         return ThrustRing(radii, row.middles, row.extent, row.drain_groove)
 
-    def duty(self) -> Duty:
+    def duty(self) -> OperatingConditions:
         """Give the duty of the calculation."""
-        return Duty(self.load, moments=self.moments, gap=self.gap or 0.0, tilt=self.tilt, angular_speed=self.speed)
+        return OperatingConditions(
+            self.load, moments=self.moments, gap=self.gap or 0.0, tilt=self.tilt, angular_speed=self.speed
+        )

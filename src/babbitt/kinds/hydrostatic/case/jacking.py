@@ -10,7 +10,7 @@ from pydantic import Field
 
 from babbitt.case.case_file import CaseFile
 from babbitt.case.grouped_digits import about_grouped_digits
-from babbitt.case.part import Complaint, is_given, not_read, refused, rule
+from babbitt.case.part import Issue, is_given, not_read, refused, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.case.parts.own_lubricant import DynamicViscosity
 from babbitt.core.notices import Notice
@@ -55,14 +55,14 @@ class JackingPocketCase(CaseFile):
     source: Prose = Field("", description="Where the numbers come from.")
 
     @rule
-    def _can_be_made(self) -> Iterator[Complaint]:
+    def _can_be_made(self) -> Iterator[Issue]:
         told = [*self._misfits(), *self._useless_pockets()]
         yield from told or refused(("pockets",), self.design)
 
-    def _misfits(self) -> Iterator[Complaint]:
+    def _misfits(self) -> Iterator[Issue]:
         if not (is_given(self, "lift_gap") or is_given(self, "pump_flow")):
             says = "nothing says how far to lift"
-            yield Complaint((), says, "lift_gap, or pump_flow", code="E003", lacks=("lift_gap",))
+            yield Issue((), says, "lift_gap, or pump_flow", code="E003", lacks=("lift_gap",))
         yield from clearance_is_small(self.radial_clearance, self.diameter)
         yield from in_order(self, "pocket_length", "width")
         for name in ("lift_gap", "roughness"):
@@ -71,13 +71,13 @@ class JackingPocketCase(CaseFile):
         if self.lift_gap is not None and not self.lift_gap > self.roughness:
             says = f"{written(self.lift_gap, 'um')} do not lift the shaft off its roughness"
             allowed = f"more than roughness, {written(self.roughness, 'um')}"
-            yield Complaint(("lift_gap",), says, allowed, "roughness is the height on which the shaft lies")
+            yield Issue(("lift_gap",), says, allowed, "roughness is the height on which the shaft lies")
         yield from lands_between("pockets", self.pockets)
 
-    def _useless_pockets(self) -> Iterator[Complaint]:
+    def _useless_pockets(self) -> Iterator[Issue]:
         if not any(math.sin(angle) < 0.0 for angle in self.pockets.middles):
             field = "angles" if self.pockets.angles else "first"
-            yield Complaint(("pockets", field), "no pocket lies in the lower half, where the shaft lies",
+            yield Issue(("pockets", field), "no pocket lies in the lower half, where the shaft lies",
                             "angles below the horizontal, such as -90 deg")  # fmt: skip
 
     def _fields_not_read(self) -> Iterator[Notice]:
@@ -105,5 +105,5 @@ class JackingPocketCase(CaseFile):
             self.name, self.method, bearing, self.viscosity, self.load, self.lift_gap, self.pump_flow,
             self.relief_pressure, self.roughness, self.pump_efficiency, self.accuracy, self.own_restrictors,
             assumptions=(*self.assumptions, *assumed),
-            doubts=(*about_grouped_digits(self), *self._fields_not_read()),
+            warnings=(*about_grouped_digits(self), *self._fields_not_read()),
         )  # fmt: skip

@@ -7,7 +7,7 @@ from typing import ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.case.part import Complaint, Part, rule
+from babbitt.case.part import Issue, Part, rule
 from babbitt.kinds.hydrostatic.case.recess_parts import Length
 from babbitt.kinds.hydrostatic.case.recess_rules import in_order
 from babbitt.kinds.hydrostatic.geometry import AnnularPad, CircularPad, PadShape, RectangularPad
@@ -16,7 +16,7 @@ DIAMETERS = ("inner_diameter", "recess_inner_diameter", "recess_outer_diameter",
 """Edges of a ring and of its recess, from inside to outside."""
 
 
-class CircularGiven(Part):
+class CircularInput(Part):
     """A round pad with a round recess in the middle."""
 
     example: ClassVar[str] = "{kind: circular, diameter: 100 mm, recess_diameter: 50 mm}"
@@ -26,7 +26,7 @@ class CircularGiven(Part):
     recess_diameter: Length = Field(description="Diameter of the recess.")
 
     @rule
-    def _recess_inside(self) -> Iterator[Complaint]:
+    def _recess_inside(self) -> Iterator[Issue]:
         yield from in_order(self, "recess_diameter", "diameter")
 
     def pad(self) -> PadShape:
@@ -34,7 +34,7 @@ class CircularGiven(Part):
         return CircularPad(0.5 * self.diameter, 0.5 * self.recess_diameter)
 
 
-class AnnularGiven(Part):
+class AnnularInput(Part):
     """A ring with an annular recess."""
 
     kind: Literal["annular"] = Field(description="Ring with one annular recess.")
@@ -44,7 +44,7 @@ class AnnularGiven(Part):
     outer_diameter: Length = Field(description="Outer edge of the ring.")
 
     @rule
-    def _diameters_in_order(self) -> Iterator[Complaint]:
+    def _diameters_in_order(self) -> Iterator[Issue]:
         yield from in_order(self, *DIAMETERS)
 
     def pad(self) -> AnnularPad:
@@ -57,7 +57,7 @@ class AnnularGiven(Part):
         )
 
 
-class RectangularGiven(Part):
+class RectangularInput(Part):
     """A rectangle with a rectangular recess in the middle."""
 
     kind: Literal["rectangular"] = Field(description="Rectangular pad.")
@@ -67,7 +67,7 @@ class RectangularGiven(Part):
     recess_width: Length = Field(description="Other side of the recess.")
 
     @rule
-    def _recess_inside(self) -> Iterator[Complaint]:
+    def _recess_inside(self) -> Iterator[Issue]:
         yield from in_order(self, "recess_length", "length")
         yield from in_order(self, "recess_width", "width")
 

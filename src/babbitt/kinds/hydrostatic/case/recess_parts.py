@@ -8,9 +8,9 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field
 
-from babbitt.case.part import Complaint, Part, exactly_one, is_given, rule
+from babbitt.case.part import Issue, Part, exactly_one, is_given, rule
 from babbitt.case.parts.fields import WholeNumber
-from babbitt.case.parts.lubricant import LubricantGiven
+from babbitt.case.parts.lubricant import LubricantInput
 from babbitt.case.parts.own_lubricant import DynamicViscosity
 from babbitt.core.notices import Notice
 from babbitt.core.units import either_sense, si
@@ -38,7 +38,7 @@ class HydrostaticOil(Part):
     heat_capacity: Annotated[float, si("J/(kg K)", "500 J/(kg K)", "10 kJ/(kg K)")] = Field(
         2000.0, description="Specific heat. Used with viscosity; a lubricant has its own."
     )
-    lubricant: LubricantGiven | None = Field(None, description="A lubricant in place of viscosity.")
+    lubricant: LubricantInput | None = Field(None, description="A lubricant in place of viscosity.")
     supply_temperature: Annotated[float, si("K", "-30 degC", "200 degC")] | None = Field(
         None, description="Temperature of a lubricant before the restrictors."
     )
@@ -50,10 +50,10 @@ class HydrostaticOil(Part):
     )
 
     @rule
-    def _one_way(self) -> Iterator[Complaint]:
+    def _one_way(self) -> Iterator[Issue]:
         yield from exactly_one(self, "viscosity", "lubricant")
         if is_given(self, "lubricant") and self.supply_temperature is None:
-            yield Complaint(("supply_temperature",), "the lubricant has no temperature", "supply_temperature",
+            yield Issue(("supply_temperature",), "the lubricant has no temperature", "supply_temperature",
                             code="E003")  # fmt: skip
 
     def oils(self) -> tuple[Oil, Oil]:
@@ -69,7 +69,7 @@ class HydrostaticOil(Part):
         film = supplied.at(self.film_temperature)
         return Oil(film.viscosity, film.density, film.heat_capacity, None, self.supply_temperature), supplied
 
-    def doubts(self) -> Iterator[Notice]:
+    def warnings(self) -> Iterator[Notice]:
         """Given temperatures outside the data of the lubricant; a film's own is known with its heat balance."""
         if self.lubricant is None or self.supply_temperature is None:
             return
@@ -114,11 +114,11 @@ class RecessRow(Part):
     )
 
     @rule
-    def _all_angles(self) -> Iterator[Complaint]:
+    def _all_angles(self) -> Iterator[Issue]:
         if self.angles and len(self.angles) != self.number:
-            yield Complaint(("angles",), f"{len(self.angles)} angles for {self.number} recesses", "one for each")
+            yield Issue(("angles",), f"{len(self.angles)} angles for {self.number} recesses", "one for each")
         if self.angles and is_given(self, "first"):
-            yield Complaint(("first",), "given besides angles", "first, or angles", "remove one")
+            yield Issue(("first",), "given besides angles", "first, or angles", "remove one")
 
     @property
     def middles(self) -> tuple[float, ...]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from typing import Protocol
 
-from babbitt.case.part import Complaint, Part
+from babbitt.case.part import Issue, Part
 from babbitt.core.units import written
 from babbitt.kinds.hydrostatic.geometry import pitches_around
 
@@ -31,25 +31,25 @@ class Row(Protocol):
         """Angle of the drain grooves between them."""
 
 
-def in_order(part: Part, *names: str, unit: str = "mm") -> Iterator[Complaint]:
+def in_order(part: Part, *names: str, unit: str = "mm") -> Iterator[Issue]:
     """Complain of the first of some lengths that is not greater than the one before it."""
     for smaller, larger in pairwise(names):
         own, limit = getattr(part, smaller), getattr(part, larger)
         if not own < limit:
             says = f"{smaller} is {written(own, unit)}, {larger} {written(limit, unit)}"
             hint = f"the order is {', '.join(names)}" if len(names) > 2 else ""
-            yield Complaint((smaller,), says, f"{smaller} less than {larger}", hint)
+            yield Issue((smaller,), says, f"{smaller} less than {larger}", hint)
             return
 
 
-def clearance_is_small(clearance: float, diameter: float) -> Iterator[Complaint]:
+def clearance_is_small(clearance: float, diameter: float) -> Iterator[Issue]:
     """Complain of a clearance that the bore cannot have, m."""
     if not 2.0 * clearance < diameter:
         says = f"radial_clearance is {written(clearance, 'mm')} in a bore of {written(diameter, 'mm')}"
-        yield Complaint(("radial_clearance",), says, "about a thousandth of the bore")
+        yield Issue(("radial_clearance",), says, "about a thousandth of the bore")
 
 
-def lands_between(field: str, row: Row) -> Iterator[Complaint]:
+def lands_between(field: str, row: Row) -> Iterator[Issue]:
     """Complain of recesses that overlap each other or a drain groove."""
     pitch = min(pitches_around(tuple(row.middles)))
     if row.extent < pitch - row.drain_groove - ROUND_OFF:
@@ -61,4 +61,4 @@ def lands_between(field: str, row: Row) -> Iterator[Complaint]:
     )
     most = written(max(pitch - row.drain_groove, 0.0), "deg")
     hint = "a smaller extent, fewer recesses, or other angles" if len(row.middles) > 1 else "a smaller extent"
-    yield Complaint((field, "extent"), says, f"less than {most}", hint)
+    yield Issue((field, "extent"), says, f"less than {most}", hint)

@@ -7,7 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.case.part import Complaint, Part, exactly_one, is_given, rule
+from babbitt.case.part import Issue, Part, exactly_one, is_given, rule
 from babbitt.case.parts.fields import WholeNumber
 from babbitt.case.parts.own_lubricant import DynamicViscosity
 from babbitt.core.units import si
@@ -38,7 +38,7 @@ class WithCheckValve(Part):
     check_valve: bool = Field(False, description="Whether a check valve keeps oil from flowing back.")
 
 
-class CapillaryGiven(WithCheckValve):
+class CapillaryInput(WithCheckValve):
     """A round tube before every recess."""
 
     example: ClassVar[str] = "{kind: capillary, diameter: 0.8 mm, length: 100 mm}"
@@ -62,7 +62,7 @@ class CapillaryGiven(WithCheckValve):
         return CheckValve(law) if self.check_valve else law
 
 
-class OrificeGiven(WithCheckValve):
+class OrificeInput(WithCheckValve):
     """A sharp-edged hole before every recess."""
 
     example: ClassVar[str] = "{kind: orifice, diameter: 0.4 mm}"
@@ -77,7 +77,7 @@ class OrificeGiven(WithCheckValve):
         return CheckValve(law) if self.check_valve else law
 
 
-class SlotGiven(WithCheckValve):
+class SlotInput(WithCheckValve):
     """A flat slot before every recess."""
 
     example: ClassVar[str] = "{kind: slot, width: 10 mm, gap: 0.1 mm, length: 20 mm}"
@@ -96,7 +96,7 @@ class SlotGiven(WithCheckValve):
         return CheckValve(law) if self.check_valve else law
 
 
-class ConstantFlowGiven(Part):
+class ConstantFlowInput(Part):
     """A pump for every recess."""
 
     example: ClassVar[str] = "{kind: constant_flow, flow: 0.75 L/min}"
@@ -112,7 +112,7 @@ class ConstantFlowGiven(Part):
         return ConstantFlow(self.flow, self.leakage)
 
 
-class MeteredFlowGiven(Part):
+class MeteredFlowInput(Part):
     """A metering stage before every recess, fed by the common supply."""
 
     example: ClassVar[str] = "{kind: metered_flow, flow: 0.75 L/min}"
@@ -127,7 +127,7 @@ class MeteredFlowGiven(Part):
         return MeteredFlow(self.flow)
 
 
-class FlowValveGiven(Part):
+class FlowValveInput(Part):
     """A pressure-compensating valve before every recess: more oil where the recess pressure rises."""
 
     kind: Literal["flow_valve"] = Field(description="Q = min(Q0 + k p, G (p_s - p)).")
@@ -140,7 +140,7 @@ class FlowValveGiven(Part):
         return FlowValve(self.flow, self.gain, self.open_conductance)
 
 
-class MembraneValveGiven(Part):
+class MembraneValveInput(Part):
     """A membrane valve before every recess: its gap opens with the recess pressure."""
 
     kind: Literal["membrane_valve"] = Field(description="Q = G (1 + s p)³ (p_s - p).")
@@ -154,14 +154,14 @@ class MembraneValveGiven(Part):
         return MembraneValve(self.conductance, self.compliance)
 
 
-RestrictorGiven = Annotated[
-    CapillaryGiven
-    | OrificeGiven
-    | SlotGiven
-    | ConstantFlowGiven
-    | MeteredFlowGiven
-    | FlowValveGiven
-    | MembraneValveGiven,
+RestrictorInput = Annotated[
+    CapillaryInput
+    | OrificeInput
+    | SlotInput
+    | ConstantFlowInput
+    | MeteredFlowInput
+    | FlowValveInput
+    | MembraneValveInput,
     Discriminator("kind"),
 ]
 """All restrictors."""
@@ -187,21 +187,19 @@ class HydrostaticSupply(Part):
     )
 
     @rule
-    def _one_source(self) -> Iterator[Complaint]:
+    def _one_source(self) -> Iterator[Issue]:
         yield from exactly_one(self, "pressure", "pump_flow")
         for name in ("leakage", "relief_pressure", "manifold_volume"):
             if is_given(self, name) and is_given(self, "pressure"):
-                yield Complaint(
-                    (name,), f"{name} is of a pump, but the pressure is given", "pump_flow", "remove one"
-                )
+                yield Issue((name,), f"{name} is of a pump, but the pressure is given", "pump_flow", "remove one")
 
     @rule
-    def _pump_holds(self) -> Iterator[Complaint]:
+    def _pump_holds(self) -> Iterator[Issue]:
         highest = self.highest_pressure
         for name in ("pressure", "relief_pressure"):
             given = getattr(self, name)
             if highest is not None and given is not None and given > highest:
-                yield Complaint(
+                yield Issue(
                     (name,),
                     f"{name} is above highest_pressure",
                     "a pressure that the pump can hold",

@@ -61,10 +61,10 @@ def feeding_rows(case: HydrostaticCase) -> Iterator[Said]:
     """Restrictors, supply, recesses."""
     restrictors = case.feeding.restrictors
     if case.feeding.is_uniform:
-        yield "Restrictor before every recess", said_of_restrictor(restrictors[0]), ""
+        yield "Restrictor before every recess", describe_restrictor(restrictors[0]), ""
     else:
         for k, one in enumerate(restrictors, 1):
-            yield f"Restrictor before recess {k}", said_of_restrictor(one), ""
+            yield f"Restrictor before recess {k}", describe_restrictor(one), ""
     supply = case.feeding.supply
     if isinstance(supply, FixedPressure):
         yield "Supply pressure", f"{1e-6 * supply.pressure:.5g}", "MPa"
@@ -80,11 +80,11 @@ def feeding_rows(case: HydrostaticCase) -> Iterator[Said]:
     yield "Bulk modulus of the oil", f"{1e-9 * case.compressibility.bulk_modulus:.4g}", "GPa"
 
 
-def said_of_restrictor(restrictor: Restrictor) -> str:
+def describe_restrictor(restrictor: Restrictor) -> str:
     """Say what a restrictor is."""
     match restrictor:
         case CheckValve():
-            return f"{said_of_restrictor(restrictor.restrictor)}, with check valve"
+            return f"{describe_restrictor(restrictor.restrictor)}, with check valve"
         case Capillary():
             tubes = f"{restrictor.tubes} capillaries" if restrictor.tubes > 1 else "capillary"
             loss = f", entry loss {restrictor.entry_loss:g}" if restrictor.entry_loss else ""

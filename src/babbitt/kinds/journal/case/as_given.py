@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from babbitt.case.case_file import CaseFile
 from babbitt.case.parts.clearance import (
-    ClearanceGiven,
+    ClearanceInput,
     DeviationsClearance,
     DiametralClearance,
     FitClearance,
@@ -25,7 +25,7 @@ from babbitt.kinds.journal.case.supply_element import (
     HoleElement,
     PocketElement,
     SlotElement,
-    SupplyElementGiven,
+    SupplyElementInput,
     UnevenPockets,
 )
 from babbitt.properties.fits import tolerance_limits
@@ -98,7 +98,7 @@ def _of_geometry(bearing: JournalBearing, point: OperatingPoint | None) -> Itera
             yield label, f"bore {_micrometres(bore)} µm, journal {_micrometres(journal)} µm"
 
 
-def _element(element: SupplyElementGiven) -> str:
+def _element(element: SupplyElementInput) -> str:
     match element:
         case HoleElement():
             what = "hole" if element.number == 1 else f"{element.number} holes"
@@ -133,7 +133,7 @@ def _of_clearance(bearing: JournalBearing, clearance_case: str) -> Iterator[Word
     yield "Clearance case", clearance_case
 
 
-def _clearance(given: ClearanceGiven, diameter: float) -> str:
+def _clearance(given: ClearanceInput, diameter: float) -> str:
     match given:
         case FitClearance():
             bore, journal = (

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from babbitt.case.error_messages import Path
-from babbitt.case.part import Complaint
+from babbitt.case.part import Issue
 from babbitt.case.parts.materials import Materials
 from babbitt.case.parts.shared import SharedInputs, merged
 from babbitt.case.parts.supply import Supply
@@ -20,9 +20,7 @@ SUPPLY_OF_A_POINT = ("supply_temperature", "supply_pressure", "supply_flow")
 WHERE = "at the bearing or for the whole machine"
 
 
-def complaints_about(
-    bearing: JournalBearing, machine: SharedInputs | None, *path: str | int
-) -> Iterator[Complaint]:
+def issues_of(bearing: JournalBearing, machine: SharedInputs | None, *path: str | int) -> Iterator[Issue]:
     """Complain about what a bearing lacks, and about temperatures above what its oil and metal stand.
 
     Parameters
@@ -38,13 +36,13 @@ def complaints_about(
     yield from _too_hot(bearing, machine, path)
 
 
-def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) -> Iterator[Complaint]:
+def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) -> Iterator[Issue]:
     where = f"; {WHERE}" if machine is not None else ""
 
-    def lacks(field: str, part: str, wanted: str) -> Complaint:
+    def lacks(field: str, part: str, wanted: str) -> Issue:
         shared = machine is not None and getattr(bearing, part) is None
         at = (part, field) if field else (part,)
-        return Complaint((*(() if shared else path), *at), "is missing", f"{wanted}{where}", code="E003")
+        return Issue((*(() if shared else path), *at), "is missing", f"{wanted}{where}", code="E003")
 
     shared = machine or bearing
     if (bearing.lubricant or shared.lubricant) is None:
@@ -97,7 +95,7 @@ def _missing(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
             yield lacks(part, "materials", "a name of the catalogue, or {thermal_expansion: 11e-6 1/K}")
 
 
-def _points_change_a_supply(bearing: JournalBearing, supply: Supply | None, path: Path) -> Iterator[Complaint]:
+def _points_change_a_supply(bearing: JournalBearing, supply: Supply | None, path: Path) -> Iterator[Issue]:
     """Complain about operating points that change a supply which there is not."""
     if supply is not None:
         return
@@ -106,14 +104,14 @@ def _points_change_a_supply(bearing: JournalBearing, supply: Supply | None, path
         if given:
             says = "an operating point changes the supply, and there is none: oil is not fed"
             allowed = "supply besides it, `supply: {}` where every operating point gives temperature and pressure"
-            yield Complaint((*path, "operating_points", index, given[0]), says, allowed)
+            yield Issue((*path, "operating_points", index, given[0]), says, allowed)
 
 
 def _all_give(points: tuple[object, ...], *names: str) -> bool:
     return bool(points) and all(any(getattr(point, name) is not None for name in names) for point in points)
 
 
-def _flow_goes_somewhere(bearing: JournalBearing, supply: Supply, path: Path) -> Iterator[Complaint]:
+def _flow_goes_somewhere(bearing: JournalBearing, supply: Supply, path: Path) -> Iterator[Issue]:
     """Complain about a supply flow that the method does not know, or that no groove, pocket or hole takes."""
     at: Path = (*path, "supply", "flow")
     given = supply.flow is not None
@@ -124,28 +122,28 @@ def _flow_goes_somewhere(bearing: JournalBearing, supply: Supply, path: Path) ->
         return
     if bearing.method == "film" and bearing.thermal in OWN_TEMPERATURES:
         says = "a film with its own temperatures is fed by pressure"
-        yield Complaint(at, says, "supply.pressure, or thermal: global")
+        yield Issue(at, says, "supply.pressure, or thermal: global")
     elif bearing.method != "film":
-        yield Complaint(at, "ISO 7902 takes a supply pressure, not a flow", "method: film, or supply.pressure")
+        yield Issue(at, "ISO 7902 takes a supply pressure, not a flow", "method: film, or supply.pressure")
     elif bearing.cavitation != "mass_conserving" or bearing.film_start == "widest_gap":
         says = "a supply flow needs a film that conserves the oil and is fed somewhere"
-        yield Complaint(at, says, "cavitation: mass_conserving and film_start: groove")
+        yield Issue(at, says, "cavitation: mass_conserving and film_start: groove")
     elif bearing.dynamic_load is not None:
         says = "the orbit under a changing load does not count the oil that a supply of given flow delivers"
-        yield Complaint(at, says, "supply.pressure")
+        yield Issue(at, says, "supply.pressure")
     elif bearing.feeds_itself():
         says = "every groove, pocket and hole has a pressure or flow of its own: no one takes this flow"
-        yield Complaint(at, says, "a groove, pocket or hole without pressure and flow")
+        yield Issue(at, says, "a groove, pocket or hole without pressure and flow")
 
 
-def _clearance_limits(bearing: JournalBearing, machine: SharedInputs | None, path: Path) -> Iterator[Complaint]:
+def _clearance_limits(bearing: JournalBearing, machine: SharedInputs | None, path: Path) -> Iterator[Issue]:
     cases = bearing.clearance_cases or getattr(machine, "clearance_cases", "mean")
     if cases == "all" and not bearing.clearance.has_limits:
         says = "clearance_cases: all needs the limits of the clearance"
-        yield Complaint((*path, "clearance"), says, "minimum and maximum besides mean", code="E003")
+        yield Issue((*path, "clearance"), says, "minimum and maximum besides mean", code="E003")
 
 
-def _too_hot(bearing: JournalBearing, machine: SharedInputs | None, path: Path) -> Iterator[Complaint]:
+def _too_hot(bearing: JournalBearing, machine: SharedInputs | None, path: Path) -> Iterator[Issue]:
     shared = machine or bearing
     supply = merged(bearing.supply, shared.supply)
     cooling = merged(bearing.cooling, shared.cooling)
@@ -167,7 +165,7 @@ def _too_hot(bearing: JournalBearing, machine: SharedInputs | None, path: Path) 
             says = (
                 f"{what}, {written(temperature, 'degC')}, is not cooler than {of_what}, {written(limit, 'degC')}"
             )
-            yield Complaint(at, says, f"less than {written(limit, 'degC')}")
+            yield Issue(at, says, f"less than {written(limit, 'degC')}")
 
 
 def _lowest_limit(bearing: JournalBearing, shared: SharedInputs) -> tuple[float, str]:

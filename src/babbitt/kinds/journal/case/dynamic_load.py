@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.case.part import Complaint, Part, exactly_one, is_given, rule
+from babbitt.case.part import Issue, Part, exactly_one, is_given, rule
 from babbitt.core.units import si, written
 from babbitt.kinds.journal.film.changing_load import ChangingLoad, RotatingLoad, TabulatedLoad
 
@@ -23,7 +23,7 @@ MovingMass = Annotated[float, si("kg", "0 kg", "10000 t")]
 MOVING_MASS = "Mass that moves with the journal. Without it the film balances the load at every instant."
 
 
-class RotatingLoadGiven(Part):
+class RotatingLoadInput(Part):
     """A load of constant size that rotates, as that of an unbalance."""
 
     kind: Literal["rotating"] = Field(description="A load of constant size that rotates, as that of an unbalance.")
@@ -41,14 +41,14 @@ class RotatingLoadGiven(Part):
         return RotatingLoad(self.magnitude, self.speed_ratio, self.phase)
 
     @rule
-    def _it_rotates(self) -> Iterator[Complaint]:
+    def _it_rotates(self) -> Iterator[Issue]:
         if abs(self.speed_ratio) < SLOWEST_RATIO:
             says = f"a load at {self.speed_ratio:g} of the speed is as good as steady"
             allowed = f"{SLOWEST_RATIO:g} to 20 with the journal, negative against it"
-            yield Complaint(("speed_ratio",), says, allowed, "give a steady load as load")
+            yield Issue(("speed_ratio",), says, allowed, "give a steady load as load")
 
 
-class LoadTableGiven(Part):
+class LoadTableInput(Part):
     """A load by table over the angle that the journal turns."""
 
     kind: Literal["table"] = Field(description="A load by table, linear between its points.")
@@ -80,26 +80,26 @@ class LoadTableGiven(Part):
         return TabulatedLoad(angles, fx, fy, self.cycle)
 
     @rule
-    def _one_source(self) -> Iterator[Complaint]:
+    def _one_source(self) -> Iterator[Issue]:
         yield from exactly_one(self, "angle", "file")
         for name in ("fx", "fy"):
             if is_given(self, "angle") and not is_given(self, name):
-                yield Complaint((name,), "is missing", "one force for each angle", code="E003")
+                yield Issue((name,), "is missing", "one force for each angle", code="E003")
 
     @rule
-    def _table_is_whole(self) -> Iterator[Complaint]:
+    def _table_is_whole(self) -> Iterator[Issue]:
         if self.angle is None or self.fx is None or self.fy is None:
             return
         for name, column in (("fx", self.fx), ("fy", self.fy)):
             if len(column) != len(self.angle):
                 says = f"{len(column)} forces for {len(self.angle)} angles"
-                yield Complaint((name,), says, "one force for each angle")
+                yield Issue((name,), says, "one force for each angle")
                 return
         if any(after <= before for before, after in pairwise(self.angle)):
-            yield Complaint(("angle",), "the angles do not rise", "rising angles")
+            yield Issue(("angle",), "the angles do not rise", "rising angles")
         elif self.angle[-1] > self.cycle * (1.0 + 1e-9):
             says = f"the angles reach {written(self.angle[-1], 'deg')}, beyond the cycle"
-            yield Complaint(("angle",), says, f"up to {written(self.cycle, 'deg')}, or a longer cycle")
+            yield Issue(("angle",), says, f"up to {written(self.cycle, 'deg')}, or a longer cycle")
         elif self.angle[-1] >= self.cycle * (1.0 - 1e-9):
             ends = math.hypot(self.fx[-1] - self.fx[0], self.fy[-1] - self.fy[0])
             largest = max(math.hypot(x, y) for x, y in zip(self.fx, self.fy, strict=True))
@@ -110,7 +110,7 @@ class LoadTableGiven(Part):
                     if abs(column[-1] - column[0]) > 1e-3 * largest
                 )
                 says = f"the table does not close after its cycle: {apart or 'its ends are apart'}"
-                yield Complaint(("angle",), says, "equal loads at begin and end of the cycle")
+                yield Issue(("angle",), says, "equal loads at begin and end of the cycle")
 
 
-DynamicLoadGiven = Annotated[RotatingLoadGiven | LoadTableGiven, Discriminator("kind")]
+DynamicLoadInput = Annotated[RotatingLoadInput | LoadTableInput, Discriminator("kind")]

@@ -18,9 +18,9 @@ from babbitt.kinds.journal.case.joined_inputs import (
     journal_speed,
     oil_supply,
 )
-from babbitt.kinds.journal.case.warnings import doubts_about_numbers
+from babbitt.kinds.journal.case.warnings import warnings_about_numbers
 from babbitt.kinds.journal.film.bore import RoundBore
-from babbitt.kinds.journal.film.model import Accuracy, FilmBearing, FilmCase, Hollow, Search
+from babbitt.kinds.journal.film.model import Accuracy, FeedSize, FilmBearing, FilmCase, Search
 from babbitt.properties.materials import LoadCharacter
 from babbitt.reynolds.model import Cavitation
 
@@ -69,7 +69,7 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
             *common_assumptions_of(bearing, inputs.supply, inputs.cooling, inputs.materials),
             *heat_assumptions(inputs, thermal),
         ),
-        doubts=(*layout.doubts, *doubts_about_numbers(inputs, point)),
+        warnings=(*layout.warnings, *warnings_about_numbers(inputs, point)),
         kind=bearing.kind,
         turbulence=LAWS_OF_TURBULENCE[bearing.turbulence],
         pressure_viscosity=bearing.pressure_viscosity.law() if bearing.pressure_viscosity is not None else None,
@@ -77,7 +77,7 @@ def film_case(inputs: Inputs, at: Point, thermal: str | None = None) -> FilmCase
     )
 
 
-def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[Hollow, ...]) -> FilmBearing:
+def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[FeedSize, ...]) -> FilmBearing:
     bearing, materials = inputs.bearing, inputs.materials
     of_bearing, of_journal = expansions(inputs)
     misalignment = bearing.misalignment

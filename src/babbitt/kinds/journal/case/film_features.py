@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.case.part import Complaint, Part, at_most_one, exactly_one, rule
+from babbitt.case.part import Issue, Part, at_most_one, exactly_one, rule
 from babbitt.case.parts.supply import SupplyFlow
 from babbitt.core.units import si, written
 from babbitt.kinds.journal.film.bore import (
@@ -21,11 +21,11 @@ from babbitt.kinds.journal.film.bore import (
     TaperedBore,
     WornBore,
 )
-from babbitt.kinds.journal.film.model import Hollow
+from babbitt.kinds.journal.film.model import FeedSize
 from babbitt.reynolds.model import Step
 
 Angle = Annotated[float, si("rad", "-360 deg", "360 deg")]
-HollowPressure = Annotated[float, si("Pa", "0 Pa", "50 MPa")]
+FeedPressure = Annotated[float, si("Pa", "0 Pa", "50 MPa")]
 Depth = Annotated[float, si("m", "0.1 um", "5 mm")]
 
 ANGLE = "Direction of its centre, counter-clockwise from the x axis."
@@ -45,23 +45,23 @@ class FedPart(Part):
     """What feeds the film by a pressure or a flow."""
 
     @rule
-    def _pressure_or_flow(self) -> Iterator[Complaint]:
+    def _pressure_or_flow(self) -> Iterator[Issue]:
         yield from at_most_one(self, "pressure", "flow")
 
 
-class GrooveGiven(FedPart):
+class GrooveInput(FedPart):
     """An axial groove as wide as the bearing."""
 
     angle: Angle = Field(description=ANGLE)
     extent: Annotated[float, si("rad", "0 deg", "180 deg")] = Field(
         description="Angle it takes around the bore; 0 is a line of supply."
     )
-    pressure: HollowPressure | None = Field(None, description=PRESSURE)
+    pressure: FeedPressure | None = Field(None, description=PRESSURE)
     flow: SupplyFlow | None = Field(None, description=FLOW)
 
-    def hollow(self, diameter: float) -> Hollow:
+    def hollow(self, diameter: float) -> FeedSize:
         """Give the hollow of the film."""
-        return Hollow(self.angle, self.extent, pressure=self.pressure, flow=self.flow)
+        return FeedSize(self.angle, self.extent, pressure=self.pressure, flow=self.flow)
 
     def reach(self, diameter: float) -> tuple[float, float]:
         """Angle and length along the shaft that it covers, rad and m."""
@@ -72,14 +72,14 @@ class ClosablePart(FedPart):
     """What is fed by a pressure or a flow, or by nothing."""
 
     @rule
-    def _closed_or_fed(self) -> Iterator[Complaint]:
+    def _closed_or_fed(self) -> Iterator[Issue]:
         flow = getattr(self, "flow", None)
         if flow is not None and 0.0 < flow < LEAST_FLOW * (1.0 - 1e-9):
             says = f"{written(flow, 'L/min')} is next to nothing"
-            yield Complaint(("flow",), says, "0 L/min, which closes it, or at least 0.0001 L/min")
+            yield Issue(("flow",), says, "0 L/min, which closes it, or at least 0.0001 L/min")
 
 
-class PocketGiven(ClosablePart):
+class PocketInput(ClosablePart):
     """A rectangular pocket, narrower than the bearing; one of 360 deg is a circumferential groove."""
 
     angle: Angle = Field(description=ANGLE)
@@ -88,37 +88,37 @@ class PocketGiven(ClosablePart):
     )
     width: Annotated[float, si("m", "0.1 mm", "3 m")] = Field(description="Size along the shaft.")
     axial_position: Annotated[float, si("m", "-3 m", "3 m")] = Field(0.0, description=POSITION)
-    pressure: HollowPressure | None = Field(None, description=PRESSURE)
+    pressure: FeedPressure | None = Field(None, description=PRESSURE)
     flow: PocketFlow | None = Field(None, description=POCKET_FLOW)
 
-    def hollow(self, diameter: float) -> Hollow:
+    def hollow(self, diameter: float) -> FeedSize:
         """Give the hollow of the film."""
-        return Hollow(self.angle, self.extent, self.width, self.axial_position, self.pressure, self.flow)
+        return FeedSize(self.angle, self.extent, self.width, self.axial_position, self.pressure, self.flow)
 
     def reach(self, diameter: float) -> tuple[float, float]:
         """Angle and length along the shaft that it covers, rad and m."""
         return self.extent, self.width
 
 
-class SupplyHoleGiven(ClosablePart):
+class SupplyHoleInput(ClosablePart):
     """A round hole in the bore."""
 
     angle: Angle = Field(description=ANGLE)
     diameter: Annotated[float, si("m", "0.1 mm", "1 m")] = Field(description="Diameter of the hole.")
     axial_position: Annotated[float, si("m", "-3 m", "3 m")] = Field(0.0, description=POSITION)
-    pressure: HollowPressure | None = Field(None, description=PRESSURE)
+    pressure: FeedPressure | None = Field(None, description=PRESSURE)
     flow: PocketFlow | None = Field(None, description=POCKET_FLOW)
 
-    def hollow(self, diameter: float) -> Hollow:
+    def hollow(self, diameter: float) -> FeedSize:
         """Give the hollow of the film, a square of the same area."""
-        return Hollow.hole(self.angle, self.diameter, diameter, self.axial_position, self.pressure, self.flow)
+        return FeedSize.hole(self.angle, self.diameter, diameter, self.axial_position, self.pressure, self.flow)
 
     def reach(self, diameter: float) -> tuple[float, float]:
         """Angle and length along the shaft that it covers, rad and m."""
         return 2.0 * self.diameter / diameter, self.diameter
 
 
-class MisalignmentGiven(Part):
+class MisalignmentInput(Part):
     """Misalignment of the journal axis in the bore."""
 
     x: Annotated[float, si("rad", "-0.05 rad", "0.05 rad", "rad")] = Field(
@@ -129,7 +129,7 @@ class MisalignmentGiven(Part):
     )
 
 
-class RoundBoreGiven(Part):
+class RoundBoreInput(Part):
     """A round bore."""
 
     kind: Literal["round"] = Field(description="A round bore.")
@@ -139,7 +139,7 @@ class RoundBoreGiven(Part):
         return RoundBore()
 
 
-class LobedBoreGiven(Part):
+class LobedBoreInput(Part):
     """A bore of lobes: every land between two grooves is an arc of a larger circle."""
 
     kind: Literal["lobes"] = Field(
@@ -158,7 +158,7 @@ class LobedBoreGiven(Part):
         return LobedBore(self.preload, self.offset)
 
 
-class TaperedBoreGiven(Part):
+class TaperedBoreInput(Part):
     """Lands that are cut back where the oil enters."""
 
     kind: Literal["taper_land"] = Field(description="Every land is tapered where the oil enters.")
@@ -170,7 +170,7 @@ class TaperedBoreGiven(Part):
         return TaperedBore(self.depth, self.share)
 
 
-class ReliefGiven(Part):
+class ReliefInput(Part):
     """The track of a pressure dam bearing that relieves its loaded land."""
 
     angle: Angle = Field(description=ANGLE)
@@ -181,7 +181,7 @@ class ReliefGiven(Part):
     depth: Depth = Field(description="How much deeper it lies.")
 
 
-class PressureDamBoreGiven(Part):
+class PressureDamBoreInput(Part):
     """A round bore with a recess that ends in a dam, to load the journal from the other side."""
 
     kind: Literal["pressure_dam"] = Field(description="A recess of the unloaded land ends in a dam.")
@@ -195,7 +195,7 @@ class PressureDamBoreGiven(Part):
         description="Size of the recess along the shaft, around the middle."
     )
     depth: Depth = Field(description="Depth of the recess.")
-    relief: ReliefGiven | None = Field(None, description="Track that relieves the loaded land.")
+    relief: ReliefInput | None = Field(None, description="Track that relieves the loaded land.")
 
     def bore(self) -> Bore:
         """Give the bore of the film."""
@@ -203,7 +203,7 @@ class PressureDamBoreGiven(Part):
         relief = None if track is None else Step(track.angle, track.extent, track.width, track.depth)
         return PressureDamBore(self.angle, self.extent, self.width, self.depth, relief)
 
-    def across_grooves(self, grooves: tuple[GrooveGiven, ...], sense: float) -> Iterator[Complaint]:
+    def across_grooves(self, grooves: tuple[GrooveInput, ...], sense: float) -> Iterator[Issue]:
         """Complain about a dam in a groove, or a recess that runs over one onto the next land.
 
         `sense` is 1 where the journal turns counter-clockwise, -1 otherwise; a recess may begin in a groove.
@@ -213,22 +213,22 @@ class PressureDamBoreGiven(Part):
             before = (sense * (self.angle - groove.angle)) % TURN
             if min(before, TURN - before) < 0.5 * groove.extent - EDGE:
                 says = f"the dam lies in grooves[{index}]"
-                yield Complaint(("bore", "angle"), says, "a place on the land between two grooves")
+                yield Issue(("bore", "angle"), says, "a place on the land between two grooves")
             elif before + 0.5 * groove.extent < self.extent - EDGE:
                 says = f"the recess before the dam runs over grooves[{index}] onto another land"
                 reach = written(before + 0.5 * groove.extent, "deg")
                 allowed = f"up to {reach}, or another angle or sign of the speed"
-                yield Complaint(("bore", "extent"), f"{says}, as the journal turns {turning}", allowed)
+                yield Issue(("bore", "extent"), f"{says}, as the journal turns {turning}", allowed)
 
-    def too_wide(self, width: float) -> Iterator[Complaint]:
+    def too_wide(self, width: float) -> Iterator[Issue]:
         """Complain about a recess or track wider than the bearing."""
         for path, part in ((("bore",), self), (("bore", "relief"), self.relief)):
             if part is not None and part.width > width * (1.0 + 1e-9):
                 says = f"{written(part.width, 'mm')} is wider than the bearing"
-                yield Complaint((*path, "width"), says, f"up to {written(width, 'mm')}")
+                yield Issue((*path, "width"), says, f"up to {written(width, 'mm')}")
 
 
-class WornBoreGiven(Part):
+class WornBoreInput(Part):
     """A bore worn by its journal."""
 
     kind: Literal["wear"] = Field(description="An arc of the journal is worn into the bore (Dufrane).")
@@ -245,7 +245,7 @@ class WornBoreGiven(Part):
         return WornBore(self.depth, self.angle)
 
 
-class MeasuredBoreGiven(Part):
+class MeasuredBoreInput(Part):
     """A bore as it was measured."""
 
     kind: Literal["measured"] = Field(description="Departures from the circle, measured around the bore.")
@@ -274,31 +274,31 @@ class MeasuredBoreGiven(Part):
         return MeasuredBore(self.departures or (0.0,), self.start)
 
     @rule
-    def _one_source(self) -> Iterator[Complaint]:
+    def _one_source(self) -> Iterator[Issue]:
         yield from exactly_one(self, "departures", "file")
 
 
-BoreGiven = Annotated[
-    RoundBoreGiven | LobedBoreGiven | TaperedBoreGiven | PressureDamBoreGiven | WornBoreGiven | MeasuredBoreGiven,
+BoreInput = Annotated[
+    RoundBoreInput | LobedBoreInput | TaperedBoreInput | PressureDamBoreInput | WornBoreInput | MeasuredBoreInput,
     Discriminator("kind"),
 ]
 
 __all__ = [
-    "BoreGiven",
-    "GrooveGiven",
-    "LobedBoreGiven",
-    "MisalignmentGiven",
-    "PocketGiven",
-    "PressureDamBoreGiven",
-    "SupplyHoleGiven",
+    "BoreInput",
+    "GrooveInput",
+    "LobedBoreInput",
+    "MisalignmentInput",
+    "PocketInput",
+    "PressureDamBoreInput",
+    "SupplyHoleInput",
 ]
 
 
-def complaints_about_hollows(
-    hollows: list[tuple[tuple[str | int, ...], GrooveGiven | PocketGiven | SupplyHoleGiven]],
+def issues_of_hollows(
+    hollows: list[tuple[tuple[str | int, ...], GrooveInput | PocketInput | SupplyHoleInput]],
     width: float | None,
     diameter: float,
-) -> Iterator[Complaint]:
+) -> Iterator[Issue]:
     """Complain about hollows that reach beyond the bearing, overlap, do not go together, or leave no land.
 
     Parameters
@@ -311,33 +311,29 @@ def complaints_about_hollows(
         m.
     """
     for path, hollow in hollows:
-        if width is not None and not isinstance(hollow, GrooveGiven):
+        if width is not None and not isinstance(hollow, GrooveInput):
             _, length = hollow.reach(diameter)
-            size = "diameter" if isinstance(hollow, SupplyHoleGiven) else "width"
+            size = "diameter" if isinstance(hollow, SupplyHoleInput) else "width"
             beyond = abs(hollow.axial_position) + length / 2.0
             if length >= width:
                 says = f"{written(length, 'mm')} is not narrower than the bearing, {written(width, 'mm')}"
-                yield Complaint(
-                    (*path, size), says, f"less than {written(width, 'mm')}", "a groove spans the width"
-                )
+                yield Issue((*path, size), says, f"less than {written(width, 'mm')}", "a groove spans the width")
             elif beyond > width / 2.0 * (1.0 + 1e-9):
                 room = written((width - length) / 2.0, "mm")
                 says = f"at {written(hollow.axial_position, 'mm')} it reaches {written(beyond, 'mm')} from the "
                 says += f"mid-plane, beyond the bearing of {written(width, 'mm')}"
-                yield Complaint((*path, "axial_position"), says, f"-{room} to {room}")
-    grooves = [(path, hollow) for path, hollow in hollows if isinstance(hollow, GrooveGiven)]
+                yield Issue((*path, "axial_position"), says, f"-{room} to {room}")
+    grooves = [(path, hollow) for path, hollow in hollows if isinstance(hollow, GrooveInput)]
     for index, (path, hollow) in enumerate(hollows):
         for other_path, other in hollows[:index]:
             if _overlap(hollow, other, diameter):
                 says = f"it touches or overlaps {other_path[0]}[{other_path[1]}]"
-                yield Complaint(
-                    (*path, "angle"), says, "hollows with land between them, at least 1 deg for grooves"
-                )
+                yield Issue((*path, "angle"), says, "hollows with land between them, at least 1 deg for grooves")
                 break
     covered = sum(groove.extent for _, groove in grooves)
     if covered > TURN - math.radians(10.0):
         says = f"the grooves take {written(covered, 'deg')} of the bore"
-        yield Complaint(grooves[-1][0], says, "at most 350 deg together")
+        yield Issue(grooves[-1][0], says, "at most 350 deg together")
 
 
 MOST_DEPARTURE = 3.0
@@ -348,13 +344,13 @@ LEAST_LAND = math.radians(1.0)
 
 
 def _overlap(
-    one: GrooveGiven | PocketGiven | SupplyHoleGiven,
-    other: GrooveGiven | PocketGiven | SupplyHoleGiven,
+    one: GrooveInput | PocketInput | SupplyHoleInput,
+    other: GrooveInput | PocketInput | SupplyHoleInput,
     diameter: float,
 ) -> bool:
     (extent, length), (other_extent, other_length) = one.reach(diameter), other.reach(diameter)
     apart = abs(math.remainder(one.angle - other.angle, TURN))
-    if isinstance(one, GrooveGiven) or isinstance(other, GrooveGiven):
+    if isinstance(one, GrooveInput) or isinstance(other, GrooveInput):
         return apart < (extent + other_extent) / 2.0 + LEAST_LAND
     if apart >= (extent + other_extent) / 2.0 * (1.0 - 1e-9) and (apart > 0.0 or extent + other_extent > 0.0):
         return False

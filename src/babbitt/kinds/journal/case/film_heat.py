@@ -7,28 +7,28 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.case.part import Complaint, Part, is_given, rule
+from babbitt.case.part import Issue, Part, is_given, rule
 from babbitt.core.units import si, written
-from babbitt.kinds.journal.case.film_features import GrooveGiven
+from babbitt.kinds.journal.case.film_features import GrooveInput
 
 if TYPE_CHECKING:
     from babbitt.kinds.journal.case.journal import JournalBearing
 
 __all__ = [
-    "AxialTemperatureGiven",
-    "CarryOverGiven",
-    "CoefficientsGiven",
-    "ThermalGiven",
-    "WallsGiven",
+    "AxialTemperatureInput",
+    "CarryOverInput",
+    "CoefficientsInput",
+    "ThermalInput",
+    "WallsInput",
     "heat_goes_with_the_film",
     "unknown_to_own_temperatures",
 ]
 
-ThermalGiven = Literal["isothermal", "global", "adiabatic", "full"]
-AxialTemperatureGiven = Literal["mean", "resolved"]
-CoefficientsGiven = Literal["frozen", "following"]
+ThermalInput = Literal["isothermal", "global", "adiabatic", "full"]
+AxialTemperatureInput = Literal["mean", "resolved"]
+CoefficientsInput = Literal["frozen", "following"]
 
-CarryOverGiven = Annotated[float, si("1", "0", "1")]
+CarryOverInput = Annotated[float, si("1", "0", "1")]
 Conductivity = Annotated[float, si("W/(m K)", "0.01 W/(m K)", "1000 W/(m K)")]
 OuterDiameter = Annotated[float, si("m", "1 mm", "10 m")]
 HeatTransfer = Annotated[float, si("W/(m2 K)", "0 W/(m2 K)", "100000 W/(m2 K)")]
@@ -42,7 +42,7 @@ CONTACT_THICKNESS = 1e-5
 """Of the layer that stands for the contact between bush and housing, m; its conductivity makes the coefficient."""
 
 
-class LinerGiven(Part):
+class LinerInput(Part):
     """The layer of bearing metal on the bush."""
 
     example: ClassVar[str] = "{thickness: 1 mm, conductivity: 50 W/(m K)}"
@@ -51,7 +51,7 @@ class LinerGiven(Part):
     conductivity: Conductivity = Field(description="Its thermal conductivity.")
 
 
-class ConductingBushGiven(Part):
+class ConductingBushInput(Part):
     """The bush, or what lies next to the bore."""
 
     example: ClassVar[str] = "{outer_diameter: 120 mm, conductivity: 45 W/(m K)}"
@@ -62,10 +62,10 @@ class ConductingBushGiven(Part):
     conductivity: Conductivity | None = Field(
         None, description="Thermal conductivity. That of materials.bearing if not given."
     )
-    liner: LinerGiven | None = Field(None, description="Bearing metal on the bush. None if not given.")
+    liner: LinerInput | None = Field(None, description="Bearing metal on the bush. None if not given.")
 
 
-class ConductingHousingGiven(Part):
+class ConductingHousingInput(Part):
     """What surrounds the bush."""
 
     example: ClassVar[str] = "{outer_diameter: 200 mm, heat_transfer_coefficient: 20 W/(m2 K)}"
@@ -87,7 +87,7 @@ class ConductingHousingGiven(Part):
     )
 
 
-class ConductingJournalGiven(Part):
+class ConductingJournalInput(Part):
     """The journal, which has one temperature."""
 
     example: ClassVar[str] = "{shaft_conductance: 2 W/K, ambient_temperature: 40 degC}"
@@ -103,20 +103,20 @@ class ConductingJournalGiven(Part):
     )
 
     @rule
-    def _balance_or_temperature(self) -> Iterator[Complaint]:
+    def _balance_or_temperature(self) -> Iterator[Issue]:
         if self.temperature is not None and is_given(self, "shaft_conductance"):
             says = "a prescribed journal temperature needs no balance with the shaft"
-            yield Complaint(("shaft_conductance",), says, "temperature or shaft_conductance", "remove one")
+            yield Issue(("shaft_conductance",), says, "temperature or shaft_conductance", "remove one")
 
 
-class WallsGiven(Part):
+class WallsInput(Part):
     """Bush, housing and journal, which take heat from the film."""
 
     example: ClassVar[str] = "{bush: {outer_diameter: 120 mm}}"
 
-    bush: ConductingBushGiven = Field(ConductingBushGiven(), description="The bush.")
-    housing: ConductingHousingGiven = Field(ConductingHousingGiven(), description="The housing around it.")
-    journal: ConductingJournalGiven = Field(ConductingJournalGiven(), description="The journal.")
+    bush: ConductingBushInput = Field(ConductingBushInput(), description="The bush.")
+    housing: ConductingHousingInput = Field(ConductingHousingInput(), description="The housing around it.")
+    journal: ConductingJournalInput = Field(ConductingJournalInput(), description="The journal.")
     thermal_distortion: bool = Field(
         False,
         description="Whether the uneven temperature of the bush distorts the bore, as that of a free ring of one "
@@ -136,35 +136,35 @@ REFUSED = (
 
 
 @rule
-def heat_goes_with_the_film(bearing: JournalBearing) -> Iterator[Complaint]:
+def heat_goes_with_the_film(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about a thermal model and what does not go with it."""
     if bearing.method != "film":
         for name in ("thermal", "walls", "axial_temperature", "temperature_coefficients", "carry_over"):
             if is_given(bearing, name):
                 says = f"{name} belongs to the film method"
-                yield Complaint((name,), says, "method: film, or leave it out")
+                yield Issue((name,), says, "method: film, or leave it out")
         return
     own = bearing.thermal in OWN_TEMPERATURES
     if bearing.thermal == "isothermal" and bearing.effective_temperature is None:
         says = "is missing: an isothermal film needs its temperature"
-        yield Complaint(("effective_temperature",), says, "a temperature such as '60 degC'", code="E003")
+        yield Issue(("effective_temperature",), says, "a temperature such as '60 degC'", code="E003")
     if bearing.thermal not in (None, "isothermal") and bearing.effective_temperature is not None:
         says = f"a film with thermal: {bearing.thermal} finds its temperature itself"
-        yield Complaint(("effective_temperature",), says, "thermal: isothermal, or leave it out")
+        yield Issue(("effective_temperature",), says, "thermal: isothermal, or leave it out")
     if is_given(bearing, "walls") and bearing.thermal != "full":
         says = "walls take heat from a full thermal film only"
-        yield Complaint(("walls",), says, "thermal: full")
+        yield Issue(("walls",), says, "thermal: full")
     for name in ("axial_temperature", "temperature_coefficients", "carry_over"):
         if is_given(bearing, name) and not own:
             says = "the film has one temperature"
-            yield Complaint((name,), says, "thermal: adiabatic or full")
+            yield Issue((name,), says, "thermal: adiabatic or full")
     if own:
-        yield from _complaints_about_own_temperatures(bearing)
+        yield from _issues_of_own_temperatures(bearing)
         if bearing.friction.factor != 1.0:
             says = "a film with its own temperatures makes its own friction"
-            yield Complaint(("friction", "factor"), says, "1, or thermal: global")
+            yield Issue(("friction", "factor"), says, "1, or thermal: global")
     if bearing.walls is not None:
-        yield from _complaints_about_sizes(bearing, bearing.walls)
+        yield from _issues_of_sizes(bearing, bearing.walls)
 
 
 def unknown_to_own_temperatures(bearing: JournalBearing) -> str:
@@ -173,37 +173,37 @@ def unknown_to_own_temperatures(bearing: JournalBearing) -> str:
     return next(
         (
             f"{one.says}; take {'.'.join(map(str, one.path))} out of the case to see it"
-            for one in _complaints_about_own_temperatures(bearing)
+            for one in _issues_of_own_temperatures(bearing)
         ),
         "",
     )
 
 
-def _complaints_about_own_temperatures(bearing: JournalBearing) -> Iterator[Complaint]:
+def _issues_of_own_temperatures(bearing: JournalBearing) -> Iterator[Issue]:
     also = "thermal: global"
     for name, says in REFUSED:
         if getattr(bearing, name) not in (None, False):
-            yield Complaint((name,), says, also)
+            yield Issue((name,), says, also)
     if bearing.cavitation != "mass_conserving":
         says = "oil that comes from nowhere has no temperature: only a film that conserves it knows its own"
-        yield Complaint(("cavitation",), says, f"mass_conserving, or {also}")
+        yield Issue(("cavitation",), says, f"mass_conserving, or {also}")
     if bearing.film_start == "widest_gap":
         says = "a film with its own temperatures begins at what feeds it"
-        yield Complaint(("film_start",), says, "groove")
+        yield Issue(("film_start",), says, "groove")
     if bearing.bearing_speed:
         says = "the heat of a bearing that turns is not computed"
-        yield Complaint(("bearing_speed",), says, f"0 rpm, or {also}")
+        yield Issue(("bearing_speed",), says, f"0 rpm, or {also}")
     for path, hollow in bearing.hollows():
         if hollow.flow:
             says = "a film with its own temperatures is fed by pressure"
-            closable = "" if isinstance(hollow, GrooveGiven) else "0 L/min (a blind pocket), or "
-            yield Complaint((*path, "flow"), says, f"{closable}a pressure, or {also}")
+            closable = "" if isinstance(hollow, GrooveInput) else "0 L/min (a blind pocket), or "
+            yield Issue((*path, "flow"), says, f"{closable}a pressure, or {also}")
     if bearing.carry_over < 1.0 and any(hollow.flow == 0.0 for _, hollow in bearing.hollows()):
         says = "a closed pocket or hole (flow: 0 L/min) has no fresh oil that could flush out what the film brings"
-        yield Complaint(("carry_over",), says, "100 %, or leave it out")
+        yield Issue(("carry_over",), says, "100 %, or leave it out")
 
 
-def _complaints_about_sizes(bearing: JournalBearing, walls: WallsGiven) -> Iterator[Complaint]:
+def _issues_of_sizes(bearing: JournalBearing, walls: WallsInput) -> Iterator[Issue]:
     bush, housing = walls.bush, walls.housing
     liner = 2.0 * bush.liner.thickness if bush.liner is not None else 0.0
     inside = bearing.diameter + liner
@@ -211,21 +211,21 @@ def _complaints_about_sizes(bearing: JournalBearing, walls: WallsGiven) -> Itera
     if outside is not None and outside <= inside:
         what = "bore and liner" if liner else "the bore"
         says = f"the bush, {written(outside, 'mm')}, is not larger than {what}"
-        yield Complaint(("walls", "bush", "outer_diameter"), says, f"more than {written(inside, 'mm')}")
+        yield Issue(("walls", "bush", "outer_diameter"), says, f"more than {written(inside, 'mm')}")
     if outside is None and inside >= BUSH_OVER_BORE * bearing.diameter:
         says = (
             f"the liner reaches beyond the bush, {written(BUSH_OVER_BORE * bearing.diameter, 'mm')} if not given"
         )
-        yield Complaint(("walls", "bush", "liner", "thickness"), says, "a thinner liner, or outer_diameter")
+        yield Issue(("walls", "bush", "liner", "thickness"), says, "a thinner liner, or outer_diameter")
     inner = outside if outside is not None else BUSH_OVER_BORE * bearing.diameter
     if housing.outer_diameter is None:
         return
     touching = inner + 2.0 * CONTACT_THICKNESS
     if housing.outer_diameter <= inner:
         says = f"the housing, {written(housing.outer_diameter, 'mm')}, is not larger than the bush"
-        yield Complaint(("walls", "housing", "outer_diameter"), says, f"more than {written(inner, 'mm')}")
+        yield Issue(("walls", "housing", "outer_diameter"), says, f"more than {written(inner, 'mm')}")
     elif housing.contact_coefficient is not None and housing.outer_diameter <= touching:
         wall = written(0.5 * (housing.outer_diameter - inner), "um")
         says = f"the housing is {wall} thick, no more than the contact with its contact_coefficient"
         allowed = f"a wall of more than {written(CONTACT_THICKNESS, 'um')}, or no contact_coefficient"
-        yield Complaint(("walls", "housing", "outer_diameter"), says, allowed)
+        yield Issue(("walls", "housing", "outer_diameter"), says, allowed)

@@ -13,7 +13,7 @@ from babbitt.kinds.journal.case.film_heat import (
     CONTACT_THICKNESS,
     HOUSING_OVER_BUSH,
     OWN_TEMPERATURES,
-    WallsGiven,
+    WallsInput,
 )
 from babbitt.kinds.journal.case.joined_inputs import Inputs, housing_cooling
 from babbitt.kinds.journal.film.heat_model import AxialTemperature, HeatModel, TemperatureCoefficients
@@ -68,7 +68,7 @@ def heat_assumptions(inputs: Inputs, thermal: str | None = None) -> tuple[str, .
 
 def _walls(inputs: Inputs) -> ConductingWalls:
     """Rings from the bore outwards: liner, bush, contact, housing."""
-    bearing, given = inputs.bearing, inputs.bearing.walls or WallsGiven()
+    bearing, given = inputs.bearing, inputs.bearing.walls or WallsInput()
     bush, housing, journal = given.bush, given.housing, given.journal
     radii, conductivities = [0.5 * bearing.diameter], []
     if bush.liner is not None:
@@ -101,7 +101,7 @@ def _growth(inputs: Inputs, walls: ConductingWalls | None) -> RingGrowth | None:
 
 def _radii(inputs: Inputs) -> tuple[float, float]:
     """Outside radius of bush and housing, m."""
-    given = inputs.bearing.walls or WallsGiven()
+    given = inputs.bearing.walls or WallsInput()
     bush = given.bush.outer_diameter or BUSH_OVER_BORE * inputs.bearing.diameter
     return 0.5 * bush, 0.5 * (given.housing.outer_diameter or HOUSING_OVER_BUSH * bush)
 
@@ -116,7 +116,7 @@ def _conductivity(inputs: Inputs) -> float:
 
 def _outside(inputs: Inputs) -> _Outside:
     """The outside of the housing: its own, else that of the cooling spread over it, else still air."""
-    given = (inputs.bearing.walls or WallsGiven()).housing
+    given = (inputs.bearing.walls or WallsInput()).housing
     cooling, assumed = housing_cooling(inputs), []
     ambient, coefficient = given.ambient_temperature, given.heat_transfer_coefficient
     if ambient is None:
@@ -137,7 +137,7 @@ def _outside(inputs: Inputs) -> _Outside:
 
 
 def _assumed(inputs: Inputs) -> Iterator[str]:
-    given = inputs.bearing.walls or WallsGiven()
+    given = inputs.bearing.walls or WallsInput()
     bush, housing = _radii(inputs)
     if given.bush.outer_diameter is None:
         yield f"Outside diameter of the bush {written(2.0 * bush, 'mm')}, {BUSH_OVER_BORE:g} times the bore."

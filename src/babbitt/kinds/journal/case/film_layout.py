@@ -27,10 +27,10 @@ from babbitt.kinds.journal.case.supply_element import (
     HoleElement,
     PocketElement,
     SlotElement,
-    SupplyElementGiven,
+    SupplyElementInput,
     UnevenPockets,
 )
-from babbitt.kinds.journal.film.model import Hollow
+from babbitt.kinds.journal.film.model import FeedSize
 from babbitt.reynolds.model import FilmStart
 
 POCKET_EXTENT = math.radians(20.0)
@@ -46,11 +46,11 @@ WIDE_LINES = "the film is fed along lines at both ends of the arc, as wide as th
 
 @dataclass(frozen=True)
 class FilmLayout:
-    """Hollows of the film, the assumptions behind them, and doubts."""
+    """Hollows of the film, the assumptions behind them, and warnings."""
 
-    hollows: tuple[Hollow, ...]
+    hollows: tuple[FeedSize, ...]
     assumptions: tuple[str, ...] = ()
-    doubts: tuple[Notice, ...] = ()
+    warnings: tuple[Notice, ...] = ()
 
 
 def film_layout(bearing: JournalBearing, point: OperatingPoint | None, width: float, sense: float) -> FilmLayout:
@@ -84,7 +84,7 @@ def film_layout(bearing: JournalBearing, point: OperatingPoint | None, width: fl
         why = "the film is fed by its grooves, pockets and holes"
         return FilmLayout(
             tuple(hollow.hollow(bearing.diameter) for _, hollow in given),
-            doubts=_not_used(bearing, point, ("supply_element", "span"), why),
+            warnings=_not_used(bearing, point, ("supply_element", "span"), why),
         )
     return _by_rule(bearing, point, width, sense)
 
@@ -114,7 +114,7 @@ def _by_rule(bearing: JournalBearing, point: OperatingPoint | None, width: float
     match element:
         case UnevenPockets():
             hollows = tuple(
-                Hollow(load + turn, element.extent, element.width)
+                FeedSize(load + turn, element.extent, element.width)
                 for turn in (-sense * element.entry_angle, sense * element.exit_angle)
             )
             said = ("The film has the pockets at their true angles, width and extent.",)
@@ -122,7 +122,7 @@ def _by_rule(bearing: JournalBearing, point: OperatingPoint | None, width: float
         case GrooveElement():
             around = 2.0 * HALF if element.kind == "groove_360" else HALF
             said = (f"The film has the groove of {written(element.width, 'mm')} around {written(around, 'deg')}.",)
-            return FilmLayout((Hollow(load + HALF, around, element.width),), said, unread)
+            return FilmLayout((FeedSize(load + HALF, around, element.width),), said, unread)
         case HoleElement() | SlotElement() | PocketElement():
             extent = next(_of_element(element, load, bearing.diameter, width)).extent
             side = QUARTER if full else span / 2.0 + extent / 2.0
@@ -142,29 +142,29 @@ def _by_lines(load: float, span: float) -> FilmLayout:
     if span > ALMOST_A_TURN:
         said = "The film is fed along a line opposite the load."
         return FilmLayout(
-            (Hollow(load + HALF, 0.0),), (said,), (Notice("W184", f"no supply element: {WIDE_LINE}"),)
+            (FeedSize(load + HALF, 0.0),), (said,), (Notice("W184", f"no supply element: {WIDE_LINE}"),)
         )
     ends = f"The loaded arc of {written(span, 'deg')} ends at lines of supply as wide as the bearing"
     said = f"{ends}; behind them the rest of the bore carries film, too."
-    hollows = tuple(Hollow(load + turn, 0.0) for turn in (-span / 2.0, span / 2.0))
+    hollows = tuple(FeedSize(load + turn, 0.0) for turn in (-span / 2.0, span / 2.0))
     return FilmLayout(hollows, (said,), (Notice("W184", f"no supply element: {WIDE_LINES}"),))
 
 
-def _of_element(element: SupplyElementGiven, angle: float, diameter: float, width: float) -> Iterator[Hollow]:
+def _of_element(element: SupplyElementInput, angle: float, diameter: float, width: float) -> Iterator[FeedSize]:
     match element:
         case HoleElement():
             for number in range(element.number):
                 place = ((number + 0.5) / element.number - 0.5) * width
-                yield Hollow.hole(angle, element.diameter, diameter, place)
+                yield FeedSize.hole(angle, element.diameter, diameter, place)
         case SlotElement():
-            yield Hollow(angle, 2.0 * element.width / diameter, element.length)
+            yield FeedSize(angle, 2.0 * element.width / diameter, element.length)
         case PocketElement():
-            yield Hollow(angle, element.extent or POCKET_EXTENT, element.width)
+            yield FeedSize(angle, element.extent or POCKET_EXTENT, element.width)
         case _:
             return
 
 
-def _said_of(element: SupplyElementGiven) -> Iterator[str]:
+def _said_of(element: SupplyElementInput) -> Iterator[str]:
     match element:
         case HoleElement():
             yield "A hole is a square of the same area in the film."

@@ -11,9 +11,9 @@ from babbitt.core.units import si
 from babbitt.kinds.journal.film.model import OilUnderPressure, PressureLaw
 from babbitt.reynolds.oil.turbulence import CONSTANTINESCU, NG_PAN, TurbulenceLaw
 
-__all__ = ["LAWS_OF_TURBULENCE", "PressureViscosityGiven", "TurbulenceGiven"]
+__all__ = ["LAWS_OF_TURBULENCE", "PressureViscosityInput", "TurbulenceInput"]
 
-TurbulenceGiven = Literal["laminar", "ng_pan", "constantinescu"]
+TurbulenceInput = Literal["laminar", "ng_pan", "constantinescu"]
 
 LAWS_OF_TURBULENCE: dict[str, TurbulenceLaw | None] = {
     "laminar": None,
@@ -22,7 +22,7 @@ LAWS_OF_TURBULENCE: dict[str, TurbulenceLaw | None] = {
 }
 
 
-class PressureViscosityGiven(Part):
+class PressureViscosityInput(Part):
     """How the viscosity grows with the pressure in the film."""
 
     kind: Literal["barus", "roelands"] = Field(

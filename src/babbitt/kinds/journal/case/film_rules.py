@@ -6,13 +6,13 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from babbitt.case.part import Complaint, is_given, rule
+from babbitt.case.part import Issue, is_given, rule
 from babbitt.core.notices import InputError
 from babbitt.core.units import written
 from babbitt.reynolds.model import FilmStart
 
 if TYPE_CHECKING:
-    from babbitt.kinds.journal.case.film_features import GrooveGiven, PocketGiven, SupplyHoleGiven
+    from babbitt.kinds.journal.case.film_features import GrooveInput, PocketInput, SupplyHoleInput
     from babbitt.kinds.journal.case.journal import JournalBearing
 
 SURFACE_FIELDS = ("steps", "crowning", "displacement", "compliance", "side_pressures", "tilt_coefficients")
@@ -24,7 +24,7 @@ refused."""
 
 
 @rule
-def position_is_near_the_bearing(bearing: JournalBearing) -> Iterator[Complaint]:
+def position_is_near_the_bearing(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about a position that no clearance reaches."""
     if bearing.bore is not None and bearing.bore.kind != "round":
         return  # lobes and wear give more room in some directions; the calculation tells
@@ -39,7 +39,7 @@ def position_is_near_the_bearing(bearing: JournalBearing) -> Iterator[Complaint]
         away = math.hypot(duty.position.x, duty.position.y)
         if away >= CLEARANCE_GROWTH * play:
             says = f"position outside the clearance: {written(away, 'um')} from the bearing centre"
-            yield Complaint(
+            yield Issue(
                 (*path, "position"),
                 says,
                 f"less than the radial clearance in operation, which is {written(play, 'um')} at 20 degC "
@@ -48,7 +48,7 @@ def position_is_near_the_bearing(bearing: JournalBearing) -> Iterator[Complaint]
 
 
 @rule
-def changing_load_is_added_to_a_load(bearing: JournalBearing) -> Iterator[Complaint]:
+def changing_load_is_added_to_a_load(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about a changing load beside a prescribed position, or in a film without damping."""
     if bearing.dynamic_load is None:
         return
@@ -56,31 +56,31 @@ def changing_load_is_added_to_a_load(bearing: JournalBearing) -> Iterator[Compla
         prescribed = [name for name in ("eccentricity_ratio", "position") if is_given(duty, name)]
         if prescribed:
             says = f"a changing load moves the journal, and {prescribed[0]} holds it"
-            yield Complaint((*path, prescribed[0]), says, "load or specific_load")
+            yield Issue((*path, prescribed[0]), says, "load or specific_load")
     for path, hollow in bearing.hollows():
         if hollow.flow is not None:
             says = "the orbit under a changing load does not count the oil that a supply of given flow delivers"
-            yield Complaint((*path, "flow"), says, "a pressure")
+            yield Issue((*path, "flow"), says, "a pressure")
     if bearing.cavitation == "half_sommerfeld":
-        yield Complaint(("cavitation",), "a half-Sommerfeld film has no damping and makes no orbit", "reynolds")
+        yield Issue(("cavitation",), "a half-Sommerfeld film has no damping and makes no orbit", "reynolds")
 
 
 @rule
-def half_sommerfeld_is_of_a_plain_ring(bearing: JournalBearing) -> Iterator[Complaint]:
+def half_sommerfeld_is_of_a_plain_ring(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about the half-Sommerfeld condition anywhere but in a plain closed ring."""
     if bearing.cavitation != "half_sommerfeld" or bearing.method != "film":
         return
     allowed = "a plain round bore without feeding, tilt, steps and turbulence; else cavitation: reynolds"
     says = "the half-Sommerfeld condition is for a plain closed ring"
     if bearing.film_start not in (None, "periodic"):
-        yield Complaint(("film_start",), f"{says}, where the film begins nowhere", "periodic")
+        yield Issue(("film_start",), f"{says}, where the film begins nowhere", "periodic")
     elif bearing.hollows() or bearing.supply_element is not None:
-        yield Complaint(("cavitation",), f"{says}, and this bearing is fed", allowed)
+        yield Issue(("cavitation",), f"{says}, and this bearing is fed", allowed)
     elif _is_special(bearing):
-        yield Complaint(("cavitation",), says, allowed)
+        yield Issue(("cavitation",), says, allowed)
     elif bearing.effective_temperature is None:
         says = "half-Sommerfeld films have no flow to carry heat away"
-        yield Complaint(("effective_temperature",), f"{says}: it is missing", "the temperature of the film",
+        yield Issue(("effective_temperature",), f"{says}: it is missing", "the temperature of the film",
                         code="E003")  # fmt: skip
 
 
@@ -96,61 +96,59 @@ def _is_special(bearing: JournalBearing) -> bool:
 
 
 @rule
-def closed_ring_is_plain(bearing: JournalBearing) -> Iterator[Complaint]:
+def closed_ring_is_plain(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about a closed ring that is cut, or that runs dry."""
     if bearing.film_start != "periodic" or bearing.method != "film":
         return
     if bearing.grooves:
         says = "a film that closes around the journal has no grooves as wide as the bearing"
-        yield Complaint(("film_start",), says, "groove")
+        yield Issue(("film_start",), says, "groove")
     if bearing.span not in (None, 360):
         says = f"a film that closes around the journal has no ends; span is {bearing.span} deg"
-        yield Complaint(("film_start",), says, "groove, or span 360 deg")
+        yield Issue(("film_start",), says, "groove, or span 360 deg")
     if bearing.cavitation == "mass_conserving" and not bearing.hollows():
         says = "a mass-conserving film that nothing feeds runs dry"
-        yield Complaint(("cavitation",), says, "reynolds, half_sommerfeld, or give pockets or holes")
+        yield Issue(("cavitation",), says, "reynolds, half_sommerfeld, or give pockets or holes")
 
 
 @rule
-def sides_stand_above_cavitation(bearing: JournalBearing) -> Iterator[Complaint]:
+def sides_stand_above_cavitation(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about sides at less than the pressure at which the film breaks."""
     for index, pressure in enumerate(bearing.side_pressures or ()):
         if pressure < bearing.cavitation_pressure:
             says = f"{written(pressure, 'kPa')} is less than the pressure at which the film breaks"
-            yield Complaint(
-                ("side_pressures", index), says, f"at least {written(bearing.cavitation_pressure, 'kPa')}"
-            )
+            yield Issue(("side_pressures", index), says, f"at least {written(bearing.cavitation_pressure, 'kPa')}")
 
 
 @rule
-def widest_gap_is_of_a_plain_bore(bearing: JournalBearing) -> Iterator[Complaint]:
+def widest_gap_is_of_a_plain_bore(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about anything but a plain bore whose film starts at the widest gap."""
     if bearing.film_start != "widest_gap" or bearing.method != "film":
         return
     if bearing.hollows():
         says = "a film that starts at the widest gap has no grooves, pockets or holes"
-        yield Complaint(("film_start",), says, "groove")
+        yield Issue(("film_start",), says, "groove")
     if (bearing.bore is not None and bearing.bore.kind != "round") or bearing.misalignment is not None:
         says = "a film that starts at the widest gap needs a round bore and an aligned journal"
-        yield Complaint(("film_start",), says, "groove")
+        yield Issue(("film_start",), says, "groove")
     for name in SURFACE_FIELDS:
         if is_given(bearing, name):
             says = f"a film that starts at the widest gap has no {name.replace('_', ' ')}"
-            yield Complaint(("film_start",), says, "groove")
+            yield Issue(("film_start",), says, "groove")
     if bearing.span not in (None, 360):
         says = f"a film that starts at the widest gap surrounds the journal; span is {bearing.span} deg"
-        yield Complaint(("film_start",), says, "groove, or span 360 deg")
+        yield Issue(("film_start",), says, "groove, or span 360 deg")
     for name in ("turbulence", "pressure_viscosity"):
         if getattr(bearing, name) not in (None, "laminar"):
             says = "a film that starts at the widest gap is laminar and of constant viscosity"
-            yield Complaint((name,), says, "film_start: groove")
+            yield Issue((name,), says, "film_start: groove")
     if bearing.cavitation == "mass_conserving":
         says = "a film that starts at the widest gap does not conserve the oil"
-        yield Complaint(("cavitation",), says, "reynolds")
+        yield Issue(("cavitation",), says, "reynolds")
 
 
 @rule
-def given_flows_are_counted(bearing: JournalBearing) -> Iterator[Complaint]:
+def given_flows_are_counted(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about given flows in a film that does not count its oil."""
     for path, hollow in bearing.hollows():
         if hollow.flow is None:
@@ -161,27 +159,27 @@ def given_flows_are_counted(bearing: JournalBearing) -> Iterator[Complaint]:
             and all(not _feeds(one) for _, one in bearing.hollows())
         ):
             says = "every pocket and hole is closed (flow: 0 L/min): nothing feeds the film"
-            yield Complaint((*path, "flow"), says, "a pressure for one of them, or one more that feeds the film")
+            yield Issue((*path, "flow"), says, "a pressure for one of them, or one more that feeds the film")
             return
         if bearing.method == "film" and bearing.cavitation != "mass_conserving":
             says = "the Reynolds condition does not count the oil that a supply of given flow delivers"
-            yield Complaint((*path, "flow"), says, "cavitation: mass_conserving, or a pressure")
+            yield Issue((*path, "flow"), says, "cavitation: mass_conserving, or a pressure")
 
 
-def _feeds(hollow: GrooveGiven | PocketGiven | SupplyHoleGiven) -> bool:
+def _feeds(hollow: GrooveInput | PocketInput | SupplyHoleInput) -> bool:
     return hollow.flow is None or hollow.flow > 0.0
 
 
 @rule
-def grooves_stand_still(bearing: JournalBearing) -> Iterator[Complaint]:
+def grooves_stand_still(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about grooves that turn with the bearing."""
     if bearing.method == "film" and bearing.bearing_speed and bearing.film_starts() is FilmStart.GROOVE:
         says = "grooves and pockets that turn with the bearing leave no steady film"
-        yield Complaint(("bearing_speed",), says, "0 rpm, or film_start: widest_gap")
+        yield Issue(("bearing_speed",), says, "0 rpm, or film_start: widest_gap")
     if bearing.method == "film" and bearing.bearing_speed:
         for field, given in (
             ("turbulence", bearing.turbulence != "laminar"), ("dynamic_load", bearing.dynamic_load is not None)
         ):  # fmt: skip
             if given:
                 says = f"`{field}` is known for a bearing at rest only: shear and film forces have two speeds here"
-                yield Complaint(("bearing_speed",), says, f"0 rpm, or no {field}")
+                yield Issue(("bearing_speed",), says, f"0 rpm, or no {field}")

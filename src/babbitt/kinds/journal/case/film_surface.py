@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.case.part import Complaint, Part, exactly_one, rule
+from babbitt.case.part import Issue, Part, exactly_one, rule
 from babbitt.core.units import si, written
 from babbitt.reynolds.model import Field as FilmField
 from babbitt.reynolds.model import Step
@@ -28,7 +28,7 @@ FIELD_SHAPE = (360, 41)
 LARGEST_STEP = math.radians(45.0)
 
 
-class StepGiven(Part):
+class StepInput(Part):
     """A rectangle of the bore that lies deeper and belongs to the film."""
 
     angle: Angle = Field(description="Direction of its centre, counter-clockwise from the x axis.")
@@ -44,7 +44,7 @@ class StepGiven(Part):
         return Step(self.angle, self.extent, self.width, self.depth, self.axial_position)
 
 
-class ParabolicCrowningGiven(Part):
+class ParabolicCrowningInput(Part):
     """A journal that is a barrel."""
 
     kind: Literal["parabolic"] = Field(
@@ -57,7 +57,7 @@ class ParabolicCrowningGiven(Part):
         return tuple(self.drop * place**2 for place in _places())
 
 
-class EdgeCrowningGiven(Part):
+class EdgeCrowningInput(Part):
     """A journal, or bore, that is relieved near its edges."""
 
     kind: Literal["edges"] = Field(description="The radius falls as a parabola near the sides only.")
@@ -70,7 +70,7 @@ class EdgeCrowningGiven(Part):
         return tuple(self.drop * (max(0.0, abs(place) - begin) / (1.0 - begin)) ** 2 for place in _places())
 
 
-class TableCrowningGiven(Part):
+class TableCrowningInput(Part):
     """A journal as it was measured along its axis."""
 
     kind: Literal["table"] = Field(description="What the radius lacks at given places.")
@@ -85,10 +85,10 @@ class TableCrowningGiven(Part):
         return self.drops
 
 
-CrowningGiven = Annotated[ParabolicCrowningGiven | EdgeCrowningGiven | TableCrowningGiven, Discriminator("kind")]
+CrowningInput = Annotated[ParabolicCrowningInput | EdgeCrowningInput | TableCrowningInput, Discriminator("kind")]
 
 
-class DisplacementGiven(Part):
+class DisplacementInput(Part):
     """What the gap gains over the bore, by elastic or thermal displacement of its surfaces."""
 
     angles: tuple[Angle, ...] | None = Field(
@@ -133,44 +133,44 @@ class DisplacementGiven(Part):
         return tuple(tuple(float(value) for value in row) for row in around)
 
     @rule
-    def _one_source(self) -> Iterator[Complaint]:
+    def _one_source(self) -> Iterator[Issue]:
         yield from exactly_one(self, "values", "file")
 
     @rule
-    def _table_is_whole(self) -> Iterator[Complaint]:
+    def _table_is_whole(self) -> Iterator[Issue]:
         if self.values is None:
             return
         if self.angles is None or self.places is None:
             missing = "angles" if self.angles is None else "places"
-            yield Complaint((missing,), "is missing", "one for every row, or column, of the values", code="E003")
+            yield Issue((missing,), "is missing", "one for every row, or column, of the values", code="E003")
             return
         if len(self.values) != len(self.angles):
             says = f"{len(self.values)} rows for {len(self.angles)} angles"
-            yield Complaint(("values",), says, "a row for every angle")
+            yield Issue(("values",), says, "a row for every angle")
         for number, row in enumerate(self.values):
             if len(row) != len(self.places):
                 says = f"{len(row)} values for {len(self.places)} places"
-                yield Complaint(("values", number), says, "a value for every place")
+                yield Issue(("values", number), says, "a value for every place")
         turns = [after - before for before, after in pairwise(self.angles)]
         whole = self.angles[-1] - self.angles[0]
         if min(turns) <= 0.0 or whole >= TURN * (1.0 - 1e-9):
-            yield Complaint(("angles",), "the angles do not rise once around", "rising, less than one turn in all")
+            yield Issue(("angles",), "the angles do not rise once around", "rising, less than one turn in all")
         elif max(*turns, TURN - whole) > LARGEST_STEP:
-            yield Complaint(("angles",), "the angles leave a gap", "steps of at most 45 deg all around")
+            yield Issue(("angles",), "the angles leave a gap", "steps of at most 45 deg all around")
         if any(after <= before for before, after in pairwise(self.places)):
-            yield Complaint(("places",), "the places do not rise", "from z = -B/2 to z = B/2")
+            yield Issue(("places",), "the places do not rise", "from z = -B/2 to z = B/2")
 
 
-__all__ = ["CrowningGiven", "DisplacementGiven", "SidePressure", "StepGiven", "complaints_about_steps"]
+__all__ = ["CrowningInput", "DisplacementInput", "SidePressure", "StepInput", "issues_of_steps"]
 
 
-def complaints_about_steps(steps: tuple[StepGiven, ...], width: float | None) -> Iterator[Complaint]:
+def issues_of_steps(steps: tuple[StepInput, ...], width: float | None) -> Iterator[Issue]:
     """Complain about steps beyond the sides of the bearing."""
     for index, step in enumerate(steps):
         beyond = abs(step.axial_position) + step.width / 2.0
         if width is not None and beyond > width / 2.0 * (1.0 + 1e-9):
             says = f"it reaches {written(beyond, 'mm')} from the mid-plane, beyond the bearing"
-            yield Complaint(("steps", index), says, f"up to {written(width / 2.0, 'mm')}")
+            yield Issue(("steps", index), says, f"up to {written(width / 2.0, 'mm')}")
 
 
 def _places(count: int = CROWN_POINTS) -> tuple[float, ...]:

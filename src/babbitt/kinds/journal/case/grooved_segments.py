@@ -7,18 +7,18 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.case.part import Complaint, Part, at_most_one, is_given, rule
+from babbitt.case.part import Issue, Part, at_most_one, is_given, rule
 from babbitt.core.units import si, written
 from babbitt.kinds.journal.grooved_long_bearing.model import (
     AngleOrigin,
     Groove,
     GrooveKind,
-    complaints_about_groove,
-    complaints_about_profile,
+    issues_of_groove,
+    issues_of_profile,
 )
 
 
-class LoadedGrooveGiven(Part):
+class LoadedGrooveInput(Part):
     """An axial groove in the loaded zone, at its place in the bush or at an angle from the widest gap."""
 
     example: ClassVar[str] = "{kind: through, angle_from_load: -20 deg, width: 6 mm}"
@@ -52,21 +52,21 @@ class LoadedGrooveGiven(Part):
     )
 
     @rule
-    def _place_is_known(self) -> Iterator[Complaint]:
+    def _place_is_known(self) -> Iterator[Issue]:
         if self.kind == "none":
             return
         if not is_given(self, "angle") and not is_given(self, "angle_from_load"):
             allowed = "the place of the groove in the bush, such as '-20 deg' (20 deg before the load line)"
-            yield Complaint(("angle_from_load",), "is missing", allowed, code="E003")
+            yield Issue(("angle_from_load",), "is missing", allowed, code="E003")
         if not is_given(self, "width"):
-            yield Complaint(("width",), "is missing", "the width of the groove, such as '6 mm'", code="E003")
+            yield Issue(("width",), "is missing", "the width of the groove, such as '6 mm'", code="E003")
         yield from at_most_one(self, "angle_from_load", "angle")
 
     @rule
-    def _blind_grooves_find_their_pressure(self) -> Iterator[Complaint]:
+    def _blind_grooves_find_their_pressure(self) -> Iterator[Issue]:
         if self.kind == "blind" and self.pressure > 0.0:
             says = "the pressure of a blind groove follows from the oil that it passes on"
-            yield Complaint(("pressure",), says, "kind: through, or leave it out")
+            yield Issue(("pressure",), says, "kind: through, or leave it out")
 
     def groove(self) -> Groove | None:
         """Give the groove of the calculation."""
@@ -90,7 +90,7 @@ class ProfilePoint(Part):
     film_thickness: Annotated[float, si("m", "0.001 um", "100 mm")] = Field(description="Film thickness there.")
 
 
-class RoughnessGiven(Part):
+class RoughnessInput(Part):
     """Arithmetic mean roughness of both surfaces."""
 
     example: ClassVar[str] = "{bearing: 0.63 um, journal: 0.32 um}"
@@ -99,12 +99,12 @@ class RoughnessGiven(Part):
     journal: Annotated[float, si("m", "0 um", "100 um")] = Field(description="Ra of the journal.")
 
 
-class SegmentsGiven(Part):
+class SegmentsInput(Part):
     """What the heat balance by segments knows of the film."""
 
     example: ClassVar[str] = "{groove: {kind: through, angle_from_load: -20 deg, width: 6 mm}}"
 
-    groove: LoadedGrooveGiven | None = Field(None, description="Groove in the loaded zone. None if not given.")
+    groove: LoadedGrooveInput | None = Field(None, description="Groove in the loaded zone. None if not given.")
     film_start: Annotated[float, si("rad", "0 deg", "179 deg")] = Field(
         0.0, description="Where the film begins, from the widest gap in the direction of rotation."
     )
@@ -116,7 +116,7 @@ class SegmentsGiven(Part):
         max_length=5000,
         description="Film thickness around the bearing, in place of load or eccentricity; the load is found.",
     )
-    roughness: RoughnessGiven | None = Field(
+    roughness: RoughnessInput | None = Field(
         None, description="Roughness Ra, to warn of films thinner than three times 1.25 Ra of both together."
     )
 
@@ -125,18 +125,18 @@ class SegmentsGiven(Part):
         return tuple((point.angle, point.film_thickness) for point in self.profile)
 
 
-def complaints_about(given: SegmentsGiven, diameter: float, width: float | None) -> Iterator[Complaint]:
+def issues_of(given: SegmentsInput, diameter: float, width: float | None) -> Iterator[Issue]:
     """Complain about a groove outside the film or the bearing, and a profile that is none; sizes in m."""
     groove = given.groove.groove() if given.groove is not None else None
     if groove is not None:
         if groove.at_place_in_bush and given.profile:
             says = "a film thickness of your own has no load line before its load is found"
-            yield Complaint(("segments", "groove", "angle_from_load"), says, "angle, from the widest gap")
+            yield Issue(("segments", "groove", "angle_from_load"), says, "angle, from the widest gap")
         if groove.end_land is not None and width is not None and 2.0 * groove.end_land >= width:
             says = f"two end lands of {written(groove.end_land, 'mm')} leave no groove in the bearing"
             allowed = f"less than {written(0.5 * width, 'mm')}"
-            yield Complaint(("segments", "groove", "end_land"), says, allowed)
-        for said in complaints_about_groove(groove, diameter, given.film_start):
-            yield Complaint(("segments", "groove"), said, "a groove inside the film, narrower than it")
-    for said in complaints_about_profile(given.points()):
-        yield Complaint(("segments", "profile"), said, "at least 8 points, angles rising from 0 to below 360 deg")
+            yield Issue(("segments", "groove", "end_land"), says, allowed)
+        for said in issues_of_groove(groove, diameter, given.film_start):
+            yield Issue(("segments", "groove"), said, "a groove inside the film, narrower than it")
+    for said in issues_of_profile(given.points()):
+        yield Issue(("segments", "profile"), said, "at least 8 points, angles rising from 0 to below 360 deg")

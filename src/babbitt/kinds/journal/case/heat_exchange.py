@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.case.part import Complaint, Part, rule
+from babbitt.case.part import Issue, Part, rule
 from babbitt.case.shorthand import Shorthand
 from babbitt.core.units import si, written
 from babbitt.kinds.journal.infinitely_long_bearing.model import (
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 Conductivity = Annotated[float, si("W/(m K)", "0 W/(m K)", "1000 W/(m K)")]
 
 
-class NusseltGiven(Part):
+class NusseltInput(Part):
     """Heat transfer from the film to either wall, Nu = coefficient (Pe h/D)^exponent, formed with the gap."""
 
     example: ClassVar[str] = "{coefficient: 1.55, exponent: 0.333}"
@@ -53,7 +53,7 @@ def _number(given: Any) -> Any:
     return {"coefficient": given, "exponent": 0} if plain else given
 
 
-class BushGiven(Part):
+class BushInput(Part):
     """The bush as a ring that conducts heat around the journal."""
 
     example: ClassVar[str] = "{outer_diameter: 100 mm, conductivity: 45 W/(m K)}"
@@ -62,7 +62,7 @@ class BushGiven(Part):
     conductivity: Conductivity = Field(description="Thermal conductivity, lam_B.")
 
 
-class AmbientGiven(Part):
+class AmbientInput(Part):
     """The surroundings of bush and shaft."""
 
     example: ClassVar[str] = "{temperature: 20 degC, coefficient: 20 W/(m2 K)}"
@@ -73,16 +73,16 @@ class AmbientGiven(Part):
     )
 
 
-class HeatExchangeGiven(Part):
+class HeatExchangeInput(Part):
     """Where heat goes besides the oil, and how the published calculation is repeated."""
 
     example: ClassVar[str] = "{bush: {outer_diameter: 100 mm, conductivity: 45 W/(m K)}}"
 
-    nusselt: Annotated[NusseltGiven, _ConstantNusselt(_number, "a Nusselt number")] = Field(
-        NusseltGiven(), description="Heat transfer from film to walls. A number is a constant Nusselt number."
+    nusselt: Annotated[NusseltInput, _ConstantNusselt(_number, "a Nusselt number")] = Field(
+        NusseltInput(), description="Heat transfer from film to walls. A number is a constant Nusselt number."
     )
-    bush: BushGiven | None = Field(None, description="The bush. Adiabatic if not given.")
-    ambient: AmbientGiven | None = Field(None, description="The surroundings. No heat reaches them if not given.")
+    bush: BushInput | None = Field(None, description="The bush. Adiabatic if not given.")
+    ambient: AmbientInput | None = Field(None, description="The surroundings. No heat reaches them if not given.")
     shaft_conductance: Annotated[float, si("W/K", "0 W/K", "1000 W/K")] = Field(
         0.0, description="Conductance from the journal along the shaft to the surroundings."
     )
@@ -102,13 +102,13 @@ class HeatExchangeGiven(Part):
     )
 
     @rule
-    def _surroundings_are_known(self) -> Iterator[Complaint]:
+    def _surroundings_are_known(self) -> Iterator[Issue]:
         if self.shaft_conductance > 0.0 and self.ambient is None:
             says = "heat leaves along the shaft to surroundings that are not given"
-            yield Complaint(("shaft_conductance",), says, "ambient with a temperature besides it")
+            yield Issue(("shaft_conductance",), says, "ambient with a temperature besides it")
         if self.ambient is not None and self.ambient.coefficient > 0.0 and self.bush is None:
             says = "the outside of the bush gives off heat, and no bush is given"
-            yield Complaint(("ambient", "coefficient"), says, "bush besides it")
+            yield Issue(("ambient", "coefficient"), says, "bush besides it")
 
     def exchange(self) -> HeatExchange:
         """Give the heat exchange of the calculation."""
@@ -124,8 +124,8 @@ class HeatExchangeGiven(Part):
         )
 
 
-def complaints_about(given: HeatExchangeGiven, diameter: float) -> Iterator[Complaint]:
+def issues_of(given: HeatExchangeInput, diameter: float) -> Iterator[Issue]:
     """Complain about a bush that its bearing does not fit into."""
     if given.bush is not None and given.bush.outer_diameter <= diameter:
         says = f"the bush, {written(given.bush.outer_diameter, 'mm')}, is not larger than the bearing"
-        yield Complaint(("heat_exchange", "bush", "outer_diameter"), says, f"more than {written(diameter, 'mm')}")
+        yield Issue(("heat_exchange", "bush", "outer_diameter"), says, f"more than {written(diameter, 'mm')}")

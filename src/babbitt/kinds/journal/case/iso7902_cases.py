@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from babbitt.case.part import is_given
-from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition
+from babbitt.design.conditions import PrescribedEccentricity, PrescribedLoad, PrescribedPosition
 from babbitt.kinds.journal.case.as_given import words_of
 from babbitt.kinds.journal.case.assumptions import assumptions_of
 from babbitt.kinds.journal.case.joined_inputs import (
@@ -16,7 +16,7 @@ from babbitt.kinds.journal.case.joined_inputs import (
     oil_supply,
 )
 from babbitt.kinds.journal.case.operating_point import OperatingPoint
-from babbitt.kinds.journal.case.warnings import doubts_about
+from babbitt.kinds.journal.case.warnings import warnings_about
 from babbitt.kinds.journal.iso7902.model import Bearing, Curves, DesignCase, Friction
 from babbitt.properties.materials import LoadCharacter
 
@@ -43,16 +43,16 @@ def iso7902_case(inputs: Inputs, at: Point) -> DesignCase:
             *bearing.assumptions,
             *assumptions_of(bearing, point, inputs.supply, inputs.cooling, inputs.materials),
         ),
-        doubts=doubts_about(inputs, point),
+        warnings=warnings_about(inputs, point),
         kind=bearing.kind,
         effective_temperature=bearing.effective_temperature,
         load_angle=bearing.load_angle if is_given(bearing, "load_angle") else None,
     )
 
 
-def _duty(inputs: Inputs, point: OperatingPoint | None) -> GivenLoad | GivenEccentricity:
+def _duty(inputs: Inputs, point: OperatingPoint | None) -> PrescribedLoad | PrescribedEccentricity:
     given = duty(inputs, point)
-    if isinstance(given, GivenPosition):
+    if isinstance(given, PrescribedPosition):
         raise ValueError("a case that was not validated: the standard takes no position")
     return given
 

@@ -11,7 +11,14 @@ from babbitt.case.parts.materials import Materials
 from babbitt.case.parts.shared import merged
 from babbitt.case.parts.supply import Supply
 from babbitt.core.notices import Notice
-from babbitt.design.conditions import Duty, GivenEccentricity, GivenLoad, GivenPosition, HousingCooling, OilSupply
+from babbitt.design.conditions import (
+    HousingCooling,
+    LoadSpec,
+    OilSupply,
+    PrescribedEccentricity,
+    PrescribedLoad,
+    PrescribedPosition,
+)
 from babbitt.design.cooling import STILL_AIR_COEFFICIENT, heat_transfer_coefficient
 from babbitt.kinds.journal.case.journal import JournalBearing
 from babbitt.kinds.journal.case.machine import SeveralBearings, SingleBearing
@@ -82,19 +89,19 @@ def expansions(inputs: Inputs) -> tuple[float, float]:
     return bearing.expansion(), journal.expansion()
 
 
-def duty(inputs: Inputs, point: OperatingPoint | None) -> Duty:
+def duty(inputs: Inputs, point: OperatingPoint | None) -> LoadSpec:
     """What the bearing carries: the load, or the prescribed position."""
     bearing = inputs.bearing
     given = stating(LOADS, bearing, point)
     if given.eccentricity_ratio is not None:
-        return GivenEccentricity(given.eccentricity_ratio, given.attitude_angle)
+        return PrescribedEccentricity(given.eccentricity_ratio, given.attitude_angle)
     if given.position is not None:
-        return GivenPosition(given.position.x, given.position.y)
+        return PrescribedPosition(given.position.x, given.position.y)
     if given.load is not None:
-        return GivenLoad(given.load)
+        return PrescribedLoad(given.load)
     if given.specific_load is None:
         raise ValueError("a case that was not validated: the bearing has no load")
-    return GivenLoad(given.specific_load * inputs.width * bearing.diameter)
+    return PrescribedLoad(given.specific_load * inputs.width * bearing.diameter)
 
 
 def journal_speed(bearing: JournalBearing, point: OperatingPoint | None) -> float:

@@ -7,46 +7,46 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
-from babbitt.case.part import Complaint, at_most_one, exactly_one, is_given, rule
+from babbitt.case.part import Issue, at_most_one, exactly_one, is_given, rule
 from babbitt.case.parts import clearance, cooling
-from babbitt.case.parts.choices import FrictionGiven, LimitsGiven
-from babbitt.case.parts.clearance import ClearanceGiven
-from babbitt.case.parts.compliance import ComplianceGiven
+from babbitt.case.parts.choices import FrictionInput, LimitsInput
+from babbitt.case.parts.clearance import ClearanceInput
+from babbitt.case.parts.compliance import ComplianceInput
 from babbitt.case.parts.fields import Name, Prose, Span
 from babbitt.case.parts.load_and_speed import LOADS, SPEEDS
 from babbitt.case.parts.shared import SharedInputs
-from babbitt.case.parts.surfaces import SurfacesGiven
+from babbitt.case.parts.surfaces import SurfacesInput
 from babbitt.core.units import si, written
 from babbitt.kinds.journal.case import film_rules, film_shape_rules, one_dimension, standard_rules, supply_element
-from babbitt.kinds.journal.case.dynamic_load import DynamicLoadGiven
+from babbitt.kinds.journal.case.dynamic_load import DynamicLoadInput
 from babbitt.kinds.journal.case.film_features import (
-    BoreGiven,
-    GrooveGiven,
-    MisalignmentGiven,
-    PocketGiven,
-    SupplyHoleGiven,
-    complaints_about_hollows,
+    BoreInput,
+    GrooveInput,
+    MisalignmentInput,
+    PocketInput,
+    SupplyHoleInput,
+    issues_of_hollows,
 )
 from babbitt.kinds.journal.case.film_heat import (
-    AxialTemperatureGiven,
-    CarryOverGiven,
-    CoefficientsGiven,
-    ThermalGiven,
-    WallsGiven,
+    AxialTemperatureInput,
+    CarryOverInput,
+    CoefficientsInput,
+    ThermalInput,
+    WallsInput,
     heat_goes_with_the_film,
 )
-from babbitt.kinds.journal.case.film_oil import PressureViscosityGiven, TurbulenceGiven
+from babbitt.kinds.journal.case.film_oil import PressureViscosityInput, TurbulenceInput
 from babbitt.kinds.journal.case.film_surface import (
-    CrowningGiven,
-    DisplacementGiven,
+    CrowningInput,
+    DisplacementInput,
     SidePressure,
-    StepGiven,
+    StepInput,
 )
-from babbitt.kinds.journal.case.grooved_segments import SegmentsGiven
-from babbitt.kinds.journal.case.heat_exchange import HeatExchangeGiven
+from babbitt.kinds.journal.case.grooved_segments import SegmentsInput
+from babbitt.kinds.journal.case.heat_exchange import HeatExchangeInput
 from babbitt.kinds.journal.case.load_direction import DOWNWARD
-from babbitt.kinds.journal.case.operating_point import Duty, OperatingPoint
-from babbitt.kinds.journal.case.supply_element import SupplyElementGiven, UnevenPockets
+from babbitt.kinds.journal.case.operating_point import LoadAndSpeed, OperatingPoint
+from babbitt.kinds.journal.case.supply_element import SupplyElementInput, UnevenPockets
 from babbitt.reynolds.model import FilmStart
 
 LEAST_SPECIFIC_LOAD = 1e3
@@ -56,10 +56,10 @@ GREATEST_SURFACE_SPEED = 200.0
 """m/s. Assumption: a faster plain bearing is a slip of unit."""
 
 
-class JournalBearing(Duty, SharedInputs):
+class JournalBearing(LoadAndSpeed, SharedInputs):
     """A circular cylindrical journal bearing."""
 
-    alternatives: ClassVar[tuple[tuple[str, ...], ...]] = (*Duty.alternatives, ("width", "width_ratio"))
+    alternatives: ClassVar[tuple[tuple[str, ...], ...]] = (*LoadAndSpeed.alternatives, ("width", "width_ratio"))
 
     kind: Literal["journal"] = Field(description="Circular cylindrical journal bearing.")
     name: Name = Field(description="Name of the bearing in tables and reports.")
@@ -74,7 +74,7 @@ class JournalBearing(Duty, SharedInputs):
     width_ratio: Annotated[float, si("1", "0.1", "10")] | None = Field(
         None, description="Relative width B/D, in place of the width."
     )
-    clearance: ClearanceGiven = Field(
+    clearance: ClearanceInput = Field(
         description="Clearance at 20 degC. An ISO 286 fit may be written in short, such as H7/e8."
     )
     clearance_cases: Literal["mean", "all"] | None = Field(
@@ -84,36 +84,36 @@ class JournalBearing(Duty, SharedInputs):
     span: Span | None = Field(
         None, description="Angular span of the loaded arc. Uneven pockets set it if it is not given."
     )
-    supply_element: SupplyElementGiven | None = Field(None, description="What feeds the film.")
-    grooves: tuple[GrooveGiven, ...] = Field(
+    supply_element: SupplyElementInput | None = Field(None, description="What feeds the film.")
+    grooves: tuple[GrooveInput, ...] = Field(
         (),
         max_length=12,
         description="Axial grooves as wide as the bearing. Film method, in place of supply_element.",
     )
-    pockets: tuple[PocketGiven, ...] = Field(
+    pockets: tuple[PocketInput, ...] = Field(
         (),
         max_length=12,
         description="Pockets and circumferential grooves. Film method, in place of supply_element.",
     )
-    holes: tuple[SupplyHoleGiven, ...] = Field(
+    holes: tuple[SupplyHoleInput, ...] = Field(
         (), max_length=24, description="Holes in the bore. Film method, in place of supply_element."
     )
-    bore: BoreGiven | None = Field(None, description="Form of the bore, for the film method. round if not given.")
-    misalignment: MisalignmentGiven | None = Field(
+    bore: BoreInput | None = Field(None, description="Form of the bore, for the film method. round if not given.")
+    misalignment: MisalignmentInput | None = Field(
         None, description="Slopes of the journal axis in the bore, for the film method."
     )
-    steps: tuple[StepGiven, ...] = Field(
+    steps: tuple[StepInput, ...] = Field(
         (),
         max_length=24,
         description="Rectangles of the bore that lie deeper and belong to the film. Film method.",
     )
-    crowning: CrowningGiven | None = Field(
+    crowning: CrowningInput | None = Field(
         None, description="What the radius of the journal lacks along its axis, for the film method."
     )
-    displacement: DisplacementGiven | None = Field(
+    displacement: DisplacementInput | None = Field(
         None, description="What the gap gains by displacement of its surfaces, for the film method."
     )
-    compliance: tuple[ComplianceGiven, ...] = Field(
+    compliance: tuple[ComplianceInput, ...] = Field(
         (),
         max_length=4,
         description="What the bore gives way by under the pressure of the film; all of it adds up. Film method.",
@@ -125,12 +125,12 @@ class JournalBearing(Duty, SharedInputs):
     tilt_coefficients: bool = Field(
         False, description="Stiffness and damping against tilt of the journal, too, by the film method."
     )
-    surfaces: SurfacesGiven | None = Field(None, description="Roughness, tilt and waviness of the surfaces.")
-    heat_exchange: HeatExchangeGiven = Field(
-        HeatExchangeGiven(), description="Heat exchange of the long film (method: long_film)."
+    surfaces: SurfacesInput | None = Field(None, description="Roughness, tilt and waviness of the surfaces.")
+    heat_exchange: HeatExchangeInput = Field(
+        HeatExchangeInput(), description="Heat exchange of the long film (method: long_film)."
     )
-    segments: SegmentsGiven = Field(
-        SegmentsGiven(), description="Groove and wall of the heat balance by segments (method: segments)."
+    segments: SegmentsInput = Field(
+        SegmentsInput(), description="Groove and wall of the heat balance by segments (method: segments)."
     )
 
     bearing_speed: Annotated[float, si("rad/s", "-1000000 rpm", "1000000 rpm")] = Field(
@@ -163,7 +163,7 @@ class JournalBearing(Duty, SharedInputs):
         (), max_length=200, description="Operating points, each with what differs from the bearing."
     )
 
-    friction: FrictionGiven = Field(FrictionGiven(), description="Where the film rubs.")
+    friction: FrictionInput = Field(FrictionInput(), description="Where the film rubs.")
     characteristics: Literal["computed", "closed_form"] = Field(
         "computed",
         description="Own solutions of the Reynolds equation, or the closed forms of DIN 31652 (360 deg).",
@@ -178,37 +178,37 @@ class JournalBearing(Duty, SharedInputs):
     cavitation_pressure: Annotated[float, si("Pa", "-1 MPa", "0 Pa")] = Field(
         0.0, description="Gauge pressure at which the film breaks, for the film method."
     )
-    turbulence: TurbulenceGiven = Field(
+    turbulence: TurbulenceInput = Field(
         "laminar",
         description="Turbulence of the film method where the local Reynolds number exceeds 41.3 sqrt(D/C): none, "
         "whatever the Reynolds number, or flow factors by Ng and Pan or Constantinescu.",
     )
-    pressure_viscosity: PressureViscosityGiven | None = Field(
+    pressure_viscosity: PressureViscosityInput | None = Field(
         None, description="Growth of the viscosity with pressure, for the film method."
     )
-    thermal: ThermalGiven | None = Field(
+    thermal: ThermalInput | None = Field(
         None,
         description="Temperature of the film method: prescribed (isothermal), one for the whole film from the "
         "heat balance (global), or varying around the journal and across the gap, with walls that take no heat "
         "(adiabatic) or with bush, housing and journal that conduct (full). global if not given, isothermal with "
         "an effective_temperature.",
     )
-    walls: WallsGiven | None = Field(
+    walls: WallsInput | None = Field(
         None,
         description="Bush, housing and journal of a full thermal film. What is not given is assumed and told.",
     )
-    axial_temperature: AxialTemperatureGiven = Field(
+    axial_temperature: AxialTemperatureInput = Field(
         "mean",
         description="Whether temperatures of an adiabatic or full film are means over the width, or resolved "
         "along it. Between pockets and holes they are always resolved.",
     )
-    carry_over: CarryOverGiven = Field(
+    carry_over: CarryOverInput = Field(
         1.0,
         description="Hot oil carry-over of an adiabatic or full film: share, 0 to 1, of the oil that the film "
         "brings to a groove, pocket or hole and that goes on with the next film; fresh oil flushes out the rest. "
         "1 where the next film takes all of it that it can: the hottest.",
     )
-    temperature_coefficients: CoefficientsGiven = Field(
+    temperature_coefficients: CoefficientsInput = Field(
         "frozen",
         description="Whether the stiffness of an adiabatic or full film answers displacements at frozen "
         "temperatures, or with temperatures that follow.",
@@ -228,7 +228,7 @@ class JournalBearing(Duty, SharedInputs):
         description="Solve the film on a finer grid, too, and say how far film thickness, position, stiffness and "
         "damping may be wrong by the grid. Film method.",
     )
-    dynamic_load: DynamicLoadGiven | None = Field(
+    dynamic_load: DynamicLoadInput | None = Field(
         None,
         description="Load that changes while the journal turns, added to the load, for the film method: the orbit "
         "of the journal is found.",
@@ -238,7 +238,7 @@ class JournalBearing(Duty, SharedInputs):
         description="Whether the film method looks for further places where the journal can rest: always, never, "
         "or in lobed bores and between grooves whose pressure rivals that of the wedge.",
     )
-    limits: LimitsGiven = Field(LimitsGiven(), description="Limits in place of those by experience.")
+    limits: LimitsInput = Field(LimitsInput(), description="Limits in place of those by experience.")
     assumptions: tuple[Prose, ...] = Field(
         (), max_length=100, description="Assumptions to be shown in the report."
     )
@@ -253,22 +253,22 @@ class JournalBearing(Duty, SharedInputs):
         return None if self.width_ratio is None else self.width_ratio * self.diameter
 
     @rule
-    def _one_width(self) -> Iterator[Complaint]:
+    def _one_width(self) -> Iterator[Issue]:
         yield from exactly_one(self, "width", "width_ratio")
 
     @rule
-    def _width_makes_sense(self) -> Iterator[Complaint]:
+    def _width_makes_sense(self) -> Iterator[Issue]:
         yield from standard_rules.width_is_plausible(self)
 
     @rule
-    def _one_load(self) -> Iterator[Complaint]:
+    def _one_load(self) -> Iterator[Issue]:
         if self.method == "segments" and self.segments.profile:
-            yield from one_dimension.complaints_about_loads(self)
+            yield from one_dimension.issues_of_loads(self)
         else:
             yield from _one_of(self, LOADS)
 
     @rule
-    def _loads_make_sense(self) -> Iterator[Complaint]:
+    def _loads_make_sense(self) -> Iterator[Issue]:
         width = self.actual_width
         for path, duty in self.duties():
             if duty.load is None or width is None:
@@ -277,14 +277,14 @@ class JournalBearing(Duty, SharedInputs):
             # A missing "kN" shows here. A load beyond what any film carries is answered by the calculation.
             if pressure < LEAST_SPECIFIC_LOAD:
                 says = f"{written(duty.load, 'kN')} is a specific load of {written(pressure, 'kPa')}"
-                yield Complaint((*path, "load"), says, f"at least {written(LEAST_SPECIFIC_LOAD, 'kPa')}")
+                yield Issue((*path, "load"), says, f"at least {written(LEAST_SPECIFIC_LOAD, 'kPa')}")
 
     @rule
-    def _one_speed(self) -> Iterator[Complaint]:
+    def _one_speed(self) -> Iterator[Issue]:
         yield from _one_of(self, SPEEDS)
 
     @rule
-    def _speeds_make_sense(self) -> Iterator[Complaint]:
+    def _speeds_make_sense(self) -> Iterator[Issue]:
         for path, duty in self.duties():
             speed = duty.speed
             if speed is None and duty.surface_speed is not None:
@@ -293,48 +293,48 @@ class JournalBearing(Duty, SharedInputs):
                 continue
             if (fast := abs(speed) * self.diameter / 2.0) > GREATEST_SURFACE_SPEED * 1.000001:
                 says = f"{written(speed, 'rpm')} is a surface speed of {fast:.4g} m/s"
-                yield Complaint((*path, "speed"), says, f"up to {GREATEST_SURFACE_SPEED:g} m/s")
+                yield Issue((*path, "speed"), says, f"up to {GREATEST_SURFACE_SPEED:g} m/s")
             if (speed + self.bearing_speed) * speed <= 0.0:
                 both = f"journal {written(speed, 'rpm')}, bearing {written(self.bearing_speed, 'rpm')}"
                 says = f"the speeds build no film: {both}"
-                yield Complaint(("bearing_speed",), says, "a sum of both in the sense of the journal")
+                yield Issue(("bearing_speed",), says, "a sum of both in the sense of the journal")
 
     @rule
-    def _points_have_names_of_their_own(self) -> Iterator[Complaint]:
+    def _points_have_names_of_their_own(self) -> Iterator[Issue]:
         seen: set[str] = set()
         for index, point in enumerate(self.operating_points):
             if point.name in seen:
                 says = f"another operating point is named '{point.name}' too"
-                yield Complaint(("operating_points", index, "name"), says, "each name once")
+                yield Issue(("operating_points", index, "name"), says, "each name once")
             seen.add(point.name)
 
     @rule
-    def _clearance_fits(self) -> Iterator[Complaint]:
-        yield from clearance.complaints_about(self.clearance, self.diameter)
+    def _clearance_fits(self) -> Iterator[Issue]:
+        yield from clearance.issues_of(self.clearance, self.diameter)
 
     @rule
-    def _housing_fits(self) -> Iterator[Complaint]:
+    def _housing_fits(self) -> Iterator[Issue]:
         if self.cooling is not None:
-            yield from cooling.complaints_about(self.cooling, self.diameter)
+            yield from cooling.issues_of(self.cooling, self.diameter)
 
     @rule
-    def _elements_fit(self) -> Iterator[Complaint]:
+    def _elements_fit(self) -> Iterator[Issue]:
         width = self.actual_width
         if width is None:
             return
         if self.supply_element is not None:
-            yield from supply_element.complaints_about(self.supply_element, width, self.diameter)
+            yield from supply_element.issues_of(self.supply_element, width, self.diameter)
         for index, point in enumerate(self.operating_points):
             if point.supply_element is not None:
-                for told in supply_element.complaints_about(point.supply_element, width, self.diameter):
+                for told in supply_element.issues_of(point.supply_element, width, self.diameter):
                     yield told.under("operating_points", index)
 
     @rule
-    def _one_dimension_suffices(self) -> Iterator[Complaint]:
-        yield from one_dimension.complaints_about(self)
+    def _one_dimension_suffices(self) -> Iterator[Issue]:
+        yield from one_dimension.issues_of(self)
 
     @rule
-    def _span_is_known(self) -> Iterator[Complaint]:
+    def _span_is_known(self) -> Iterator[Issue]:
         if self.method in one_dimension.METHODS:
             return
         if self.method == "film" and (self.hollows() or self.film_starts() is not FilmStart.GROOVE):
@@ -342,7 +342,7 @@ class JournalBearing(Duty, SharedInputs):
         for point in self.operating_points or (None,):
             if self.span_at(point) is None:
                 besides = ", or grooves, pockets or holes" if self.method == "film" else ""
-                yield Complaint(
+                yield Issue(
                     ("span",),
                     "is missing",
                     f"360, 180, 150, 120, 90 deg, or a supply_element of kind uneven_pockets{besides}",
@@ -351,16 +351,16 @@ class JournalBearing(Duty, SharedInputs):
                 return
 
     @rule
-    def _closed_forms_are_of_the_full_bearing(self) -> Iterator[Complaint]:
+    def _closed_forms_are_of_the_full_bearing(self) -> Iterator[Issue]:
         spans = (self.span_at(point) for point in self.operating_points or (None,))
         others = [span for span in spans if span not in (None, 360)]
         if self.characteristics == "closed_form" and others:
             says = f"closed forms exist for a span of 360 deg, not {others[0]} deg"
-            yield Complaint(("characteristics",), says, "computed, or span 360 deg")
+            yield Issue(("characteristics",), says, "computed, or span 360 deg")
 
     @rule
-    def _hollows_fit(self) -> Iterator[Complaint]:
-        yield from complaints_about_hollows(self.hollows(), self.actual_width, self.diameter)
+    def _hollows_fit(self) -> Iterator[Issue]:
+        yield from issues_of_hollows(self.hollows(), self.actual_width, self.diameter)
 
     _standard_knows_the_bearing = standard_rules.standard_knows_the_bearing
     _tilt_leaves_a_film = film_shape_rules.tilt_leaves_a_film
@@ -389,7 +389,7 @@ class JournalBearing(Duty, SharedInputs):
         unfed = "periodic" if self.cavitation == "half_sommerfeld" else "groove"
         return FilmStart[(self.film_start or unfed).upper()]
 
-    def hollows(self) -> list[tuple[tuple[str | int, ...], GrooveGiven | PocketGiven | SupplyHoleGiven]]:
+    def hollows(self) -> list[tuple[tuple[str | int, ...], GrooveInput | PocketInput | SupplyHoleInput]]:
         """Grooves, pockets and holes, each with its path in the case."""
         return [
             ((name, index), hollow)
@@ -412,18 +412,18 @@ class JournalBearing(Duty, SharedInputs):
             return element.conventional_span().tabulated
         return self.span
 
-    def element_at(self, point: OperatingPoint | None) -> SupplyElementGiven | None:
+    def element_at(self, point: OperatingPoint | None) -> SupplyElementInput | None:
         """Supply element at an operating point (None: the bearing as such)."""
         return self.supply_element if point is None else point.supply_element or self.supply_element
 
-    def duties(self) -> Iterator[tuple[tuple[str | int, ...], Duty]]:
+    def duties(self) -> Iterator[tuple[tuple[str | int, ...], LoadAndSpeed]]:
         """The bearing and its operating points, with their loads and speeds, each with its path in the case."""
         yield (), self
         for index, point in enumerate(self.operating_points):
             yield ("operating_points", index), point
 
 
-def _one_of(bearing: JournalBearing, names: tuple[str, ...]) -> Iterator[Complaint]:
+def _one_of(bearing: JournalBearing, names: tuple[str, ...]) -> Iterator[Issue]:
     """Complain unless each operating point has exactly one of some fields, its own or the bearing's."""
     on_bearing = any(is_given(bearing, name) for name in names)
     points = vars(bearing).get("operating_points", ())
@@ -432,6 +432,6 @@ def _one_of(bearing: JournalBearing, names: tuple[str, ...]) -> Iterator[Complai
         return
     yield from at_most_one(bearing, *names)
     for index, point in enumerate(points):
-        complaints = at_most_one(point, *names) if on_bearing else exactly_one(point, *names)
-        for told in complaints:
+        issues = at_most_one(point, *names) if on_bearing else exactly_one(point, *names)
+        for told in issues:
             yield told.under("operating_points", index)

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from babbitt.case.part import Complaint, is_given
+from babbitt.case.part import Issue, is_given
 from babbitt.case.parts.load_and_speed import SPEEDS
 from babbitt.core.units import written
 from babbitt.kinds.journal.case.operating_point import stating
@@ -22,7 +22,7 @@ JOINT_TOLERANCE = math.radians(5.0)
 """Assumption: pockets farther than this from a level or upright joint are not at it."""
 
 
-def load_points_between_its_pockets(bearing: JournalBearing) -> Iterator[Complaint]:
+def load_points_between_its_pockets(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about a load angle that puts uneven pockets elsewhere than at a level or upright joint.
 
     Uneven pockets say already where the load points between them; a load angle besides says it again.
@@ -47,7 +47,7 @@ def load_points_between_its_pockets(bearing: JournalBearing) -> Iterator[Complai
             "upright joint; ISO 7902 knows the load from entry_angle and exit_angle alone"
         )
         fits = f"entry_angle {_degrees(before)} and exit_angle {_degrees(math.pi - before)} of a level joint"
-        yield Complaint(("load_angle",), says, f"leave it out{f', or {fits}' if 0.0 < before < math.pi else ''}")
+        yield Issue(("load_angle",), says, f"leave it out{f', or {fits}' if 0.0 < before < math.pi else ''}")
         return
 
 

@@ -10,10 +10,10 @@ from pydantic import Field
 from babbitt.case.case_file import CaseFile
 from babbitt.case.error_messages import Path
 from babbitt.case.named_files import NamedFiles
-from babbitt.case.part import Complaint, as_far_as_usable, rule
+from babbitt.case.part import Issue, as_far_as_usable, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.case.parts.shared import SharedInputs
-from babbitt.kinds.journal.case.completeness import complaints_about
+from babbitt.kinds.journal.case.completeness import issues_of
 from babbitt.kinds.journal.case.journal import JournalBearing
 
 
@@ -34,8 +34,8 @@ class SingleBearing(JournalBearing, JournalFile):
     """What stands in a file with one journal bearing."""
 
     @rule
-    def _nothing_is_missing(self) -> Iterator[Complaint]:
-        yield from complaints_about(self, None)
+    def _nothing_is_missing(self) -> Iterator[Issue]:
+        yield from issues_of(self, None)
 
 
 class SeveralBearings(SharedInputs, JournalFile):
@@ -56,20 +56,20 @@ class SeveralBearings(SharedInputs, JournalFile):
     source: Prose = Field("", description="Where the numbers come from.")
 
     @rule
-    def _names_are_their_own(self) -> Iterator[Complaint]:
+    def _names_are_their_own(self) -> Iterator[Issue]:
         seen: set[str] = set()
         for index, bearing in enumerate(self.bearings):
             name = vars(bearing).get("name")
             if name in seen:
                 says = f"another bearing is named '{name}' too"
-                yield Complaint(("bearings", index, "name"), says, "each name once")
+                yield Issue(("bearings", index, "name"), says, "each name once")
             seen |= {name} if name is not None else set()
 
     @rule
-    def _nothing_is_missing(self) -> Iterator[Complaint]:
+    def _nothing_is_missing(self) -> Iterator[Issue]:
         # What all bearings lack is told once, at the machine.
-        told: dict[tuple[Path, str], Complaint] = {}
+        told: dict[tuple[Path, str], Issue] = {}
         for index, bearing in enumerate(self.bearings):
-            for complaint in as_far_as_usable(complaints_about(bearing, self, "bearings", index)):
-                told.setdefault((complaint.path, complaint.says), complaint)
+            for issue in as_far_as_usable(issues_of(bearing, self, "bearings", index)):
+                told.setdefault((issue.path, issue.says), issue)
         yield from told.values()

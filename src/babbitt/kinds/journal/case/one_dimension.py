@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from babbitt.case.part import Complaint, is_given
+from babbitt.case.part import Issue, is_given
 from babbitt.case.parts.load_and_speed import LOADS
 from babbitt.core.notices import InputError
 from babbitt.kinds.journal.case import grooved_segments as segments
@@ -26,53 +26,53 @@ GREATEST_EXPONENT = 5.0
 """Of the power law of viscosity, by the source of the heat balance by segments."""
 
 
-def complaints_about(bearing: JournalBearing) -> Iterator[Complaint]:
+def issues_of(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about what a method of one dimension does not know, and about its fields in another method."""
     for block, method in BLOCKS.items():
         if is_given(bearing, block) and bearing.method != method:
             says = f"method {bearing.method} does not read it"
-            yield Complaint((block,), says, f"method: {method}")
+            yield Issue((block,), says, f"method: {method}")
     if bearing.method not in METHODS:
         return
     yield from unknown(bearing, METHODS[bearing.method])
     if bearing.friction.factor != 1.0:
         says = f"{METHODS[bearing.method]} knows no factor on friction"
-        yield Complaint(("friction", "factor"), says, "1, or leave it out")
+        yield Issue(("friction", "factor"), says, "1, or leave it out")
     if bearing.method == "long_film":
         yield from _thick_film(bearing)
-        yield from heat_exchange.complaints_about(bearing.heat_exchange, bearing.diameter)
+        yield from heat_exchange.issues_of(bearing.heat_exchange, bearing.diameter)
         return
-    yield from segments.complaints_about(bearing.segments, bearing.diameter, bearing.actual_width)
+    yield from segments.issues_of(bearing.segments, bearing.diameter, bearing.actual_width)
     oil = bearing.lubricant
     exponent = getattr(oil, "exponent", 0.0)
     if exponent > GREATEST_EXPONENT:
         says = f"exponent {exponent:g} of the power law of viscosity"
-        yield Complaint(("lubricant", "exponent"), says, f"up to {GREATEST_EXPONENT:g}")
+        yield Issue(("lubricant", "exponent"), says, f"up to {GREATEST_EXPONENT:g}")
 
 
-def unknown(bearing: JournalBearing, method: str) -> Iterator[Complaint]:
+def unknown(bearing: JournalBearing, method: str) -> Iterator[Issue]:
     """Complain about what a method of one dimension does not know, a factor on friction apart."""
     yield from film_alone_knows(bearing, method)
     for name in ("grooves", "pockets", "holes"):
         if is_given(bearing, name):
-            yield Complaint((name,), f"{method} knows no {name} at places of their own", "method: film")
+            yield Issue((name,), f"{method} knows no {name} at places of their own", "method: film")
     if bearing.effective_temperature is not None:
         says = f"{method} finds its temperatures itself"
-        yield Complaint(("effective_temperature",), says, "method: iso7902 or film, or leave it out")
+        yield Issue(("effective_temperature",), says, "method: iso7902 or film, or leave it out")
     if bearing.bearing_speed:
-        yield Complaint(("bearing_speed",), f"{method} knows no turning bearing", "0 rpm")
+        yield Issue(("bearing_speed",), f"{method} knows no turning bearing", "0 rpm")
 
 
-def complaints_about_loads(bearing: JournalBearing) -> Iterator[Complaint]:
+def issues_of_loads(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about a load beside a film profile, from which the load follows."""
     for path, duty in bearing.duties():
         for name in LOADS:
             if is_given(duty, name):
                 says = "the load follows from the film thickness given in segments.profile"
-                yield Complaint((*path, name), says, "segments.profile or a load", "remove one")
+                yield Issue((*path, name), says, "segments.profile or a load", "remove one")
 
 
-def _thick_film(bearing: JournalBearing) -> Iterator[Complaint]:
+def _thick_film(bearing: JournalBearing) -> Iterator[Issue]:
     """The long film has a bound of c/R, the relative clearance; what no clearance can be is told before."""
     try:
         widest = bearing.clearance.at_20_degrees(bearing.diameter).relative(bearing.diameter).maximum
@@ -80,4 +80,4 @@ def _thick_film(bearing: JournalBearing) -> Iterator[Complaint]:
         return
     if widest > THICKEST_FILM:
         says = f"the clearance is {1e3 * widest:.4g} permille of the bearing, too thick for the long film"
-        yield Complaint(("clearance",), says, f"up to {1e3 * THICKEST_FILM:g} permille, or method: film")
+        yield Issue(("clearance",), says, f"up to {1e3 * THICKEST_FILM:g} permille, or method: film")

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition, OilSupply
+from babbitt.design.conditions import OilSupply, PrescribedEccentricity, PrescribedLoad, PrescribedPosition
 from babbitt.kinds.journal.case.as_given import words_of
 from babbitt.kinds.journal.case.assumptions import common_assumptions_of
 from babbitt.kinds.journal.case.joined_inputs import Inputs, Point, duty, journal_speed
 from babbitt.kinds.journal.case.one_dimension import METHODS
-from babbitt.kinds.journal.case.warnings import doubts_about_numbers
+from babbitt.kinds.journal.case.warnings import warnings_about_numbers
 from babbitt.kinds.journal.grooved_long_bearing.model import SegmentBearing, SegmentCase
 from babbitt.kinds.journal.infinitely_long_bearing.model import (
     Discretisation,
@@ -60,9 +60,9 @@ def segment_case(inputs: Inputs, at: Point) -> SegmentCase:
     )
 
 
-def _duty(inputs: Inputs, at: Point) -> GivenLoad | GivenEccentricity:
+def _duty(inputs: Inputs, at: Point) -> PrescribedLoad | PrescribedEccentricity:
     found = duty(inputs, at.given)
-    assert not isinstance(found, GivenPosition)  # refused with the case
+    assert not isinstance(found, PrescribedPosition)  # refused with the case
     return found
 
 
@@ -96,7 +96,7 @@ def _shared(inputs: Inputs, at: Point) -> dict[str, Any]:
             *common_assumptions_of(bearing, None, None, inputs.materials),
             *_ignored(inputs, at),
         ),
-        "doubts": doubts_about_numbers(inputs, point),
+        "warnings": warnings_about_numbers(inputs, point),
         "kind": bearing.kind,
     }
 

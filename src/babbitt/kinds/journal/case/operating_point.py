@@ -7,15 +7,15 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field
 
-from babbitt.case.part import Complaint, Part, at_most_one, rule
+from babbitt.case.part import Issue, Part, at_most_one, rule
 from babbitt.case.parts.fields import Name, Span
 from babbitt.case.parts.load_and_speed import LOADS, SPEEDS
 from babbitt.case.parts.supply import GaugePressure, OilTemperature, SupplyFlow
 from babbitt.core.units import either_sense, si
-from babbitt.kinds.journal.case.supply_element import SupplyElementGiven
+from babbitt.kinds.journal.case.supply_element import SupplyElementInput
 
 
-class PositionGiven(Part):
+class PositionInput(Part):
     """Where the journal centre stands."""
 
     example: ClassVar[str] = "{x: 20 um, y: -60 um}"
@@ -24,7 +24,7 @@ class PositionGiven(Part):
     y: Annotated[float, si("m", "-5 mm", "5 mm")] = Field(description="Above the bearing centre.")
 
 
-class Duty(Part):
+class LoadAndSpeed(Part):
     """Load and speed. One of the loads and one of the speeds is given."""
 
     alternatives: ClassVar[tuple[tuple[str, ...], ...]] = (LOADS, SPEEDS)
@@ -41,7 +41,7 @@ class Duty(Part):
         description="Besides the eccentricity ratio, for the film method: from the load angle to the journal "
         "centre in the sense of rotation. The direction of the load is then found, too.",
     )
-    position: PositionGiven | None = Field(
+    position: PositionInput | None = Field(
         None,
         description="Prescribed place of the journal centre, for the film method, in place of the load. The load "
         "and its direction are found.",
@@ -54,13 +54,13 @@ class Duty(Part):
     )
 
     @rule
-    def _attitude_needs_eccentricity(self) -> Iterator[Complaint]:
+    def _attitude_needs_eccentricity(self) -> Iterator[Issue]:
         if self.attitude_angle is not None and self.eccentricity_ratio is None:
             says = "an attitude angle prescribes the position only together with eccentricity_ratio"
-            yield Complaint(("attitude_angle",), says, "eccentricity_ratio besides it")
+            yield Issue(("attitude_angle",), says, "eccentricity_ratio besides it")
 
 
-class OperatingPoint(Duty):
+class OperatingPoint(LoadAndSpeed):
     """One of several operating points. What it does not give is taken from the bearing."""
 
     name: Name = Field(description="Name of the operating point.")
@@ -70,23 +70,23 @@ class OperatingPoint(Duty):
         None, description="Oil flow in place of the supply pressure, for the film method."
     )
     span: Span | None = Field(None, description="Angular span, where the load turns relative to the pockets.")
-    supply_element: SupplyElementGiven | None = Field(
+    supply_element: SupplyElementInput | None = Field(
         None, description="Supply element, where the load turns relative to the pockets."
     )
 
     @rule
-    def _pressure_or_flow(self) -> Iterator[Complaint]:
+    def _pressure_or_flow(self) -> Iterator[Issue]:
         yield from at_most_one(self, "supply_pressure", "supply_flow")
 
 
-def stating(names: tuple[str, ...], bearing: Duty, point: Duty | None) -> Duty:
+def stating(names: tuple[str, ...], bearing: LoadAndSpeed, point: LoadAndSpeed | None) -> LoadAndSpeed:
     """Give the piece that states one of some fields: the operating point where it does, else the bearing.
 
     Parameters
     ----------
     names : tuple of str
         `LOADS` or `SPEEDS`.
-    bearing, point : Duty
+    bearing, point : LoadAndSpeed
         None as point: the bearing as such.
     """
     states = point is not None and any(getattr(point, name) is not None for name in names)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from babbitt.case.part import Complaint, is_given, rule
+from babbitt.case.part import Issue, is_given, rule
 from babbitt.core.units import written
 from babbitt.kinds.journal.case.film_rules import SURFACE_FIELDS
 from babbitt.kinds.journal.case.load_direction import load_points_between_its_pockets
@@ -23,7 +23,7 @@ LARGEST_WIDTH_RATIO = 10.0
 
 
 @rule
-def standard_knows_the_bearing(bearing: JournalBearing) -> Iterator[Complaint]:
+def standard_knows_the_bearing(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about what the standard does not know."""
     if bearing.method == "iso7902":
         yield from film_alone_knows(bearing, "ISO 7902")
@@ -33,16 +33,16 @@ def standard_knows_the_bearing(bearing: JournalBearing) -> Iterator[Complaint]:
         yield from width_is_in_the_closed_forms(bearing)
 
 
-def width_is_in_the_tables(bearing: JournalBearing) -> Iterator[Complaint]:
+def width_is_in_the_tables(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about a bearing wider than those whose characteristics are on board."""
     width = bearing.actual_width
     if width is not None and LARGEST_TABULATED_RATIO < width / bearing.diameter <= LARGEST_WIDTH_RATIO:
         says = f"ISO 7902 has no characteristics for a bearing of B/D {width / bearing.diameter:.3g}"
         allowed = f"{_widths(bearing, LARGEST_TABULATED_RATIO)}, or method: film, or long_film from B/D 2"
-        yield Complaint(("width" if bearing.width is not None else "width_ratio",), says, allowed)
+        yield Issue(("width" if bearing.width is not None else "width_ratio",), says, allowed)
 
 
-def width_is_in_the_closed_forms(bearing: JournalBearing) -> Iterator[Complaint]:
+def width_is_in_the_closed_forms(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about closed forms for a bearing wider or narrower than those to which they were fitted."""
     if bearing.characteristics != "closed_form" or bearing.actual_width is None:
         return
@@ -52,11 +52,11 @@ def width_is_in_the_closed_forms(bearing: JournalBearing) -> Iterator[Complaint]
         ratio = (bearing.actual_width if half is None else half) / bearing.diameter
         if ratio > most or (half is None and ratio < least):
             says = f"the closed forms of DIN 31652 hold for B/D {least:g} to {most:g}, and it is {ratio:.3g}"
-            yield Complaint(("characteristics",), says, "computed")
+            yield Issue(("characteristics",), says, "computed")
             return
 
 
-def width_is_plausible(bearing: JournalBearing) -> Iterator[Complaint]:
+def width_is_plausible(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about a width that no plain bearing has, whatever the method."""
     if bearing.width is None:
         return
@@ -64,7 +64,7 @@ def width_is_plausible(bearing: JournalBearing) -> Iterator[Complaint]:
     if not LEAST_WIDTH_RATIO <= ratio <= LARGEST_WIDTH_RATIO:
         largest = LARGEST_TABULATED_RATIO if bearing.method == "iso7902" else LARGEST_WIDTH_RATIO
         says = f"width {written(bearing.width, 'mm')} is {ratio:.3g} of the diameter"
-        yield Complaint(("width",), says, _widths(bearing, largest))
+        yield Issue(("width",), says, _widths(bearing, largest))
 
 
 def _widths(bearing: JournalBearing, largest: float) -> str:
@@ -73,7 +73,7 @@ def _widths(bearing: JournalBearing, largest: float) -> str:
     return f"{least} to {most} (B/D {LEAST_WIDTH_RATIO:g} to {largest:g})"
 
 
-def half_bearings_are_in_the_tables(bearing: JournalBearing) -> Iterator[Complaint]:
+def half_bearings_are_in_the_tables(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about a groove around the circumference that leaves half bearings too narrow for the tables."""
     if bearing.actual_width is None:
         return
@@ -84,7 +84,7 @@ def half_bearings_are_in_the_tables(bearing: JournalBearing) -> Iterator[Complai
             continue
         own = point is not None and point.supply_element is not None
         path = ("operating_points", bearing.operating_points.index(point)) if own and point is not None else ()
-        yield Complaint(
+        yield Issue(
             (*path, "supply_element"),
             f"the groove parts the bearing into halves of {written(half, 'mm')}, "
             f"{half / bearing.diameter:.3g} of the diameter",
@@ -94,7 +94,7 @@ def half_bearings_are_in_the_tables(bearing: JournalBearing) -> Iterator[Complai
         return
 
 
-def film_alone_knows(bearing: JournalBearing, method: str) -> Iterator[Complaint]:
+def film_alone_knows(bearing: JournalBearing, method: str) -> Iterator[Issue]:
     """Complain about what only the film method knows.
 
     Parameters
@@ -104,23 +104,23 @@ def film_alone_knows(bearing: JournalBearing, method: str) -> Iterator[Complaint
         The method asked for, as a sentence begins with it.
     """
     if bearing.bore is not None and bearing.bore.kind != "round":
-        yield Complaint(("bore",), f"{method} knows round bores only, not {bearing.bore.kind}", "method: film")
+        yield Issue(("bore",), f"{method} knows round bores only, not {bearing.bore.kind}", "method: film")
     if bearing.misalignment is not None:
-        yield Complaint(("misalignment",), f"{method} knows no misaligned journal", "method: film")
+        yield Issue(("misalignment",), f"{method} knows no misaligned journal", "method: film")
     if bearing.turbulence != "laminar":
-        yield Complaint(("turbulence",), f"{method} knows laminar films only", "method: film")
+        yield Issue(("turbulence",), f"{method} knows laminar films only", "method: film")
     if bearing.pressure_viscosity is not None:
-        yield Complaint(("pressure_viscosity",), f"{method} knows no viscosity under pressure", "method: film")
+        yield Issue(("pressure_viscosity",), f"{method} knows no viscosity under pressure", "method: film")
     for name in SURFACE_FIELDS:
         if is_given(bearing, name):
             says = f"{method} knows no {name.replace('_', ' ')}"
-            yield Complaint((name,), says, "method: film, or leave it out")
+            yield Issue((name,), says, "method: film, or leave it out")
     for path, duty in bearing.duties():
         if duty.attitude_angle is not None:
             says = f"{method} finds the attitude angle itself"
-            yield Complaint((*path, "attitude_angle"), says, "method: film, or leave it out")
+            yield Issue((*path, "attitude_angle"), says, "method: film, or leave it out")
         if duty.position is not None:
             says = f"{method} finds the attitude angle itself and takes no position"
-            yield Complaint((*path, "position"), says, "method: film, or eccentricity_ratio")
+            yield Issue((*path, "position"), says, "method: film, or eccentricity_ratio")
     if bearing.dynamic_load is not None:
-        yield Complaint(("dynamic_load",), f"{method} knows steady loads only", "method: film")
+        yield Issue(("dynamic_load",), f"{method} knows steady loads only", "method: film")

@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.case.part import Complaint, Part, rule
+from babbitt.case.part import Issue, Part, rule
 from babbitt.case.parts.fields import WholeNumber
 from babbitt.core.units import si, written
 from babbitt.design.span import ConventionalSpan, SpanRounding, conventional_span
@@ -25,7 +25,7 @@ from babbitt.kinds.journal.iso7902.supply import (
 Place = Literal["opposite", "side", "both_sides"]
 PLACE = "Seen from the load: opposite, at one side (90 deg), or at both sides."
 
-Hollow = Annotated[float, si("m", "0.1 mm", "3 m")]
+FeedSize = Annotated[float, si("m", "0.1 mm", "3 m")]
 """Size of a hollow in the bearing surface."""
 
 
@@ -33,7 +33,7 @@ class HoleElement(Part):
     """One hole, or a row of holes, at each place."""
 
     kind: Literal["hole"] = Field(description="Round holes.")
-    diameter: Hollow = Field(description="Diameter of a hole.")
+    diameter: FeedSize = Field(description="Diameter of a hole.")
     place: Place = Field(description=PLACE)
     number: Annotated[int, WholeNumber(1, 20)] = Field(1, description="Holes at each place.")
 
@@ -51,8 +51,8 @@ class SlotElement(Part):
     """A slot at each place, computed as round holes of the same perimeter and area."""
 
     kind: Literal["slot"] = Field(description="Slots along the shaft, computed as equivalent holes.")
-    length: Hollow = Field(description="Longer side of the slot, along the shaft.")
-    width: Hollow = Field(description="Shorter side of the slot.")
+    length: FeedSize = Field(description="Longer side of the slot, along the shaft.")
+    width: FeedSize = Field(description="Shorter side of the slot.")
     place: Place = Field(description=PLACE)
 
     @property
@@ -61,9 +61,9 @@ class SlotElement(Part):
         return self.length
 
     @rule
-    def _longer_side_first(self) -> Iterator[Complaint]:
+    def _longer_side_first(self) -> Iterator[Issue]:
         if self.width > self.length:
-            yield Complaint(("width",), "width is larger than length", "the shorter side", "exchange the two")
+            yield Issue(("width",), "width is larger than length", "the shorter side", "exchange the two")
 
     def element(self) -> SupplyElement:
         """Give the supply element of the calculation."""
@@ -75,7 +75,7 @@ class PocketElement(Part):
     """One pocket at each place."""
 
     kind: Literal["pocket"] = Field(description="Pockets placed evenly about the load.")
-    width: Hollow = Field(description="Size of the pocket along the shaft.")
+    width: FeedSize = Field(description="Size of the pocket along the shaft.")
     place: Place = Field(description=PLACE)
     extent: Annotated[float, si("rad", "0.1 deg", "180 deg")] | None = Field(
         None, description="Circumferential extent of each pocket; the film method takes 20 deg without it."
@@ -95,7 +95,7 @@ class GrooveElement(Part):
     """A groove around the whole circumference or its unloaded half."""
 
     kind: Literal["groove_360", "groove_180"] = Field(description="Groove around 360 or the unloaded 180 deg.")
-    width: Hollow = Field(description="Size of the groove along the shaft.")
+    width: FeedSize = Field(description="Size of the groove along the shaft.")
 
     @property
     def axial_size(self) -> float:
@@ -112,7 +112,7 @@ class UnevenPockets(Part):
     """Two pockets at different angles from the load; they set the angular span."""
 
     kind: Literal["uneven_pockets"] = Field(description="Two pockets at different angles from the load.")
-    width: Hollow = Field(description="Size of the pockets along the shaft.")
+    width: FeedSize = Field(description="Size of the pockets along the shaft.")
     entry_angle: Annotated[float, si("rad", "1 deg", "359 deg")] = Field(
         description="From the centre of the pocket before the load, in the sense of rotation, to the load."
     )
@@ -145,43 +145,43 @@ class UnevenPockets(Part):
         return Pockets(self.width, Arrangement.BOTH_SIDES)
 
     @rule
-    def _pockets_fit_around(self) -> Iterator[Complaint]:
+    def _pockets_fit_around(self) -> Iterator[Issue]:
         half = written(self.extent / 2.0, "deg")
         for name, angle in (("entry_angle", self.entry_angle), ("exit_angle", self.exit_angle)):
             if angle <= self.extent / 2.0:
                 says = (
                     f"the pocket lies under the load: it reaches {half} to both sides of {written(angle, 'deg')}"
                 )
-                yield Complaint((name,), says, f"more than {half}")
+                yield Issue((name,), says, f"more than {half}")
         around = self.entry_angle + self.exit_angle + self.extent
         if around > 2.0 * math.pi * (1.0 + 1e-12):
-            yield Complaint(
+            yield Issue(
                 ("extent",),
                 f"the pockets overlap behind the shaft: both angles and the extent make {written(around, 'deg')}",
                 "at most 360 deg together",
             )
 
 
-SupplyElementGiven = Annotated[
+SupplyElementInput = Annotated[
     HoleElement | SlotElement | PocketElement | GrooveElement | UnevenPockets, Discriminator("kind")
 ]
 
 
-def half_bearing_width(element: SupplyElementGiven | None, width: float) -> float | None:
+def half_bearing_width(element: SupplyElementInput | None, width: float) -> float | None:
     """Width in m of each half bearing into which a groove around the circumference parts a bearing, else None."""
     if not isinstance(element, GrooveElement) or element.kind != "groove_360":
         return None
     return (width - element.width) / 2.0
 
 
-def complaints_about(element: SupplyElementGiven, width: float, diameter: float) -> Iterator[Complaint]:
+def issues_of(element: SupplyElementInput, width: float, diameter: float) -> Iterator[Issue]:
     """Complain about an element that does not fit into its bearing."""
     sizes: dict[type[Part], str] = {HoleElement: "diameter", SlotElement: "length"}
     name = sizes.get(type(element), "width")
     if element.axial_size >= width:
         what = {GrooveElement: "groove", UnevenPockets: "pocket"}.get(type(element), element.kind)
         turned = isinstance(element, SlotElement)
-        yield Complaint(
+        yield Issue(
             ("supply_element", name),
             f"the {what} reaches outside the bearing: {written(element.axial_size, 'mm')} in a width of "
             f"{written(width, 'mm')}",
@@ -192,11 +192,11 @@ def complaints_about(element: SupplyElementGiven, width: float, diameter: float)
         together = written(element.number * element.diameter, "mm")
         says = f"{element.number} holes of {written(element.diameter, 'mm')} take {together}"
         around = written(math.pi * diameter, "mm")
-        yield Complaint(
+        yield Issue(
             ("supply_element", "number"), says, f"up to the circumference, {around}", "fewer or smaller holes"
         )
     elif (
         isinstance(element, SlotElement) and (hole := equivalent_holes(element.length, element.width)[0]) >= width
     ):
         says = f"the equivalent hole of the slot, {written(hole, 'mm')}, is wider than the bearing"
-        yield Complaint(("supply_element", "width"), says, f"less than {written(width, 'mm')}")
+        yield Issue(("supply_element", "width"), says, f"less than {written(width, 'mm')}")

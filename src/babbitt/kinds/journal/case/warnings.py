@@ -28,8 +28,8 @@ NOT_READ = {
 """Fields that a method accepts, since a bearing may be compared by several, and does not read."""
 
 
-def doubts_about(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice, ...]:
-    """Give every doubt about one bearing at one operating point.
+def warnings_about(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice, ...]:
+    """Give every warning about one bearing at one operating point.
 
     Parameters
     ----------
@@ -40,12 +40,12 @@ def doubts_about(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice, 
         *_about_span(inputs.bearing, point),
         *_about_direction(inputs.bearing),
         *_about_hollows(inputs.bearing),
-        *doubts_about_numbers(inputs, point),
+        *warnings_about_numbers(inputs, point),
     )
 
 
-def doubts_about_numbers(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice, ...]:
-    """Give the doubts about how one bearing at one operating point is written; what its method does not read."""
+def warnings_about_numbers(inputs: Inputs, point: OperatingPoint | None) -> tuple[Notice, ...]:
+    """Give the warnings about how one bearing at one operating point is written; what its method does not read."""
     bearing = inputs.bearing.model_copy(update={"operating_points": ()})
     at = () if point is None else ("operating_points", inputs.bearing.operating_points.index(point))
     numbers = about_grouped_digits(bearing), about_grouped_digits(point, *at)

@@ -29,8 +29,8 @@ from babbitt.kinds.journal.compare.thermal_variants import (
     GLOBAL,
     OWN,
     ThermalVariant,
+    describe_factor,
     left_out_of_thermal_variants,
-    said_of_factor,
     thermal_variants,
 )
 from babbitt.kinds.journal.film.model import FilmCase
@@ -149,7 +149,7 @@ def _compared(bearing: JournalBearing, case: CaseFile) -> Iterator[Comparison]:
         by_standard = _variants(standard[index]) if standard else ()
         if long_films:
             label, remark = LONG_FILM
-            remark += said_of_factor(bearing)
+            remark += describe_factor(bearing)
             by_standard = (
                 *by_standard,
                 Variant(label, remark, METHODS["long_film"].solve_one(long_films[index]), detail=1),

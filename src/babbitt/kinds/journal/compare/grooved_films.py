@@ -9,13 +9,13 @@ from dataclasses import replace
 from babbitt.case import CaseFile
 from babbitt.core.result import Result
 from babbitt.core.units import written
-from babbitt.design.conditions import GivenLoad
+from babbitt.design.conditions import PrescribedLoad
 from babbitt.kinds.journal.case.build import film_cases
 from babbitt.kinds.journal.case.film_heat import unknown_to_own_temperatures
 from babbitt.kinds.journal.case.joined_inputs import inputs
 from babbitt.kinds.journal.case.journal import JournalBearing
 from babbitt.kinds.journal.case.machine import SeveralBearings, SingleBearing
-from babbitt.kinds.journal.film.model import FilmCase, Hollow
+from babbitt.kinds.journal.film.model import FeedSize, FilmCase
 from babbitt.kinds.journal.grooved_long_bearing.model import Groove, GrooveKind, SegmentCase
 
 __all__ = ["groove_direction", "grooved_films", "unknown_to_grooved_films", "with_groove_angles"]
@@ -46,7 +46,7 @@ def unknown_to_grooved_films(bearing: JournalBearing, design: SegmentCase, case:
         return "it finds the film thickness itself, and one is given"
     if design.compliance:
         return "walls that yield by segments.compliance belong to the infinitely long film"
-    if not isinstance(design.duty, GivenLoad):
+    if not isinstance(design.duty, PrescribedLoad):
         return "bearings are compared under the same load, and an eccentricity ratio is given"
     if isinstance(case, SingleBearing | SeveralBearings):
         joined = inputs(bearing, case)
@@ -123,15 +123,15 @@ def _fed_at_a_pressure(bearing: JournalBearing, case: CaseFile) -> JournalBearin
     return bearing.model_copy(update={"supply": unpressurised, "assumptions": (*bearing.assumptions, said)})
 
 
-def _hollow(groove: Groove, place: float, design: SegmentCase) -> tuple[Hollow, tuple[str, ...]]:
+def _hollow(groove: Groove, place: float, design: SegmentCase) -> tuple[FeedSize, tuple[str, ...]]:
     """The groove as the film of finite width has it, and what was assumed of it."""
     extent = 2.0 * groove.width / design.bearing.diameter
     if groove.kind is GrooveKind.THROUGH:
-        return Hollow(place, extent, pressure=groove.pressure), ()
+        return FeedSize(place, extent, pressure=groove.pressure), ()
     width = design.bearing.width
     land = min(groove.width, 0.25 * width) if groove.end_land is None else groove.end_land
     said = f"Each end land of the blind groove is as wide as the groove, {written(land, 'mm')}."
-    return Hollow(place, extent, width - 2.0 * land, flow=0.0), () if groove.end_land is not None else (said,)
+    return FeedSize(place, extent, width - 2.0 * land, flow=0.0), () if groove.end_land is not None else (said,)
 
 
 def with_groove_angles(result: Result, film: FilmCase, place: float | None) -> Result:

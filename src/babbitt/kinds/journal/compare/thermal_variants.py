@@ -12,7 +12,14 @@ from babbitt.kinds.journal.case.film_heat import unknown_to_own_temperatures
 from babbitt.kinds.journal.case.journal import JournalBearing
 from babbitt.kinds.journal.film.model import FilmCase
 
-__all__ = ["GLOBAL", "OWN", "ThermalVariant", "left_out_of_thermal_variants", "said_of_factor", "thermal_variants"]
+__all__ = [
+    "GLOBAL",
+    "OWN",
+    "ThermalVariant",
+    "left_out_of_thermal_variants",
+    "describe_factor",
+    "thermal_variants",
+]
 
 GLOBAL = "film, one temperature"
 
@@ -81,7 +88,7 @@ def thermal_variants(bearing: JournalBearing, case: CaseFile) -> Iterator[tuple[
         yield tuple(
             ThermalVariant(
                 _label(name, film),
-                _remark(name, film) + ("" if film.heat is None else said_of_factor(bearing)),
+                _remark(name, film) + ("" if film.heat is None else describe_factor(bearing)),
                 film,
                 list(REMARKS).index(name),
             )
@@ -89,7 +96,7 @@ def thermal_variants(bearing: JournalBearing, case: CaseFile) -> Iterator[tuple[
         )
 
 
-def said_of_factor(bearing: JournalBearing) -> str:
+def describe_factor(bearing: JournalBearing) -> str:
     """Say that a method leaves out the factor on friction of a bearing; empty where it has none."""
     factor = bearing.friction.factor
     if factor == 1.0:

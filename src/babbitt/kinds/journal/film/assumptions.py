@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from babbitt.core.units import ZERO_CELSIUS
-from babbitt.design.conditions import GivenEccentricity, GivenPosition
+from babbitt.design.conditions import PrescribedEccentricity, PrescribedPosition
 from babbitt.kinds.journal.film.layout import ALL_TURBULENT
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.orbit_results import orbit_assumptions
@@ -62,8 +62,8 @@ def film_assumptions(case: FilmCase) -> Iterator[str]:
         yield "Half-Sommerfeld film: neither flows nor stiffness, damping and threshold of whirl follow from it."
     elif case.rotor_mass is None:
         yield "The mass of the rotor is not given: stability is judged as if the load were its weight."
-    by_attitude = isinstance(case.duty, GivenEccentricity) and case.duty.attitude_angle is not None
-    if by_attitude or isinstance(case.duty, GivenPosition):
+    by_attitude = isinstance(case.duty, PrescribedEccentricity) and case.duty.attitude_angle is not None
+    if by_attitude or isinstance(case.duty, PrescribedPosition):
         yield "The position is prescribed: the load found need not point along the load angle."
     if case.effective_temperature is not None:
         yield (

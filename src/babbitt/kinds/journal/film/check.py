@@ -1,4 +1,4 @@
-"""Design check of one bearing by its film: from the inputs to values, verdicts and doubts."""
+"""Design check of one bearing by its film: from the inputs to values, verdicts and warnings."""
 
 from __future__ import annotations
 
@@ -13,45 +13,45 @@ from babbitt.core.result import Bound, Check, Matrix, Outcome, Result
 from babbitt.core.solution import Solution
 from babbitt.design.bounds import certain, unjudged
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
-from babbitt.design.conditions import GivenLoad, contact_film
+from babbitt.design.conditions import PrescribedLoad, contact_film
 from babbitt.design.failure import failure
 from babbitt.design.feeding import Arrival
 from babbitt.design.warnings import (
     PLAIN_BEARING_UP_TO,
-    doubt_about_hole,
-    doubt_about_pressure,
-    doubt_about_supply,
-    doubts_about_film,
-    doubts_about_running,
+    warnings_about_film,
+    warnings_about_hole,
+    warnings_about_pressure,
+    warnings_about_running,
+    warnings_about_supply,
 )
 from babbitt.kinds.journal.film.assumptions import film_assumptions, film_settings
 from babbitt.kinds.journal.film.grid_error import grid_errors
 from babbitt.kinds.journal.film.isothermal import FilmState, under_found_load
 from babbitt.kinds.journal.film.layout import closed_pockets, fed_all_around, supply_numbers, without_pressure
-from babbitt.kinds.journal.film.load_slope import confirmed_state, doubts_about_slope, slope_not_asked
+from babbitt.kinds.journal.film.load_slope import confirmed_state, slope_not_asked, warnings_about_slope
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.film.orbit_results import (
     orbit_checks,
-    orbit_doubts,
     orbit_failure,
     orbit_of,
     orbit_rows,
     orbit_values,
+    orbit_warnings,
 )
 from babbitt.kinds.journal.film.other_equilibria import (
-    doubts_about_rest,
-    flattered_by_rest,
+    flattered_by_equilibrium,
     resting_checks,
     resting_places,
     resting_values,
+    warnings_about_rest,
 )
 from babbitt.kinds.journal.film.thermal_failure import thermal_failure
 from babbitt.kinds.journal.film.thermal_film import film_within_ducts
 from babbitt.kinds.journal.film.thermal_results import (
-    doubts_about_heat,
     settings_found,
     stiffness_values,
     thermal_rows,
+    warnings_about_heat,
     with_own_coefficients,
 )
 from babbitt.kinds.journal.film.transition import transition_speed
@@ -60,7 +60,7 @@ from babbitt.kinds.journal.film.values import fills_of, film_values, rows_of, su
 from babbitt.kinds.journal.film.whirl import whirl_of
 from babbitt.reynolds.model import Cavitation
 from babbitt.reynolds.stability.whirl_checks import (
-    doubts_about_whirl,
+    warnings_about_whirl,
     whirl_checks,
     whirl_values,
     without_critical_mass,
@@ -115,14 +115,14 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
     asked = case
     case, found, beyond = film_within_ducts(case)
     if beyond is not None:
-        case = replace(case, doubts=(*case.doubts, *_doubts_about_ducts(asked, case, beyond)))
+        case = replace(case, warnings=(*case.warnings, *_warnings_about_ducts(asked, case, beyond)))
     outcome, message = found.outcome, ""
     if not outcome.solved:
         message = failure(case, found) if case.heat is None else thermal_failure(case, found)
         message += _about_flow_all_around(case, outcome)
     values: dict[str, float] = {}
     checks: tuple[Check, ...] = ()
-    warnings = case.doubts
+    warnings = case.warnings
     not_made: tuple[Notice, ...] = ()
     arrays, settings = {}, film_settings(case)
     no_mass = ""
@@ -161,7 +161,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
             values |= resting_values(places)
             no_mass = without_critical_mass(whirl)
             limits = (*_limit_checks(case, values), *resting_checks(case, values))
-            flattered = flattered_by_rest(case, state.solution)
+            flattered = flattered_by_equilibrium(case, state.solution)
             checks = (*certain(limits, flattered), *whirl_checks(case, whirl), clearance_check(case, values))
             not_made = (
                 *checks_not_made(case, values),
@@ -169,12 +169,12 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
                 *slope_not_asked(frozen, slope),
                 *((Notice("C115", no_mass),) if no_mass else ()),
             )
-            warnings = (*_doubts(case, state, values, checks, whirl), *doubts_about_slope(case, slope))
+            warnings = (*_warnings(case, state, values, checks, whirl), *warnings_about_slope(case, slope))
             if state.thermal is not None:
                 values |= stiffness_values(state)
-                warnings = (*warnings, *doubts_about_heat(case, state, values, followed))
-            if isinstance(case.duty, GivenLoad):
-                warnings = (*warnings, *doubts_about_rest(state.solution, places))
+                warnings = (*warnings, *warnings_about_heat(case, state, values, followed))
+            if isinstance(case.duty, PrescribedLoad):
+                warnings = (*warnings, *warnings_about_rest(state.solution, places))
             orbit = orbit_of(case, state, watch)
             if orbit is not None:
                 outcome = orbit.outcome
@@ -182,7 +182,7 @@ def film_solution(case: FilmCase, watch: ProgressCallback = no_progress) -> Solu
                 values |= orbit_values(case, orbit)
                 arrays["orbit"] = orbit_rows(orbit)
                 checks = (*checks, *orbit_checks(checks, values))
-                warnings = (*warnings, *orbit_doubts(case, orbit))
+                warnings = (*warnings, *orbit_warnings(case, orbit))
         values |= _supply_of_ducts(asked, beyond)
         values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
@@ -219,9 +219,9 @@ def _about_flow_all_around(case: FilmCase, outcome: Outcome) -> str:
     )
 
 
-def _doubts_about_ducts(asked: FilmCase, case: FilmCase, beyond: Arrival) -> Iterator[Notice]:
+def _warnings_about_ducts(asked: FilmCase, case: FilmCase, beyond: Arrival) -> Iterator[Notice]:
     """Tell of a film that would draw more oil than tubes and holes pass, and of one not limited to that."""
-    yield from doubt_about_supply(beyond.limit, beyond.flow)
+    yield from warnings_about_supply(beyond.limit, beyond.flow)
     if case is asked:
         yield Notice("W186", "the film is solved as if it got the oil all the same")
 
@@ -267,12 +267,14 @@ def _limit_checks(case: FilmCase, values: dict[str, float]) -> Iterator[Check]:
         yield Check("C116", "maximum_pressure", pressure, PLAIN_BEARING_UP_TO, Bound.AT_MOST, source)
 
 
-def _doubts(
+def _warnings(
     case: FilmCase, state: FilmState, values: dict[str, float], checks: tuple[Check, ...], whirl: Whirl | None
 ) -> Iterator[Notice]:
-    yield from case.doubts
+    yield from case.warnings
     yield from (
-        doubt for doubt in doubts_about_film(case, values) if doubt.code != "W101" or case.turbulence is None
+        warning
+        for warning in warnings_about_film(case, values)
+        if warning.code != "W101" or case.turbulence is None
     )
     if state.fed is not None and state.fed.starved:
         fills = ", ".join(f"{fill:.0%}" for fill in fills_of(case, state.fed))
@@ -287,18 +289,18 @@ def _doubts(
     if film.side_inflow > DRAWN_IN_FROM * film.leaving_flow:
         flow = film.side_inflow * 6e4
         yield Notice("W141", f"the sides draw in {flow:.2g} L/min")
-    yield from doubt_about_pressure(values["maximum_pressure"])
-    yield from _doubts_about_holes(case, state)
-    yield from _doubts_about_grooves(case, state, values)
+    yield from warnings_about_pressure(values["maximum_pressure"])
+    yield from _warnings_about_holes(case, state)
+    yield from _warnings_about_grooves(case, state, values)
     if case.error_estimate and "stiffness_error" not in values:
         yield Notice("W125", "the film on the finer grid was not found")
     if whirl is not None:
-        yield from doubts_about_whirl(whirl)
+        yield from warnings_about_whirl(whirl)
     solved = {"W109"} if whirl is not None else set()  # the dynamics of the film are solved for
-    yield from (doubt for doubt in doubts_about_running(case, values, checks) if doubt.code not in solved)
+    yield from (warning for warning in warnings_about_running(case, values, checks) if warning.code not in solved)
 
 
-def _doubts_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
+def _warnings_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
     """The hole that costs most of the supply pressure, if that is notable."""
     supply, film = case.oil_supply, state.solution
     if supply is None or supply.flow is not None:
@@ -312,10 +314,10 @@ def _doubts_about_holes(case: FilmCase, state: FilmState) -> Iterator[Notice]:
     if passed:
         flow, diameter = max(passed, key=lambda one: one[0] / one[1] ** 2)
         density = case.lubricant.density(supply.temperature)
-        yield from doubt_about_hole(supply, diameter, max(flow, 0.0), density)
+        yield from warnings_about_hole(supply, diameter, max(flow, 0.0), density)
 
 
-def _doubts_about_grooves(case: FilmCase, state: FilmState, values: dict[str, float]) -> Iterator[Notice]:
+def _warnings_about_grooves(case: FilmCase, state: FilmState, values: dict[str, float]) -> Iterator[Notice]:
     """Flow of grooves as wide as the bearing, and a load that points into one, or into a pocket."""
     grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
     calm = without_pressure(state.solution.film, closed_pockets(case))

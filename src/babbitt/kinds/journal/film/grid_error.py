@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from babbitt.design.conditions import GivenLoad
+from babbitt.design.conditions import PrescribedLoad
 from babbitt.kinds.journal.film.isothermal import FilmState, resolution_of
 from babbitt.kinds.journal.film.layout import load_vector
 from babbitt.kinds.journal.film.load_slope import confirmed_film
 from babbitt.kinds.journal.film.model import FilmCase
-from babbitt.kinds.journal.film.stable_equilibrium import place_of, settled_film
+from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of
 from babbitt.kinds.journal.film.unloaded import is_unloaded
 from babbitt.reynolds.model import Resolution
 
@@ -94,8 +94,8 @@ def _on_grid(case: FilmCase, state: FilmState, grid: Resolution) -> FilmSolution
     from babbitt.reynolds.equilibrium.position import film_at_position
 
     film = state.solution.film
-    if isinstance(case.duty, GivenLoad):
-        found = settled_film(film, load_vector(case, case.duty.load), grid, place_of(state.solution))
+    if isinstance(case.duty, PrescribedLoad):
+        found = converged_film(film, load_vector(case, case.duty.load), grid, place_of(state.solution))
     else:
         x, y = state.solution.position
         found = film_at_position(film, (x, y), resolution=grid)
@@ -104,7 +104,7 @@ def _on_grid(case: FilmCase, state: FilmState, grid: Resolution) -> FilmSolution
 
 def _differences(case: FilmCase, state: FilmState, better: FilmSolution) -> Iterator[tuple[str, float]]:
     found = state.solution
-    if isinstance(case.duty, GivenLoad):
+    if isinstance(case.duty, PrescribedLoad):
         thickness = better.minimum_film_thickness
         yield "minimum_film_thickness_error", abs(thickness - found.minimum_film_thickness) / thickness
         yield "position_error", float(np.hypot(*(better.position - found.position))) / found.film.clearance

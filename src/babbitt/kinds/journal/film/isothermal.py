@@ -13,10 +13,10 @@ from functools import cache, partial
 from typing import TYPE_CHECKING
 
 from babbitt.core.result import Outcome
-from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition
+from babbitt.design.conditions import PrescribedEccentricity, PrescribedLoad, PrescribedPosition
 from babbitt.design.feeding import Arrival, arrival
 from babbitt.design.heat_balance import (
-    SPARING,
+    COARSE_SEARCH,
     Equilibrium,
     NoFilmError,
     at_prescribed_temperature,
@@ -33,13 +33,13 @@ from babbitt.kinds.journal.film.layout import (
     pressed_flow,
 )
 from babbitt.kinds.journal.film.model import FilmCase, Search
-from babbitt.kinds.journal.film.stable_equilibrium import held_place, is_saddle, settled_film
+from babbitt.kinds.journal.film.stable_equilibrium import converged_film, held_place, is_saddle
 from babbitt.numerics.roots import bracketed_root
 from babbitt.properties.fits import operating_relative_clearance
 from babbitt.reynolds.model import JournalFilm, Resolution
 
 if TYPE_CHECKING:
-    from babbitt.reynolds.equilibrium.starved import FedFilm, GivenFlow
+    from babbitt.reynolds.equilibrium.starved import FedFilm, PrescribedFlow
     from babbitt.reynolds.heat.thermal_solution import ThermalFilm
     from babbitt.reynolds.solution import FilmSolution
 
@@ -73,13 +73,13 @@ class FilmState:
     left_saddle: bool = False
 
 
-DEAR = 1500
+EXPENSIVE_GRID = 1500
 """Grid points of a film that is solved node by node, beyond which sweeps and orbits take a draft grid."""
 
 
 def is_dear(state: FilmState) -> bool:
     """Whether a film takes so long that sweeps and orbits see it on a draft grid."""
-    return bool(state.solution.film.is_surface and state.solution.pressure.size > DEAR)
+    return bool(state.solution.film.is_surface and state.solution.pressure.size > EXPENSIVE_GRID)
 
 
 def operating_film(case: FilmCase) -> Equilibrium[FilmState]:
@@ -91,7 +91,7 @@ def operating_film(case: FilmCase) -> Equilibrium[FilmState]:
     found = _balanced(case, None)
     if found.film is None or not found.outcome.solved or case.search is Search.FIRST:
         return found
-    if not isinstance(case.duty, GivenLoad) or not is_saddle(found.film.solution):
+    if not isinstance(case.duty, PrescribedLoad) or not is_saddle(found.film.solution):
         return found
     near = held_place(found.film.solution, load_vector(case, case.duty.load), resolution_of(case))
     if near is None:
@@ -106,7 +106,7 @@ def _balanced(case: FilmCase, near: tuple[float, float] | None) -> Equilibrium[F
     film_at = partial(film_at_temperature, case=case, near=near)
     if case.effective_temperature is not None:
         return at_prescribed_temperature(case.effective_temperature, film_at)
-    return find_equilibrium(case, film_at, SPARING)
+    return find_equilibrium(case, film_at, COARSE_SEARCH)
 
 
 SEARCHED = 10
@@ -119,7 +119,7 @@ def resolution_of(case: FilmCase) -> Resolution:
 
 
 def film_at_temperature(temperature: float, case: FilmCase, near: tuple[float, float] | None = None) -> FilmState:
-    """Film at an effective temperature in K; `near` is a place for `settled_film`.
+    """Film at an effective temperature in K; `near` is a place for `converged_film`.
 
     Raises
     ------
@@ -174,7 +174,7 @@ def resting_film(case: FilmCase, film: JournalFilm, near: tuple[float, float] | 
     return _accepted(_settled(case, partial(_in_given_bore, case, near), film))
 
 
-def film_resting_near(case: FilmCase, state: FilmState, place: tuple[float, float]) -> FilmSolution | None:
+def equilibrium_near_position(case: FilmCase, state: FilmState, place: tuple[float, float]) -> FilmSolution | None:
     """Equilibrium close to a place in m under the load of the case, None where none is found.
 
     Bore, closed pockets and starved supplies settle beside that film, not beside the one of the operating point.
@@ -183,7 +183,7 @@ def film_resting_near(case: FilmCase, state: FilmState, place: tuple[float, floa
     from babbitt.reynolds.equilibrium.position import film_at_position
     from babbitt.reynolds.equilibrium.starved import feed_film
 
-    assert isinstance(case.duty, GivenLoad)
+    assert isinstance(case.duty, PrescribedLoad)
     load, grid = load_vector(case, case.duty.load), resolution_of(case)
 
     def settle(film: JournalFilm) -> FilmSolution:
@@ -206,7 +206,7 @@ def film_resting_near(case: FilmCase, state: FilmState, place: tuple[float, floa
 
 
 def starved_film(
-    case: FilmCase, film: JournalFilm, flows: tuple[GivenFlow, ...], near: tuple[float, float] | None = None
+    case: FilmCase, film: JournalFilm, flows: tuple[PrescribedFlow, ...], near: tuple[float, float] | None = None
 ) -> FedFilm:
     """Film whose supplies deliver given flows.
 
@@ -231,7 +231,7 @@ def _settled(
     settle = partial(_closed, case, in_given_bore, ClosedPressures()) if closed_pockets(case) else in_given_bore
     if not case.bearing.compliance:
         return settle(film)
-    if isinstance(case.duty, GivenLoad) and not closed_pockets(case):
+    if isinstance(case.duty, PrescribedLoad) and not closed_pockets(case):
         settle = following(load_vector(case, case.duty.load), resolution_of(case), in_given_bore, SEARCHED)
     from babbitt.kinds.journal.film.elastic_film import elastic_film
 
@@ -273,11 +273,11 @@ def following(load: tuple[float, float], grid: Resolution, far_and_wide: Settle,
 
 
 def _in_given_bore(case: FilmCase, near: tuple[float, float] | None, film: JournalFilm) -> FilmSolution:
-    if isinstance(case.duty, GivenEccentricity):
+    if isinstance(case.duty, PrescribedEccentricity):
         return _at_eccentricity(case, case.duty, film)
-    if isinstance(case.duty, GivenPosition):
+    if isinstance(case.duty, PrescribedPosition):
         return film_at(case, film, (case.duty.x, case.duty.y))
-    return settled_film(film, load_vector(case, case.duty.load), resolution_of(case), near)
+    return converged_film(film, load_vector(case, case.duty.load), resolution_of(case), near)
 
 
 def film_at_angle(case: FilmCase, film: JournalFilm, eccentricity_ratio: float, attitude: float) -> FilmSolution:
@@ -305,13 +305,13 @@ def film_at(case: FilmCase, film: JournalFilm, position: tuple[float, float]) ->
 
 def under_found_load(case: FilmCase, state: FilmState) -> FilmCase:
     """The case with the load in the direction that was found, where the position was prescribed."""
-    if isinstance(case.duty, GivenLoad):
+    if isinstance(case.duty, PrescribedLoad):
         return case
     fx, fy = state.solution.force
     return replace(case, load_angle=math.atan2(-fy, -fx))
 
 
-def _at_eccentricity(case: FilmCase, duty: GivenEccentricity, film: JournalFilm) -> FilmSolution:
+def _at_eccentricity(case: FilmCase, duty: PrescribedEccentricity, film: JournalFilm) -> FilmSolution:
     """At the given attitude, or at the one for which the film force opposes the direction of the load."""
     if duty.attitude_angle is not None:
         return film_at_angle(case, film, duty.eccentricity_ratio, duty.attitude_angle)

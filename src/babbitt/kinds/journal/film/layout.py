@@ -8,12 +8,12 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from babbitt.core.notices import InputError
-from babbitt.design.conditions import GivenPosition
+from babbitt.design.conditions import PrescribedPosition
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.design.numbers import critical_reynolds_number
 from babbitt.kinds.journal.film.bore import Arc, steps_of
-from babbitt.kinds.journal.film.model import FilmCase, Hollow
-from babbitt.reynolds.equilibrium.starved import GivenFlow
+from babbitt.kinds.journal.film.model import FeedSize, FilmCase
+from babbitt.reynolds.equilibrium.starved import PrescribedFlow
 from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Land, Pocket
 from babbitt.reynolds.oil.turbulence import FilmTurbulence
 
@@ -107,13 +107,13 @@ def supply_numbers(case: FilmCase, film: JournalFilm) -> tuple[int, ...]:
     )
 
 
-def given_flows(case: FilmCase, film: JournalFilm) -> tuple[GivenFlow, ...]:
+def given_flows(case: FilmCase, film: JournalFilm) -> tuple[PrescribedFlow, ...]:
     """Flows that the supplies of a film are given: their own, and that of the oil supply shared by all others."""
     numbered = list(zip(case.bearing.hollows, supply_numbers(case, film), strict=True))
-    given = [GivenFlow((number,), hollow.flow) for hollow, number in numbered if hollow.flow]
+    given = [PrescribedFlow((number,), hollow.flow) for hollow, number in numbered if hollow.flow]
     if case.oil_supply is not None and case.oil_supply.flow is not None:
         members = tuple(number for hollow, number in numbered if hollow.pressure is None and hollow.flow is None)
-        given += [GivenFlow(members, case.oil_supply.flow)] if members else []
+        given += [PrescribedFlow(members, case.oil_supply.flow)] if members else []
     return tuple(given)
 
 
@@ -172,7 +172,7 @@ def closed_pockets(case: FilmCase) -> tuple[int, ...]:
 
 def _towards(case: FilmCase) -> float:
     """Direction of the load, or of the prescribed position: fields are laid from it, for they know no axes."""
-    if isinstance(case.duty, GivenPosition):
+    if isinstance(case.duty, PrescribedPosition):
         return math.atan2(case.duty.y, case.duty.x)
     return case.load_angle
 
@@ -206,17 +206,17 @@ def _turbulence(case: FilmCase, relative_clearance: float, density: float | None
     return FilmTurbulence(case.turbulence, density, onset, ALL_TURBULENT * onset)
 
 
-def _ordered_grooves(case: FilmCase) -> list[Hollow]:
+def _ordered_grooves(case: FilmCase) -> list[FeedSize]:
     grooves = [hollow for hollow in case.bearing.hollows if hollow.width is None]
     return sorted(grooves, key=lambda groove: groove.angle % TURN)
 
 
-def _start(case: FilmCase, grooves: list[Hollow]) -> FilmStart:
+def _start(case: FilmCase, grooves: list[FeedSize]) -> FilmStart:
     start = case.bearing.film_start
     return FilmStart.PERIODIC if start is FilmStart.GROOVE and not grooves else start
 
 
-def _lands(case: FilmCase, grooves: list[Hollow], clearance: float, pressure: float) -> tuple[Land, ...]:
+def _lands(case: FilmCase, grooves: list[FeedSize], clearance: float, pressure: float) -> tuple[Land, ...]:
     shaped, sense = case.bearing.bore.shaped, case.rotation.sense
     if not grooves:
         start = case.load_angle - math.pi  # the seam lies opposite the load
@@ -232,12 +232,12 @@ def _lands(case: FilmCase, grooves: list[Hollow], clearance: float, pressure: fl
     return tuple(lands)
 
 
-def _pocket(hollow: Hollow, width: float, pressure: float) -> Pocket:
+def _pocket(hollow: FeedSize, width: float, pressure: float) -> Pocket:
     place = hollow.angle, hollow.extent, width, hollow.axial_position
     return Pocket(*place, _pressure(hollow, pressure), closed=hollow.is_closed)
 
 
-def _pressure(hollow: Hollow, pressure: float) -> float:
+def _pressure(hollow: FeedSize, pressure: float) -> float:
     if hollow.flow is not None:
         return 0.0  # until the film tells how far its flow fills it, or at which pressure none passes
     return pressure if hollow.pressure is None else hollow.pressure

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from babbitt.reynolds.solution import FilmSolution
     from babbitt.reynolds.stability.load_slope import SlopeCheck
 
-__all__ = ["confirmed_film", "confirmed_state", "doubts_about_slope", "slope_not_asked", "with_bore"]
+__all__ = ["confirmed_film", "confirmed_state", "warnings_about_slope", "slope_not_asked", "with_bore"]
 
 
 def confirmed_state(case: FilmCase, state: FilmState) -> tuple[FilmState, SlopeCheck | None]:
@@ -71,7 +71,7 @@ def slope_not_asked(state: FilmState, check: SlopeCheck | None) -> Iterator[Noti
         yield Notice("C122", "the film was not found once more at its place")
 
 
-def doubts_about_slope(case: FilmCase, check: SlopeCheck | None) -> Iterator[Notice]:
+def warnings_about_slope(case: FilmCase, check: SlopeCheck | None) -> Iterator[Notice]:
     """What the slope of the load tells of the coefficients, where it does not confirm them."""
     if check is None:
         if case.bearing.compliance and case.cavitation is not Cavitation.HALF_SOMMERFELD:

@@ -8,9 +8,9 @@ from enum import Enum
 
 from babbitt.core.notices import Notice
 from babbitt.design.conditions import (
-    Duty,
     HousingCooling,
     Limits,
+    LoadSpec,
     OilSupply,
     Proportions,
     Surfaces,
@@ -26,7 +26,7 @@ from babbitt.reynolds.model import Field as FieldOfFilm
 from babbitt.reynolds.oil.piezoviscosity import Barus, PressureViscosity, Roelands
 from babbitt.reynolds.oil.turbulence import TurbulenceLaw
 
-__all__ = ["Accuracy", "FilmBearing", "FilmCase", "Hollow", "Rotation", "Search"]
+__all__ = ["Accuracy", "FilmBearing", "FilmCase", "FeedSize", "Rotation", "Search"]
 
 
 WHOLE_TURN = 2.0 * math.pi * (1.0 - 1e-9)
@@ -88,7 +88,7 @@ class OilUnderPressure:
 
 
 @dataclass(frozen=True)
-class Hollow:
+class FeedSize:
     """A groove, pocket or hole that feeds the film.
 
     Attributes
@@ -129,7 +129,7 @@ class Hollow:
         axial_position: float = 0.0,
         pressure: float | None = None,
         flow: float | None = None,
-    ) -> Hollow:
+    ) -> FeedSize:
         """A round hole as a square of the same area; ``bore`` is the diameter of the bearing, all m."""
         side = 0.5 * math.sqrt(math.pi) * diameter
         return cls(angle, 2.0 * side / bore, side, axial_position, pressure, flow, diameter)
@@ -151,7 +151,7 @@ class FilmBearing(Proportions):
     relative_clearance: float
     expansion_bearing: float
     expansion_journal: float
-    hollows: tuple[Hollow, ...] = ()
+    hollows: tuple[FeedSize, ...] = ()
     bore: Bore = field(default_factory=RoundBore)
     film_start: FilmStart = FilmStart.GROOVE
     misalignment: tuple[float, float] = (0.0, 0.0)
@@ -184,13 +184,13 @@ class FilmCase:
     and the journal; None is rigid. Without `turbulence` the film is laminar whatever its Reynolds number.
     `tilt_coefficients` asks for stiffness and damping against tilt, too, `error_estimate` for the error of the
     grid. `changing_load` acts besides the load of the duty; `moving_mass` (kg) then moves with the journal.
-    `doubts` arose while the case was made and ride along.
+    `warnings` arose while the case was made and ride along.
     With a model of its `heat` the film has its own temperatures; without, one temperature.
     """
 
     name: str
     bearing: FilmBearing
-    duty: Duty
+    duty: LoadSpec
     journal_speed: float
     lubricant: Lubricant
     oil_supply: OilSupply | None = None
@@ -212,7 +212,7 @@ class FilmCase:
     limits: Limits = field(default_factory=Limits)
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()
-    doubts: tuple[Notice, ...] = ()
+    warnings: tuple[Notice, ...] = ()
     kind: str = "journal"
     turbulence: TurbulenceLaw | None = None
     pressure_viscosity: OilUnderPressure | None = None

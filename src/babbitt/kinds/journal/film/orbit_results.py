@@ -1,4 +1,4 @@
-"""What a changing load adds to the answer of a bearing: the orbit, its numbers, verdicts and doubts."""
+"""What a changing load adds to the answer of a bearing: the orbit, its numbers, verdicts and warnings."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ import numpy as np
 from babbitt.core.notices import EXPLANATIONS, Notice
 from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Check, Matrix, Outcome
-from babbitt.design.conditions import GivenLoad, sliding_speed
-from babbitt.design.warnings import RIGID_FILM_UP_TO, doubt_about_pressure
+from babbitt.design.conditions import PrescribedLoad, sliding_speed
+from babbitt.design.warnings import RIGID_FILM_UP_TO, warnings_about_pressure
 from babbitt.kinds.journal.film.changing_load import TabulatedLoad
 from babbitt.kinds.journal.film.isothermal import FilmState, is_dear
 from babbitt.kinds.journal.film.layout import load_vector
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 __all__ = [
     "orbit_assumptions",
     "orbit_checks",
-    "orbit_doubts",
+    "orbit_warnings",
     "orbit_failure",
     "orbit_of",
     "orbit_rows",
@@ -46,7 +46,7 @@ def orbit_of(case: FilmCase, state: FilmState, watch: ProgressCallback = no_prog
 
     It is seen on the grid of the case, or on a draft grid where each of its instants would take long.
     """
-    if case.changing_load is None or not isinstance(case.duty, GivenLoad):
+    if case.changing_load is None or not isinstance(case.duty, PrescribedLoad):
         return None
     from babbitt.kinds.journal.film.orbit import find_orbit
 
@@ -97,13 +97,13 @@ def orbit_checks(checks: tuple[Check, ...], values: dict[str, float]) -> Iterato
             yield replace(check, quantity=name, value=values[name])
 
 
-def orbit_doubts(case: FilmCase, orbit: Orbit) -> Iterator[Notice]:
+def orbit_warnings(case: FilmCase, orbit: Orbit) -> Iterator[Notice]:
     """Where the orbit leaves the ground on which it stands."""
     if orbit.load_error > GRID_TOLD_FROM:
         yield Notice(
             "W133", f"a grid twice as fine changes the force by {orbit.load_error:.0%} where the film is thinnest"
         )
-    yield from doubt_about_pressure(float(orbit.maximum_pressure.max()), "on the orbit")
+    yield from warnings_about_pressure(float(orbit.maximum_pressure.max()), "on the orbit")
     depth = 1.0 - float(orbit.film_thickness.min()) / orbit.clearance
     if depth > RIGID_FILM_UP_TO:
         yield Notice(

@@ -11,9 +11,9 @@ from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.bounds import FILM_CHECKS, NO_BOUNDS, Bounds
 from babbitt.design.checks import film_checks
-from babbitt.design.conditions import GivenLoad
+from babbitt.design.conditions import PrescribedLoad
 from babbitt.kinds.journal.film.bore import LobedBore
-from babbitt.kinds.journal.film.isothermal import FilmState, film_resting_near
+from babbitt.kinds.journal.film.isothermal import FilmState, equilibrium_near_position
 from babbitt.kinds.journal.film.layout import closed_pockets, load_vector
 from babbitt.kinds.journal.film.load_slope import with_bore
 from babbitt.kinds.journal.film.model import FilmCase, Search
@@ -31,7 +31,7 @@ them from 5 on."""
 SAME_FILM = 0.01
 """Share by which the film elsewhere must be thinner to be told: less is the accuracy of a grid."""
 
-__all__ = ["doubts_about_rest", "flattered_by_rest", "resting_checks", "resting_places", "resting_values"]
+__all__ = ["warnings_about_rest", "flattered_by_equilibrium", "resting_checks", "resting_places", "resting_values"]
 
 
 def resting_places(case: FilmCase, state: FilmState) -> RestingPlaces | None:
@@ -41,7 +41,7 @@ def resting_places(case: FilmCase, state: FilmState) -> RestingPlaces | None:
     wanted = case.search is Search.ALL or (
         case.search is Search.AUTO and (state.left_saddle or _likely(case, film))
     )
-    if not (wanted and isinstance(case.duty, GivenLoad)) or film.cavitation is Cavitation.HALF_SOMMERFELD:
+    if not (wanted and isinstance(case.duty, PrescribedLoad)) or film.cavitation is Cavitation.HALF_SOMMERFELD:
         return None
     from babbitt.kinds.journal.film.equilibria import find_equilibria
 
@@ -60,7 +60,7 @@ def _each_with_its_own(case: FilmCase, state: FilmState, found: RestingPlaces) -
     first, *others = found.places
     places = [first]
     for other in others:
-        again = film_resting_near(case, state, other.position)
+        again = equilibrium_near_position(case, state, other.position)
         if again is None:
             continue
         if not any(same_place(state.solution.film, again, known.film) for known in places):
@@ -99,16 +99,16 @@ def resting_checks(case: FilmCase, values: Mapping[str, float]) -> Iterator[Chec
             yield replace(check, quantity="least_resting_film", value=values["least_resting_film"])
 
 
-def flattered_by_rest(case: FilmCase, shown: FilmSolution) -> Bounds:
+def flattered_by_equilibrium(case: FilmCase, shown: FilmSolution) -> Bounds:
     """Checks that the film at a saddle flatters."""
-    if not isinstance(case.duty, GivenLoad) or not is_saddle(shown):
+    if not isinstance(case.duty, PrescribedLoad) or not is_saddle(shown):
         return NO_BOUNDS
     return dict.fromkeys(
         FILM_CHECKS, "the journal leaves the place shown, a saddle; its film elsewhere is not known"
     )
 
 
-def doubts_about_rest(shown: FilmSolution, found: RestingPlaces | None) -> Iterator[Notice]:
+def warnings_about_rest(shown: FilmSolution, found: RestingPlaces | None) -> Iterator[Notice]:
     """Further equilibria, and an operating point that the journal leaves by itself."""
     if is_saddle(shown):
         known = "was looked for" if found is None else "was found"

@@ -8,13 +8,13 @@ if TYPE_CHECKING:
     from babbitt.reynolds.model import JournalFilm, Resolution
     from babbitt.reynolds.solution import FilmSolution
 
-__all__ = ["held_place", "is_saddle", "place_of", "settled_film"]
+__all__ = ["held_place", "is_saddle", "place_of", "converged_film"]
 
 Place = tuple[float, float]
 """Of the journal centre, in clearances."""
 
 
-def settled_film(
+def converged_film(
     film: JournalFilm, load: tuple[float, float], grid: Resolution, near: Place | None
 ) -> FilmSolution:
     """Film that carries a load, at a place where the journal stays if one is known.

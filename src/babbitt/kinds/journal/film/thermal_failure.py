@@ -8,7 +8,7 @@ from dataclasses import replace
 from babbitt.core.notices import EXPLANATIONS
 from babbitt.core.result import Outcome
 from babbitt.core.units import ZERO_CELSIUS
-from babbitt.design.conditions import GivenLoad
+from babbitt.design.conditions import PrescribedLoad
 from babbitt.design.failure import STARVED, STARVED_REMEDY
 from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
 from babbitt.design.oil import highest_usable
@@ -48,13 +48,13 @@ def last_film(case: FilmCase, film_at: Callable[[FilmCase, ThermalSearch], FilmS
     film_at : callable
         Film of a case by a search; may raise `NoFilmError`.
     """
-    if not isinstance(case.duty, GivenLoad):
+    if not isinstance(case.duty, PrescribedLoad):
         return None
     whole = case.duty.load
 
     def under(share: float, search: ThermalSearch) -> FilmState | None:
         try:
-            return film_at(replace(case, duty=GivenLoad(share * whole), accuracy=Accuracy.DRAFT), search)
+            return film_at(replace(case, duty=PrescribedLoad(share * whole), accuracy=Accuracy.DRAFT), search)
         except NoFilmError:
             return None
 
@@ -108,7 +108,11 @@ def what_gave_way(case: FilmCase, outcome: Outcome, last: FilmState | None) -> O
 
 def thermal_failure(case: FilmCase, found: Equilibrium[FilmState]) -> str:
     """Say what gave way, the last film that there was, and what to try."""
-    load = f" under {_kilonewtons(case.duty.load)} kN" if isinstance(case.duty, GivenLoad) else " at this position"
+    load = (
+        f" under {_kilonewtons(case.duty.load)} kN"
+        if isinstance(case.duty, PrescribedLoad)
+        else " at this position"
+    )
     match found.outcome:
         case Outcome.OVERLOADED:
             far = f"no film with its own temperatures was found{load}: its thinnest place closes"
@@ -137,7 +141,7 @@ def _last(case: FilmCase, state: FilmState | None) -> str:
     least = state.solution.minimum_film_thickness * 1e6
     hottest = state.thermal.maximum_temperature - ZERO_CELSIUS
     there = f"h_min = {least:.3g} µm, hottest place {hottest:.0f} °C"
-    if isinstance(case.duty, GivenLoad) and state.load < 0.999 * case.duty.load:
+    if isinstance(case.duty, PrescribedLoad) and state.load < 0.999 * case.duty.load:
         return f". The largest load with a film was about {_kilonewtons(state.load)} kN, with {there}"
     return f". The last film that settled had {there}"
 

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
-from babbitt.design.conditions import GivenEccentricity, GivenLoad, GivenPosition
+from babbitt.design.conditions import PrescribedEccentricity, PrescribedLoad, PrescribedPosition
 from babbitt.design.feeding import Arrival, arrival
 from babbitt.design.heat_balance import CEILING, Equilibrium, NoFilmError
 from babbitt.design.oil import bounded_viscosity, highest_usable, properties_at
@@ -89,7 +89,7 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
         return _settled_clearance(case, reached, ThermalSearch())
     except NoFilmError as failure:
         outcome = failure.outcome
-        if outcome in ENDED_HOT and isinstance(case.duty, GivenLoad):
+        if outcome in ENDED_HOT and isinstance(case.duty, PrescribedLoad):
             found = _under_growing_load(case, case.duty.load, _Reached(psi, cold))
             if found is not None:
                 return found
@@ -142,7 +142,7 @@ def _under_growing_load(case: FilmCase, load: float, reached: _Reached) -> Equil
     sought, found = ThermalSearch(), None
     for share in GROWING:
         try:
-            found = _settled_clearance(replace(case, duty=GivenLoad(share * load)), reached, sought)
+            found = _settled_clearance(replace(case, duty=PrescribedLoad(share * load)), reached, sought)
         except NoFilmError:
             return None
         if not found.outcome.solved:
@@ -292,9 +292,9 @@ def _settled(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalS
     from babbitt.reynolds.heat.thermal_equilibrium import thermal_film_at
 
     grid = thermal_resolution(case)
-    if isinstance(case.duty, GivenPosition):
+    if isinstance(case.duty, PrescribedPosition):
         return _inside(thermal_film_at(film, heat, (case.duty.x, case.duty.y), grid, search.settled))
-    if isinstance(case.duty, GivenEccentricity):
+    if isinstance(case.duty, PrescribedEccentricity):
         return _at_eccentricity(case, case.duty, film, heat, search)
     load = load_vector(case, case.duty.load)
     find = search.trail.climb if search.climbs else search.trail.solve
@@ -302,7 +302,7 @@ def _settled(case: FilmCase, film: JournalFilm, heat: FilmHeat, search: ThermalS
 
 
 def _at_eccentricity(
-    case: FilmCase, duty: GivenEccentricity, film: JournalFilm, heat: FilmHeat, search: ThermalSearch
+    case: FilmCase, duty: PrescribedEccentricity, film: JournalFilm, heat: FilmHeat, search: ThermalSearch
 ) -> ThermalFilm:
     """At the given attitude, or at the one for which the film force opposes the direction of the load."""
     from babbitt.reynolds.heat.thermal_equilibrium import thermal_film_at

@@ -1,4 +1,4 @@
-"""What a film with its own temperatures adds to the answer of a bearing: values, rows, doubts, assumptions."""
+"""What a film with its own temperatures adds to the answer of a bearing: values, rows, warnings, assumptions."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "coefficient_settings",
-    "doubts_about_heat",
+    "warnings_about_heat",
     "flow_without_pressure",
     "settings_found",
     "stiffness_values",
@@ -155,7 +155,7 @@ def flow_without_pressure(case: FilmCase, state: FilmState, calm: JournalFilm) -
     return found.leaving_flow if found.outcome.solved else math.nan
 
 
-def doubts_about_heat(
+def warnings_about_heat(
     case: FilmCase, state: FilmState, values: dict[str, float], followed: bool
 ) -> Iterator[Notice]:
     """Lubricant data, laminar flow, balance and coefficients of a film with its own temperatures."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from babbitt.design.conditions import GivenLoad
+from babbitt.design.conditions import PrescribedLoad
 from babbitt.kinds.journal.film.isothermal import FilmState
 from babbitt.kinds.journal.film.model import FilmCase
 
@@ -23,7 +23,7 @@ NO_LOAD = "the film carries no load at this position: it has no direction, and f
 
 def is_unloaded(case: FilmCase, state: FilmState) -> bool:
     """Whether the film at a prescribed place carries no more than round-off."""
-    return not isinstance(case.duty, GivenLoad) and state.solution.sommerfeld_number < UNLOADED
+    return not isinstance(case.duty, PrescribedLoad) and state.solution.sommerfeld_number < UNLOADED
 
 
 def missing_without_load(case: FilmCase, state: FilmState | None) -> dict[str, str]:

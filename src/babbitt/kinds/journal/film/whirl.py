@@ -12,7 +12,7 @@ import numpy as np
 from babbitt.kinds.journal.film.isothermal import FilmState, following
 from babbitt.kinds.journal.film.load_slope import with_bore
 from babbitt.kinds.journal.film.model import FilmCase
-from babbitt.kinds.journal.film.stable_equilibrium import place_of, settled_film
+from babbitt.kinds.journal.film.stable_equilibrium import converged_film, place_of
 from babbitt.kinds.journal.film.unloaded import is_unloaded
 from babbitt.reynolds.stability.rotor import RIGID, stable_masses_of_rotor
 from babbitt.reynolds.stability.whirl_limits import ElasticWhirl, Whirl, crossing, rotor_mass, stability_excess
@@ -68,7 +68,7 @@ def at_speed(case: FilmCase, state: FilmState, speed: float) -> FilmSolution:
     load = share * float(state.solution.force[0]), share * float(state.solution.force[1])
 
     def settle(one: JournalFilm) -> FilmSolution:
-        return settled_film(one, load, case.accuracy.resolution, place_of(state.solution))
+        return converged_film(one, load, case.accuracy.resolution, place_of(state.solution))
 
     if not case.bearing.compliance:
         return settle(film)

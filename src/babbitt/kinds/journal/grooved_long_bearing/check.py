@@ -1,4 +1,4 @@
-"""Design check of one bearing by segments: from the inputs to values, verdicts and doubts."""
+"""Design check of one bearing by segments: from the inputs to values, verdicts and warnings."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from babbitt.core.result import Check, Matrix, Outcome, Result
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.bounds import NO_BOUNDS, Bounds
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
-from babbitt.design.conditions import GivenLoad
+from babbitt.design.conditions import PrescribedLoad
 from babbitt.design.directions import directions_of, narrowest_direction
 from babbitt.design.effective import EffectiveFilm
 from babbitt.design.heat_balance import NoFilmError
@@ -22,8 +22,8 @@ from babbitt.design.values import duty_values, limit_values, oil_values
 from babbitt.kinds.journal.grooved_long_bearing.model import GrooveKind, SegmentCase
 from babbitt.kinds.journal.grooved_long_bearing.solve import film_at_eccentricity, film_under_load
 from babbitt.kinds.journal.grooved_long_bearing.state import SegmentFilmState
-from babbitt.kinds.journal.grooved_long_bearing.ungrooved_reference import Beside, beside
-from babbitt.kinds.journal.grooved_long_bearing.warnings import doubts
+from babbitt.kinds.journal.grooved_long_bearing.ungrooved_reference import UngroovedReference, beside
+from babbitt.kinds.journal.grooved_long_bearing.warnings import warnings_of_solution
 from babbitt.properties.lubricants import PowerLaw
 
 METHOD = "segments"
@@ -49,7 +49,7 @@ def segments_check(case: SegmentCase) -> Result:
     values: dict[str, float] = {}
     checks: tuple[Check, ...] = ()
     not_made: tuple[Notice, ...] = ()
-    warnings = case.doubts
+    warnings = case.warnings
     arrays: dict[str, Matrix] = {}
     if state is not None:
         values, arrays = _values(case, state), _arrays(state)
@@ -63,7 +63,7 @@ def segments_check(case: SegmentCase) -> Result:
             limits = _of_the_hottest(limit_checks(case, values, bounds), values)
             checks = (*limits, clearance_check(case, values))
             not_made = checks_not_made(case, values, bounds)
-            warnings = tuple(doubts(case, state, plain, values, checks))
+            warnings = tuple(warnings_of_solution(case, state, plain, values, checks))
         values["iterations"] = float(state.iterations)
     values = {name: float(value) for name, value in values.items()} | {"wall_time": perf_counter() - start}
     return Result(
@@ -84,7 +84,7 @@ def segments_check(case: SegmentCase) -> Result:
 
 def _bounds(case: SegmentCase, values: dict[str, float]) -> Bounds:
     """What flatters the bearing: a film found from its load, or one whose wall yields to too high a pressure."""
-    found = isinstance(case.duty, GivenLoad) or case.compliance > 0.0
+    found = isinstance(case.duty, PrescribedLoad) or case.compliance > 0.0
     return flattered_films(values) if found else NO_BOUNDS
 
 
@@ -99,7 +99,7 @@ def _of_the_hottest(checks: tuple[Check, ...], values: dict[str, float]) -> Iter
 def _solved(case: SegmentCase) -> tuple[Outcome, float | None, SegmentFilmState | None]:
     """How it ended, the largest load reached if it was too large, and the film."""
     try:
-        if isinstance(case.duty, GivenLoad):
+        if isinstance(case.duty, PrescribedLoad):
             state = film_under_load(case.film, case.duty.load)
         else:
             eccentricity = case.duty.eccentricity_ratio if case.duty is not None else 0.0
@@ -185,7 +185,7 @@ def _mean_temperature(state: SegmentFilmState) -> float:
     return sum(span * mean for span, mean in zip(spans, means, strict=True)) / sum(spans)
 
 
-def _values_beside(state: SegmentFilmState, plain: Beside | None) -> dict[str, float]:
+def _values_beside(state: SegmentFilmState, plain: UngroovedReference | None) -> dict[str, float]:
     values: dict[str, float] = {}
     if plain is None:
         return values
@@ -245,7 +245,7 @@ def _settings(case: SegmentCase) -> dict[str, str]:
 
 def _failure(case: SegmentCase, outcome: Outcome, capacity: float | None, state: SegmentFilmState | None) -> str:
     far = outcome.value
-    if outcome is Outcome.OVERLOADED and isinstance(case.duty, GivenLoad) and capacity is not None:
+    if outcome is Outcome.OVERLOADED and isinstance(case.duty, PrescribedLoad) and capacity is not None:
         area = case.bearing.diameter * case.bearing.width
         far = (
             f"the best specific load reached was {capacity / area / 1e6:.3g} MPa, less than the "

@@ -9,11 +9,11 @@ from enum import Enum
 
 from babbitt.core.notices import InputError, Notice
 from babbitt.design.conditions import (
-    GivenEccentricity,
-    GivenLoad,
     HousingCooling,
     Limits,
     OilSupply,
+    PrescribedEccentricity,
+    PrescribedLoad,
     Proportions,
     Surfaces,
 )
@@ -118,7 +118,7 @@ class SegmentFilm:
     cells: int = 1000
 
     def __post_init__(self) -> None:
-        for said in complaints_about(self):
+        for said in issues_of(self):
             raise InputError("E003", f"segments: {said}")
 
     @property
@@ -150,7 +150,7 @@ class SegmentFilm:
         return replace(self, groove=replace(self.groove, angle=angle, origin=AngleOrigin.WIDEST_GAP))
 
 
-def complaints_about(film: SegmentFilm) -> tuple[str, ...]:
+def issues_of(film: SegmentFilm) -> tuple[str, ...]:
     """Say what of a film cannot be used, each with its value."""
     found = []
     for name in ("diameter", "width", "clearance", "surface_speed", "supply_temperature"):
@@ -164,12 +164,12 @@ def complaints_about(film: SegmentFilm) -> tuple[str, ...]:
     if not 0.0 <= film.start < math.pi:
         found.append(f"start must lie from 0 to below 180 deg, given {math.degrees(film.start):.4g} deg")
     if not found and film.groove is not None:
-        found += complaints_about_groove(film.groove, film.diameter, film.start)
-    found += complaints_about_profile(film.profile)
+        found += issues_of_groove(film.groove, film.diameter, film.start)
+    found += issues_of_profile(film.profile)
     return tuple(found)
 
 
-def complaints_about_groove(groove: Groove, diameter: float, start: float) -> list[str]:
+def issues_of_groove(groove: Groove, diameter: float, start: float) -> list[str]:
     """Say what of a groove cannot be used in a film that begins at an angle (rad from the widest gap)."""
     found = []
     if not 0.0 <= groove.mixing_factor <= 1.0:
@@ -194,7 +194,7 @@ def edges_of(groove: Groove, diameter: float) -> tuple[float, float]:
     return groove.angle - half, groove.angle + half
 
 
-def complaints_about_profile(profile: tuple[tuple[float, float], ...]) -> list[str]:
+def issues_of_profile(profile: tuple[tuple[float, float], ...]) -> list[str]:
     """Say what of a given film thickness (angles in rad, thickness in m) cannot be used."""
     if not profile:
         return []
@@ -240,7 +240,7 @@ class SegmentCase:
 
     name: str
     bearing: SegmentBearing
-    duty: GivenLoad | GivenEccentricity | None
+    duty: PrescribedLoad | PrescribedEccentricity | None
     journal_speed: float
     lubricant: Lubricant
     oil_supply: OilSupply
@@ -253,7 +253,7 @@ class SegmentCase:
     limits: Limits = field(default_factory=Limits)
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()
-    doubts: tuple[Notice, ...] = ()
+    warnings: tuple[Notice, ...] = ()
     kind: str = "journal"
     cooling: HousingCooling | None = None
     bearing_speed: float = 0.0

@@ -15,7 +15,7 @@ from babbitt.kinds.journal.grooved_long_bearing.state import SegmentFilmState
 
 
 @dataclass(frozen=True)
-class Beside:
+class UngroovedReference:
     """Ungrooved films beside a grooved one; None where there is no such film.
 
     Attributes
@@ -32,7 +32,7 @@ class Beside:
     cut_same_load: SegmentFilmState | None
 
 
-def beside(asked: SegmentFilm, state: SegmentFilmState) -> Beside:
+def beside(asked: SegmentFilm, state: SegmentFilmState) -> UngroovedReference:
     """The ungrooved films beside a grooved one.
 
     At the same gap the film is cut where the groove lies in it; under the same load the journal moves, and a
@@ -46,7 +46,7 @@ def beside(asked: SegmentFilm, state: SegmentFilmState) -> Beside:
         Its equilibrium.
     """
     film, eccentricity = state.film, state.eccentricity_ratio
-    return Beside(
+    return UngroovedReference(
         _at(film.without_groove(), eccentricity),
         _at(film.cut(), eccentricity),
         None if film.profile else _under(asked.without_groove(), state.load),

@@ -1,4 +1,4 @@
-"""Doubts about a film by segments."""
+"""Warnings about a film by segments."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from collections.abc import Iterator
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.core.units import ZERO_CELSIUS
-from babbitt.design.infinite_width import doubt_about_width
-from babbitt.design.warnings import doubts_about_film, doubts_about_running
+from babbitt.design.infinite_width import warnings_about_width
+from babbitt.design.warnings import warnings_about_film, warnings_about_running
 from babbitt.kinds.journal.grooved_long_bearing.model import GrooveKind, SegmentCase
 from babbitt.kinds.journal.grooved_long_bearing.state import SegmentFilmState
-from babbitt.kinds.journal.grooved_long_bearing.ungrooved_reference import Beside
+from babbitt.kinds.journal.grooved_long_bearing.ungrooved_reference import UngroovedReference
 from babbitt.properties.lubricants import PowerLaw
 
 POWER_LAW_RANGE = (293.15, 393.15)
@@ -29,21 +29,21 @@ RMS_OVER_MEAN = 1.25
 """Rq/Ra of heights that are distributed normally, sqrt(pi/2) = 1.253."""
 
 
-def doubts(
+def warnings_of_solution(
     case: SegmentCase,
     state: SegmentFilmState,
-    plain: Beside | None,
+    plain: UngroovedReference | None,
     values: dict[str, float],
     checks: tuple[Check, ...],
 ) -> Iterator[Notice]:
     """Everywhere the result leaves the ground on which it stands; `plain` are the ungrooved films beside it."""
-    yield from case.doubts
-    yield from doubt_about_width(case, values)
+    yield from case.warnings
+    yield from warnings_about_width(case, values)
     if case.film.clearance / case.film.radius > THICK_FROM:
         yield Notice("W151", f"c/R = {case.film.clearance / case.film.radius:.3g} > {THICK_FROM:g}")
     if plain is not None:
-        yield from _doubts_about_groove(case, state, plain)
-    outside = list(_doubts_about_temperature(case, state))
+        yield from _warnings_about_groove(case, state, plain)
+    outside = list(_warnings_about_temperature(case, state))
     yield from outside
     if case.bearing.roughness is not None:
         combined = RMS_OVER_MEAN * math.hypot(*case.bearing.roughness)
@@ -54,11 +54,13 @@ def doubts(
                 f"{combined * 1e6:.3g} µm (rms roughness of both)",
             )
     told = {notice.code for notice in outside}
-    yield from (notice for notice in doubts_about_film(case, values) if notice.code not in told)
-    yield from doubts_about_running(case, values, checks)
+    yield from (notice for notice in warnings_about_film(case, values) if notice.code not in told)
+    yield from warnings_about_running(case, values, checks)
 
 
-def _doubts_about_groove(case: SegmentCase, state: SegmentFilmState, plain: Beside) -> Iterator[Notice]:
+def _warnings_about_groove(
+    case: SegmentCase, state: SegmentFilmState, plain: UngroovedReference
+) -> Iterator[Notice]:
     ungrooved = plain.same_load
     if ungrooved is not None and state.outlet_temperature > ungrooved.outlet_temperature:
         yield Notice(
@@ -85,7 +87,7 @@ def _doubts_about_groove(case: SegmentCase, state: SegmentFilmState, plain: Besi
             )
 
 
-def _doubts_about_temperature(case: SegmentCase, state: SegmentFilmState) -> Iterator[Notice]:
+def _warnings_about_temperature(case: SegmentCase, state: SegmentFilmState) -> Iterator[Notice]:
     coldest, hottest = case.lubricant.temperature_range
     if isinstance(case.lubricant.viscosity_law, PowerLaw):
         coldest, hottest = POWER_LAW_RANGE

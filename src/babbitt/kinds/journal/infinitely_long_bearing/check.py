@@ -1,4 +1,4 @@
-"""Design check of one bearing as a long film: from the inputs to values, verdicts and doubts."""
+"""Design check of one bearing as a long film: from the inputs to values, verdicts and warnings."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from babbitt.core.result import Check, Matrix, Outcome, Result
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.bounds import NO_BOUNDS
 from babbitt.design.checks import checks_not_made, clearance_check, limit_checks
-from babbitt.design.conditions import GivenEccentricity, GivenLoad
+from babbitt.design.conditions import PrescribedEccentricity, PrescribedLoad
 from babbitt.design.directions import directions_of, narrowest_direction
 from babbitt.design.effective import EffectiveFilm
 from babbitt.design.heat_balance import NoFilmError
-from babbitt.design.infinite_width import doubt_about_width, flattered_films
+from babbitt.design.infinite_width import flattered_films, warnings_about_width
 from babbitt.design.screening import recommended_relative_clearance
 from babbitt.design.values import duty_values, limit_values, oil_values
-from babbitt.design.warnings import doubts_about_film, doubts_about_running
+from babbitt.design.warnings import warnings_about_film, warnings_about_running
 from babbitt.kinds.journal.infinitely_long_bearing.mean_temperature import mean_temperature_film
 from babbitt.kinds.journal.infinitely_long_bearing.model import COARSE_BELOW, LongFilmCase, NusseltLaw
 from babbitt.kinds.journal.infinitely_long_bearing.pressure import circle
@@ -56,17 +56,17 @@ def long_film_check(case: LongFilmCase) -> Result:
     values: dict[str, float] = {}
     checks: tuple[Check, ...] = ()
     not_made: tuple[Notice, ...] = ()
-    warnings = case.doubts
+    warnings = case.warnings
     arrays: dict[str, Matrix] = {}
     if state is not None:
         values, arrays = _values(case, state), _arrays(state)
         around = directions_of(case, state.attitude_angle, circle(case.cells, case.film.start)[0])
         arrays["film_direction"] = (tuple(float(one) for one in around),)
         if outcome.solved:
-            bounds = flattered_films(values) if isinstance(case.duty, GivenLoad) else NO_BOUNDS
+            bounds = flattered_films(values) if isinstance(case.duty, PrescribedLoad) else NO_BOUNDS
             checks = (*limit_checks(case, values, bounds), clearance_check(case, values))
             not_made = checks_not_made(case, values, bounds)
-            warnings = tuple(_doubts(case, state, values, checks))
+            warnings = tuple(_warnings(case, state, values, checks))
         values["iterations"] = float(state.iterations)
     values = {name: float(value) for name, value in values.items()} | {"wall_time": perf_counter() - start}
     return Result(
@@ -88,7 +88,7 @@ def long_film_check(case: LongFilmCase) -> Result:
 def _solved(case: LongFilmCase) -> tuple[Outcome, float | None, LongFilmState | None]:
     """How it ended, the largest load reached if it was too large, and the film."""
     try:
-        if isinstance(case.duty, GivenEccentricity):
+        if isinstance(case.duty, PrescribedEccentricity):
             state = film_at_eccentricity(case.film, case.duty.eccentricity_ratio)
         else:
             state = film_under_load(case.film, case.duty.load)
@@ -183,11 +183,11 @@ def _arrays(state: LongFilmState) -> dict[str, Matrix]:
     return {name: (tuple(float(one) for one in field),) for name, field in fields.items()}
 
 
-def _doubts(
+def _warnings(
     case: LongFilmCase, state: LongFilmState, values: dict[str, float], checks: tuple[Check, ...]
 ) -> Iterator[Notice]:
-    yield from case.doubts
-    yield from doubt_about_width(case, values)
+    yield from case.warnings
+    yield from warnings_about_width(case, values)
     if not case.discretisation.conserves_flow:
         spread = values["flow_inconsistency"]
         yield Notice(
@@ -198,7 +198,7 @@ def _doubts(
         yield Notice("W151", f"c/R = {ratio:.3g} > {THICK_FROM:g}")
     if case.cells < COARSE_BELOW:
         yield Notice("W152", f"{case.cells} sectors < {COARSE_BELOW}")
-    yield from _doubts_about_temperature(case, state)
+    yield from _warnings_about_temperature(case, state)
     density = case.lubricant.density(state.temperatures.film)
     local = density * case.film.surface_speed * state.film_thickness / case.lubricant.dynamic_viscosity(
         state.temperatures.film
@@ -206,11 +206,11 @@ def _doubts(
     highest = float(np.max(local))
     if highest > LAMINAR_UP_TO and values["film_reynolds_number"] <= values["critical_reynolds_number"]:
         yield Notice("W101", f"local Reynolds number up to {highest:.0f} > {LAMINAR_UP_TO:.0f}")
-    yield from doubts_about_film(case, values)
-    yield from doubts_about_running(case, values, checks)
+    yield from warnings_about_film(case, values)
+    yield from warnings_about_running(case, values, checks)
 
 
-def _doubts_about_temperature(case: LongFilmCase, state: LongFilmState) -> Iterator[Notice]:
+def _warnings_about_temperature(case: LongFilmCase, state: LongFilmState) -> Iterator[Notice]:
     coldest, hottest = case.lubricant.temperature_range
     film = state.temperatures.film
     if float(film.min()) < coldest or float(film.max()) > hottest:
@@ -251,7 +251,7 @@ def _settings(case: LongFilmCase) -> dict[str, str]:
 
 def _failure(case: LongFilmCase, outcome: Outcome, capacity: float | None, state: LongFilmState | None) -> str:
     far = f"{outcome.value}"
-    if outcome is Outcome.OVERLOADED and isinstance(case.duty, GivenLoad) and capacity is not None:
+    if outcome is Outcome.OVERLOADED and isinstance(case.duty, PrescribedLoad) and capacity is not None:
         far = (
             f"the largest load reached was {capacity / 1e3:.4g} kN, less than the load of "
             f"{case.duty.load / 1e3:.4g} kN"

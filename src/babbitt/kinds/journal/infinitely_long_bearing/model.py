@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 
 from babbitt.core.notices import InputError, Notice
 from babbitt.design.conditions import (
-    GivenEccentricity,
-    GivenLoad,
     HousingCooling,
     Limits,
     OilSupply,
+    PrescribedEccentricity,
+    PrescribedLoad,
     Proportions,
     Surfaces,
 )
@@ -168,7 +168,7 @@ class LongFilm:
     supply_angle: float = math.pi
 
     def __post_init__(self) -> None:
-        for said in complaints_about(self):
+        for said in issues_of(self):
             raise InputError("E003", f"long film: {said}")
 
     @property
@@ -192,7 +192,7 @@ class LongFilm:
         return self.exchange_zone or self.discretisation.exchange_zone
 
 
-def complaints_about(film: LongFilm) -> tuple[str, ...]:
+def issues_of(film: LongFilm) -> tuple[str, ...]:
     """Say what of a long film cannot be used, each with its value."""
     found = []
     for name in ("diameter", "width", "clearance", "angular_speed", "inlet_temperature"):
@@ -242,7 +242,7 @@ class LongFilmCase:
 
     name: str
     bearing: LongFilmBearing
-    duty: GivenLoad | GivenEccentricity
+    duty: PrescribedLoad | PrescribedEccentricity
     journal_speed: float
     lubricant: Lubricant
     oil_supply: OilSupply
@@ -255,7 +255,7 @@ class LongFilmCase:
     limits: Limits = field(default_factory=Limits)
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()
-    doubts: tuple[Notice, ...] = ()
+    warnings: tuple[Notice, ...] = ()
     kind: str = "journal"
     cooling: HousingCooling | None = None
     bearing_speed: float = 0.0

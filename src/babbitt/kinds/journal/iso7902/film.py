@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from babbitt.core.result import Outcome
-from babbitt.design.conditions import GivenEccentricity
+from babbitt.design.conditions import PrescribedEccentricity
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.design.oil import properties_at
 from babbitt.design.values import friction_between, hydrodynamic_speed
@@ -129,7 +129,7 @@ def _film(temperature: float, case: DesignCase, shape: BearingCurves, limited: b
         raise NoFilmError(Outcome.NO_CLEARANCE)
     density, viscosity, heat_capacity = properties_at(oil, temperature)
     scale = load_scale(case, viscosity, psi)
-    if isinstance(case.duty, GivenEccentricity):
+    if isinstance(case.duty, PrescribedEccentricity):
         eccentricity = case.duty.eccentricity_ratio
         so = shape.sommerfeld_number(eccentricity)
         load = so * scale

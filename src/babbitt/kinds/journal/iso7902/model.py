@@ -7,11 +7,11 @@ from enum import Enum
 
 from babbitt.core.notices import Notice
 from babbitt.design.conditions import (
-    GivenEccentricity,
-    GivenLoad,
     HousingCooling,
     Limits,
     OilSupply,
+    PrescribedEccentricity,
+    PrescribedLoad,
     Proportions,
     Surfaces,
 )
@@ -24,8 +24,8 @@ __all__ = [
     "Curves",
     "DesignCase",
     "Friction",
-    "GivenEccentricity",
-    "GivenLoad",
+    "PrescribedEccentricity",
+    "PrescribedLoad",
     "HousingCooling",
     "Limits",
     "OilSupply",
@@ -103,13 +103,13 @@ class DesignCase:
 
     Speeds in rad/s. At least one of `oil_supply` and `cooling` carries the heat away, unless the effective
     temperature (K) is prescribed. `given` holds names and
-    words of the case that these numbers came from (a fit, a material), for the report. `doubts` arose while the
+    words of the case that these numbers came from (a fit, a material), for the report. `warnings` arose while the
     case was made and ride along to the result.
     """
 
     name: str
     bearing: Bearing
-    duty: GivenLoad | GivenEccentricity
+    duty: PrescribedLoad | PrescribedEccentricity
     journal_speed: float
     lubricant: Lubricant
     oil_supply: OilSupply | None = None
@@ -121,7 +121,7 @@ class DesignCase:
     limits: Limits = field(default_factory=Limits)
     given: tuple[tuple[str, str], ...] = ()
     assumptions: tuple[str, ...] = ()
-    doubts: tuple[Notice, ...] = ()
+    warnings: tuple[Notice, ...] = ()
     kind: str = "journal"
     effective_temperature: float | None = None
     load_angle: float | None = None

@@ -1,4 +1,4 @@
-"""ISO 7902 design check of one bearing at one operating point: from the inputs to values, verdicts and doubts."""
+"""ISO 7902 design check of one bearing at one operating point: from inputs to values, verdicts and warnings."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ from babbitt.kinds.journal.iso7902.supply_capacity import (
     assumptions_about_capacity,
     capacity_check,
     capacity_not_checked,
-    doubts_about_capacity,
     starved_equilibrium,
     starved_values,
+    warnings_about_capacity,
     worse_of,
 )
-from babbitt.kinds.journal.iso7902.warnings import doubts_of
+from babbitt.kinds.journal.iso7902.warnings import all_warnings
 
 METHOD = "iso7902"
 
@@ -92,7 +92,7 @@ def check_at_temperature(case: DesignCase, effective_temperature: float) -> Resu
 
 
 def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
-    """Values, verdicts and doubts of the film found, or how far an unsolved case came."""
+    """Values, verdicts and warnings of the film found, or how far an unsolved case came."""
     if found.film is None:
         return Result(
             case.name,
@@ -100,7 +100,7 @@ def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
             METHOD,
             found.outcome,
             {"wall_time": perf_counter() - start},
-            warnings=case.doubts,
+            warnings=case.warnings,
             assumptions=(*case.lubricant.assumptions, *case.assumptions),
             message=failure(case, found),
             settings=_settings(case),
@@ -115,10 +115,10 @@ def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
         checks = worse_of(checks, checks_of(case, hotter))
         values |= starved_values(hotter)
     checks = (*checks, *capacity_check(found.film, starved))
-    warnings = case.doubts
+    warnings = case.warnings
     if found.outcome.solved:
-        about_supply = doubts_about_capacity(case, found.film, starved, hotter)
-        warnings = (*doubts_of(case, found.film, values, checks, change), *about_supply)
+        about_supply = warnings_about_capacity(case, found.film, starved, hotter)
+        warnings = (*all_warnings(case, found.film, values, checks, change), *about_supply)
     values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
     return Result(

@@ -23,13 +23,13 @@ from babbitt.design.heat_balance import Equilibrium, find_equilibrium
 from babbitt.kinds.journal.iso7902.film import Film, curves_of, starved_film_at
 from babbitt.kinds.journal.iso7902.model import DesignCase
 from babbitt.kinds.journal.iso7902.supply import CircumferentialGroove, HalfCircumferentialGroove
-from babbitt.kinds.journal.iso7902.warnings import doubts_about_validity
+from babbitt.kinds.journal.iso7902.warnings import warnings_about_validity
 
 __all__ = [
     "assumptions_about_capacity",
     "capacity_check",
     "capacity_not_checked",
-    "doubts_about_capacity",
+    "warnings_about_capacity",
     "lacks_oil",
     "starved_equilibrium",
     "starved_values",
@@ -129,7 +129,7 @@ def capacity_not_checked(case: DesignCase, film: Film) -> Iterator[Notice]:
     yield Notice("C117", "no supply_element is given")
 
 
-def doubts_about_capacity(
+def warnings_about_capacity(
     case: DesignCase, film: Film, starved: Equilibrium[Film] | None, values: Values
 ) -> Iterator[Notice]:
     """Tell what the supply lacks, and what follows from it.
@@ -171,8 +171,8 @@ def doubts_about_capacity(
     if "outlet_temperature" in values:
         told = f"T_ex = {values['outlet_temperature'] - ZERO_CELSIUS:.1f} °C, {told}"
     yield Notice("W123", f"{said}; with that flow {told}, and the limits are held against these")
-    for doubt in doubts_about_validity(case, values):
-        yield Notice(doubt.code, f"with the flow that the supply delivers: {doubt.message}")
+    for warning in warnings_about_validity(case, values):
+        yield Notice(warning.code, f"with the flow that the supply delivers: {warning.message}")
 
 
 def _without_pressure(case: DesignCase) -> str:

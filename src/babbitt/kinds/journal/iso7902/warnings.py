@@ -8,10 +8,10 @@ from babbitt.core.notices import Notice
 from babbitt.core.result import Check
 from babbitt.design.warnings import (
     RIGID_FILM_UP_TO,
-    doubt_about_hole,
-    doubt_about_supply,
-    doubts_about_film,
-    doubts_about_running,
+    warnings_about_film,
+    warnings_about_hole,
+    warnings_about_running,
+    warnings_about_supply,
 )
 from babbitt.kinds.journal.iso7902.characteristics.closed_forms import DEVIATIONS, LARGEST_ATTITUDE_DEVIATION
 from babbitt.kinds.journal.iso7902.film import Film
@@ -35,28 +35,28 @@ CURVES_FROM = 0.01
 """Eccentricity ratio at which the computed characteristics begin."""
 
 
-def doubts_of(
+def all_warnings(
     case: DesignCase, film: Film, values: Mapping[str, float], checks: tuple[Check, ...], change: Transition | None
 ) -> tuple[Notice, ...]:
     """All warnings that this operating point deserves."""
     return (
-        *case.doubts,
+        *case.warnings,
         *_of_method(case, values),
         *_of_supply(case, film),
         *_of_running(case, values, checks, change),
     )
 
 
-def doubts_about_validity(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
+def warnings_about_validity(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
     """Those of any film, and the eccentricity ratio where ISO 7902 ends."""
-    yield from (doubt for doubt in doubts_about_film(case, values) if doubt.code != "W116")
+    yield from (warning for warning in warnings_about_film(case, values) if warning.code != "W116")
     eccentricity = values["eccentricity_ratio"]
     if eccentricity > RIGID_FILM_UP_TO:
         yield Notice("W129", f"ε = {eccentricity:.3f} > {RIGID_FILM_UP_TO:g}, where ISO 7902 ends")
 
 
 def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
-    yield from doubts_about_validity(case, values)
+    yield from warnings_about_validity(case, values)
     least, most = STANDARD_WIDTH_RATIOS
     if not least <= case.bearing.part_width_ratio <= most:
         ratio, of = case.bearing.part_width_ratio, " of each half bearing" if case.bearing.parts > 1 else ""
@@ -78,7 +78,7 @@ def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice
 def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:
     element = case.bearing.supply_element
     if film.feed is not None:
-        yield from doubt_about_supply(film.feed.limit, film.side_flow)
+        yield from warnings_about_supply(film.feed.limit, film.side_flow)
     if element is None:
         return
     if isinstance(element, Holes) and case.oil_supply is not None:
@@ -87,7 +87,7 @@ def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:
             passed = film.supply_capacity
         holes = element.number * (2.0 if element.arrangement is Arrangement.BOTH_SIDES else 1.0)
         density = case.lubricant.density(supply.temperature)
-        yield from doubt_about_hole(supply, element.diameter, passed / holes, density)
+        yield from warnings_about_hole(supply, element.diameter, passed / holes, density)
     if isinstance(element, CircumferentialGroove | HalfCircumferentialGroove):
         s = element.relative_width(case.bearing.width)
         if s > FIT_RANGE[1]:
@@ -110,6 +110,6 @@ def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:
 def _of_running(
     case: DesignCase, values: Mapping[str, float], checks: tuple[Check, ...], change: Transition | None
 ) -> Iterator[Notice]:
-    yield from doubts_about_running(case, values, checks)
+    yield from warnings_about_running(case, values, checks)
     if change is not None and change.beyond_tables:
         yield Notice("W112", "the film limit lies beyond the tables; the transition speed is an upper bound")

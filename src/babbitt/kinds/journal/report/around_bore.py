@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from babbitt.core.units import ZERO_CELSIUS
-from babbitt.design.conditions import GivenLoad
+from babbitt.design.conditions import PrescribedLoad
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.kinds.journal.grooved_long_bearing.model import GrooveKind, SegmentCase, SegmentFilm
 from babbitt.kinds.journal.grooved_long_bearing.solve import film_at_eccentricity, film_under_load
@@ -33,7 +33,7 @@ NAMES = {GrooveKind.THROUGH: "through groove", GrooveKind.BLIND: "blind groove",
 
 def common(case: SegmentCase) -> str:
     """What the films drawn have in common, in words."""
-    return "under the same load" if isinstance(case.duty, GivenLoad) else "at the same eccentricity"
+    return "under the same load" if isinstance(case.duty, PrescribedLoad) else "at the same eccentricity"
 
 
 def drawn(case: SegmentCase, result: Result) -> Figure:
@@ -80,7 +80,7 @@ def _states(case: SegmentCase) -> Iterator[tuple[GrooveKind | None, SegmentFilmS
 def _solved(case: SegmentCase, film: SegmentFilm) -> Iterator[SegmentFilmState]:
     """The film of the duty of the case; nothing where there is none."""
     try:
-        if isinstance(case.duty, GivenLoad):
+        if isinstance(case.duty, PrescribedLoad):
             state = film_under_load(film, case.duty.load)
         elif case.duty is not None:
             state = film_at_eccentricity(film, case.duty.eccentricity_ratio)

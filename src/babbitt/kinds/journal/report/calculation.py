@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from babbitt.core.result import Result
 from babbitt.kinds.journal.iso7902.film import curves_of
-from babbitt.kinds.journal.iso7902.model import Friction, GivenEccentricity
+from babbitt.kinds.journal.iso7902.model import Friction, PrescribedEccentricity
 from babbitt.kinds.journal.report.oil_lines import oil_lines
 from babbitt.kinds.journal.report.sheet import JournalSheet
 from babbitt.kinds.journal.report.supply_lines import capacity_lines, flow_lines, loss_lines
@@ -107,7 +107,7 @@ def _validity(sheet: JournalSheet) -> Iterator[Line]:
 
 def _position(case: DesignCase, sheet: JournalSheet) -> Iterator[Line]:
     scale, arguments = LOAD_SCALE.format(width=_loaded_width(sheet)), _arguments(sheet)
-    if isinstance(case.duty, GivenEccentricity):
+    if isinstance(case.duty, PrescribedEccentricity):
         yield sheet.given("eccentricity_ratio", "prescribed")
         yield sheet.read("sommerfeld_number", "eccentricity_ratio", *arguments)
         yield sheet.line(

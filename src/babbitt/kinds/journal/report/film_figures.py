@@ -114,7 +114,7 @@ def _temperatures(case: FilmCase, state: FilmState) -> Iterator[Painted]:
 
     thermal, walls = state.thermal, case.heat.walls if case.heat is not None else None
     field = field_of(thermal.film, case.load_angle - math.pi)
-    cut = film_temperature.said_place(thermal)
+    cut = film_temperature.describe_place(thermal)
     yield (
         "temperature-map",
         f"Temperature over the unrolled bore, mean across the gap (above), and across the gap {cut} "

@@ -8,7 +8,7 @@ from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.journal.film.bore import Bore, LobedBore, MeasuredBore, PressureDamBore, TaperedBore, WornBore
 from babbitt.kinds.journal.film.changing_load import ChangingLoad, RotatingLoad, TabulatedLoad
 from babbitt.kinds.journal.film.heat_model import AxialTemperature, HeatModel
-from babbitt.kinds.journal.film.model import FilmBearing, Hollow, OilUnderPressure
+from babbitt.kinds.journal.film.model import FeedSize, FilmBearing, OilUnderPressure
 from babbitt.reynolds.heat.heat_model import ConductingWalls
 from babbitt.reynolds.model import Cavitation, FilmStart, Step
 from babbitt.reynolds.oil.turbulence import TurbulenceLaw
@@ -30,7 +30,7 @@ THINNEST_RING = 2e-5
 """m; a thinner ring stands for a contact."""
 
 
-def said_of_heat(heat: HeatModel | None, temperature: float | None) -> str:
+def describe_heat(heat: HeatModel | None, temperature: float | None) -> str:
     """Say how the temperature of the film is found."""
     if heat is None:
         return "one for the whole film, from the heat balance" if temperature is None else "one, prescribed"
@@ -40,19 +40,19 @@ def said_of_heat(heat: HeatModel | None, temperature: float | None) -> str:
     return f"around the journal and across the gap, {along}; {walls}"
 
 
-def said_of_flow(law: TurbulenceLaw | None) -> str:
+def describe_flow(law: TurbulenceLaw | None) -> str:
     """Say whether the film is laminar, and after whom it is turbulent."""
     return "laminar" if law is None else f"turbulent after {law.name} ({law.source})"
 
 
-def said_of_pressure(oil: OilUnderPressure | None) -> str:
+def describe_pressure(oil: OilUnderPressure | None) -> str:
     """Say how the viscosity grows with the pressure."""
     if oil is None:
         return "constant"
     return f"after {oil.law.value.capitalize()}, {oil.coefficient * 1e9:.4g} 1/GPa at ambient pressure"
 
 
-def said_of_bush(walls: ConductingWalls) -> str:
+def describe_bush(walls: ConductingWalls) -> str:
     """Say what the bush and its surroundings are, from the bore outwards."""
     bush = walls.bush
     rings = "; ".join(
@@ -64,7 +64,7 @@ def said_of_bush(walls: ConductingWalls) -> str:
     return f"rings up to {rings}; outside {outside}"
 
 
-def said_of_journal(walls: ConductingWalls) -> str:
+def describe_journal(walls: ConductingWalls) -> str:
     """Say how the journal finds its temperature."""
     journal = walls.journal
     if journal.temperature is not None:
@@ -75,14 +75,14 @@ def said_of_journal(walls: ConductingWalls) -> str:
     return f"{journal.shaft_conductance:.4g} W/K along the shaft to {ambient:.4g} °C"
 
 
-def said_of_start(bearing: FilmBearing) -> str:
+def describe_start(bearing: FilmBearing) -> str:
     """Say where the film begins."""
     if bearing.film_start is FilmStart.PERIODIC and not bearing.hollows:
         return "nowhere: it closes around the journal, and nothing feeds it"
     return FILM_START[bearing.film_start]
 
 
-def said_of_changing_load(load: ChangingLoad) -> str:
+def describe_changing_load(load: ChangingLoad) -> str:
     """Say what a changing load is."""
     match load:
         case RotatingLoad():
@@ -94,7 +94,7 @@ def said_of_changing_load(load: ChangingLoad) -> str:
             return "as given"
 
 
-def said_of_bore(bore: Bore) -> str:
+def describe_bore(bore: Bore) -> str:
     """Say what form a bore has."""
     match bore:
         case LobedBore():
@@ -106,7 +106,7 @@ def said_of_bore(bore: Bore) -> str:
                 f"round with a recess {1e6 * bore.depth:.4g} µm deep, {1e3 * bore.width:.4g} mm wide and "
                 f"{math.degrees(bore.extent):.4g}° long that ends in a dam at {math.degrees(bore.angle):.4g}°"
             )
-            return said if bore.relief is None else f"{said}; relief track: {said_of_step(bore.relief)}"
+            return said if bore.relief is None else f"{said}; relief track: {describe_step(bore.relief)}"
         case WornBore():
             return f"worn {1e6 * bore.depth:.4g} µm deep at {math.degrees(bore.angle):.4g}°"
         case MeasuredBore():
@@ -115,7 +115,7 @@ def said_of_bore(bore: Bore) -> str:
             return "round"
 
 
-def said_of_step(step: Step) -> str:
+def describe_step(step: Step) -> str:
     """Say where a step is and how deep it lies."""
     where = f"at {math.degrees(math.remainder(step.centre_angle, 2.0 * math.pi)):.4g}°"
     if step.axial_centre:
@@ -124,7 +124,7 @@ def said_of_step(step: Step) -> str:
     return f"{where}, {size}, {1e6 * step.depth:.4g} µm deep"
 
 
-def said_of_hollow(hollow: Hollow) -> tuple[str, str]:
+def describe_hollow(hollow: FeedSize) -> tuple[str, str]:
     """Say what a hollow is, and where it is."""
     extent = math.degrees(hollow.extent)
     where = f"at {math.degrees(math.remainder(hollow.angle, 2.0 * math.pi)):.4g}°, {extent:.3g}° long"

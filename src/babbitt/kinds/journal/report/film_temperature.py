@@ -58,7 +58,7 @@ def unrolled(case: FilmCase, thermal: ThermalFilm, field: FilmField) -> Figure:
     _hot_spot(top, bottom, thermal, field)
     film_maps.degrees(top, field)
     bottom.set_xlabel("θ in °, counter-clockwise from $+x$")
-    film_maps.says(bottom, f"temperature in °C, across the gap {said_place(thermal)}")
+    film_maps.says(bottom, f"temperature in °C, across the gap {describe_place(thermal)}")
     film_maps.rotation(top, case)
     shading.bar(figure, (top, bottom), scale, "temperature in °C")
     return figure
@@ -79,7 +79,7 @@ def _over_bore(panel: Axes, case: FilmCase, thermal: ThermalFilm, field: FilmFie
     film_maps.says(panel, "temperature in °C, mean across the gap")
 
 
-def said_place(thermal: ThermalFilm) -> str:
+def describe_place(thermal: ThermalFilm) -> str:
     """Where along the width the cut through the hottest place lies, in words."""
     place = thermal.hot_spot[1]
     middle = thermal.axial_positions.size == 1 or place == thermal.axial_positions[

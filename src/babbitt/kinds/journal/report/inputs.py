@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from babbitt.design.conditions import GivenPosition
+from babbitt.design.conditions import PrescribedPosition
 from babbitt.design.ducts import Duct
 from babbitt.kinds.journal.film.model import FilmCase
 from babbitt.kinds.journal.grooved_long_bearing.model import SegmentCase
 from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilmCase
-from babbitt.kinds.journal.iso7902.model import Curves, DesignCase, Friction, GivenEccentricity
+from babbitt.kinds.journal.iso7902.model import Curves, DesignCase, Friction, PrescribedEccentricity
 from babbitt.kinds.journal.iso7902.supply import (
     Arrangement,
     CircumferentialGroove,
@@ -22,18 +22,18 @@ from babbitt.kinds.journal.iso7902.supply import (
 from babbitt.kinds.journal.problems import JournalDesign
 from babbitt.kinds.journal.report.film_inputs import (
     CAVITATION,
-    said_of_bore,
-    said_of_bush,
-    said_of_changing_load,
-    said_of_flow,
-    said_of_heat,
-    said_of_hollow,
-    said_of_journal,
-    said_of_pressure,
-    said_of_start,
-    said_of_step,
+    describe_bore,
+    describe_bush,
+    describe_changing_load,
+    describe_flow,
+    describe_heat,
+    describe_hollow,
+    describe_journal,
+    describe_pressure,
+    describe_start,
+    describe_step,
 )
-from babbitt.kinds.journal.report.one_dimension import said_of
+from babbitt.kinds.journal.report.one_dimension import describe
 from babbitt.report.inputs import InputGroup, Row, metal_rows, named_row, oil_rows
 
 __all__ = ["journal_inputs"]
@@ -117,14 +117,14 @@ def _film_geometry(case: FilmCase) -> Iterator[Row]:
     yield named_row("relative_clearance", bearing.relative_clearance)
     yield named_row("expansion_bearing", bearing.expansion_bearing)
     yield named_row("expansion_journal", bearing.expansion_journal)
-    yield Row("Form of the bore", said_of_bore(bearing.bore))
+    yield Row("Form of the bore", describe_bore(bearing.bore))
     for hollow in bearing.hollows:
-        yield Row(*said_of_hollow(hollow))
+        yield Row(*describe_hollow(hollow))
     if bearing.misalignment != (0.0, 0.0):
         slopes = ", ".join(f"{1e3 * slope:.4g}" for slope in bearing.misalignment)
         yield Row("Slopes of the journal axis dx/dz, dy/dz", slopes, None, "mm/m")
     for step in bearing.steps:
-        yield Row("Step of the bore", said_of_step(step))
+        yield Row("Step of the bore", describe_step(step))
     if bearing.crowning:
         ends = ", ".join(f"{1e6 * drop:.4g}" for drop in (bearing.crowning[0], bearing.crowning[-1]))
         yield Row("Crowning of the journal, drop at the sides", ends, None, "µm")
@@ -147,7 +147,7 @@ def _one_dimension_geometry(case: LongFilmCase | SegmentCase) -> Iterator[Row]:
 
 
 def _one_dimension_method(case: LongFilmCase | SegmentCase) -> Iterator[Row]:
-    for what, words in said_of(case):
+    for what, words in describe(case):
         yield Row(what, words)
 
 
@@ -156,16 +156,16 @@ def _film_method(case: FilmCase) -> Iterator[Row]:
         yield Row("Film", "Reynolds equation in two dimensions, one viscosity")
     else:
         yield Row("Film", "generalised Reynolds equation in two dimensions and energy equation")
-    yield Row("Flow", said_of_flow(case.turbulence))
-    yield Row("Viscosity under pressure", said_of_pressure(case.pressure_viscosity))
-    yield Row("Temperature", said_of_heat(case.heat, case.effective_temperature))
+    yield Row("Flow", describe_flow(case.turbulence))
+    yield Row("Viscosity under pressure", describe_pressure(case.pressure_viscosity))
+    yield Row("Temperature", describe_heat(case.heat, case.effective_temperature))
     if case.heat is not None and case.heat.walls is not None:
-        yield Row("Bush and housing", said_of_bush(case.heat.walls))
-        yield Row("Journal", said_of_journal(case.heat.walls))
+        yield Row("Bush and housing", describe_bush(case.heat.walls))
+        yield Row("Journal", describe_journal(case.heat.walls))
     if case.heat is not None and case.heat.growth is not None:
         yield Row("Distortion by heat", case.heat.growth.premise)
     yield Row("Where the film breaks up", CAVITATION[case.cavitation])
-    yield Row("Where the film begins", said_of_start(case.bearing))
+    yield Row("Where the film begins", describe_start(case.bearing))
     yield Row("Grid", case.accuracy.value)
     if case.cavitation_pressure:
         yield Row("Cavitation pressure (gauge)", f"{1e-3 * case.cavitation_pressure:.4g}", None, "kPa")
@@ -174,11 +174,11 @@ def _film_method(case: FilmCase) -> Iterator[Row]:
 
 
 def _operation(case: JournalDesign) -> Iterator[Row]:
-    if isinstance(case.duty, GivenEccentricity):
+    if isinstance(case.duty, PrescribedEccentricity):
         yield named_row("eccentricity_ratio", case.duty.eccentricity_ratio, "Prescribed eccentricity e/c")
         if case.duty.attitude_angle is not None:
             yield named_row("attitude_angle", case.duty.attitude_angle, "Prescribed attitude angle")
-    elif isinstance(case.duty, GivenPosition):
+    elif isinstance(case.duty, PrescribedPosition):
         yield Row("Prescribed position x, y", f"{1e6 * case.duty.x:.4g}, {1e6 * case.duty.y:.4g}", None, "µm")
     elif case.duty is not None:
         yield named_row("load", case.duty.load)
@@ -187,14 +187,14 @@ def _operation(case: JournalDesign) -> Iterator[Row]:
         yield Row("Rotational speed of the bearing", f"{case.bearing_speed * 30.0 / math.pi:.4g}", None, "rpm")
     if isinstance(case, FilmCase):
         yield Row("Sense of rotation (x right, y up)", case.rotation.value.replace("_", "-"))
-        if not isinstance(case.duty, GivenPosition):
+        if not isinstance(case.duty, PrescribedPosition):
             yield Row("Direction of the load from +x", f"{math.degrees(case.load_angle):.4g}", None, "°")
         if case.rotor_mass is not None:
             yield named_row("rotor_mass", case.rotor_mass)
         if case.shaft_stiffness is not None:
             yield named_row("shaft_stiffness", case.shaft_stiffness)
         if case.changing_load is not None:
-            yield Row("Changing load, added", said_of_changing_load(case.changing_load))
+            yield Row("Changing load, added", describe_changing_load(case.changing_load))
         if case.moving_mass:
             yield Row("Mass that moves with the journal", f"{case.moving_mass:.4g}", None, "kg")
     if case.effective_temperature is not None:

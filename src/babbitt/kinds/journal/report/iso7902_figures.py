@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from babbitt.core.result import Result
-from babbitt.kinds.journal.iso7902.model import DesignCase, GivenLoad
+from babbitt.kinds.journal.iso7902.model import DesignCase, PrescribedLoad
 from babbitt.kinds.journal.report import plots
 from babbitt.report.drawing import Drawing, rendered, style
 
@@ -60,7 +60,7 @@ def draw(
     """
     if not result.outcome.solved:
         return ()
-    loaded = replace(case, duty=GivenLoad(result.load))
+    loaded = replace(case, duty=PrescribedLoad(result.load))
     figures: tuple[tuple[str, str, Callable[[], Figure]], ...] = (
         ("speed-and-load", _speed_and_load_caption(case, result), lambda: plots.speed_and_load(loaded, result)),
         (

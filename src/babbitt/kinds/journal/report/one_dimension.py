@@ -66,7 +66,7 @@ EXCHANGE_ZONE = {
 GROOVE = {GrooveKind.THROUGH: "open at both ends, or fed", GrooveKind.BLIND: "closed at its ends"}
 
 
-def said_of(case: LongFilmCase | SegmentCase) -> Iterator[tuple[str, str]]:
+def describe(case: LongFilmCase | SegmentCase) -> Iterator[tuple[str, str]]:
     """Say what a case chooses: labels and words."""
     if isinstance(case, LongFilmCase):
         yield from _of_long_film(case)

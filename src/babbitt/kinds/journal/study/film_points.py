@@ -167,7 +167,7 @@ def _one_by_one(
     near: tuple[float, float],
     watch: ProgressCallback,
 ) -> FilmPoints:
-    from babbitt.kinds.journal.film.stable_equilibrium import settled_film
+    from babbitt.kinds.journal.film.stable_equilibrium import converged_film
 
     solved = np.zeros(loads.shape, dtype=bool)
     position, least = np.full((loads.size, 2), np.nan), np.full(loads.size, np.nan)
@@ -175,7 +175,7 @@ def _one_by_one(
     for place in watch(range(loads.size)):
         turning = replace(film, angular_speed=math.copysign(float(speeds[place]), film.angular_speed))
         load = float(loads[place]) * math.cos(angle), float(loads[place]) * math.sin(angle)
-        found: FilmSolution = settled_film(turning, load, grid, near)
+        found: FilmSolution = converged_film(turning, load, grid, near)
         solved[place] = found.outcome.solved
         if found.outcome.solved:
             position[place], least[place] = found.position, found.minimum_film_thickness

@@ -10,7 +10,7 @@ from typing import Annotated, ClassVar, Literal
 from pydantic import Field
 
 from babbitt.case.case_file import CaseFile
-from babbitt.case.part import Complaint, Part, exactly_one, rule
+from babbitt.case.part import Issue, Part, exactly_one, rule
 from babbitt.case.parts.fields import Name, WholeNumber
 from babbitt.core.solution import Calculation
 from babbitt.core.units import si
@@ -19,10 +19,10 @@ from babbitt.kinds.shaft_line.design import LineDesign
 from babbitt.kinds.shaft_line.excitation import WITHOUT_WOBBLE, WOBBLE_LEFT_OUT, ThrustHarmonic
 from babbitt.kinds.shaft_line.line import Rod, Seating, ShaftLine
 from babbitt.kinds.shaft_line.methods import FREQUENCY_DOMAIN
-from babbitt.kinds.thrust.case.runout import RUNOUT, RunoutGiven, given_twice, waves_given_twice
+from babbitt.kinds.thrust.case.runout import RUNOUT, RunoutInput, given_twice, waves_given_twice
 from babbitt.kinds.thrust.case.thrust import Thrust, ThrustBearingInputs, written
 from babbitt.kinds.thrust.case.thrust_pads import Damping, PartMass, Stiffness
-from babbitt.kinds.thrust.design import GivenThrust
+from babbitt.kinds.thrust.design import PrescribedThrust
 
 Weight = Annotated[float, si("kg", "0.1 kg", "10000 t")]
 Phase = Annotated[float, si("rad", "-360 deg", "360 deg")]
@@ -50,9 +50,9 @@ class ShaftPiece(Part):
     )
 
     @rule
-    def _bore_inside(self) -> Iterator[Complaint]:
+    def _bore_inside(self) -> Iterator[Issue]:
         if self.bore >= self.diameter:
-            yield Complaint(
+            yield Issue(
                 ("bore",),
                 f"the bore {written_plainly(self.bore, 'mm')} leaves nothing of the shaft",
                 f"less than {written_plainly(self.diameter, 'mm')}",
@@ -64,7 +64,7 @@ class ShaftPiece(Part):
         return Rod(self.length, area, self.modulus, self.density)
 
 
-class SeatingGiven(Part):
+class SeatingInput(Part):
     """What carries the housing of the thrust block."""
 
     stiffness: Stiffness = Field(description="Axial stiffness to the hull, k_f.")
@@ -88,13 +88,13 @@ class ThrustRipple(Part):
     phase: Phase = Field(0.0, description="Phase, gamma.")
 
     @rule
-    def _one_amplitude(self) -> Iterator[Complaint]:
+    def _one_amplitude(self) -> Iterator[Issue]:
         yield from exactly_one(self, "amplitude", "share")
 
     @rule
-    def _one_order(self) -> Iterator[Complaint]:
+    def _one_order(self) -> Iterator[Issue]:
         if self.blade_multiple is not None and self.order is not None:
-            yield Complaint(("order",), "given besides blade_multiple", "one of the two", "remove one")
+            yield Issue(("order",), "given besides blade_multiple", "one of the two", "remove one")
 
 
 class SpeedRange(Part):
@@ -105,9 +105,9 @@ class SpeedRange(Part):
     number: Annotated[int, WholeNumber(2, 200)] = Field(21, description="How many speeds.")
 
     @rule
-    def _in_order(self) -> Iterator[Complaint]:
+    def _in_order(self) -> Iterator[Issue]:
         if self.highest <= self.lowest:
-            yield Complaint(
+            yield Issue(
                 ("highest",),
                 f"{written_plainly(self.highest, 'rpm')} is not above {written_plainly(self.lowest, 'rpm')}",
                 "more than lowest",
@@ -142,11 +142,11 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
         min_length=1, max_length=20, description="Pieces of the shaft from the propeller to the collar."
     )
     collar_mass: Weight = Field(description="Mass of the collar with all that is axially rigid to it, m_2.")
-    seating: SeatingGiven | None = Field(None, description="What carries the housing. None: rigid.")
+    seating: SeatingInput | None = Field(None, description="What carries the housing. None: rigid.")
     ripple: tuple[ThrustRipple, ...] = Field(
         (), max_length=20, description="Harmonics of the thrust. Empty: none."
     )
-    runout: RunoutGiven = Field((), max_length=20, description=RUNOUT)
+    runout: RunoutInput = Field((), max_length=20, description=RUNOUT)
     loss_limit: Annotated[float, si("1", "0.01", "5")] | None = Field(
         None, description="Limit of dynamic over mean static pad load. None: 50 %, usual in industry."
     )
@@ -157,19 +157,19 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
     )
 
     @rule
-    def _seating_on_a_ring(self) -> Iterator[Complaint]:
+    def _seating_on_a_ring(self) -> Iterator[Issue]:
         if self.seating is not None and self.ring_stiffness is None:
-            yield Complaint(
+            yield Issue(
                 ("seating",),
                 "a seating needs a ring of finite stiffness between pads and housing",
                 "ring_stiffness besides it, such as '1000 GN/m' for a stiff ring",
             )
 
     @rule
-    def _blades_of_a_propeller(self) -> Iterator[Complaint]:
+    def _blades_of_a_propeller(self) -> Iterator[Issue]:
         for place, one in enumerate(self.ripple):
             if self.propeller is None and one.order is None:
-                yield Complaint(
+                yield Issue(
                     ("ripple", place, "order"),
                     "without a propeller there is no blade frequency",
                     "order: the frequency over that of the shaft, such as the number of vanes",
@@ -177,36 +177,36 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
                 )
 
     @rule
-    def _every_harmonic_once(self) -> Iterator[Complaint]:
+    def _every_harmonic_once(self) -> Iterator[Issue]:
         yield from waves_given_twice(self.runout)
         harmonics = [self._thrust_harmonic(one) for one in self.ripple]
         parts = [(one.order, cmath.rect(one.amplitude, one.phase)) for one in harmonics]
         yield from given_twice("ripple", "harmonic", "times the shaft frequency", parts, "kN")
 
     @rule
-    def _nothing_behind_the_last_piece(self) -> Iterator[Complaint]:
+    def _nothing_behind_the_last_piece(self) -> Iterator[Issue]:
         if self.shaft[-1].end_mass:
-            yield Complaint(
+            yield Issue(
                 ("shaft", len(self.shaft) - 1, "end_mass"),
                 "the collar follows the last piece",
                 "no end_mass here; add it to collar_mass",
             )
 
     @rule
-    def _similar_films_for_the_nonlinear_motion(self) -> Iterator[Complaint]:
+    def _similar_films_for_the_nonlinear_motion(self) -> Iterator[Issue]:
         own = self.pads.face is not None or self.pads.crown_at_work() or self.turbulence != "none"
         if self.nonlinear and (own or self.thermal == "adiabatic"):
-            yield Complaint(
+            yield Issue(
                 ("nonlinear",),
                 "the nonlinear motion is for plane laminar pads of one viscosity, whose films are similar",
                 "false, or pads without face, crown, turbulence and thermal: adiabatic",
             )
 
     @rule
-    def _held_tilts_feel_a_face_that_leans(self) -> Iterator[Complaint]:
+    def _held_tilts_feel_a_face_that_leans(self) -> Iterator[Issue]:
         leans = any(one.lobes == 1 and one.amplitude > 0.0 for one in self.runout)
         if self.nonlinear and leans and self.pads.pivot.kind == "line":
-            yield Complaint(
+            yield Issue(
                 ("nonlinear",),
                 WOBBLE_LEFT_OUT,
                 f"false, or {WITHOUT_WOBBLE}",
@@ -228,7 +228,7 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
             if self.seating is None
             else Seating(self.seating.stiffness, self.seating.damping, self.seating.housing_mass),
         )
-        given = self.design(self.name, GivenThrust(self.thrust), self.runout)
+        given = self.design(self.name, PrescribedThrust(self.thrust), self.runout)
         from dataclasses import replace
 
         return LineDesign(

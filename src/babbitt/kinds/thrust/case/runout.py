@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import Field
 
-from babbitt.case.part import Complaint, Part
+from babbitt.case.part import Issue, Part
 from babbitt.case.parts.fields import WholeNumber
 from babbitt.case.shorthand import Shorthand
 from babbitt.core.units import si, written
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from pydantic.json_schema import JsonSchemaValue
     from pydantic_core import CoreSchema
 
-__all__ = ["RUNOUT", "Runout", "RunoutGiven", "given_twice", "said_of_runout", "waves_given_twice"]
+__all__ = ["RUNOUT", "Runout", "RunoutInput", "given_twice", "describe_runout", "waves_given_twice"]
 
 RUNOUT = (
     "Runout of the collar face at the pivot radius: an amplitude, half the indicator reading, for a face with one "
@@ -57,10 +57,10 @@ def _waves(given: Any) -> Any:
     return [{"amplitude": one} if isinstance(one, str | int | float) else one for one in waves]
 
 
-RunoutGiven = Annotated[tuple[Runout, ...], _OneLength(_waves, "an amplitude such as '5 um', or a list of waves")]
+RunoutInput = Annotated[tuple[Runout, ...], _OneLength(_waves, "an amplitude such as '5 um', or a list of waves")]
 
 
-def said_of_runout(runouts: tuple[Runout, ...]) -> Iterator[tuple[str, str]]:
+def describe_runout(runouts: tuple[Runout, ...]) -> Iterator[tuple[str, str]]:
     """Tell how a case gave its runout, also that it gave none."""
     if not runouts:
         yield "Runout of the collar", "none"
@@ -69,7 +69,7 @@ def said_of_runout(runouts: tuple[Runout, ...]) -> Iterator[tuple[str, str]]:
         yield "Runout of the collar", f"amplitude {written(face.amplitude, 'um').replace(' um', ' µm')}{waves}"
 
 
-def waves_given_twice(runouts: tuple[Runout, ...]) -> Iterator[Complaint]:
+def waves_given_twice(runouts: tuple[Runout, ...]) -> Iterator[Issue]:
     """Complain of two waves with the same number of lobes."""
     waves = [(float(one.lobes), cmath.rect(one.amplitude, one.phase)) for one in runouts]
     yield from given_twice("runout", "wave", "lobes", waves, "um")
@@ -77,7 +77,7 @@ def waves_given_twice(runouts: tuple[Runout, ...]) -> Iterator[Complaint]:
 
 def given_twice(
     field: str, what: str, of: str, parts: Sequence[tuple[float, complex]], unit: str
-) -> Iterator[Complaint]:
+) -> Iterator[Issue]:
     """Complain of two entries that swing alike: they are one, the sum of both with their phases.
 
     Parameters
@@ -95,7 +95,7 @@ def given_twice(
         if order in first:
             together = parts[first[order]][1] + amplitude
             phase = math.degrees(cmath.phase(together)) if abs(together) > 0.0 else 0.0
-            yield Complaint(
+            yield Issue(
                 (field, place),
                 f"a second {what} of {order:g} {of}",
                 f"one {what} of each number of {of}" if of == "lobes" else f"one {what} of each order",

@@ -11,17 +11,17 @@ from pydantic import Field
 
 from babbitt.case.case_file import CaseFile
 from babbitt.case.grouped_digits import about_grouped_digits
-from babbitt.case.part import Complaint, Part, exactly_one, not_read, rule
+from babbitt.case.part import Issue, Part, exactly_one, not_read, rule
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.core.notices import InputError, Notice
 from babbitt.core.solution import Calculation
 from babbitt.core.units import either_sense, si
 from babbitt.core.units import written as written_plainly
 from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
-from babbitt.kinds.thrust.case.runout import RUNOUT, Runout, RunoutGiven, said_of_runout, waves_given_twice
-from babbitt.kinds.thrust.case.thrust_oil import GivenViscosity, OilByBalance, ThrustOil
+from babbitt.kinds.thrust.case.runout import RUNOUT, Runout, RunoutInput, describe_runout, waves_given_twice
+from babbitt.kinds.thrust.case.thrust_oil import OilByBalance, PrescribedViscosity, ThrustOil
 from babbitt.kinds.thrust.case.thrust_pads import PadMaterials, Stiffness, ThrustPads, Tilt, TiltingPivot
-from babbitt.kinds.thrust.design import GivenFilm, GivenThrust, ThrustDesign
+from babbitt.kinds.thrust.design import PrescribedFilm, PrescribedThrust, ThrustDesign
 from babbitt.kinds.thrust.methods import THRUST_FILM
 from babbitt.kinds.thrust.pad import Pivot, ThrustPad
 from babbitt.kinds.thrust.state import TiltInertia
@@ -79,12 +79,12 @@ class ThrustBearingInputs(Part):
     source: Prose = Field("", description="Where the numbers come from.")
 
     @rule
-    def _balanced_pivot(self) -> Iterator[Complaint]:
+    def _balanced_pivot(self) -> Iterator[Issue]:
         pivot = self.pads.pivot
         if isinstance(pivot, TiltingPivot) and self.pads.face is None and self.pads.crown_at_work() == 0.0:
             fraction = pivot.fraction if self.speed > 0.0 else 1.0 - pivot.fraction
             if fraction <= 0.5:
-                yield Complaint(
+                yield Issue(
                     ("pads", "pivot", "fraction"),
                     f"at this sense of rotation the pivot lies at "
                     f"{fraction:g} of the pad from its leading edge, where no plane pad balances",
@@ -94,7 +94,7 @@ class ThrustBearingInputs(Part):
                 return
             yield from self._balance_of_plane_pads()
 
-    def _balance_of_plane_pads(self) -> Iterator[Complaint]:
+    def _balance_of_plane_pads(self) -> Iterator[Issue]:
         """Seek the balance of plane laminar pads, which any film, oil and speed share."""
         from babbitt.kinds.thrust.pivot import pivot_fault  # numba is imported when the first film is solved
 
@@ -115,7 +115,7 @@ class ThrustBearingInputs(Part):
         else:
             given = f"{pad.pivot_fraction if sense else 1.0 - pad.pivot_fraction:g}"
             allowed = f"about {low:.3f} to {high:.3f}, the radius unchanged"
-        yield Complaint(
+        yield Issue(
             ("pads", "pivot", fault.field),
             f"with the pivot at {given} no tilt balances these plane pads",
             allowed if fault.high > 0.0 else "another radius and fraction; the mean radius and 0.6 are usual",
@@ -123,11 +123,11 @@ class ThrustBearingInputs(Part):
         )
 
     @rule
-    def _fixed_pads_run_one_way(self) -> Iterator[Complaint]:
+    def _fixed_pads_run_one_way(self) -> Iterator[Issue]:
         pads = self.pads
         faced = pads.face is not None and pads.crown == 0.0 and not isinstance(pads.pivot, TiltingPivot)
         if pads.face is not None and faced and self.speed < 0.0:
-            yield Complaint(
+            yield Issue(
                 ("speed",),
                 f"backward, the {pads.face.kind} of fixed pads lies behind the land, where the film diverges and "
                 "carries nothing",
@@ -136,21 +136,21 @@ class ThrustBearingInputs(Part):
             )
 
     @rule
-    def _thermal_goes_with_the_oil(self) -> Iterator[Complaint]:
+    def _thermal_goes_with_the_oil(self) -> Iterator[Issue]:
         balance = isinstance(self.oil, OilByBalance)
         if self.thermal in ("global", "adiabatic") and not balance:
             says = f"thermal: {self.thermal} finds the temperature from friction and fresh oil"
-            yield Complaint(("oil", "kind"), says, "heat_balance, with lubricant and supply_temperature")
+            yield Issue(("oil", "kind"), says, "heat_balance, with lubricant and supply_temperature")
         if self.thermal == "isothermal" and balance:
             says = "an isothermal film needs its viscosity or temperature, oil of kind heat_balance finds it"
-            yield Complaint(("oil", "kind"), says, "viscosity or temperature, or thermal: global")
+            yield Issue(("oil", "kind"), says, "viscosity or temperature, or thermal: global")
         if self.thermal == "adiabatic" and self.turbulence != "none":
-            yield Complaint(
+            yield Issue(
                 ("turbulence",), "a film with its own temperatures is laminar", "thermal: global, or no turbulence"
             )
         if self.thermal != "adiabatic" and self.radial_temperature == "resolved":
             says = "the films have one temperature"
-            yield Complaint(("radial_temperature",), says, "mean, or thermal: adiabatic")
+            yield Issue(("radial_temperature",), says, "mean, or thermal: adiabatic")
 
     def _pad(self) -> ThrustPad:
         """Give the laminar pad of the calculation, seen by a collar that turns forward."""
@@ -168,7 +168,9 @@ class ThrustBearingInputs(Part):
         )
         return pad if self.speed > 0.0 else pad.mirrored()
 
-    def design(self, name: str, duty: GivenThrust | GivenFilm, runouts: tuple[Runout, ...]) -> ThrustDesign:
+    def design(
+        self, name: str, duty: PrescribedThrust | PrescribedFilm, runouts: tuple[Runout, ...]
+    ) -> ThrustDesign:
         """Give the bearing of the calculation."""
         pads = self.pads
         law = LAWS.get(self.turbulence)
@@ -202,7 +204,7 @@ class ThrustBearingInputs(Part):
             "assumption: 10 µm" if self.film_limit is None else "given in the case",
             TemperatureLimits(self.temperature_limit, None if self.materials is None else self.materials.metal()),
             law,
-            (*words_of(self), *said_of_runout(runouts)),
+            (*words_of(self), *describe_runout(runouts)),
             self.assumptions,
             (*about_grouped_digits(self), *self._fields_not_read(), *self._assumed_crown()),
         )
@@ -214,7 +216,7 @@ class ThrustBearingInputs(Part):
             yield from not_read(self, "fixed pads do not tilt", *INERTIAS)
         elif pivot.kind == "line":
             yield from not_read(self, "pads on a line pivot do not tilt along the radius", INERTIAS[0])
-        if isinstance(self.oil, GivenViscosity):
+        if isinstance(self.oil, PrescribedViscosity):
             why = "the viscosity of the films is given, and no temperature is known that could be held against it"
             yield from not_read(self, why, "temperature_limit")
 
@@ -237,14 +239,14 @@ class ThrustCase(ThrustBearingInputs, CaseFile):
     film: Annotated[float, si("m", "0.1 um", "5 mm", "um")] | None = Field(
         None, description="Mean film at the pivots, in place of the thrust, which is then found."
     )
-    runout: RunoutGiven = Field((), max_length=20, description=RUNOUT)
+    runout: RunoutInput = Field((), max_length=20, description=RUNOUT)
 
     @rule
-    def _thrust_or_film(self) -> Iterator[Complaint]:
+    def _thrust_or_film(self) -> Iterator[Issue]:
         yield from exactly_one(self, "thrust", "film")
 
     @rule
-    def _every_wave_once(self) -> Iterator[Complaint]:
+    def _every_wave_once(self) -> Iterator[Issue]:
         yield from waves_given_twice(self.runout)
 
     def _fields_not_read(self) -> Iterator[Notice]:
@@ -258,7 +260,7 @@ class ThrustCase(ThrustBearingInputs, CaseFile):
 
     def thrust_design(self) -> ThrustDesign:
         """Give the bearing of the calculation."""
-        duty = GivenFilm(self.film) if self.film is not None else GivenThrust(self.thrust or 0.0)
+        duty = PrescribedFilm(self.film) if self.film is not None else PrescribedThrust(self.thrust or 0.0)
         return self.design(self.name, duty, self.runout)
 
 

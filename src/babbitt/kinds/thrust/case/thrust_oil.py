@@ -7,8 +7,8 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.case.part import Complaint, Part, rule
-from babbitt.case.parts.lubricant import LubricantGiven
+from babbitt.case.part import Issue, Part, rule
+from babbitt.case.parts.lubricant import LubricantInput
 from babbitt.case.parts.supply import OilTemperature
 from babbitt.core.units import ZERO_CELSIUS, si
 from babbitt.kinds.thrust.design import Oil
@@ -16,7 +16,7 @@ from babbitt.kinds.thrust.heat import USUAL_CARRY_OVER
 from babbitt.properties.lubricants import ConstantViscosity, OilProperties, lubricant_from_law
 
 
-class GivenViscosity(Part):
+class PrescribedViscosity(Part):
     """The viscosity of the films is known."""
 
     kind: Literal["viscosity"] = Field(description="Viscosity of the films is given.")
@@ -36,11 +36,11 @@ class OilAtTemperature(Part):
     """The effective temperature of the films is known."""
 
     kind: Literal["temperature"] = Field(description="Temperature of the films is given.")
-    lubricant: LubricantGiven = Field(description="The lubricant.")
+    lubricant: LubricantInput = Field(description="The lubricant.")
     temperature: OilTemperature = Field(description="Effective temperature of the films.")
 
     @rule
-    def _oil_known_there(self) -> Iterator[Complaint]:
+    def _oil_known_there(self) -> Iterator[Issue]:
         yield from _covered(self.lubricant, self.temperature, "temperature")
 
     def oil(self) -> Oil:
@@ -52,7 +52,7 @@ class OilByBalance(Part):
     """The effective temperature follows from friction and flow."""
 
     kind: Literal["heat_balance"] = Field(description="Temperature of each pad by its heat balance.")
-    lubricant: LubricantGiven = Field(description="The lubricant.")
+    lubricant: LubricantInput = Field(description="The lubricant.")
     supply_temperature: OilTemperature = Field(description="Temperature of the fresh oil.")
     carry_over: Annotated[float, si("1", "0", "0.99")] = Field(
         USUAL_CARRY_OVER,
@@ -62,7 +62,7 @@ class OilByBalance(Part):
     )
 
     @rule
-    def _oil_known_there(self) -> Iterator[Complaint]:
+    def _oil_known_there(self) -> Iterator[Issue]:
         yield from _covered(self.lubricant, self.supply_temperature, "supply_temperature")
 
     def oil(self) -> Oil:
@@ -72,11 +72,11 @@ class OilByBalance(Part):
         )
 
 
-def _covered(given: LubricantGiven, temperature: float, name: str) -> Iterator[Complaint]:
+def _covered(given: LubricantInput, temperature: float, name: str) -> Iterator[Issue]:
     oil = given.lubricant()
     if not oil.covers(temperature):
         low, high = (kelvin - ZERO_CELSIUS for kelvin in oil.temperature_range)
-        yield Complaint(
+        yield Issue(
             (name,),
             f"{temperature - ZERO_CELSIUS:.4g} degC lies outside the data of {oil.name}",
             f"{low:.4g} degC to {high:.4g} degC",
@@ -84,4 +84,4 @@ def _covered(given: LubricantGiven, temperature: float, name: str) -> Iterator[C
         )
 
 
-ThrustOil = Annotated[GivenViscosity | OilAtTemperature | OilByBalance, Discriminator("kind")]
+ThrustOil = Annotated[PrescribedViscosity | OilAtTemperature | OilByBalance, Discriminator("kind")]

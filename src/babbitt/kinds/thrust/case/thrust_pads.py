@@ -7,9 +7,9 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.case.part import Complaint, Part, rule
+from babbitt.case.part import Issue, Part, rule
 from babbitt.case.parts.fields import WholeNumber
-from babbitt.case.parts.materials import MetalGiven
+from babbitt.case.parts.materials import MetalInput
 from babbitt.core.units import si, written
 from babbitt.kinds.thrust.bearing import HousingTilt
 from babbitt.kinds.thrust.face import PlaneFace, SteppedFace, TaperedFace
@@ -67,8 +67,8 @@ class StepFace(Part):
         return SteppedFace(self.depth, self.fraction)
 
 
-PivotGiven = Annotated[TiltingPivot | FixedPad, Discriminator("kind")]
-FaceGiven = Annotated[TaperFace | StepFace, Discriminator("kind")]
+PivotInput = Annotated[TiltingPivot | FixedPad, Discriminator("kind")]
+FaceInput = Annotated[TaperFace | StepFace, Discriminator("kind")]
 
 
 class ThrustPads(Part):
@@ -78,8 +78,8 @@ class ThrustPads(Part):
     inner_radius: Radius = Field(description="Inner radius of the pads.")
     outer_radius: Radius = Field(description="Outer radius of the pads.")
     extent: Annotated[float, si("rad", "1 deg", "179 deg")] = Field(description="Angle of one pad.")
-    pivot: PivotGiven = Field(description="How a pad may move.")
-    face: FaceGiven | None = Field(None, description="What is taken off the face. None: plane.")
+    pivot: PivotInput = Field(description="How a pad may move.")
+    face: FaceInput | None = Field(None, description="What is taken off the face. None: plane.")
     crown: Annotated[float, si("m", "-1 mm", "1 mm", "um")] = Field(
         0.0,
         description="Crown: how much farther from the collar the middle of every edge is than the middle of the "
@@ -94,9 +94,9 @@ class ThrustPads(Part):
     )
 
     @rule
-    def _radii_in_order(self) -> Iterator[Complaint]:
+    def _radii_in_order(self) -> Iterator[Issue]:
         if self.outer_radius <= self.inner_radius:
-            yield Complaint(
+            yield Issue(
                 ("outer_radius",),
                 f"{written(self.outer_radius, 'mm')} is not beyond inner_radius "
                 f"{written(self.inner_radius, 'mm')}",
@@ -105,40 +105,40 @@ class ThrustPads(Part):
             )
 
     @rule
-    def _pads_do_not_touch(self) -> Iterator[Complaint]:
+    def _pads_do_not_touch(self) -> Iterator[Issue]:
         room = 6.283185307179586 / self.number
         if self.extent >= room:
-            yield Complaint(
+            yield Issue(
                 ("extent",),
                 f"{self.number} pads of {written(self.extent, 'deg')} overlap",
                 f"less than {written(room, 'deg')} for {self.number} pads",
             )
 
     @rule
-    def _pivot_under_the_pad(self) -> Iterator[Complaint]:
+    def _pivot_under_the_pad(self) -> Iterator[Issue]:
         pivot = self.pivot
         in_order = self.inner_radius < self.outer_radius
         beside = isinstance(pivot, TiltingPivot) and not self.inner_radius < pivot.radius < self.outer_radius
         if isinstance(pivot, TiltingPivot) and in_order and beside:
-            yield Complaint(
+            yield Issue(
                 ("pivot", "radius"),
                 f"the pivot at {written(pivot.radius, 'mm')} is not under the pad",
                 f"between {written(self.inner_radius, 'mm')} and {written(self.outer_radius, 'mm')}",
             )
 
     @rule
-    def _one_height_each(self) -> Iterator[Complaint]:
+    def _one_height_each(self) -> Iterator[Issue]:
         if self.heights and len(self.heights) != self.number:
-            yield Complaint(
+            yield Issue(
                 ("heights",),
                 f"{len(self.heights)} heights are given for {self.number} pads",
                 f"{self.number} heights, or leave them out",
             )
 
     @rule
-    def _fixed_pads_need_a_wedge(self) -> Iterator[Complaint]:
+    def _fixed_pads_need_a_wedge(self) -> Iterator[Issue]:
         if isinstance(self.pivot, FixedPad) and self.face is None and self.crown == 0.0:
-            yield Complaint(
+            yield Issue(
                 ("face",),
                 "a fixed plane pad in oil of one viscosity carries nothing",
                 "a face of kind taper or step, a crown, or a pivot",
@@ -167,7 +167,7 @@ class PadMaterials(Part):
 
     example: ClassVar[str] = "{bearing_metal: B83}"
 
-    bearing_metal: MetalGiven | None = Field(
+    bearing_metal: MetalInput | None = Field(
         None,
         description="Bearing metal of the faces. None: B83, an assumption, unless temperature_limit is given.",
     )
