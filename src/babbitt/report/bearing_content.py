@@ -150,7 +150,7 @@ def _key_results(chapter: Chapter) -> list[Data]:
     for name in names:
         values = [r.values.get(name, math.nan) if r.outcome.solved else math.nan for r in chapter.results]
         if name in QUANTITIES and any(map(math.isfinite, values)):
-            quantity = QUANTITIES[name]
+            quantity = QUANTITIES[name].suited(*values)
             rows.append(
                 {
                     "label": label(name, result.kind) + beside_coefficient(name, result),

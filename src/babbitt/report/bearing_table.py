@@ -53,7 +53,8 @@ def bearing_table(result: Result) -> RenderableType:
         quantity = QUANTITIES.get(name)
         if quantity is not None and math.isfinite(value) and name != "wall_time":
             said = meaning(name, result.kind) + beside_coefficient(name, result)
-            table.add_row(said, quantity.symbol, quantity.format(value), quantity.display.label)
+            shown = quantity.suited(value)
+            table.add_row(said, shown.symbol, shown.format(value), shown.display.label)
     for name, reason in result.missing.items():
         table.add_row(f"{meaning(name, result.kind)}: {reason}", QUANTITIES[name].symbol, "–", "")
     return Group(

@@ -34,11 +34,12 @@ def solved_checks(result: Result) -> tuple[Check, ...]:
 
 def check_content(check: Check, sources: Sequence[str] = ()) -> Data:
     """One check; its source as the place in a list of `sources`, counted from 1."""
+    value, limit = judge.value_and_limit(check)
     return {
         **_what(check),
-        "value": judge.written(check.quantity, check.value),
+        "value": value,
         "sign": SIGNS[check.bound],
-        "limit": judge.written(check.quantity, check.limit),
+        "limit": limit,
         "margin": judge.margin(check).replace("-", "−"),
         "verdict": judge.check_word(check).value,
         "source": str(1 + sources.index(plain_text(check.source))) if sources else "",

@@ -95,7 +95,7 @@ def compared_rows(compared: Sequence[str], variants: Sequence[Variant]) -> Itera
         nothing = {None, 0.0} if name in SILENT_AT_ZERO else {None}
         if set(told) <= nothing:
             continue
-        quantity = QUANTITIES[name]
+        quantity = QUANTITIES[name].suited(*(value for value in told if value is not None))
         cells = ("–" if value is None else quantity.format(value) for value in told)
         said = meaning(name, variants[0].result.kind)
         yield Row(f"{said}, {quantity.symbol}", quantity.display.label, tuple(cells))

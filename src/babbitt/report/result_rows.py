@@ -16,7 +16,7 @@ __all__ = ["result_row"]
 
 def result_row(name: str, said: str, values: Sequence[float], index: str) -> dict[str, Any]:
     """A row of one quantity with an index at its symbol, with one value for each result side by side."""
-    quantity = QUANTITIES[name]
+    quantity = QUANTITIES[name].suited(*values)
     symbol = f"{quantity.symbol.partition('_')[0]}_{index}" if index else quantity.symbol
     return {
         "label": said,

@@ -46,7 +46,7 @@ class Totals:
     @property
     def sums(self) -> tuple[Sum, ...]:
         """The sums in the engineer's units."""
-        known = [(name, value, QUANTITIES[name]) for name, value in self.values.items()]
+        known = [(name, value, QUANTITIES[name].suited(value)) for name, value in self.values.items()]
         return tuple(Sum(NAMES[name], q.symbol, q.format(value), q.display.label) for name, value, q in known)
 
     @property

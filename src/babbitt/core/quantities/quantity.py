@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from babbitt.core.units import ZERO_CELSIUS
 
 
 @dataclass(frozen=True)
 class DisplayUnit:
-    """How an SI value is shown: ``shown = si * scale + offset``, in tables with a fixed number of decimals.
+    """How an SI value is shown: ``shown = si * scale + offset``, in tables with at most so many decimals and digits.
 
     What is not larger than `nothing`, in the unit shown, is the round-off of a balance and shown as 0.
     """
@@ -20,6 +20,7 @@ class DisplayUnit:
     offset: float = 0.0
     decimals: int = 3
     nothing: float = 0.0
+    digits: int = 4
 
 
 SI = {
@@ -28,7 +29,7 @@ SI = {
     "count": DisplayUnit("", decimals=0),
     "percent": DisplayUnit("%", 1e2, decimals=2),
     "permille": DisplayUnit("‰", 1e3),
-    "mm": DisplayUnit("mm", 1e3, decimals=2),
+    "mm": DisplayUnit("mm", 1e3, decimals=2, digits=6),
     "um": DisplayUnit("µm", 1e6, decimals=1),
     "MPa": DisplayUnit("MPa", 1e-6, decimals=2),
     "degC": DisplayUnit("°C", 1.0, -ZERO_CELSIUS, decimals=1),
@@ -68,7 +69,24 @@ SI = {
     "Hz": DisplayUnit("Hz", 0.15915494309189535),
     "%": DisplayUnit("%", 1e2, decimals=1),
     "urad": DisplayUnit("µrad", 1e6, decimals=1),
+    "kg": DisplayUnit("kg", decimals=1),
+    "Ns/m": DisplayUnit("N s/m", decimals=1),
+    "kN/m": DisplayUnit("kN/m", 1e-3, decimals=1),
 }
+
+LADDERS = (
+    ("kg", "t"),
+    ("Ns/m", "kNs/m", "MNs/m"),
+    ("kN/m", "MN/m", "GN/m"),
+    ("W", "kW"),
+    ("N", "kN"),
+    ("Nm", "kNm"),
+    ("kPa", "MPa"),
+)
+"""Units of one size, rising; a number that the usual one would show with many digits or zeros takes another."""
+
+TOO_SMALL, TOO_LARGE = 0.1, 1e4
+"""Numbers, in a unit, for which a table takes the next one of its ladder."""
 
 
 @dataclass(frozen=True)
@@ -102,16 +120,34 @@ class Quantity:
         """Convert an SI value to the engineer's unit."""
         return value * self.display.scale + self.display.offset
 
+    def suited(self, *values: float) -> Quantity:
+        """The same quantity in the unit of its size in which the largest of some SI values reads best.
+
+        >>> from babbitt.core.quantities import QUANTITIES
+        >>> mass = QUANTITIES["critical_mass"]
+        >>> light, heavy = mass.suited(37.4), mass.suited(370.0)
+        >>> light.format(37.4), light.display.label, heavy.format(370.0), heavy.display.label
+        ('37.4', 'kg', '0.370', 't')
+        """
+        largest = max((abs(value) for value in values if math.isfinite(value)), default=0.0)
+        ladder = next((units for units in LADDERS if self.display in (SI[unit] for unit in units)), ())
+        if largest * self.display.scale <= self.display.nothing or not ladder:
+            return self
+        if TOO_SMALL <= largest * self.display.scale < TOO_LARGE:
+            return self
+        fitting = [SI[unit] for unit in ladder if largest * SI[unit].scale >= 1.0]
+        return replace(self, display=fitting[-1] if fitting else SI[ladder[0]])
+
     def format(self, value: float) -> str:
         """Write an SI value in the engineer's unit, without the unit, as every table and check shows it.
 
-        The decimals are those of the unit, whatever the size of the number, so that equal quantities look equal;
-        a number below one keeps three significant digits.
+        The decimals are those of the unit where they leave no more than four significant digits; whole numbers
+        are written out, and a number below one keeps three significant digits.
 
         >>> from babbitt.core.quantities import QUANTITIES
         >>> film, power = QUANTITIES["minimum_film_thickness"], QUANTITIES["friction_power"]
-        >>> film.format(52.34e-6), power.format(28503.0), power.format(141.8)
-        ('52.3', '28.50', '0.142')
+        >>> film.format(52.34e-6), power.format(28503.0), power.format(285030.0), power.format(141.8)
+        ('52.3', '28.50', '285.0', '0.142')
         >>> power.format(-9.6e-7)
         '0'
         """
@@ -121,6 +157,8 @@ class Quantity:
         size = abs(shown)
         if not self.display.offset and round(size, LEAST_DIGITS) < 1.0:
             decimals = max(decimals, LEAST_DIGITS - 1 - math.floor(math.log10(size)))
+        elif not self.display.offset:
+            decimals = min(decimals, max(0, self.display.digits - 1 - math.floor(math.log10(size))))
         return f"{shown:.{decimals}f}" if decimals <= LONGEST and size < 1e7 else f"{shown:.{LEAST_DIGITS - 1}e}"
 
 
