@@ -333,11 +333,11 @@ def _duty(rng: random.Random, case: Case, area: float, size: float, gap: str = "
         return 0.0
     pressure = 1e6 * float((case["supply"].get("pressure") or case["supply"]["relief_pressure"]).split()[0])
     share = rng.uniform(0.1, 0.75) if rng.random() < 0.8 else _log(rng, 1e-4, 1e3)
-    load = share * area * pressure
-    case["load"] = f"{max(load, 2.0):.6g} N"
+    load = min(max(share * area * pressure, 2.0), 1e9)
+    case["load"] = f"{load:.6g} N"
     if rng.random() < 0.4:
         case["least_gap"] = f"{1e6 * 0.3 * _gap(rng, size):.4g} um"
-    return max(load, 2.0)
+    return load
 
 
 def _gap(rng: random.Random, size: float) -> float:

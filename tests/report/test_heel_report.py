@@ -50,7 +50,7 @@ def test_the_report_has_one_chapter_with_all_states(machine):
     (chapter,) = data["bearings"]
     assert chapter["clearances"] == ["smooth heel", "hot state", "cold state"]
     by_label = {row["label"]: row["values"] for row in chapter["results"]}
-    assert by_label["Flow of the groove towards the rim"] == ["–", "14.94", "238.12"]
+    assert by_label["Flow of the groove towards the rim"] == ["–", "14.94", "238.1"]
     assert [figure["name"] for figure in chapter["figures"]] == ["steady-states", "load-over-gap"]
     said = {row["label"]: row["value"] for group in chapter["inputs"] for row in group["rows"]}
     assert said["Starts"] == "5"

@@ -10,9 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from babbitt.core.quantities import QUANTITIES
+from babbitt.core.result import Bound, Check
 from babbitt.kinds.journal.iso7902 import check
 from babbitt.report.machine_table import columns_of
-from babbitt.report.verdict import written
+from babbitt.report.verdict import margin, value_and_limit, written
 
 GEAR = tuple(check(case) for case in gear_cases.gear())
 
@@ -25,7 +26,8 @@ def decimals(text: str) -> int:
     ("name", "values", "shown"),
     [
         ("outlet_temperature", (371.75, 372.15, 410.15), ["98.6", "99.0", "137.0"]),
-        ("specific_load", (1.25e6, 1.2e6, 15e6), ["1.25", "1.20", "15.00"]),
+        ("specific_load", (1.25e6, 1.2e6, 15e6, 150e6), ["1.25", "1.20", "15.00", "150.0"]),
+        ("diameter", (0.52755,), ["527.55"]),
         ("side_flow", (26.72 / 6e4, 0.1187 / 6e4, 0.0), ["26.7", "0.119", "0"]),
         ("eccentricity_ratio", (0.51117, 0.99996), ["0.511", "1.000"]),
     ],
@@ -35,13 +37,37 @@ def test_decimals_do_not_depend_on_the_size(name, values, shown):
 
 
 @given(st.sampled_from(sorted(QUANTITIES)), st.floats(min_value=1.0, max_value=9e6))
-def test_from_one_on_the_decimals_are_those_of_the_unit(name, shown):
+def test_from_one_on_numbers_have_the_decimals_of_the_unit_and_four_digits_at_most(name, shown):
     quantity = QUANTITIES[name]
     si = (shown - quantity.display.offset) / quantity.display.scale
     text = quantity.format(si)
-    if quantity.shown(si) >= 1.0:
-        assert decimals(text) == quantity.display.decimals
-    assert float(text) == pytest.approx(shown, abs=0.51 * 10.0**-quantity.display.decimals)
+    assert decimals(text) <= quantity.display.decimals
+    if quantity.shown(si) >= 1.0 and not quantity.display.offset:
+        whole = len(text.partition(".")[0])
+        assert decimals(text) >= min(quantity.display.decimals, quantity.display.digits - whole)
+        assert decimals(text) == 0 or len(text) - 1 <= max(quantity.display.digits + 1, whole)
+    assert float(text) == pytest.approx(shown, abs=0.51 * 10.0 ** -decimals(text))
+
+
+@given(st.sampled_from(["friction_power", "critical_mass", "stiffness", "damping"]), st.floats(1e3, 1e12))
+def test_the_unit_suits_the_size_and_changes_no_value(name, si):
+    quantity = QUANTITIES[name].suited(si)
+    assert quantity.shown(si) / quantity.display.scale == pytest.approx(si, rel=1e-12)
+    usual = QUANTITIES[name].shown(si)
+    if not 0.1 <= usual < 1e4:
+        assert quantity.shown(si) >= 1.0
+    else:
+        assert quantity == QUANTITIES[name]
+
+
+def test_a_limit_barely_missed_is_told_with_the_digits_that_tell_so():
+    missed = Check("C117", "supply_capacity", 1.3001 / 6e4, 1.3049 / 6e4, Bound.AT_LEAST, "a test")
+    assert value_and_limit(missed) == ("1.3001 L/min", "1.3 L/min")
+
+
+def test_margins_beyond_measure_are_told_as_such():
+    kept = Check("C101", "minimum_film_thickness", 80e-6, 10e-6, Bound.AT_LEAST, "a test")
+    assert margin(kept) == "over +500%"
 
 
 @given(st.sampled_from(["friction_power", "side_flow", "friction_coefficient"]), st.floats(1e-6, 0.999))

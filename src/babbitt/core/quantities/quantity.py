@@ -10,7 +10,7 @@ from babbitt.core.units import ZERO_CELSIUS
 
 @dataclass(frozen=True)
 class DisplayUnit:
-    """How an SI value is shown: ``shown = si * scale + offset``, in tables with at most so many decimals and digits.
+    """How an SI value is shown: ``shown = si * scale + offset``, with at most so many decimals and digits.
 
     What is not larger than `nothing`, in the unit shown, is the round-off of a balance and shown as 0.
     """

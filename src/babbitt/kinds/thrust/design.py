@@ -168,7 +168,7 @@ def operating_state(design: ThrustDesign) -> ThrustState:
     """
     films, together = warm_films(design, design.bearing, design.speed, design.duty)
     share = _share(films, design.bearing, design.duty)
-    if isinstance(films, TabulatedFilms) and isinstance(design.duty, PrescribedThrust):
+    if isinstance(design.duty, PrescribedThrust):
         share = exactly_shared(films, share)
     if together is not None and attitude_at_rest(design.bearing).is_even:
         return ThrustState(films, share, together)

@@ -33,7 +33,7 @@ __all__ = ["Share", "exactly_shared", "share_at_film", "share_of"]
 Array = NDArray[np.float64]
 
 EXACT, MOST_CORRECTIONS = 1e-9, 6
-"""Of the thrust: what the loads of tabulated films may miss once they are corrected, and in how many rounds."""
+"""Of the thrust: what the loads of interpolated films may miss once they are corrected, and in how many rounds."""
 CARRIED = 2e-3
 """Of the thrust: what tables of films may miss."""
 
@@ -138,7 +138,7 @@ def share_of(
 
 
 def exactly_shared(films: LoadCurve, share: Share) -> Share:
-    """A share by a table of films made exact: its films are solved, and the table is drawn through them.
+    """A share made exact: its films are solved, and the load curve is drawn through them.
 
     Parameters
     ----------
@@ -169,7 +169,7 @@ def exactly_shared(films: LoadCurve, share: Share) -> Share:
 
 @dataclass(frozen=True, eq=False)
 class _Corrected:
-    """Loads of a table times a factor for each pad."""
+    """Loads of a curve times a factor for each pad."""
 
     films: LoadCurve
     factors: Array
