@@ -33,6 +33,9 @@ MODULES = (
 )
 FOLDER = Path(__file__).parents[1] / "src" / "babbitt" / "api"
 
+OF_PYTHON = {"method": " | MethodOptions", "bore": " | Gap"}
+"""What fields of a journal bearing take besides what a case file has."""
+
 HEADING = '''"""Written by scripts/write_stubs.py: what the public classes take."""
 
 from collections.abc import Iterable, Mapping
@@ -82,7 +85,7 @@ def _own(cls: type) -> Iterator[str]:
 
 def _keywords(cls: type[Part]) -> Iterator[str]:
     for name, field in cls.model_fields.items():
-        also = " | MethodOptions" if cls is JournalBearing and name == "method" else ""
+        also = OF_PYTHON.get(name, "") if cls is JournalBearing else ""
         yield f"{name}: {_type(field.rebuild_annotation())}{also} | None = ..."
 
 

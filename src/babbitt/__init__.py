@@ -67,6 +67,7 @@ if TYPE_CHECKING:
         Structure,
         Supply,
         Surfaces,
+        TableLubricant,
         Tube,
         TwoPointLubricant,
         ViscosityIndexLubricant,
@@ -145,6 +146,12 @@ if TYPE_CHECKING:
         published_cases,
         validate,
     )
+    from babbitt.api.own_bore import (
+        Gap,
+    )
+    from babbitt.api.own_viscosity import (
+        viscosity_law,
+    )
     from babbitt.api.thrust_parts import (
         FilmHeatBalance,
         FilmTemperature,
@@ -189,8 +196,8 @@ _NAMES = {
         "CatalogueLubricant Column ComplianceMatrix ConstantLubricant Cooling CylinderHousing Deviations "
         "DiametralClearance DrawingSurfaces ExponentialLubricant FeedHole Fit Friction HalfSpace "
         "InMachine IsoVgLubricant Limits Materials Metal PedestalHousing PowerLawLubricant "
-        "RelativeClearance Ring SizeLimits Structure Supply Surfaces Tube TwoPointLubricant "
-        "ViscosityIndexLubricant VogelLubricant WaltherLubricant"
+        "RelativeClearance Ring SizeLimits Structure Supply Surfaces TableLubricant Tube "
+        "TwoPointLubricant ViscosityIndexLubricant VogelLubricant WaltherLubricant"
     ),
     "babbitt.api.footstep_parts": "FigureRanges Heel FootstepGroove FootstepOil FootstepOptions FootstepWall",
     "babbitt.api.hydrostatic_parts": (
@@ -206,6 +213,8 @@ _NAMES = {
     ),
     "babbitt.api.methods": "Film Iso7902 LongFilm Segments",
     "babbitt.api.on_board": "explain lubricants materials published_cases validate",
+    "babbitt.api.own_bore": "Gap",
+    "babbitt.api.own_viscosity": "viscosity_law",
     "babbitt.api.thrust_parts": (
         "FilmHeatBalance FilmTemperature FilmViscosity FixedPad LineLimits PadMaterials Pads Propeller "
         "Runout Seating ShaftPiece SpeedRange StepFace Taper ThrustRipple Tilt TiltingPivot"
@@ -250,6 +259,7 @@ __all__ = [
     "FlowValve",
     "Footstep",
     "Friction",
+    "Gap",
     "Groove",
     "GrooveElement",
     "HalfSpace",
@@ -321,6 +331,7 @@ __all__ = [
     "Supply",
     "Surfaces",
     "TableCrowning",
+    "TableLubricant",
     "Taper",
     "TaperedBore",
     "ThrustBearing",
@@ -353,6 +364,7 @@ __all__ = [
     "solve",
     "template",
     "validate",
+    "viscosity_law",
 ]
 
 

@@ -26,9 +26,15 @@ def session() -> None:
     warmer = lemon.replace({"supply.temperature": "50 degC"})
     diameter: float = point.diameter
     result = point.solve()
+    own = point.replace(bore=bb.Gap(lambda angle, z: 5e-6 * np.cos(2 * angle), describe="two waves of 5 um"))
+    wavy = bb.JournalBearing(width=0.12, bore=bb.Gap(lambda angle, z: 0.0 * z, describe="round"))
     table = point.solve(speed=np.linspace(100, 500, 9))
     grid = point.sweep({"load": np.array([5e3, 10e3]), "bore.preload": [0.3, 0.5]}, workers=2)
     both = point.compare()
+    slopes = point.gradient(["clearance.mean", "supply.temperature"], of=["minimum_film_thickness", "stiffness"])
+    slope = slopes["stiffness"]["clearance.mean"]
+    oil = bb.viscosity_law(lambda kelvin: 0.02, coldest="0 degC", warmest=393.15, describe="mine", density=870.0)
+    oiled = point.replace(lubricant=oil)
     text: str = point.to_yaml()
 
     small = bb.JournalBearing(diameter=np.float32(0.2), width=np.float64(0.1), supply={"temperature": "45 degC"})

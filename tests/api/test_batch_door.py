@@ -31,6 +31,41 @@ def test_a_batch_finds_the_equilibria_of_single_films() -> None:
         assert found.damping[row] == pytest.approx(one.damping, rel=1e-3, abs=1e-3 * np.abs(one.damping).max())
 
 
+def test_torque_flows_and_pressure_are_those_of_single_films() -> None:
+    """Of a load that points down, for which a single film is solved in the same frame."""
+    found = solve_batch(**BEARING, load=DOWN)
+    lands = grooved_bore((0.0, math.pi), math.radians(20.0))
+    for row, speed in enumerate(SPEEDS):
+        one = solve_journal(JournalFilm(0.2, 0.12, 150e-6, 0.02, speed, lands), DOWN)
+        assert found.position[row] == pytest.approx(one.position, rel=1e-9, abs=1e-15)
+        assert found.maximum_pressure[row] == pytest.approx(one.maximum_pressure, rel=1e-9)
+        assert found.friction_torque[row] == pytest.approx(one.friction_torque, rel=1e-9)
+        assert found.side_flow[row] == pytest.approx(one.side_flow.sum(), rel=1e-9)
+        # a film counts the grooves from that behind its first land, which is the second of these
+        assert found.supply_flow[row] == pytest.approx(one.supply_flow[::-1], rel=1e-9)
+        assert found.supply_flow[row].sum() == pytest.approx(found.side_flow[row], rel=1e-9)
+
+
+def test_flows_follow_their_grooves() -> None:
+    """Three grooves, turned by a third with the load: the columns change places."""
+    angles = np.array([0.2, 0.2 + 2.0 * math.pi / 3.0, 0.2 + 4.0 * math.pi / 3.0])
+    turn = 2.0 * math.pi / 3.0
+    first = solve_batch(**BEARING, load=20e3, load_angle=-1.3, groove_angles=angles)
+    turned = solve_batch(**BEARING, load=20e3, load_angle=-1.3 + turn, groove_angles=angles)
+    assert turned.supply_flow == pytest.approx(np.roll(first.supply_flow, 1, axis=1), rel=1e-3)
+    assert np.ptp(first.supply_flow, axis=1).min() > 0.1 * first.side_flow.min()
+    assert turned.friction_torque == pytest.approx(first.friction_torque, rel=1e-5)
+
+
+def test_petroff_torque_and_no_side_flow_of_a_light_load() -> None:
+    """A centred journal shears full lands by Petroff; its film has no gradient that drives oil out."""
+    light = solve_batch(**BEARING, load=(0.0, -1e-3), cavitation="reynolds", groove_extent=math.radians(10.0))
+    share = 1.0 - 2.0 * 10.0 / 360.0
+    petroff = 2.0 * math.pi * share * 0.02 * SPEEDS * 0.1**3 * 0.12 / 150e-6
+    assert light.friction_torque == pytest.approx(petroff, rel=1e-4)
+    assert (np.abs(light.side_flow) < 1e-4 * SPEEDS * 0.1 * 150e-6 * 0.12).all()
+
+
 def test_a_magnitude_with_an_angle_is_a_vector() -> None:
     vector = solve_batch(**BEARING, load=DOWN, accuracy="draft")
     for load, angle in ((20e3, -math.pi / 2.0), (np.full(3, 20e3), np.full(3, -math.pi / 2.0))):
@@ -111,7 +146,9 @@ def test_words_and_members_mean_the_same() -> None:
 def test_an_unsolved_bearing_has_no_numbers() -> None:
     found = solve_batch(**BEARING, load=[DOWN, (0.0, -1e12), DOWN], accuracy="draft")
     assert found.solved.tolist() == [True, False, True]
-    for values in (found.position, found.stiffness, found.damping, found.minimum_film_thickness):
+    numbers = (found.position, found.stiffness, found.damping, found.minimum_film_thickness,
+               found.maximum_pressure, found.friction_torque, found.side_flow, found.supply_flow)  # fmt: skip
+    for values in numbers:
         assert np.isnan(values[1]).all()
         assert np.isfinite(values[[0, 2]]).all()
 

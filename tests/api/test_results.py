@@ -334,5 +334,18 @@ def test_a_machine_as_a_frame() -> None:
     assert frame["load"].tolist() == pytest.approx([10e3] * 3 + [30e3] * 3)
 
 
+def test_many_results_are_shown_in_few_lines() -> None:
+    """Of a machine of forty bearings, and of a sweep of hundreds of points."""
+    import babbitt as bb
+
+    one = bb.parse_case(bb.template("journal"))
+    bearings = [one.replace(name=f"Bearing {number}") for number in range(40)]
+    machine = bb.solve(bb.Machine(bearings=bearings))
+    table = one.sweep({"load": np.linspace(5e3, 8e3, 20), "speed": [100.0, 200.0]})
+    for shown in (machine, table, table.results[0], bb.Machine(bearings=bearings)):
+        assert len(repr(shown).splitlines()) < 25
+        assert max(map(len, repr(shown).splitlines())) < 200
+
+
 def test_the_same_case_solved_twice_gives_equal_results() -> None:
     assert BearingResult(solved(**ISO7902).solutions[0]) == result_of("iso7902")

@@ -208,6 +208,34 @@ def test_a_copy_with_other_values_keeps_no_stale_text(bearing):
         read.model_copy(update={"load": -5.0}).solve()
 
 
+def test_a_copy_of_a_part_with_other_values_is_used_with_them(bearing):
+    """It kept what it was given, and the bearing was made of that."""
+    cool = bb.Supply(temperature="50 degC", pressure="0.1 MPa")
+    warm = cool.model_copy(update={"temperature": 333.15})
+    assert warm.given == {"temperature": "60 degC", "pressure": "0.1 MPa"}
+    assert cool.given["temperature"] == "50 degC"
+    assert bearing.replace(supply=warm) == bearing.replace({"supply.temperature": "60 degC"})
+    unseen = bearing.model_copy(update={"supply": warm})
+    assert "60 degC" in unseen.to_yaml()
+    assert unseen.replace(load="11 kN").supply.temperature == 333.15
+    assert bb.Supply(**warm.given) == warm
+    for wrong in ({"temperature": math.nan}, {"pressure": -2e5}, {"temperature": "warm"}):
+        with pytest.raises(bb.CaseError):
+            bearing.replace(supply=cool.model_copy(update=wrong))
+        with pytest.raises(bb.CaseError):
+            bearing.model_copy(update={"supply": cool.model_copy(update=wrong)}).to_yaml()
+    with pytest.raises(bb.CaseError, match="not a finite number"):
+        bearing.model_copy(update={"width": math.nan}).to_yaml()
+
+
+def test_a_bearing_lists_its_fields_and_what_it_can_do_and_nothing_of_pydantic(bearing):
+    listed = dir(bearing)
+    assert {"diameter", "load", "solve", "gradient", "replace", "missing", "to_yaml", "model_copy"} <= {*listed}
+    assert not [name for name in listed if name.startswith(("_", "model_")) and name != "model_copy"]
+    assert not {"model_dump", "schema", "construct", "parse_obj"} & {*listed}
+    assert all(hasattr(bearing, name) for name in listed)
+
+
 def test_a_copy_of_an_incomplete_case_knows_what_it_gained():
     bare = {name: value for name, value in GIVEN.items() if name not in ("load", "speed")}
     filled = bb.JournalBearing(**bare).model_copy(update={"load": 10e3, "speed": 50.0 * math.pi})

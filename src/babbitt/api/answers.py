@@ -11,6 +11,7 @@ from babbitt.core.notices import InputError
 from babbitt.core.progress import ProgressCallback, no_progress
 
 if TYPE_CHECKING:
+    from babbitt.api.case import Case
     from babbitt.api.machine_results import MachineResults
     from babbitt.api.results import BearingResult
 
@@ -64,15 +65,15 @@ def solutions_of(case: CaseFile, progress: ProgressCallback = no_progress) -> so
         raise located(error, complete, type(case).__name__) from None
 
 
-def answer(found: solving.MachineResult) -> BearingResult | MachineResults:
+def answer(found: solving.MachineResult, case: Case) -> BearingResult | MachineResults:
     """Give the result of one bearing where there is one, else those of all."""
     from babbitt.api.machine_results import MachineResults
 
-    return first_answer(found) if len(found.solutions) == 1 else MachineResults(found)
+    return first_answer(found, case) if len(found.solutions) == 1 else MachineResults(found)
 
 
-def first_answer(found: solving.MachineResult) -> BearingResult:
-    """Give the result of the first bearing, of its first steady state where there are several."""
+def first_answer(found: solving.MachineResult, case: Case) -> BearingResult:
+    """Give the result of the first bearing of a case, of its first steady state where there are several."""
     from babbitt.api.results import BearingResult
 
-    return BearingResult(found.solutions[0], found.case_hash, found.case_text)
+    return BearingResult(found.solutions[0], found.case_hash, found.case_text, case)

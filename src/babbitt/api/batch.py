@@ -66,7 +66,8 @@ def solve_batch(
     Returns
     -------
     BatchSolution
-        Its `solved` first: the numbers of an unsolved bearing are NaN.
+        Its `solved` first: the numbers of an unsolved bearing are NaN. Each column of `supply_flow` is of the
+        groove of that place in `groove_angles`.
 
     Raises
     ------

@@ -6,6 +6,7 @@ from typing import Any, ClassVar, Literal, SupportsFloat, SupportsIndex, TypeAli
 
 from babbitt.api.case import Case
 from babbitt.api.methods import MethodOptions
+from babbitt.api.own_bore import Gap, with_own_bore, with_own_bore_in_words, without_own_bore
 from babbitt.api.words import of_machine, with_method, with_method_in_words
 from babbitt.case.case_file import CaseFile
 from babbitt.case.part import Part
@@ -52,7 +53,7 @@ class JournalBearing(Case, files.JournalCase):
         grooves: Iterable[Any] | None = ...,
         pockets: Iterable[Any] | None = ...,
         holes: Iterable[Any] | None = ...,
-        bore: Mapping[str, Any] | Part | None = ...,
+        bore: Mapping[str, Any] | Part | Gap | None = ...,
         misalignment: Mapping[str, Any] | Part | None = ...,
         steps: Iterable[Any] | None = ...,
         crowning: Mapping[str, Any] | Part | None = ...,

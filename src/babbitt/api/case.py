@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self
 
@@ -21,6 +21,7 @@ from babbitt.core.files.reading import Reach
 from babbitt.core.notices import InputError
 
 if TYPE_CHECKING:
+    from babbitt.api.gradient import Gradient
     from babbitt.api.result_set import ResultSet
     from babbitt.study.comparison import Comparison
 
@@ -110,13 +111,17 @@ class Case(CaseFile):
             E005 for a path that leads through a value that is no mapping or list.
         """
         given = self.given
-        for path, value in {**(changes or {}), **fields}.items():
+        for path, value in self._in_order({**(changes or {}), **fields}).items():
             given = self._given_with(given, path, value)
         made = type(self).__new__(type(self))
         made._take(*_read(type(self), self._origin_of(given)))
         return made
 
     __replace__ = replace
+
+    def _in_order(self, changes: Mapping[str, Any]) -> Mapping[str, Any]:
+        """Changes in the order in which they are made."""
+        return changes
 
     def _given_with(self, given: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
         """What it would be given with another value in a field."""
@@ -164,7 +169,8 @@ class Case(CaseFile):
         values = {**(changes or {}), **fields}
         if (answers := over_arrays(self, values)) is not None:
             return answers
-        return answer(solutions_of(self.replace(values) if values else self))
+        case = self.replace(values) if values else self
+        return answer(solutions_of(case), case)
 
     def sweep(
         self,
@@ -193,6 +199,41 @@ class Case(CaseFile):
         from babbitt.api.sweeping import over_product
 
         return over_product(self, over, workers, keep)
+
+    def gradient(
+        self,
+        fields: str | Iterable[str],
+        *,
+        of: str | Iterable[str],
+        steps: Mapping[str, Any] | None = None,
+        workers: int = 1,
+    ) -> Gradient:
+        """Slopes of results over fields, by central differences (`babbitt.api.gradient.gradient_of`).
+
+        Parameters
+        ----------
+        fields : str or iterable of str
+            Paths, such as ``["clearance.mean", "supply.temperature"]``.
+        of : str or iterable of str
+            Quantities of the result, such as ``["minimum_film_thickness", "stiffness"]``.
+        steps : Mapping, optional
+            By field, the step to each side in place of 1 % of the value, or of 1 K.
+        workers : int
+            Processes.
+
+        Raises
+        ------
+        CaseError, InputError
+            For what is no field with a quantity, or no quantity of the result.
+
+        Warns
+        -----
+        UserWarning
+            For slopes that depend on the step.
+        """
+        from babbitt.api.gradient import gradient_of
+
+        return gradient_of(self, fields, of, steps, workers)
 
     def compare(self) -> tuple[Comparison, ...]:
         """Solve it by every method that knows it, each beside the others.
@@ -251,7 +292,8 @@ class Case(CaseFile):
     def __dir__(self) -> Iterator[str]:
         """Its fields and what it can do, without what is of pydantic."""
         own = (name for cls in type(self).__mro__ if issubclass(cls, Case) for name in vars(cls))
-        return iter(sorted({*type(self).model_fields, *(name for name in own if not name.startswith("_"))}))
+        shown = {name for name in own if not name.startswith(("_", "model_"))}
+        return iter(sorted({*type(self).model_fields, *shown, "model_copy"}))
 
     def __eq__(self, other: object) -> bool:
         """Whether the other case says the same, be it made by a program or read from a file."""

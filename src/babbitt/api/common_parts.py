@@ -36,6 +36,7 @@ __all__ = [
     "Structure",
     "Supply",
     "Surfaces",
+    "TableLubricant",
     "Tube",
     "TwoPointLubricant",
     "ViscosityIndexLubricant",
@@ -162,6 +163,10 @@ class VogelLubricant(OwnPart, lubricant.VogelLubricant):
 
 class ExponentialLubricant(OwnPart, lubricant.ExponentialLubricant):
     """An oil by Reynolds' exponential law through two points, good between them only."""
+
+
+class TableLubricant(OwnPart, lubricant.TableLubricant):
+    """An oil by a table of viscosities, with Andrade's law from point to point."""
 
 
 class PowerLawLubricant(OwnPart, lubricant.PowerLawLubricant):

@@ -371,6 +371,24 @@ class ExponentialLubricant(OwnPart, lubricant.ExponentialLubricant):
         points: Iterable[Any] | None = ...,
     ) -> None: ...
 
+class TableLubricant(OwnPart, lubricant.TableLubricant):
+    def __init__(
+        self,
+        *,
+        name: str | None = ...,
+        source: str | None = ...,
+        density: Quantity | None = ...,
+        density_temperature: Quantity | None = ...,
+        density_slope: Quantity | None = ...,
+        heat_capacity: Quantity | None = ...,
+        heat_capacity_temperature: Quantity | None = ...,
+        heat_capacity_slope: Quantity | None = ...,
+        conductivity: Quantity | None = ...,
+        volumetric_heat_capacity: Quantity | None = ...,
+        kind: Literal["table"] | Enum | None = ...,
+        points: Iterable[Any] | None = ...,
+    ) -> None: ...
+
 class PowerLawLubricant(OwnPart, lubricant.PowerLawLubricant):
     def __init__(
         self,

@@ -161,6 +161,7 @@ class Displacement(OwnPart, film_surface.DisplacementInput):
         places: Iterable[Quantity] | None = ...,
         values: Iterable[Quantity] | None = ...,
         file: str | None = ...,
+        form: str | None = ...,
     ) -> None: ...
 
 class Liner(OwnPart, film_heat.LinerInput):

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import copy
-from typing import TYPE_CHECKING, Any
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Self
 
 from pydantic import PrivateAttr
 
-from babbitt.api.given import as_given
+from babbitt.api.given import as_given, content_of
 from babbitt.api.reading import read_part
 from babbitt.api.shown import shown_call
 from babbitt.api.with_units import with_units
@@ -26,8 +27,7 @@ class OwnPart(Part):
         def __init__(self, **given: Any) -> None:
             cls = type(self)
             words = {**_only_kind(cls), **as_given(given, cls.__name__)}
-            model = next(base for base in cls.__mro__ if not issubclass(base, OwnPart))
-            part = read_part(model, words, cls.__name__)
+            part = read_part(cls._language_part(), words, cls.__name__)
             for slot in ("__dict__", "__pydantic_fields_set__", "__pydantic_extra__"):
                 object.__setattr__(self, slot, getattr(part, slot))
             private = {**(part.__pydantic_private__ or {}), "_given": with_units(words, part)}
@@ -35,10 +35,23 @@ class OwnPart(Part):
 
         __init__.__pydantic_base_init__ = True
 
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """Give a copy with other values, checked where it is used."""
+        copied = super().model_copy(update=update, deep=deep)
+        if update:
+            plain = self._language_part().model_construct(copied.model_fields_set, **vars(copied))
+            copied._given = with_units(content_of(plain), copied)
+        return copied
+
     @property
     def given(self) -> dict[str, Any]:
         """What it was given, in the words of a case file; numbers with their units."""
         return copy.deepcopy(self._given)
+
+    @classmethod
+    def _language_part(cls) -> type[Part]:
+        """The part of the case language that it is."""
+        return next(base for base in cls.__mro__ if not issubclass(base, OwnPart) and issubclass(base, Part))
 
     def __repr__(self) -> str:
         hidden = _only_kind(type(self))

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.api.nearest_name import unknown_name
+from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.solution import Solution
 
@@ -21,7 +22,9 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
+    from babbitt.api.case import Case
     from babbitt.api.film import SolvedFilm
+    from babbitt.api.gradient import Gradient
     from babbitt.api.plot import ResultPlots
     from babbitt.core.notices import Notice
     from babbitt.core.result import Check, Outcome, Result, Verdict
@@ -52,6 +55,8 @@ class BearingResult:
         From a method; without its state the result has no film, fields and plots.
     case_hash, case_text : str
         Of the case, for reports; empty where there is none.
+    case : Case, optional
+        What was solved, where it was one bearing at one point.
 
     Notes
     -----
@@ -61,6 +66,7 @@ class BearingResult:
     solution: Solution
     case_hash: str = ""
     case_text: str = ""
+    case: Case | None = None
 
     @property
     def result(self) -> Result:
@@ -219,6 +225,35 @@ class BearingResult:
             raise ValueError(f"{name} holds numbers of several units; take its columns by result.{name}")
         return pint_quantity(self._named(name), QUANTITIES[name].unit if name in QUANTITIES else "1")
 
+    def gradient(
+        self,
+        over: str | Iterable[str],
+        *,
+        of: str | Iterable[str],
+        steps: Mapping[str, Any] | None = None,
+        workers: int = 1,
+    ) -> Gradient:
+        """Slopes of results over fields of the case, which is solved anew around its point.
+
+        Parameters
+        ----------
+        over : str or iterable of str
+            Paths of fields, such as ``["clearance.mean", "supply.temperature"]``.
+        of, steps, workers
+            As of `babbitt.api.case.Case.gradient`.
+
+        Raises
+        ------
+        InputError
+            E005 for one of several results of a case.
+        CaseError
+            For what is no field with a quantity.
+        """
+        if self.case is None:
+            says = "does not know its case; take the gradient of a case with one bearing at one point"
+            raise InputError("E005", f"{self.name} {says}")
+        return self.case.gradient(over, of=of, steps=steps, workers=workers)
+
     def without_state(self) -> BearingResult:
         """The same without its film, which takes memory where many results are kept."""
         return replace(self, solution=self.solution.without_state())
@@ -280,7 +315,7 @@ class BearingResult:
         return self._named(name)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"solution": self.solution, "case_hash": self.case_hash, "case_text": self.case_text}
+        return {one.name: getattr(self, one.name) for one in fields(self)}
 
     def _named(self, name: str) -> Any:
         result = self.result

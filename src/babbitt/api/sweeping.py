@@ -21,8 +21,9 @@ if TYPE_CHECKING:
 
     from babbitt.api.case import Case
     from babbitt.api.result_set import ResultSet
+    from babbitt.api.results import BearingResult
 
-__all__ = ["over_arrays", "over_product"]
+__all__ = ["over_arrays", "over_points", "over_product"]
 
 
 def over_arrays(case: Case, values: Mapping[str, Any]) -> ResultSet | None:
@@ -64,8 +65,6 @@ def over_product(case: Case, over: Mapping[str, Any], workers: int, keep: str) -
     """
     import numpy as np
 
-    if workers < 1:
-        raise InputError("E005", f"workers is {workers}; give 1 or more")
     if keep not in ("results", "solutions"):
         raise InputError("E005", f"keep is {keep!r}; allowed: results, solutions")
     axes: dict[str, np.ndarray[Any, Any]] = {}
@@ -90,13 +89,28 @@ def _solved(
 ) -> ResultSet:
     from babbitt.api.result_set import ResultSet
 
+    return ResultSet(parameters, over_points(case, points, workers, keep), shape, keep)
+
+
+def over_points(
+    case: Case, points: Sequence[Mapping[str, Any]], workers: int, keep: str = "results"
+) -> list[BearingResult]:
+    """Solve a case with the values of each point, all of which are checked before the first is solved.
+
+    Raises
+    ------
+    CaseError
+        Where a case is wrong or incomplete, or has several bearings, operating points or clearances.
+    """
+    if workers < 1:
+        raise InputError("E005", f"workers is {workers}; give 1 or more")
     cases = [case.replace(point).complete() for point in points]
     several = next((one for one in cases if len(one.calculations()) != 1), None)
     if several is not None:
         says = f"has {len(several.calculations())} bearings, operating points and clearances"
         raise _refused(case, "", says, "one of each in a sweep")
-    results = [first_answer(found) for found in _mapped(partial(_one, keep=keep), cases, workers)]
-    return ResultSet(parameters, results, shape, keep)
+    found = _mapped(partial(_one, keep=keep), cases, workers)
+    return [first_answer(one, solved) for one, solved in zip(found, cases, strict=True)]
 
 
 def _one(case: Case, keep: str) -> MachineResult:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -35,7 +36,7 @@ def quantity_text(value: float, kind: Kind) -> str | float:
     >>> quantity_text(0.12, KINDS["m"]), quantity_text(323.15, KINDS["K"]), quantity_text(0.1 + 0.2, KINDS["N"])
     ('120 mm', '50 degC', '0.30000000000000004 N')
     """
-    if kind.one_unit:
+    if kind.one_unit or not math.isfinite(value):  # what is not finite is refused where it is read
         return value
     for unit in kind.everyday:
         short = f"{kind.from_si(value, unit):.12g} {unit}"

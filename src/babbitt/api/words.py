@@ -7,6 +7,7 @@ from typing import Any
 
 from babbitt.api.case import Case
 from babbitt.api.methods import METHODS, MethodOptions
+from babbitt.api.own_bore import with_own_bore_in_words
 from babbitt.case.problems import CaseError, Problem
 
 __all__ = ["of_machine", "with_method", "with_method_in_words"]
@@ -45,5 +46,9 @@ def of_machine(bearing: Any, number: int) -> Any:
         named = words.get("name") != bearing.default_name
         return {**words, "name": words["name"] if named else f"Bearing {number}"}
     if isinstance(bearing, Mapping):
-        return {"kind": "journal", "name": f"Bearing {number}", **with_method_in_words(bearing)}
+        return {
+            "kind": "journal",
+            "name": f"Bearing {number}",
+            **with_own_bore_in_words(with_method_in_words(bearing)),
+        }
     return bearing

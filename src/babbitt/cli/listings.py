@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from rich.markup import escape
 from rich.table import Table
 
+from babbitt.core.files.printing import printable_lines
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.report.table import console
 
@@ -22,7 +24,7 @@ def print_lubricants() -> None:
             nu100,
             f"{oil.density(288.15):.0f}",
             f"{coldest:.0f} to {hottest:.0f}",
-            oil.source,
+            _with_origin(oil.source, oil.origin),
         )
     console().print(table)
 
@@ -60,7 +62,7 @@ def print_materials() -> None:
             shown(calm.pv, 1e-6),
             shown(metal_temperature_limit(metal), 1.0, -ZERO_CELSIUS),
             shown(metal.recommended_temperature, 1.0, -ZERO_CELSIUS),
-            "; ".join(sources(metal)),
+            _with_origin("; ".join(sources(metal)), metal.origin),
         )
     others = _table("material", "kind", "α 1e-6/K", "λ W/(m K)", "E GPa", "source")
     for material in structural_materials():
@@ -70,7 +72,7 @@ def print_materials() -> None:
             f"{material.thermal_expansion * 1e6:.1f}",
             f"{material.thermal_conductivity:.0f}",
             f"{material.elastic_modulus * 1e-9:.0f}",
-            material.source,
+            _with_origin(material.source, material.origin),
         )
     to = console()
     to.print(metals)
@@ -95,6 +97,11 @@ def print_cases() -> None:
     for case in cases():
         table.add_row(case.name, case.evidence.value, case.title, case.story.source)
     console().print(table)
+
+
+def _with_origin(source: str, origin: str) -> str:
+    """Source of an entry, and the catalogue of the user in which it stands."""
+    return escape(printable_lines(f"{source} ({origin})" if origin else source))
 
 
 def _table(*columns: str) -> Table:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import atexit
 import gc
 import sys
-from typing import NoReturn
+import warnings
+from typing import NoReturn, TextIO
 
 from babbitt.cli import calculating, telling
 from babbitt.cli.app import UNUSABLE_INPUT, app
@@ -24,6 +25,7 @@ def run() -> NoReturn:
     gc.set_threshold(UNCOLLECTED)
     atexit.register(gc.freeze)  # what is left at the end goes with the process: to trace it takes a fifth of a run
     prepare_streams()
+    warnings.showwarning = _warned
     status: object = 0
     try:
         try:
@@ -36,6 +38,18 @@ def run() -> NoReturn:
     except OSError as error:  # standard output cannot take the results, such as a full disk
         status = _told(InputError("E007", f"cannot write to standard output: {error.strerror or error}"))
     sys.exit(status)  # type: ignore[arg-type]
+
+
+def _warned(
+    message: Warning | str,
+    category: type[Warning],
+    filename: str,
+    lineno: int,
+    file: TextIO | None = None,
+    line: str | None = None,
+) -> None:
+    """Tell of a warning in one line, without the place in the program that gave it."""
+    print(printable_lines(f"babbitt: {message}"), file=sys.stderr)
 
 
 def _told(error: BabbittError) -> int:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from babbitt import __version__
 from babbitt.case import CaseFile
-from babbitt.properties.lubricants import AstmD341, Exponential, Vogel, Walther
+from babbitt.properties.lubricants import AstmD341, Exponential, TabulatedViscosity, Vogel, Walther
 from babbitt.report.view import find_view
 
 __all__ = ["REVERSE_GEAR", "REYNOLDS", "UNFOUND", "citations_of"]
@@ -24,7 +24,14 @@ REVERSE_GEAR = (
     "Marine reverse gear: a study of its bearings, 2023, vol. 15, no. 5, p. 825 ff. of a Russian journal "
     f"(`babbitt validate reverse_gear`). {UNFOUND}"
 )
-VISCOSITY_LAWS: dict[type, str] = {Walther: WALTHER, AstmD341: WALTHER, Vogel: VOGEL, Exponential: REYNOLDS}
+ANDRADE = "E. N. da C. Andrade: The viscosity of liquids. Nature 125 (1930) 309-310."
+VISCOSITY_LAWS: dict[type, str] = {
+    Walther: WALTHER,
+    AstmD341: WALTHER,
+    Vogel: VOGEL,
+    Exponential: REYNOLDS,
+    TabulatedViscosity: ANDRADE,
+}
 """Sources of the laws of viscosity over temperature."""
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
 from babbitt.core.units import ZERO_CELSIUS
@@ -13,6 +14,7 @@ from babbitt.properties.lubricants import (
     Exponential,
     Lubricant,
     PowerLaw,
+    TabulatedViscosity,
     ViscosityKind,
     Vogel,
     Walther,
@@ -34,6 +36,7 @@ LAWS = {
     Vogel: "Vogel",
     Exponential: "exponential",
     PowerLaw: "power law (50/t)^m",
+    TabulatedViscosity: "table, Andrade's law from point to point",
     ConstantViscosity: "constant",
 }
 
@@ -118,6 +121,8 @@ def oil_rows(oil: Lubricant) -> Iterator[Row]:
     else:
         yield Row("Specific heat at 50 °C", f"{oil.heat_capacity(323.15):.4g}", None, "J/(kg K)")
     yield Row("Source", plain_text(oil.source))
+    if oil.origin:
+        yield Row("From the catalogue of the user", plain_text(PurePath(oil.origin).name))
 
 
 def _constant(law: ConstantViscosity) -> Row:

@@ -17,6 +17,7 @@ from babbitt.case.parts.own_lubricant import (
     KinematicPoint,
     KinematicViscosity,
     OwnLubricant,
+    ViscosityPoint,
     VolumetricHeatCapacity,
 )
 from babbitt.case.shorthand import Shorthand
@@ -28,6 +29,7 @@ from babbitt.properties.lubricants import (
     Exponential,
     Lubricant,
     PowerLaw,
+    TabulatedViscosity,
     ViscosityKind,
     Vogel,
     Walther,
@@ -215,6 +217,33 @@ class ExponentialLubricant(OwnLubricant):
         return lubricant_from_law(self.name, law, self.properties, source=self.source)
 
 
+class TableLubricant(OwnLubricant):
+    """An oil by a table of viscosities, with Andrade's law from point to point."""
+
+    kind: Literal["table"] = Field(description="By viscosities at several temperatures (Andrade between them).")
+    points: tuple[ViscosityPoint, ...] = Field(
+        min_length=3,
+        max_length=500,
+        description="Viscosities at rising temperatures, all dynamic or all kinematic; good from the first to the "
+        "last.",
+    )
+
+    def lubricant(self) -> Lubricant:
+        """Give the lubricant of the calculation."""
+        dynamic = self.points[0].dynamic_viscosity is not None
+        kind = ViscosityKind.DYNAMIC if dynamic else ViscosityKind.KINEMATIC
+        law = TabulatedViscosity(tuple(point.pair for point in self.points), kind)
+        return lubricant_from_law(self.name, law, self.properties, source=self.source)
+
+    @rule
+    def _lubricant_can_be_made(self) -> Iterator[Issue]:
+        if len({point.dynamic_viscosity is None for point in self.points}) > 1:
+            says = "some viscosities are dynamic, others kinematic"
+            yield Issue(("points",), says, "dynamic_viscosity, or kinematic_viscosity, in all of them")
+            return
+        yield from refused(("points",), self.lubricant)
+
+
 class PowerLawLubricant(OwnLubricant):
     """An oil by the power law nu = nu50 (50/t)^m with t in degC."""
 
@@ -260,6 +289,7 @@ LubricantInput = Annotated[
     | WaltherLubricant
     | VogelLubricant
     | ExponentialLubricant
+    | TableLubricant
     | PowerLawLubricant
     | ConstantLubricant,
     Discriminator("kind"),

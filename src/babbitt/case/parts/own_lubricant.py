@@ -8,7 +8,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from babbitt.case.part import Issue, Part, refused, rule
+from babbitt.case.part import Issue, Part, exactly_one, refused, rule
 from babbitt.case.parts.fields import Name
 from babbitt.core.units import si
 from babbitt.properties.lubricants import Lubricant, OilProperties
@@ -41,6 +41,23 @@ class DynamicPoint(Part):
     def pair(self) -> tuple[float, float]:
         """Temperature in K and viscosity in Pa s."""
         return self.temperature, self.dynamic_viscosity
+
+
+class ViscosityPoint(Part):
+    """A viscosity at a temperature, dynamic or kinematic."""
+
+    temperature: OilDataTemperature = Field(description="Temperature of the point.")
+    dynamic_viscosity: DynamicViscosity | None = Field(None, description="Dynamic viscosity there.")
+    kinematic_viscosity: KinematicViscosity | None = Field(None, description="Kinematic viscosity there.")
+
+    @property
+    def pair(self) -> tuple[float, float]:
+        """Temperature in K and viscosity in Pa s or m2/s."""
+        return self.temperature, self.dynamic_viscosity or self.kinematic_viscosity or 0.0
+
+    @rule
+    def _one_viscosity(self) -> Iterator[Issue]:
+        yield from exactly_one(self, "dynamic_viscosity", "kinematic_viscosity")
 
 
 class OwnLubricant(Part):

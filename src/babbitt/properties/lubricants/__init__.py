@@ -19,6 +19,7 @@ from babbitt.properties.lubricants.property_laws import (
     PropertyLaw,
     ShiftedLaw,
 )
+from babbitt.properties.lubricants.tabulated_viscosity import TabulatedViscosity
 from babbitt.properties.lubricants.viscosity_index import (
     nu40_from_viscosity_index,
     nu100_from_viscosity_index,
@@ -47,6 +48,7 @@ __all__ = [
     "PropertyLaw",
     "PropertySources",
     "ShiftedLaw",
+    "TabulatedViscosity",
     "ViscosityKind",
     "ViscosityLaw",
     "Vogel",

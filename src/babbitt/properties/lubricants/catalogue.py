@@ -5,19 +5,38 @@ from __future__ import annotations
 import difflib
 import functools
 import tomllib
+from dataclasses import replace
+from functools import partial
 from importlib import resources
 from typing import Any
 
 from babbitt.core.notices import InputError
 from babbitt.core.units import ZERO_CELSIUS
+from babbitt.properties.lubricants._evaluation import require_range
 from babbitt.properties.lubricants.lubricant import Lubricant, PropertySources
 from babbitt.properties.lubricants.property_laws import LinearProperty, PropertyLaw, ShiftedLaw
 from babbitt.properties.lubricants.viscosity_index import nu40_from_viscosity_index, nu100_from_viscosity_index
 from babbitt.properties.lubricants.viscosity_laws import ViscosityLaw, Vogel
 from babbitt.properties.lubricants.walther import Walther
+from babbitt.properties.own_catalogue import (
+    OwnTables,
+    own_entries,
+    own_tables,
+    part_of_entry,
+    refuse_unknown_fields,
+    texts,
+)
 
 _MM2_PER_S = 1e-6
 _PROPERTIES = ("density", "heat_capacity", "conductivity")
+FIELDS = (
+    "source",
+    "temperature_range",
+    "viscosity",
+    *_PROPERTIES,
+    "fixed_volumetric_heat_capacity",
+    "assumptions",
+)
 
 Table = dict[str, Any]
 
@@ -49,9 +68,35 @@ def lubricant(name: str) -> Lubricant:
 
 @functools.cache
 def catalogue() -> tuple[Lubricant, ...]:
-    """All lubricants on board, in the order of the catalogue file."""
+    """All lubricants: those on board in the order of the catalogue file, then those of the user's own catalogue.
+
+    Warns
+    -----
+    UserWarning
+        For entries of one's own that cannot be used (`babbitt.properties.own_catalogue`).
+    """
     file = _file()
-    return tuple(_lubricant(_with_family(file, entry), file["property_laws"]) for entry in file["lubricants"])
+    shared = file["property_laws"]
+    on_board = tuple(_lubricant(_with_family(file["families"], entry), shared) for entry in file["lubricants"])
+    own = own_tables("lubricants.toml")
+    return (*on_board, *own_entries(own, "lubricants", partial(_own_lubricant, own), _key, on_board))
+
+
+def _own_lubricant(own: OwnTables | None, entry: Table, origin: str) -> Lubricant:
+    """A lubricant of the user's catalogue, which may take families and laws of that on board."""
+    board, tables = _file(), own.tables if own is not None else {}
+    refuse_unknown_fields(entry, ("name", "aliases", "family", *FIELDS))
+    families = board["families"] | part_of_entry("families", lambda: dict(tables.get("families", {})))
+    shared = board["property_laws"] | part_of_entry("property_laws", lambda: dict(tables.get("property_laws", {})))
+    whole = part_of_entry("family", lambda: _with_family(families, entry))
+    found = replace(_lubricant(whole, shared), origin=origin)
+    lowest, highest = found.temperature_range
+    for field in ("dynamic_viscosity", "density", "heat_capacity", "conductivity"):
+        for kelvin in (lowest, 0.5 * (lowest + highest), highest):
+            value = part_of_entry(field, partial(getattr(found, field), kelvin))
+            if not value > 0.0:
+                raise InputError("E003", f"{field}: is {value:.4g} at {kelvin - ZERO_CELSIUS:.4g} degC")
+    return found
 
 
 def shared_law(name: str) -> tuple[PropertyLaw, Table]:
@@ -84,12 +129,12 @@ def _not_on_board(name: str) -> str:
     )
 
 
-def _with_family(file: Table, entry: Table) -> Table:
+def _with_family(families: Table, entry: Table) -> Table:
     """The entry on top of what its family says, table by table."""
     base = entry.get("family") or entry.get("extends")
     if base is None:
         return entry
-    merged = dict(_with_family(file, file["families"][base]))
+    merged = dict(_with_family(families, families[base]))
     for field, value in entry.items():
         both_tables = isinstance(value, dict) and isinstance(merged.get(field), dict)
         merged[field] = merged[field] | value if both_tables else value
@@ -97,15 +142,17 @@ def _with_family(file: Table, entry: Table) -> Table:
 
 
 def _lubricant(entry: Table, shared: Table) -> Lubricant:
-    lowest, highest = (_kelvin(t) for t in entry["temperature_range"])
-    viscosity, computed = _viscosity(entry["viscosity"], (lowest, highest))
-    laws = {field: _property_law(entry[field], shared) for field in _PROPERTIES}
+    """A lubricant of its whole table; what is wrong with it is told by its field."""
+    lowest, highest = part_of_entry("temperature_range", partial(_range, entry))
+    viscosity, computed = part_of_entry("viscosity", lambda: _viscosity(entry["viscosity"], (lowest, highest)))
+    laws = {field: part_of_entry(field, partial(_law_in, entry, field, shared)) for field in _PROPERTIES}
     fixed = entry.get("fixed_volumetric_heat_capacity", {})
-    assumptions = [*entry.get("assumptions", ()), *computed]
+    assumptions = [*part_of_entry("assumptions", lambda: texts(entry.get("assumptions", ()))), *computed]
     for field in _PROPERTIES:
-        assumptions += _assumptions(entry[field], shared)
+        assumptions += part_of_entry(field, partial(_assumptions, entry[field], shared))
     if fixed:
-        assumptions.append(fixed["assumption"])
+        assumptions.append(part_of_entry("fixed_volumetric_heat_capacity", lambda: str(fixed["assumption"])))
+    sources = {field: part_of_entry(field, partial(_source, entry[field], shared)) for field in _PROPERTIES}
     return Lubricant(
         name=entry["name"],
         viscosity_law=viscosity,
@@ -113,14 +160,13 @@ def _lubricant(entry: Table, shared: Table) -> Lubricant:
         heat_capacity_law=laws["heat_capacity"],
         conductivity_law=laws["conductivity"],
         temperature_range=(lowest, highest),
-        source=entry["source"],
-        fixed_volumetric_heat_capacity=fixed.get("value"),
-        assumptions=tuple(assumptions),
-        sources=PropertySources(
-            viscosity=entry["viscosity"].get("source", ""),
-            **{field: _source(entry[field], shared) for field in _PROPERTIES},
+        source=part_of_entry("source", lambda: texts([entry["source"]])[0]),
+        fixed_volumetric_heat_capacity=part_of_entry(
+            "fixed_volumetric_heat_capacity", lambda: 1.0 * fixed["value"] if fixed else None
         ),
-        aliases=tuple(entry.get("aliases", ())),
+        assumptions=tuple(assumptions),
+        sources=PropertySources(viscosity=entry["viscosity"].get("source", ""), **sources),
+        aliases=part_of_entry("aliases", lambda: texts(entry.get("aliases", ()))),
     )
 
 
@@ -155,6 +201,16 @@ def _nu40_and_nu100(table: Table) -> tuple[float, float, list[str]]:
         f"Viscosity at {said} computed from viscosity index {index:g} (ISO 2909): {value / _MM2_PER_S:.4g} mm2/s."
     )
     return nu40, nu100, [text]
+
+
+def _range(entry: Table) -> tuple[float, float]:
+    lowest, highest = (_kelvin(t) for t in entry["temperature_range"])
+    require_range("temperature_range", (lowest, highest))
+    return lowest, highest
+
+
+def _law_in(entry: Table, field: str, shared: Table) -> PropertyLaw:
+    return _property_law(entry[field], shared)
 
 
 def _property_law(table: Table, shared: Table) -> PropertyLaw:

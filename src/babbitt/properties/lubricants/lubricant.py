@@ -49,6 +49,8 @@ class Lubricant:
         Sources of single properties where they differ from `source`.
     aliases : tuple of str
         Other names under which the catalogue finds it.
+    origin : str
+        File of the user's own catalogue that it stands in; empty for all others.
     """
 
     name: str
@@ -62,6 +64,7 @@ class Lubricant:
     assumptions: tuple[str, ...] = ()
     sources: PropertySources = PropertySources()
     aliases: tuple[str, ...] = ()
+    origin: str = ""
 
     def __post_init__(self) -> None:
         require_range(self.name, self.temperature_range)

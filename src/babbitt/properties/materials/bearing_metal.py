@@ -80,6 +80,8 @@ class BearingMetal:
         HBW at 20 °C; the lower end where a range is published.
     aliases : tuple of str
         Other names it is found by.
+    origin : str
+        File of the user's own catalogue that it stands in; empty for all others.
     """
 
     name: str
@@ -94,6 +96,7 @@ class BearingMetal:
     thermal_expansion: SourcedValue | None = None
     brinell_hardness: SourcedValue | None = None
     aliases: tuple[str, ...] = ()
+    origin: str = ""
 
     def limits(self, character: LoadCharacter) -> LoadLimits:
         """Limits under a character of load.

@@ -3,15 +3,40 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
-from functools import cache
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import cache, partial
 from importlib.resources import files
-from typing import Any
+from typing import Any, TypeVar
 
 from babbitt.properties.materials.bearing_metal import AlloyFamily, BearingMetal, LoadLimits
 from babbitt.properties.materials.naming import find, spelling
 from babbitt.properties.materials.sourced import SourcedText, SourcedValue
 from babbitt.properties.materials.structural_material import StructuralMaterial
+from babbitt.properties.own_catalogue import (
+    OwnTables,
+    own_entries,
+    own_tables,
+    part_of_entry,
+    refuse_unknown_fields,
+    texts,
+)
+
+Material = TypeVar("Material", BearingMetal, StructuralMaterial)
+
+SOURCED = (
+    "recommended_temperature",
+    "limiting_temperature",
+    "published_outlet_limit",
+    "thermal_expansion",
+    "brinell_hardness",
+)
+METAL = ("name", "aliases", "family", "standard", "composition", "calm", "shock", *SOURCED)
+"""Fields of a bearing metal."""
+
+NUMBERS = ("thermal_expansion", "thermal_conductivity", "elastic_modulus", "poisson_ratio", "density")
+STRUCTURE = ("name", "aliases", "kind", "source", *NUMBERS)
+"""Fields of a material of shafts and housings."""
 
 
 def bearing_metals() -> tuple[BearingMetal, ...]:
@@ -75,13 +100,45 @@ def _read() -> tuple[tuple[BearingMetal, ...], tuple[StructuralMaterial, ...]]:
     )
     sources: Mapping[str, str] = raw["sources"]
     metals = tuple(_metal(entry, sources) for entry in raw["bearing_metal"])
-    structures = tuple(
-        StructuralMaterial(
-            **{**entry, "aliases": tuple(entry.get("aliases", ())), "source": sources[entry["source"]]}
-        )
-        for entry in raw["structural_material"]
+    structures = tuple(_structure(entry, sources) for entry in raw["structural_material"])
+    own = own_tables("materials.toml")
+    own_metal, own_structure = partial(_own, own, _metal, METAL), partial(_own, own, _structure, STRUCTURE)
+    return (
+        (*metals, *own_entries(own, "bearing_metal", own_metal, spelling, metals)),
+        (*structures, *own_entries(own, "structural_material", own_structure, spelling, structures)),
     )
-    return metals, structures
+
+
+def _own(
+    own: OwnTables | None,
+    read: Callable[[Mapping[str, Any], Mapping[str, str]], Material],
+    known: tuple[str, ...],
+    entry: Mapping[str, Any],
+    origin: str,
+) -> Material:
+    """An entry of the user's catalogue with its own ``[sources]``."""
+    refuse_unknown_fields(entry, known)
+    sources = part_of_entry("sources", lambda: dict(own.tables.get("sources", {})) if own is not None else {})
+    return replace(read(entry, sources), origin=origin)
+
+
+def _structure(entry: Mapping[str, Any], sources: Mapping[str, str]) -> StructuralMaterial:
+    """Material of a shaft or a housing of one table of the catalogue."""
+    numbers: dict[str, Any] = {field: part_of_entry(field, partial(_number, entry, field)) for field in NUMBERS}
+    return StructuralMaterial(
+        name=entry["name"],
+        kind=part_of_entry("kind", lambda: texts([entry["kind"]])[0]),
+        source=part_of_entry("source", lambda: sources[entry["source"]]),
+        aliases=part_of_entry("aliases", lambda: texts(entry.get("aliases", ()))),
+        **numbers,
+    )
+
+
+def _number(entry: Mapping[str, Any], field: str) -> float:
+    value = entry[field]
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise TypeError(f"{value!r} is no number")
+    return float(value)
 
 
 def _metal(entry: Mapping[str, Any], sources: Mapping[str, str]) -> BearingMetal:
@@ -89,25 +146,25 @@ def _metal(entry: Mapping[str, Any], sources: Mapping[str, str]) -> BearingMetal
 
     def sourced(table: Mapping[str, Any], key: str) -> SourcedValue | None:
         value = table.get(key)
-        return None if value is None else SourcedValue(float(value["value"]), sources[value["source"]])
+        return None if value is None else SourcedValue(_number(value, "value"), sources[value["source"]])
 
     def limits(character: str) -> LoadLimits:
         table = entry.get(character, {})
         return LoadLimits(**{key: sourced(table, key) for key in table})
 
+    values: dict[str, Any] = {field: part_of_entry(field, partial(sourced, entry, field)) for field in SOURCED}
     return BearingMetal(
         name=entry["name"],
-        family=AlloyFamily(entry["family"]),
-        standard=entry["standard"],
-        composition=SourcedText(entry["composition"]["text"], sources[entry["composition"]["source"]]),
-        calm=limits("calm"),
-        shock=limits("shock"),
-        recommended_temperature=sourced(entry, "recommended_temperature"),
-        limiting_temperature=sourced(entry, "limiting_temperature"),
-        published_outlet_limit=sourced(entry, "published_outlet_limit"),
-        thermal_expansion=sourced(entry, "thermal_expansion"),
-        brinell_hardness=sourced(entry, "brinell_hardness"),
-        aliases=tuple(entry.get("aliases", ())),
+        family=part_of_entry("family", lambda: AlloyFamily(entry["family"])),
+        standard=part_of_entry("standard", lambda: texts([entry["standard"]])[0]),
+        composition=part_of_entry(
+            "composition",
+            lambda: SourcedText(entry["composition"]["text"], sources[entry["composition"]["source"]]),
+        ),
+        calm=part_of_entry("calm", partial(limits, "calm")),
+        shock=part_of_entry("shock", partial(limits, "shock")),
+        aliases=part_of_entry("aliases", lambda: texts(entry.get("aliases", ()))),
+        **values,
     )
 
 

@@ -30,6 +30,8 @@ class StructuralMaterial:
         Where the numbers come from.
     aliases : tuple of str
         Other names it is found by.
+    origin : str
+        File of the user's own catalogue that it stands in; empty for all others.
 
     Raises
     ------
@@ -46,6 +48,7 @@ class StructuralMaterial:
     density: float
     source: str
     aliases: tuple[str, ...] = ()
+    origin: str = ""
 
     def __post_init__(self) -> None:
         for field in fields(self):

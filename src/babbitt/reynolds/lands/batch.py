@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -15,6 +16,7 @@ from babbitt.reynolds._structs import LAND_COLUMNS
 from babbitt.reynolds.lands._batch import HEAD, find_equilibria
 from babbitt.reynolds.lands._equilibrium import CONVERGED
 from babbitt.reynolds.lands._forces import RESULT_SIZE
+from babbitt.reynolds.lands._integrals import INFLOW, JOURNAL_TORQUE, OUTFLOW, SIDE_FLOW, TOTALS
 from babbitt.reynolds.lands.operators import kernel_operator
 from babbitt.reynolds.model import ENGINEERING, Cavitation, Land, Resolution, check_lands
 
@@ -35,15 +37,33 @@ class BatchSolution:
         m.
     eccentricity_ratio, minimum_film_thickness : ndarray, shape (bearings,)
         1 and m.
+    maximum_pressure : ndarray, shape (bearings,)
+        Highest gauge pressure on the lines, Pa.
+    friction_torque : ndarray, shape (bearings,)
+        On the journal, against the rotation, N m.
+    side_flow : ndarray, shape (bearings,)
+        What leaves by both sides of all lands, m3/s.
+    supply_flow : ndarray, shape (bearings, lands)
+        What the groove before each land adds: what it sends into the land less what it gets from the land before
+        it, m3/s.
     stiffness, damping : ndarray, shape (bearings, 2, 2)
         N/m and N s/m.
     iterations : ndarray of int, shape (bearings,)
+
+    Notes
+    -----
+    An unsolved bearing has no pressure, torque and flows (NaN); its other numbers are those of the end of its
+    search.
     """
 
     solved: NDArray[np.bool_]
     position: Array
     eccentricity_ratio: Array
     minimum_film_thickness: Array
+    maximum_pressure: Array
+    friction_torque: Array
+    side_flow: Array
+    supply_flow: Array
     stiffness: Array
     damping: Array
     iterations: NDArray[np.int64]
@@ -123,6 +143,8 @@ def solve_batch(
         table[:, k, 5], table[:, k, 6] = land.start_pressure / pressure, land.end_pressure / pressure
     wanted = np.broadcast_to(force, (count, 2)) / unit[:, None]
     found = np.empty((count, HEAD + RESULT_SIZE))
+    totals = np.full((count, len(lands), TOTALS), np.nan)
+    found[:, HEAD - 1] = np.nan
     wanted, kappa, side = np.ascontiguousarray(wanted), (d / b) ** 2 / 12.0, np.zeros(count)
     axial = kernel_operator(resolution.axial_unknowns)
     chunk = max(1, min(64, count // (4 * (os.cpu_count() or 1))))
@@ -131,7 +153,7 @@ def solve_batch(
         find_equilibria(
             axial, table, kappa, side,
             cavitation is Cavitation.MASS_CONSERVING, resolution.coarse_intervals, resolution.intervals, wanted,
-            resolution.tolerance, max_steps, first, min(first + chunk, count), found,
+            resolution.tolerance, max_steps, first, min(first + chunk, count), found, totals,
         )  # fmt: skip
 
     tell = progress or (lambda done, of: None)
@@ -141,13 +163,26 @@ def solve_batch(
     with ThreadPoolExecutor(workers or os.cpu_count()) as pool:
         for first, _ in zip(firsts, pool.map(settle, firsts), strict=True):
             tell(min(first + chunk, count), count)
+    before = _lands_before(lands)
+    flow, torque = omega * 0.5 * d * c * b, eta * omega * (0.5 * d) ** 3 * b / c
     per_length = (unit / c)[:, None, None]
     return BatchSolution(
         solved=found[:, 2] == CONVERGED,
         position=found[:, :2] * c[:, None],
         eccentricity_ratio=np.hypot(found[:, 0], found[:, 1]),
         minimum_film_thickness=found[:, 4] * c,
+        maximum_pressure=found[:, 5] * pressure,
+        friction_torque=totals[:, :, JOURNAL_TORQUE].sum(axis=1) * torque,
+        side_flow=totals[:, :, SIDE_FLOW].sum(axis=1) * flow,
+        supply_flow=(totals[:, :, INFLOW] - totals[:, before, OUTFLOW]) * flow[:, None],
         stiffness=found[:, HEAD + 2 : HEAD + 6].reshape(count, 2, 2) * per_length,
         damping=found[:, HEAD + 6 :].reshape(count, 2, 2) * (per_length / omega[:, None, None]),
         iterations=found[:, 3].astype(np.int64),
     )
+
+
+def _lands_before(lands: tuple[Land, ...]) -> list[int]:
+    """For each land the number of the one that the journal leaves before it enters it."""
+    order = sorted(range(len(lands)), key=lambda number: lands[number].start_angle % (2.0 * math.pi))
+    before = dict(zip(order[1:] + order[:1], order, strict=True))
+    return [before[number] for number in range(len(lands))]

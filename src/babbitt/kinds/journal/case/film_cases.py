@@ -95,6 +95,7 @@ def _film_bearing(inputs: Inputs, at: Point, hollows: tuple[FeedSize, ...]) -> F
         crowning=bearing.crowning.crowning(inputs.width) if bearing.crowning is not None else (),
         displacement=bearing.displacement.field(inputs.width) if bearing.displacement is not None else (),
         displacement_start=bearing.displacement.start if bearing.displacement is not None else 0.0,
+        own_form=bearing.displacement.form or "" if bearing.displacement is not None else "",
         compliance=tuple(part.compliance(bearing.diameter) for part in bearing.compliance),
         side_pressures=bearing.side_pressures or (0.0, 0.0),
         surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,

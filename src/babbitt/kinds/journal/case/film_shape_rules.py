@@ -84,6 +84,24 @@ def displacement_is_of_the_size_of_the_clearance(bearing: JournalBearing) -> Ite
 
 
 @rule
+def own_bore_is_the_whole_bore(bearing: JournalBearing) -> Iterator[Issue]:
+    """Complain about a bore of one's own beside another form of the bore, or that ends before the sides do."""
+    table = bearing.displacement
+    if table is None or table.form is None:
+        return
+    if bearing.bore is not None and bearing.bore.kind != "round":
+        says = f"'{table.form}' is the form of a bore given beside another, {bearing.bore.kind}"
+        yield Issue(("displacement", "form"), says, "one of them; a displacement of other bores has no form")
+    width, places = bearing.actual_width, table.places or ()
+    if width is None or len(places) < 2:
+        return
+    reach = min(-places[0], places[-1])
+    if reach < width / 2.0 * (1.0 - 1e-6):
+        says = f"the table of '{table.form}' ends at {written(reach, 'mm')} from the mid-plane"
+        yield Issue(("displacement", "places"), says, f"the sides, {written(width / 2.0, 'mm')}, or one place")
+
+
+@rule
 def compliance_fits(bearing: JournalBearing) -> Iterator[Issue]:
     """Complain about rings inside the bore, and about soft bores under a changing load."""
     yield from issues_of_compliance(bearing.compliance, bearing.diameter)

@@ -10,6 +10,7 @@ from typing import Annotated, Literal
 from pydantic import Discriminator, Field
 
 from babbitt.case.part import Issue, Part, exactly_one, rule
+from babbitt.case.parts.fields import Name
 from babbitt.core.units import si, written
 from babbitt.reynolds.model import Field as FilmField
 from babbitt.reynolds.model import Step
@@ -108,6 +109,11 @@ class DisplacementInput(Part):
         max_length=1000,
         description="CSV table in place of them, named from the folder of the case, a line for every angle and "
         "place; its heading has the units: angle [deg],z [mm],displacement [um].",
+    )
+    form: Name | None = Field(
+        None,
+        description="What form of the bore the table is, where it is a bore of one's own rather than a "
+        "displacement; reports name it in place of the round bore.",
     )
 
     @property

@@ -368,6 +368,7 @@ class JournalBearing(LoadAndSpeed, SharedInputs):
     _steps_fit = film_shape_rules.steps_fit
     _dam_stays_on_its_land = film_shape_rules.dam_stays_on_its_land
     _displacement_is_of_the_size_of_the_clearance = film_shape_rules.displacement_is_of_the_size_of_the_clearance
+    _own_bore_is_the_whole_bore = film_shape_rules.own_bore_is_the_whole_bore
     _compliance_fits = film_shape_rules.compliance_fits
     _lobes_lie_between_grooves = film_shape_rules.lobes_lie_between_grooves
     _position_is_near_the_bearing = film_rules.position_is_near_the_bearing

@@ -113,7 +113,7 @@ def film_settings(case: FilmCase) -> dict[str, str]:
             "film_start": case.bearing.film_start.name.lower(),
             "accuracy": case.accuracy.value,
             "rotation": case.rotation.value,
-            "bore": type(case.bearing.bore).__name__,
+            "bore": case.bearing.own_form or type(case.bearing.bore).__name__,
             "grooves": str(grooves),
             "pockets": str(len(case.bearing.hollows) - grooves),
             "friction_factor": f"{case.friction_factor:g}",

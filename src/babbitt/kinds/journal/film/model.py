@@ -142,7 +142,8 @@ class FilmBearing(Proportions):
     `misalignment` holds the slopes dx/dz and dy/dz of the journal axis in rad. `clearance_tolerance` holds the
     least and the greatest relative clearance where a tolerance is known. `steps`, `crowning`, `displacement` and
     `side_pressures` are those of `babbitt.reynolds.model.JournalFilm`; steps that belong to the bore stand there.
-    `displacement_start` is the angle of the first row of `displacement`, rad.
+    `displacement_start` is the angle of the first row of `displacement`, rad; `own_form` says what form of the
+    bore the displacement is, empty where it is none.
     `compliance` is what the bore gives way by (`babbitt.reynolds.deformation.compliance`); all of it adds up.
     """
 
@@ -159,6 +160,7 @@ class FilmBearing(Proportions):
     crowning: tuple[float, ...] = ()
     displacement: FieldOfFilm = ()
     displacement_start: float = 0.0
+    own_form: str = ""
     compliance: tuple[Compliance, ...] = ()
     side_pressures: tuple[float, float] = (0.0, 0.0)
     surfaces: Surfaces | None = None

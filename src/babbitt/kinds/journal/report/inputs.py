@@ -117,7 +117,7 @@ def _film_geometry(case: FilmCase) -> Iterator[Row]:
     yield named_row("relative_clearance", bearing.relative_clearance)
     yield named_row("expansion_bearing", bearing.expansion_bearing)
     yield named_row("expansion_journal", bearing.expansion_journal)
-    yield Row("Form of the bore", describe_bore(bearing.bore))
+    yield Row("Form of the bore", bearing.own_form or describe_bore(bearing.bore))
     for hollow in bearing.hollows:
         yield Row(*describe_hollow(hollow))
     if bearing.misalignment != (0.0, 0.0):
@@ -130,7 +130,8 @@ def _film_geometry(case: FilmCase) -> Iterator[Row]:
         yield Row("Crowning of the journal, drop at the sides", ends, None, "µm")
     if bearing.displacement:
         values = [value for row in bearing.displacement for value in row]
-        yield Row("Displacement of the gap", f"{1e6 * min(values):.4g} to {1e6 * max(values):.4g}", None, "µm")
+        gains = "Departure of the bore from the circle" if bearing.own_form else "Displacement of the gap"
+        yield Row(gains, f"{1e6 * min(values):.4g} to {1e6 * max(values):.4g}", None, "µm")
     for one in bearing.compliance:
         yield Row("Elastic bore", one.premise)
     if bearing.side_pressures != (0.0, 0.0):
