@@ -8,7 +8,14 @@ import pytest
 
 from babbitt.core.result import Outcome
 from babbitt.design.conditions import HousingCooling
-from babbitt.design.heat_balance import COARSE_SEARCH, FINE_SEARCH, NoFilmError, find_equilibrium
+from babbitt.design.heat_balance import (
+    BOLD,
+    COARSE_SEARCH,
+    FINE_SEARCH,
+    NoFilmError,
+    coolest_equilibrium,
+    find_equilibrium,
+)
 
 COOLED = SimpleNamespace(oil_supply=None, cooling=HousingCooling(300.0, 1.0, 1.0))
 """Carries away 1 W for each kelvin above 300 K."""
@@ -90,3 +97,40 @@ def test_a_budget_that_runs_out_is_an_outcome():
     assert len(asked) == found.evaluations == 5
     full = find_equilibrium(COOLED, counted(lambda t: 1000.0 + t)[0], COARSE_SEARCH)
     assert full.outcome is Outcome.THERMAL_RUNAWAY
+
+
+@pytest.mark.parametrize("policy", [BOLD, COARSE_SEARCH, FINE_SEARCH])
+def test_the_coolest_equilibrium_is_found_where_a_film_heats_up_again_before_it_gives_way(policy):
+    """Surplus negative from 340 to 420 K alone, film up to 430 K: a long step leads beyond all of it."""
+    film_at, _ = counted(lambda t: (t - 300.0) + (t - 340.0) * (t - 420.0) / 50.0, last=430.0)
+    found = find_equilibrium(COOLED, film_at, policy)
+    assert found.outcome is Outcome.CONVERGED
+    assert found.last_temperature == pytest.approx(340.0, abs=1e-6)
+
+
+def test_any_surplus_is_balanced_up_to_its_own_ceiling():
+    """A film is what `film_at` gives: here its viscosity over that at 300 K, which heats it by 80 K times that."""
+
+    def film_at(temperature):
+        return math.exp((300.0 - temperature) / 30.0)
+
+    def surplus(temperature, viscosity):
+        return 80.0 * viscosity - (temperature - 300.0)
+
+    found = coolest_equilibrium(film_at, surplus, 300.0, BOLD)
+    assert found.outcome is Outcome.CONVERGED
+    assert 80.0 * found.film == pytest.approx(found.last_temperature - 300.0, abs=1e-6)
+    hotter = coolest_equilibrium(film_at, surplus, 300.0, BOLD, ceiling=320.0)
+    assert (hotter.outcome, hotter.last_temperature) == (Outcome.THERMAL_RUNAWAY, 320.0)
+
+
+def test_the_reason_why_a_film_gave_way_is_kept():
+    def film_at(temperature):
+        if temperature > 350.0:
+            raise NoFilmError(Outcome.OVERLOADED, capacity=7.0)
+        return Film(temperature, 1000.0)
+
+    found = find_equilibrium(COOLED, film_at)
+    assert found.outcome is Outcome.OVERLOADED
+    assert found.failure is not None
+    assert found.failure.capacity == 7.0

@@ -15,6 +15,7 @@ from babbitt.kinds.journal.infinitely_long_bearing.model import (
     NusseltLaw,
 )
 from babbitt.kinds.journal.infinitely_long_bearing.solve import film_at_eccentricity, film_under_load
+from babbitt.properties.lubricants import LinearProperty
 from babbitt.validation.published.long_film_bearing import conducting_bush_ratio, film, relative_load, solved
 from babbitt.validation.published.long_film_table import root_mean_square
 
@@ -192,6 +193,17 @@ def test_one_mean_temperature_flatters_faster_bearings_more_where_flow_is_conser
         alone = mean_temperature_film(film(CONSISTENT, speed, C), 0.8)
         ratios.append(film_at_eccentricity(film(CONSISTENT, speed, C), 0.8).load_along / alone.load_along)
     assert ratios == pytest.approx([0.781, 0.751], abs=0.005)
+
+
+def test_mean_temperature_is_found_below_where_the_data_of_the_oil_end():
+    own = film(CONSISTENT, 3000)
+    usual = mean_temperature_film(own, 0.6)
+    density = LinearProperty(820.0, usual.temperature, -8.2)  # none is left 100 K above, at less than 300 degC
+    assert usual.temperature + 100.0 < 573.0
+    thin = replace(own, lubricant=replace(own.lubricant, density_law=density))
+    found = mean_temperature_film(thin, 0.6)
+    assert found.outlet_temperature - 2.0 * found.temperature == pytest.approx(-own.inlet_temperature)
+    assert found.temperature < usual.temperature + 100.0
 
 
 def test_mean_temperature_closes_its_own_balance():

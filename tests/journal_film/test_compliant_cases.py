@@ -12,6 +12,7 @@ from babbitt.kinds.journal.film.elastic_film import displacement_under, elastic_
 from babbitt.kinds.journal.film.field import journal_gap
 from babbitt.kinds.journal.film.isothermal import operating_film
 from babbitt.kinds.journal.film.stable_equilibrium import converged_film
+from babbitt.numerics.anderson import AndersonOptions
 from babbitt.reynolds.deformation.compliance import ColumnLiner
 from babbitt.reynolds.deformation.compliance_matrix import ComplianceMatrix
 from babbitt.reynolds.deformation.elastic_ring import ElasticRing, RingSupport
@@ -116,7 +117,8 @@ def test_heat_balance_of_an_elastic_bearing_closes():
 
 
 def test_bearing_too_soft_for_its_load_says_so(monkeypatch):
-    monkeypatch.setattr("babbitt.kinds.journal.film.elastic_film.MOST_FILMS", 8)
+    few = AndersonOptions(most_evaluations=8)
+    monkeypatch.setattr("babbitt.kinds.journal.film.elastic_film.SETTLING", few)
     (found,) = solved(**AT, compliance=[RING | {"outer_diameter": "206 mm"}]).results
     assert not found.outcome.solved
     assert "too soft" in found.message

@@ -10,6 +10,7 @@ import pytest
 
 from babbitt.core.result import Outcome
 from babbitt.kinds.journal.film.elastic_film import (
+    SETTLING,
     ElasticFilm,
     bore_grid,
     distortion_by,
@@ -22,7 +23,6 @@ from babbitt.reynolds.deformation.compliance import (
     ColumnLiner,
     Compliance,
     as_field,
-    joined_step,
     total_displacement,
 )
 from babbitt.reynolds.deformation.elastic_ring import ElasticRing
@@ -140,7 +140,8 @@ def test_start_near_the_answer_saves_films() -> None:
 
 
 def test_too_soft_a_ring_ends_with_a_status(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("babbitt.kinds.journal.film.elastic_film.MOST_FILMS", 12)
+    sought = replace(SETTLING, most_evaluations=12)
+    monkeypatch.setattr("babbitt.kinds.journal.film.elastic_film.SETTLING", sought)
     found = elastic_film(
         FILM, [ElasticRing(0.05, 0.052, 2.1e11, 0.3)], lambda film: solve_journal(film, LOAD, GRID)
     )
@@ -153,17 +154,6 @@ def test_film_that_is_not_found_is_not_called_an_answer() -> None:
     found = elastic_film(FILM, [SOFT], lambda film: replace(at_load(film), outcome=Outcome.OVERLOADED))
     assert found.outcome is Outcome.OVERLOADED
     assert found.films == 1
-
-
-def test_joined_steps_solve_a_linear_problem_that_repetition_does_not() -> None:
-    slope = np.diag([-4.0, -1.5, 0.5])
-    target = np.array([1.0, -2.0, 3.0])
-    here = np.zeros(3)
-    steps: list[tuple[np.ndarray, np.ndarray]] = []
-    for _ in range(6):
-        steps.append((here, slope @ (here - target) + target - here))
-        here = here + joined_step(steps, 0.5)
-    assert here == pytest.approx(target, abs=1e-6)
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from babbitt.reynolds.heat.globalisation import Mixing, accelerated_equilibrium, recovered
+from babbitt.reynolds.heat.globalisation import accelerated_equilibrium, recovered
 from babbitt.reynolds.heat.heat_model import THERMAL_ENGINEERING, BushRing, ConductingWalls, FilmHeat, JournalHeat
 from babbitt.reynolds.heat.thermal_equilibrium import CLOSED, CLOSING, OPEN
 from babbitt.reynolds.heat.thermal_film_state import GUESSED_SHARE
@@ -74,48 +74,6 @@ def test_mixed_passes_at_a_given_place_do_not_move_the_journal():
     found = accelerated_equilibrium(warm, None, np.array([0.2, -0.5]), 1e-5, 1e-3)
     assert found.status == CONVERGED
     assert found.position.tolist() == [0.2, -0.5]
-
-
-def test_mixing_solves_a_linear_map_that_plain_passes_do_not():
-    """x -> A x + b with |lambda| > 1: of n unknowns n + 1 passes know everything."""
-    angle, wild = 0.7, 1.3
-    turn = wild * np.array([[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]])
-    at, goal = np.array([3.0, -1.0]), np.linalg.solve(np.eye(2) - turn, [1.0, 2.0])
-    mixing, plain = Mixing(np.ones(2)), at.copy()
-    for _ in range(6):
-        start, move = mixing.move(at, turn @ at + [1.0, 2.0])
-        at, plain = start + move, turn @ plain + [1.0, 2.0]
-    assert at == pytest.approx(goal, abs=1e-8)
-    assert np.linalg.norm(plain - goal) > 1.0
-
-
-def test_mixing_leaves_out_what_passes_tell_twice():
-    """Of passes that differ by round-off alone the combination of least norm is taken, not any large one."""
-    rng = np.random.default_rng(3)
-    scale, mixing = rng.uniform(0.5, 2.0, 40), Mixing(np.ones(40))
-    mixing.scale = scale
-    states, residuals = [], []
-    for _ in range(4):
-        states.append(rng.normal(size=40))
-        residuals.append(rng.normal(size=40))
-    states.append(states[-1] + 1e-13)
-    residuals.append(residuals[-1] * (1.0 + 1e-15))
-    for before, residual in zip(states, residuals, strict=True):
-        start, move = mixing.move(before, before + residual)
-    steps, gains = np.diff(states, axis=0)[:3].T, np.diff(residuals, axis=0)[:3].T
-    part = np.linalg.lstsq(gains * scale[:, None], residuals[-1] * scale, rcond=None)[0]
-    expected = mixing.share * residuals[-1] - (steps + mixing.share * gains) @ part
-    assert start == pytest.approx(states[-1], abs=1e-15)
-    assert move == pytest.approx(expected, abs=1e-8)
-
-
-def test_mixing_goes_back_to_the_best_pass_when_it_went_astray():
-    mixing = Mixing(np.ones(1))
-    mixing.move(np.array([0.0]), np.array([1.0]))
-    mixing.move(np.array([0.3]), np.array([0.8]))
-    start, move = mixing.move(np.array([5.0]), np.array([100.0]))
-    assert start == pytest.approx([0.3])
-    assert 0.0 < move[0] < 0.3
 
 
 def test_a_film_that_was_lost_is_found_from_the_film_of_one_temperature():

@@ -19,16 +19,17 @@ STARVED_REMEDY = "a place where the film is full, or a pressure that feeds it."
 
 def failure(case: CheckedProblem, found: Equilibrium[FilmT]) -> str:
     """Say how far an unsolved case came, and what to try."""
+    least_flow = found.failure.least_flow if found.failure else None
     reached = f"{found.last_temperature - ZERO_CELSIUS:.1f} °C"
     match found.outcome:
-        case Outcome.OVERLOADED if found.least_flow is not None:
-            needed = f"a film needs about {found.least_flow * 6e4:.3g} L/min"
+        case Outcome.OVERLOADED if least_flow is not None:
+            needed = f"a film needs about {least_flow * 6e4:.3g} L/min"
             return (
                 f"at {reached} the oil given is too little for this load: {needed}. Try: more oil, less load, "
                 "a more viscous or cooler oil."
             )
         case Outcome.OVERLOADED:
-            far = f"at {reached} {_carried(found.capacity)}"
+            far = f"at {reached} {_carried(found.failure.capacity if found.failure else None)}"
             if isinstance(case.duty, PrescribedLoad):
                 far += f", less than the load of {_kilonewtons(case.duty.load)} kN"
         case Outcome.THERMAL_RUNAWAY:

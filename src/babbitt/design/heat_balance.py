@@ -1,12 +1,18 @@
-"""Where the friction heat goes, and the temperature at which what is made equals what is carried away.
+"""The lumped heat balance: the temperature of a film at which the heat made in it equals the heat carried away.
 
-One balance covers oil cooling, housing cooling and both:
+`coolest_equilibrium` finds it for every kind whose film has one temperature (journals by ISO 7902 and as
+isothermal films, hydrostatics, pads of thrust bearings, the infinitely long film of one mean temperature), each
+with its own surplus of heat; it always ends with a status. A footstep closes its balance by Lambert's W, and the
+two segments of a grooved long film warm each other: theirs are no search for one temperature.
+
+For journals one balance covers oil cooling, housing cooling and both:
 ``P_f = k_A A (T_eff - T_amb) + ρ c Q (T_ex - T_en)`` with ``T_eff = (T_en + T_ex)/2`` for the oil and
 ``T_eff = T_B`` for the housing.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Generic, Protocol, TypeVar
@@ -57,6 +63,9 @@ millikelvins closes its heat balance to 1e-8."""
 COARSE_SEARCH = SearchPolicy(2.0, 1.6, 16.0, 4.0, 0.05, 0.1, 1e-9, 60)
 """For films that cost milliseconds, and more where they collapse: large steps first, small where they count."""
 
+BOLD = SearchPolicy(10.0, 3.0, math.inf, math.inf, 0.05, 0.1, 1e-7, 200)
+"""For films whose surplus falls all the way, so that long steps pass nothing: pads and pressed oil."""
+
 MOST_STEPS = 200
 """Bound on the steps of the root finder."""
 
@@ -95,23 +104,22 @@ class FilmAtTemperature(Protocol):
     def friction_power(self) -> float: ...  # noqa: D102
 
 
-FilmT = TypeVar("FilmT", bound=FilmAtTemperature)
+FilmT = TypeVar("FilmT")
+WarmFilmT = TypeVar("WarmFilmT", bound=FilmAtTemperature)
 
 
 @dataclass(frozen=True)
 class Equilibrium(Generic[FilmT]):
     """How the heat balance ended: the film there (the last one reached if unsolved) and the work it took.
 
-    `capacity` is the largest load in N at the temperature where the film gave way, for an overloaded bearing, and
-    `least_flow` the least oil flow in m3/s with which a film was found there, for one that lacks oil.
+    `failure` tells why the film gave way, where it did.
     """
 
     outcome: Outcome
     film: FilmT | None
     evaluations: int
     last_temperature: float
-    capacity: float | None = None
-    least_flow: float | None = None
+    failure: NoFilmError | None = None
 
 
 def outlet_temperature(effective_temperature: float, case: CheckedProblem) -> float | None:
@@ -149,7 +157,30 @@ def coolest_temperature(case: CheckedProblem) -> float:
 
 
 def find_equilibrium(
-    case: CheckedProblem, film_at: Callable[[float], FilmT], policy: SearchPolicy = FINE_SEARCH
+    case: CheckedProblem, film_at: Callable[[float], WarmFilmT], policy: SearchPolicy = FINE_SEARCH
+) -> Equilibrium[WarmFilmT]:
+    """Find the coolest temperature at which oil and housing of a case carry the friction heat away.
+
+    Parameters
+    ----------
+    case : CheckedProblem
+        Supply and cooling.
+    film_at, policy
+        As of `coolest_equilibrium`.
+    """
+
+    def surplus(_: float, film: WarmFilmT) -> float:
+        return film.friction_power - sum(heat_paths(film, case))
+
+    return coolest_equilibrium(film_at, surplus, coolest_temperature(case), policy)
+
+
+def coolest_equilibrium(
+    film_at: Callable[[float], FilmT],
+    surplus: Callable[[float, FilmT], float],
+    coolest: float,
+    policy: SearchPolicy,
+    ceiling: float = CEILING,
 ) -> Equilibrium[FilmT]:
     """Find the coolest temperature at which the heat balance closes; always ends with a status.
 
@@ -161,35 +192,39 @@ def find_equilibrium(
 
     Parameters
     ----------
-    case : CheckedProblem
-        Supply and cooling.
     film_at : callable
         Film at a temperature in K; may raise `NoFilmError`.
+    surplus : callable
+        What a film at a temperature is heated more than cooled, in any unit: its sign and its root count.
+    coolest : float
+        Temperature in K below which there is no equilibrium.
     policy : SearchPolicy
-        `FINE_SEARCH` for cheap films, `COARSE_SEARCH` for dear ones.
+        `FINE_SEARCH` for cheap films, `COARSE_SEARCH` for dear ones, `BOLD` where the surplus falls all the way.
+    ceiling : float
+        Temperature in K beyond which no film is followed.
     """
-    search = _Search(case, film_at, policy)
+    search = _Search(film_at, surplus, coolest, policy)
     try:
-        return _coolest(case, search, policy)
+        return _coolest(search, coolest, policy, ceiling)
     except _SpentError:
         return search.given_up()
 
 
-def _coolest(case: CheckedProblem, search: _Search[FilmT], policy: SearchPolicy) -> Equilibrium[FilmT]:
-    low, step, largest = coolest_temperature(case), policy.step, policy.largest_step
+def _coolest(search: _Search[FilmT], coolest: float, policy: SearchPolicy, ceiling: float) -> Equilibrium[FilmT]:
+    low, step, largest = coolest, policy.step, policy.largest_step
     while True:  # a law may not reach the coolest temperature; a warm film needs it only from where it is defined
         try:
             surplus = search.surplus(low)
             break
         except NoFilmError as failure:
-            if failure.outcome is not Outcome.NO_LUBRICANT_DATA or low >= CEILING:
+            if failure.outcome is not Outcome.NO_LUBRICANT_DATA or low >= ceiling:
                 return search.ended(failure, low)
             low += policy.step
-    if surplus <= 0.0 and low > coolest_temperature(case):
+    if surplus <= 0.0 and low > coolest:
         return search.unsolved(Outcome.NO_LUBRICANT_DATA, low)
     before = (low, surplus)
     while surplus > 0.0:
-        high = min(low + step, CEILING)
+        high = min(low + step, ceiling)
         coarse = step > policy.fine_step
         try:
             following = search.surplus(high)
@@ -208,7 +243,7 @@ def _coolest(case: CheckedProblem, search: _Search[FilmT], policy: SearchPolicy)
             dip = search.least(before[0], high)
             if search.surplus(dip) <= 0.0:
                 return search.closed_in(before[0], dip)
-        if following > 0.0 and high >= CEILING:
+        if following > 0.0 and high >= ceiling:
             return search.unsolved(Outcome.THERMAL_RUNAWAY, high)
         before, low, surplus = (low, surplus), high, following
         step = min(step * policy.growth, largest)
@@ -220,7 +255,7 @@ def at_prescribed_temperature(temperature: float, film_at: Callable[[float], Fil
     try:
         return Equilibrium(Outcome.CONVERGED, film_at(temperature), 1, temperature)
     except NoFilmError as failure:
-        return Equilibrium(failure.outcome, None, 1, temperature, failure.capacity, failure.least_flow)
+        return Equilibrium(failure.outcome, None, 1, temperature, failure)
 
 
 class _SpentError(Exception):
@@ -228,22 +263,25 @@ class _SpentError(Exception):
 
 
 class _Search(Generic[FilmT]):
-    """The surplus of friction heat over temperature, and the ways a search for its root can end."""
+    """The surplus of heat over temperature, and the ways a search for its root can end."""
 
-    def __init__(self, case: CheckedProblem, film_at: Callable[[float], FilmT], policy: SearchPolicy) -> None:
-        self._case = case
-        self._film_at = film_at
-        self._policy = policy
+    def __init__(
+        self,
+        film_at: Callable[[float], FilmT],
+        surplus: Callable[[float, FilmT], float],
+        coolest: float,
+        policy: SearchPolicy,
+    ) -> None:
+        self._film_at, self._surplus_of, self._coolest, self._policy = film_at, surplus, coolest, policy
         self._evaluations = 0
         self._last: tuple[float, FilmT | NoFilmError] | None = None
 
     def surplus(self, temperature: float) -> float:
-        """Friction power less the heat carried away, W."""
+        """Heat made less heat carried away."""
         if self._evaluations >= self._policy.most_evaluations:
             raise _SpentError
         self._evaluations += 1
-        film = self._film(temperature)
-        return film.friction_power - sum(heat_paths(film, self._case))
+        return self._surplus_of(temperature, self._film(temperature))
 
     def least(self, low: float, high: float) -> float:
         """Temperature of the least surplus between two temperatures."""
@@ -254,15 +292,20 @@ class _Search(Generic[FilmT]):
         return float(found.x)
 
     def last_with_film(self, good: float, bad: float) -> float:
-        """Highest temperature with a film between one that has and one that has not, by bisection."""
+        """Highest temperature with a film between one that has and one that has not, by bisection.
+
+        The first one on the way whose film gives all its heat away is as good: the equilibrium lies below it.
+        """
         while bad - good > self._policy.edge:
             middle = (good + bad) / 2.0
             try:
-                self.surplus(middle)
+                surplus = self.surplus(middle)
             except NoFilmError:
                 bad = middle
-            else:
-                good = middle
+                continue
+            good = middle
+            if surplus <= 0.0:
+                break
         return good
 
     def closed_in(self, low: float, high: float) -> Equilibrium[FilmT]:
@@ -286,13 +329,11 @@ class _Search(Generic[FilmT]):
             film: FilmT | None = self._film(temperature)
         except NoFilmError:
             film = None
-        return Equilibrium(
-            failure.outcome, film, self._evaluations, temperature, failure.capacity, failure.least_flow
-        )
+        return Equilibrium(failure.outcome, film, self._evaluations, temperature, failure)
 
     def given_up(self) -> Equilibrium[FilmT]:
         """End where the films allowed have run out."""
-        temperature, found = self._last or (coolest_temperature(self._case), None)
+        temperature, found = self._last or (self._coolest, None)
         film = None if found is None or isinstance(found, NoFilmError) else found
         return Equilibrium(Outcome.NOT_CONVERGED, film, self._evaluations, temperature)
 

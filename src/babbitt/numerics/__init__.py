@@ -1,1 +1,1 @@
-"""Numerical methods that know nothing of bearings: roots with a status, splines."""
+"""Numerical methods that know nothing of bearings: roots, fixed points and equilibria with a status, splines."""

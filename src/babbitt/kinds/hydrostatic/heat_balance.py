@@ -7,14 +7,15 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import cache
 
-from babbitt.design.heat_balance import CEILING
+from babbitt.core.result import Outcome
+from babbitt.design.heat_balance import BOLD, NoFilmError, coolest_equilibrium
 from babbitt.kinds.hydrostatic.answer import Answer, answer
 from babbitt.kinds.hydrostatic.friction import friction_power
 from babbitt.kinds.hydrostatic.model import HydrostaticCase
 from babbitt.kinds.hydrostatic.pumping import pumping_power
 from babbitt.kinds.hydrostatic.state import SearchOutcome
-from babbitt.numerics.roots import find_root
 
 __all__ = ["HeatedBearing", "heated"]
 
@@ -22,10 +23,7 @@ TOLERANCE = 1e-6
 """K, of the temperature of the oil."""
 
 FIRST_STEP = 1.0
-"""K; the least by which the search for an upper bound steps."""
-
-MOST_HALVINGS = 12
-"""Halvings towards the coldest film that is known, where a warmer one carries nothing."""
+"""K; the first step of the search is the rise of the coldest film, at least this."""
 
 
 @dataclass(frozen=True)
@@ -53,8 +51,8 @@ class HeatedBearing:
 def heated(case: HydrostaticCase) -> HeatedBearing:
     """The bearing with the oil at the temperature of its film.
 
-    With a lubricant and a supply temperature the film is as warm as the oil leaves it. The root of the heat
-    balance is bracketed between the supply temperature and 300 degC (`babbitt.design.heat_balance.CEILING`).
+    With a lubricant and a supply temperature the film is as warm as the oil leaves it, at most 300 degC
+    (`babbitt.design.heat_balance.coolest_equilibrium`).
 
     Parameters
     ----------
@@ -69,37 +67,29 @@ def heated(case: HydrostaticCase) -> HeatedBearing:
     supply = case.oil.supply_temperature
     if supply is None or case.oil.lubricant is None:
         return HeatedBearing(case, answer(case))
-    cold = _at(case, supply)
-    if cold.found.ending is not SearchOutcome.SOLVED:
-        return cold
-    low, high = supply, supply + _excess(cold)
-    halvings = 0
-    while True:
-        high = min(high, CEILING)
-        hot = _at(case, high)
-        if hot.found.ending is not SearchOutcome.SOLVED:
-            halvings += 1
-            if halvings > MOST_HALVINGS:
-                return hot
-            high = 0.5 * (low + high)
-        elif _excess(hot) <= 0.0:
-            break
-        elif high >= CEILING:
-            return replace(hot, found=replace(hot.found, ending=SearchOutcome.THERMAL_RUNAWAY))
-        elif halvings:
-            low, high = high, 2.0 * high - low
-        else:
-            low, high = high, high + max(2.0 * _excess(hot), FIRST_STEP)
 
-    def excess(temperature: float) -> float:
+    lost: list[HeatedBearing] = []
+
+    @cache
+    def film_at(temperature: float) -> HeatedBearing:
         state = _at(case, temperature)
-        return _excess(state) if state.found.ending is SearchOutcome.SOLVED else math.nan
+        if state.found.ending is SearchOutcome.SOLVED:
+            return state
+        lost.append(state)
+        raise NoFilmError(Outcome.NOT_CONVERGED)
 
-    root = find_root(excess, low, high, absolute=TOLERANCE)
-    state = _at(case, root.value)
-    if not root.converged and state.found.ending is SearchOutcome.SOLVED:
-        return replace(state, found=replace(state.found, ending=SearchOutcome.NOT_CONVERGED))
-    return state
+    try:
+        policy = replace(BOLD, step=max(_excess(film_at(supply)), FIRST_STEP), tolerance=TOLERANCE)
+    except NoFilmError:
+        return lost[0]
+    ended = coolest_equilibrium(film_at, lambda _, state: _excess(state), supply, policy)
+    if ended.failure is not None:
+        return lost[-1]  # the coldest one
+    assert ended.film is not None  # that of the supply temperature is known
+    ending = {Outcome.CONVERGED: SearchOutcome.SOLVED, Outcome.THERMAL_RUNAWAY: SearchOutcome.THERMAL_RUNAWAY}
+    return replace(
+        ended.film, found=replace(ended.film.found, ending=ending.get(ended.outcome, SearchOutcome.NOT_CONVERGED))
+    )
 
 
 def _at(case: HydrostaticCase, temperature: float) -> HeatedBearing:

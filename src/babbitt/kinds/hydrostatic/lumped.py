@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,7 @@ from babbitt.kinds.hydrostatic.impedance import static_coefficients
 from babbitt.kinds.hydrostatic.lumps import Lumps
 from babbitt.kinds.hydrostatic.network import Feeding, NetworkState, solve_network
 from babbitt.kinds.hydrostatic.state import SearchOutcome, ending_of
+from babbitt.numerics.damped_newton import damped_newton
 from babbitt.reynolds.recess.recess_film import RecessResponse
 
 __all__ = ["LumpedState", "centred_stiffness", "land_interaction", "level_under", "lumped_at", "lumped_under"]
@@ -26,6 +28,8 @@ Array = NDArray[np.float64]
 TURN = 2.0 * math.pi
 FLAT = 1e-9
 """Of the largest stiffness: what is less is none."""
+MOST_STEPS, MOST_HALVINGS, THINNEST = 80, 30, 1e-3
+"""Of a search, of one of its steps, and the gap over that at rest at which it gives up."""
 ROUND_OFF = 1e-12
 """Of what all recesses push, whatever their direction: no load is met more closely than that."""
 
@@ -117,33 +121,56 @@ def lumped_under(lumps: Lumps, feeding: Feeding, load: Array, state: LumpedState
     -------
     LumpedState
     """
-    at = state.at
-    arm = np.where(np.arange(load.size) < (1 if load.size == 3 else 2), 1.0, 1.0 / lumps.radius)
-    size = float(np.abs(load * arm).max()) or 1.0
-    best = 0.0
-    for _ in range(80):
-        residual = state.response.force + load
-        short = float(np.abs(residual * arm).max())
-        pushed = float((np.abs(lumps.area) @ np.abs(state.network.pressures) * arm).max())
+    carrying = _Carrying(lumps, feeding, load, state)
+    ended = damped_newton(carrying, state.at, MOST_STEPS, THINNEST * lumps.gap, MOST_HALVINGS)
+    carried = 0.0 if ended.status is SearchOutcome.SOLVED else carrying.best
+    return replace(carrying.state, ending=ended.status, carried=carried)
+
+
+@dataclass(eq=False)
+class _Carrying:
+    """Lumped lands that are to carry a load; see `babbitt.numerics.damped_newton.NewtonProblem`."""
+
+    lumps: Lumps
+    feeding: Feeding
+    load: Array
+    state: LumpedState
+    best: float = 0.0
+    no_room: ClassVar[SearchOutcome] = SearchOutcome.OVERLOADED
+    too_many_steps: ClassVar[SearchOutcome] = SearchOutcome.OVERLOADED
+
+    def room(self, at: Array) -> float:
+        """Thinnest gap, m."""
+        return self.lumps.thinnest(at)
+
+    def kept_room(self, at: Array, room: float) -> float:
+        """A share of the gap."""
+        return 0.4 * room
+
+    def look(self, at: Array, step: int) -> SearchOutcome | None:
+        """Lands and network there, and whether they carry the load."""
+        if step > 1:
+            self.state = lumped_at(self.lumps, self.feeding, at, self.state.network)
+            if self.state.ending is not SearchOutcome.SOLVED:
+                return self.state.ending
+        arm = np.where(np.arange(self.load.size) < (1 if self.load.size == 3 else 2), 1.0, 1.0 / self.lumps.radius)
+        size = float(np.abs(self.load * arm).max()) or 1.0
+        short = float(np.abs((self.state.response.force + self.load) * arm).max())
+        pushed = float((np.abs(self.lumps.area) @ np.abs(self.state.network.pressures) * arm).max())
         if short < max(1e-10 * size, ROUND_OFF * pushed):
-            return state
-        best = max(best, 1.0 - short / size)
-        stiffness, damping = static_coefficients(state.response, state.network)
-        move = step_against(lumps, stiffness, residual)
-        creep = 0.0
-        while move @ residual <= 0.0 and creep < 1e12:  # behind the greatest load
+            return SearchOutcome.SOLVED
+        self.best = max(self.best, 1.0 - short / size)
+        return None
+
+    def move(self, at: Array, room: float) -> Array:
+        """Newton's step; a creep where it leads behind the greatest load."""
+        stiffness, damping = static_coefficients(self.state.response, self.state.network)
+        residual = self.state.response.force + self.load
+        move, creep = step_against(self.lumps, stiffness, residual), 0.0
+        while move @ residual <= 0.0 and creep < 1e12:
             creep = max(10.0 * creep, 1e-3 * abs(np.trace(stiffness) / np.trace(damping)))
-            move = step_against(lumps, stiffness + creep * damping, residual)
-        gap, share = lumps.thinnest(at), 1.0
-        while not lumps.thinnest(at + share * move) > 0.4 * gap and share > 1e-9:
-            share *= 0.5
-        at = at + share * move
-        if lumps.thinnest(at) < 1e-3 * lumps.gap:
-            break
-        state = lumped_at(lumps, feeding, at, state.network)
-        if state.ending is not SearchOutcome.SOLVED:
-            return replace(state, carried=best)
-    return LumpedState(state.response, state.network, state.at, SearchOutcome.OVERLOADED, best)
+            move = step_against(self.lumps, stiffness + creep * damping, residual)
+        return move
 
 
 def step_against(lumps: Lumps, stiffness: Array, residual: Array) -> Array:

@@ -236,6 +236,8 @@ def descend(
     """Newton on the position, the network solved in every step; where it does not descend, steps of a creep.
 
     With damping C and pseudo-time t the step is (K + C/t)^-1 (F + load): t grows where the force gets balanced.
+    Not by `babbitt.numerics.damped_newton`: the pressures of the recesses are unknowns, too, and follow each step
+    as far as it was taken.
     """
     units = np.abs(film.of.scales.motion) / film.of.scales.gap  # 1 for m, rad per m for tilts
     size = float(np.abs(load * units).max()) or float(film.of.scales.pressure * film.of.scales.area * 1e-3)

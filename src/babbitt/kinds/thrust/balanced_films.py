@@ -25,17 +25,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
-from babbitt.design.heat_balance import NoFilmError
+from babbitt.design.heat_balance import BOLD, NoFilmError, coolest_equilibrium
 from babbitt.design.oil import highest_usable
 from babbitt.kinds.thrust.equilibrium import leaning_state, pad_state
 from babbitt.kinds.thrust.failures import NoPadFilmError, ThermalRunawayError
-from babbitt.kinds.thrust.heat import HeatBalance, Temperatures
+from babbitt.kinds.thrust.heat import HeatBalance, Temperatures, film_of, pad_temperatures
 from babbitt.kinds.thrust.load_curve import LoadCurve
 from babbitt.kinds.thrust.pad import ThrustPad
 from babbitt.kinds.thrust.pad_attitude import PARALLEL, PadTilt
-from babbitt.kinds.thrust.state import PadState, PadTemperatures
+from babbitt.kinds.thrust.state import PadState
 from babbitt.kinds.thrust.tabulated import MOST_STEPS, TabulatedFilms
-from babbitt.numerics.roots import bracketed_root
 
 __all__ = ["BalancedFilms", "temperatures_together"]
 
@@ -43,8 +42,8 @@ Array = NDArray[np.float64]
 
 RANGE, COUNT = (0.01, 300.0), 160
 """Films at which plane pads are tabulated, over that of the mean load, and how many."""
-TOLERANCE = 1e-10
-"""Of the effective temperature of a pad, K."""
+POLICY = replace(BOLD, tolerance=1e-10)
+"""How the effective temperature of a pad is sought."""
 SAME = 1e-12
 """Of a height or load that is that of the pad under the mean load."""
 
@@ -166,18 +165,17 @@ class BalancedFilms:
                 return alike.similar(height, viscosity, self.angular_speed)
             return self._turbulent(height, viscosity, lean, near)
 
-        def excess(temperature: float) -> float:
-            return self._temperatures(film(temperature), inlet).effective - temperature
+        def film_at(temperature: float) -> PadState:
+            found = film(temperature)
+            flows = found.friction_power, found.trailing_flow, found.side_flow
+            return replace(found, balance=pad_temperatures(self.balance, self.capacity, *flows, inlet))
 
-        low = self.balance.supply_temperature if inlet is None else inlet
-        high = low + 10.0
-        while not (at_end := high >= self.hottest) and excess(high) > 0.0:
-            low, high = high, high + 2.0 * (high - low)
-        high = min(high, self.hottest)
-        if at_end and not excess(high) < 0.0:
-            raise ThermalRunawayError
-        found = film(bracketed_root(excess, low, high, absolute=TOLERANCE))
-        return replace(found, balance=self._temperatures(found, inlet))
+        def surplus(temperature: float, found: PadState) -> float:
+            assert found.balance is not None
+            return found.balance.effective - temperature
+
+        coolest = self.balance.supply_temperature if inlet is None else inlet
+        return film_of(coolest_equilibrium(film_at, surplus, coolest, POLICY, self.hottest))
 
     def _turbulent(self, height: float, viscosity: float, lean: PadTilt, near: PadState | None) -> PadState:
         guess = self.middle if near is None else near
@@ -187,14 +185,6 @@ class BalancedFilms:
             return leaning_state(self.pad, height, viscosity, self.angular_speed, along, lean)
         slopes = (guess.slope_x * share, guess.slope_y * share)
         return pad_state(self.pad, height, viscosity, self.angular_speed, slopes)
-
-    def _temperatures(self, state: PadState, inlet: float | None) -> PadTemperatures:
-        rise = state.friction_power / (self.capacity * (state.trailing_flow + 0.5 * state.side_flow))
-        if inlet is None:
-            carried = self.balance.carry_over * state.trailing_flow
-            fresh = state.trailing_flow + state.side_flow - carried
-            inlet = self.balance.supply_temperature + carried * rise / fresh
-        return PadTemperatures(inlet, rise)
 
 
 def temperatures_together(films: BalancedFilms, states: tuple[PadState, ...], sense: float = 0.0) -> Temperatures:

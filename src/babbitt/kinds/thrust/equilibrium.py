@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ from babbitt.kinds.thrust.pad_attitude import PARALLEL, PadTilt
 from babbitt.kinds.thrust.peak import peak_pressure
 from babbitt.kinds.thrust.state import PadState
 from babbitt.kinds.thrust.work import COLD_FILM, spend
+from babbitt.numerics.damped_newton import damped_newton
 from babbitt.reynolds.model import Cavitation
 
 if TYPE_CHECKING:
@@ -40,8 +41,8 @@ LEAST_GAP = 0.01
 few hundredths of it."""
 PARTS = (1.0, 0.6, 0.35, 0.2)
 """Of the slope of a level pad, from which that of a leaning one is sought."""
-STUCK = 1e-3
-"""Share of Newton's step, halved before the runner, at which it leads nowhere."""
+MOST_HALVINGS = 9
+"""Of Newton's step before the runner; a smaller one leads nowhere: the balance lies beyond the runner."""
 FIRST_RISE = 0.35
 """First guess of the fall of the film from the pivot to the trailing edge, over the height."""
 
@@ -102,23 +103,47 @@ def pad_state(
 
 def _balanced(pad: ThrustPad, sector: SectorPad, motion: Array, mesh: tuple[int, int]) -> PadState:
     """Newton's method on the moments of the free tilts."""
-    free, to_film = list(pad.free_tilts), pad.from_pivot()
-    film = _film(sector, to_film @ motion, mesh)
-    for _ in range(MOST_STEPS):
-        forces = to_film.T @ film.forces
-        if np.abs(forces[free]).max(initial=0.0) <= MOMENT_TOLERANCE * abs(forces[0]) * (
-            pad.outer_radius - pad.inner_radius
-        ):
-            return state_of_film(pad, film, motion, sector.viscosity, sector.angular_speed)
-        stiffness = to_film.T @ film.stiffness @ to_film
+    tilting = _Tilting(pad, sector, mesh)
+    ended = damped_newton(tilting, motion, MOST_STEPS, most_halvings=MOST_HALVINGS)
+    if not ended.status:
+        raise _unbalanced(pad)
+    return state_of_film(pad, tilting.film, ended.at, sector.viscosity, sector.angular_speed)
+
+
+@dataclass(eq=False)
+class _Tilting:
+    """A pad that is to balance on its pivot; see `babbitt.numerics.damped_newton.NewtonProblem`."""
+
+    pad: ThrustPad
+    sector: SectorPad
+    mesh: tuple[int, int]
+    film: SectorFilm = field(init=False)
+    no_room: ClassVar[bool] = False
+    too_many_steps: ClassVar[bool] = False
+
+    def room(self, at: Array) -> float:
+        """Thinnest film: that of the face, for a crowned pad may lean until its plane would cut the runner."""
+        return float(minimum_gap(self.pad, at))
+
+    def kept_room(self, at: Array, room: float) -> float:
+        """A share of the height, if the pad tilts at all."""
+        return LEAST_GAP * float(at[0])
+
+    def look(self, at: Array, step: int) -> bool | None:
+        """The film, and whether its moments vanish."""
+        to_film, width = self.pad.from_pivot(), self.pad.outer_radius - self.pad.inner_radius
+        self.film = _film(self.sector, to_film @ at, self.mesh)
+        forces = to_film.T @ self.film.forces
+        missed = np.abs(forces[list(self.pad.free_tilts)]).max(initial=0.0)
+        return True if missed <= MOMENT_TOLERANCE * abs(forces[0]) * width else None
+
+    def move(self, at: Array, room: float) -> Array:
+        """Newton's step of the free tilts."""
+        free, to_film = list(self.pad.free_tilts), self.pad.from_pivot()
+        stiffness = to_film.T @ self.film.stiffness @ to_film
         step = np.zeros(3)
-        step[free] = np.linalg.solve(stiffness[np.ix_(free, free)], forces[free])
-        wanted, step = step, _within_reach(pad, motion, step, LEAST_GAP)
-        if np.abs(step).max() < STUCK * np.abs(wanted).max():
-            break  # balance lies beyond the runner
-        motion = motion + step
-        film = _film(sector, to_film @ motion, mesh)
-    raise _unbalanced(pad)
+        step[free] = np.linalg.solve(stiffness[np.ix_(free, free)], (to_film.T @ self.film.forces)[free])
+        return step
 
 
 def leaning_state(
@@ -216,18 +241,6 @@ def _film(sector: SectorPad, motion: Array, mesh: tuple[int, int]) -> SectorFilm
 
     spend(COLD_FILM)
     return sector_film(sector, PlaneMotion(*(float(part) for part in motion)), intervals=mesh[0], degree=mesh[1])
-
-
-def _within_reach(pad: ThrustPad, motion: Array, step: Array, share: float) -> Array:
-    """The step, halved until the thinnest film keeps a share of the height.
-
-    The face counts: a crowned pad may lean until its plane would cut the runner at a corner.
-    """
-    for _ in range(MOST_STEPS):
-        if minimum_gap(pad, motion + step) > share * motion[0]:
-            return step
-        step = 0.5 * step
-    return step
 
 
 def state_of_film(

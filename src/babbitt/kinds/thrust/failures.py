@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from babbitt.core.picklable_error import PicklableError
 from babbitt.core.result import Outcome
+from babbitt.design.heat_balance import NoFilmError
 
 __all__ = [
     "ConcavePadError",
@@ -12,6 +12,7 @@ __all__ = [
     "TiltedPadsTouchAtFilmError",
     "TiltedPadsTouchError",
     "NoPadFilmError",
+    "OpenHeatBalanceError",
     "OverloadedPadsError",
     "PadsTouchError",
     "ThermalRunawayError",
@@ -20,7 +21,7 @@ __all__ = [
 ]
 
 
-class NoPadFilmError(PicklableError):
+class NoPadFilmError(NoFilmError):
     """There is no film to answer with.
 
     Attributes
@@ -33,6 +34,12 @@ class NoPadFilmError(PicklableError):
     outcome = Outcome.NOT_CONVERGED
     said = ""
 
+    def __init__(self) -> None:
+        super().__init__(self.outcome)
+
+    def __str__(self) -> str:
+        return self.said
+
 
 class ThermalRunawayError(NoPadFilmError):
     """No balance up to the highest temperature."""
@@ -42,6 +49,12 @@ class ThermalRunawayError(NoPadFilmError):
         "friction outruns the oil up to 300 °C; less thrust, cooler or thinner oil, less of it carried over, or a "
         "straighter housing where one leans"
     )
+
+
+class OpenHeatBalanceError(NoPadFilmError):
+    """The search for the temperature of the pads ended without it."""
+
+    said = "the temperature at which oil carries the friction heat away was not found; less thrust, or a given one"
 
 
 class UnsettledPadError(NoPadFilmError):
@@ -73,7 +86,7 @@ class OverloadedPadsError(NoPadFilmError):
             f"the pads carry at most {carried / 1e3:.4g} kN of {thrust / 1e3:.4g} kN: {bound}less thrust, more "
             "viscous oil, more speed, or larger pads"
         )
-        super().__init__(self.said)
+        super().__init__()
 
 
 class ConcavePadError(NoPadFilmError):
@@ -98,7 +111,7 @@ class ConcavePadError(NoPadFilmError):
             f"{carried}: the pads are hollow (crown {crown * 1e6:g} µm), and on a thinner film no tilt balances a "
             "hollow pad on its pivot; plane or crowned pads, or less thrust, more viscous oil, or more speed"
         )
-        super().__init__(self.said)
+        super().__init__()
 
 
 class PadsTouchError(NoPadFilmError):
@@ -112,7 +125,7 @@ class PadsTouchError(NoPadFilmError):
             f"{film * 1e6:.1f} µm: it stands in the collar; a thicker film, a ring that gives way, or the "
             "thrust in place of the film"
         )
-        super().__init__(self.said)
+        super().__init__()
 
 
 class TiltedPadsTouchError(NoPadFilmError):
@@ -133,7 +146,7 @@ class TiltedPadsTouchError(NoPadFilmError):
             f"{carried / 1e3:.4g} kN; a straighter housing, less thrust, a ring that gives way, or pads on point "
             "pivots"
         )
-        super().__init__(self.said)
+        super().__init__()
 
 
 class TiltedPadsTouchAtFilmError(NoPadFilmError):
@@ -146,7 +159,7 @@ class TiltedPadsTouchAtFilmError(NoPadFilmError):
             f"the face of pad {pad} leans with the housing and touches the collar at the mean film of "
             f"{film * 1e6:.1f} µm; less tilt of the housing, a thicker film, or pads on point pivots"
         )
-        super().__init__(self.said)
+        super().__init__()
 
 
 class TiltedPadError(NoPadFilmError):
@@ -166,7 +179,7 @@ class TiltedPadError(NoPadFilmError):
             f"{_unbalanced(pad, thinnest)}, and the thrust asks for less film; a straighter housing, less thrust, "
             "a ring that gives way, or pads on point pivots"
         )
-        super().__init__(self.said)
+        super().__init__()
 
 
 class TiltedPadAtFilmError(NoPadFilmError):
@@ -177,7 +190,7 @@ class TiltedPadAtFilmError(NoPadFilmError):
             f"{_unbalanced(pad, thinnest)}, at a mean film of {film * 1e6:.1f} µm; less tilt of the housing, a "
             "thicker film, or pads on point pivots"
         )
-        super().__init__(self.said)
+        super().__init__()
 
 
 def _unbalanced(pad: int | None, thinnest: float | None) -> str:

@@ -8,16 +8,18 @@ and temperatures are found together, as `babbitt.kinds.thrust.neighbours` does f
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
 from babbitt.kinds.thrust.balanced_films import BalancedFilms
 from babbitt.kinds.thrust.failures import UnsettledFeedError
-from babbitt.kinds.thrust.neighbours import FOLLOWING, MOST_ROUNDS, STEP, Mixing, common_heights, mixed_inlets
+from babbitt.kinds.thrust.neighbours import COMBINED, MOST_ROUNDS, Rounds, mixed_inlets
 from babbitt.kinds.thrust.pad_attitude import PadAttitude, attitude_at_rest
 from babbitt.kinds.thrust.sharing import Share
-from babbitt.kinds.thrust.state import PadState, condensed
+from babbitt.kinds.thrust.state import PadState
 
 __all__ = ["share_of_fed_pads"]
 
@@ -25,6 +27,8 @@ Array = NDArray[np.float64]
 
 SETTLED = 1e-9
 """Change of the heights, over them, and of the inlet temperatures, over 1000 K: heat is then closed to 1e-8."""
+RETURNING = replace(COMBINED, least_damping=COMBINED.damping, most_failures=MOST_ROUNDS)
+"""Rounds that go half-way back from where a pad has no film."""
 
 
 def share_of_fed_pads(
@@ -48,32 +52,27 @@ def share_of_fed_pads(
         If the pads go on to change each other.
     ThermalRunawayError
     """
-    bearing, states, heights, mixing = share.bearing, share.states, share.heights.copy(), Mixing()
+    bearing, states = share.bearing, share.states
     stands = attitude_at_rest(bearing) if standing is None else standing
-    inlets, known = _inlets(films, states, bearing.sense), heights
-    for _ in range(MOST_ROUNDS):
+
+    def films_at(heights: Array, inlets: Array) -> tuple[PadState, ...] | None:
+        nonlocal states
         try:
             states = tuple(
                 films.fed(float(height), float(inlet), stands.lean(place), states[place])
                 for place, (height, inlet) in enumerate(zip(heights, inlets, strict=True))
             )
         except InputError:  # a pad that leans has no balance so near
-            if np.array_equal(heights, known):
-                break
-            heights = 0.5 * (heights + known)
-            mixing.forget()
-            continue
-        known = heights
-        loads = np.array([state.load for state in states])
-        stiffness = FOLLOWING * np.array([condensed(one, 0.0).real if one.load > 0.0 else 0.0 for one in states])
-        thrust = share.thrust if mean_film is None else float(loads.sum())
-        approach, new = common_heights(bearing, stands, thrust, mean_film, heights, loads, stiffness)
-        wanted = _inlets(films, states, bearing.sense)
-        moved = max(float(np.abs(new / heights - 1.0).max()), 1e-3 * float(np.abs(wanted - inlets).max()))
-        if moved < SETTLED:
-            return Share(bearing, thrust, approach, heights, loads, states)
-        heights, inlets = mixing.following(heights, new, inlets, inlets + STEP * (wanted - inlets))
-    raise UnsettledFeedError
+            return None
+        return states
+
+    def inlets_of(states: tuple[PadState, ...]) -> Array:
+        return _inlets(films, states, bearing.sense)
+
+    found = Rounds(share, stands, mean_film, films_at, inlets_of, SETTLED).run(RETURNING)
+    if found is None:
+        raise UnsettledFeedError
+    return found
 
 
 def _inlets(films: BalancedFilms, states: tuple[PadState, ...], sense: float) -> Array:

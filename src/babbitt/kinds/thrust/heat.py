@@ -14,13 +14,14 @@ T_s).
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from babbitt.kinds.thrust.failures import NoPadFilmError, ThermalRunawayError
+from babbitt.core.result import Outcome
+from babbitt.design.heat_balance import BOLD, Equilibrium, FilmT, coolest_equilibrium
+from babbitt.kinds.thrust.failures import OpenHeatBalanceError, ThermalRunawayError
 from babbitt.kinds.thrust.load_curve import LoadCurve
-from babbitt.kinds.thrust.state import PadState
+from babbitt.kinds.thrust.state import PadState, PadTemperatures
 from babbitt.properties.lubricants import Lubricant
 
 __all__ = [
@@ -28,18 +29,12 @@ __all__ = [
     "Temperatures",
     "USUAL_CARRY_OVER",
     "balanced",
+    "film_of",
+    "pad_temperatures",
 ]
 
 USUAL_CARRY_OVER = 0.75
 """Assumption: share of the hot oil of a pad that enters the next one; 0.7 to 0.9 are found at usual speeds."""
-
-HOTTEST = 573.15
-"""Effective temperature up to which a balance is sought, K."""
-STEPS = 60
-THIN_WITHIN = 0.05
-"""Between a temperature at which pads have a film and one at which they have none, K, where the search ends."""
-TOLERANCE = 1e-7
-"""Of the effective temperature, K."""
 
 
 @dataclass(frozen=True)
@@ -77,6 +72,21 @@ class Temperatures:
     error: float
 
 
+def pad_temperatures(
+    balance: HeatBalance, capacity: float, power: float, trailing: float, side: float, inlet: float | None = None
+) -> PadTemperatures:
+    """Temperatures of pads that make heat (W) and let oil go over trailing edge and sides (m3/s).
+
+    ``inlet`` is that of the oil taken in, K; None: of a mixture of fresh oil and of what their like send off.
+    ``capacity`` is rho c, J/(m3 K).
+    """
+    rise = power / (capacity * (trailing + 0.5 * side))
+    if inlet is None:
+        carried = balance.carry_over * trailing
+        inlet = balance.supply_temperature + carried * rise / (trailing + side - carried)
+    return PadTemperatures(inlet, rise)
+
+
 def temperatures_of(balance: HeatBalance, states: tuple[PadState, ...], effective: float) -> Temperatures:
     """Temperatures that follow from the films at an effective temperature (K)."""
     power = sum(state.friction_power for state in states)
@@ -85,9 +95,9 @@ def temperatures_of(balance: HeatBalance, states: tuple[PadState, ...], effectiv
     heat = float(balance.lubricant.volumetric_heat_capacity(effective))
     carried = balance.carry_over * trailing
     entering = trailing + side
-    rise = power / (heat * (trailing + 0.5 * side))
     supply = balance.supply_temperature
-    inlet = supply + carried * rise / (entering - carried)
+    pad = pad_temperatures(balance, heat, power, trailing, side)
+    inlet, rise = pad.inlet, pad.rise
     fresh = entering - carried
     drained = side * (inlet + 0.5 * rise) + (trailing - carried) * (inlet + rise)
     drain = drained / (side + trailing - carried)
@@ -124,34 +134,21 @@ def balanced(
     ThermalRunawayError
         If friction outruns the oil up to 300 °C.
     """
-    from babbitt.numerics.roots import bracketed_root
 
-    def at(temperature: float) -> LoadCurve:
-        return films.at(float(balance.lubricant.dynamic_viscosity(temperature)), speed)
+    def film_at(temperature: float) -> tuple[LoadCurve, Temperatures]:
+        in_oil = films.at(float(balance.lubricant.dynamic_viscosity(temperature)), speed)
+        return in_oil, temperatures_of(balance, pads_on(in_oil), temperature)
 
-    def excess(temperature: float) -> float:
-        return temperatures_of(balance, pads_on(at(temperature)), temperature).effective - temperature
+    def surplus(temperature: float, film: tuple[LoadCurve, Temperatures]) -> float:
+        return film[1].effective - temperature
 
-    low, high = _bracket(excess, balance.supply_temperature)
-    effective = bracketed_root(excess, low, high, absolute=TOLERANCE)
-    found = at(effective)
-    return found, temperatures_of(balance, pads_on(found), effective)
+    return film_of(coolest_equilibrium(film_at, surplus, balance.supply_temperature, BOLD))
 
 
-def _bracket(excess: Callable[[float], float], supply: float) -> tuple[float, float]:
-    """Temperatures between which friction stops to outrun the oil, K, sought upward from the supply.
-
-    Oil too thin for any film bounds the search from above: the balance may lie before it.
-    """
-    low, high, thin = supply, supply + 10.0, math.inf
-    without_film: NoPadFilmError = ThermalRunawayError()
-    while low < HOTTEST and thin - low > THIN_WITHIN:
-        try:
-            if excess(high) <= 0.0:
-                return low, min(high, HOTTEST + 60.0)
-            low, high = high, high + 2.0 * (high - supply)
-        except NoPadFilmError as failure:
-            thin, without_film = high, failure
-        if high >= thin:
-            high = 0.5 * (low + thin)
-    raise without_film
+def film_of(ended: Equilibrium[FilmT]) -> FilmT:
+    """The film at which a heat balance ended; raises `NoPadFilmError` where it did not close."""
+    if ended.film is not None and ended.outcome.solved:
+        return ended.film
+    if ended.failure is not None:
+        raise ended.failure
+    raise ThermalRunawayError if ended.outcome is Outcome.THERMAL_RUNAWAY else OpenHeatBalanceError

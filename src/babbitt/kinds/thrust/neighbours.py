@@ -12,7 +12,9 @@ thrust is shared on stiffnesses near the heights until nothing changes.
 
 from __future__ import annotations
 
-from dataclasses import replace
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,8 +27,9 @@ from babbitt.kinds.thrust.sharing import Share
 from babbitt.kinds.thrust.state import PadState, condensed
 from babbitt.kinds.thrust.thermal import InitialState, PadOil, warm_pad
 from babbitt.kinds.thrust.thermal_films import ThermalLoadCurve
+from babbitt.numerics.anderson import AndersonOptions, fixed_point
 
-__all__ = ["Mixing", "common_heights", "mixed_inlets", "share_with_neighbours"]
+__all__ = ["COMBINED", "MOST_ROUNDS", "Rounds", "common_heights", "mixed_inlets", "share_with_neighbours"]
 
 Array = NDArray[np.float64]
 
@@ -41,45 +44,64 @@ FOLLOWING = 0.8
 """Stiffness when temperatures follow over that at frozen temperatures; only the number of rounds depends on it."""
 REACH, WARMER = 0.3, 20.0
 """Largest change in a round of a height, over it, and of an inlet temperature, K."""
-REMEMBERED = 6
-"""Rounds from whose changes the next one is chosen."""
+COMBINED = AndersonOptions(most_evaluations=MOST_ROUNDS, memory=6)
+"""How rounds are combined: heat goes round the bearing in small shares; plain ones would follow it for long."""
 
 
-class Mixing:
-    """Heights and inlet temperatures of the next round, from the changes of the last ones (D. G. Anderson, 1965).
+@dataclass(eq=False)
+class Rounds:
+    """Rounds in which pads share the thrust and feed each other, as a map of heights and inlet temperatures.
 
-    Heat goes round the bearing in small shares, and plain rounds would follow it for long.
+    Attributes
+    ----------
+    share : Share
+        From which the search begins, then of the last round.
+    standing : PadAttitude
+    mean_film : float or None
+        Mean film at the pivots that is kept, m, in place of the thrust.
+    films_at : callable
+        Films at heights (m) and inlet temperatures (K); None where a pad has none.
+    inlets_of : callable
+        Inlet temperatures that films give each other, K.
+    tolerance : float
+        Change of the heights, over them, and of the inlet temperatures, over 1000 K, that ends the search.
     """
 
-    def __init__(self) -> None:
-        self._results: list[Array] = []
-        self._changes: list[Array] = []
+    share: Share
+    standing: PadAttitude
+    mean_film: float | None
+    films_at: Callable[[Array, Array], tuple[PadState, ...] | None]
+    inlets_of: Callable[[tuple[PadState, ...]], Array]
+    tolerance: float
+    moved: float = math.inf
 
-    def forget(self) -> None:
-        """Begin anew, where the last round led nowhere."""
-        self._results.clear()
-        self._changes.clear()
+    def run(self, options: AndersonOptions) -> Share | None:
+        """The share at which nothing changes; None where the rounds do not end there."""
+        start = np.concatenate([np.log(self.share.heights), 1e-3 * self.inlets_of(self.share.states)])
+        found = fixed_point(self._residual, lambda *_: self.moved < self.tolerance, start, options, self._bounded)
+        return self.share if found.converged else None
 
-    def following(self, heights: Array, new: Array, inlets: Array, mixed: Array) -> tuple[Array, Array]:
-        """Those of the next round.
+    def _residual(self, state: Array) -> Array | None:
+        """Change of the logarithms of the heights and of the inlet temperatures over 1000 K, of which STEP."""
+        share = self.share
+        heights, inlets = np.exp(state[: share.heights.size]), 1e3 * state[share.heights.size :]
+        states = self.films_at(heights, inlets)
+        if states is None:
+            return None
+        loads = np.array([one.load for one in states])
+        stiffness = FOLLOWING * np.array([condensed(one, 0.0).real if one.load > 0.0 else 0.0 for one in states])
+        thrust = share.thrust if self.mean_film is None else float(loads.sum())
+        approach, new = common_heights(
+            share.bearing, self.standing, thrust, self.mean_film, heights, loads, stiffness
+        )
+        warmer = self.inlets_of(states) - inlets
+        self.moved = max(float(np.abs(new / heights - 1.0).max()), 1e-3 * float(np.abs(warmer).max()))
+        self.share = Share(share.bearing, thrust, approach, heights, loads, states)
+        return np.concatenate([np.log(new / heights), 1e-3 * STEP * warmer])
 
-        Parameters
-        ----------
-        heights, new : ndarray, shape (z,)
-            Of this round and what it gives, m.
-        inlets, mixed : ndarray, shape (z,)
-            Of this round and what it gives, K.
-        """
-        result = np.concatenate([np.log(new), 1e-3 * mixed])
-        self._results.append(result)
-        self._changes.append(result - np.concatenate([np.log(heights), 1e-3 * inlets]))
-        del self._results[: -1 - REMEMBERED], self._changes[: -1 - REMEMBERED]
-        if len(self._changes) > 1:
-            shares = np.linalg.lstsq(np.diff(self._changes, axis=0).T, self._changes[-1], rcond=1e-10)[0]
-            result = result - np.diff(self._results, axis=0).T @ shares
-        bounded = np.exp(np.clip(result[: heights.size] - np.log(heights), -REACH, REACH))
-        warmer = np.clip(1e3 * result[heights.size :] - inlets, -WARMER, WARMER)
-        return np.asarray(heights * bounded), np.asarray(inlets + warmer)
+    def _bounded(self, _: Array, move: Array) -> Array:
+        bound = np.repeat([REACH, 1e-3 * WARMER], self.share.heights.size)
+        return np.clip(move, -bound, bound)
 
 
 def share_with_neighbours(
@@ -112,27 +134,26 @@ def share_with_neighbours(
     stands = attitude_at_rest(bearing) if standing is None else standing
     leans = [stands.lean(place) for place in range(bearing.number)]
     pads = [_first(films, state) for state in share.states]
-    inlets = _inlets(oil, [pad.state for pad in pads], bearing.sense)
-    heights, mixing = share.heights.copy(), Mixing()
-    for _ in range(MOST_ROUNDS):
+
+    def films_at(heights: Array, inlets: Array) -> tuple[PadState, ...] | None:
+        nonlocal pads
         try:
             pads = [
                 warm_pad(films.pad, _fed_at(oil, inlet), films.angular_speed, float(height), None, pad, lean=lean)
                 for inlet, height, pad, lean in zip(inlets, heights, pads, leans, strict=True)
             ]
         except UnbalancedPadError:
-            raise UnsettledPadError from None
-        states = tuple(pad.state for pad in pads)
-        loads = np.array([state.load for state in states])
-        stiffness = FOLLOWING * np.array([condensed(one, 0.0).real for one in states])
-        thrust = share.thrust if mean_film is None else float(loads.sum())
-        approach, new = common_heights(bearing, stands, thrust, mean_film, heights, loads, stiffness)
-        wanted = _inlets(oil, list(states), bearing.sense)
-        moved = max(float(np.abs(new / heights - 1.0).max()), 1e-3 * float(np.abs(wanted - inlets).max()))
-        if moved < tolerance:
-            return Share(bearing, thrust, approach, heights, loads, _closed(oil, pads, bearing.sense))
-        heights, inlets = mixing.following(heights, new, inlets, inlets + STEP * (wanted - inlets))
-    raise UnsettledPadError
+            return None
+        return tuple(pad.state for pad in pads)
+
+    def inlets_of(states: tuple[PadState, ...]) -> Array:
+        return _inlets(oil, list(states), bearing.sense)
+
+    begin = replace(share, states=tuple(pad.state for pad in pads))
+    found = Rounds(begin, stands, mean_film, films_at, inlets_of, tolerance).run(COMBINED)
+    if found is None:
+        raise UnsettledPadError
+    return replace(found, states=_closed(oil, pads, bearing.sense))
 
 
 def _closed(oil: PadOil, pads: list[InitialState], sense: float) -> tuple[PadState, ...]:

@@ -7,7 +7,7 @@ temperatures (`babbitt.reynolds.sector.thermal_sector`).
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +29,7 @@ from babbitt.kinds.thrust.pad import DEGREE, ThrustPad
 from babbitt.kinds.thrust.pad_attitude import PARALLEL, PadTilt
 from babbitt.kinds.thrust.state import PadState
 from babbitt.kinds.thrust.work import spend
+from babbitt.numerics.damped_newton import damped_newton
 from babbitt.properties.lubricants import Lubricant
 
 if TYPE_CHECKING:
@@ -50,7 +51,7 @@ POLISH = 12
 MAX_STALLED_PASSES, NEARLY_SETTLED, NEARLY_BALANCED = 120, 5e-2, 2e-4
 """Passes after which a film whose rupture goes to and fro between two lines is let be, at which change of
 temperature, K, and which miss of forces over the load."""
-KEPT, HALVINGS = 0.3, 40
+KEPT, HALVINGS = 0.3, 39
 """Least gap after a step over that before it, and how often a step is halved for it."""
 FARTHEST = 1e3
 """Height over that of the start from which a pad has flown away."""
@@ -167,12 +168,12 @@ def warm_pad(
     try:
         hottest = highest_usable(oil.lubricant)
         motion = _at_rest(pad, sector, first, load)
-    except NoFilmError:
-        raise ThermalRunawayError from None
     except UnsettledPadError:
         if not sector.warm.temperature.max() < hottest:
             raise ThermalRunawayError from None
         raise
+    except NoFilmError:
+        raise ThermalRunawayError from None
     film, heat, change = sector.finish(pad.from_pivot() @ motion)
     if not heat.maximum < hottest:
         raise ThermalRunawayError
@@ -195,46 +196,77 @@ def _cold_slopes(
 
 def _at_rest(pad: ThrustPad, sector: ThermalSectorState, motion: Array, load: float | None) -> Array:
     """Passes until film, temperatures and pad rest; then the pad alone, exactly, at frozen temperatures."""
-    free = list(pad.free_tilts) if load is None else [0, *pad.free_tilts]
-    to_film, width = pad.from_pivot(), pad.outer_radius - pad.inner_radius
-    scale = np.array([1.0, width, width])
-    sought = np.zeros(3) if load is None else np.array([load, 0.0, 0.0])
-    polishing, share, last = 0, 1.0, np.zeros(3)
-    cost = _cost_of_pass(sector.warm.heat.grid.resolved)
-    for passes in range(MOST_PASSES):
-        spend(cost)
-        change = 0.0
-        if polishing:
-            sector.carry(to_film @ motion)
+    ended = damped_newton(_Resting(pad, sector, load), motion, MOST_PASSES, most_halvings=HALVINGS)
+    if not ended.status:
+        raise UnsettledPadError
+    return ended.at
+
+
+@dataclass(eq=False)
+class _Resting:
+    """A pad that is to rest in a film that heats itself; see `babbitt.numerics.damped_newton.NewtonProblem`."""
+
+    pad: ThrustPad
+    sector: ThermalSectorState
+    load: float | None
+    polishing: int = 0
+    share: float = 1.0
+    passes: int = 0
+    no_room: ClassVar[bool] = False
+    too_many_steps: ClassVar[bool] = False
+
+    def __post_init__(self) -> None:
+        self.free = list(self.pad.free_tilts) if self.load is None else [0, *self.pad.free_tilts]
+        self.to_film, self.cost = self.pad.from_pivot(), _cost_of_pass(self.sector.warm.heat.grid.resolved)
+        self.left, self.last = np.zeros(3), np.zeros(3)
+
+    def room(self, at: Array) -> float:
+        """Least gap, m; none where the pad has flown away."""
+        return self.sector.least_gap(self.to_film @ at) if at[0] < FARTHEST * self.sector.height else 0.0
+
+    def kept_room(self, at: Array, room: float) -> float:
+        """A share of the gap."""
+        return KEPT * room
+
+    def look(self, at: Array, step: int) -> bool | None:
+        """One pass, or the pressure alone, and the forces that are left."""
+        spend(self.cost)
+        change, self.passes = 0.0, step - 1
+        if self.polishing:
+            self.sector.carry(self.to_film @ at)
         else:
-            change = sector.advance(to_film @ motion)
-        forces = to_film.T @ sector.forces
-        left = forces - sought
-        miss = float((np.abs(left[free]) / scale[free]).max(initial=0.0)) / max(
-            abs(forces[0]), abs(sought[0]), 1e-300
-        )
+            change = self.sector.advance(self.to_film @ at)
+        forces, width = self.to_film.T @ self.sector.forces, self.pad.outer_radius - self.pad.inner_radius
+        sought, scale = np.array([self.load or 0.0, 0.0, 0.0]), np.array([1.0, width, width])
+        self.left = forces - sought
+        miss = float((np.abs(self.left[self.free]) / scale[self.free]).max(initial=0.0))
+        miss /= max(abs(forces[0]), sought[0], 1e-300)
         if not np.isfinite(miss) or np.isnan(change):
-            break
-        if passes > MAX_STALLED_PASSES and change < NEARLY_SETTLED and miss < NEARLY_BALANCED:
-            return motion
-        if polishing or (change < SETTLED and miss < BALANCED):
-            polishing += 1
-            if miss < MOMENT_TOLERANCE or not free:
-                return motion
-            if polishing > POLISH:
-                break
-        stiffness = to_film.T @ sector.stiffness @ to_film
-        step = np.zeros(3)
+            return False
+        if self.passes > MAX_STALLED_PASSES and change < NEARLY_SETTLED and miss < NEARLY_BALANCED:
+            return True
+        if self.polishing or (change < SETTLED and miss < BALANCED):
+            self.polishing += 1
+            if miss < MOMENT_TOLERANCE or not self.free:
+                return True
+            if self.polishing > POLISH:
+                return False
+        return None
+
+    def move(self, at: Array, room: float) -> Array | None:
+        """Newton's step at frozen temperatures, shortened where steps go to and fro or change the height much."""
+        stiffness, step = self.to_film.T @ self.sector.stiffness @ self.to_film, np.zeros(3)
         try:
-            step[free] = np.linalg.solve(stiffness[np.ix_(free, free)], left[free])
+            step[self.free] = np.linalg.solve(stiffness[np.ix_(self.free, self.free)], self.left[self.free])
         except np.linalg.LinAlgError:
-            break
-        share = _calmer(share, step, last) if polishing == 0 and passes > CALM else 1.0
-        moved = _moved(pad, sector, motion, share * step)
-        if moved is None:
-            break
-        motion, last = moved, step
-    raise UnsettledPadError
+            return None
+        calming = self.polishing == 0 and self.passes > CALM
+        self.share = _calmer(self.share, step, self.last) if calming else 1.0
+        self.last, step = step, self.share * step
+        growth = float(np.clip(step[0] / at[0], -0.9, None))
+        if abs(np.log1p(growth)) > MOVED:
+            step = step * (np.expm1(np.copysign(MOVED, growth)) / growth)
+        return step
 
 
 def _cost_of_pass(resolved: bool) -> float:
@@ -245,18 +277,3 @@ def _cost_of_pass(resolved: bool) -> float:
 def _calmer(share: float, step: Array, last: Array) -> float:
     """Share of a step that is taken: less where steps go to and fro."""
     return max(0.6 * share, LEAST_SHARE) if float(step @ last) < 0.0 else min(1.3 * share, 1.0)
-
-
-def _moved(pad: ThrustPad, sector: ThermalSectorState, motion: Array, step: Array) -> Array | None:
-    """The pad after a step that neither flies off nor takes most of the least gap; None: nowhere."""
-    growth = float(np.clip(step[0] / motion[0], -0.9, None))
-    if abs(np.log1p(growth)) > MOVED:
-        step = step * (np.expm1(np.copysign(MOVED, growth)) / growth)
-    to_film = pad.from_pivot()
-    least = KEPT * sector.least_gap(to_film @ motion)
-    for _ in range(HALVINGS):
-        new = motion + step
-        if new[0] < FARTHEST * sector.height and sector.least_gap(to_film @ new) > least > 0.0:
-            return np.asarray(new)
-        step = 0.5 * step
-    return None

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Protocol
 
 import numpy as np
@@ -18,12 +17,10 @@ from numpy.typing import NDArray
 from babbitt.core.notices import InputError
 from babbitt.reynolds.model import Field
 
-__all__ = ["BoreGrid", "ColumnLiner", "Compliance", "as_field", "joined_step", "total_displacement"]
+__all__ = ["BoreGrid", "ColumnLiner", "Compliance", "as_field", "total_displacement"]
 
 Array = NDArray[np.float64]
 TURN = 2.0 * math.pi
-RCOND = 1e-8
-"""Share of the largest below which directions of joined steps count as the same."""
 
 
 @dataclass(frozen=True)
@@ -149,16 +146,3 @@ def check_elastic(elastic_modulus: float, poisson_ratio: float) -> None:
         raise InputError("E101", f"elastic_modulus is {elastic_modulus} Pa; it must be positive.")
     if not 0.0 <= poisson_ratio < 0.5:
         raise InputError("E101", f"poisson_ratio is {poisson_ratio}; it must lie from 0 up to below 0.5.")
-
-
-def joined_step(steps: Sequence[tuple[Array, Array]], damping: float) -> Array:
-    """Next move of a fixed-point iteration from its last places and mismatches (Anderson, type II)."""
-    off = steps[-1][1]
-    if len(steps) == 1:
-        return damping * off
-    moved, changed = (
-        np.array([(after[part] - before[part]).ravel() for before, after in pairwise(steps)]).T for part in (0, 1)
-    )
-    shares = np.linalg.lstsq(changed, off.ravel(), rcond=RCOND)[0]
-    joined = damping * off.ravel() - (moved + damping * changed) @ shares
-    return np.asarray(joined.reshape(off.shape))

@@ -20,7 +20,7 @@ from numpy import float64, int64
 from numpy.typing import NDArray
 
 from babbitt.reynolds._compiling import compiled, inlined
-from babbitt.reynolds.surface._surface_film import Counted
+from babbitt.reynolds.surface._surface_film import Counted, gap_at
 
 Array = NDArray[float64]
 
@@ -123,28 +123,47 @@ def gather_flows(surface, film, work, at, columns, flows):
     Their difference is the work of the flow, which vanishes but for supplies under pressure. That of shear is
     U^2 int dx / (J_0 h), where 1/J_0 is the viscosity of the layers in series.
     """
-    lines, nodes, n = surface.held.shape[0], len(surface.nodes), surface.step.size
-    turbulent = surface.turbulence.size > 0
     for array in (flows.shear, flows.pressure, flows.axial, flows.leak, flows.heat, flows.gap, flows.fill):
         array[:] = 0.0
-    warmth = np.zeros((lines, nodes))
-    friction, drawn, unit = 0.0, 0.0, 0.0
+    warmth = np.zeros(surface.held.shape)
+    mean_gaps(surface, at, columns, flows)
+    friction, viscosity = shear_intervals(surface, work, at, columns, flows, warmth)
+    friction -= flow_between_lines(surface, film, work, columns, flows, warmth)
+    flow_across(surface, film, work, columns, flows, warmth)
+    return flows.heat.sum(), friction, viscosity
+
+
+@inlined
+def mean_gaps(surface, at, columns, flows):
+    """Gap of every cell: the mean over the points of the width at the two Gauss points beside its line."""
+    lines = surface.held.shape[0]
     weight = np.zeros((lines, columns.size.size))
-    for i in range(n):
+    for i in range(surface.step.size):
+        after = i + 1 if i + 1 < lines else 0
+        for q in range(len(surface.points)):
+            c, share = columns.column[surface.node[q]], surface.share[q]
+            ha, hb = gap_at(surface, at, i, q)
+            flows.gap[i, c] += share * ha
+            flows.gap[after, c] += share * hb
+            weight[i, c] += share
+            weight[after, c] += share
+    for i in range(lines):
+        for c in range(columns.size.size):
+            flows.gap[i, c] /= weight[i, c]
+
+
+@inlined
+def shear_intervals(surface, work, at, columns, flows, warmth):
+    """Heat by shear of the intervals, half to each line beside; its power, and the viscosity that has it."""
+    lines, turbulent = surface.held.shape[0], surface.turbulence.size > 0
+    friction, drawn, unit = 0.0, 0.0, 0.0
+    for i in range(surface.step.size):
         after = i + 1 if i + 1 < lines else 0
         flows.stir[i] = 0.0
         for q in range(len(surface.points)):
             j = surface.node[q]
             c, share = columns.column[j], surface.share[q]
-            ha, hb = surface.gap_a[i, q], surface.gap_b[i, q]
-            for d in range(len(surface.motions)):
-                lift = at[d] * surface.lever[d, q]
-                ha -= lift * surface.shape_a[d, i]
-                hb -= lift * surface.shape_b[d, i]
-            flows.gap[i, c] += share * ha
-            flows.gap[after, c] += share * hb
-            weight[i, c] += share
-            weight[after, c] += share
+            ha, hb = gap_at(surface, at, i, q)
             stir_a, stir_b = 1.0, 1.0
             if turbulent:
                 stir_a, stir_b = stirring(surface, i, q, ha), stirring(surface, i, q, hb)
@@ -169,12 +188,16 @@ def gather_flows(surface, film, work, at, columns, flows):
             friction += sheared
             warmth[i, j] += 0.5 * sheared
             warmth[after, j] += 0.5 * sheared
-    for i in range(lines):
-        for c in range(columns.size.size):
-            flows.gap[i, c] /= weight[i, c]
-    for i in range(n):
+    return friction, drawn / unit if unit > 0.0 else 1.0
+
+
+@inlined
+def flow_between_lines(surface, film, work, columns, flows, warmth):
+    """Flows by shear and by pressure from line to line, and the heat of the latter; work of the former."""
+    lines, worked = surface.held.shape[0], 0.0
+    for i in range(surface.step.size):
         after = i + 1 if i + 1 < lines else 0
-        for j in range(nodes):
+        for j in range(len(surface.nodes)):
             c = columns.column[j]
             drop = work.pressure[i, j] - work.pressure[after, j]
             flux, push = film.couette[i, j] * work.fill[i, j], film.conductance[i, j] * drop
@@ -182,13 +205,20 @@ def gather_flows(surface, film, work, at, columns, flows):
                 flux, push = film.inlet[i, j] * work.fill[i, j], 0.0
             flows.shear[i, c] += flux
             flows.pressure[i, c] += push
-            friction -= flux * drop
+            worked += flux * drop
             warmth[i, j] += 0.5 * push * drop
             warmth[after, j] += 0.5 * push * drop
+    return worked
+
+
+@inlined
+def flow_across(surface, film, work, columns, flows, warmth):
+    """Flows across the width and over the sides, the heat of all flows and the liquid fraction of the cells."""
+    nodes = len(surface.nodes)
     leaving, part = np.empty(nodes), np.empty(nodes)
     for j in range(nodes):
         part[j] = column_share(surface, j)
-    for i in range(lines):
+    for i in range(surface.held.shape[0]):
         leaving[:] = 0.0
         for q in range(len(surface.points)):
             gradient = 0.0
@@ -209,7 +239,6 @@ def gather_flows(surface, film, work, at, columns, flows):
             if columns.side[j] == 1 and columns.supply[i, c] < 0:
                 flows.leak[i, c] -= work.row[i, j]
             flows.fill[i, c] += min(max(work.fill[i, j], 0.0), 1.0) * part[j] / columns.size[c]
-    return flows.heat.sum(), friction, drawn / unit if unit > 0.0 else 1.0
 
 
 @inlined

@@ -6,11 +6,13 @@ The place that is found meets the same tolerances; only the way there is another
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.numerics.anderson import AndersonOptions, FixedPointStatus, fixed_point
+from babbitt.numerics.damped_newton import halved_for_room
 from babbitt.reynolds.equilibrium.solve import solve_journal
 from babbitt.reynolds.heat._heat_walls import MOST_RISE
 from babbitt.reynolds.heat.heat_model import FilmHeat
@@ -38,11 +40,8 @@ STEPS, NEAR = 100, 1e-2
 """Steps to the place of a film of one temperature on one grid, and the residual force over load that ends them."""
 SWEEPS = 20
 """Of the energy equation in a pass."""
-MEMORY, MIXED, MOST_MIXED = 10, 0.3, 100
-"""Passes that are combined, share of the residual that the next takes, and how many there may be."""
-ASTRAY, LEAST_MIXED, SAME = 5.0, 0.05, 1e-6
-"""Residual over the least one from which the passes begin anew; share of the residual then, at least; residuals
-that differ by less are one."""
+MIXED = AndersonOptions(most_evaluations=100, memory=9, damping=0.3, astray=5.0)
+"""How passes are combined."""
 SHRINK = 0.6
 """Share of the least gap that a step of the journal leaves."""
 GAP_IN_KELVIN = 50.0
@@ -112,94 +111,66 @@ def _ring_at(
 def accelerated_equilibrium(
     warm: ThermalFilmState, load: Array | None, at: Array, tolerance: float, settled: float
 ) -> ThermalEquilibrium:
-    """Let film, temperature and journal (where there is a load) come to rest by Anderson's mixing of the passes.
+    """Let film, temperature and journal (where there is a load) come to rest by passes that remember each other.
 
-    A pass is a map G of temperatures, walls and journal; its residual f = G(x) - x. Of the last passes that
-    combination is taken whose residual is least in the linear picture,
-
-        gamma = argmin |f - dF gamma|,   x' = x + b f - (dX + b dF) gamma,
-
-    which also calms waves that run through the film from pass to pass, as where hot oil flows back before the
-    inlet.
-    Source: D. G. Anderson, Iterative procedures for nonlinear integral equations, J. ACM 12 (1965) 547-560;
-    H. F. Walker, P. Ni, Anderson acceleration for fixed-point iterations, SIAM J. Numer. Anal. 49 (2011)
-    1715-1735.
+    A pass is a map of temperatures, walls and journal. Anderson's combination of the last ones also calms waves
+    that run through the film from pass to pass, as where hot oil flows back before the inlet.
     """
-    floor, calm = 0.0 if load is None else tolerance * math.hypot(*load) + 1e-13, 0
     gap = warm.sample.gap(at)
-    mixing = Mixing(np.concatenate((_scale(warm), np.full(2, GAP_IN_KELVIN / gap))))
-    for passes in range(1, MOST_MIXED + 1):
-        before = np.concatenate((_packed(warm), at))
+    passes = _Passes(warm, load, 0.0 if load is None else tolerance * math.hypot(*load) + 1e-13, settled)
+    weights = np.concatenate((_scale(warm), np.full(2, GAP_IN_KELVIN / gap)))
+    start = np.concatenate((_packed(warm), at))
+    found = fixed_point(passes.residual, passes.settled, start, MIXED, passes.bounded, weights)
+    at = found.state[-2:]
+    gap = warm.sample.gap(at)
+    if found.status is FixedPointStatus.LOST:
+        return ThermalEquilibrium(warm, at, NO_FILM, found.evaluations, gap)
+    status = CONVERGED if found.converged else TOO_MANY_STEPS
+    return ThermalEquilibrium(warm, at, status, found.evaluations, gap, load, mixed=found.converged)
+
+
+@dataclass(eq=False)
+class _Passes:
+    """Passes as a map of the state: temperatures (``_packed``), then the place of the journal."""
+
+    warm: ThermalFilmState
+    load: Array | None
+    floor: float
+    change_at_rest: float
+    calm: int = 0
+    at_rest: bool = False
+
+    def residual(self, state: Array) -> Array | None:
+        """What a pass changes; None where the film is none, or does not answer to the journal."""
+        warm, at = self.warm, state[-2:]
+        _unpack(warm, state[:-2])
         warm.relaxation = 1.0
         changed, change = warm.advance(at, SWEEPS, ROUNDS)
-        left = np.zeros(2) if load is None else warm.sample.force + load
+        left = np.zeros(2) if self.load is None else warm.sample.force + self.load
         size = math.hypot(*left)
         if not (math.isfinite(size) and math.isfinite(change)):
-            return ThermalEquilibrium(warm, at, NO_FILM, passes, gap)
-        if change < settled and size <= floor:
-            calm += 1
-            if changed == 0 or calm > MAX_STALLED_PASSES:
-                return ThermalEquilibrium(warm, at, CONVERGED, passes, gap, load, mixed=True)
+            return None
+        rests = change < self.change_at_rest and size <= self.floor
+        self.calm += rests
+        self.at_rest = rests and (changed == 0 or self.calm > MAX_STALLED_PASSES)
         try:
             step = np.linalg.solve(warm.sample.stiffness, left) if size > 0.0 else left
-        except np.linalg.LinAlgError:  # no film that answers to the journal
-            return ThermalEquilibrium(warm, at, NO_FILM, passes, gap)
-        start, move = mixing.move(before, np.concatenate((_packed(warm), at + step)))
-        move *= min(1.0, MOST_RISE / max(float(np.abs(move[:-2]).max()), 1e-300))
-        at, gap = start[-2:], warm.sample.gap(start[-2:])
-        new_gap, halvings = warm.sample.gap(at + move[-2:]), 0
-        while not new_gap > SHRINK * gap and halvings < 60:
-            move, halvings = 0.5 * move, halvings + 1
-            new_gap = warm.sample.gap(at + move[-2:])
-        if not new_gap > CONTACT:
-            return ThermalEquilibrium(warm, at, NO_FILM, passes, gap)
-        _unpack(warm, start[:-2] + move[:-2])
-        at, gap = at + move[-2:], new_gap
-    return ThermalEquilibrium(warm, at, TOO_MANY_STEPS, MOST_MIXED, gap, load)
+        except np.linalg.LinAlgError:
+            return None
+        return np.concatenate((_packed(warm) - state[:-2], step))
 
+    def settled(self, state: Array, residual: Array) -> bool:
+        """Whether the last pass found the film at rest."""
+        return self.at_rest
 
-@dataclass
-class Mixing:
-    """Anderson's combination of passes, begun anew from the best of them when it goes astray.
+    def bounded(self, state: Array, move: Array) -> Array | None:
+        """The move with a bound on the temperatures, halved for the gap; None where no gap is left."""
 
-    Attributes
-    ----------
-    scale : ndarray
-        Weights of the state in the norm of residuals.
-    share : float
-        Of the residual that the next state takes.
-    """
+        def gap(place: Array) -> float:
+            return self.warm.sample.gap(place[-2:])
 
-    scale: Array
-    share: float = MIXED
-    states: list[Array] = field(default_factory=list)
-    residuals: list[Array] = field(default_factory=list)
-    best: float = math.inf
-
-    def move(self, before: Array, after: Array) -> tuple[Array, Array]:
-        """State to go on from, and the move from there, after a pass from ``before`` to ``after``."""
-        norm = self.norm(after - before)
-        if norm > ASTRAY * self.best:
-            least = min(range(len(self.states)), key=lambda one: self.norm(self.residuals[one]))
-            self.states, self.residuals = [self.states[least]], [self.residuals[least]]
-            self.share, self.best = max(0.5 * self.share, LEAST_MIXED), self.norm(self.residuals[0])
-            return self.states[0], self.share * self.residuals[0]
-        self.best = min(self.best, norm)
-        self.states = [*self.states, before][-MEMORY:]
-        self.residuals = [*self.residuals, after - before][-MEMORY:]
-        last = self.residuals[-1]
-        if len(self.states) == 1:
-            return before, self.share * last
-        steps, gains = np.diff(np.array(self.states), axis=0), np.diff(np.array(self.residuals), axis=0)
-        # a few long vectors: threads of a BLAS would wait for each other longer than they work, einsum has none
-        weighted = gains * self.scale**2
-        normal, right = np.einsum("ik,jk->ij", weighted, gains), np.einsum("ik,k->i", weighted, last)
-        part = np.linalg.lstsq(normal, right, rcond=SAME**2)[0]
-        return before, self.share * last - np.einsum("ik,i->k", steps + self.share * gains, part)
-
-    def norm(self, residual: Array) -> float:
-        """Weighted size of a residual."""
-        return float(np.linalg.norm(residual * self.scale))
+        move = move * min(1.0, MOST_RISE / max(float(np.abs(move[:-2]).max()), 1e-300))
+        return halved_for_room(gap, state, move, max(SHRINK * gap(state), CONTACT))
 
 
 def _packed(warm: ThermalFilmState) -> Array:

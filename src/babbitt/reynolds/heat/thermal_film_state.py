@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from babbitt.reynolds.heat._heat_cells import Cells, new_cells
 from babbitt.reynolds.heat._heat_flows import Columns, Flows, new_flows, spread_viscosity
-from babbitt.reynolds.heat._heat_pass import Drains, Pace, gather_heat, warm_pass
+from babbitt.reynolds.heat._heat_pass import Answers, Drains, Pace, Warmth, gather_heat, warm_pass
 from babbitt.reynolds.heat._heat_walls import (
     Walls,
     close_energy,
@@ -148,8 +148,8 @@ class ThermalFilmState:
         pace = Pace(rounds, self.passes > FLICKER, sweeps, self.relaxation, self.rise, self.stirred, part)
         changed, change, along, powers, stale = warm_pass(
             sample.ring.surface, sample.film, sample.work, self.columns, self.flows, self.cells, walls,
-            self.drains, pace, fresh, self.viscosity, self.temperature, self.groove, self.last_rise, at,
-            sample.force, sample.stiffness, sample.damping,
+            self.drains, pace, fresh, Warmth(self.viscosity, self.temperature, self.groove, self.last_rise), at,
+            Answers(sample.force, sample.stiffness, sample.damping),
         )  # fmt: skip
         self.dissipation, self.friction, self.effective_viscosity = powers
         if stale:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.numerics.damped_newton import damped_newton
 from babbitt.reynolds.heat.heat_model import FilmHeat
 from babbitt.reynolds.heat.thermal_film_state import ThermalFilmState
 from babbitt.reynolds.lands._equilibrium import (
@@ -17,12 +19,11 @@ from babbitt.reynolds.lands._equilibrium import (
     NO_FILM,
     THINNEST,
     TOO_MANY_STEPS,
-    damped_step,
 )
 from babbitt.reynolds.model import JournalFilm, Resolution
 from babbitt.reynolds.scales import Scales
 from babbitt.reynolds.surface.mesh_lines import Density
-from babbitt.reynolds.surface.surface_equilibrium import Effort, SurfaceState, line_density
+from babbitt.reynolds.surface.surface_equilibrium import Effort, PseudoTime, SurfaceState, line_density
 from babbitt.reynolds.surface.surface_equilibrium import rest as carry
 from babbitt.reynolds.surface.unwrapped_mesh import build_ring
 
@@ -115,40 +116,60 @@ def continued(warm: ThermalFilmState, before: ThermalFilmState) -> ThermalFilmSt
 
 def rest(warm: ThermalFilmState, load: Array, at: Array, tolerance: float, settled: float) -> ThermalEquilibrium:
     """Let film, temperature and journal come to rest on one ring."""
-    size_of_load = math.hypot(*load)
-    floor = tolerance * size_of_load + 1e-13
-    step_time, last, calm, sunk = 0.0, 0.0, 0, 0
-    nearest, reached = math.inf, 0
-    gap = warm.sample.gap(at)
-    if not gap > 0.0:
-        return ThermalEquilibrium(warm, at, NO_FILM, 0, gap)
-    for passes in range(1, MOST_PASSES + 1):
-        changed, change = warm.advance(at, SWEEPS, 1 if 1 < passes < ACTIVE_SET_ROUNDS else ROUNDS)
-        sample = warm.sample
-        residual = sample.force + load
-        size = math.hypot(*residual)
+    found = damped_newton(_Carrying(warm, load, tolerance, settled), at, MOST_PASSES, CONTACT)
+    known = None if found.status == NO_FILM else load
+    return ThermalEquilibrium(warm, found.at, found.status, found.steps, found.room, known)
+
+
+@dataclass(eq=False)
+class _Carrying:
+    """A film that heats itself and is to carry a load; see `babbitt.numerics.damped_newton.NewtonProblem`."""
+
+    warm: ThermalFilmState
+    load: Array
+    tolerance: float
+    change_at_rest: float
+    calm: int = 0
+    sunk: int = 0
+    nearest: float = math.inf
+    reached: int = 0
+    no_room: ClassVar[int] = NO_FILM
+    too_many_steps: ClassVar[int] = TOO_MANY_STEPS
+
+    def __post_init__(self) -> None:
+        self.size_of_load = math.hypot(*self.load)
+        self.rule, self.residual = PseudoTime(self.size_of_load), self.load
+
+    def room(self, at: Array) -> float:
+        """Smallest gap."""
+        return self.warm.sample.gap(at)
+
+    def kept_room(self, at: Array, room: float) -> float:
+        """A share of the gap."""
+        return 0.4 * room
+
+    def look(self, at: Array, step: int) -> int | None:
+        """One pass, and the force that is left."""
+        self.sunk = self.sunk + 1 if step > 1 and self.room(at) < THINNEST else 0
+        if self.sunk > MAX_CONTACT_PASSES:
+            return NO_FILM
+        changed, change = self.warm.advance(at, SWEEPS, 1 if 1 < step < ACTIVE_SET_ROUNDS else ROUNDS)
+        self.residual = self.warm.sample.force + self.load
+        size, floor = math.hypot(*self.residual), self.tolerance * self.size_of_load + 1e-13
         if not (math.isfinite(size) and math.isfinite(change)):
-            return ThermalEquilibrium(warm, at, NO_FILM, passes, gap)
-        if change < settled and (size <= floor or (passes > CYCLING and size <= 1e-4 * size_of_load)):
-            calm += 1
-            if changed == 0 or calm > MAX_STALLED_PASSES:
-                return ThermalEquilibrium(warm, at, CONVERGED, passes, gap, load)
-        off = max(change / settled, size / floor)
-        if off < NEARER * nearest:
-            nearest, reached = off, passes
-        elif passes - reached > IN_VAIN:
-            return ThermalEquilibrium(warm, at, TOO_MANY_STEPS, passes, gap, load)
-        flat = np.concatenate((sample.force, sample.stiffness.ravel(), sample.damping.ravel()))
-        dx, dy, step_time = damped_step(flat, residual[0], residual[1], size, last, size_of_load, gap, step_time)
-        move, last, halvings = np.array([dx, dy]), size, 0
-        new_gap = sample.gap(at + move)
-        while not new_gap > 0.4 * gap and halvings < 60:
-            move, halvings = 0.5 * move, halvings + 1
-            new_gap = sample.gap(at + move)
-        if not new_gap > CONTACT:
-            return ThermalEquilibrium(warm, at, NO_FILM, passes, gap)
-        at, gap = at + move, new_gap
-        sunk = sunk + 1 if gap < THINNEST else 0
-        if sunk > MAX_CONTACT_PASSES:
-            return ThermalEquilibrium(warm, at, NO_FILM, passes, gap)
-    return ThermalEquilibrium(warm, at, TOO_MANY_STEPS, MOST_PASSES, gap, load)
+            return NO_FILM
+        carried = size <= floor or (step > CYCLING and size <= 1e-4 * self.size_of_load)
+        if change < self.change_at_rest and carried:
+            self.calm += 1
+            if changed == 0 or self.calm > MAX_STALLED_PASSES:
+                return CONVERGED
+        off = max(change / self.change_at_rest, size / floor)
+        if off < NEARER * self.nearest:
+            self.nearest, self.reached = off, step
+        elif step - self.reached > IN_VAIN:
+            return TOO_MANY_STEPS
+        return None
+
+    def move(self, at: Array, room: float) -> Array:
+        """Step of the journal at frozen temperatures."""
+        return self.rule.move(self.warm.sample, self.residual, room)

@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.reynolds.deformation.compliance import joined_step
+from babbitt.numerics.anderson import AndersonOptions, fixed_point
 from babbitt.reynolds.frame import LoadFrame
 from babbitt.reynolds.lands._equilibrium import CONVERGED
 from babbitt.reynolds.model import Cavitation, JournalFilm, Resolution
@@ -48,9 +48,8 @@ VELOCITY = 0.5
 ROUNDS = 60
 """Of the active set at a displaced journal, at most."""
 
-BORE_CLOSENESS, BORE_ROUNDS, BORE_DAMPING, BORE_MEMORY = 1e-6, 60, 0.6, 8
-"""Share of the smallest gap to which film and bore agree, films until they must, share of a first step that is
-taken, and steps that are joined (see ``babbitt.reynolds.deformation.compliance.joined_step``)."""
+BORE_CLOSENESS, BORE = 1e-6, AndersonOptions(most_evaluations=60, damping=0.6)
+"""Share of the smallest gap to which film and bore agree, and how that is sought."""
 
 
 @dataclass(frozen=True)
@@ -232,21 +231,21 @@ class _NearbyFilms:
         surface = sample.ring.surface
         surface.opening_a[:], surface.opening_b[:] = np.broadcast_to(opening, self._gaps.shape)
         sample.work.wet[:] = self._wet
-        gain = np.zeros_like(self._gaps)
-        steps: list[Pair] = []
-        for _ in range(BORE_ROUNDS):
+        shape = self._gaps.shape
+
+        def mismatch(gain: Array) -> Array:
+            surface.gap_a[:], surface.gap_b[:] = self._gaps + gain.reshape(shape)
             self._settle(at, rate)
-            off = self._own_gain() - self._at_rest - gain
-            if float(np.abs(off).max()) <= BORE_CLOSENESS * self.nodes.ring.gap:
-                break
-            steps = [*steps[-BORE_MEMORY:], (gain, off)]
-            gain = gain + joined_step(steps, BORE_DAMPING)
-            surface.gap_a[:], surface.gap_b[:] = self._gaps + gain
-        else:
-            self.settled = False
+            return (self._own_gain() - self._at_rest).ravel() - gain
+
+        def close(_: Array, off: Array) -> bool:
+            return float(np.abs(off).max()) <= BORE_CLOSENESS * self.nodes.ring.gap
+
+        found = fixed_point(mismatch, close, np.zeros(self._gaps.size), BORE)
+        self.settled = self.settled and found.converged
         surface.gap_a[:], surface.gap_b[:] = self._gaps
         surface.opening_a[:], surface.opening_b[:] = 0.0, 0.0
-        return _Displaced(sample.force.copy(), gain)
+        return _Displaced(sample.force.copy(), found.state.reshape(shape))
 
     def _settle(self, at: Array, rate: Array) -> None:
         """Rounds of the wet set."""

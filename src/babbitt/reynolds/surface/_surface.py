@@ -124,38 +124,40 @@ def even(surface, film, i):
 
 @spliced
 def solve_surface(surface, film, work):
-    """Pressure (or void) and the adjoints of the forces, with the wet set as it stands."""
+    """Pressure (or void) and the adjoints of the forces, with the wet set as it stands.
+
+    A ring is solved by a border: line 0 is unknown, all others answer to it. With B the block tridiagonal matrix
+    of the lines 1.., c and r the coupling column and row of line 0, V = B^-1 c and G = D_0 - r V
+
+        z = G^-1 (b_0 - r B^-1 b),   u = B^-1 b - V z;    zeta = G^-T (g_0 - V^T g),   B^-T (g - r^T zeta).
+    """
     couple_lines(surface, film, work)
     fill_lines(surface, film, work)
-    eliminate(surface, work)
-    back_sweep(surface, work)
+    factor_lines(surface, work)
+    count = 1 + len(surface.motions)
     if surface.cyclic:
-        close_ring(surface, film, work)
+        sweep_lines(surface, work, 0, 1)
+        factor_border(surface, work)
+        add_border(surface, work)
+        bind_adjoints(surface, work)
+        sweep_lines(surface, work, 1, count)
+    else:
+        sweep_lines(surface, work, 0, count)
 
 
 @inner
-def eliminate(surface, work):
-    """Forward sweep over the lines (from line 1 in a ring): S_i = D_i - L_i S_i-1^-1 U_i, inverted in place."""
+def factor_lines(surface, work):
+    """Blocks S_i = D_i - L_i S_i-1^-1 U_i of the lines (from line 1 in a ring), inverted in place."""
     lines, nodes = work.wet.shape[0], len(surface.nodes)
     first = 1 if surface.cyclic else 0
-    block, right = work.inverse, work.swept
-    motions = len(surface.motions)
+    block = work.inverse
     for i in range(first, lines):
         if i > first:
             for a in range(nodes):
-                low, up = work.lower[i, a], work.upper[i, a]
+                low = work.lower[i, a]
                 if low != 0.0:
-                    total = 0.0
                     for b in range(nodes):
                         block[i, a, b] -= low * block[i - 1, a, b] * work.upper[i, b]
-                        total += block[i - 1, a, b] * right[0, i - 1, b]
-                    right[0, i, a] -= low * total
-                if up != 0.0:
-                    for d in range(1, 1 + motions):
-                        total = 0.0
-                        for b in range(nodes):
-                            total += block[i - 1, b, a] * right[d, i - 1, b]
-                        right[d, i, a] -= up * total
         invert_line(block, i, nodes)
 
 
@@ -176,13 +178,22 @@ def invert_line(blocks, i, m):
 
 
 @inner
-def back_sweep(surface, work):
-    """Back substitution of all right-hand sides from the last line to the first (to line 1 in a ring)."""
+def sweep_lines(surface, work, begin, end):
+    """Right-hand sides from ``begin`` on (0 the pressure, then adjoints): forward, and back to the first line."""
+    lines, nodes = work.wet.shape[0], len(surface.nodes)
     first = 1 if surface.cyclic else 0
-    lines, nodes = surface.held.shape[0], len(surface.nodes)
     inverse, swept, solution = work.inverse, work.swept, work.solution
+    for i in range(first + 1, lines):
+        for r in range(begin, end):
+            for a in range(nodes):
+                link = work.lower[i, a] if r == 0 else work.upper[i, a]
+                if link != 0.0:
+                    total = 0.0
+                    for b in range(nodes):
+                        total += (inverse[i - 1, a, b] if r == 0 else inverse[i - 1, b, a]) * swept[r, i - 1, b]
+                    swept[r, i, a] -= link * total
     for i in range(lines - 1, first - 1, -1):
-        for r in range(1 + len(surface.motions)):
+        for r in range(begin, end):
             if i < lines - 1:
                 for b in range(nodes):
                     link = work.upper[i + 1, b] if r == 0 else work.lower[i + 1, b]
@@ -208,15 +219,10 @@ def multiply(left, right, product, size):
 
 
 @inner
-def close_ring(surface, film, work):
-    """Solve the cyclic system by a border: line 0 is unknown, all others, swept already, answer to it.
-
-    With B the block tridiagonal matrix of the lines 1.., c and r the coupling column and row of line 0,
-    V = B^-1 c:   (D_0 - r V) z = b_0 - r B^-1 b,  u = B^-1 b - V z; the adjoint uses the transposes.
-    """
-    lines, nodes = surface.held.shape[0], len(surface.nodes)
-    last, motions = lines - 1, len(surface.motions)
-    v, carried = work.border, np.empty((nodes, nodes))
+def factor_border(surface, work):
+    """Into ``border`` V, the answer of all lines to line 0; the inverse of G in place of the block of line 0."""
+    lines, nodes = work.wet.shape[0], len(surface.nodes)
+    last, v, carried = lines - 1, work.border, np.empty((nodes, nodes))
     v[:] = 0.0
     for a in range(nodes):  # column of line 0: rows of line 1 and of the last line
         v[1, a, a] += work.lower[1, a]
@@ -232,57 +238,47 @@ def close_ring(surface, film, work):
                 for b in range(nodes):
                     v[i, a, b] -= work.upper[i + 1, a] * v[i + 1, a, b]
         multiply(work.inverse[i], v[i], carried, nodes)
-        for a in range(nodes):
-            for b in range(nodes):
-                v[i, a, b] = carried[a, b]
-    schur, right = work.inverse[0], work.swept[:, 0, :].copy()
+        v[i] = carried
     for a in range(nodes):
         for b in range(nodes):
-            schur[a, b] -= work.upper[1, a] * v[1, a, b] + work.lower[0, a] * v[last, a, b]
+            work.inverse[0, a, b] -= work.upper[1, a] * v[1, a, b] + work.lower[0, a] * v[last, a, b]
     invert_line(work.inverse, 0, nodes)
-    # pressure
+
+
+@inner
+def add_border(surface, work):
+    """Pressure of line 0, and what the other lines answer to it."""
+    lines, nodes = work.wet.shape[0], len(surface.nodes)
+    right, u = work.swept[0, 0], work.solution[0]
     for a in range(nodes):
-        right[0, a] -= work.upper[1, a] * work.solution[0, 1, a] + work.lower[0, a] * work.solution[0, last, a]
+        right[a] -= work.upper[1, a] * u[1, a] + work.lower[0, a] * u[lines - 1, a]
     for a in range(nodes):
-        work.solution[0, 0, a] = 0.0
+        total = 0.0
         for b in range(nodes):
-            work.solution[0, 0, a] += schur[a, b] * right[0, b]
+            total += work.inverse[0, a, b] * right[b]
+        u[0, a] = total
     for i in range(1, lines):
         for a in range(nodes):
             for b in range(nodes):
-                work.solution[0, i, a] -= v[i, a, b] * work.solution[0, 0, b]
-    # adjoints: zeta = G^-T (g_0 - V^T g), then B^-T (g - r^T zeta)
-    for d in range(motions):
+                u[i, a] -= work.border[i, a, b] * u[0, b]
+
+
+@inner
+def bind_adjoints(surface, work):
+    """Adjoints of line 0, and the right-hand sides of the other lines less their answer to it."""
+    lines, nodes = work.wet.shape[0], len(surface.nodes)
+    for r in range(1, 1 + len(surface.motions)):
+        right, zeta = work.swept[r], work.solution[r, 0]
         for i in range(1, lines):
             for a in range(nodes):
-                g = -film.load[d, i, a] * work.stiffening[i, a] if work.counts[i, a] and work.wet[i, a] else 0.0
-                for b in range(nodes):
-                    right[1 + d, b] -= v[i, a, b] * g
-        for a in range(nodes):
-            work.solution[1 + d, 0, a] = 0.0
-            for b in range(nodes):
-                work.solution[1 + d, 0, a] += schur[b, a] * right[1 + d, b]
-    for i in range(1, lines):
-        for d in range(motions):
-            for a in range(nodes):
-                g = -film.load[d, i, a] * work.stiffening[i, a] if work.counts[i, a] and work.wet[i, a] else 0.0
-                if i == 1:
-                    g -= work.upper[1, a] * work.solution[1 + d, 0, a]
-                if i == last:
-                    g -= work.lower[0, a] * work.solution[1 + d, 0, a]
-                if i > 1:
-                    total = 0.0
+                if right[i, a] != 0.0:
                     for b in range(nodes):
-                        total += work.inverse[i - 1, b, a] * work.swept[1 + d, i - 1, b]
-                    g -= work.upper[i, a] * total
-                work.swept[1 + d, i, a] = g
-    for i in range(last, 0, -1):
-        for d in range(motions):
-            if i < last:
-                for b in range(nodes):
-                    work.swept[1 + d, i, b] -= work.lower[i + 1, b] * work.solution[1 + d, i + 1, b]
-            for a in range(nodes):
-                total = 0.0
-                for b in range(nodes):
-                    total += work.inverse[i, b, a] * work.swept[1 + d, i, b]
-                work.solution[1 + d, i, a] = total
+                        right[0, b] -= work.border[i, a, b] * right[i, a]
+        for a in range(nodes):
+            total = 0.0
+            for b in range(nodes):
+                total += work.inverse[0, b, a] * right[0, b]
+            zeta[a] = total
+        for a in range(nodes):
+            right[1, a] -= work.upper[1, a] * zeta[a]
+            right[lines - 1, a] -= work.lower[0, a] * zeta[a]

@@ -7,10 +7,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from babbitt.numerics.damped_newton import damped_newton
 from babbitt.reynolds.lands._equilibrium import (
     CONTACT,
     CONVERGED,
@@ -35,7 +37,7 @@ from babbitt.reynolds.surface._surface_forces import evaluate_surface
 from babbitt.reynolds.surface.mesh_lines import Density
 from babbitt.reynolds.surface.unwrapped_mesh import UnwrappedMesh, axial_gain, build_ring, gap_over_lands
 
-__all__ = ["OUT_OF_WORK", "SurfaceEquilibrium", "rest_ring", "rest_ring_near", "ring_at"]
+__all__ = ["OUT_OF_WORK", "PseudoTime", "SurfaceEquilibrium", "rest_ring", "rest_ring_near", "ring_at"]
 
 Array = NDArray[np.float64]
 ZERO = np.zeros(4)
@@ -156,45 +158,83 @@ def line_density(film: JournalFilm, at: Array, gap: float) -> Density:
 def rest(
     sample: SurfaceState, load: Array, at: Array, tolerance: float, max_steps: int, patient: bool
 ) -> tuple[Array, int, int, float]:
-    """Move the journal until the film on this ring carries the load (the steps of ``_equilibrium.settle``)."""
-    size_of_load = math.hypot(*load)
-    floor = tolerance * size_of_load + 1e-13
-    step_time, last_size, calm = 0.0, 0.0, 0
-    shrink = 0.6 if patient else 0.25
-    gap = sample.gap(at)
-    if not gap > 0.0:
-        return at, NO_FILM, 0, gap
-    for step in range(1, max_steps + 1):
-        if patient:
+    """Move the journal until the film on this ring carries the load.
+
+    The steps are those of ``_equilibrium.settle``, which has its own loop: a kernel takes no objects.
+    """
+    found = damped_newton(_Carrying(sample, load, tolerance, patient), at, max_steps, CONTACT)
+    return found.at, found.status, found.steps, found.room
+
+
+@dataclass(eq=False)
+class PseudoTime:
+    """Steps of an overdamped journal (``_equilibrium.damped_step``) under a load of a size."""
+
+    load: float
+    step_time: float = 0.0
+    last_size: float = 0.0
+
+    def move(self, sample: SurfaceState, residual: Array, gap: float) -> Array:
+        """Step under a residual force, with the coefficients of the last result."""
+        flat = np.concatenate((sample.force, sample.stiffness.ravel(), sample.damping.ravel()))
+        size = math.hypot(*residual)
+        dx, dy, self.step_time = damped_step(
+            flat, residual[0], residual[1], size, self.last_size, self.load, gap, self.step_time
+        )
+        self.last_size = size
+        return np.array([dx, dy])
+
+
+@dataclass(eq=False)
+class _Carrying:
+    """A film that is to carry a load; see `babbitt.numerics.damped_newton.NewtonProblem`."""
+
+    sample: SurfaceState
+    load: Array
+    tolerance: float
+    patient: bool
+    calm: int = 0
+    no_room: ClassVar[int] = NO_FILM
+    too_many_steps: ClassVar[int] = TOO_MANY_STEPS
+
+    def __post_init__(self) -> None:
+        self.size_of_load = math.hypot(*self.load)
+        self.rule, self.residual = PseudoTime(self.size_of_load), self.load
+
+    def room(self, at: Array) -> float:
+        """Smallest gap."""
+        return self.sample.gap(at)
+
+    def kept_room(self, at: Array, room: float) -> float:
+        """A share of the gap."""
+        return (0.6 if self.patient else 0.25) * room
+
+    def look(self, at: Array, step: int) -> int | None:
+        """Rounds of the wet set, and the force that is left."""
+        sample = self.sample
+        if self.patient:
             sample.work.wet[:] = True
-        waits = sample.work.wet.shape[0] if calm > 0 and not sample.ring.surface.conserving else 1
-        for _ in range(PATIENCE if patient else waits):
+        waits = sample.work.wet.shape[0] if self.calm > 0 and not sample.ring.surface.conserving else 1
+        for _ in range(PATIENCE if self.patient else waits):
             changed = sample.evaluate(at)
             if changed == 0 or sample.effort.spent:
                 break
-        residual = sample.force + load
-        size = math.hypot(*residual)
+        self.residual = sample.force + self.load
+        size = math.hypot(*self.residual)
         if not math.isfinite(size):  # a closed ring that ran dry says nothing about its load
-            return at, TOO_MANY_STEPS, step, gap
+            return TOO_MANY_STEPS
         if sample.effort.spent:
-            return at, OUT_OF_WORK, step, gap
-        if size <= floor or (step > CYCLING and size <= 1e-4 * size_of_load):
-            calm += 1
-            if changed == 0 or calm > 4:
-                return at, CONVERGED, step, gap
-        flat = np.concatenate((sample.force, sample.stiffness.ravel(), sample.damping.ravel()))
-        dx, dy, step_time = damped_step(
-            flat, residual[0], residual[1], size, last_size, size_of_load, gap, step_time
-        )
-        move, last_size = np.array([dx, dy]), size
-        new_gap, halvings = sample.gap(at + move), 0
-        while not new_gap > shrink * gap and halvings < 60:
-            move, halvings = 0.5 * move, halvings + 1
-            new_gap = sample.gap(at + move)
-        if not new_gap > CONTACT:
-            return at, NO_FILM, step, gap
-        at, gap = at + move, new_gap
-    return at, TOO_MANY_STEPS, max_steps, gap
+            return OUT_OF_WORK
+        floor = self.tolerance * self.size_of_load + 1e-13
+        if size <= floor or (step > CYCLING and size <= 1e-4 * self.size_of_load):
+            self.calm += 1
+            if changed == 0 or self.calm > 4:
+                return CONVERGED
+        return None
+
+    def move(self, at: Array, room: float) -> Array:
+        """Step of the journal."""
+        return self.rule.move(self.sample, self.residual, room)
 
 
 def rest_ring(

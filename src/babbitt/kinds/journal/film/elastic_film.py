@@ -2,8 +2,7 @@
 
 The displacement is a fixed point: the film is solved with it, and its pressure (and temperature) gives the
 displacement again. A soft bore answers by more than it was moved, so plain repetition swings; the steps are
-damped, and joined after Anderson (J. ACM 12 (1965) 547; as in Walker and Ni, SIAM J. Numer. Anal. 49 (2011) 1715,
-type II) to meet in few films.
+damped, and combined (`babbitt.numerics.anderson`) to meet in few films.
 """
 
 from __future__ import annotations
@@ -18,7 +17,8 @@ from numpy.typing import NDArray
 
 from babbitt.core.result import Outcome
 from babbitt.kinds.journal.film.field import pressure_on
-from babbitt.reynolds.deformation.compliance import BoreGrid, Compliance, as_field, joined_step, total_displacement
+from babbitt.numerics.anderson import AndersonOptions, fixed_point
+from babbitt.reynolds.deformation.compliance import BoreGrid, Compliance, as_field, total_displacement
 from babbitt.reynolds.surface.unwrapped_mesh import field_at
 
 if TYPE_CHECKING:
@@ -43,17 +43,10 @@ SolutionT = TypeVar("SolutionT")
 
 CLOSENESS = 1e-3
 """Share of the least gap to which film and displacement agree."""
-MOST_FILMS, MOST_HALVINGS = 60, 8
-"""Films, and halvings of a step towards films that carry nothing, until the displacement is not settled."""
-DAMPING = 0.6
-"""Share of a displacement's change that is taken at first."""
-LEAST_DAMPING = 0.05
-MEMORY = 8
-"""Steps that are joined."""
+SETTLING = AndersonOptions(most_evaluations=60, damping=0.6, astray=5.0, most_failures=8)
+"""How the displacement is sought, in films."""
 ROOM = 0.3
 """Change of the displacement at most, in clearances, or one least gap: beyond it the film is another."""
-GROWS = 1.5
-"""Growth of the mismatch by which a step counts as too bold."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -155,45 +148,53 @@ def elastic_thermal_film(
     return _Settling(film, bore_grid(film), displaced, solve, lambda found: found.film).run(closeness, start)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class _Settling(Generic[SolutionT]):
-    """A film, what displaces its bore, how it is solved, and where the film stands in a solution."""
+    """A film, what displaces its bore, how it is solved, and where the film stands in a solution.
+
+    As it is settled: films that were solved, the last of them, the last one that is a film, and its mismatch.
+    """
 
     film: JournalFilm
     bore: BoreGrid
     displaced: Callable[[SolutionT], Array]
     solve: Callable[[JournalFilm], SolutionT]
     film_in: Callable[[SolutionT], FilmSolution]
+    last: SolutionT | None = None
+    found: SolutionT | None = None
+    mismatch: float = np.inf
 
     def run(self, closeness: float, start: Array | None) -> ElasticFilm[SolutionT]:
-        here = self._even(np.zeros((self.bore.rows, self.bore.columns)) if start is None else start)
-        films, damping = 1, DAMPING
-        found = self._solved(here)
-        if not self.film_in(found).outcome.solved:
-            return self._ended(found, here, films, np.inf, self.film_in(found).outcome)
-        steps: list[tuple[Array, Array]] = []  # places and mismatches, the last one at the end
-        while True:
-            gap = self.film_in(found).minimum_film_thickness
-            off = self._even(self.displaced(found)) - here
-            mismatch = float(np.abs(off).max()) / gap
-            if mismatch <= closeness:
-                return self._ended(found, here, films, mismatch, Outcome.CONVERGED)
-            if steps and np.abs(off).max() > GROWS * np.abs(steps[-1][1]).max():
-                damping, steps = max(0.5 * damping, LEAST_DAMPING), []
-            steps = [*steps[-MEMORY:], (here, off)]
-            move = joined_step(steps, damping)
-            longest = max(gap, ROOM * self.film.clearance)
-            move *= min(1.0, longest / float(np.abs(move).max()))
-            before, halvings = found, 0
-            while True:
-                if films >= MOST_FILMS or halvings > MOST_HALVINGS:
-                    return self._ended(before, here, films, mismatch, Outcome.NOT_CONVERGED)
-                found, films = self._solved(here + move), films + 1
-                if self.film_in(found).outcome.solved:
-                    break
-                move, damping, steps = 0.5 * move, max(0.5 * damping, LEAST_DAMPING), []
-                halvings += 1
-            here = here + move
+        begin = self._even(np.zeros((self.bore.rows, self.bore.columns)) if start is None else start)
+        ended = fixed_point(
+            self._off, lambda _, off: self.mismatch <= closeness, begin.ravel(), SETTLING, self._bounded
+        )
+        solution, outcome = self.found, Outcome.CONVERGED if ended.converged else Outcome.NOT_CONVERGED
+        if solution is None:
+            assert self.last is not None  # a search looks at its start
+            solution, outcome = self.last, self.film_in(self.last).outcome
+        displacement = ended.state.reshape(begin.shape)
+        return ElasticFilm(outcome, solution, self.bore, displacement, ended.evaluations, self.mismatch)
+
+    def _off(self, displacement: Array) -> Array | None:
+        """Between the displacement by a film's own pressure and the one that it has; None where it is no film."""
+        here = displacement.reshape(self.bore.rows, self.bore.columns)
+        self.last = self._solved(here)
+        if not self.film_in(self.last).outcome.solved:
+            return None
+        self.found = self.last
+        off = self._even(self.displaced(self.found)) - here
+        self.mismatch = float(np.abs(off).max()) / self._gap
+        return off.ravel()
+
+    def _bounded(self, _: Array, move: Array) -> Array:
+        longest = max(self._gap, ROOM * self.film.clearance)
+        return np.asarray(move * min(1.0, longest / float(np.abs(move).max())))
+
+    @property
+    def _gap(self) -> float:
+        assert self.found is not None
+        return self.film_in(self.found).minimum_film_thickness
 
     def _solved(self, displacement: Array) -> SolutionT:
         total = displacement
@@ -204,8 +205,3 @@ class _Settling(Generic[SolutionT]):
     def _even(self, values: Array) -> Array:
         """Both halves of the width exactly alike where the film's are: else it would be solved over both."""
         return 0.5 * (values + values[:, ::-1]) if self.film.is_symmetric else values
-
-    def _ended(
-        self, found: SolutionT, displacement: Array, films: int, mismatch: float, outcome: Outcome
-    ) -> ElasticFilm[SolutionT]:
-        return ElasticFilm(outcome, found, self.bore, displacement, films, mismatch)

@@ -101,7 +101,7 @@ def thermal_operating_film(case: FilmCase) -> Equilibrium[FilmState]:
             )
             state, outcome = last or state, what_gave_way(case, outcome, last)
         warmth = state.temperature if state else cold
-        return Equilibrium(outcome, state, 0, warmth, failure.capacity, failure.least_flow)
+        return Equilibrium(outcome, state, 0, warmth, failure)
 
 
 @dataclass

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -10,12 +11,12 @@ from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
+from babbitt.design.eccentricity_search import film_that_carries, rising_eccentricities
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.kinds.journal.grooved_long_bearing.balance import pressure_of, segments_of
 from babbitt.kinds.journal.grooved_long_bearing.model import SegmentFilm
 from babbitt.kinds.journal.grooved_long_bearing.pressure import Gap, Grid
 from babbitt.kinds.journal.grooved_long_bearing.state import SegmentFilmState
-from babbitt.numerics.roots import find_root
 
 Array = NDArray[np.float64]
 
@@ -29,15 +30,15 @@ TEMPERATURE_TOLERANCE, DISPLACEMENT_TOLERANCE = 1e-4, 1e-5
 FRACTION, LEAST_FRACTION = 0.3, 0.02
 """Of the thinnest film, what a step may move the wall; taken back by a tenth whenever the wall overshoots."""
 
-LOAD_TOLERANCE = 1e-4
-"""Over the load."""
+CLOSE = 1e-9
+"""Tolerance of the eccentricity ratio."""
 
 PLACE_TOLERANCE = 1e-6
 """In rad: of a groove that keeps its place in the bush."""
 
 MOST_ITERATIONS = 4000
 GREATEST_ECCENTRICITY = 0.995
-SCAN = tuple(np.concatenate((np.arange(0.02, 0.9, 0.04), np.arange(0.9, 0.996, 0.01))).tolist())
+SCAN = rising_eccentricities(GREATEST_ECCENTRICITY)
 BEYOND_CONTACT = tuple(np.arange(1.0, 1.2001, 0.01).tolist())
 """Eccentricity ratios that only a compliant wall allows."""
 
@@ -145,9 +146,6 @@ def _shifted(film: SegmentFilm, turn: float) -> SegmentFilm:
 def film_under_load(film: SegmentFilm, load: float) -> SegmentFilmState:
     """The film that carries a load, with the least eccentricity that does.
 
-    The load passes a maximum as the film heats up: the eccentricity is raised to the first film that carries it,
-    then bisected, never bracketed from above.
-
     Raises
     ------
     NoFilmError
@@ -155,7 +153,11 @@ def film_under_load(film: SegmentFilm, load: float) -> SegmentFilmState:
     """
     if not 0.0 < load < math.inf:
         raise InputError("E003", f"load must be above 0, given {load!r}")
-    best, below = 0.0, 1e-6
+    return film_that_carries(load, _rising(film), lambda at, near: film_at_eccentricity(film, at, near), CLOSE)
+
+
+def _rising(film: SegmentFilm) -> Iterator[SegmentFilmState]:
+    """Films of growing eccentricity, each begun from the one before, up to the last one that settles."""
     state: SegmentFilmState | None = None
     for eccentricity in (*SCAN, *(BEYOND_CONTACT if film.compliance else ())):
         try:
@@ -163,31 +165,12 @@ def film_under_load(film: SegmentFilm, load: float) -> SegmentFilmState:
         except NoFilmError as failure:
             if state is None and failure.outcome is Outcome.NO_LUBRICANT_DATA:
                 raise  # the oil has no viscosity as it comes: no question of load
-            break
+            return
         if not state.converged:
             if abs(_turn_to_place(film, state)) >= PLACE_TOLERANCE:
                 raise NoFilmError(Outcome.NOT_CONVERGED)  # the groove lies across the start of the film
-            break
-        best = max(best, state.load)
-        if state.load >= load:
-            return _between(film, load, below, state)
-        below = eccentricity
-    raise NoFilmError(Outcome.OVERLOADED, best)
-
-
-def _between(film: SegmentFilm, load: float, below: float, above: SegmentFilmState) -> SegmentFilmState:
-    """The film that carries a load between an eccentricity that does not and a state that does."""
-
-    def excess(eccentricity: float) -> float:
-        return film_at_eccentricity(film, eccentricity, above).load - load
-
-    root = find_root(excess, below, above.eccentricity_ratio, 1e-9)
-    if not root.converged:
-        raise NoFilmError(Outcome.NOT_CONVERGED)
-    found = film_at_eccentricity(film, root.value, above)
-    if abs(found.load / load - 1.0) > LOAD_TOLERANCE:  # the load jumps where a groove changes its side
-        raise NoFilmError(Outcome.NOT_CONVERGED)
-    return found
+            return
+        yield state
 
 
 def _rigid(film: SegmentFilm, grid: Grid, eccentricity_ratio: float) -> Array:

@@ -7,16 +7,15 @@ friction heat leaves with the oil.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
-from babbitt.core.result import Outcome
-from babbitt.design.heat_balance import CEILING, NoFilmError
+from babbitt.design.heat_balance import FINE_SEARCH, NoFilmError, coolest_equilibrium
 from babbitt.design.oil import properties_at
 from babbitt.kinds.journal.infinitely_long_bearing.model import ExchangeZone, HeatExchange, LongFilm, NusseltLaw
 from babbitt.kinds.journal.infinitely_long_bearing.pressure import Gap, divergence_form
 from babbitt.kinds.journal.infinitely_long_bearing.walls import sectors_of
-from babbitt.numerics.roots import bracketed_root
 
 
 @dataclass(frozen=True)
@@ -61,14 +60,15 @@ def mean_temperature_film(
     power = float(unit.source.sum())
     flow = film.clearance * film.surface_speed * film.width * float(pressure.flow[0])
 
-    def excess(temperature: float) -> float:
-        _, viscosity, heat_capacity = properties_at(film.lubricant, temperature)
-        return 2.0 * (temperature - film.inlet_temperature) - viscosity * power / (heat_capacity * flow)
+    def surplus(temperature: float, oil: tuple[float, float, float]) -> float:
+        _, viscosity, heat_capacity = oil
+        return viscosity * power - 2.0 * heat_capacity * flow * (temperature - film.inlet_temperature)
 
-    if excess(CEILING) < 0.0:
-        raise NoFilmError(Outcome.THERMAL_RUNAWAY)
-    temperature = bracketed_root(excess, film.inlet_temperature, CEILING, 1e-9)
-    viscosity = properties_at(film.lubricant, temperature)[1]
+    oil_at = partial(properties_at, film.lubricant)
+    found = coolest_equilibrium(oil_at, surplus, film.inlet_temperature, FINE_SEARCH)
+    if found.film is None or not found.outcome.solved:
+        raise found.failure or NoFilmError(found.outcome)
+    temperature, (_, viscosity, _) = found.last_temperature, found.film
     scale = viscosity * film.surface_speed * film.radius**2 * film.width / film.clearance**2
     along, across = (scale * one for one in pressure.load(gap.step))
     leaving = 2.0 * temperature - film.inlet_temperature

@@ -3,39 +3,40 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.core.notices import InputError
 from babbitt.core.result import Outcome
+from babbitt.design.eccentricity_search import film_that_carries, rising_eccentricities
 from babbitt.design.heat_balance import NoFilmError
 from babbitt.kinds.journal.infinitely_long_bearing.model import LongFilm
 from babbitt.kinds.journal.infinitely_long_bearing.network import temperatures
 from babbitt.kinds.journal.infinitely_long_bearing.pressure import Gap, Pressure, divergence_form, published_form
 from babbitt.kinds.journal.infinitely_long_bearing.state import LongFilmState
 from babbitt.kinds.journal.infinitely_long_bearing.walls import sectors_of, viscosity_at
-from babbitt.numerics.roots import find_root
+from babbitt.numerics.anderson import AndersonOptions, fixed_point
 
 Array = NDArray[np.float64]
 
-RELAXATION = 0.85
 TEMPERATURE_TOLERANCE, LOAD_TOLERANCE = 1e-4, 1e-6
 """In K between two iterations, and of the load."""
 
 LARGEST_CHANGE = 40.0
 """K; a cold film heats itself far beyond its equilibrium in one step, out of the range of any oil."""
 
-LARGEST_SHARE = 2.0
-"""Of the last step that the mixing may take back or repeat."""
-
 MOST_ITERATIONS = 400
+RELAXED = AndersonOptions(MOST_ITERATIONS, memory=1, damping=0.85, largest_share=2.0)
+"""Relaxed passes, each improved by what the one before taught."""
+
 GREATEST_ECCENTRICITY = 0.99
 """As of the characteristics of the standard: above, a rigid film says nothing."""
 
 GREATEST_STRETCH = math.log(GREATEST_ECCENTRICITY / (1.0 - GREATEST_ECCENTRICITY))
-SCAN = tuple(np.concatenate((np.arange(0.02, 0.9, 0.04), np.arange(0.9, 0.9901, 0.01))).tolist())
+SCAN = rising_eccentricities(GREATEST_ECCENTRICITY)
 
 
 def film_at_eccentricity(film: LongFilm, eccentricity_ratio: float, start: Array | None = None) -> LongFilmState:
@@ -96,6 +97,13 @@ def film_under_load(film: LongFilm, load: float) -> LongFilmState:
     return _scanned(film, load)
 
 
+def _scanned(film: LongFilm, load: float) -> LongFilmState:
+    def film_near(eccentricity: float, near: LongFilmState) -> LongFilmState:
+        return film_at_eccentricity(film, eccentricity, near.temperatures.film)
+
+    return film_that_carries(load, _rising(film), film_near)
+
+
 class _Position:
     """Moves the gap towards a load by one Newton step for each viscosity field that it is given.
 
@@ -131,13 +139,31 @@ def _pressure(film: LongFilm, gap: Gap, viscosity: Array) -> Pressure:
 def _iterated(
     film: LongFilm, gap_at: Callable[[Array], Gap], start: Array | None, most: int = MOST_ITERATIONS
 ) -> LongFilmState:
-    scale = film.surface_speed * film.radius**2 * film.width / film.clearance**2
-    assumed = np.full(film.cells + 1, film.inlet_temperature) if start is None else start
-    before, mixing = math.inf, _Mixing()
-    for count in range(1, most + 1):
+    begin = np.full(film.cells + 1, film.inlet_temperature) if start is None else start
+    passes = _Passes(film, gap_at)
+    found = fixed_point(passes.residual, passes.settled, begin, replace(RELAXED, most_evaluations=most))
+    assert passes.state is not None  # a search looks at its start
+    return replace(passes.state, iterations=found.evaluations, converged=found.converged)
+
+
+@dataclass(eq=False)
+class _Passes:
+    """A pass of viscosity, pressure, heat and temperature as a map of the temperatures at the nodes, K."""
+
+    film: LongFilm
+    gap_at: Callable[[Array], Gap]
+    state: LongFilmState | None = None
+    load_before: float = math.inf
+
+    def residual(self, assumed: Array) -> Array:
+        """Change of the temperatures, bounded."""
+        film = self.film
+        if self.state is not None:
+            self.load_before = self.state.load
         viscosity = viscosity_at(film, assumed)
-        gap = gap_at(viscosity)
+        gap = self.gap_at(viscosity)
         pressure = _pressure(film, gap, viscosity)
+        scale = film.surface_speed * film.radius**2 * film.width / film.clearance**2
         along, across = (scale * one for one in pressure.load(gap.step))
         sectors = sectors_of(film, gap, pressure, viscosity, assumed)
         if not sectors.capacity_flow.min() > 0.0:
@@ -146,61 +172,22 @@ def _iterated(
         change = float(np.abs(found.film - assumed).max())
         if not math.isfinite(change):
             raise NoFilmError(Outcome.NOT_CONVERGED)
-        load = math.hypot(along, across)
-        done = change < TEMPERATURE_TOLERANCE and abs(load - before) <= LOAD_TOLERANCE * load
-        if done or count == most:
-            return LongFilmState(
-                film, gap, viscosity, pressure, sectors, found, along, across, count, done, change
-            )
-        before = load
-        assumed = mixing.next(assumed, np.clip(found.film - assumed, -LARGEST_CHANGE, LARGEST_CHANGE))
-    raise AssertionError("unreachable")
+        self.state = LongFilmState(film, gap, viscosity, pressure, sectors, found, along, across, 0, False, change)
+        return np.asarray(np.clip(found.film - assumed, -LARGEST_CHANGE, LARGEST_CHANGE))
+
+    def settled(self, _: Array, change: Array) -> bool:
+        """Whether neither temperatures nor load change any more."""
+        load = 0.0 if self.state is None else self.state.load
+        still = abs(load - self.load_before) <= LOAD_TOLERANCE * load
+        return still and float(np.abs(change).max()) < TEMPERATURE_TOLERANCE
 
 
-class _Mixing:
-    """Relaxed fixed-point steps, each improved by what the one before taught (Anderson's mixing of depth one).
-
-    D. G. Anderson, Iterative procedures for nonlinear integral equations, Journal of the ACM 12 (1965) 547-560.
-    """
-
-    def __init__(self) -> None:
-        self.last: tuple[Array, Array] | None = None
-
-    def next(self, assumed: Array, residual: Array) -> Array:
-        """Temperatures to try next, from those assumed and the change that they led to."""
-        mixed, change = assumed, residual
-        if self.last is not None:
-            moved = residual - self.last[1]
-            share = float(moved @ residual) / max(float(moved @ moved), 1e-300)
-            share = max(-LARGEST_SHARE, min(LARGEST_SHARE, share))
-            mixed, change = assumed - share * (assumed - self.last[0]), residual - share * moved
-        self.last = assumed, residual
-        return mixed + RELAXATION * change
-
-
-def _scanned(film: LongFilm, load: float) -> LongFilmState:
-    """Raise the eccentricity to the first film that carries the load, then close in on it."""
-    best, below = 0.0, 0.0
+def _rising(film: LongFilm) -> Iterator[LongFilmState]:
+    """Films of growing eccentricity, each begun from the one before."""
     start: Array | None = None
     for eccentricity in SCAN:
         state = film_at_eccentricity(film, eccentricity, start)
         if not state.converged:
-            raise NoFilmError(Outcome.NOT_CONVERGED, best or None)
-        best, start = max(best, state.load), state.temperatures.film
-        if state.load >= load:
-            return _between(film, load, below or 1e-6, state)
-        below = eccentricity
-    raise NoFilmError(Outcome.OVERLOADED, best)
-
-
-def _between(film: LongFilm, load: float, below: float, above: LongFilmState) -> LongFilmState:
-    """The film that carries a load between an eccentricity that does not and a state that does."""
-    near = above.temperatures.film
-
-    def excess(eccentricity: float) -> float:
-        return film_at_eccentricity(film, eccentricity, near).load - load
-
-    root = find_root(excess, below, above.eccentricity_ratio, 1e-10)
-    if not root.converged:
-        raise NoFilmError(Outcome.NOT_CONVERGED)
-    return film_at_eccentricity(film, root.value, near)
+            raise NoFilmError(Outcome.NOT_CONVERGED)
+        yield state
+        start = state.temperatures.film
