@@ -93,7 +93,7 @@ def test_a_cause_without_a_limit_is_told_as_one():
         ("materials: {bearing_metal: B83}", "# no metal, whose limit of pressure would end it"),
     )
     assert "admissible_tilt" not in found.values
-    assert "tilt: no limit below 122880.0 µm" in " ".join(answers(found))
+    assert "tilt: no limit below 122880 µm" in " ".join(answers(found))
 
 
 def test_without_a_cause_the_limit_is_missed_already():

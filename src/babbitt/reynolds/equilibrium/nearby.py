@@ -60,22 +60,25 @@ def _in_its_frame(
     def film_at(x: float, y: float) -> FilmSolution:
         return film_at_position(film, (x * c, y * c), resolution=resolution)
 
-    def film_there(place: Array) -> FilmSolution:
-        return film_at(float(place[0]), float(place[1]))
+    def film_there(place: Array) -> FilmSolution | None:
+        """None also where a step along a slope that vanishes ended nowhere."""
+        found = film_at(float(place[0]), float(place[1])) if np.isfinite(place).all() else None
+        return found if found is not None and found.outcome.solved else None
 
     def residual(place: Array) -> Array:
         found = film_there(place)
-        return (found.force + wanted) / unit if found.outcome.solved else -CONTACT * place / math.hypot(*place)
+        away = np.nan_to_num(place / math.hypot(*place), nan=1.0)
+        return -CONTACT * away if found is None else (found.force + wanted) / unit
 
     def slope(place: Array) -> Array:
         found = film_there(place)
-        if not found.outcome.solved:
-            return np.asarray(-CONTACT * np.eye(2) / math.hypot(*place))
+        if found is None:
+            return np.asarray(-CONTACT * np.eye(2) * np.nan_to_num(1.0 / math.hypot(*place), nan=1.0))
         return np.asarray(-found.stiffness * c / unit)
 
     def settled(place: Array) -> FilmSolution | None:
         found = film_there(place)
-        if not found.outcome.solved or np.linalg.matrix_rank(found.stiffness) < 2:  # a dry film holds nothing
+        if found is None or np.linalg.matrix_rank(found.stiffness) < 2:  # a dry film holds nothing
             return None
         missing = found.force + wanted
         step = np.linalg.solve(found.stiffness, missing)
