@@ -31,8 +31,9 @@ class Recesses(Method):
         """Refuse a position that leaves no gap, and recesses that are too short for closed forms."""
         from babbitt.kinds.hydrostatic.check import refuse_contact, refuse_short_recess
 
-        refuse_contact(problem)
-        refuse_short_recess(problem)
+        asked = replace(problem, method=self.name)
+        refuse_contact(asked)
+        refuse_short_recess(asked)
 
 
 @dataclass(frozen=True)
