@@ -138,17 +138,40 @@ def test_clearance_of_h7_d8_in_five_ways(given):
     assert built(clearance=given).bearing.relative_clearance == pytest.approx(expected.mean, rel=1e-9)
 
 
+HOLE = 5.0 / 200.0
+"""Half of the angle in rad that a hole of 5 mm takes of the bore of `JOURNAL`."""
+
+
 @pytest.mark.parametrize(
     ("given", "element"),
     [
-        ({"kind": "hole", "diameter": "5 mm", "place": "opposite"}, Holes(0.005, Arrangement.OPPOSITE, 1.0)),
-        ({"kind": "hole", "diameter": "5 mm", "place": "side", "number": 3}, Holes(0.005, Arrangement.SIDE, 3.0)),
-        ({"kind": "pocket", "width": "70 mm", "place": "both_sides"}, Pockets(0.07, Arrangement.BOTH_SIDES)),
+        (
+            {"kind": "hole", "diameter": "5 mm", "place": "opposite"},
+            Holes(0.005, Arrangement.OPPOSITE, 1.0, math.pi - HOLE),
+        ),
+        (
+            {"kind": "hole", "diameter": "5 mm", "place": "side", "number": 3},
+            Holes(0.005, Arrangement.SIDE, 3.0, math.pi / 2.0 - HOLE),
+        ),
+        (
+            {"kind": "pocket", "width": "70 mm", "place": "both_sides"},
+            Pockets(0.07, Arrangement.BOTH_SIDES, math.radians(80.0)),
+        ),
+        (
+            {"kind": "pocket", "width": "70 mm", "place": "opposite", "extent": "60 deg"},
+            Pockets(0.07, Arrangement.OPPOSITE, math.radians(150.0)),
+        ),
         ({"kind": "groove_360", "width": "5 mm"}, CircumferentialGroove(0.005)),
     ],
 )
 def test_supply_elements(given, element):
-    assert built(supply_element=given).bearing.supply_element == element
+    assert built(span="360 deg", supply_element=given).bearing.supply_element == element
+
+
+def test_pockets_at_both_sides_end_where_the_arc_begins():
+    """As in the film of the same case."""
+    given = {"kind": "pocket", "width": "70 mm", "place": "both_sides"}
+    assert built(span="120 deg", supply_element=given).bearing.supply_element.edge == pytest.approx(math.pi / 3.0)
 
 
 def test_a_slot_is_equivalent_holes():
@@ -181,7 +204,8 @@ def uneven(entry, leaving, extent, **more):
 def test_uneven_pockets_set_the_span(pockets, span, word):
     case = built(span=None, supply_element=pockets)
     assert case.bearing.span == span
-    assert case.bearing.supply_element == Pockets(0.07, Arrangement.BOTH_SIDES)
+    edge = math.radians(float(pockets["entry_angle"].split()[0]) - 10.0)
+    assert case.bearing.supply_element == Pockets(0.07, Arrangement.BOTH_SIDES, pytest.approx(edge))
     assert any(word in text for text in case.assumptions)
     warnings = {notice.code for notice in case.warnings}
     assert warnings == ({"W104", "W105"} if word == "flatters" else {"W104"})

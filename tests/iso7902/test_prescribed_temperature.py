@@ -9,9 +9,9 @@ from babbitt.core.result import Outcome
 from babbitt.design.conditions import HousingCooling
 from babbitt.kinds.journal.iso7902.model import PrescribedLoad
 from babbitt.kinds.journal.iso7902.procedure import check, check_at_temperature
-from babbitt.kinds.journal.iso7902.supply import Arrangement, Pockets
+from babbitt.kinds.journal.iso7902.supply import Arrangement, Holes
 
-WELL_FED = replace(CASE_A, bearing=replace(CASE_A.bearing, supply_element=Pockets(0.04, Arrangement.BOTH_SIDES)))
+WELL_FED = replace(CASE_A, bearing=replace(CASE_A.bearing, supply_element=Holes(0.04, Arrangement.BOTH_SIDES)))
 
 BALANCE = {"outlet_temperature", "heat_to_oil", "heat_to_surroundings", "energy_balance_error"}
 """What only a heat balance tells."""

@@ -99,10 +99,10 @@ CHECKS: dict[str, Explanation] = {
     ),
     "C117": Explanation(
         "Supply capacity",
-        "What the supply can deliver is compared with the side flow Q3: Q_p + (U/2) h b with gap and width at the "
-        "hole, pocket or edge of a half groove before the load; Q_p alone for a groove all around; no more than "
-        "tubes and holes pass. Where it is less, the heat balance is repeated with it and decides; the "
-        "miss itself counts only if that has no equilibrium.",
+        "What the supply can deliver is compared with the side flow Q3: Q_p + (U/2) h b with width and gap at the "
+        "downstream edge of hole, pocket or half groove before the load, for a pocket less the film that comes "
+        "back to it; Q_p alone for a groove all around; no more than tubes and holes pass. Where it is less, the "
+        "heat balance is repeated with it and decides; the miss itself counts only if that has no equilibrium.",
         "Wider pockets or grooves, wider tubes, more supply pressure, or a full analysis with `method: film`.",
     ),
     "C122": Explanation(

@@ -112,9 +112,18 @@ JOURNAL: dict[str, Explanation] = {
         "element (none out of a groove all around), at most what tubes and holes pass, "
         "is less than the side flow with which ISO 7902 closes its heat balance. That is repeated with the lesser "
         "flow; its temperatures and films, named starved, are held against the limits. The estimate of what is "
-        "delivered is an assumption, within a factor of about two of films that conserve their oil.",
+        "delivered is an assumption, within a factor of about two of films that conserve their oil. Of pockets "
+        "that deliver half or more, W190 says the same and questions nothing.",
         "Wider pockets or grooves, wider tubes and holes, or a higher supply pressure; `method: film` with "
         "`thermal: adiabatic` tells more.",
+    ),
+    "W190": Explanation(
+        "Pockets deliver somewhat less than the film wants",
+        "As W123, with pockets that deliver at least half of the side flow. Their oil enters at the edge before "
+        "the load, where warm oil that the film brings back fills part of the gap. The limits are held against "
+        "the film with the lesser flow, which errs to the hot side: they are kept without a remark.",
+        "Wider or shorter pockets, or a higher supply pressure, for a cooler film.",
+        effect=Effect.INFORMATION,
     ),
     "W124": Explanation(
         "No supply flow",

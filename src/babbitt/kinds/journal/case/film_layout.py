@@ -23,6 +23,7 @@ from babbitt.core.units import written
 from babbitt.kinds.journal.case.journal import JournalBearing
 from babbitt.kinds.journal.case.operating_point import OperatingPoint
 from babbitt.kinds.journal.case.supply_element import (
+    POCKET_EXTENT,
     GrooveElement,
     HoleElement,
     PocketElement,
@@ -32,9 +33,6 @@ from babbitt.kinds.journal.case.supply_element import (
 )
 from babbitt.kinds.journal.film.model import FeedSize
 from babbitt.reynolds.model import FilmStart
-
-POCKET_EXTENT = math.radians(20.0)
-"""Extent around the bore of a pocket that does not give its own. Assumption."""
 
 HALF, QUARTER = math.pi, math.pi / 2.0
 
@@ -157,9 +155,9 @@ def _of_element(element: SupplyElementInput, angle: float, diameter: float, widt
                 place = ((number + 0.5) / element.number - 0.5) * width
                 yield FeedSize.hole(angle, element.diameter, diameter, place)
         case SlotElement():
-            yield FeedSize(angle, 2.0 * element.width / diameter, element.length)
+            yield FeedSize(angle, element.extent_in(diameter), element.length)
         case PocketElement():
-            yield FeedSize(angle, element.extent or POCKET_EXTENT, element.width)
+            yield FeedSize(angle, element.extent_in(diameter), element.width)
         case _:
             return
 

@@ -70,7 +70,7 @@ def _iso_bearing(inputs: Inputs, at: Point) -> Bearing:
         span=span,
         expansion_bearing=of_bearing,
         expansion_journal=of_journal,
-        supply_element=element.element() if element is not None else None,
+        supply_element=element.element(bearing.diameter, span) if element is not None else None,
         surfaces=bearing.surfaces.surfaces() if bearing.surfaces is not None else None,
         metal=materials.metal(),
         load_character=LoadCharacter(materials.load_character or LoadCharacter.CALM),

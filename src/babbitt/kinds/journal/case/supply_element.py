@@ -25,6 +25,9 @@ from babbitt.kinds.journal.iso7902.supply import (
 Place = Literal["opposite", "side", "both_sides"]
 PLACE = "Seen from the load: opposite, at one side (90 deg), or at both sides."
 
+POCKET_EXTENT = math.radians(20.0)
+"""Extent around the bore of a pocket that does not give its own. Assumption."""
+
 FeedSize = Annotated[float, si("m", "0.1 mm", "3 m")]
 """Size of a hollow in the bearing surface."""
 
@@ -42,9 +45,14 @@ class HoleElement(Part):
         """Size along the shaft in m."""
         return self.diameter
 
-    def element(self) -> SupplyElement:
-        """Give the supply element of the calculation."""
-        return Holes(self.diameter, Arrangement(self.place), float(self.number))
+    def extent_in(self, diameter: float) -> float:
+        """Angle in rad that a hole takes of a bore of that diameter in m."""
+        return 2.0 * self.diameter / diameter
+
+    def element(self, diameter: float, span: int) -> SupplyElement:
+        """Give the supply element of the calculation in a bore of that diameter (m) and span (deg)."""
+        edge = edge_of_place(self.place, self.extent_in(diameter), span)
+        return Holes(self.diameter, Arrangement(self.place), float(self.number), edge)
 
 
 class SlotElement(Part):
@@ -65,10 +73,16 @@ class SlotElement(Part):
         if self.width > self.length:
             yield Issue(("width",), "width is larger than length", "the shorter side", "exchange the two")
 
-    def element(self) -> SupplyElement:
-        """Give the supply element of the calculation."""
-        diameter, number = equivalent_holes(self.length, self.width)
-        return Holes(diameter, Arrangement(self.place), number)
+    def extent_in(self, diameter: float) -> float:
+        """Angle in rad that the slot takes of a bore of that diameter in m."""
+        return 2.0 * self.width / diameter
+
+    def element(self, diameter: float, span: int) -> SupplyElement:
+        """Give the supply element of the calculation in a bore of that diameter (m) and span (deg)."""
+        size, number = equivalent_holes(self.length, self.width)
+        return Holes(
+            size, Arrangement(self.place), number, edge_of_place(self.place, self.extent_in(diameter), span)
+        )
 
 
 class PocketElement(Part):
@@ -78,7 +92,7 @@ class PocketElement(Part):
     width: FeedSize = Field(description="Size of the pocket along the shaft.")
     place: Place = Field(description=PLACE)
     extent: Annotated[float, si("rad", "0.1 deg", "180 deg")] | None = Field(
-        None, description="Circumferential extent of each pocket; the film method takes 20 deg without it."
+        None, description="Circumferential extent of each pocket; 20 deg are taken without it."
     )
 
     @property
@@ -86,9 +100,14 @@ class PocketElement(Part):
         """Size along the shaft in m."""
         return self.width
 
-    def element(self) -> SupplyElement:
-        """Give the supply element of the calculation."""
-        return Pockets(self.width, Arrangement(self.place))
+    def extent_in(self, diameter: float) -> float:
+        """Angle in rad that each pocket takes of the bore."""
+        return self.extent or POCKET_EXTENT
+
+    def element(self, diameter: float, span: int) -> SupplyElement:
+        """Give the supply element of the calculation in a bore of that diameter (m) and span (deg)."""
+        edge = edge_of_place(self.place, self.extent_in(diameter), span)
+        return Pockets(self.width, Arrangement(self.place), edge)
 
 
 class GrooveElement(Part):
@@ -102,7 +121,7 @@ class GrooveElement(Part):
         """Size along the shaft in m."""
         return self.width
 
-    def element(self) -> SupplyElement:
+    def element(self, diameter: float, span: int) -> SupplyElement:
         """Give the supply element of the calculation."""
         groove = CircumferentialGroove if self.kind == "groove_360" else HalfCircumferentialGroove
         return groove(self.width)
@@ -140,9 +159,9 @@ class UnevenPockets(Part):
         """Give the span of the centred arc that stands for the arc between the pockets."""
         return conventional_span(*self.edges, SpanRounding(self.rounding))
 
-    def element(self) -> SupplyElement:
-        """Give the supply element of the calculation, which ignores the unevenness."""
-        return Pockets(self.width, Arrangement.BOTH_SIDES)
+    def element(self, diameter: float, span: int) -> SupplyElement:
+        """Give the supply element of the calculation, whose flow by pressure ignores the unevenness."""
+        return Pockets(self.width, Arrangement.BOTH_SIDES, self.edges[0])
 
     @rule
     def _pockets_fit_around(self) -> Iterator[Issue]:
@@ -160,6 +179,21 @@ class UnevenPockets(Part):
                 f"the pockets overlap behind the shaft: both angles and the extent make {written(around, 'deg')}",
                 "at most 360 deg together",
             )
+
+
+def edge_of_place(place: Place, extent: float, span: int) -> float:
+    """Angle in rad from the downstream edge of an element before the load to the load.
+
+    Elements at both sides stand at 90 deg, or where an arc shorter than 360 deg ends.
+
+    >>> [round(math.degrees(edge_of_place(place, math.radians(20.0), 360))) for place in ("opposite", "side")]
+    [170, 80]
+    >>> round(math.degrees(edge_of_place("both_sides", math.radians(20.0), 120)))
+    60
+    """
+    if place == "both_sides" and span < 360:
+        return math.radians(span) / 2.0
+    return Arrangement(place).angle - extent / 2.0
 
 
 SupplyElementInput = Annotated[

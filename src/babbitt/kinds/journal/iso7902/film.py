@@ -5,6 +5,7 @@ Everything the heat balance needs is a function of the effective temperature; `f
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -16,7 +17,13 @@ from babbitt.design.values import friction_between, hydrodynamic_speed
 from babbitt.kinds.journal.iso7902.characteristics import BearingCurves, ClosedFormCurves, curves
 from babbitt.kinds.journal.iso7902.friction import friction_numbers
 from babbitt.kinds.journal.iso7902.model import Curves, DesignCase
-from babbitt.kinds.journal.iso7902.supply import CircumferentialGroove, HalfCircumferentialGroove, Holes, Pockets
+from babbitt.kinds.journal.iso7902.supply import (
+    CircumferentialGroove,
+    HalfCircumferentialGroove,
+    Holes,
+    Pockets,
+    gap_factor,
+)
 from babbitt.kinds.journal.iso7902.supply_pressure import Feed, feed
 from babbitt.properties.fits import operating_relative_clearance
 
@@ -101,11 +108,21 @@ def starved_film_at(temperature: float, case: DesignCase, shape: BearingCurves) 
 
 
 def sheared_flow(
-    case: DesignCase, eccentricity_ratio: float, attitude_angle: float, relative_clearance: float
+    case: DesignCase, eccentricity_ratio: float, attitude_angle: float, relative_clearance: float, side_flow: float
 ) -> float | None:
-    """Oil sheared into the loaded film from the supply element, ``(U/2) h_s b`` with U of ``ω_h``, m³/s.
+    """Fresh oil that the journal shears into the loaded film from the supply element, m³/s.
 
+    ``(U/2) (h_s - h_r) b`` with U of ``ω_h``, the gap h_s at the downstream edge of the element and the film h_r
+    that comes back to a pocket (`returned_gap`). A hole is too small to stop what comes back: it passes beside it.
     None without an element. A groove around the whole circumference lies along the motion: nothing is sheared out.
+
+    Parameters
+    ----------
+    case : DesignCase
+    eccentricity_ratio, attitude_angle, relative_clearance : float
+        Of the film; the angle in rad.
+    side_flow : float
+        That all the film would lose at its sides, m³/s.
     """
     element, bearing = case.bearing.supply_element, case.bearing
     if case.oil_supply is None or element is None:
@@ -114,9 +131,43 @@ def sheared_flow(
         return 0.0
     if not isinstance(element, Holes | Pockets | HalfCircumferentialGroove):
         return None
-    factor = element.arrangement.gap_factor(eccentricity_ratio, attitude_angle)
-    gap = factor * relative_clearance * bearing.diameter / 2.0
-    return hydrodynamic_speed(case) * bearing.diameter / 4.0 * gap * element.axial_width(bearing.width)
+    clearance = relative_clearance * bearing.diameter / 2.0
+    gap = clearance * gap_factor(
+        eccentricity_ratio, attitude_angle, element.edge_before_load(math.radians(bearing.span))
+    )
+    if isinstance(element, Pockets):
+        gap -= returned_gap(case, eccentricity_ratio, attitude_angle, relative_clearance, side_flow)
+    return half_surface_speed(case) * max(gap, 0.0) * element.axial_width(bearing.width)
+
+
+def half_surface_speed(case: DesignCase) -> float:
+    """Mean speed of the oil between the surfaces, U/2 with U of ``ω_h``, m/s."""
+    return hydrodynamic_speed(case) * case.bearing.diameter / 4.0
+
+
+def start_of_film(span: float, attitude_angle: float) -> float:
+    """Angle before the load at which pressure begins in the film of the standard, rad.
+
+    At the edge of its arc, and never before the widest gap, from which the gap narrows.
+
+    >>> round(math.degrees(start_of_film(math.radians(360.0), math.radians(50.0))))
+    130
+    """
+    return min(0.5 * span, math.pi - attitude_angle)
+
+
+def returned_gap(
+    case: DesignCase, eccentricity_ratio: float, attitude_angle: float, relative_clearance: float, side_flow: float
+) -> float:
+    """Thickness in m of the film that leaves the loaded arc and comes round to the supply, warm.
+
+    ``h_r = h_0 - 2 Q_3/(U B)``: what enters the loaded film at its start, where the gap is h_0, less what it loses
+    at its sides. Parameters as of `sheared_flow`.
+    """
+    bearing = case.bearing
+    start = start_of_film(math.radians(bearing.span), attitude_angle)
+    entering = relative_clearance * bearing.diameter / 2.0 * gap_factor(eccentricity_ratio, attitude_angle, start)
+    return max(entering - side_flow / (half_surface_speed(case) * bearing.width), 0.0)
 
 
 def _film(temperature: float, case: DesignCase, shape: BearingCurves, limited: bool = False) -> Film:
@@ -145,8 +196,8 @@ def _film(temperature: float, case: DesignCase, shape: BearingCurves, limited: b
     )
     flow_scale = bearing.diameter**3 * psi * hydrodynamic_speed(case)
     side_flow_number = shape.side_flow_number(eccentricity)
-    sheared = sheared_flow(case, eccentricity, shape.attitude_angle(eccentricity), psi)
     side_flow = bearing.parts * side_flow_number * flow_scale
+    sheared = sheared_flow(case, eccentricity, shape.attitude_angle(eccentricity), psi, side_flow)
     if limited and sheared is not None:
         side_flow = min(side_flow, sheared)
     fed = feed(case, eccentricity, psi, viscosity, side_flow)

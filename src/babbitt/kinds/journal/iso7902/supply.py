@@ -38,18 +38,29 @@ class Arrangement(Enum):
             case Arrangement.BOTH_SIDES:
                 return 2.0
 
-    def gap_factor(self, eccentricity_ratio: float, attitude_angle: float) -> float:
-        """Film thickness over the radial clearance at the element from which the journal draws the loaded film.
+    @property
+    def angle(self) -> float:
+        """From the middle of the element that feeds the loaded film to the load, in the sense of rotation, rad.
 
-        ``1 + ε cos θ`` with θ from the widest gap, which lies opposite the load less the attitude angle (rad). An
-        element at the side stands before the load, in the sense of rotation. Of two the other, behind the load,
-        gives its oil to the unloaded half, from which it comes round to the first: it adds nothing.
+        An element at the side stands before the load. Of two the other, behind the load, gives its oil to the
+        unloaded half, from which it comes round to the first: it adds nothing.
         """
-        match self:
-            case Arrangement.OPPOSITE:
-                return 1.0 + eccentricity_ratio * math.cos(attitude_angle)
-            case Arrangement.SIDE | Arrangement.BOTH_SIDES:
-                return 1.0 + eccentricity_ratio * math.sin(attitude_angle)
+        return math.pi if self is Arrangement.OPPOSITE else 0.5 * math.pi
+
+    def angle_in(self, span: float) -> float:
+        """The same in a film of that span in rad: elements at both sides stand where the arc ends."""
+        return min(self.angle, 0.5 * span) if self is Arrangement.BOTH_SIDES else self.angle
+
+
+def gap_factor(eccentricity_ratio: float, attitude_angle: float, before_load: float) -> float:
+    """Film thickness over the radial clearance at an angle before the load, in the sense of rotation, rad.
+
+    ``1 - ε cos(α + β)``: the narrowest gap lies at the attitude angle β behind the load.
+
+    >>> round(gap_factor(0.6, math.radians(50.0), math.radians(130.0)), 6)
+    1.6
+    """
+    return 1.0 - eccentricity_ratio * math.cos(before_load + attitude_angle)
 
 
 class SupplyElement(Protocol):
@@ -124,11 +135,20 @@ def _local_flow(fit: Callable[[float], float], s: float) -> float:
 
 @dataclass(frozen=True)
 class Holes:
-    """One hole, or two at ±90°: `number` counts the holes at each place."""
+    """One hole, or two at ±90°: `number` counts the holes at each place.
+
+    `edge` is the angle in rad from the downstream edge of a hole to the load; None where the place says no more:
+    at its middle, or where the arc ends.
+    """
 
     diameter: float
     arrangement: Arrangement
     number: float = 1.0
+    edge: float | None = None
+
+    def edge_before_load(self, span: float) -> float:
+        """Where the journal draws the loaded film of that span from it; angles in rad, that before the load."""
+        return self.arrangement.angle_in(span) if self.edge is None else self.edge
 
     def relative_width(self, bearing_width: float) -> float:
         """Hole diameter over bearing width."""
@@ -146,10 +166,19 @@ class Holes:
 
 @dataclass(frozen=True)
 class Pockets:
-    """One pocket, or two at about ±90°. The circumferential extent does not enter the flow."""
+    """One pocket, or two at about ±90°. The circumferential extent does not enter the flow that pressure drives.
+
+    `edge` is the angle in rad from the downstream edge of the pocket to the load; None where the place says no
+    more: at its middle, or where the arc ends.
+    """
 
     width: float
     arrangement: Arrangement
+    edge: float | None = None
+
+    def edge_before_load(self, span: float) -> float:
+        """Where the journal draws the loaded film of that span from it; angles in rad, that before the load."""
+        return self.arrangement.angle_in(span) if self.edge is None else self.edge
 
     def relative_width(self, bearing_width: float) -> float:
         """Pocket width over bearing width."""
@@ -187,10 +216,9 @@ class HalfCircumferentialGroove:
 
     width: float
 
-    @property
-    def arrangement(self) -> Arrangement:
-        """Where the journal draws the loaded film from it: at its edge at the side before the load."""
-        return Arrangement.SIDE
+    def edge_before_load(self, span: float) -> float:
+        """Where the journal draws the loaded film from it: at its edge at the side before the load, rad."""
+        return Arrangement.SIDE.angle
 
     def axial_width(self, bearing_width: float) -> float:
         """Width in m over which the groove gives oil to the film."""

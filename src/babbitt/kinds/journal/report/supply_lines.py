@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.design.ducts import LAMINAR_UP_TO, TURBULENT_FROM, Duct, pipe_friction_factor
+from babbitt.kinds.journal.iso7902.film import returned_gap, start_of_film
 from babbitt.kinds.journal.iso7902.supply import (
     Arrangement,
     CircumferentialGroove,
@@ -105,13 +107,6 @@ def _place(arrangement: Arrangement) -> str:
     }[arrangement]
 
 
-_GAP = {
-    Arrangement.OPPOSITE: "radial_clearance * (1 + eccentricity_ratio * cos(attitude_angle))",
-    Arrangement.SIDE: "radial_clearance * (1 + eccentricity_ratio * sin(attitude_angle))",
-    Arrangement.BOTH_SIDES: "radial_clearance * (1 + eccentricity_ratio * sin(attitude_angle))",
-}
-
-
 def capacity_lines(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
     """What the supply can deliver, and the heat balance with that flow where it is less than Q₃."""
     if "supply_capacity" not in sheet:
@@ -148,17 +143,51 @@ def _capacity(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
         return
     if not isinstance(element, Holes | Pockets | HalfCircumferentialGroove):
         return
-    once = isinstance(element, Holes | Pockets) and element.arrangement is not Arrangement.BOTH_SIDES
-    both = "" if once else " before the load"
-    at = "the edge of the groove" if isinstance(element, HalfCircumferentialGroove) else "the supply element"
-    yield sheet.line("supply_gap", _GAP[element.arrangement], f"gap at {at}{both}")
+    of = "groove" if isinstance(element, HalfCircumferentialGroove) else "supply element"
+    edge = element.edge_before_load(math.radians(case.bearing.span))
+    yield sheet.given("supply_edge_angle", f"from the edge of the {of} before the load to the load", value=edge)
+    yield sheet.line(
+        "supply_gap", "radial_clearance * (1 - eccentricity_ratio * cos(supply_edge_angle + attitude_angle))"
+    )
+    fresh = "supply_gap"
+    if isinstance(element, Pockets):
+        yield from _returned(case, sheet)
+        fresh = "(supply_gap - returned_gap)" if sheet["supply_gap"] > sheet["returned_gap"] else "0"
     size = {Pockets: "pocket_width", Holes: "hole_diameter"}.get(type(element), "groove_width")
     side_by_side = isinstance(element, Holes) and element.number != 1.0
     expression = f"hole_number * {size}" if side_by_side else size
     if element.axial_width(case.bearing.width) == case.bearing.width:
         expression = "width"
     yield sheet.line("supply_axial_width", expression)
-    yield sheet.line("supply_capacity", "supply_flow + surface_speed / 2 * supply_gap * supply_axial_width")
+    sheared = "" if fresh == "0" else f" + surface_speed / 2 * {fresh} * supply_axial_width"
+    yield sheet.line("supply_capacity", f"supply_flow{sheared}")
+
+
+def _returned(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
+    """The film that comes back to a pocket: what enters the loaded film less what that loses at its sides."""
+    start = start_of_film(math.radians(case.bearing.span), sheet["attitude_angle"])
+    where = "edge of the arc" if start == math.radians(case.bearing.span) / 2.0 else "widest gap"
+    yield sheet.given("film_start_angle", f"from the {where} to the load", value=start)
+    yield sheet.line(
+        "film_start_gap", "radial_clearance * (1 - eccentricity_ratio * cos(film_start_angle + attitude_angle))"
+    )
+    left = "film_start_gap - 2 * side_flow / (surface_speed * width)"
+    remark = "film that comes back to the pocket"
+    if returned_gap_of(case, sheet) > 0.0:
+        yield sheet.line("returned_gap", left, remark)
+    else:
+        yield sheet.given("returned_gap", remark, value=0.0)
+
+
+def returned_gap_of(case: DesignCase, sheet: Worksheet) -> float:
+    """Thickness in m of the film that comes back, by the numbers of the sheet."""
+    return returned_gap(
+        case,
+        sheet["eccentricity_ratio"],
+        sheet["attitude_angle"],
+        sheet["operating_relative_clearance"],
+        sheet["side_flow"],
+    )
 
 
 def loss_lines(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
