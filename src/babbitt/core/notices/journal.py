@@ -34,7 +34,8 @@ JOURNAL: dict[str, Explanation] = {
     ),
     "W105": Explanation(
         "Loaded arc shorter than any tabulated span",
-        "The pockets leave less than 90 degrees of centred arc; the characteristics of 90 degrees flatter it.",
+        "The pockets leave less than 90 degrees of centred arc; the characteristics of 90 degrees flatter it, "
+        "those of a wider span all the more.",
         "Move the pockets away from the load or use a film method.",
         effect=Effect.NO_VERDICT,
     ),
@@ -116,6 +117,15 @@ JOURNAL: dict[str, Explanation] = {
         "that deliver half or more, W190 says the same and questions nothing.",
         "Wider pockets or grooves, wider tubes and holes, or a higher supply pressure; `method: film` with "
         "`thermal: adiabatic` tells more.",
+    ),
+    "W189": Explanation(
+        "Loaded arc shorter than the span",
+        "A pocket or groove ends the film: between pockets at 90 deg to the load 180 deg less their extent carry, "
+        "and a pocket or groove beside the load line leaves an arc of twice its distance (behind the load up to "
+        "60 deg). The span is wider, and by the characteristics of the arc that is left the film is more than 5 % "
+        "thinner (an assumption), or no characteristics are so short.",
+        "The `span` that fits between the pockets, `uneven_pockets` with their true angles, or `method: film`; "
+        "shorter pockets, or a load that points away from them.",
     ),
     "W190": Explanation(
         "Pockets deliver somewhat less than the film wants",

@@ -6,6 +6,7 @@ from babbitt.case.part import is_given
 from babbitt.design.conditions import PrescribedEccentricity, PrescribedLoad, PrescribedPosition
 from babbitt.kinds.journal.case.as_given import words_of
 from babbitt.kinds.journal.case.assumptions import assumptions_of
+from babbitt.kinds.journal.case.free_arc import free_arcs
 from babbitt.kinds.journal.case.joined_inputs import (
     Inputs,
     Point,
@@ -46,6 +47,7 @@ def iso7902_case(inputs: Inputs, at: Point) -> DesignCase:
         warnings=warnings_about(inputs, point),
         kind=bearing.kind,
         effective_temperature=bearing.effective_temperature,
+        free_arcs=free_arcs(bearing, point),
         load_angle=bearing.load_angle if is_given(bearing, "load_angle") else None,
     )
 

@@ -100,6 +100,12 @@ class PocketElement(Part):
         """Size along the shaft in m."""
         return self.width
 
+    @rule
+    def _leaves_an_arc(self) -> Iterator[Issue]:
+        if self.place == "both_sides" and self.extent is not None and self.extent >= math.pi * (1.0 - 1e-9):
+            says = f"two pockets of {written(self.extent, 'deg')} at 90 deg to the load leave no arc to carry it"
+            yield Issue(("extent",), says, "less than 180 deg; `place: side` for one pocket")
+
     def extent_in(self, diameter: float) -> float:
         """Angle in rad that each pocket takes of the bore."""
         return self.extent or POCKET_EXTENT

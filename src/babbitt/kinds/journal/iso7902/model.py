@@ -23,6 +23,7 @@ __all__ = [
     "Bearing",
     "Curves",
     "DesignCase",
+    "FreeArc",
     "Friction",
     "PrescribedEccentricity",
     "PrescribedLoad",
@@ -98,13 +99,25 @@ class Bearing(Proportions):
 
 
 @dataclass(frozen=True)
+class FreeArc:
+    """Centred arc in rad that pockets or grooves leave to the loaded film, and which ones, in words.
+
+    `certain` where the case says the places for this method alone: an arc too short for the tables has no verdict.
+    """
+
+    extent: float
+    left_by: str
+    certain: bool = True
+
+
+@dataclass(frozen=True)
 class DesignCase:
     """One bearing at one operating point with all choices made.
 
-    Speeds in rad/s. At least one of `oil_supply` and `cooling` carries the heat away, unless the effective
-    temperature (K) is prescribed. `given` holds names and
-    words of the case that these numbers came from (a fit, a material), for the report. `warnings` arose while the
-    case was made and ride along to the result.
+    Speeds in rad/s. `free_arcs` are those that pockets and grooves leave about the load, where known. At least
+    one of `oil_supply` and `cooling` carries the heat away, unless the effective temperature (K) is
+    prescribed. `given` holds names and words of the case that these numbers came from (a fit, a material), for
+    the report. `warnings` arose while the case was made and ride along to the result.
     """
 
     name: str
@@ -125,3 +138,4 @@ class DesignCase:
     kind: str = "journal"
     effective_temperature: float | None = None
     load_angle: float | None = None
+    free_arcs: tuple[FreeArc, ...] = ()

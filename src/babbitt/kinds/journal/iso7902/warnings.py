@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
+from babbitt.design.span import TABULATED_SPANS
 from babbitt.design.warnings import (
     RIGID_FILM_UP_TO,
     warnings_about_film,
@@ -13,6 +15,7 @@ from babbitt.design.warnings import (
     warnings_about_running,
     warnings_about_supply,
 )
+from babbitt.kinds.journal.iso7902.characteristics import curves
 from babbitt.kinds.journal.iso7902.characteristics.closed_forms import DEVIATIONS, LARGEST_ATTITUDE_DEVIATION
 from babbitt.kinds.journal.iso7902.film import Film
 from babbitt.kinds.journal.iso7902.model import Curves, DesignCase
@@ -35,6 +38,10 @@ CURVES_FROM = 0.01
 """Eccentricity ratio at which the computed characteristics begin."""
 
 
+NOTABLE_SHARE = 0.05
+"""Share of the film thickness by which a span wider than the arc that is left may flatter it (an assumption)."""
+
+
 def all_warnings(
     case: DesignCase, film: Film, values: Mapping[str, float], checks: tuple[Check, ...], change: Transition | None
 ) -> tuple[Notice, ...]:
@@ -42,6 +49,7 @@ def all_warnings(
     return (
         *case.warnings,
         *_of_method(case, values),
+        *_of_free_arcs(case, values),
         *_of_supply(case, film),
         *_of_running(case, values, checks, change),
     )
@@ -73,6 +81,40 @@ def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice
         yield Notice("W119", f"ε = {eccentricity:.2g} < {CURVES_FROM:g}, the first node of the tables")
     if case.bearing_speed:
         yield Notice("W114", "the bearing rotates; values from experience hold for bearings at rest")
+
+
+def _of_free_arcs(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
+    """Whether pockets and grooves leave less arc about the load than the span, and what film that has."""
+    for arc in case.free_arcs:
+        degrees = math.degrees(arc.extent)
+        if case.bearing.span <= degrees + 1e-6:
+            continue
+        said = f"{arc.left_by} leave an arc of {degrees:.3g}° about the load"
+        if degrees < TABULATED_SPANS[-1] - 1e-6 and arc.certain:
+            yield Notice("W105", f"{said}; the characteristics hold for {case.bearing.span}°")
+            continue
+        thin, full = _film_on_arc(case, values, degrees), values["minimum_film_thickness"]
+        if thin < (1.0 - NOTABLE_SHARE) * full or degrees < TABULATED_SPANS[-1] - 1e-6:
+            taken = max(degrees, float(TABULATED_SPANS[-1]))
+            then = (
+                f"h_min {thin * 1e6:.3g} µm, not {full * 1e6:.3g} µm" if thin > 0.0 else "no film carries the load"
+            )
+            yield Notice("W189", f"{said}, and the span is {case.bearing.span}°; on {taken:.3g}°: {then}")
+
+
+def _film_on_arc(case: DesignCase, values: Mapping[str, float], degrees: float) -> float:
+    """Least film in m under the same load number on an arc, between those of tabulated arcs; 0 without one."""
+    wide = min((span for span in TABULATED_SPANS if span >= degrees), default=TABULATED_SPANS[0])
+    narrow = max((span for span in TABULATED_SPANS if span <= degrees), default=TABULATED_SPANS[-1])
+    clearance = values["operating_relative_clearance"] * case.bearing.diameter / 2.0
+    films = []
+    for span in (narrow, wide):
+        shape, load_number = curves(span, case.bearing.part_width_ratio), values["sommerfeld_number"]
+        if load_number > shape.largest_sommerfeld_number:
+            return 0.0
+        films.append(clearance * (1.0 - shape.eccentricity_ratio(load_number)))
+    share = 0.0 if wide <= narrow else (degrees - narrow) / (wide - narrow)
+    return films[0] + share * (films[1] - films[0])
 
 
 def _of_supply(case: DesignCase, film: Film) -> Iterator[Notice]:
