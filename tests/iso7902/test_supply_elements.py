@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
+from babbitt.case import CaseError, case_from_dict
 from babbitt.kinds.journal.iso7902.supply import (
     Arrangement,
     CircumferentialGroove,
@@ -107,3 +108,24 @@ def test_hole_formula_beside_the_exact_flow_of_a_small_hole():
         exact = math.pi / 48.0 / math.log(4.0 / (math.pi * s))
         off.append(hole.supply_flow_number(0.0, 0.1, 0.5) / exact - 1.0)
     assert off == pytest.approx([-0.11, 0.04], abs=0.006)
+
+
+@pytest.mark.parametrize("method", ["iso7902", "film"])
+def test_a_row_of_holes_longer_than_the_bearing_is_wide_is_refused(method):
+    """5 holes of 20 mm in 80 mm delivered as much as all the width would."""
+    given = {
+        "kind": "journal", "name": "B", "method": method, "diameter": "100 mm", "width": "80 mm",
+        "clearance": {"kind": "relative", "mean": "1.3 permille"}, "span": "360 deg", "load": "15 kN",
+        "materials": {"bearing": "C10", "journal": "C45"}, "lubricant": "ISO VG 32", "speed": "3000 rpm",
+        "supply": {"temperature": "45 degC", "pressure": "0.1 MPa"},
+    }  # fmt: skip
+
+    def row(number):
+        return given | {"supply_element": {"kind": "hole", "diameter": "20 mm", "place": "side", "number": number}}
+
+    case_from_dict(row(3))
+    for number in (4, 5):
+        with pytest.raises(
+            CaseError, match=rf"{number} holes of 20 mm .* take {number * 20} mm.* up to 3 of 20 mm"
+        ):
+            case_from_dict(row(number))

@@ -378,9 +378,8 @@ def check_pockets(film: JournalFilm) -> None:
         if not (pocket.extent > 0.0 and pocket.axial_length > 0.0):
             raise InputError("E101", "a pocket has no size; extent and axial_length must be positive.")
         if abs(pocket.axial_centre) + 0.5 * pocket.axial_length > 0.5 * film.width * (1.0 + 1e-12):
-            raise InputError(
-                "E101", f"the pocket at {pocket.centre_angle} rad reaches beyond the width of the bearing."
-            )
+            raise InputError("E101", f"the pocket or hole at {math.degrees(pocket.centre_angle):.4g} deg reaches "
+                             "beyond the width of the bearing.")  # fmt: skip
         if pocket.pressure < film.cavitation_pressure:
             raise InputError("E101", f"a pocket has {pocket.pressure} Pa, less than the cavitation pressure.")
     if film.film_start is FilmStart.PERIODIC:
@@ -417,7 +416,10 @@ def check_steps(film: JournalFilm) -> None:
         if not (0.0 < step.extent <= 2.0 * math.pi * (1.0 + 1e-12) and step.axial_length > 0.0):
             raise InputError("E101", "a step has no size; extent (to one turn) and axial_length must be positive.")
         if abs(step.axial_centre) + 0.5 * step.axial_length > 0.5 * film.width * (1.0 + 1e-12):
-            raise InputError("E101", f"the step at {step.centre_angle} rad reaches beyond the bearing's width.")
+            raise InputError(
+                "E101",
+                f"the step at {math.degrees(step.centre_angle):.4g} deg reaches beyond the bearing's width.",
+            )
 
 
 def grooved_bore(

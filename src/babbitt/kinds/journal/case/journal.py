@@ -323,10 +323,10 @@ class JournalBearing(LoadAndSpeed, SharedInputs):
         if width is None:
             return
         if self.supply_element is not None:
-            yield from supply_element.issues_of(self.supply_element, width, self.diameter)
+            yield from supply_element.issues_of(self.supply_element, width)
         for index, point in enumerate(self.operating_points):
             if point.supply_element is not None:
-                for told in supply_element.issues_of(point.supply_element, width, self.diameter):
+                for told in supply_element.issues_of(point.supply_element, width):
                     yield told.under("operating_points", index)
 
     @rule

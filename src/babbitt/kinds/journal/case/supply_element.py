@@ -214,7 +214,7 @@ def half_bearing_width(element: SupplyElementInput | None, width: float) -> floa
     return (width - element.width) / 2.0
 
 
-def issues_of(element: SupplyElementInput, width: float, diameter: float) -> Iterator[Issue]:
+def issues_of(element: SupplyElementInput, width: float) -> Iterator[Issue]:
     """Complain about an element that does not fit into its bearing."""
     sizes: dict[type[Part], str] = {HoleElement: "diameter", SlotElement: "length"}
     name = sizes.get(type(element), "width")
@@ -228,13 +228,12 @@ def issues_of(element: SupplyElementInput, width: float, diameter: float) -> Ite
             f"less than {written(width, 'mm')}",
             "a slot lies along the shaft; one around the bore is a pocket with its extent" if turned else "",
         )
-    elif isinstance(element, HoleElement) and element.number * element.diameter > math.pi * diameter:
-        together = written(element.number * element.diameter, "mm")
-        says = f"{element.number} holes of {written(element.diameter, 'mm')} take {together}"
-        around = written(math.pi * diameter, "mm")
-        yield Issue(
-            ("supply_element", "number"), says, f"up to the circumference, {around}", "fewer or smaller holes"
-        )
+    elif isinstance(element, HoleElement) and element.number * element.diameter >= width * (1.0 - 1e-9):
+        together, size = written(element.number * element.diameter, "mm"), written(element.diameter, "mm")
+        says = f"{element.number} holes of {size} in a row along the shaft take {together}"
+        most = math.ceil(width / element.diameter) - 1
+        allowed = f"up to {most} of {size} in a width of {written(width, 'mm')}"
+        yield Issue(("supply_element", "number"), says, allowed, "fewer or smaller holes")
     elif (
         isinstance(element, SlotElement) and (hole := equivalent_holes(element.length, element.width)[0]) >= width
     ):
