@@ -42,6 +42,12 @@ BESIDE_THE_END = 0.05
 USUAL_CLEARANCES = (0.3e-3, 5e-3)
 """Clearance over diameter of plain bearings (an assumption)."""
 
+PLAIN_CLEARANCES = (0.1e-3, 10e-3)
+"""Clearance over diameter outside which nothing is known of plain bearings (an assumption)."""
+
+UNKNOWN_ROUGHNESS = "; whether the surfaces touch is not known without their roughness (surfaces)"
+"""What is told of films too thin for rigid surfaces of a case that does not describe them."""
+
 HOTTEST_OIL = ("maximum_temperature", "outlet_temperature", "effective_temperature", "bearing_temperature")
 """Temperatures of a result in which the oil is not hotter than the hottest of them."""
 
@@ -88,7 +94,10 @@ def _warnings_about_thin_film(case: CheckedProblem, film: float) -> Iterator[Not
 def _warnings_about_clearance(clearances: tuple[float, ...]) -> Iterator[Notice]:
     least, most = USUAL_CLEARANCES
     outside = [one for one in clearances if not least <= one <= most]
-    if outside:
+    thin, wide = PLAIN_CLEARANCES
+    if beyond := [one for one in outside if not thin <= one <= wide]:
+        yield Notice("W193", f"ψ = {beyond[0] * 1e3:.3g} ‰ lies outside {thin * 1e3:g} to {wide * 1e3:g} ‰")
+    elif outside:
         yield Notice("W130", f"ψ = {outside[0] * 1e3:.3g} ‰ lies outside {least * 1e3:g} to {most * 1e3:g} ‰")
 
 
@@ -116,7 +125,8 @@ def warnings_about_film(case: CheckedProblem, values: Mapping[str, float]) -> It
     if depth > RIGID_FILM_UP_TO:
         round_bore = abs(depth - eccentricity) < 1e-3
         said = f"ε = {depth:.3f}" if round_bore else f"1 - h_min/c = {depth:.3f}"
-        yield Notice("W116", f"{said} > {RIGID_FILM_UP_TO:g}, end of the rigid film")
+        unknown = "" if case.bearing.surfaces is not None else UNKNOWN_ROUGHNESS
+        yield Notice("W116", f"{said} > {RIGID_FILM_UP_TO:g}, end of the rigid film{unknown}")
 
 
 def _warnings_about_cold_oil(case: CheckedProblem, values: Mapping[str, float]) -> Iterator[Notice]:

@@ -127,6 +127,13 @@ JOURNAL: dict[str, Explanation] = {
         "The `span` that fits between the pockets, `uneven_pockets` with their true angles, or `method: film`; "
         "shorter pockets, or a load that points away from them.",
     ),
+    "W193": Explanation(
+        "Clearance of no plain bearing",
+        "Clearance over diameter lies outside 0.1 to 10 per mille: no experience and no limit of plain bearings "
+        "reaches there (an assumption). Often a percentage or the wrong unit was typed.",
+        "Check `clearance` and its unit: '1.1 permille' is 0.11 %.",
+        effect=Effect.NO_VERDICT,
+    ),
     "W190": Explanation(
         "Pockets deliver somewhat less than the film wants",
         "As W123, with pockets that deliver at least half of the side flow. Their oil enters at the edge before "

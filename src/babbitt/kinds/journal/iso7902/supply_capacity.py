@@ -58,6 +58,8 @@ STARVED = {
 
 SOURCE = "ISO 7902: the supply delivers Q₃; Q_p + (U/2) h b is an estimate (assumption)"
 
+OF_THE_CLEARANCE = ("W130", "W193")
+
 TRUSTED_SHARE = 0.5
 """Share of Q₃ down to which what pockets deliver does not question the result (an assumption).
 
@@ -183,6 +185,8 @@ def warnings_about_capacity(
     flow = f"with the {_litres(values['total_flow'])} that it delivers to the warmer film"
     yield Notice("W190" if enough else "W123", f"{said}; {flow} {told}, and the limits are held against these")
     for warning in warnings_about_validity(case, values):
+        if warning.code in OF_THE_CLEARANCE:
+            continue  # the same as with all the oil
         yield Notice(warning.code, f"with the flow that the supply delivers: {warning.message}")
 
 
