@@ -127,6 +127,14 @@ JOURNAL: dict[str, Explanation] = {
         "The `span` that fits between the pockets, `uneven_pockets` with their true angles, or `method: film`; "
         "shorter pockets, or a load that points away from them.",
     ),
+    "W194": Explanation(
+        "Whirl not judged",
+        "The case gives the mass of the rotor, so that whirl matters, and the screening by Orlov is missed "
+        "(C112). ISO 7902 has neither stiffness nor damping and cannot tell whether this rotor whirls. Without a "
+        "mass the screening is information alone: of 24 random bearings below an eccentricity ratio of 0.1 it was "
+        "missed by all, and 20 of them carry their load as a weight without whirl.",
+        "`method: film`, which compares the mass with the critical one (C115).",
+    ),
     "W193": Explanation(
         "Clearance of no plain bearing",
         "Clearance over diameter lies outside 0.1 to 10 per mille: no experience and no limit of plain bearings "

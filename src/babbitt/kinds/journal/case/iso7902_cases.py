@@ -48,6 +48,7 @@ def iso7902_case(inputs: Inputs, at: Point) -> DesignCase:
         kind=bearing.kind,
         effective_temperature=bearing.effective_temperature,
         free_arcs=free_arcs(bearing, point),
+        rotor_mass=bearing.rotor_mass,
         load_angle=bearing.load_angle if is_given(bearing, "load_angle") else None,
     )
 

@@ -139,3 +139,4 @@ class DesignCase:
     effective_temperature: float | None = None
     load_angle: float | None = None
     free_arcs: tuple[FreeArc, ...] = ()
+    rotor_mass: float | None = None

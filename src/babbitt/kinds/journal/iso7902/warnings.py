@@ -153,5 +153,11 @@ def _of_running(
     case: DesignCase, values: Mapping[str, float], checks: tuple[Check, ...], change: Transition | None
 ) -> Iterator[Notice]:
     yield from warnings_about_running(case, values, checks)
+    if case.rotor_mass is not None and any(check.code == "C112" and not check.ok for check in checks):
+        yield Notice(
+            "W194",
+            f"rotor_mass {case.rotor_mass:.4g} kg, ε = {values['eccentricity_ratio']:.2g}: ISO 7902 finds no "
+            "critical mass, and its screening (C112) is missed",
+        )
     if change is not None and change.beyond_tables:
         yield Notice("W112", "the film limit lies beyond the tables; the transition speed is an upper bound")
