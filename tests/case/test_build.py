@@ -155,11 +155,11 @@ HOLE = 5.0 / 200.0
         ),
         (
             {"kind": "pocket", "width": "70 mm", "place": "both_sides"},
-            Pockets(0.07, Arrangement.BOTH_SIDES, math.radians(80.0)),
+            Pockets(0.07, Arrangement.BOTH_SIDES, math.radians(80.0), math.radians(20.0)),
         ),
         (
             {"kind": "pocket", "width": "70 mm", "place": "opposite", "extent": "60 deg"},
-            Pockets(0.07, Arrangement.OPPOSITE, math.radians(150.0)),
+            Pockets(0.07, Arrangement.OPPOSITE, math.radians(150.0), math.radians(60.0)),
         ),
         ({"kind": "groove_360", "width": "5 mm"}, CircumferentialGroove(0.005)),
     ],
@@ -205,7 +205,9 @@ def test_uneven_pockets_set_the_span(pockets, span, word):
     case = built(span=None, supply_element=pockets)
     assert case.bearing.span == span
     edge = math.radians(float(pockets["entry_angle"].split()[0]) - 10.0)
-    assert case.bearing.supply_element == Pockets(0.07, Arrangement.BOTH_SIDES, pytest.approx(edge))
+    assert case.bearing.supply_element == Pockets(
+        0.07, Arrangement.BOTH_SIDES, pytest.approx(edge), pytest.approx(math.radians(20.0))
+    )
     assert any(word in text for text in case.assumptions)
     warnings = {notice.code for notice in case.warnings}
     assert warnings == ({"W104", "W105"} if word == "flatters" else {"W104"})

@@ -127,6 +127,15 @@ JOURNAL: dict[str, Explanation] = {
         "The `span` that fits between the pockets, `uneven_pockets` with their true angles, or `method: film`; "
         "shorter pockets, or a load that points away from them.",
     ),
+    "W192": Explanation(
+        "Supply pressure rivals the film",
+        "ISO 7902 presupposes a feed pressure that is negligible beside the pressures of the film. Above half the "
+        "specific load, or where a pocket or half groove presses on the journal with more than a tenth of the "
+        "load (assumptions: films with a pocket opposite the load are there 5 % thinner), it carries or loads the "
+        "journal, and what the pump puts into the oil of Q_p, p over rho c in kelvin, is not in the heat balance.",
+        "Check the pressure and its unit (20 bar are 2 MPa); `method: film` counts the pressure, and `kind: "
+        "hydrostatic` a bearing that lives on it.",
+    ),
     "W194": Explanation(
         "Whirl not judged",
         "The case gives the mass of the rotor, so that whirl matters, and the screening by Orlov is missed "

@@ -112,8 +112,8 @@ class PocketElement(Part):
 
     def element(self, diameter: float, span: int) -> SupplyElement:
         """Give the supply element of the calculation in a bore of that diameter (m) and span (deg)."""
-        edge = edge_of_place(self.place, self.extent_in(diameter), span)
-        return Pockets(self.width, Arrangement(self.place), edge)
+        extent = self.extent_in(diameter)
+        return Pockets(self.width, Arrangement(self.place), edge_of_place(self.place, extent, span), extent)
 
 
 class GrooveElement(Part):
@@ -167,7 +167,7 @@ class UnevenPockets(Part):
 
     def element(self, diameter: float, span: int) -> SupplyElement:
         """Give the supply element of the calculation, whose flow by pressure ignores the unevenness."""
-        return Pockets(self.width, Arrangement.BOTH_SIDES, self.edges[0])
+        return Pockets(self.width, Arrangement.BOTH_SIDES, self.edges[0], self.extent)
 
     @rule
     def _pockets_fit_around(self) -> Iterator[Issue]:

@@ -166,7 +166,7 @@ class Holes:
 
 @dataclass(frozen=True)
 class Pockets:
-    """One pocket, or two at about ±90°. The circumferential extent does not enter the flow that pressure drives.
+    """One pocket, or two at about ±90°. The extent around the bore, rad, does not enter the flow by pressure.
 
     `edge` is the angle in rad from the downstream edge of the pocket to the load; None where the place says no
     more: at its middle, or where the arc ends.
@@ -175,10 +175,15 @@ class Pockets:
     width: float
     arrangement: Arrangement
     edge: float | None = None
+    extent: float = 0.0
 
     def edge_before_load(self, span: float) -> float:
         """Where the journal draws the loaded film of that span from it; angles in rad, that before the load."""
         return self.arrangement.angle_in(span) if self.edge is None else self.edge
+
+    def pressed_area(self, bearing_diameter: float) -> float:
+        """Projected area in m² over which one pocket presses on the journal."""
+        return self.width * bearing_diameter * math.sin(min(0.5 * self.extent, 0.5 * math.pi))
 
     def relative_width(self, bearing_width: float) -> float:
         """Pocket width over bearing width."""
@@ -219,6 +224,10 @@ class HalfCircumferentialGroove:
     def edge_before_load(self, span: float) -> float:
         """Where the journal draws the loaded film from it: at its edge at the side before the load, rad."""
         return Arrangement.SIDE.angle
+
+    def pressed_area(self, bearing_diameter: float) -> float:
+        """Projected area in m² over which the groove presses on the journal."""
+        return self.width * bearing_diameter
 
     def axial_width(self, bearing_width: float) -> float:
         """Width in m over which the groove gives oil to the film."""
