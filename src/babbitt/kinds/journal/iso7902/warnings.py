@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from babbitt.core.notices import Notice
 from babbitt.core.result import Check
+from babbitt.design.bounds import FILM_CHECKS
 from babbitt.design.span import TABULATED_SPANS
 from babbitt.design.warnings import (
     RIGID_FILM_UP_TO,
@@ -37,6 +38,17 @@ STANDARD_WIDTH_RATIOS = (0.125, 1.0)
 CURVES_FROM = 0.01
 """Eccentricity ratio at which the computed characteristics begin."""
 
+
+THINNER, HOTTER = 0.45, 15.0
+"""Margin of the film thickness, and K to the limit of the metal, below which one temperature may be too few.
+
+Assumptions by measurement (docs/theory/procedure.md, ``benchmarks/one_temperature.py``): nineteen of twenty films
+with temperatures of their own and walls that conduct differ by less."""
+
+USUAL_DIFFERENCE = (
+    "films with temperatures of their own are typically 8 to 19 % thinner, and one bush in twenty is more than "
+    "15 K hotter than the outlet (try method: film, thermal: adiabatic)"
+)
 
 PRESSURE_OF_LOAD, SHARE_OF_LOAD = 0.5, 0.1
 """Supply pressure over specific load, and force of a pocket over the load, from which they are told (assumptions).
@@ -91,6 +103,27 @@ def _of_method(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice
         yield Notice("W119", f"ε = {eccentricity:.2g} < {CURVES_FROM:g}, the first node of the tables")
     if case.bearing_speed:
         yield Notice("W114", "the bearing rotates; values from experience hold for bearings at rest")
+
+
+def warnings_about_margins(checks: tuple[Check, ...], limited: Callable[[str], bool]) -> Iterator[Notice]:
+    """Whether a limit of film or metal is kept by less than films with temperatures of their own usually differ.
+
+    Parameters
+    ----------
+    checks : tuple of Check
+    limited : callable
+        Whether a check, by its code, holds the hottest place of the metal against its limit.
+    """
+    near = []
+    for check in checks:
+        if check.advisory or not check.ok:
+            continue
+        if check.code in FILM_CHECKS and check.margin < THINNER:
+            near.append(f"h_min by {check.margin:.0%} ({check.code})")
+        if limited(check.code) and check.limit - check.value < HOTTER:
+            near.append(f"the temperature by {check.limit - check.value:.0f} K ({check.code})")
+    if near:
+        yield Notice("W191", f"kept {', '.join(near)}; {USUAL_DIFFERENCE}")
 
 
 def warnings_about_feed_pressure(case: DesignCase, values: Mapping[str, float]) -> Iterator[Notice]:
@@ -183,6 +216,8 @@ def _of_running(
     case: DesignCase, values: Mapping[str, float], checks: tuple[Check, ...], change: Transition | None
 ) -> Iterator[Notice]:
     yield from warnings_about_running(case, values, checks)
+    own = case.limits.temperature is not None
+    yield from warnings_about_margins(checks, lambda code: code == "C108" or (own and code == "C104"))
     if case.rotor_mass is not None and any(check.code == "C112" and not check.ok for check in checks):
         yield Notice(
             "W194",

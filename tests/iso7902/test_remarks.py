@@ -1,0 +1,150 @@
+"""Answers of one temperature that keep their limits, and what questions them."""
+
+import math
+
+import pytest
+
+from babbitt import parse_case
+from babbitt.core.notices import EXPLANATIONS, Effect
+from babbitt.core.result import Bound, Check, Verdict
+from babbitt.kinds.journal.iso7902.warnings import HOTTER, THINNER, warnings_about_margins
+from babbitt.solving import solve
+
+FAN = """
+kind: journal
+name: A
+diameter: 120 mm
+width: 60 mm
+clearance: {kind: fit, bore: H7, journal: e7}
+span: 360 deg
+supply_element: {kind: pocket, width: 42 mm, place: both_sides}
+lubricant: ISO VG 46
+supply: {temperature: 45 degC, pressure: 0.2 MPa}
+materials: {bearing_metal: SnSb8Cu4, bearing: EN-GJL-250, journal: C45}
+load: 12 kN
+speed: 2000 rpm
+"""
+THIN = """
+kind: journal
+name: A
+diameter: 100 mm
+width: 80 mm
+clearance: {kind: relative, mean: 1.5 permille}
+span: 150 deg
+supply_element: {kind: pocket, width: 55 mm, place: both_sides}
+lubricant: ISO VG 32
+supply: {temperature: 45 degC, pressure: 0.3 MPa}
+materials: {bearing_metal: CuSn8P, bearing: C10, journal: C45}
+load: 55 kN
+speed: 2500 rpm
+"""
+
+
+def solved(text):
+    return solve(parse_case(text))["A"]
+
+
+def said(result, code):
+    return [one.message for one in result.warnings if one.code == code]
+
+
+def test_an_ordinary_bearing_has_no_remark():
+    found = solved(FAN)
+    assert found.verdict is Verdict.PASS
+    assert not [one for one in found.warnings if one.effect is Effect.QUESTIONS_RESULT]
+
+
+def test_a_film_limit_kept_by_little_is_questioned():
+    """10.1 µm of 9.0 µm passed without a remark; films with their own temperatures have 8.1 to 8.6 µm."""
+    found = solved(THIN)
+    (message,) = said(found, "W191")
+    margin = next(one.margin for one in found.checks if one.code == "C101")
+    assert 0.0 < margin < THINNER
+    assert f"h_min by {margin:.0%} (C101)" in message
+    assert found.verdict is Verdict.REMARKS
+    assert not said(solved(THIN.replace("55 kN", "35 kN")), "W191")
+
+
+def test_the_metal_is_held_to_its_limit_by_more_than_the_outlet():
+    hot = FAN.replace("temperature: 45 degC", "temperature: 58 degC")
+    found = solved(hot)
+    metal = next(one for one in found.checks if one.code == "C108")
+    assert metal.ok
+    assert bool(said(found, "W191")) is (metal.limit - metal.value < HOTTER)
+    near = solved(FAN + f"limits: {{temperature: {found.starved_outlet_temperature - 273.15 + 3.0:.1f} degC}}\n")
+    (message,) = said(near, "W191")
+    assert "(C104)" in message
+    assert near.verdict is Verdict.REMARKS
+
+
+@pytest.mark.parametrize(("margin", "told"), [(THINNER - 0.01, True), (THINNER + 0.01, False), (-0.01, False)])
+def test_margins_at_the_usual_difference(margin, told):
+    """A missed limit needs no doubt, and one that is advice neither."""
+    film = Check("C102", "minimum_film_thickness", (1.0 + margin) * 9e-6, 9e-6, Bound.AT_LEAST, "test")
+    assert bool(list(warnings_about_margins((film,), lambda _: False))) is told
+    hot = Check("C108", "outlet_temperature", 388.15 - HOTTER * (1.0 + margin), 388.15, Bound.AT_MOST, "test")
+    assert not list(warnings_about_margins((hot,), lambda _: False))
+
+
+@pytest.mark.parametrize(("pressure", "doubted"), [(0.2, False), (0.7, False), (1.0, True), (20.0, True)])
+def test_a_supply_pressure_that_rivals_the_load_is_questioned(pressure, doubted):
+    """20 MPa for 20 bar passed cleanly; p_s is 0.12 to 12 of the specific load of 1.67 MPa."""
+    found = solved(FAN.replace("0.2 MPa", f"{pressure} MPa"))
+    messages = said(found, "W192")
+    assert bool(messages) is doubted
+    if pressure == 20.0:
+        warmed = pressure * 1e6 / found.volumetric_heat_capacity
+        assert f"by {warmed:.2g} K" in messages[0]
+        assert found.verdict is Verdict.REMARKS
+
+
+def test_a_pocket_that_presses_with_a_tenth_of_the_load_is_questioned():
+    """Opposite the load it adds to it: a film with a pocket of 60 deg is 5 % thinner there."""
+    long = FAN.replace("place: both_sides", "place: opposite, extent: 60 deg")
+    area = 0.042 * 0.12 * math.sin(math.radians(30.0))
+    pressure = 0.11 * 12e3 / area
+    assert pressure / (12e3 / (0.12 * 0.06)) < 0.5
+    (message,) = said(solved(long.replace("0.2 MPa", f"{pressure * 1e-6:.5f} MPa")), "W192")
+    assert "presses on the journal with 0.11 of the load" in message
+    assert not said(solved(long.replace("0.2 MPa", f"{0.8 * pressure * 1e-6:.5f} MPa")), "W192")
+
+
+def test_what_a_pocket_opposite_presses_makes_the_film_thinner():
+    """What the standard leaves out, by films of one temperature."""
+
+    def film(pressure):
+        given = FAN.replace("place: both_sides", "place: opposite").replace("0.2 MPa", f"{pressure} MPa")
+        return solved(f"{given}method: film\naccuracy: draft\neffective_temperature: 55 degC\n")
+
+    weak, strong = film(0.02), film(0.8)
+    assert 0.9 < strong.minimum_film_thickness / weak.minimum_film_thickness < 0.97
+
+
+@pytest.mark.parametrize(("mass", "doubted"), [("", False), ("rotor_mass: 2 t\n", True)])
+def test_a_rotor_whose_whirl_nobody_judges_is_questioned(mass, doubted):
+    light = FAN.replace("12 kN", "4 kN").replace("0.2 MPa", "0.1 MPa")
+    found = solved(light + mass)
+    assert not next(one.ok for one in found.checks if one.code == "C112")
+    assert bool(said(found, "W194")) is doubted
+    assert (found.verdict is Verdict.REMARKS) is doubted
+
+
+def test_a_rotor_that_the_screening_lets_pass_is_not():
+    slow = FAN.replace("2000 rpm", "100 rpm").replace("12 kN", "20 kN") + "rotor_mass: 2 t\n"
+    found = solved(slow)
+    assert next(one.ok for one in found.checks if one.code == "C112")
+    assert not said(found, "W194")
+
+
+def test_a_clearance_of_no_plain_bearing_has_no_verdict_and_is_told_once():
+    wide = FAN.replace("{kind: fit, bore: H7, journal: e7}", "{kind: diametral, mean: 1.3 mm}")
+    found = solved(wide.replace("ISO VG 46", "ISO VG 460"))
+    assert all(one.ok for one in found.limits)
+    assert len(said(found, "W193")) == 1
+    assert not said(found, "W130")
+    assert found.verdict is Verdict.NO_VERDICT
+
+
+def test_the_codes_act_as_they_say():
+    assert EXPLANATIONS["W193"].effect is Effect.NO_VERDICT
+    assert EXPLANATIONS["W190"].effect is Effect.INFORMATION
