@@ -389,7 +389,7 @@ def test_a_groove_that_leaves_narrow_lands_is_told():
 
 
 def test_the_estimate_is_near_the_film_that_conserves_its_oil(fan):
-    """30 random bearings in benchmarks/supply_capacity.py: film 0.7 to 1.8 times the capacity, never hotter."""
+    """Holes in benchmarks/supply_capacity.py: adiabatic films 0.9 to 1.8 times the capacity, never hotter."""
     case = parse_case(FAN)
     film = film_check(film_cases(case, case, "adiabatic")[0])
     assert 0.5 < film.total_flow / fan.starved_total_flow < 2.0
