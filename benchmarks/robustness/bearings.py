@@ -18,7 +18,17 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-from harness import SAME_WARM, SLOWEST, Family, Outcome, faults_of, in_other_units, reordered
+from harness import (
+    BY_DIFFERENCES,
+    OF_THERMAL_FILMS,
+    SAME_WARM,
+    SLOWEST,
+    Family,
+    Outcome,
+    faults_of,
+    in_other_units,
+    reordered,
+)
 from journal_cases import JOURNALS
 from journal_frames import mirrored, turned
 from pumped_trial import MAKERS, faults
@@ -47,6 +57,7 @@ FAMILIES: dict[str, Trial] = {
             draw,
             IN_OTHER_AXES if name.startswith("film") else WRITTEN,
             SAME_WARM if "thermal" in name or "turbulent" in name else Family.same,
+            BY_DIFFERENCES if "elastic" in name else OF_THERMAL_FILMS if "thermal" in name else {},
         ),
     )
     for name, draw in JOURNALS.items()

@@ -158,7 +158,10 @@ def test_fields_are_those_of_the_solution() -> None:
     assert film.pressure.max() == pytest.approx(solution.maximum_pressure, rel=1e-3)
     assert np.nanmin(film.film_thickness) == pytest.approx(one.minimum_film_thickness, rel=1e-3)
     assert np.isnan(film.film_thickness).any()
-    assert np.isfinite(film.gap).all()
+    bare = np.isnan(film.gap).all(axis=1)  # over axial grooves, of which nodes at their edges tell
+    assert bare.sum() <= 4
+    assert np.isfinite(film.gap[~bare]).all()
+    assert film.gap[~bare].max() < 2.0 * film.gap[~bare].mean()
     assert film.liquid_fraction.min() >= 0.0
     assert film.liquid_fraction.max() == 1.0
     # the pressure carries the load: integrated over the bore

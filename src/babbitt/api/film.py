@@ -17,6 +17,7 @@ from babbitt.kinds.journal.film.field import FilmField, field_of, journal_gap
 from babbitt.kinds.journal.film.isothermal import FilmState, resolution_of, under_found_load
 from babbitt.report.view import find_view
 from babbitt.reynolds.model import Cavitation
+from babbitt.reynolds.surface.unwrapped_mesh import GROOVE_GAP, bore_gap
 
 if TYPE_CHECKING:
     from babbitt.kinds.journal.film.model import FilmCase
@@ -93,8 +94,10 @@ class SolvedFilm:
 
     @property
     def gap(self) -> Array:
-        """Gap between journal and bore as if it had no grooves and pockets, m, shape (n, k)."""
-        return _read_only(journal_gap(self._state.solution, self._field.theta, self._field.z))
+        """Gap between journal and bore without its pockets, m, shape (n, k); not a number over axial grooves."""
+        gap = journal_gap(self._state.solution, self._field.theta, self._field.z)
+        gap[bore_gap(self._state.solution.film, self._field.theta) == GROOVE_GAP] = np.nan
+        return _read_only(gap)
 
     @property
     def temperature(self) -> Array:
