@@ -57,8 +57,8 @@ BY_DIFFERENCES = {
 }
 """Of bores that give way: differences of films, in which a node more or less is wet; confirmed to a hundredth."""
 OF_THERMAL_FILMS = {"threshold_speed": 5e-2}
-"""Settled to a ten-thousandth; far from the speed of the case the reserve of stability on draft grids goes in steps of
-single nodes, of which such a difference takes one or the next (289.6 and 299.8 rad/s for one bearing at 80)."""
+"""Settled to a ten-thousandth; far from the speed of a case the reserve of stability on draft grids goes in steps
+of single nodes, of which such a difference takes one or the next (289.6 and 299.8 rad/s, found from 80)."""
 TURNING = 1e-12
 """Moment on the collar, over load times radius, that is round-off of loads which are alike."""
 AMPLIFIED, AMPLIFICATION = ("critical_mass", "whirl_frequency_ratio", "threshold_speed"), 100.0

@@ -182,7 +182,7 @@ if TYPE_CHECKING:
         lubricant,
     )
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 _NAMES = {
     "babbitt.api.answers": "solve",

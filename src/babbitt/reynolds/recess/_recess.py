@@ -82,7 +82,7 @@ def apply_inverse(inverse, i, vector, result):
 
 
 @inner
-def contract(surface, film, work, psi, conductance, opening, area):
+def contract(surface, film, work, psi, conductance, opening, area):  # noqa: C901 - one pass over lines and points
     """Fill the small matrices from the unit responses."""
     count, lines, nodes = psi.shape
     motions, points = surface.lever.shape

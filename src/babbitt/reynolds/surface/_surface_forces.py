@@ -114,7 +114,7 @@ def end_adjoints_at_rupture(surface, film, work):
 
 
 @inner
-def reduce_surface(surface, film, work, force, stiffness, damping):
+def reduce_surface(surface, film, work, force, stiffness, damping):  # noqa: C901 - one pass over lines and points
     """Forces from the reference pressure; stiffness and damping from the adjoints (``_forces.add_forces``)."""
     lines, nodes = surface.held.shape[0], len(surface.nodes)
     n, points, motions = surface.step.size, len(surface.points), len(surface.motions)
