@@ -15,7 +15,7 @@ from babbitt.kinds.shaft_line.periodic import NoPeriodicMotionError, PeriodicMot
 from babbitt.kinds.shaft_line.resonance import Resonances, resonances_of
 from babbitt.kinds.shaft_line.stages import Attribution, attribution
 from babbitt.kinds.shaft_line.sweeps import CampbellPoint, RingPoint, ring_sweep, speed_sweep, usual_rings
-from babbitt.kinds.thrust.design import ThrustState, operating_state
+from babbitt.kinds.thrust.design import ThrustState, exact_state
 from babbitt.kinds.thrust.pad_attitude import attitude_at_rest
 from babbitt.kinds.thrust.thermal_films import ThermalLoadCurve
 
@@ -84,7 +84,7 @@ def line_answer(design: LineDesign) -> LineAnswer:
         E202, E203, E204: see `state_of`.
     NoPadFilmError
     """
-    static = operating_state(design.thrust)
+    static = exact_state(design.thrust)
     duty, films = design.duty, static.films
     state = state_of(duty, films, static.share)
     natural = modes(design.line, state.pads, MODES)

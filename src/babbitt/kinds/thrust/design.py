@@ -31,6 +31,7 @@ __all__ = [
     "ThrustDesign",
     "ThrustState",
     "bearing_state",
+    "exact_state",
     "operating_state",
     "share_on",
     "temperatures_of_share",
@@ -168,11 +169,28 @@ def operating_state(design: ThrustDesign) -> ThrustState:
     """
     films, together = warm_films(design, design.bearing, design.speed, design.duty)
     share = _share(films, design.bearing, design.duty)
-    if isinstance(design.duty, PrescribedThrust):
+    if isinstance(films, TabulatedFilms) and isinstance(design.duty, PrescribedThrust):
         share = exactly_shared(films, share)
     if together is not None and attitude_at_rest(design.bearing).is_even:
         return ThrustState(films, share, together)
     return ThrustState(films, share, temperatures_of_share(films, share))
+
+
+def exact_state(design: ThrustDesign) -> ThrustState:
+    """As `operating_state`; pads whose oil warms carry the thrust exactly, too.
+
+    Raises
+    ------
+    InputError
+        E202 where the pads do not balance.
+    ThermalRunawayError
+    """
+    state = operating_state(design)
+    warmed = isinstance(state.films, ThermalLoadCurve | BalancedFilms)
+    if not warmed or not isinstance(design.duty, PrescribedThrust):
+        return state
+    share = exactly_shared(state.films, state.share)
+    return ThrustState(state.films, share, temperatures_of_share(state.films, share))
 
 
 def temperatures_of_share(films: LoadCurve, share: Share) -> Temperatures | None:
