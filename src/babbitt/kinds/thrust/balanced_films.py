@@ -29,7 +29,7 @@ from babbitt.design.heat_balance import BOLD, NoFilmError, coolest_equilibrium
 from babbitt.design.oil import highest_usable
 from babbitt.kinds.thrust.equilibrium import leaning_state, pad_state
 from babbitt.kinds.thrust.failures import NoPadFilmError, ThermalRunawayError
-from babbitt.kinds.thrust.heat import HeatBalance, Temperatures, film_of, pad_temperatures
+from babbitt.kinds.thrust.heat import HeatBalance, PadTemperatures, Temperatures, film_of, pad_temperatures
 from babbitt.kinds.thrust.load_curve import LoadCurve
 from babbitt.kinds.thrust.pad import ThrustPad
 from babbitt.kinds.thrust.pad_attitude import PARALLEL, PadTilt
@@ -165,17 +165,17 @@ class BalancedFilms:
                 return alike.similar(height, viscosity, self.angular_speed)
             return self._turbulent(height, viscosity, lean, near)
 
-        def film_at(temperature: float) -> PadState:
+        def film_at(temperature: float) -> tuple[PadState, PadTemperatures]:
             found = film(temperature)
             flows = found.friction_power, found.trailing_flow, found.side_flow
-            return replace(found, balance=pad_temperatures(self.balance, self.capacity, *flows, inlet))
+            return found, pad_temperatures(self.balance, self.capacity, *flows, inlet)
 
-        def surplus(temperature: float, found: PadState) -> float:
-            assert found.balance is not None
-            return found.balance.effective - temperature
+        def surplus(temperature: float, found: tuple[PadState, PadTemperatures]) -> float:
+            return found[1].effective - temperature
 
         coolest = self.balance.supply_temperature if inlet is None else inlet
-        return film_of(coolest_equilibrium(film_at, surplus, coolest, POLICY, self.hottest))
+        state, temperatures = film_of(coolest_equilibrium(film_at, surplus, coolest, POLICY, self.hottest))
+        return replace(state, balance=temperatures)
 
     def _turbulent(self, height: float, viscosity: float, lean: PadTilt, near: PadState | None) -> PadState:
         guess = self.middle if near is None else near
