@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self
 
@@ -13,6 +13,7 @@ from babbitt.api.given import as_given, content_of
 from babbitt.api.reading import read_case, refuse_incomplete
 from babbitt.api.shown import shown_call
 from babbitt.api.with_units import case_text, with_units
+from babbitt.case.aliases import in_todays_words, todays_path
 from babbitt.case.case_file import CaseFile, Origin
 from babbitt.case.loading import located
 from babbitt.case.named_files import NamedFiles
@@ -86,7 +87,9 @@ class Case(CaseFile):
     def given(self) -> dict[str, Any]:
         """What it was given, in the words of a case file; numbers with their units."""
         origin = self.origin
-        return with_units(content_of_fields(self), self) if origin is None else copy.deepcopy(dict(origin.given))
+        if origin is None:
+            return with_units(content_of_fields(self), self)
+        return dict(in_todays_words(self.model, copy.deepcopy(dict(origin.given))))
 
     @property
     def text(self) -> str:
@@ -126,7 +129,7 @@ class Case(CaseFile):
     def _given_with(self, given: dict[str, Any], path: str, value: Any) -> dict[str, Any]:
         """What it would be given with another value in a field."""
         if value is None:
-            return _without(given, path.split("."))
+            return _without(given, todays_path(self.model, path.split(".")))
         where = type(self).__name__
         words = as_given(self.in_words({path: value})[path], where, (path,))
         return CaseVariation(FilePath(where), given, path).given_with(words)
@@ -320,7 +323,8 @@ def content_of_fields(case: Case) -> dict[str, Any]:
 def _read(cls: type[Case], origin: Origin) -> tuple[CaseFile, tuple[str, ...]]:
     """Read a case and keep what it was given, numbers with their units."""
     part, missing = read_case(cls.model, origin.given, cls.__name__, _files(origin))
-    kept = Origin(with_units(origin.given, part), origin.file, origin.reach)
+    today = in_todays_words(cls.model, origin.given)
+    kept = Origin(with_units(today, part), origin.file, origin.reach)
     return part.with_origin(kept), missing
 
 
@@ -328,7 +332,7 @@ def _files(origin: Origin) -> NamedFiles:
     return NamedFiles(origin.file.parent, origin.reach)
 
 
-def _without(given: dict[str, Any], steps: list[str]) -> dict[str, Any]:
+def _without(given: dict[str, Any], steps: Sequence[str]) -> dict[str, Any]:
     """What was given, without the field of a path."""
     left = copy.deepcopy(given)
     place: Any = left

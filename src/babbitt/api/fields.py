@@ -6,6 +6,7 @@ import typing
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+from babbitt.case.aliases import todays_path
 from babbitt.case.part import Part
 from babbitt.case.parts.fields import TabulatedSpan
 from babbitt.case.shorthand import Shorthand
@@ -22,9 +23,9 @@ def field_annotations(model: type[Part], steps: Sequence[str]) -> tuple[Any, ...
     model : type
         The part where the path begins.
     steps : sequence of str
-        Names, and numbers in lists.
+        Names, and numbers in lists; former words will do.
     """
-    first, *rest = steps
+    first, *rest = todays_path(model, steps)
     if first not in model.model_fields:
         return ()
     annotation = model.model_fields[first].rebuild_annotation()

@@ -12,6 +12,7 @@ from babbitt.api.given import as_given, content_of
 from babbitt.api.reading import read_part
 from babbitt.api.shown import shown_call
 from babbitt.api.with_units import with_units
+from babbitt.case.aliases import in_todays_words
 from babbitt.case.part import Part
 
 __all__ = ["OwnPart"]
@@ -30,7 +31,10 @@ class OwnPart(Part):
             part = read_part(cls._language_part(), words, cls.__name__)
             for slot in ("__dict__", "__pydantic_fields_set__", "__pydantic_extra__"):
                 object.__setattr__(self, slot, getattr(part, slot))
-            private = {**(part.__pydantic_private__ or {}), "_given": with_units(words, part)}
+            private = {
+                **(part.__pydantic_private__ or {}),
+                "_given": with_units(in_todays_words(cls, words), part),
+            }
             object.__setattr__(self, "__pydantic_private__", private)
 
         __init__.__pydantic_base_init__ = True

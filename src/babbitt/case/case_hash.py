@@ -6,12 +6,15 @@ import hashlib
 import json
 from typing import Any
 
+from babbitt.case.aliases import in_former_words
 from babbitt.case.case_file import CaseFile
 from babbitt.case.part import Part
 
 
 def case_hash(case: CaseFile) -> str:
     """SHA-256 of a case in canonical JSON: the same for files that differ only in layout, units and defaults.
+
+    A word that took the place of another counts as the former one, so that hashes outlast it.
 
     Numbers count to twelve significant digits, beyond which a change of units may leave its traces.
 
@@ -35,9 +38,10 @@ def _rounded(value: Any) -> Any:
         case Part():
             fields = type(value).model_fields
             pairs = ((name, _rounded(getattr(value, name)), fields[name]) for name in fields)
-            return {
+            told = {
                 name: own for name, own, field in pairs if field.is_required() or own != _rounded(field.default)
             }
+            return in_former_words(type(value), told)
         case float():
             return float(f"{value:.12g}")
         case tuple():

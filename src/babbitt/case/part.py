@@ -23,8 +23,9 @@ from pydantic import (
     ValidationInfo,
     model_validator,
 )
-from pydantic_core import InitErrorDetails, PydanticCustomError
+from pydantic_core import ErrorDetails, InitErrorDetails, PydanticCustomError
 
+from babbitt.case.aliases import FormerWords, Reading, read_former
 from babbitt.case.error_messages import ERROR_TYPE, MISSING, Path, is_echo, is_missing, misspelt, refusal
 from babbitt.case.grouped_digits import grouped_fields
 from babbitt.core.notices import InputError, Notice
@@ -85,6 +86,8 @@ class Part(BaseModel):
     rules: ClassVar[tuple[Rule, ...]] = ()
     alternatives: ClassVar[tuple[tuple[str, ...], ...]] = ()
     """Fields that stand in place of each other."""
+    former_words: ClassVar[FormerWords] = {}
+    """Paths of words that are still read, and the paths of those of today (`babbitt.case.aliases`)."""
     example: ClassVar[str] = ""
     """How the piece is written, for messages; empty where that takes more than a line."""
 
@@ -105,6 +108,22 @@ class Part(BaseModel):
     @model_validator(mode="wrap")
     @classmethod
     def _tell_all(cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo) -> Self:
+        if not isinstance(given, Mapping):
+            return cls._told(given, handler, info)
+        reading = read_former(cls.former_words, given)
+        try:
+            part = cls._told(reading.given, handler, info)
+            if not reading.twice:
+                return part
+            lines = []
+        except ValidationError as error:
+            lines = [_at_written(one, reading) for one in error.errors(include_url=False)]
+        lines += [_line(_given_twice(former, today), given) for former, today in reading.twice]
+        raise ValidationError.from_exception_data(cls.__name__, lines)
+
+    @classmethod
+    def _told(cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo) -> Self:
+        """Read the part from the words of today, and tell all that is wrong with it."""
         try:
             part = handler(given)
         except ValidationError as error:
@@ -177,14 +196,25 @@ def at_most_one(part: Part, *names: str) -> Iterator[Issue]:
 
 
 def _lines(part: Part, given: Any) -> list[InitErrorDetails]:
-    lines = []
-    for one in type(part).rules:
-        for told in as_far_as_usable(one(part)):
-            context: dict[str, Any] = {"says": told.says, "allowed": told.allowed, "hint": told.hint}
-            context |= {"code": told.code, "missing": told.missing}
-            error = PydanticCustomError(ERROR_TYPE, "{says}", context)
-            lines.append(InitErrorDetails(type=error, loc=told.path, input=given))
-    return lines
+    return [_line(told, given) for one in type(part).rules for told in as_far_as_usable(one(part))]
+
+
+def _line(told: Issue, given: Any) -> InitErrorDetails:
+    context: dict[str, Any] = {"says": told.says, "allowed": told.allowed, "hint": told.hint}
+    context |= {"code": told.code, "missing": told.missing}
+    return InitErrorDetails(type=PydanticCustomError(ERROR_TYPE, "{says}", context), loc=told.path, input=given)
+
+
+def _at_written(details: ErrorDetails, reading: Reading) -> InitErrorDetails:
+    """Tell a finding at the word that the file has."""
+    error = PydanticCustomError(ERROR_TYPE, "{says}", details["ctx"])
+    return InitErrorDetails(type=error, loc=reading.as_written(details["loc"]), input=details["input"])
+
+
+def _given_twice(former: Path, today: Path) -> Issue:
+    word = ".".join(map(str, today))
+    says = f"is the former word for what {word} says, which is given, too"
+    return Issue(former, says, f"{word} alone", "remove one")
 
 
 def usable_part(
@@ -196,6 +226,7 @@ def usable_part(
     """
     values: dict[str, Any] = {}
     unusable = set(misspelt)
+    given = read_former(cls.former_words, given).given
     for name, field in cls.model_fields.items():
         if name not in given:
             unusable |= {name} if field.is_required() else set()

@@ -7,8 +7,10 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from babbitt.case.aliases import in_todays_words, todays_path
 from babbitt.case.case_file import CaseFile, Origin
 from babbitt.case.case_hash import case_hash
+from babbitt.case.kinds import KINDS
 from babbitt.case.loading import build_case, load_case, read_file
 from babbitt.case.named_files import NamedFiles
 from babbitt.case.parts.cooling import Cooling
@@ -45,10 +47,10 @@ class CaseVariation:
     ----------
     file : Path
     given : dict
-        What stands in it.
+        What stands in it; kept in the words of today.
     path : str
         Field to vary, its names and numbers between dots: ``load``, ``clearance.mean``,
-        ``operating_points.0.load``.
+        ``operating_points.0.load``; former words will do.
     start : tuple of str
         Where in the file the path begins.
     reach : Reach
@@ -69,9 +71,10 @@ class CaseVariation:
         reach: Reach = Reach.FOLDER,
         inputs: tuple[Path, ...] = (),
     ) -> None:
-        self.file, self.given, self.path = file, given, path
-        self.reach, self.inputs = reach, inputs
-        self._steps = (*start, *path.split("."))
+        self.file, self.path, self.reach, self.inputs = file, path, reach, inputs
+        model, steps = KINDS[given["kind"]], (*start, *path.split("."))
+        self.given: dict[str, Any] = in_todays_words(model, given)
+        self._steps = todays_path(model, steps)
 
     @property
     def present(self) -> Any:

@@ -1,0 +1,226 @@
+"""Former words of the case language, read as those of today before anything is checked.
+
+A part names them in `former_words`: path of the former word and path of the one that took its place, both from the
+part. What is wrong with the value is told at the word that the file has.
+"""
+
+from __future__ import annotations
+
+import typing
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from babbitt.case.error_messages import Path
+
+if TYPE_CHECKING:
+    from babbitt.case.part import Part
+
+__all__ = ["FormerWords", "Moved", "Reading", "in_former_words", "in_todays_words", "read_former", "todays_path"]
+
+
+def _always(value: Any) -> bool:
+    return True
+
+
+@dataclass(frozen=True)
+class Moved:
+    """Where the value of a former word stands today, if more is to be told than its path.
+
+    Attributes
+    ----------
+    to : str
+        Path of the word of today.
+    kind : str
+        What the mapping that holds it is, where that has a `kind`.
+    where : callable
+        Tells the former form of a value from that of today where both have one word.
+    """
+
+    to: str
+    kind: str = ""
+    where: Callable[[Any], bool] = _always
+
+    @property
+    def path(self) -> tuple[str, ...]:
+        """Path of the word of today."""
+        return tuple(self.to.split("."))
+
+
+FormerWords = Mapping[str, str | Moved]
+
+
+@dataclass(frozen=True)
+class Reading:
+    """What a part was given, in the words of today.
+
+    Attributes
+    ----------
+    given : Mapping
+    written : Mapping
+        The same as it stands in the file.
+    moved : tuple
+        Former path and path of today of every former word found.
+    twice : tuple
+        Likewise of those that stand beside the word of today, which is kept.
+    """
+
+    given: Mapping[str, Any]
+    written: Mapping[str, Any]
+    moved: tuple[tuple[Path, Path], ...] = ()
+    twice: tuple[tuple[Path, Path], ...] = ()
+
+    def as_written(self, path: Path) -> Path:
+        """Give the path in the words of the file for one in those of today."""
+        for former, today in self.moved:
+            if path[: len(today)] == today:
+                return (*former, *path[len(today) :])
+        for former, today in self.moved:
+            if path and path == today[: len(path)] and not any(True for _ in _at(self.written, path)):
+                return former  # the mapping that the move made
+        return path
+
+
+def read_former(words: FormerWords, given: Mapping[str, Any]) -> Reading:
+    """Read the former words of one part as those of today.
+
+    Parameters
+    ----------
+    words : Mapping
+        `former_words` of the part.
+    given : Mapping
+        As it stands in the file; it is not changed.
+    """
+    if not words:
+        return Reading(given, given)
+    today: dict[str, Any] = dict(given)
+    found = [
+        (former, one, value) for former, one in _steps(words) for value in _at(given, former) if one.where(value)
+    ]
+    for former, _, _ in found:
+        today = _without(today, former)
+    moved: list[tuple[Path, Path]] = []
+    twice: list[tuple[Path, Path]] = []
+    for former, one, value in found:
+        if (blocked := _occupied(today, one)) is not None:
+            twice.append((former, blocked))
+            continue
+        today = _with(today, one.path, value)
+        if one.kind:
+            today = _with(today, (*one.path[:-1], "kind"), one.kind)
+        moved.append((former, one.path))
+    return Reading(today, given, tuple(moved), tuple(twice))
+
+
+def in_todays_words(cls: type[Part], given: Any) -> Any:
+    """What a part was given, its parts included, in the words of today."""
+    if not isinstance(given, Mapping):
+        return given
+    today = read_former(cls.former_words, given).given
+    return {name: _within(_parts_of(cls, name), value) for name, value in today.items()}
+
+
+def todays_path(cls: type[Part], steps: Sequence[str]) -> tuple[str, ...]:
+    """Path of a field in the words of today, its names and numbers from a part on.
+
+    Parameters
+    ----------
+    cls : type
+    steps : sequence of str
+        In former words or in those of today.
+    """
+    for former, one in _steps(cls.former_words):
+        has_two_forms = former == one.path[: len(former)]
+        if tuple(steps[: len(former)]) == former and not has_two_forms:
+            return todays_path(cls, (*one.path, *steps[len(former) :]))
+    if not steps:
+        return ()
+    count = 1
+    while count < len(steps) and steps[count].isdecimal():
+        count += 1
+    rest = tuple(steps[count:])
+    branches = (todays_path(part, rest) for part in _parts_of(cls, steps[0]))
+    return (*steps[:count], *next((path for path in branches if path != rest), rest))
+
+
+def in_former_words(cls: type[Part], content: Mapping[str, Any]) -> dict[str, Any]:
+    """The content of one part with former words where it has them: what hashes are made of, so that they last."""
+    told = dict(content)
+    for former, one in _steps(cls.former_words):
+        values = list(_at(told, one.path))
+        if not values or (one.kind and not _is_alone(told, one)):
+            continue
+        told = _without(told, one.path[:-1] if one.kind else one.path)
+        told = _with(told, former, values[0])
+    return told
+
+
+def _steps(words: FormerWords) -> Iterator[tuple[tuple[str, ...], Moved]]:
+    for former, one in words.items():
+        yield tuple(former.split(".")), Moved(one) if isinstance(one, str) else one
+
+
+def _at(given: Any, path: Sequence[str | int]) -> Iterator[Any]:
+    """The value at a path, if there is one."""
+    for step in path:
+        if not isinstance(given, Mapping) or step not in given:
+            return
+        given = given[step]
+    yield given
+
+
+def _occupied(given: Mapping[str, Any], one: Moved) -> Path | None:
+    """Path of what stands where a value is to go; None where there is room."""
+    for count in range(1, len(one.path) + 1):
+        for value in _at(given, one.path[:count]):
+            room = value is None or (isinstance(value, Mapping) and count < len(one.path) and not one.kind)
+            if not room:
+                return one.path[:count]
+    return None
+
+
+def _without(given: Mapping[str, Any], path: Sequence[str]) -> dict[str, Any]:
+    """A mapping without the value at a path, and without the mappings that this leaves empty."""
+    first, *rest = path
+    left = {name: value for name, value in given.items() if name != first}
+    if rest and isinstance(given.get(first), Mapping) and (below := _without(given[first], rest)):
+        return {name: below if name == first else value for name, value in given.items()}
+    return left
+
+
+def _with(given: Mapping[str, Any], path: Sequence[str], value: Any) -> dict[str, Any]:
+    """A mapping with a value at a path."""
+    first, *rest = path
+    return {**given, first: _with(given.get(first) or {}, rest, value) if rest else value}
+
+
+def _is_alone(content: Mapping[str, Any], one: Moved) -> bool:
+    """Whether the mapping of a kind says no more than its kind and the value."""
+    return all(dict(holder).keys() == {"kind", one.path[-1]} and holder["kind"] == one.kind
+               for holder in _at(content, one.path[:-1]))  # fmt: skip
+
+
+def _within(parts: Sequence[type[Part]], value: Any) -> Any:
+    if isinstance(value, list | tuple):
+        return [_within(parts, one) for one in value]
+    for part in parts:
+        if isinstance(value, Mapping) and _may_be(part, value):
+            value = in_todays_words(part, value)
+    return value
+
+
+def _may_be(part: type[Part], value: Mapping[str, Any]) -> bool:
+    kinds = typing.get_args(part.model_fields["kind"].annotation) if "kind" in part.model_fields else ()
+    return not kinds or value.get("kind", kinds[0]) in kinds
+
+
+def _parts_of(cls: type[Part], name: str) -> tuple[type[Part], ...]:
+    field = cls.model_fields.get(name)
+    return () if field is None else tuple(_parts_in(field.annotation))
+
+
+def _parts_in(annotation: Any) -> Iterable[type[Part]]:
+    if hasattr(annotation, "former_words"):
+        yield annotation
+    for one in typing.get_args(annotation):
+        yield from _parts_in(one)
