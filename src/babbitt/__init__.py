@@ -61,6 +61,7 @@ if TYPE_CHECKING:
         Metal,
         PedestalHousing,
         PowerLawLubricant,
+        RadialClearance,
         RelativeClearance,
         Ring,
         SizeLimits,
@@ -196,7 +197,7 @@ _NAMES = {
         "CatalogueLubricant Column ComplianceMatrix ConstantLubricant Cooling CylinderHousing Deviations "
         "DiametralClearance DrawingSurfaces ExponentialLubricant FeedHole Fit Friction HalfSpace "
         "InMachine IsoVgLubricant Limits Materials Metal PedestalHousing PowerLawLubricant "
-        "RelativeClearance Ring SizeLimits Structure Supply Surfaces TableLubricant Tube "
+        "RadialClearance RelativeClearance Ring SizeLimits Structure Supply Surfaces TableLubricant Tube "
         "TwoPointLubricant ViscosityIndexLubricant VogelLubricant WaltherLubricant"
     ),
     "babbitt.api.footstep_parts": "FigureRanges Heel FootstepGroove FootstepOil FootstepOptions FootstepWall",
@@ -311,6 +312,7 @@ __all__ = [
     "RecessOil",
     "RecessRow",
     "RectangularPad",
+    "RadialClearance",
     "RelativeClearance",
     "Relief",
     "Ring",

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from babbitt.api.common_parts import DiametralClearance, Fit, RelativeClearance
-from babbitt.api.given import as_given
+from babbitt.api.common_parts import DiametralClearance, Fit, RadialClearance, RelativeClearance
 from babbitt.api.journal_parts import Groove
 from babbitt.case.problems import CaseError, Problem
-from babbitt.core.units import QuantityError, si
 
 __all__ = ["diametral_clearance", "fit", "grooves", "radial_clearance", "relative_clearance"]
 
@@ -39,15 +37,13 @@ def diametral_clearance(mean: Any, *, minimum: Any = None, maximum: Any = None) 
     return DiametralClearance(**_values(mean, minimum, maximum))
 
 
-def radial_clearance(mean: Any, *, minimum: Any = None, maximum: Any = None) -> DiametralClearance:
+def radial_clearance(mean: Any, *, minimum: Any = None, maximum: Any = None) -> RadialClearance:
     """Clearance on the radius, C/2, at 20 degC; lengths in m or text with a unit.
 
     >>> radial_clearance("65 um").mean
-    0.00013
+    6.5e-05
     """
-    given = _values(mean, minimum, maximum)
-    doubled: dict[str, Any] = {name: _doubled(name, value) for name, value in given.items()}
-    return DiametralClearance(**doubled)
+    return RadialClearance(**_values(mean, minimum, maximum))
 
 
 def fit(classes: str) -> Fit:
@@ -90,11 +86,3 @@ def grooves(angles: Iterable[Any], *, extent: Any, pressure: Any = None) -> tupl
 def _values(mean: Any, minimum: Any, maximum: Any) -> dict[str, Any]:
     values = {"mean": mean, "minimum": minimum, "maximum": maximum}
     return {name: value for name, value in values.items() if value is not None}
-
-
-def _doubled(name: str, value: Any) -> float:
-    try:
-        return 2.0 * si("m")(as_given(value, "radial_clearance", (name,)))
-    except QuantityError as error:
-        problem = Problem("radial_clearance", 0, name, error.says, allowed=error.allowed, hint=error.hint)
-        raise CaseError([problem]) from None

@@ -30,6 +30,7 @@ __all__ = [
     "Metal",
     "PedestalHousing",
     "PowerLawLubricant",
+    "RadialClearance",
     "RelativeClearance",
     "Ring",
     "SizeLimits",
@@ -47,6 +48,10 @@ __all__ = [
 
 class RelativeClearance(OwnPart, clearance.RelativeClearance):
     """Diametral clearance over diameter."""
+
+
+class RadialClearance(OwnPart, clearance.RadialClearance):
+    """Radius of the bore minus that of the journal."""
 
 
 class DiametralClearance(OwnPart, clearance.DiametralClearance):

@@ -20,6 +20,16 @@ class RelativeClearance(OwnPart, clearance.RelativeClearance):
         kind: Literal["relative"] | Enum | None = ...,
     ) -> None: ...
 
+class RadialClearance(OwnPart, clearance.RadialClearance):
+    def __init__(
+        self,
+        *,
+        mean: Quantity | None = ...,
+        minimum: Quantity | None = ...,
+        maximum: Quantity | None = ...,
+        kind: Literal["radial"] | Enum | None = ...,
+    ) -> None: ...
+
 class DiametralClearance(OwnPart, clearance.DiametralClearance):
     def __init__(
         self,

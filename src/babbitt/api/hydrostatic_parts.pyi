@@ -85,6 +85,7 @@ class HydrostaticSupply(OwnPart, restrictors.HydrostaticSupply):
     def __init__(
         self,
         *,
+        temperature: Quantity | None = ...,
         pressure: Quantity | None = ...,
         pump_flow: Quantity | None = ...,
         leakage: Quantity | None = ...,
@@ -101,9 +102,6 @@ class HydrostaticOil(OwnPart, recess_parts.HydrostaticOil):
         viscosity: Quantity | None = ...,
         density: Quantity | None = ...,
         heat_capacity: Quantity | None = ...,
-        lubricant: Quantity | Mapping[str, Any] | Part | None = ...,
-        supply_temperature: Quantity | None = ...,
-        film_temperature: Quantity | None = ...,
     ) -> None: ...
 
 class RecessOil(OwnPart, recess_parts.RecessOil):

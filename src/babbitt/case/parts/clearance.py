@@ -1,4 +1,4 @@
-"""Clearance of a bearing at 20 °C, in the five ways a drawing or a designer states it."""
+"""Clearance of a bearing at 20 °C, in the six ways a drawing or a designer states it."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ from pydantic import Discriminator, Field
 from babbitt.case.part import Issue, Part, refused, rule
 from babbitt.case.parts.fields import Name
 from babbitt.case.shorthand import Shorthand
-from babbitt.core.units import si, written
+from babbitt.core.units import QuantityError, bare_number, read, si, written
 from babbitt.properties.fits import Clearance, Deviations, SizeLimits
 
 RelativeValue = Annotated[float, si("1", "0.01 permille", "50 permille")]
+RadialValue = Annotated[float, si("m", "0.05 um", "500 mm")]
 DiametralValue = Annotated[float, si("m", "0.1 um", "1 m")]
 Size = Annotated[float, si("m", "1 mm", "3 m")]
 Deviation = Annotated[float, si("m", "-10 mm", "10 mm")]
@@ -58,6 +59,19 @@ class RelativeClearance(_MeanAndLimits):
     def at_20_degrees(self, diameter: float) -> Clearance:
         """Give the diametral clearance."""
         return self._scaled(diameter)
+
+
+class RadialClearance(_MeanAndLimits):
+    """Radius of the bore minus that of the journal."""
+
+    kind: Literal["radial"] = Field(description="Clearance on the radius, C/2.")
+    mean: RadialValue = Field(description="Mean radial clearance.")
+    minimum: RadialValue | None = Field(None, description="Smallest radial clearance of the tolerances.")
+    maximum: RadialValue | None = Field(None, description="Largest radial clearance of the tolerances.")
+
+    def at_20_degrees(self, diameter: float) -> Clearance:
+        """Give the diametral clearance."""
+        return self._scaled(2.0)
 
 
 class DiametralClearance(_MeanAndLimits):
@@ -134,16 +148,66 @@ class DeviationsClearance(_TwoSizes):
         return Clearance.from_deviations(diameter, Deviations(*self.bore), Deviations(*self.journal))
 
 
+CLEARANCE_KINDS = ("radial", "diametral", "relative", "fit", "limits", "deviations")
+
+
+def is_bare(given: Any) -> bool:
+    """Whether a clearance was written as one value, which does not say on what it is."""
+    return isinstance(given, int | float | str) and not isinstance(given, bool) and "/" not in str(given)
+
+
+_READINGS = (
+    ("m", "on the radius or on the diameter", ("radial", "diametral")),
+    ("1", "over the diameter", ("relative",)),
+)
+"""Unit of a bare value, what it may be the clearance on, and the kinds that say so."""
+
+
+def _of_what(given: Any) -> tuple[str, str] | None:
+    """What a bare value may be the clearance on, and how to write that; None if it is no value."""
+    if bare_number(given) is not None:
+        return "on the radius, on the diameter or over it", "{kind: radial, mean: 30 um}, with the unit"
+    for unit, of, kinds in _READINGS:
+        try:
+            read(given, unit)
+        except QuantityError:
+            continue
+        return of, ", or ".join(f"{{kind: {kind}, mean: {str(given).strip()}}}" for kind in kinds)
+    return None
+
+
 def _fit(given: Any) -> Any:
+    if is_bare(given) and (told := _of_what(given)) is not None:
+        what, forms = told
+        says = f"'{str(given).strip()[:40]}' does not say that it is the clearance {what}"
+        allowed = f"a fit such as H7/e8, or a mapping with kind: {', '.join(CLEARANCE_KINDS)}"
+        raise QuantityError(says, allowed, f"write {forms}")
     bore, stroke, journal = given.partition("/") if isinstance(given, str) else ("", "", "")
     return {"kind": "fit", "bore": bore.strip(), "journal": journal.strip()} if stroke else given
 
 
 ClearanceInput = Annotated[
-    RelativeClearance | DiametralClearance | FitClearance | LimitsClearance | DeviationsClearance,
+    RadialClearance
+    | DiametralClearance
+    | RelativeClearance
+    | FitClearance
+    | LimitsClearance
+    | DeviationsClearance,
     Discriminator("kind"),
     Shorthand(_fit, "an ISO 286 fit such as H7/e8"),
 ]
+
+
+def mean_radial(clearance: ClearanceInput, diameter: float) -> float:
+    """Mean radial clearance, m, of a bearing that is computed at one clearance."""
+    return 0.5 * clearance.at_20_degrees(diameter).mean
+
+
+def mean_assumed(clearance: ClearanceInput, diameter: float) -> Iterator[str]:
+    """Tell the assumption of a bearing that is computed at one clearance and whose tolerances are known."""
+    if clearance.has_limits:
+        mean = f"{1e6 * mean_radial(clearance, diameter):.4g} µm"
+        yield f"Radial clearance {mean}, the mean of its tolerances; their limits are not computed."
 
 
 def issues_of(clearance: ClearanceInput, diameter: float) -> Iterator[Issue]:

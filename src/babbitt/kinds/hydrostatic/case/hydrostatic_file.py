@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Iterator
-from typing import ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
+from babbitt.case.aliases import FormerWords
 from babbitt.case.case_file import CaseFile
 from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.part import Issue, exactly_one, is_given, not_read, refused, rule
 from babbitt.case.parts.fields import Name, Prose
+from babbitt.case.parts.lubricant import LubricantInput
 from babbitt.core.notices import Notice
 from babbitt.core.solution import Calculation
-from babbitt.kinds.hydrostatic.case.recess_parts import Frequency, Gap, HydrostaticOil, Load, RecessOil
+from babbitt.core.units import si
+from babbitt.kinds.hydrostatic.case.recess_parts import Frequency, GapLimits, HydrostaticOil, Load, RecessOil
 from babbitt.kinds.hydrostatic.case.restrictors import (
     ConstantFlowInput,
     HydrostaticSupply,
@@ -24,7 +27,7 @@ from babbitt.kinds.hydrostatic.case.restrictors import (
 from babbitt.kinds.hydrostatic.geometry import AnnularPad, CircularPad
 from babbitt.kinds.hydrostatic.impedance import Compressibility
 from babbitt.kinds.hydrostatic.methods import METHODS
-from babbitt.kinds.hydrostatic.model import HydrostaticCase, OperatingConditions, Recesses, Shape
+from babbitt.kinds.hydrostatic.model import HydrostaticCase, Oil, OperatingConditions, Recesses, Shape, beyond_data
 
 
 class HydrostaticFile(CaseFile):
@@ -32,6 +35,13 @@ class HydrostaticFile(CaseFile):
 
     shaped_by: ClassVar[tuple[str, ...]] = ("recesses",)
     """Field to blame where the shape cannot be."""
+
+    former_words: ClassVar[FormerWords] = {
+        "oil.lubricant": "lubricant",
+        "oil.supply_temperature": "supply.temperature",
+        "oil.film_temperature": "film_temperature",
+        "least_gap": "limits.minimum_film_thickness",
+    }
 
     kind: str = Field(description="What the file describes.")
     name: Name = Field(description="Name of the bearing.")
@@ -48,13 +58,19 @@ class HydrostaticFile(CaseFile):
         (), max_length=60, description="One for every recess in their order, where they are not alike."
     )
     supply: HydrostaticSupply = Field(description="Oil before the restrictors.")
-    oil: HydrostaticOil = Field(description="The oil.")
+    lubricant: LubricantInput | None = Field(None, description="The lubricant, in place of oil by its numbers.")
+    oil: HydrostaticOil = Field(HydrostaticOil(), description="The oil by its numbers, in place of a lubricant.")
+    film_temperature: Annotated[float, si("K", "-30 degC", "250 degC")] | None = Field(
+        None,
+        description="Temperature of a lubricant in the film. Where it is not given it is found: that of the "
+        "supply, warmed by what is lost in the film.",
+    )
     recess_oil: RecessOil = Field(description="Depth of the recesses and the oil in them.")
     load: Load | None = Field(None, description="Load. Without it a position is given.")
     frequencies: tuple[Frequency, ...] = Field(
         (), max_length=200, description="Frequencies at which stiffness and damping are wanted."
     )
-    least_gap: Gap | None = Field(None, description="Least permissible gap.")
+    limits: GapLimits | None = Field(None, description="Limits of your own.")
     assumptions: tuple[Prose, ...] = Field(
         (), max_length=100, description="Assumptions to be shown in the report."
     )
@@ -85,7 +101,19 @@ class HydrostaticFile(CaseFile):
 
     @rule
     def _oil_reaches(self) -> Iterator[Issue]:
-        yield from refused(("oil",), self.oil.oils)
+        viscous, named = is_given(self.oil, "viscosity"), is_given(self, "lubricant")
+        if not (viscous or named):
+            says = "none of lubricant, oil.viscosity is given"
+            yield Issue((), says, "exactly one of lubricant, oil.viscosity", code="E003", lacks=("lubricant",))
+        if viscous and named:
+            yield Issue(("lubricant",), "given besides oil.viscosity", "one of the two", "remove one")
+        if named and not is_given(self.supply, "temperature"):
+            yield Issue(
+                ("supply", "temperature"), "the lubricant has no temperature", "supply.temperature",
+                code="E003", lacks=(),
+            )  # fmt: skip
+        elif viscous or named:
+            yield from refused(("lubricant",), self.oils)
 
     @rule
     def _restrictors_fit(self) -> Iterator[Issue]:
@@ -118,11 +146,32 @@ class HydrostaticFile(CaseFile):
         """Tell of fields that make no difference to this bearing."""
         if self.method == "quick":
             yield from not_read(self, "closed forms and lumped lands have no grid", "accuracy")
-        if self.oil.lubricant is not None:
+        if self.lubricant is not None:
             yield from not_read(self, "a lubricant has its own", "oil.density", "oil.heat_capacity")
         else:
             why = "viscosity is given as it is in film and restrictors"
-            yield from not_read(self, why, "oil.supply_temperature", "oil.film_temperature")
+            yield from not_read(self, why, "supply.temperature", "film_temperature")
+
+    def oils(self) -> tuple[Oil, Oil]:
+        """Give the oil in the film and that in the restrictors."""
+        supplied_at = self.supply.temperature
+        if self.lubricant is None or supplied_at is None:
+            oil = Oil(self.oil.viscosity or 0.0, self.oil.density, self.oil.heat_capacity)
+            return oil, oil
+        supplied = Oil(1.0, 1.0, 1.0, self.lubricant.lubricant(), supplied_at).at(supplied_at)
+        if self.film_temperature is None:
+            return supplied, supplied
+        film = supplied.at(self.film_temperature)
+        return Oil(film.viscosity, film.density, film.heat_capacity, None, supplied_at), supplied
+
+    def _beyond_data(self) -> Iterator[Notice]:
+        """Tell of temperatures outside the data of the lubricant; a film's own is known with its heat balance."""
+        if self.lubricant is None or self.supply.temperature is None:
+            return
+        lubricant = self.lubricant.lubricant()
+        yield from beyond_data(lubricant, self.supply.temperature, "the oil before the restrictors")
+        if self.film_temperature is not None:
+            yield from beyond_data(lubricant, self.film_temperature, "the film")
 
     def calculations(self) -> tuple[Calculation, ...]:
         """Give the one calculation of the file."""
@@ -131,7 +180,7 @@ class HydrostaticFile(CaseFile):
 
     def design(self) -> HydrostaticCase:
         """Give the case of the calculation."""
-        film, supplied = self.oil.oils()
+        film, supplied = self.oils()
         shape = self.shape()
         own = self.recess_oil
         turning = isinstance(shape, CircularPad | AnnularPad)
@@ -143,7 +192,7 @@ class HydrostaticFile(CaseFile):
             assumptions.append(f"Friction factor {factor:g} in the recesses, by their shape.")
         if not is_given(own, "bulk_modulus"):
             assumptions.append("Bulk modulus of the oil 1.4 GPa, without air.")
-        if self.oil.lubricant is None and not {"density", "heat_capacity"} <= self.oil.model_fields_set:
+        if self.lubricant is None and not {"density", "heat_capacity"} <= self.oil.model_fields_set:
             assumptions.append("Density 870 kg/m³ and specific heat 2000 J/(kg K) where not given.")
         return HydrostaticCase(
             name=self.name,
@@ -159,9 +208,9 @@ class HydrostaticFile(CaseFile):
             ),
             frequencies=self.frequencies,
             pump_efficiency=self.supply.pump_efficiency,
-            least_gap=self.least_gap,
+            least_gap=None if self.limits is None else self.limits.minimum_film_thickness,
             highest_supply_pressure=self.supply.highest_pressure,
             accuracy=self.accuracy,
             assumptions=tuple(assumptions),
-            warnings=(*about_grouped_digits(self), *self._fields_not_read(), *self.oil.warnings()),
+            warnings=(*about_grouped_digits(self), *self._fields_not_read(), *self._beyond_data()),
         )

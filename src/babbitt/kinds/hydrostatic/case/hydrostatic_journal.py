@@ -5,16 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
+from babbitt.case.aliases import FormerWords, Moved
 from babbitt.case.part import Issue, exactly_one, is_given, not_read, rule
+from babbitt.case.parts.clearance import ClearanceInput, mean_assumed, mean_radial
 from babbitt.core.notices import Notice
 from babbitt.core.units import si
 from babbitt.kinds.hydrostatic.case.hydrostatic_file import HydrostaticFile
-from babbitt.kinds.hydrostatic.case.recess_parts import Angle, Gap, Length, RecessRow, Speed
-from babbitt.kinds.hydrostatic.case.recess_rules import clearance_is_small, in_order, lands_between
+from babbitt.kinds.hydrostatic.case.recess_parts import Angle, Length, RecessRow, Speed
+from babbitt.kinds.hydrostatic.case.recess_rules import clearance_is_usable, in_order, lands_between
 from babbitt.kinds.hydrostatic.geometry import RecessedJournal
 from babbitt.kinds.hydrostatic.model import HydrostaticCase, OperatingConditions
 
@@ -22,10 +24,15 @@ from babbitt.kinds.hydrostatic.model import HydrostaticCase, OperatingConditions
 class HydrostaticJournalCase(HydrostaticFile):
     """A recessed journal bearing, hydrostatic or hybrid."""
 
+    former_words: ClassVar[FormerWords] = {
+        **HydrostaticFile.former_words,
+        "radial_clearance": Moved("clearance.mean", kind="radial"),
+    }
+
     kind: Literal["hydrostatic_journal"] = Field(description="Recessed journal bearing, at rest or turning.")
     diameter: Length = Field(description="Bore.")
     width: Length = Field(description="Width of the bearing.")
-    radial_clearance: Gap = Field(description="Radial clearance.")
+    clearance: ClearanceInput = Field(description="Clearance at 20 degC; its mean is computed.")
     recesses: RecessRow = Field(description="The recesses.")
     recess_length: Length = Field(description="Axial length of the recesses.")
     speed: Speed = Field(0.0, description="Rotational speed; positive counter-clockwise.")
@@ -65,21 +72,25 @@ class HydrostaticJournalCase(HydrostaticFile):
 
     def misfits(self) -> Iterator[Issue]:
         """Complain of recesses that leave the bearing or no land between them."""
-        yield from clearance_is_small(self.radial_clearance, self.diameter)
+        yield from clearance_is_usable(self.clearance, self.diameter)
         yield from in_order(self, "recess_length", "width")
         yield from lands_between("recesses", self.recesses)
+
+    def radial_clearance(self) -> float:
+        """Give the clearance of the calculation, m."""
+        return mean_radial(self.clearance, self.diameter)
 
     def shape(self) -> RecessedJournal:
         """Give the shape of the calculation."""
         row = self.recesses
         return RecessedJournal(
-            self.diameter, self.width, self.radial_clearance, row.middles, row.extent, self.recess_length,
+            self.diameter, self.width, self.radial_clearance(), row.middles, row.extent, self.recess_length,
             row.drain_groove,
         )  # fmt: skip
 
     def duty(self) -> OperatingConditions:
         """Give the duty of the calculation."""
-        e = (self.eccentricity_ratio or 0.0) * self.radial_clearance
+        e = (self.eccentricity_ratio or 0.0) * self.radial_clearance()
         angle = self.load_angle + math.copysign(1.0, self.speed) * self.attitude_angle
         return OperatingConditions(
             self.load,
@@ -97,8 +108,10 @@ class HydrostaticJournalCase(HydrostaticFile):
 
     def design(self) -> HydrostaticCase:
         """Give the case of the calculation."""
+        made = super().design()
         return replace(
-            super().design(),
+            made,
+            assumptions=(*made.assumptions, *mean_assumed(self.clearance, self.diameter)),
             cavitation_pressure=self.cavitation_pressure,
             rotor_mass=self.rotor_mass,
             shaft_stiffness=self.shaft_stiffness,

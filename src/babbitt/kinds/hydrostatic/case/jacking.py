@@ -4,20 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
+from babbitt.case.aliases import FormerWords, Moved
 from babbitt.case.case_file import CaseFile
 from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.part import Issue, is_given, not_read, refused, rule
+from babbitt.case.parts.clearance import ClearanceInput, mean_assumed, mean_radial
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.case.parts.own_lubricant import DynamicViscosity
 from babbitt.core.notices import Notice
 from babbitt.core.solution import Calculation
 from babbitt.core.units import si, written
 from babbitt.kinds.hydrostatic.case.recess_parts import Gap, Length, Load, RecessRow
-from babbitt.kinds.hydrostatic.case.recess_rules import clearance_is_small, in_order, lands_between
+from babbitt.kinds.hydrostatic.case.recess_rules import clearance_is_usable, in_order, lands_between
 from babbitt.kinds.hydrostatic.case.restrictors import FlowRate, SupplyPressure
 from babbitt.kinds.hydrostatic.geometry import RecessedJournal
 from babbitt.kinds.hydrostatic.jacking_model import JackingCase
@@ -27,13 +29,15 @@ from babbitt.kinds.hydrostatic.methods import JACKING_METHODS as METHODS
 class JackingPocketCase(CaseFile):
     """Pockets that lift a shaft before it turns."""
 
+    former_words: ClassVar[FormerWords] = {"radial_clearance": Moved("clearance.mean", kind="radial")}
+
     kind: Literal["jacking_pocket"] = Field(description="Jacking pockets of a plain journal bearing at rest.")
     name: Name = Field(description="Name of the bearing.")
     method: Literal["film", "quick"] = Field("film", description="The film in two dimensions, or strips.")
     accuracy: Literal["draft", "engineering", "reference"] = Field("engineering", description="Grid of the film.")
     diameter: Length = Field(description="Bore.")
     width: Length = Field(description="Width of the bearing.")
-    radial_clearance: Gap = Field(description="Radial clearance.")
+    clearance: ClearanceInput = Field(description="Clearance at 20 degC; its mean is computed.")
     pockets: RecessRow = Field(description="The pockets; the load acts at -90 deg.")
     pocket_length: Length = Field(description="Axial length of the pockets.")
     viscosity: DynamicViscosity = Field(description="Viscosity of the cold oil.")
@@ -63,16 +67,26 @@ class JackingPocketCase(CaseFile):
         if not (is_given(self, "lift_gap") or is_given(self, "pump_flow")):
             says = "nothing says how far to lift"
             yield Issue((), says, "lift_gap, or pump_flow", code="E003", lacks=("lift_gap",))
-        yield from clearance_is_small(self.radial_clearance, self.diameter)
+        yield from clearance_is_usable(self.clearance, self.diameter)
         yield from in_order(self, "pocket_length", "width")
         for name in ("lift_gap", "roughness"):
             if getattr(self, name) is not None:
-                yield from in_order(self, name, "radial_clearance", unit="um")
+                yield from self._within_the_clearance(name)
         if self.lift_gap is not None and not self.lift_gap > self.roughness:
             says = f"{written(self.lift_gap, 'um')} do not lift the shaft off its roughness"
             allowed = f"more than roughness, {written(self.roughness, 'um')}"
             yield Issue(("lift_gap",), says, allowed, "roughness is the height on which the shaft lies")
         yield from lands_between("pockets", self.pockets)
+
+    def _within_the_clearance(self, name: str) -> Iterator[Issue]:
+        own, clearance = getattr(self, name), self.radial_clearance()
+        if not own < clearance:
+            says = f"{name} is {written(own, 'um')}, the radial clearance {written(clearance, 'um')}"
+            yield Issue((name,), says, f"{name} less than the radial clearance")
+
+    def radial_clearance(self) -> float:
+        """Give the clearance of the calculation, m."""
+        return mean_radial(self.clearance, self.diameter)
 
     def _useless_pockets(self) -> Iterator[Issue]:
         if not any(math.sin(angle) < 0.0 for angle in self.pockets.middles):
@@ -97,13 +111,13 @@ class JackingPocketCase(CaseFile):
         """Give the case of the calculation."""
         row = self.pockets
         bearing = RecessedJournal(
-            self.diameter, self.width, self.radial_clearance, row.middles, row.extent, self.pocket_length,
+            self.diameter, self.width, self.radial_clearance(), row.middles, row.extent, self.pocket_length,
             row.drain_groove,
         )  # fmt: skip
         assumed = () if "roughness" in self.model_fields_set else ("Composite roughness height 1 µm.",)
         return JackingCase(
             self.name, self.method, bearing, self.viscosity, self.load, self.lift_gap, self.pump_flow,
             self.relief_pressure, self.roughness, self.pump_efficiency, self.accuracy, self.own_restrictors,
-            assumptions=(*self.assumptions, *assumed),
+            assumptions=(*self.assumptions, *assumed, *mean_assumed(self.clearance, self.diameter)),
             warnings=(*about_grouped_digits(self), *self._fields_not_read()),
         )  # fmt: skip

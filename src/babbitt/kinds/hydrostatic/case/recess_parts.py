@@ -8,13 +8,10 @@ from typing import Annotated, ClassVar
 
 from pydantic import Field
 
-from babbitt.case.part import Issue, Part, exactly_one, is_given, rule
+from babbitt.case.part import Issue, Part, is_given, rule
 from babbitt.case.parts.fields import WholeNumber
-from babbitt.case.parts.lubricant import LubricantInput
 from babbitt.case.parts.own_lubricant import DynamicViscosity
-from babbitt.core.notices import Notice
 from babbitt.core.units import either_sense, si
-from babbitt.kinds.hydrostatic.model import Oil, beyond_data
 
 Length = Annotated[float, si("m", "0.1 mm", "20 m")]
 Gap = Annotated[float, si("m", "1 um", "2 mm")]
@@ -27,7 +24,7 @@ Frequency = Annotated[float, si("frequency", "0 Hz", "100 kHz")]
 
 
 class HydrostaticOil(Part):
-    """The oil: its numbers, or a lubricant at a temperature."""
+    """The oil by its numbers, in place of a lubricant at a temperature."""
 
     example: ClassVar[str] = "{viscosity: 20 mPas, density: 870 kg/m3, heat_capacity: 2000 J/(kg K)}"
 
@@ -38,45 +35,14 @@ class HydrostaticOil(Part):
     heat_capacity: Annotated[float, si("J/(kg K)", "500 J/(kg K)", "10 kJ/(kg K)")] = Field(
         2000.0, description="Specific heat. Used with viscosity; a lubricant has its own."
     )
-    lubricant: LubricantInput | None = Field(None, description="A lubricant in place of viscosity.")
-    supply_temperature: Annotated[float, si("K", "-30 degC", "200 degC")] | None = Field(
-        None, description="Temperature of a lubricant before the restrictors."
-    )
-    film_temperature: Annotated[float, si("K", "-30 degC", "250 degC")] | None = Field(
-        None,
-        description="Temperature of a lubricant in the film. Where it is not given it is found: that of the "
-        "supply, "
-        "warmed by what is lost in the film.",
-    )
 
-    @rule
-    def _one_way(self) -> Iterator[Issue]:
-        yield from exactly_one(self, "viscosity", "lubricant")
-        if is_given(self, "lubricant") and self.supply_temperature is None:
-            yield Issue(("supply_temperature",), "the lubricant has no temperature", "supply_temperature",
-                            code="E003")  # fmt: skip
 
-    def oils(self) -> tuple[Oil, Oil]:
-        """Give the oil in the film and that in the restrictors."""
-        if self.lubricant is None or self.supply_temperature is None:
-            oil = Oil(self.viscosity or 0.0, self.density, self.heat_capacity)
-            return oil, oil
-        supplied = Oil(1.0, 1.0, 1.0, self.lubricant.lubricant(), self.supply_temperature).at(
-            self.supply_temperature
-        )
-        if self.film_temperature is None:
-            return supplied, supplied
-        film = supplied.at(self.film_temperature)
-        return Oil(film.viscosity, film.density, film.heat_capacity, None, self.supply_temperature), supplied
+class GapLimits(Part):
+    """Limits of the user."""
 
-    def warnings(self) -> Iterator[Notice]:
-        """Given temperatures outside the data of the lubricant; a film's own is known with its heat balance."""
-        if self.lubricant is None or self.supply_temperature is None:
-            return
-        lubricant = self.lubricant.lubricant()
-        yield from beyond_data(lubricant, self.supply_temperature, "the oil before the restrictors")
-        if self.film_temperature is not None:
-            yield from beyond_data(lubricant, self.film_temperature, "the film")
+    example: ClassVar[str] = "{minimum_film_thickness: 20 um}"
+
+    minimum_film_thickness: Gap | None = Field(None, description="Least permissible gap.")
 
 
 class RecessOil(Part):

@@ -7,12 +7,17 @@ from itertools import pairwise
 from typing import Protocol
 
 from babbitt.case.part import Issue, Part
+from babbitt.case.parts.clearance import ClearanceInput, mean_radial
+from babbitt.core.notices import InputError
 from babbitt.core.units import written
 from babbitt.kinds.hydrostatic.geometry import pitches_around
 
-__all__ = ["clearance_is_small", "in_order", "lands_between"]
+__all__ = ["clearance_is_usable", "in_order", "lands_between"]
 
 ROUND_OFF = 1e-9
+LEAST_CLEARANCE, GREATEST_CLEARANCE = 1e-6, 2e-3
+"""m, radial: as of the gaps of all hydrostatic bearings."""
+CLEARANCE = ("clearance",)
 
 
 class Row(Protocol):
@@ -42,11 +47,20 @@ def in_order(part: Part, *names: str, unit: str = "mm") -> Iterator[Issue]:
             return
 
 
-def clearance_is_small(clearance: float, diameter: float) -> Iterator[Issue]:
-    """Complain of a clearance that the bore cannot have, m."""
+def clearance_is_usable(given: ClearanceInput, diameter: float) -> Iterator[Issue]:
+    """Complain of a clearance that the bore cannot have."""
+    try:
+        clearance = mean_radial(given, diameter)
+    except InputError as error:
+        yield Issue(("clearance",), error.message, code=error.code)
+        return
     if not 2.0 * clearance < diameter:
-        says = f"radial_clearance is {written(clearance, 'mm')} in a bore of {written(diameter, 'mm')}"
-        yield Issue(("radial_clearance",), says, "about a thousandth of the bore")
+        says = f"the radial clearance is {written(clearance, 'mm')} in a bore of {written(diameter, 'mm')}"
+        yield Issue(CLEARANCE, says, "about a thousandth of the bore")
+    elif not LEAST_CLEARANCE <= clearance <= GREATEST_CLEARANCE:
+        says = f"the radial clearance is {written(clearance, 'um')}"
+        allowed = f"{written(LEAST_CLEARANCE, 'um')} to {written(GREATEST_CLEARANCE, 'mm')}"
+        yield Issue(CLEARANCE, says, allowed, code="E003")
 
 
 def lands_between(field: str, row: Row) -> Iterator[Issue]:

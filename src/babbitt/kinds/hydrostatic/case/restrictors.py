@@ -172,6 +172,9 @@ class HydrostaticSupply(Part):
 
     example: ClassVar[str] = "{pressure: 5 MPa}"
 
+    temperature: Annotated[float, si("K", "-30 degC", "200 degC")] | None = Field(
+        None, description="Temperature of a lubricant before the restrictors."
+    )
     pressure: SupplyPressure | None = Field(
         None, description="Gauge pressure before the restrictors, kept by a relief valve that overflows."
     )

@@ -11,6 +11,7 @@ from babbitt.case.parts.clearance import (
     DiametralClearance,
     FitClearance,
     LimitsClearance,
+    RadialClearance,
     RelativeClearance,
 )
 from babbitt.case.parts.cooling import Cooling, CylinderHousing, Housing, InMachine, PedestalHousing
@@ -148,6 +149,8 @@ def _clearance(given: ClearanceInput, diameter: float) -> str:
             return "Deviations from {} mm: bore {} µm, journal {} µm".format(_millimetres(diameter), *pairs)
         case RelativeClearance():
             return "Relative to the diameter"
+        case RadialClearance():
+            return "On the radius"
         case DiametralClearance():
             return "On the diameter"
 
