@@ -38,7 +38,7 @@ KINDS = {
     "overhung_coupling": OverhungCouplingCase,
 }
 VISCOUS = {"kind": "viscosity", "viscosity": "45 mPa s"}
-LUBRICANT = {"lubricant": "ISO VG 46", "supply_temperature": "40 degC"}
+LUBRICANT = {"lubricant": "ISO VG 46", "supply": {"pressure": "5 MPa", "temperature": "40 degC"}}
 
 
 def given(kind, *left_out, **fields):
@@ -73,8 +73,9 @@ OF_THRUST = {
     "turbulence": "ng_pan",
     "materials": {},
     "materials.bearing_metal": "SnSb12Cu6Pb",
-    "temperature_limit": "95 degC",
-    "film_limit": "12 um",
+    "limits.temperature": "95 degC",
+    "limits.minimum_film_thickness": "12 um",
+    "supply.temperature": "50 degC",
     "runout": "8 um",
     "runout.0.lobes": 2,
     "runout.0.phase": "20 deg",
@@ -92,8 +93,8 @@ OF_ALL_RECESSES = {
     "oil.viscosity": "25 mPa s",
     "oil.density": "900 kg/m3",
     "oil.heat_capacity": "1800 J/(kg K)",
-    "oil.supply_temperature": "50 degC",
-    "oil.film_temperature": "55 degC",
+    "supply.temperature": "50 degC",
+    "film_temperature": "55 degC",
     "supply.pressure": "4 MPa",
     "supply.leakage": "0.01 L/(min MPa)",
     "supply.relief_pressure": "8 MPa",
@@ -101,7 +102,7 @@ OF_ALL_RECESSES = {
     "supply.pump_efficiency": 0.7,
     "supply.manifold_volume": "10 mL",
     "frequencies": ["50 Hz"],
-    "least_gap": "12 um",
+    "limits.minimum_film_thickness": "12 um",
     "speed": "700 rpm",
     "load": "9 kN",
     "gap": "45 um",
@@ -162,28 +163,30 @@ PUMPED = given("jacking_pocket", "lift_gap", accuracy="draft", pump_flow="0.1 L/
 HEEL = given("screw_heel", "wall", method="superposition")
 STARVED = given("hydrostatic_journal", "load", method="quick", eccentricity_ratio=0.5, speed="20000 rpm",
                 supply={"pressure": "0.1 MPa"})  # fmt: skip
+LUBRICATED = {name: value for name, value in (PAD | LUBRICANT).items() if name != "oil"}
 QUICK = {"method": "quick"}
 TESTED = {
     "point pivots": (
         given("thrust", "ring_stiffness", oil=VISCOUS, runout=[{"amplitude": "5 um"}]),
-        OF_THRUST | {"thrust": "400 kN", "film": "50 um"},
+        OF_THRUST | {"load": "400 kN", "film": "50 um"},
     ),
     "heat balance": (
         given("thrust"),
-        {"thermal": "isothermal", "oil.carry_over": 0.5, "temperature_limit": "95 degC", "pads.mass": "36 kg"},
+        {"thermal": "isothermal", "oil.carry_over": 0.5, "limits.temperature": "95 degC", "pads.mass": "36 kg",
+         "supply.temperature": "50 degC"},
     ),
     "given temperature": (
-        given("thrust", oil={"kind": "temperature", "lubricant": "ISO VG 100", "temperature": "53 degC"}),
-        {"temperature_limit": "50 degC"},
+        given("thrust", oil={"kind": "temperature", "temperature": "53 degC"}),
+        {"limits.temperature": "50 degC"},
     ),
     "line": (
         LINE,
         {
             "pads.mass": "36 kg",
-            "temperature_limit": "95 degC",
+            "limits.temperature": "95 degC",
             "propeller": {"mass": "20 t", "blades": 4},
             "propeller.damping": "40 kN s/m",
-            "shaft.0.bore": "100 mm",
+            "shaft.0.inner_diameter": "100 mm",
             "shaft.0.modulus": "200 GPa",
             "shaft.0.density": "7700 kg/m3",
             "shaft.0.end_mass": "300 kg",
@@ -197,7 +200,7 @@ TESTED = {
             "ripple.0.order": 3.0,
             "ripple.0.phase": "30 deg",
             "loss_limit": 0.4,
-            "limits": {"axial_amplitude": "150 um"},
+            "limits.axial_amplitude": "150 um",
             "speeds": {"lowest": "100 rpm", "highest": "140 rpm", "number": 2},
             "nonlinear": True,
         },
@@ -205,8 +208,8 @@ TESTED = {
     "map": (LINE | {"speeds": {"lowest": "100 rpm", "highest": "140 rpm", "number": 2}}, {"speeds.number": 3}),
     "pad": (PAD, OF_ALL_RECESSES | {"sliding_speed": "0.7 m/s"}),
     "quick pad": (PAD | QUICK, OF_ALL_RECESSES | {"sliding_speed": "0.7 m/s"}),
-    "lubricated pad": (PAD | {"oil": LUBRICANT}, OF_ALL_RECESSES),
-    "quick lubricated pad": (PAD | QUICK | {"oil": LUBRICANT}, OF_ALL_RECESSES),
+    "lubricated pad": (LUBRICATED, OF_ALL_RECESSES),
+    "quick lubricated pad": (LUBRICATED | QUICK, OF_ALL_RECESSES),
     "pumped pad": (
         PAD | {"supply": {"pump_flow": "0.4 L/min"}},
         OF_ALL_RECESSES | {"supply.pump_flow": "0.5 L/min"},

@@ -54,9 +54,7 @@ def test_all_states_of_the_pump():
 
 
 def test_no_steady_state_says_why():
-    machine = solved(
-        gap=("face_gap: 20 um", "face_gap: 12 um"), clearance=("clearance: 20 um", "clearance: 10 um")
-    )
+    machine = solved(gap=("face_gap: 20 um", "face_gap: 12 um"), clearance=("mean: 20 um", "mean: 10 um"))
     smooth, grooved = machine.results
     assert smooth.outcome.solved
     assert grooved.outcome is Outcome.NO_STEADY_STATE
@@ -120,7 +118,7 @@ def test_gauge_pressures_are_the_same_footstep():
     absolute = solved()
     gauge = solved(
         kind=("pressures: absolute", "pressures: gauge"),
-        p=("supply_pressure: 0.63 MPa", "supply_pressure: 0.529 MPa"),
+        p=("  pressure: 0.63 MPa", "  pressure: 0.529 MPa"),
     )
     for one, other in zip(absolute.results, gauge.results, strict=True):
         assert other.load == pytest.approx(one.load, rel=1e-9)
@@ -190,7 +188,7 @@ def test_a_balance_of_the_rim_that_stays_open_is_told(gap, clearance, told):
     """Beside a face gap 2000 times the clearance the rim has the pressure of the recess but for round-off."""
     smooth = solved(
         gap=("face_gap: 20 um", f"face_gap: {gap} um"),
-        clearance=("clearance: 20 um", f"clearance: {clearance} um"),
+        clearance=("mean: 20 um", f"mean: {clearance} um"),
     ).results[0]
     assert (smooth.mass_balance_error > 1e-6) is told
     assert ("W177" in codes(smooth)) is told

@@ -45,8 +45,8 @@ def restricted(said, **fields):
     return changed(PAD, restrictor=said, **fields)
 
 
-JOURNAL = changed(template("hydrostatic_journal"), accuracy="draft", least_gap=None)
-RING = changed(template("hydrostatic_thrust_ring"), accuracy="draft", least_gap=None)
+JOURNAL = changed(template("hydrostatic_journal"), accuracy="draft", limits=None)
+RING = changed(template("hydrostatic_thrust_ring"), accuracy="draft", limits=None)
 CASES = {
     "pad, film": PAD,
     "pad": changed(PAD, method="quick"),

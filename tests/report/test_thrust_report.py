@@ -18,7 +18,7 @@ from babbitt.report.table import render
 from babbitt.solving import solve
 
 TEMPLATE = template("thrust_line")
-OIL = TEMPLATE[TEMPLATE.index("oil:") : TEMPLATE.index("ring_stiffness:")]
+OIL = TEMPLATE[TEMPLATE.index("lubricant:") : TEMPLATE.index("ring_stiffness:")]
 GIVEN = TEMPLATE.replace(OIL, "oil: {kind: viscosity, viscosity: 45 mPa s}\n")
 LINE = GIVEN.replace("# speeds:", "speeds:").replace("number: 21", "number: 4").replace("3 um", "4 um")
 
@@ -31,7 +31,7 @@ def line():
 @pytest.fixture(scope="module")
 def warm():
     """With temperatures of its own; four pads take half the time of eight."""
-    four = template("thrust").replace("number: 8", "number: 4").replace("thrust: 500 kN", "thrust: 250 kN")
+    four = template("thrust").replace("number: 8", "number: 4").replace("load: 500 kN", "load: 250 kN")
     return solve(parse_case(four + "\nthermal: adiabatic\n"))
 
 
@@ -170,7 +170,7 @@ def given(machine):
 
 
 def test_no_runout_and_no_ripple_are_told():
-    start, end = LINE.index("ripple:"), LINE.index("film_limit:")
+    start, end = LINE.index("ripple:"), LINE.index("limits:")
     none = solve(parse_case(LINE[:start] + "ripple: []\nrunout: []\n" + LINE[end:]))
     assert given(none)["Runout of the collar"] == given(none)["Thrust ripple"] == "none"
     assert none.results[0].loss_mean_bound == 0.0

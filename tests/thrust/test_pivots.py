@@ -41,7 +41,7 @@ def test_a_pivot_that_does_not_balance_is_refused_on_reading_with_the_place_at_f
 
 def test_central_pivots_carry_by_the_crown_of_heat():
     """alpha dT B^2/(8 t) with 5 K and B/t = 3: 4 µm for pads of 177.5 mm; a crown that is given is taken."""
-    light = (("thrust: 500 kN", "thrust: 100 kN"), ("tilt: {offset: 30 um, direction: 0 deg}", "#"))
+    light = (("load: 500 kN", "load: 100 kN"), ("tilt: {offset: 30 um, direction: 0 deg}", "#"))
     found = solve(parse_case(with_pivot("radius: 287 mm, fraction: 0.5", *light))).results[0]
     [notice] = [one for one in found.warnings if one.code == "W214"]
     assert "crown 4.0 µm" in notice.message

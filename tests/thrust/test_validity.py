@@ -79,7 +79,7 @@ def test_one_pad_that_carries_all_has_no_verdict():
     assert not found.within_limits
     light = result(
         ("tilt: {offset: 30 um,", "tilt: {offset: 5 mm,"), ("ring_stiffness: 20 GN/m", "#"), ("runout: 5 um", "#"),
-        ("thrust: 500 kN", "thrust: 5 kN"),
+        ("load: 500 kN", "load: 5 kN"),
     )  # fmt: skip
     assert light.pad_load_ratio > 7.0
     assert light.verdict is Verdict.NO_VERDICT
@@ -88,7 +88,7 @@ def test_one_pad_that_carries_all_has_no_verdict():
 
 def test_oil_that_friction_would_boil_has_no_verdict():
     """Of a given viscosity nothing follows the heat: what it would do to the oil is told."""
-    start, end = BASE.index("oil:"), BASE.index("# thermal:")
+    start, end = BASE.index("lubricant:"), BASE.index("# thermal:")
     text = BASE[:start] + "oil: {kind: viscosity, viscosity: 45 mPa s}\n" + BASE[end:]
     found = solve(parse_case(text.replace("125 rpm", "6000 rpm").replace("500 kN", "20 MN"))).results[0]
     assert found.temperature_rise > 100.0

@@ -15,9 +15,9 @@ class Heel(OwnPart, footstep_parts.HeelInput):
         self,
         *,
         length: Quantity | None = ...,
-        radius: Quantity | None = ...,
-        recess_radius: Quantity | None = ...,
-        bore_radius: Quantity | None = ...,
+        diameter: Quantity | None = ...,
+        recess_diameter: Quantity | None = ...,
+        inner_diameter: Quantity | None = ...,
         recess_depth: Quantity | None = ...,
     ) -> None: ...
 
@@ -38,7 +38,6 @@ class FootstepOil(OwnPart, footstep_parts.FootstepOilInput):
         self,
         *,
         viscosity: Quantity | None = ...,
-        temperature: Quantity | None = ...,
         viscosity_exponent: Quantity | None = ...,
         volumetric_heat_capacity: Quantity | None = ...,
         density: Quantity | None = ...,

@@ -50,8 +50,8 @@ class Pads(OwnPart, thrust_pads.ThrustPads):
         self,
         *,
         number: SupportsIndex | None = ...,
-        inner_radius: Quantity | None = ...,
-        outer_radius: Quantity | None = ...,
+        inner_diameter: Quantity | None = ...,
+        outer_diameter: Quantity | None = ...,
         extent: Quantity | None = ...,
         pivot: Mapping[str, Any] | Part | None = ...,
         face: Mapping[str, Any] | Part | None = ...,
@@ -91,7 +91,6 @@ class FilmTemperature(OwnPart, thrust_oil.OilAtTemperature):
         self,
         *,
         kind: Literal["temperature"] | Enum | None = ...,
-        lubricant: Quantity | Mapping[str, Any] | Part | None = ...,
         temperature: Quantity | None = ...,
     ) -> None: ...
 
@@ -100,8 +99,6 @@ class FilmHeatBalance(OwnPart, thrust_oil.OilByBalance):
         self,
         *,
         kind: Literal["heat_balance"] | Enum | None = ...,
-        lubricant: Quantity | Mapping[str, Any] | Part | None = ...,
-        supply_temperature: Quantity | None = ...,
         carry_over: Quantity | None = ...,
     ) -> None: ...
 
@@ -129,7 +126,7 @@ class ShaftPiece(OwnPart, shaft_line.ShaftPiece):
         *,
         length: Quantity | None = ...,
         diameter: Quantity | None = ...,
-        bore: Quantity | None = ...,
+        inner_diameter: Quantity | None = ...,
         modulus: Quantity | None = ...,
         density: Quantity | None = ...,
         end_mass: Quantity | None = ...,
@@ -168,5 +165,7 @@ class LineLimits(OwnPart, shaft_line.LineLimits):
     def __init__(
         self,
         *,
+        minimum_film_thickness: Quantity | None = ...,
+        temperature: Quantity | None = ...,
         axial_amplitude: Quantity | None = ...,
     ) -> None: ...

@@ -6,9 +6,11 @@ part. What is wrong with the value is told at the word that the file has.
 
 from __future__ import annotations
 
+import re
 import typing
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from decimal import Decimal
 from typing import TYPE_CHECKING, Any
 
 from babbitt.case.error_messages import Path
@@ -16,7 +18,17 @@ from babbitt.case.error_messages import Path
 if TYPE_CHECKING:
     from babbitt.case.part import Part
 
-__all__ = ["FormerWords", "Moved", "Reading", "in_former_words", "in_todays_words", "read_former", "todays_path"]
+__all__ = [
+    "FormerWords",
+    "Moved",
+    "Reading",
+    "in_former_words",
+    "in_todays_words",
+    "read_former",
+    "scaled",
+    "todays_field",
+    "todays_path",
+]
 
 
 def _always(value: Any) -> bool:
@@ -33,12 +45,15 @@ class Moved:
         Path of the word of today.
     kind : str
         What the mapping that holds it is, where that has a `kind`.
+    scale : float
+        The value of today over the former one: 2 for a diameter in place of a radius.
     where : callable
         Tells the former form of a value from that of today where both have one word.
     """
 
     to: str
     kind: str = ""
+    scale: float = 1.0
     where: Callable[[Any], bool] = _always
 
     @property
@@ -63,12 +78,22 @@ class Reading:
         Former path and path of today of every former word found.
     twice : tuple
         Likewise of those that stand beside the word of today, which is kept.
+    scales : Mapping
+        By former path, the value of today over the former one.
     """
 
     given: Mapping[str, Any]
     written: Mapping[str, Any]
     moved: tuple[tuple[Path, Path], ...] = ()
     twice: tuple[tuple[Path, Path], ...] = ()
+    scales: Mapping[Path, float] = field(default_factory=dict)
+
+    def remark(self, path: Path) -> str:
+        """Tell how a value was read that is not what the file has; empty for any other."""
+        for former, today in self.moved:
+            if path == today and (scale := self.scales.get(former, 1.0)) != 1.0:
+                return f"{former[-1]} is read as {today[-1]}, {scale:g} times as large"
+        return ""
 
     def as_written(self, path: Path) -> Path:
         """Give the path in the words of the file for one in those of today."""
@@ -105,11 +130,12 @@ def read_former(words: FormerWords, given: Mapping[str, Any]) -> Reading:
         if (blocked := _occupied(today, one)) is not None:
             twice.append((former, blocked))
             continue
-        today = _with(today, one.path, value)
+        today = _with(today, one.path, scaled(value, one.scale))
         if one.kind:
             today = _with(today, (*one.path[:-1], "kind"), one.kind)
         moved.append((former, one.path))
-    return Reading(today, given, tuple(moved), tuple(twice))
+    scales: dict[Path, float] = {former: one.scale for former, one, _ in found}
+    return Reading(today, given, tuple(moved), tuple(twice), scales)
 
 
 def in_todays_words(cls: type[Part], given: Any) -> Any:
@@ -129,18 +155,23 @@ def todays_path(cls: type[Part], steps: Sequence[str]) -> tuple[str, ...]:
     steps : sequence of str
         In former words or in those of today.
     """
+    return todays_field(cls, steps)[0]
+
+
+def todays_field(cls: type[Part], steps: Sequence[str]) -> tuple[tuple[str, ...], float]:
+    """As `todays_path`, and the value of today over that at the path as it was told."""
     for former, one in _steps(cls.former_words):
         has_two_forms = former == one.path[: len(former)]
         if tuple(steps[: len(former)]) == former and not has_two_forms:
-            return todays_path(cls, (*one.path, *steps[len(former) :]))
-    if not steps:
-        return ()
+            path, scale = todays_field(cls, (*one.path, *steps[len(former) :]))
+            return path, scale * one.scale
     count = 1
     while count < len(steps) and steps[count].isdecimal():
         count += 1
     rest = tuple(steps[count:])
-    branches = (todays_path(part, rest) for part in _parts_of(cls, steps[0]))
-    return (*steps[:count], *next((path for path in branches if path != rest), rest))
+    branches = (todays_field(part, rest) for part in _parts_of(cls, steps[0])) if rest else ()
+    path, scale = next((found for found in branches if found[0] != rest), (rest, 1.0))
+    return (*steps[:count], *path), scale
 
 
 def in_former_words(cls: type[Part], content: Mapping[str, Any]) -> dict[str, Any]:
@@ -151,7 +182,7 @@ def in_former_words(cls: type[Part], content: Mapping[str, Any]) -> dict[str, An
         if not values or (one.kind and not _is_alone(told, one)):
             continue
         told = _without(told, one.path[:-1] if one.kind else one.path)
-        told = _with(told, former, values[0])
+        told = _with(told, former, values[0] if one.scale == 1.0 else values[0] / one.scale)
     return told
 
 
@@ -194,6 +225,19 @@ def _with(given: Mapping[str, Any], path: Sequence[str], value: Any) -> dict[str
     return {**given, first: _with(given.get(first) or {}, rest, value) if rest else value}
 
 
+_QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)(\s*[^\d\s].*)?", re.DOTALL)
+
+
+def scaled(value: Any, scale: float) -> Any:
+    """A quantity times a power of two, exact to the last bit; what is none is told where it is read."""
+    if scale == 1.0 or isinstance(value, bool):
+        return value
+    if isinstance(value, int | float):
+        return type(value)(scale * value) if isinstance(value, float) else scale * value
+    number = _QUANTITY.fullmatch(value) if isinstance(value, str) else None
+    return f"{Decimal(number[1]) * Decimal(scale)}{number[2] or ''}" if number else value
+
+
 def _is_alone(content: Mapping[str, Any], one: Moved) -> bool:
     """Whether the mapping of a kind says no more than its kind and the value."""
     return all(dict(holder).keys() == {"kind", one.path[-1]} and holder["kind"] == one.kind
@@ -215,8 +259,8 @@ def _may_be(part: type[Part], value: Mapping[str, Any]) -> bool:
 
 
 def _parts_of(cls: type[Part], name: str) -> tuple[type[Part], ...]:
-    field = cls.model_fields.get(name)
-    return () if field is None else tuple(_parts_in(field.annotation))
+    known = cls.model_fields.get(name)
+    return () if known is None else tuple(_parts_in(known.annotation))
 
 
 def _parts_in(annotation: Any) -> Iterable[type[Part]]:

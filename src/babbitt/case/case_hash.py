@@ -27,24 +27,37 @@ def case_hash(case: CaseFile) -> str:
     str
         64 hexadecimal digits.
     """
-    content = _rounded(case)
+    content = _rounded(_content(case))
     canonical = json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=True, allow_nan=False)
     return hashlib.sha256(canonical.encode("ascii")).hexdigest()
 
 
-def _rounded(value: Any) -> Any:
-    """What JSON can hold, floats to twelve significant digits, fields that have their default left out."""
+def _content(value: Any) -> Any:
+    """Mappings and lists in former words, fields that have their default left out."""
     match value:
         case Part():
             fields = type(value).model_fields
-            pairs = ((name, _rounded(getattr(value, name)), fields[name]) for name in fields)
+            pairs = ((name, _content(getattr(value, name)), fields[name]) for name in fields)
             told = {
-                name: own for name, own, field in pairs if field.is_required() or own != _rounded(field.default)
+                name: own
+                for name, own, field in pairs
+                if field.is_required() or _rounded(own) != _rounded(_content(field.default))
             }
             return in_former_words(type(value), told)
+        case tuple():
+            return [_content(one) for one in value]
+        case _:
+            return value
+
+
+def _rounded(value: Any) -> Any:
+    """The same with floats to twelve significant digits."""
+    match value:
         case float():
             return float(f"{value:.12g}")
-        case tuple():
+        case dict():
+            return {name: _rounded(one) for name, one in value.items()}
+        case list():
             return [_rounded(one) for one in value]
         case _:
             return value

@@ -207,7 +207,10 @@ def _line(told: Issue, given: Any) -> InitErrorDetails:
 
 def _at_written(details: ErrorDetails, reading: Reading) -> InitErrorDetails:
     """Tell a finding at the word that the file has."""
-    error = PydanticCustomError(ERROR_TYPE, "{says}", details["ctx"])
+    told: dict[str, Any] = dict(details["ctx"])
+    if remark := reading.remark(details["loc"]):
+        told["hint"] = "; ".join(filter(None, (told["hint"], remark)))
+    error = PydanticCustomError(ERROR_TYPE, "{says}", told)
     return InitErrorDetails(type=error, loc=reading.as_written(details["loc"]), input=details["input"])
 
 

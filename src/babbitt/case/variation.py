@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from babbitt.case.aliases import in_todays_words, todays_path
+from babbitt.case.aliases import in_todays_words, scaled, todays_field
 from babbitt.case.case_file import CaseFile, Origin
 from babbitt.case.case_hash import case_hash
 from babbitt.case.kinds import KINDS
@@ -74,14 +74,14 @@ class CaseVariation:
         self.file, self.path, self.reach, self.inputs = file, path, reach, inputs
         model, steps = KINDS[given["kind"]], (*start, *path.split("."))
         self.given: dict[str, Any] = in_todays_words(model, given)
-        self._steps = todays_path(model, steps)
+        self._steps, self._scale = todays_field(model, steps)
 
     @property
     def present(self) -> Any:
         """What stands in the field now; None where nothing does."""
         try:
             value = self._container(self.given)
-            return value[_key(value, self._steps[-1])]
+            return scaled(value[_key(value, self._steps[-1])], 1.0 / self._scale)
         except (LookupError, TypeError, InputError):
             return None
 
@@ -114,7 +114,7 @@ class CaseVariation:
                 for other in others:
                     place.pop(other, None)
         try:
-            place[_key(place, name)] = value
+            place[_key(place, name)] = scaled(value, self._scale)
         except LookupError:
             raise InputError("E005", f"{self.file}: there is no '{self.path}'{_known(place)}") from None
         return varied

@@ -47,6 +47,14 @@ class FeedHole(Part):
         return Duct(self.diameter, self.length, self.loss_coefficient, float(self.number))
 
 
+class SuppliedAt(Part):
+    """Fresh oil of which the temperature alone counts."""
+
+    example: ClassVar[str] = "{temperature: 45 degC}"
+
+    temperature: OilTemperature | None = Field(None, description="Temperature of the fresh oil.")
+
+
 class Supply(Part):
     """Oil fed under pressure. A bearing may give single fields and take the others from its machine."""
 

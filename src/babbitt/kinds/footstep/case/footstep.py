@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
+from babbitt.case.aliases import FormerWords, Moved
 from babbitt.case.case_file import CaseFile
 from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.part import Issue, not_read, rule
+from babbitt.case.parts.clearance import ClearanceInput, is_bare, mean_assumed, mean_radial
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.core.notices import Notice
 from babbitt.core.solution import Calculation
@@ -19,6 +21,7 @@ from babbitt.kinds.footstep.case.footstep_parts import (
     FigureRanges,
     FootstepOilInput,
     FootstepOptionsInput,
+    FootstepSupply,
     Gap,
     GroovePart,
     HeelInput,
@@ -41,12 +44,20 @@ from babbitt.kinds.footstep.model import (
 from babbitt.kinds.footstep.model_case import FootstepProblem
 from babbitt.kinds.footstep.states import Method
 
+LEAST_CLEARANCE, GREATEST_CLEARANCE = 0.5e-6, 1e-3
+"""m, radial: as of the face gap."""
 OF_GROOVES = ("friction_viscosity", "backflow_viscosity", "local_loss_coefficient")
 """Options that only a grooved heel reads."""
 
 
 class FootstepCase(CaseFile):
     """The hydrostatic footstep of a pump's screw, with a smooth or a screw-grooved heel."""
+
+    former_words: ClassVar[FormerWords] = {
+        "clearance": Moved("clearance.mean", kind="radial", where=is_bare),
+        "oil.temperature": "supply.temperature",
+        "supply_pressure": "supply.pressure",
+    }
 
     kind: Literal["screw_heel"] = Field(description="Footstep with a smooth or screw-grooved heel.")
     name: Name = Field(description="Name of the footstep.")
@@ -58,7 +69,10 @@ class FootstepCase(CaseFile):
     heel: HeelInput = Field(description="Lengths of heel and recess.")
     groove: GroovePart | None = Field(None, description="Screw groove on the heel.")
     face_gap: Gap = Field(description="Face gap h.")
-    clearance: Gap = Field(description="Radial clearance delta of the heel.")
+    clearance: ClearanceInput = Field(
+        description="Clearance of the heel at 20 degC; its mean is computed. A length alone is that on the radius."
+    )
+    supply: FootstepSupply = Field(description="Oil that comes in.")
     oil: FootstepOilInput = Field(description="Oil.")
     wall: WallPart | None = Field(None, description="Metal that takes heat from the films.")
     speed: Annotated[float, si("rad/s", "0.1 rpm", "1000000 rpm")] = Field(
@@ -66,14 +80,11 @@ class FootstepCase(CaseFile):
         "to the rim. A groove of the other hand, or the other sense of rotation, drains the rim and is not "
         "computed."
     )
-    supply_pressure: Annotated[float, si("Pa", "1 Pa", "500 MPa")] = Field(
-        description="Pressure in the recess p2; absolute, or as `pressures` says."
-    )
     ambient_pressure: Annotated[float, si("Pa", "100 Pa", "100 MPa")] = Field(
         101325.0, description="Pressure at the outer end of the heel p_a, always absolute."
     )
     pressures: Literal["absolute", "gauge"] = Field(
-        "absolute", description="What `supply_pressure` is; a gauge pressure is counted from ambient."
+        "absolute", description="What `supply.pressure` is; a gauge pressure is counted from ambient."
     )
     load_reference: Literal["absolute", "gauge"] = Field(
         "absolute",
@@ -96,16 +107,16 @@ class FootstepCase(CaseFile):
     @property
     def absolute_supply(self) -> float:
         """p2, Pa absolute."""
-        return self.supply_pressure + (self.ambient_pressure if self.pressures == "gauge" else 0.0)
+        return self.supply.pressure + (self.ambient_pressure if self.pressures == "gauge" else 0.0)
 
     @rule
     def _supply_above_ambient(self) -> Iterator[Issue]:
-        if self.pressures == "absolute" and not self.supply_pressure > self.ambient_pressure:
+        if self.pressures == "absolute" and not self.supply.pressure > self.ambient_pressure:
             says = (
-                f"the supply, {written(self.supply_pressure, 'MPa')} absolute, is not above ambient, "
+                f"the supply, {written(self.supply.pressure, 'MPa')} absolute, is not above ambient, "
                 f"{written(self.ambient_pressure, 'MPa')}"
             )
-            yield Issue(("supply_pressure",), says, "more than ambient_pressure", "write pressures: gauge")
+            yield Issue(("supply", "pressure"), says, "more than ambient_pressure", "write pressures: gauge")
 
     @rule
     def _grooved_heels_have_grooves(self) -> Iterator[Issue]:
@@ -118,7 +129,7 @@ class FootstepCase(CaseFile):
         groove = self.groove
         if groove is None or groove.accept_misfit:
             return
-        misfit = self._groove().misfit(self.heel.radius)
+        misfit = self._groove().misfit(0.5 * self.heel.diameter)
         if abs(misfit) > PITCH_TOLERANCE:
             says = (
                 f"grooves and lands take {1.0 + misfit:.4g} of the way around the heel, starts (groove_width + "
@@ -127,9 +138,21 @@ class FootstepCase(CaseFile):
             hint = "both widths are normal to the groove; accept_misfit: true takes the numbers as they are"
             yield Issue(("groove",), says, f"at most {100.0 * PITCH_TOLERANCE:.0f} %", hint)
 
+    def radial_clearance(self) -> float:
+        """Give the clearance of the calculation, m."""
+        return mean_radial(self.clearance, self.heel.diameter)
+
+    @rule
+    def _clearance_is_usable(self) -> Iterator[Issue]:
+        clearance = self.radial_clearance()
+        if not LEAST_CLEARANCE <= clearance <= GREATEST_CLEARANCE:
+            says = f"the radial clearance is {written(clearance, 'um')}"
+            allowed = f"{written(LEAST_CLEARANCE, 'um')} to {written(GREATEST_CLEARANCE, 'mm')}"
+            yield Issue(("clearance",), says, allowed, code="E003")
+
     @rule
     def _heel_fits_the_cup(self) -> Iterator[Issue]:
-        reach = abs(self.eccentricity_ratio) + 0.5 * abs(self.tilt) * self.heel.length / self.clearance
+        reach = abs(self.eccentricity_ratio) + 0.5 * abs(self.tilt) * self.heel.length / self.radial_clearance()
         if reach >= 1.0:
             says = f"eccentricity and tilt bring the heel to {reach:.3g} of the clearance at one end"
             yield Issue(("tilt",) if self.tilt else ("eccentricity_ratio",), says, "less than 1 at both ends")
@@ -160,16 +183,24 @@ class FootstepCase(CaseFile):
         heel, oil, chosen = self.heel, self.oil, self.options
         return Footstep(
             geometry=FootstepGeometry(
-                heel.length, heel.radius, heel.recess_radius, heel.bore_radius, heel.recess_depth
+                heel.length,
+                0.5 * heel.diameter,
+                0.5 * heel.recess_diameter,
+                0.5 * heel.inner_diameter,
+                heel.recess_depth,
             ),
             oil=FootstepOil(
-                oil.viscosity, oil.temperature, oil.viscosity_exponent, oil.volumetric_heat_capacity, oil.density
+                oil.viscosity,
+                self.supply.temperature,
+                oil.viscosity_exponent,
+                oil.volumetric_heat_capacity,
+                oil.density,
             ),
             angular_speed=self.speed,
             supply_pressure=self.absolute_supply,
             ambient_pressure=self.ambient_pressure,
             face_gap=self.face_gap,
-            clearance=self.clearance,
+            clearance=self.radial_clearance(),
             groove=self._groove() if grooved else None,
             options=FootstepOptions(
                 friction_viscosity=FrictionViscosity[chosen.friction_viscosity.upper()],
@@ -206,7 +237,7 @@ def heel_cases(case: FootstepCase) -> tuple[FootstepProblem, ...]:
             ranges.map_points,
             tuple(_given(case)),
             (*about_grouped_digits(case), *_fields_not_read(case)),
-            assumptions=case.assumptions,
+            assumptions=(*case.assumptions, *mean_assumed(case.clearance, case.heel.diameter)),
         )
         for grooved, footstep in made.items()
     )
@@ -222,10 +253,10 @@ def _fields_not_read(case: FootstepCase) -> Iterator[Notice]:
 
 def _given(case: FootstepCase) -> Iterator[tuple[str, str]]:
     """How the case put what it may put in several ways."""
-    yield "Supply pressure", f"{1e-6 * case.supply_pressure:.6g} MPa, {case.pressures}"
+    yield "Supply pressure", f"{1e-6 * case.supply.pressure:.6g} MPa, {case.pressures}"
     if case.groove is not None:
-        misfit = case._groove().misfit(case.heel.radius)
-        share = 1.0 / (math.sin(case.groove.angle) * 2.0 * math.pi * case.heel.radius)
+        misfit = case._groove().misfit(0.5 * case.heel.diameter)
+        share = 1.0 / (math.sin(case.groove.angle) * math.pi * case.heel.diameter)
         width = case.groove.starts * (case.groove.groove_width + case.groove.land_width)
         yield (
             "Grooves and lands around the heel",

@@ -3,34 +3,41 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
+from babbitt.case.aliases import FormerWords, Moved
 from babbitt.case.part import Issue, Part, rule
 from babbitt.case.parts.fields import WholeNumber
 from babbitt.core.units import si, written
 
 Gap = Annotated[float, si("m", "0.5 um", "1 mm")]
-Radius = Annotated[float, si("m", "0.1 mm", "1 m")]
+Diameter = Annotated[float, si("m", "0.2 mm", "2 m")]
 
 
 class HeelInput(Part):
     """Lengths of the heel and of the recess in its face."""
 
+    former_words: ClassVar[FormerWords] = {
+        "radius": Moved("diameter", scale=2.0),
+        "recess_radius": Moved("recess_diameter", scale=2.0),
+        "bore_radius": Moved("inner_diameter", scale=2.0),
+    }
+
     length: Annotated[float, si("m", "1 mm", "1 m")] = Field(description="Length of the cylindrical heel L.")
-    radius: Radius = Field(description="Radius of the heel r1.")
-    recess_radius: Radius = Field(description="Outer radius of the recess r3.")
-    bore_radius: Radius = Field(description="Radius of the bore that feeds the recess r2.")
+    diameter: Diameter = Field(description="Diameter of the heel, 2 r1.")
+    recess_diameter: Diameter = Field(description="Outer diameter of the recess, 2 r3.")
+    inner_diameter: Diameter = Field(description="Diameter of the bore that feeds the recess, 2 r2.")
     recess_depth: Annotated[float, si("m", "0.01 mm", "100 mm")] = Field(description="Depth of the recess H.")
 
     @rule
     def _radii_in_order(self) -> Iterator[Issue]:
-        pairs = (("recess_radius", "bore_radius"), ("radius", "recess_radius"))
+        pairs = (("recess_diameter", "inner_diameter"), ("diameter", "recess_diameter"))
         for larger, smaller in pairs:
             if not getattr(self, larger) > getattr(self, smaller):
                 says = f"{smaller} is {written(getattr(self, smaller), 'mm')}, not less than {larger}"
-                yield Issue((smaller,), says, "bore_radius < recess_radius < radius")
+                yield Issue((smaller,), says, "inner_diameter < recess_diameter < diameter")
 
 
 class GroovePart(Part):
@@ -53,13 +60,10 @@ class GroovePart(Part):
 
 
 class FootstepOilInput(Part):
-    """Oil whose viscosity falls exponentially: mu = viscosity exp(-exponent (T - temperature))."""
+    """Oil whose viscosity falls exponentially: mu = viscosity exp(-exponent (T - supply.temperature))."""
 
     viscosity: Annotated[float, si("Pa s", "0.01 mPa s", "1000 Pa s")] = Field(
-        description="Dynamic viscosity at the temperature."
-    )
-    temperature: Annotated[float, si("K", "-60 degC", "300 degC")] = Field(
-        description="Temperature of the oil that comes in, in the bore and at the groove inlet."
+        description="Dynamic viscosity at supply.temperature."
     )
     viscosity_exponent: Annotated[float, si("1/K", "0 1/K", "0.2 1/K")] = Field(
         description="Exponent of the viscosity; 0 for a viscosity that does not change."
@@ -69,6 +73,19 @@ class FootstepOilInput(Part):
     )
     density: Annotated[float, si("kg/m3", "400 kg/m3", "2000 kg/m3")] = Field(
         880.0, description="Density, for Reynolds numbers, entry loss and centrifugal pressure."
+    )
+
+
+class FootstepSupply(Part):
+    """Oil that comes in."""
+
+    example: ClassVar[str] = "{temperature: 25 degC, pressure: 0.63 MPa}"
+
+    temperature: Annotated[float, si("K", "-60 degC", "300 degC")] = Field(
+        description="Temperature of the oil that comes in, in the bore and at the groove inlet."
+    )
+    pressure: Annotated[float, si("Pa", "1 Pa", "500 MPa")] = Field(
+        description="Pressure in the recess p2; absolute, or as `pressures` says."
     )
 
 

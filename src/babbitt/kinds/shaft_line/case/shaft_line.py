@@ -9,6 +9,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
+from babbitt.case.aliases import FormerWords
 from babbitt.case.case_file import CaseFile
 from babbitt.case.part import Issue, Part, exactly_one, rule
 from babbitt.case.parts.fields import Name, WholeNumber
@@ -21,7 +22,7 @@ from babbitt.kinds.shaft_line.line import Rod, Seating, ShaftLine
 from babbitt.kinds.shaft_line.methods import FREQUENCY_DOMAIN
 from babbitt.kinds.thrust.case.runout import RUNOUT, RunoutInput, given_twice, waves_given_twice
 from babbitt.kinds.thrust.case.thrust import Thrust, ThrustBearingInputs, written
-from babbitt.kinds.thrust.case.thrust_pads import Damping, PartMass, Stiffness
+from babbitt.kinds.thrust.case.thrust_pads import Damping, PartMass, Stiffness, ThrustLimits
 from babbitt.kinds.thrust.design import PrescribedThrust
 
 Weight = Annotated[float, si("kg", "0.1 kg", "10000 t")]
@@ -39,9 +40,11 @@ class Propeller(Part):
 class ShaftPiece(Part):
     """A uniform piece of shaft."""
 
+    former_words: ClassVar[FormerWords] = {"bore": "inner_diameter"}
+
     length: Annotated[float, si("m", "1 mm", "500 m")] = Field(description="Length.")
     diameter: Annotated[float, si("m", "1 mm", "5 m")] = Field(description="Outer diameter.")
-    bore: Annotated[float, si("m", "0 mm", "5 m")] = Field(0.0, description="Diameter of the bore.")
+    inner_diameter: Annotated[float, si("m", "0 mm", "5 m")] = Field(0.0, description="Diameter of the bore.")
     modulus: Annotated[float, si("Pa", "1 GPa", "1000 GPa")] = Field(206e9, description="Young's modulus.")
     density: Annotated[float, si("kg/m3", "100 kg/m3", "30000 kg/m3")] = Field(7850.0, description="Density.")
     end_mass: PartMass = Field(
@@ -51,16 +54,16 @@ class ShaftPiece(Part):
 
     @rule
     def _bore_inside(self) -> Iterator[Issue]:
-        if self.bore >= self.diameter:
+        if self.inner_diameter >= self.diameter:
             yield Issue(
-                ("bore",),
-                f"the bore {written_plainly(self.bore, 'mm')} leaves nothing of the shaft",
+                ("inner_diameter",),
+                f"the bore {written_plainly(self.inner_diameter, 'mm')} leaves nothing of the shaft",
                 f"less than {written_plainly(self.diameter, 'mm')}",
             )
 
     def rod(self) -> Rod:
         """Give the rod of the calculation."""
-        area = 0.25 * math.pi * (self.diameter**2 - self.bore**2)
+        area = 0.25 * math.pi * (self.diameter**2 - self.inner_diameter**2)
         return Rod(self.length, area, self.modulus, self.density)
 
 
@@ -119,13 +122,13 @@ class SpeedRange(Part):
         return tuple(self.lowest + step * k for k in range(self.number))
 
 
-class LineLimits(Part):
-    """Admissible values of the motion."""
+class LineLimits(ThrustLimits):
+    """Limits in place of those by experience, and the admissible motion."""
 
     example: ClassVar[str] = "{axial_amplitude: 200 um}"
 
-    axial_amplitude: Annotated[float, si("m", "0.1 um", "10 mm", "um")] = Field(
-        description="Admissible amplitude of axial vibration along the shaft, half of peak to peak."
+    axial_amplitude: Annotated[float, si("m", "0.1 um", "10 mm", "um")] | None = Field(
+        None, description="Admissible amplitude of axial vibration along the shaft, half of peak to peak."
     )
 
 
@@ -134,7 +137,7 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
 
     kind: Literal["thrust_line"] = Field(description="Axial vibration of a shaft line on its thrust bearing.")
     name: Name = Field(description="Name of the line.")
-    thrust: Thrust = Field(description="Steady thrust, F_0.")
+    load: Thrust = Field(description="Steady thrust, F_0.")
     propeller: Propeller | None = Field(
         None, description="The propeller. None: the shaft ends free, as that of a feed pump."
     )
@@ -150,7 +153,7 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
     loss_limit: Annotated[float, si("1", "0.01", "5")] | None = Field(
         None, description="Limit of dynamic over mean static pad load. None: 50 %, usual in industry."
     )
-    limits: LineLimits | None = Field(None, description="Admissible values besides film_limit and loss_limit.")
+    limits: LineLimits | None = Field(None, description="Limits of your own besides loss_limit.")
     speeds: SpeedRange | None = Field(None, description="Speeds of a Campbell map. None: no map.")
     nonlinear: bool = Field(
         False, description="Solve the nonlinear motion, too: takes seconds, and needs plane laminar pads."
@@ -228,7 +231,7 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
             if self.seating is None
             else Seating(self.seating.stiffness, self.seating.damping, self.seating.housing_mass),
         )
-        given = self.design(self.name, PrescribedThrust(self.thrust), self.runout)
+        given = self.design(self.name, PrescribedThrust(self.load), self.runout)
         from dataclasses import replace
 
         return LineDesign(
@@ -246,7 +249,7 @@ class ThrustLineCase(ThrustBearingInputs, CaseFile):
     def _thrust_harmonic(self, one: ThrustRipple) -> ThrustHarmonic:
         blades = 1 if self.propeller is None else self.propeller.blades
         order = one.order if one.order is not None else float(blades * (one.blade_multiple or 1))
-        amplitude = one.amplitude if one.amplitude is not None else (one.share or 0.0) * self.thrust
+        amplitude = one.amplitude if one.amplitude is not None else (one.share or 0.0) * self.load
         return ThrustHarmonic(order, amplitude, one.phase)
 
 
@@ -260,7 +263,7 @@ def _words(case: ThrustLineCase) -> Iterator[tuple[str, str]]:
         f"damping {written(propeller.damping, 'kN s/m')}",
     )
     for place, piece in enumerate(case.shaft, start=1):
-        bore = f", bore {written(piece.bore, 'mm')}" if piece.bore else ""
+        bore = f", bore {written(piece.inner_diameter, 'mm')}" if piece.inner_diameter else ""
         mass = f", then {written(piece.end_mass, 'kg')}" if piece.end_mass else ""
         yield (
             f"Shaft, piece {place}",

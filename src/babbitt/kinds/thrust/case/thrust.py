@@ -5,22 +5,32 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field
 
+from babbitt.case.aliases import FormerWords
 from babbitt.case.case_file import CaseFile
 from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.part import Issue, Part, exactly_one, not_read, rule
 from babbitt.case.parts.fields import Name, Prose
+from babbitt.case.parts.lubricant import LubricantInput
+from babbitt.case.parts.supply import SuppliedAt
 from babbitt.core.notices import InputError, Notice
 from babbitt.core.solution import Calculation
 from babbitt.core.units import either_sense, si
 from babbitt.core.units import written as written_plainly
 from babbitt.kinds.thrust.bearing import HousingTilt, ThrustBearing
 from babbitt.kinds.thrust.case.runout import RUNOUT, Runout, RunoutInput, describe_runout, waves_given_twice
-from babbitt.kinds.thrust.case.thrust_oil import OilByBalance, PrescribedViscosity, ThrustOil
-from babbitt.kinds.thrust.case.thrust_pads import PadMaterials, Stiffness, ThrustPads, Tilt, TiltingPivot
+from babbitt.kinds.thrust.case.thrust_oil import OilByBalance, PrescribedViscosity, ThrustOil, issues_of
+from babbitt.kinds.thrust.case.thrust_pads import (
+    PadMaterials,
+    Stiffness,
+    ThrustLimits,
+    ThrustPads,
+    Tilt,
+    TiltingPivot,
+)
 from babbitt.kinds.thrust.design import PrescribedFilm, PrescribedThrust, ThrustDesign
 from babbitt.kinds.thrust.methods import THRUST_FILM
 from babbitt.kinds.thrust.pad import Pivot, ThrustPad
@@ -40,13 +50,28 @@ INERTIAS = ("pads.inertia_radial", "pads.inertia_along")
 class ThrustBearingInputs(Part):
     """What bearing and oil of a thrust bearing are, alone or in a shaft line."""
 
+    former_words: ClassVar[FormerWords] = {
+        "thrust": "load",
+        "oil.lubricant": "lubricant",
+        "oil.supply_temperature": "supply.temperature",
+        "film_limit": "limits.minimum_film_thickness",
+        "temperature_limit": "limits.temperature",
+    }
+
     pads: ThrustPads = Field(description="The pads.")
     speed: Annotated[float, either_sense("rad/s", "0.01 rpm", "1000000 rpm")] = Field(
         description="Speed of the collar, positive counter-clockwise, towards growing pad numbers. Negative: "
         "the pads "
         "run backward."
     )
-    oil: ThrustOil = Field(description="How viscous the films are.")
+    lubricant: LubricantInput | None = Field(
+        None, description="The lubricant; needed unless the viscosity of the films is given."
+    )
+    supply: SuppliedAt | None = Field(None, description="Fresh oil; needed with oil of kind heat_balance.")
+    oil: ThrustOil = Field(
+        default_factory=lambda: OilByBalance(kind="heat_balance"),
+        description="How viscous the films are. By their heat balance if not given.",
+    )
     thermal: Literal["isothermal", "global", "adiabatic"] | None = Field(
         None,
         description="Temperature of the films: one that is given (isothermal, with oil of kind viscosity or "
@@ -64,14 +89,7 @@ class ThrustBearingInputs(Part):
     tilt: Tilt | None = Field(None, description="Tilt of the housing against the collar.")
     turbulence: Literal["none", "ng_pan", "constantinescu"] = Field("none", description="Turbulence of the films.")
     materials: PadMaterials | None = Field(None, description="Materials of the pads.")
-    temperature_limit: Annotated[float, si("K", "20 degC", "250 degC")] | None = Field(
-        None,
-        description="Greatest permissible temperature of the hottest oil known. None: what experience allows at "
-        "the outlet, and the limit of the bearing metal.",
-    )
-    film_limit: Annotated[float, si("m", "0.1 um", "1 mm", "um")] | None = Field(
-        None, description="Least film permitted. None: 10 um, an assumption."
-    )
+    limits: ThrustLimits | None = Field(None, description="Limits of your own.")
     assumptions: tuple[Prose, ...] = Field(
         (), max_length=100, description="Assumptions to be shown in the report."
     )
@@ -136,11 +154,15 @@ class ThrustBearingInputs(Part):
             )
 
     @rule
+    def _oil_is_known(self) -> Iterator[Issue]:
+        yield from issues_of(self.oil, self.lubricant, None if self.supply is None else self.supply.temperature)
+
+    @rule
     def _thermal_goes_with_the_oil(self) -> Iterator[Issue]:
         balance = isinstance(self.oil, OilByBalance)
         if self.thermal in ("global", "adiabatic") and not balance:
             says = f"thermal: {self.thermal} finds the temperature from friction and fresh oil"
-            yield Issue(("oil", "kind"), says, "heat_balance, with lubricant and supply_temperature")
+            yield Issue(("oil", "kind"), says, "heat_balance, with lubricant and supply.temperature")
         if self.thermal == "isothermal" and balance:
             says = "an isothermal film needs its viscosity or temperature, oil of kind heat_balance finds it"
             yield Issue(("oil", "kind"), says, "viscosity or temperature, or thermal: global")
@@ -156,11 +178,11 @@ class ThrustBearingInputs(Part):
         """Give the laminar pad of the calculation, seen by a collar that turns forward."""
         pads, pivot = self.pads, self.pads.pivot
         tilting = pivot if isinstance(pivot, TiltingPivot) else None
+        radii = pads.radii()
         pad = ThrustPad(
-            pads.inner_radius,
-            pads.outer_radius,
+            *radii,
             pads.extent,
-            tilting.radius if tilting else 0.5 * (pads.inner_radius + pads.outer_radius),
+            tilting.radius if tilting else 0.5 * sum(radii),
             tilting.fraction if tilting else 0.5,
             Pivot(tilting.kind) if tilting else Pivot.FIXED,
             pads.plane_or_face(),
@@ -174,7 +196,8 @@ class ThrustBearingInputs(Part):
         """Give the bearing of the calculation."""
         pads = self.pads
         law = LAWS.get(self.turbulence)
-        oil = self.oil.oil()
+        oil = self.oil.oil(self.lubricant, None if self.supply is None else self.supply.temperature)
+        limits = self.limits or ThrustLimits()
         if self.thermal == "adiabatic":
             oil = replace(oil, own_temperatures=True, resolved=self.radial_temperature == "resolved")
         turbulence = None
@@ -200,9 +223,9 @@ class ThrustBearingInputs(Part):
             abs(self.speed),
             oil,
             tuple(one.harmonic() for one in runouts),
-            USUAL_FILM_LIMIT if self.film_limit is None else self.film_limit,
-            "assumption: 10 µm" if self.film_limit is None else "given in the case",
-            TemperatureLimits(self.temperature_limit, None if self.materials is None else self.materials.metal()),
+            USUAL_FILM_LIMIT if limits.minimum_film_thickness is None else limits.minimum_film_thickness,
+            "assumption: 10 µm" if limits.minimum_film_thickness is None else "given in the case",
+            TemperatureLimits(limits.temperature, None if self.materials is None else self.materials.metal()),
             law,
             (*words_of(self), *describe_runout(runouts)),
             self.assumptions,
@@ -218,7 +241,8 @@ class ThrustBearingInputs(Part):
             yield from not_read(self, "pads on a line pivot do not tilt along the radius", INERTIAS[0])
         if isinstance(self.oil, PrescribedViscosity):
             why = "the viscosity of the films is given, and no temperature is known that could be held against it"
-            yield from not_read(self, why, "temperature_limit")
+            yield from not_read(self, why, "limits.temperature")
+            yield from not_read(self, "the viscosity of the films is given", "lubricant", "supply.temperature")
 
     def _assumed_crown(self) -> Iterator[Notice]:
         """Tell of the crown that plane pads on a pivot in their middle are taken to have."""
@@ -235,15 +259,15 @@ class ThrustCase(ThrustBearingInputs, CaseFile):
 
     kind: Literal["thrust"] = Field(description="One thrust bearing.")
     name: Name = Field(description="Name of the bearing.")
-    thrust: Thrust | None = Field(None, description="Thrust F_0, in place of the film.")
+    load: Thrust | None = Field(None, description="Thrust F_0, in place of the film.")
     film: Annotated[float, si("m", "0.1 um", "5 mm", "um")] | None = Field(
-        None, description="Mean film at the pivots, in place of the thrust, which is then found."
+        None, description="Mean film at the pivots, in place of the load, which is then found."
     )
     runout: RunoutInput = Field((), max_length=20, description=RUNOUT)
 
     @rule
-    def _thrust_or_film(self) -> Iterator[Issue]:
-        yield from exactly_one(self, "thrust", "film")
+    def _load_or_film(self) -> Iterator[Issue]:
+        yield from exactly_one(self, "load", "film")
 
     @rule
     def _every_wave_once(self) -> Iterator[Issue]:
@@ -260,7 +284,7 @@ class ThrustCase(ThrustBearingInputs, CaseFile):
 
     def thrust_design(self) -> ThrustDesign:
         """Give the bearing of the calculation."""
-        duty = PrescribedFilm(self.film) if self.film is not None else PrescribedThrust(self.thrust or 0.0)
+        duty = PrescribedFilm(self.film) if self.film is not None else PrescribedThrust(self.load or 0.0)
         return self.design(self.name, duty, self.runout)
 
 
@@ -272,11 +296,12 @@ def written(value: float, unit: str) -> str:
 def words_of(case: ThrustBearingInputs) -> Iterator[tuple[str, str]]:
     """Tell how a case gave its numbers."""
     pads, pivot = case.pads, case.pads.pivot
+    inner, outer = pads.radii()
     yield (
         "Pads",
         (
-            f"{pads.number} of {written(pads.extent, 'deg')}, radii {written(pads.inner_radius, 'mm')} to "
-            f"{written(pads.outer_radius, 'mm')}"
+            f"{pads.number} of {written(pads.extent, 'deg')}, radii {written(inner, 'mm')} to "
+            f"{written(outer, 'mm')}"
         ),
     )
     if isinstance(pivot, TiltingPivot):

@@ -7,13 +7,14 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field
 
-from babbitt.case.part import Issue, Part, rule
+from babbitt.case.error_messages import MISSING
+from babbitt.case.part import Issue, Part
 from babbitt.case.parts.lubricant import LubricantInput
 from babbitt.case.parts.supply import OilTemperature
 from babbitt.core.units import ZERO_CELSIUS, si
 from babbitt.kinds.thrust.design import Oil
 from babbitt.kinds.thrust.heat import USUAL_CARRY_OVER
-from babbitt.properties.lubricants import ConstantViscosity, OilProperties, lubricant_from_law
+from babbitt.properties.lubricants import ConstantViscosity, Lubricant, OilProperties, lubricant_from_law
 
 
 class PrescribedViscosity(Part):
@@ -25,7 +26,7 @@ class PrescribedViscosity(Part):
         880.0, description="Density, which only the Reynolds number needs."
     )
 
-    def oil(self) -> Oil:
+    def oil(self, lubricant: LubricantInput | None, supplied_at: float | None) -> Oil:
         """Give the oil of the calculation."""
         name = f"oil of {1e3 * self.viscosity:.4g} mPa s"
         known = OilProperties(density=self.density)
@@ -36,24 +37,17 @@ class OilAtTemperature(Part):
     """The effective temperature of the films is known."""
 
     kind: Literal["temperature"] = Field(description="Temperature of the films is given.")
-    lubricant: LubricantInput = Field(description="The lubricant.")
     temperature: OilTemperature = Field(description="Effective temperature of the films.")
 
-    @rule
-    def _oil_known_there(self) -> Iterator[Issue]:
-        yield from _covered(self.lubricant, self.temperature, "temperature")
-
-    def oil(self) -> Oil:
+    def oil(self, lubricant: LubricantInput | None, supplied_at: float | None) -> Oil:
         """Give the oil of the calculation."""
-        return Oil(self.lubricant.lubricant(), effective_temperature=self.temperature)
+        return Oil(_known(lubricant), effective_temperature=self.temperature)
 
 
 class OilByBalance(Part):
     """The effective temperature follows from friction and flow."""
 
     kind: Literal["heat_balance"] = Field(description="Temperature of each pad by its heat balance.")
-    lubricant: LubricantInput = Field(description="The lubricant.")
-    supply_temperature: OilTemperature = Field(description="Temperature of the fresh oil.")
     carry_over: Annotated[float, si("1", "0", "0.99")] = Field(
         USUAL_CARRY_OVER,
         description="Share of the hot oil leaving a pad over its trailing edge that enters the next one. 0.75 "
@@ -61,23 +55,39 @@ class OilByBalance(Part):
         "assumption; 0.7 to 0.9 are found at usual speeds, less with sprayed or scraped grooves.",
     )
 
-    @rule
-    def _oil_known_there(self) -> Iterator[Issue]:
-        yield from _covered(self.lubricant, self.supply_temperature, "supply_temperature")
-
-    def oil(self) -> Oil:
+    def oil(self, lubricant: LubricantInput | None, supplied_at: float | None) -> Oil:
         """Give the oil of the calculation."""
-        return Oil(
-            self.lubricant.lubricant(), supply_temperature=self.supply_temperature, carry_over=self.carry_over
-        )
+        return Oil(_known(lubricant), supply_temperature=supplied_at, carry_over=self.carry_over)
 
 
-def _covered(given: LubricantInput, temperature: float, name: str) -> Iterator[Issue]:
+def _known(lubricant: LubricantInput | None) -> Lubricant:
+    if lubricant is None:
+        raise ValueError("a case that was not validated: the lubricant is missing")
+    return lubricant.lubricant()
+
+
+def issues_of(oil: ThrustOil, lubricant: LubricantInput | None, supplied_at: float | None) -> Iterator[Issue]:
+    """Complain of a lubricant or a temperature that is missing, or that do not go together."""
+    if isinstance(oil, PrescribedViscosity):
+        return
+    if lubricant is None:
+        hint = "needed: The lubricant, such as ISO VG 100"
+        yield Issue(("lubricant",), MISSING, hint=hint, code="E003")
+    if isinstance(oil, OilByBalance) and supplied_at is None:
+        hint = "needed: Temperature of the fresh oil, such as '45 degC'"
+        yield Issue(("supply", "temperature"), MISSING, hint=hint, code="E003")
+    if lubricant is not None and isinstance(oil, OilAtTemperature):
+        yield from _covered(lubricant, oil.temperature, "oil", "temperature")
+    if lubricant is not None and isinstance(oil, OilByBalance) and supplied_at is not None:
+        yield from _covered(lubricant, supplied_at, "supply", "temperature")
+
+
+def _covered(given: LubricantInput, temperature: float, *path: str) -> Iterator[Issue]:
     oil = given.lubricant()
     if not oil.covers(temperature):
         low, high = (kelvin - ZERO_CELSIUS for kelvin in oil.temperature_range)
         yield Issue(
-            (name,),
+            path,
             f"{temperature - ZERO_CELSIUS:.4g} degC lies outside the data of {oil.name}",
             f"{low:.4g} degC to {high:.4g} degC",
             code="E006",

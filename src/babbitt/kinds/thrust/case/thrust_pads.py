@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Discriminator, Field
 
+from babbitt.case.aliases import FormerWords, Moved
 from babbitt.case.part import Issue, Part, rule
 from babbitt.case.parts.fields import WholeNumber
 from babbitt.case.parts.materials import MetalInput
@@ -16,6 +17,7 @@ from babbitt.kinds.thrust.face import PlaneFace, SteppedFace, TaperedFace
 from babbitt.kinds.thrust.thermal_crown import thermal_crown
 from babbitt.properties.materials import BearingMetal
 
+Diameter = Annotated[float, si("m", "2 mm", "20 m")]
 Radius = Annotated[float, si("m", "1 mm", "10 m")]
 Share = Annotated[float, si("1", "0.01", "0.99")]
 Depth = Annotated[float, si("m", "0.1 um", "10 mm", "um")]
@@ -74,9 +76,14 @@ FaceInput = Annotated[TaperFace | StepFace, Discriminator("kind")]
 class ThrustPads(Part):
     """Equal pads on a ring."""
 
+    former_words: ClassVar[FormerWords] = {
+        "inner_radius": Moved("inner_diameter", scale=2.0),
+        "outer_radius": Moved("outer_diameter", scale=2.0),
+    }
+
     number: Annotated[int, WholeNumber(2, 100)] = Field(description="Number of pads.")
-    inner_radius: Radius = Field(description="Inner radius of the pads.")
-    outer_radius: Radius = Field(description="Outer radius of the pads.")
+    inner_diameter: Diameter = Field(description="Inner diameter of the pads.")
+    outer_diameter: Diameter = Field(description="Outer diameter of the pads.")
     extent: Annotated[float, si("rad", "1 deg", "179 deg")] = Field(description="Angle of one pad.")
     pivot: PivotInput = Field(description="How a pad may move.")
     face: FaceInput | None = Field(None, description="What is taken off the face. None: plane.")
@@ -95,12 +102,12 @@ class ThrustPads(Part):
 
     @rule
     def _radii_in_order(self) -> Iterator[Issue]:
-        if self.outer_radius <= self.inner_radius:
+        if self.outer_diameter <= self.inner_diameter:
             yield Issue(
-                ("outer_radius",),
-                f"{written(self.outer_radius, 'mm')} is not beyond inner_radius "
-                f"{written(self.inner_radius, 'mm')}",
-                f"more than {written(self.inner_radius, 'mm')}",
+                ("outer_diameter",),
+                f"{written(self.outer_diameter, 'mm')} is not beyond inner_diameter "
+                f"{written(self.inner_diameter, 'mm')}",
+                f"more than {written(self.inner_diameter, 'mm')}",
                 "are the two exchanged?",
             )
 
@@ -117,13 +124,13 @@ class ThrustPads(Part):
     @rule
     def _pivot_under_the_pad(self) -> Iterator[Issue]:
         pivot = self.pivot
-        in_order = self.inner_radius < self.outer_radius
-        beside = isinstance(pivot, TiltingPivot) and not self.inner_radius < pivot.radius < self.outer_radius
-        if isinstance(pivot, TiltingPivot) and in_order and beside:
+        inner, outer = self.radii()
+        beside = isinstance(pivot, TiltingPivot) and not inner < pivot.radius < outer
+        if isinstance(pivot, TiltingPivot) and inner < outer and beside:
             yield Issue(
                 ("pivot", "radius"),
                 f"the pivot at {written(pivot.radius, 'mm')} is not under the pad",
-                f"between {written(self.inner_radius, 'mm')} and {written(self.outer_radius, 'mm')}",
+                f"between {written(inner, 'mm')} and {written(outer, 'mm')}",
             )
 
     @rule
@@ -144,6 +151,10 @@ class ThrustPads(Part):
                 "a face of kind taper or step, a crown, or a pivot",
             )
 
+    def radii(self) -> tuple[float, float]:
+        """Give the inner and the outer radius, m."""
+        return 0.5 * self.inner_diameter, 0.5 * self.outer_diameter
+
     @property
     def crowned_by_heat(self) -> bool:
         """Whether plane pads on a pivot in their middle are taken to carry by the crown that heat gives them."""
@@ -155,7 +166,7 @@ class ThrustPads(Part):
         """Give the crown of the calculation, m: as given, or as heat makes it."""
         if not self.crowned_by_heat:
             return self.crown
-        return thermal_crown(0.5 * (self.inner_radius + self.outer_radius) * self.extent)
+        return thermal_crown(0.5 * sum(self.radii()) * self.extent)
 
     def plane_or_face(self) -> PlaneFace | TaperedFace | SteppedFace:
         """Give the face of the calculation."""
@@ -169,7 +180,7 @@ class PadMaterials(Part):
 
     bearing_metal: MetalInput | None = Field(
         None,
-        description="Bearing metal of the faces. None: B83, an assumption, unless temperature_limit is given.",
+        description="Bearing metal of the faces. None: B83, an assumption, unless limits.temperature is given.",
     )
 
     def metal(self) -> BearingMetal | None:
@@ -177,12 +188,26 @@ class PadMaterials(Part):
         return None if self.bearing_metal is None else self.bearing_metal.metal()
 
 
+class ThrustLimits(Part):
+    """Limits in place of those by experience."""
+
+    example: ClassVar[str] = "{minimum_film_thickness: 10 um, temperature: 100 degC}"
+
+    minimum_film_thickness: Annotated[float, si("m", "0.1 um", "1 mm", "um")] | None = Field(
+        None, description="Least film permitted. None: 10 um, an assumption."
+    )
+    temperature: Annotated[float, si("K", "20 degC", "250 degC")] | None = Field(
+        None,
+        description="Greatest permissible temperature of the hottest oil known. None: what experience allows at "
+        "the outlet, and the limit of the bearing metal.",
+    )
+
+
 class Tilt(Part):
     """Tilt of the housing against the collar."""
 
     offset: Annotated[float, si("m", "0 um", "10 mm", "um")] = Field(
-        description="Axial departure at the outer radius of the pads, e_o: half the difference across the "
-        "diameter."
+        description="Axial departure at the outer edge of the pads, e_o: half the difference across the diameter."
     )
     direction: Annotated[float, si("rad", "-360 deg", "360 deg")] = Field(
         0.0, description="Where the housing comes closest to the collar, counter-clockwise from pad 1."
