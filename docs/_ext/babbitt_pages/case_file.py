@@ -10,6 +10,7 @@ from typing import Any
 from pydantic import TypeAdapter
 
 from babbitt.case import any_case
+from babbitt.case.aliases import FormerWords
 from babbitt.case.part import Part
 from babbitt.core.units import KINDS, Kind, written
 from babbitt_pages.markdown import anchor, code, table, text
@@ -34,6 +35,7 @@ class Section:
     schema: Schema
     reached_by: list[str] = field(default_factory=list)
     family: str = ""
+    former_words: FormerWords = field(default_factory=dict)
 
     @property
     def fields(self) -> Schema:
@@ -83,11 +85,11 @@ def sections() -> list[Section]:
             return
         family = _family(parts[name])
         described = definitions[name] if name in definitions else parts[name].model_json_schema()
-        found[name] = Section(name, described, [through] if through else [], family)
+        found[name] = Section(name, described, [through] if through else [], family, parts[name].former_words)
         if family:
             visit(family, "")
         for field_name, one in described["properties"].items():
-            if not family or field_name not in parts[family].model_fields:
+            if not family or found[family].fields.get(field_name) != one:
                 for target in _targets(one):
                     visit(target, field_name)
 
@@ -138,7 +140,17 @@ def _section(section: Section, known: dict[str, Section]) -> str:
         heading = family.heading.replace("Fields of", "fields of")
         description += f" It has the {heading if heading.startswith('fields') else 'fields of ' + heading} "
         description += f"([see there](#{family.label})), and:"
-    return f"{anchor(section.label)}## {section.heading}\n\n{description}\n\n{body}"
+    return f"{anchor(section.label)}## {section.heading}\n\n{description}\n\n{body}{_former_words(section)}"
+
+
+def _former_words(section: Section) -> str:
+    """What a mapping called some of its fields before, which is still read."""
+    named = [
+        f"{code(former)} (now {code(one if isinstance(one, str) else one.to)})"
+        for former, one in section.former_words.items()
+        if former != (one if isinstance(one, str) else one.to).partition(".")[0]
+    ]
+    return f"\nFormer words, still read: {', '.join(named)}.\n" if named else ""
 
 
 def _rank(one: tuple[str, Schema]) -> int:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import typing
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from pydantic_core import ErrorDetails, InitErrorDetails, PydanticCustomError
 
 from babbitt.case.shorthand import Shorthand
+from babbitt.case.suggestions import meant_field, near_typo
 from babbitt.core.units import QuantityError, SiField
 
 if TYPE_CHECKING:
@@ -91,7 +91,8 @@ def misspelt(cls: type[Part], given: Any, found: Iterable[ErrorDetails]) -> froz
     meant: set[str] = set()
     for details in found:
         if details["type"] == "extra_forbidden" and len(details["loc"]) == 1:
-            meant |= set(_near(str(details["loc"][0]), cls.model_fields))
+            meant.add(meant_field(str(details["loc"][0]), cls).partition(".")[0])
+    meant.discard("")
     return frozenset(meant.difference(given if isinstance(given, Mapping) else ()))
 
 
@@ -124,12 +125,11 @@ def shown(given: object) -> str:
 
 def nearest(name: str, known: Iterable[str]) -> str:
     """Give a hint at the known name nearest to what was written, empty if none is near."""
-    close = _near(name, known)
-    return f"did you mean '{close[0]}'?" if close else ""
+    return _asked(near_typo(name, known))
 
 
-def _near(name: str, known: Iterable[str]) -> list[str]:
-    return difflib.get_close_matches(name.lower().replace("-", "_").replace(" ", "_"), known, n=1, cutoff=0.6)
+def _asked(meant: str) -> str:
+    return f"did you mean '{meant}'?" if meant else ""
 
 
 def _listed(names: Iterable[str]) -> str:
@@ -147,7 +147,7 @@ def _say(cls: type[Part], path: Path, details: ErrorDetails) -> tuple[str, str, 
         case "missing":
             return MISSING, "", _described(cls, name)
         case "extra_forbidden":
-            hint = nearest(name, cls.model_fields)
+            hint = _asked(meant_field(name, cls))
             return "is not a field here", "" if hint else _listed(cls.model_fields), hint
         case "union_tag_not_found" | "union_tag_invalid":
             return _say_branch(cls, path, given)
