@@ -275,8 +275,10 @@ def test_objects_are_shown_in_few_lines(bearing):
 def test_clearances_say_their_kind(bearing):
     assert bearing.replace(clearance=bb.fit("H7/e8")) == bearing
     diametral = bearing.replace(clearance=bb.diametral_clearance("130 um"))
-    assert bearing.replace(clearance=bb.radial_clearance("65 um")) == diametral
-    assert bearing.replace(clearance=bb.radial_clearance(65e-6)).clearance.mean == pytest.approx(130e-6)
+    radial = bearing.replace(clearance=bb.radial_clearance("65 um"))
+    assert radial.clearance.mean == bearing.replace(clearance=bb.radial_clearance(65e-6)).clearance.mean == 65e-6
+    both = [one.clearance.at_20_degrees(one.diameter).mean for one in (radial, diametral)]
+    assert both[0] == pytest.approx(both[1], rel=1e-15)
     assert bearing.replace(clearance=bb.relative_clearance("1.5 permille")).clearance.mean == 1.5e-3
     for bare in ("65 um", 65e-6):
         with pytest.raises(bb.CaseError):

@@ -58,6 +58,11 @@ def changed(base, path, value):
     return made
 
 
+def tolerated(base):
+    """A case with limits of its clearance."""
+    return changed(changed(base, "clearance.minimum", "20 um"), "clearance.maximum", "210 um")
+
+
 OF_THRUST = {
     "pads.face": {"kind": "taper", "depth": "30 um", "fraction": 0.5},
     "pads.crown": "8 um",
@@ -73,6 +78,7 @@ OF_THRUST = {
     "turbulence": "ng_pan",
     "materials": {},
     "materials.bearing_metal": "SnSb12Cu6Pb",
+    "limits": {"minimum_film_thickness": "15 um"},
     "limits.temperature": "95 degC",
     "limits.minimum_film_thickness": "12 um",
     "supply.temperature": "50 degC",
@@ -90,6 +96,7 @@ OF_ALL_RECESSES = {
     "restrictor.tubes": 2,
     "restrictor.entry_loss": 2.24,
     "restrictor.viscosity": "25 mPa s",
+    "oil": {"viscosity": "40 mPa s"},
     "oil.viscosity": "25 mPa s",
     "oil.density": "900 kg/m3",
     "oil.heat_capacity": "1800 J/(kg K)",
@@ -102,12 +109,14 @@ OF_ALL_RECESSES = {
     "supply.pump_efficiency": 0.7,
     "supply.manifold_volume": "10 mL",
     "frequencies": ["50 Hz"],
+    "limits": {"minimum_film_thickness": "30 um"},
     "limits.minimum_film_thickness": "12 um",
     "speed": "700 rpm",
     "load": "9 kN",
     "gap": "45 um",
     "assumptions": ["The runner is rigid."],
 }
+LIMITED = {"clearance.minimum": "21 um", "clearance.maximum": "200 um"}
 OF_ROWS = {
     "recesses.first": "10 deg",
     "recesses.angles": ["-90 deg", "0 deg", "90 deg", "170 deg"],
@@ -173,7 +182,8 @@ TESTED = {
     "heat balance": (
         given("thrust"),
         {"thermal": "isothermal", "oil.carry_over": 0.5, "limits.temperature": "95 degC", "pads.mass": "36 kg",
-         "supply.temperature": "50 degC"},
+         "supply": {"temperature": "48 degC"},
+ "oil": {"kind": "temperature", "temperature": "53 degC"}, "supply.temperature": "50 degC"},
     ),
     "given temperature": (
         given("thrust", oil={"kind": "temperature", "temperature": "53 degC"}),
@@ -243,6 +253,9 @@ TESTED = {
     ),
     "recess above its supply": (STARVED, {"restrictor.check_valve": True}),
     "lifted": (JACKING, OF_POCKETS),
+    "lifted in tolerances": (tolerated(JACKING), LIMITED),
+    "journal in tolerances": (tolerated(JOURNAL | QUICK), LIMITED),
+    "heel in tolerances": (tolerated(HEEL), LIMITED),
     "quickly lifted": (JACKING | QUICK, OF_POCKETS),
     "pumped up": (PUMPED, OF_POCKETS),
     "two pockets": (

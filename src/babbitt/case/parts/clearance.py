@@ -198,14 +198,18 @@ ClearanceInput = Annotated[
 ]
 
 
+LIMITS = ("clearance.minimum", "clearance.maximum")
+"""Fields that a bearing does not read that is computed at one clearance."""
+
+
 def mean_radial(clearance: ClearanceInput, diameter: float) -> float:
     """Mean radial clearance, m, of a bearing that is computed at one clearance."""
     return 0.5 * clearance.at_20_degrees(diameter).mean
 
 
 def mean_assumed(clearance: ClearanceInput, diameter: float) -> Iterator[str]:
-    """Tell the assumption of a bearing that is computed at one clearance and whose tolerances are known."""
-    if clearance.has_limits:
+    """Tell the assumption of a bearing that is computed at one clearance and given by its tolerances."""
+    if isinstance(clearance, FitClearance | LimitsClearance | DeviationsClearance):
         mean = f"{1e6 * mean_radial(clearance, diameter):.4g} µm"
         yield f"Radial clearance {mean}, the mean of its tolerances; their limits are not computed."
 

@@ -12,7 +12,7 @@ from babbitt.case.aliases import FormerWords, Moved
 from babbitt.case.case_file import CaseFile
 from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.part import Issue, not_read, rule
-from babbitt.case.parts.clearance import ClearanceInput, is_bare, mean_assumed, mean_radial
+from babbitt.case.parts.clearance import LIMITS, ClearanceInput, is_bare, mean_assumed, mean_radial
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.core.notices import Notice
 from babbitt.core.solution import Calculation
@@ -244,7 +244,8 @@ def heel_cases(case: FootstepCase) -> tuple[FootstepProblem, ...]:
 
 
 def _fields_not_read(case: FootstepCase) -> Iterator[Notice]:
-    """Tell of fields that make no difference to a smooth heel where it alone is computed."""
+    """Tell of limits of the clearance, and of what makes no difference to a smooth heel computed alone."""
+    yield from not_read(case, "the footstep is computed at its mean clearance", *LIMITS)
     if case.variants == "smooth":
         yield from not_read(
             case, "a smooth heel has no groove", "groove", *(f"options.{one}" for one in OF_GROOVES)

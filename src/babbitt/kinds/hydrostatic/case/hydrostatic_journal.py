@@ -11,7 +11,7 @@ from pydantic import Field
 
 from babbitt.case.aliases import FormerWords, Moved
 from babbitt.case.part import Issue, exactly_one, is_given, not_read, rule
-from babbitt.case.parts.clearance import ClearanceInput, mean_assumed, mean_radial
+from babbitt.case.parts.clearance import LIMITS, ClearanceInput, mean_assumed, mean_radial
 from babbitt.core.notices import Notice
 from babbitt.core.units import si
 from babbitt.kinds.hydrostatic.case.hydrostatic_file import HydrostaticFile
@@ -102,6 +102,7 @@ class HydrostaticJournalCase(HydrostaticFile):
     def _fields_not_read(self) -> Iterator[Notice]:
         """As of all hydrostatic bearings; lumped lands do not rupture."""
         yield from super()._fields_not_read()
+        yield from not_read(self, "the bearing is computed at its mean clearance", *LIMITS)
         if self.method == "quick":
             why = "lumped lands are full of oil at any pressure; only the recesses are held against it"
             yield from not_read(self, why, "cavitation_pressure")

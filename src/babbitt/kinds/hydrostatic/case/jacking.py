@@ -12,7 +12,7 @@ from babbitt.case.aliases import FormerWords, Moved
 from babbitt.case.case_file import CaseFile
 from babbitt.case.grouped_digits import about_grouped_digits
 from babbitt.case.part import Issue, is_given, not_read, refused, rule
-from babbitt.case.parts.clearance import ClearanceInput, mean_assumed, mean_radial
+from babbitt.case.parts.clearance import LIMITS, ClearanceInput, mean_assumed, mean_radial
 from babbitt.case.parts.fields import Name, Prose
 from babbitt.case.parts.own_lubricant import DynamicViscosity
 from babbitt.core.notices import Notice
@@ -96,6 +96,7 @@ class JackingPocketCase(CaseFile):
 
     def _fields_not_read(self) -> Iterator[Notice]:
         """Tell of fields that make no difference to these pockets."""
+        yield from not_read(self, "the bearing is computed at its mean clearance", *LIMITS)
         if self.method == "quick":
             yield from not_read(self, "strips around a pocket have no grid and end at no groove",
                                 "accuracy", "pockets.drain_groove")  # fmt: skip
