@@ -7,6 +7,8 @@ import pytest
 from babbitt.case import parse_case
 from babbitt.core.result import Outcome
 from babbitt.kinds.hydrostatic.heat_balance import heated
+from babbitt.properties.lubricants import lubricant
+from babbitt.report.content import content
 from babbitt.solving import solve
 
 SPINDLE = """
@@ -84,3 +86,20 @@ def test_given_viscosity_has_no_heat_balance():
     assert "energy_balance_error" not in result.values
     assert heated(parse_case(plain).design()).temperature is None
     assert math.isfinite(result.temperature_rise)
+
+
+def test_a_given_film_temperature_is_told_with_its_oil():
+    """Its viscosity is that of the oil at it; report and result named neither oil nor temperature."""
+    text = SPINDLE.format(speed=1500, oil="ISO VG 46")
+    text = text.replace("supply_temperature: 40 degC", "supply_temperature: 43 degC, film_temperature: 47 degC")
+    solutions = solve(parse_case(text))
+    (result,) = solutions.results
+    expected = lubricant("ISO VG 46").dynamic_viscosity(320.15)
+    assert result.effective_viscosity == pytest.approx(float(expected), rel=1e-12)
+    assert result.effective_temperature == pytest.approx(320.15, abs=1e-9)
+    assert result.settings["lubricant"] == "ISO VG 46"
+    assert "energy_balance_error" not in result.values  # nothing was balanced
+    (chapter,) = content(solutions)["bearings"]
+    said = {row["label"]: row["value"] for group in chapter["inputs"] for row in group["rows"]}
+    assert said["Lubricant"] == "ISO VG 46"
+    assert said["Temperature of the film, given"] == "47"

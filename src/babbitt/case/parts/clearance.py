@@ -187,9 +187,9 @@ def _fit(given: Any) -> Any:
 
 
 ClearanceInput = Annotated[
-    RadialClearance
+    RelativeClearance
+    | RadialClearance
     | DiametralClearance
-    | RelativeClearance
     | FitClearance
     | LimitsClearance
     | DeviationsClearance,

@@ -76,6 +76,8 @@ def hydrostatic_solution(case: HydrostaticCase) -> Solution:
     case, found = state.case, state.found
     outcome, message = judged(case, found)
     settings = {"method": case.method, "accuracy": case.accuracy if case.method == "film" else ""}
+    if case.oil.lubricant is not None:
+        settings["lubricant"] = case.oil.lubricant.name
     if outcome is not Outcome.CONVERGED:
         last = {"supply_pressure": found.network.supply_pressure, "minimum_film_thickness": found.minimum_gap}
         failed = Result(
@@ -95,7 +97,9 @@ def hydrostatic_solution(case: HydrostaticCase) -> Solution:
             "outlet_temperature": case.oil.supply_temperature + named["temperature_rise"],
         }
     if state.temperature is not None:
-        named |= {"effective_temperature": state.temperature, "energy_balance_error": abs(state.heat_error)}
+        named["effective_temperature"] = state.temperature
+    if case.oil.is_warmed:
+        named["energy_balance_error"] = abs(state.heat_error)
     whirl = whirl_of(case, found)
     if whirl is not None:
         named |= whirl_values(case, whirl)

@@ -37,7 +37,7 @@ class HeatedBearing:
     found : Answer
         Its state. `SearchOutcome.THERMAL_RUNAWAY` where the oil is hotter than any temperature allowed.
     temperature : float or None
-        Of the oil in the film, K; None where the viscosity is given.
+        Of the oil in the film, K, found or given; None where the viscosity is given.
     heat_error : float
         What the oil would be warmed by less what it is, over its rise.
     """
@@ -65,8 +65,8 @@ def heated(case: HydrostaticCase) -> HeatedBearing:
         off at 300 degC as a thermal runaway.
     """
     supply = case.oil.supply_temperature
-    if supply is None or case.oil.lubricant is None:
-        return HeatedBearing(case, answer(case))
+    if supply is None or not case.oil.is_warmed:
+        return HeatedBearing(case, answer(case), case.oil.film_temperature)
 
     lost: list[HeatedBearing] = []
 

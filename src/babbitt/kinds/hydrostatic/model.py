@@ -39,11 +39,13 @@ class Oil:
     heat_capacity : float
         J/(kg K).
     lubricant : Lubricant or None
-        With it the viscosity is sought at the supply temperature and the rise of the film.
+        With it the viscosity is sought at the supply temperature and the rise of the film, unless that is given.
     supply_temperature : float or None
         K.
     temperature : float or None
         K, at which the viscosity holds; None where nothing says it.
+    film_temperature : float or None
+        K, that of the film where the case gives it; None: found by the heat balance.
     """
 
     viscosity: float
@@ -52,6 +54,13 @@ class Oil:
     lubricant: Lubricant | None = None
     supply_temperature: float | None = None
     temperature: float | None = None
+    film_temperature: float | None = None
+
+    @property
+    def is_warmed(self) -> bool:
+        """Whether the heat balance finds its temperature."""
+        known = self.lubricant is not None and self.supply_temperature is not None
+        return known and self.film_temperature is None
 
     def __post_init__(self) -> None:
         positive(viscosity=self.viscosity, density=self.density, heat_capacity=self.heat_capacity)

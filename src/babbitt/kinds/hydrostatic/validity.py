@@ -138,7 +138,7 @@ def of_powers(case: HydrostaticCase, named: Mapping[str, float]) -> Iterator[Not
         given = "" if balanced else "; viscosity or temperature of the film is given, which it would then not have"
         yield Notice("W322", f"the oil would warm by {rise:.0f} K > {bound:.0f} K{given}")
     oil = case.oil
-    if oil.lubricant is not None and oil.temperature is not None:
+    if oil.is_warmed and oil.lubricant is not None and oil.temperature is not None:  # a given one: by the case
         yield from beyond_data(oil.lubricant, oil.temperature, "the film")
 
 

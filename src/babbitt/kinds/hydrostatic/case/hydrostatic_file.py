@@ -161,8 +161,8 @@ class HydrostaticFile(CaseFile):
         supplied = Oil(1.0, 1.0, 1.0, self.lubricant.lubricant(), supplied_at).at(supplied_at)
         if self.film_temperature is None:
             return supplied, supplied
-        film = supplied.at(self.film_temperature)
-        return Oil(film.viscosity, film.density, film.heat_capacity, None, supplied_at), supplied
+        film = replace(supplied.at(self.film_temperature), film_temperature=self.film_temperature)
+        return film, supplied
 
     def _beyond_data(self) -> Iterator[Notice]:
         """Tell of temperatures outside the data of the lubricant; a film's own is known with its heat balance."""

@@ -134,6 +134,8 @@ def oil_rows(case: HydrostaticCase) -> Iterator[Said]:
         yield "Specific heat", f"{oil.heat_capacity:.5g}", "J/(kg K)"
     if oil.supply_temperature is not None:
         yield "Temperature before the restrictors", f"{oil.supply_temperature - ZERO_CELSIUS:.4g}", "°C"
+    if oil.film_temperature is not None:
+        yield "Temperature of the film, given", f"{oil.film_temperature - ZERO_CELSIUS:.4g}", "°C"
 
 
 GRIDS = {"reference": "reference; full films extrapolated from it and half of its lines"}

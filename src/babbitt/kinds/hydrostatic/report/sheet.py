@@ -35,7 +35,7 @@ class HydrostaticSheet(Worksheet):
             "slide_speed": case.duty.sliding_speed,
         }
         known |= lengths(case.shape)
-        if case.oil.lubricant is None:
+        if not case.oil.is_warmed:
             known["volumetric_heat_capacity"] = case.oil.density * case.oil.heat_capacity
         super().__init__(known)
 
