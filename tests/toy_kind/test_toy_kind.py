@@ -8,7 +8,9 @@ from dataclasses import replace
 
 import plane_slider
 import pytest
+from plane_slider import view
 
+from babbitt.api.on_board import explain
 from babbitt.case import CaseError, case_schema, kinds, parse_case, template
 from babbitt.core import kind as registry
 from babbitt.core.notices import EXPLANATIONS
@@ -37,6 +39,7 @@ def test_its_closed_form_is_that_of_the_textbook():
     from plane_slider.method import load_number
 
     assert load_number(2.189) == pytest.approx(0.0267, abs=5e-5)
+    assert load_number(5.0) < 2.0 / 3.0 * load_number(2.189) < load_number(4.5)
     assert load_number(2.189) > max(load_number(2.0), load_number(2.4))
 
 
@@ -85,6 +88,34 @@ def test_the_command_line_knows_it(run, tmp_path):
     assert "plane_slider" in run("list", "kinds")[1]
 
 
+def test_a_column_may_show_its_own_quantity(run, tmp_path):
+    """Its view module is imported before the quantity is known: registering ended in KeyError."""
+    shown = {column.heading: column for column in view.CLOSED_FORM.columns}
+    (result,) = solve(parse_case(template("plane_slider"))).results
+    assert shown["a"].cells([result]) == ["2.000"]
+    (tmp_path / "slider.yaml").write_text(template("plane_slider"), encoding="utf-8")
+    heads = run("sweep", "slider.yaml", "outlet_film", "20 um, 30 um", "--csv", "-")[1].splitlines()[0]
+    assert "film_ratio" in heads
+
+
+def test_its_code_is_explained_and_questions_a_result(run):
+    text = template("plane_slider").replace("inlet_film: 60 um", "inlet_film: 160 um")
+    (result,) = solve(parse_case(text)).results
+    assert [notice.code for notice in result.warnings] == ["X101"]
+    assert result.verdict.value == "pass with remarks"
+    assert "Steep wedge" in run("explain", "x101")[1]
+
+
+def test_a_code_of_another_package_is_explained_though_no_case_named_it(monkeypatch):
+    """`explain` read the codes that ship, and none of the registered kinds."""
+    entry = type("Entry", (), {"name": "plane_slider", "load": lambda self: plane_slider.KIND})()
+    del EXPLANATIONS["X101"]
+    del registry._REGISTERED["plane_slider"]
+    monkeypatch.setattr(registry, "entry_points", lambda group: [entry])
+    registry._load_others.cache_clear()
+    assert explain("X101").title == "Steep wedge"
+
+
 ANOTHER_LOAD = (quantity("load", "L", "1", "", 4, "A number of sliders"),)
 
 
@@ -111,7 +142,7 @@ def test_a_broken_kind_of_another_package_is_named_and_the_rest_stays_usable(mon
     found = [Entry("lost", None), Entry("second", replace(plane_slider.KIND, name="second_slider"))]
     monkeypatch.setattr(registry, "entry_points", lambda group: found)
     registry._load_others.cache_clear()
-    with pytest.warns(UserWarning, match="'lost' cannot be used: no module named lost"):
+    with pytest.warns(UserWarning, match="'lost' cannot be used: ImportError: no module named lost"):
         assert registry.find_kind("second_slider") is not None
     assert registry.find_kind("journal") is not None
     assert registry.find_kind("lost") is None

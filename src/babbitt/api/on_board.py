@@ -63,9 +63,14 @@ def explain(code: str) -> Explanation:
     >>> explain("W101").title == EXPLANATIONS["W101"].title
     True
     """
-    found = EXPLANATIONS.get(code.strip().upper())
+    asked = code.strip().upper()
+    if asked not in EXPLANATIONS:
+        from babbitt.core.kind import kinds
+
+        kinds()  # those of other packages bring codes of their own
+    found = EXPLANATIONS.get(asked)
     if found is None:
-        near = get_close_matches(code.strip().upper(), EXPLANATIONS, n=4)
+        near = get_close_matches(asked, EXPLANATIONS, n=4)
         hint = f"did you mean {', '.join(near)}?" if near else f"there are: {', '.join(sorted(EXPLANATIONS))}"
         raise InputError("E005", f"no code '{printable(code)}'; {hint}")
     return found

@@ -159,4 +159,5 @@ def _load_others() -> None:
         try:
             _add(entry.load())
         except Exception as error:  # whatever another package does wrong
-            warnings.warn(f"the bearing kind {entry.name!r} cannot be used: {error}", stacklevel=2)
+            why = f"{type(error).__name__}: {error}"
+            warnings.warn(f"the bearing kind {entry.name!r} cannot be used: {why}", stacklevel=2)

@@ -21,13 +21,26 @@ class Column:
     """One column: heading, unit, and the numbers that stand in it.
 
     Of the columns that do not fit, the one with the highest `rank` is left out first; rank 0 always stays.
+    Where `quantity` names one, its symbol stands for ``{symbol}`` in the title, and the unit is its own. It is
+    looked up when the column is used: a kind's own quantities join the vocabulary after its views are imported.
     """
 
-    heading: str
-    unit: str
+    title: str
+    label: str
     readings: tuple[Reading, ...]
     rank: int
     separator: str = " "
+    quantity: str = ""
+
+    @property
+    def heading(self) -> str:
+        """What stands at its head."""
+        return self.title.format(symbol=QUANTITIES[self.quantity].symbol) if self.quantity else self.title
+
+    @property
+    def unit(self) -> str:
+        """Unit of its numbers."""
+        return QUANTITIES[self.quantity].display.label if self.quantity else self.label
 
     def cells(self, results: Sequence[Result]) -> list[str]:
         """The text of each row; a dash where a bearing has no operating point or no such quantity."""
@@ -59,29 +72,27 @@ def limit_of(name: str) -> Reading:
 
 def column_with_limit(name: str, limit: str, rank: int) -> Column:
     """The column of a quantity beside its limit, with those results in it that have one."""
-    quantity, value = QUANTITIES[name], reading_of(name)
+    value = reading_of(name)
 
     def reading(result: Result) -> str:
         return value(result) if governing(result, name) else ABSENT
 
-    heading = f"{quantity.symbol} / {limit}"
-    return Column(heading, quantity.display.label, (reading, limit_of(name)), rank, " / ")
+    return Column(f"{{symbol}} / {limit}", "", (reading, limit_of(name)), rank, " / ", name)
 
 
 def column_without_limit(name: str, rank: int) -> Column:
     """The column of a quantity that is not held against a limit here."""
-    quantity, value = QUANTITIES[name], reading_of(name)
+    value = reading_of(name)
 
     def reading(result: Result) -> str:
         return ABSENT if governing(result, name) else value(result)
 
-    return Column(quantity.symbol, quantity.display.label, (reading,), rank)
+    return Column("{symbol}", "", (reading,), rank, quantity=name)
 
 
 def column_of(name: str, rank: int) -> Column:
     """The column of one quantity."""
-    quantity = QUANTITIES[name]
-    return Column(quantity.symbol, quantity.display.label, (reading_of(name),), rank)
+    return Column("{symbol}", "", (reading_of(name),), rank, quantity=name)
 
 
 def filled(columns: Sequence[Column], results: Sequence[Result]) -> tuple[Column, ...]:

@@ -11,6 +11,9 @@ from babbitt.core.progress import ProgressCallback, no_progress
 from babbitt.core.result import Bound, Check, Outcome, Result
 from babbitt.core.solution import Method, Solution
 
+STEEP = 5.0
+"""Ratio of the films above which the load is less than two thirds of the largest."""
+
 
 @dataclass(frozen=True)
 class Slider:
@@ -54,7 +57,8 @@ class ClosedForm(Method):
         thin = Check(
             "C101", "minimum_film_thickness", problem.outlet_film, problem.least_film, Bound.AT_LEAST, "given"
         )
-        result = Result(problem.name, problem.kind, self.name, Outcome.CONVERGED, values, (thin,))
+        steep = (Notice("X101", f"the film narrows {ratio:.3g} times"),) if ratio > STEEP else ()
+        result = Result(problem.name, problem.kind, self.name, Outcome.CONVERGED, values, (thin,), warnings=steep)
         return (Solution(problem, result),)
 
 

@@ -22,5 +22,5 @@ def inputs(problem: Slider) -> Iterator[InputGroup]:
 CLOSED_FORM = View(
     title="Closed form of the infinitely wide slider",
     inputs=inputs,
-    columns=(column_of("minimum_film_thickness", 0), column_of("load", 1)),
+    columns=(column_of("minimum_film_thickness", 0), column_of("load", 1), column_of("film_ratio", 2)),
 )
