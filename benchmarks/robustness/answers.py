@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import argparse
 import contextlib
 import io
 import signal
@@ -83,8 +84,11 @@ def run_seeds(what: str, check: Callable[[int, Path], str], number: int) -> int:
     number : int
         Of seeds where the command line names none.
     """
-    asked = [int(word) for word in sys.argv[1:3]]
-    number, first = (*asked, *(number, 1)[len(asked) :])
+    parser = argparse.ArgumentParser(description=f"Check {what}, made by seeds, and print wrong answers.")
+    parser.add_argument("number", nargs="?", type=int, default=number, help="of seeds; %(default)s where left out")
+    parser.add_argument("first", nargs="?", type=int, default=1, help="seed; %(default)s where left out")
+    asked = parser.parse_args()
+    number, first = asked.number, asked.first
     wrong, slowest, begun = 0, 0.0, time.perf_counter()
     with tempfile.TemporaryDirectory() as folder:
         for seed in range(first, first + number):

@@ -152,6 +152,22 @@ def test_every_result_is_a_known_quantity() -> None:
             assert set(result.values) <= set(QUANTITIES), file.name
 
 
+def test_contributors_read_every_command() -> None:
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+    named = re.search(r"^cli +babbitt (.+)$", text, re.MULTILINE)
+    assert named is not None
+    assert set(named[1].split(", ")) == set(command_line.commands())
+
+
+def test_what_the_first_page_says_of_a_margin_stands_in_the_table_above() -> None:
+    text = (DOCS / "start.md").read_text(encoding="utf-8")
+    row = re.search(r"^C101 .* \+(\d+)%  pass", text, re.MULTILINE)
+    said = re.search(r"the film is (\d+) % thicker than experience asks", text)
+    assert row is not None
+    assert said is not None
+    assert said[1] == row[1]
+
+
 @pytest.mark.parametrize("name", command_line.commands())
 def test_every_command_and_option_is_described(name: str) -> None:
     text = command_line.page()
