@@ -10,6 +10,8 @@ from babbitt.kinds.hydrostatic.lumps import journal_lumps
 from babbitt.kinds.hydrostatic.report.calculation import hydrostatic_calculation
 from babbitt.report.content import content
 from babbitt.report.expression import value
+from babbitt.report.labels import label
+from babbitt.report.meanings import meaning
 from babbitt.report.vocabulary import VOCABULARY
 from babbitt.solving import solve
 
@@ -188,3 +190,24 @@ def test_the_report_is_typeset():
     machine = solve(parse_case(CASES["journal"]))
     assert report(machine, "pdf")[:4] == b"%PDF"
     assert "The centred journal" in report(machine, "html").decode()
+
+
+def test_where_nothing_turns_no_speed_is_told():
+    circle = "pad: {kind: circular, diameter: 100 mm, recess_diameter: 50 mm}"
+    text = PAD.replace(circle, RECTANGLE).replace("speed: 500 rpm", "method: quick")
+    (chapter,) = content(solve(parse_case(text.replace("accuracy: draft", ""))))["bearings"]
+    assert "Speed" not in {row["label"] for group in chapter["inputs"] for row in group["rows"]}
+
+
+def test_pads_and_rings_have_a_runner_and_no_journal():
+    for kind in ("hydrostatic_pad", "hydrostatic_thrust_ring"):
+        assert label("angular_speed", kind) == meaning("angular_speed", kind) == "Rotational speed of the runner"
+        assert "journal" not in meaning("friction_torque", kind)
+    assert "journal" in meaning("friction_torque", "hydrostatic_journal")
+
+
+def test_the_oil_of_a_supply_has_one_name_on_screen_and_paper():
+    for kind in ("hydrostatic_pad", "hydrostatic_thrust_ring", "hydrostatic_journal"):
+        names = {label("supply_temperature", kind), meaning("supply_temperature", kind)}
+        assert names == {"Temperature before the restrictors"}
+    assert label("load", "journal") == meaning("load", "journal") == "Load"

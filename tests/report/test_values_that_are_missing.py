@@ -87,4 +87,8 @@ def test_misalignment_is_among_the_results() -> None:
     assert bearing["results"]["misalignment_x"] == pytest.approx(1e-4)
     assert bearing["results"]["misalignment_y"] == pytest.approx(-2e-4)
     assert "dx/dz" in printed(machine)
+    label = "Misalignment of the journal axis in"
+    assert f"{label} y" in printed(machine)
+    rows = input_rows(machine)
+    assert (float(rows[f"{label} x"]), rows[f"{label} y"]) == (0.1, "−0.2")
     assert "misalignment_x" not in to_json(solve(parse_case(CASE)))["bearings"][0]["results"]

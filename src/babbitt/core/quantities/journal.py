@@ -16,7 +16,7 @@ JOURNAL: tuple[Quantity, ...] = (
     quantity("expansion_bearing", "α_B", "1/K", "1e-6/K", 3, "Thermal expansion of the bearing"),
     quantity("expansion_journal", "α_J", "1/K", "1e-6/K", 3, "Thermal expansion of the journal"),
     # operation
-    quantity("load", "F", "N", "kN", 4, "Bearing load"),
+    quantity("load", "F", "N", "kN", 4, "Load"),
     quantity("specific_load", "p̄", "Pa", "MPa", 3, "Load per projected area F/(B D)"),
     quantity(
         "angular_speed",
@@ -40,8 +40,8 @@ JOURNAL: tuple[Quantity, ...] = (
         3,
         "Direction of the narrowest gap, counter-clockwise from +x",
     ),
-    quantity("misalignment_x", "dx/dz", "rad", "mrad", 4, "Slope of the journal axis in x"),
-    quantity("misalignment_y", "dy/dz", "rad", "mrad", 4, "Slope of the journal axis in y"),
+    quantity("misalignment_x", "dx/dz", "rad", "mrad", 4, "Misalignment of the journal axis in x"),
+    quantity("misalignment_y", "dy/dz", "rad", "mrad", 4, "Misalignment of the journal axis in y"),
     quantity("load_angle", "φ_F", "rad", "deg", 3, "Direction of the load, counter-clockwise from +x"),
     quantity("minimum_film_thickness", "h_min", "m", "um", 3, "Minimum film thickness"),
     quantity("sommerfeld_number", "So", "1", "", 4, "Sommerfeld number F ψ²/(B D η ω) of ISO 7902"),

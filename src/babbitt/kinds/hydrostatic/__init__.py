@@ -5,7 +5,7 @@ from babbitt.core.kind import Kind
 HERE = "babbitt.kinds.hydrostatic"
 
 
-def _recessed(name: str, description: str, model: str) -> Kind:
+def _recessed(name: str, description: str, model: str, meanings: str) -> Kind:
     return Kind(
         name=name,
         description=description,
@@ -13,7 +13,7 @@ def _recessed(name: str, description: str, model: str) -> Kind:
         template=f"{HERE}:{name}.yaml",
         views={"film": f"{HERE}.view:FILM", "quick": f"{HERE}.view:QUICK"},
         comparison=f"{HERE}.comparison:compare",
-        meanings="babbitt.report.meanings:PUMPED",
+        meanings=f"{HERE}.report.words:{meanings}",
         vocabulary=f"{HERE}.report.words:HYDROSTATIC_WORDS",
     )
 
@@ -23,16 +23,19 @@ KINDS = (
         "hydrostatic_pad",
         "hydrostatic pad with one recess: round, annular, rectangular",
         "hydrostatic_pad:HydrostaticPadCase",
+        "OF_RUNNERS",
     ),
     _recessed(
         "hydrostatic_thrust_ring",
         "hydrostatic thrust ring with several recesses and tilt",
         "hydrostatic_thrust_ring:HydrostaticThrustRingCase",
+        "OF_RUNNERS",
     ),
     _recessed(
         "hydrostatic_journal",
         "recessed journal bearing, hydrostatic or hybrid",
         "hydrostatic_journal:HydrostaticJournalCase",
+        "OF_RECESSED_JOURNALS",
     ),
     Kind(
         name="jacking_pocket",

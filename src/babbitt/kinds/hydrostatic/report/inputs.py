@@ -9,6 +9,7 @@ from babbitt.core.units import ZERO_CELSIUS
 from babbitt.kinds.hydrostatic.geometry import AnnularPad, CircularPad, RecessedJournal, RectangularPad, ThrustRing
 from babbitt.kinds.hydrostatic.jacking_model import JackingCase
 from babbitt.kinds.hydrostatic.model import HydrostaticCase, Shape
+from babbitt.kinds.hydrostatic.report.words import SUPPLY_TEMPERATURE
 from babbitt.kinds.hydrostatic.restrictors import (
     Capillary,
     CheckValve,
@@ -119,7 +120,7 @@ def operation_rows(case: HydrostaticCase) -> Iterator[Said]:
             yield "Prescribed tilt about x and y", ", ".join(f"{1e3 * one:.5g}" for one in duty.tilt), "mm/m"
     if duty.sliding_speed:
         yield "Sliding speed", f"{duty.sliding_speed:.4g}", "m/s"
-    else:
+    elif not isinstance(case.shape, RectangularPad):  # which does not turn
         yield "Speed", f"{duty.angular_speed * 30.0 / math.pi:.5g}", "rpm"
 
 
@@ -133,7 +134,7 @@ def oil_rows(case: HydrostaticCase) -> Iterator[Said]:
         yield "Density", f"{oil.density:.4g}", "kg/m³"
         yield "Specific heat", f"{oil.heat_capacity:.5g}", "J/(kg K)"
     if oil.supply_temperature is not None:
-        yield "Temperature before the restrictors", f"{oil.supply_temperature - ZERO_CELSIUS:.4g}", "°C"
+        yield SUPPLY_TEMPERATURE, f"{oil.supply_temperature - ZERO_CELSIUS:.4g}", "°C"
     if oil.film_temperature is not None:
         yield "Temperature of the film, given", f"{oil.film_temperature - ZERO_CELSIUS:.4g}", "°C"
 

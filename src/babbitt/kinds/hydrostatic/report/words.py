@@ -6,7 +6,18 @@ from babbitt.core.quantities import DisplayUnit
 from babbitt.report.local_quantity import MICRO, MILLI, local
 from babbitt.report.meanings import PUMPED
 
-__all__ = ["HYDROSTATIC_WORDS", "JACKING"]
+__all__ = ["HYDROSTATIC_WORDS", "JACKING", "OF_RECESSED_JOURNALS", "OF_RUNNERS", "SUPPLY_TEMPERATURE"]
+
+SUPPLY_TEMPERATURE = "Temperature before the restrictors"
+
+OF_RECESSED_JOURNALS = PUMPED | {"supply_temperature": SUPPLY_TEMPERATURE}
+"""Journals on recesses: their oil comes through restrictors."""
+
+OF_RUNNERS = OF_RECESSED_JOURNALS | {
+    "angular_speed": "Rotational speed of the runner",
+    "friction_torque": "Friction torque on the runner",
+}
+"""Pads and rings, which have a runner and no journal."""
 
 JACKING = PUMPED | {"total_flow": "Oil of all pockets", "effective_area": "Load over pocket pressure"}
 """Jacking pockets: the oil of a pump, not of restrictors."""

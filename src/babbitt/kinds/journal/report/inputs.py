@@ -121,8 +121,8 @@ def _film_geometry(case: FilmCase) -> Iterator[Row]:
     for hollow in bearing.hollows:
         yield Row(*describe_hollow(hollow))
     if bearing.misalignment != (0.0, 0.0):
-        slopes = ", ".join(f"{1e3 * slope:.4g}" for slope in bearing.misalignment)
-        yield Row("Slopes of the journal axis dx/dz, dy/dz", slopes, None, "mm/m")
+        for name, slope in zip(("misalignment_x", "misalignment_y"), bearing.misalignment, strict=True):
+            yield named_row(name, slope)
     for step in bearing.steps:
         yield Row("Step of the bore", describe_step(step))
     if bearing.crowning:
