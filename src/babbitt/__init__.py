@@ -16,6 +16,9 @@ if TYPE_CHECKING:
     from babbitt.api.answers import (
         solve,
     )
+    from babbitt.api.batch import (
+        solve_batch,
+    )
     from babbitt.api.bearings import (
         Footstep,
         HydrostaticJournal,
@@ -187,6 +190,7 @@ __version__ = "0.2.0"
 
 _NAMES = {
     "babbitt.api.answers": "solve",
+    "babbitt.api.batch": "solve_batch",
     "babbitt.api.bearings": (
         "Footstep HydrostaticJournal HydrostaticPad JackingPocket JournalBearing Machine "
         "OverhungCoupling ThrustBearing ThrustLine ThrustRing"
@@ -364,6 +368,7 @@ __all__ = [
     "radial_clearance",
     "relative_clearance",
     "solve",
+    "solve_batch",
     "template",
     "validate",
     "viscosity_law",

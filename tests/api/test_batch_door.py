@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 
+import babbitt
 from babbitt.api.batch import solve_batch
 from babbitt.core.notices import InputError
 from babbitt.reynolds.equilibrium.solve import solve_journal
@@ -161,3 +162,8 @@ def test_workers_change_nothing_and_progress_is_told() -> None:
     assert np.array_equal(one.stiffness, two.stiffness)
     assert told[-1] == (40, 40)
     assert [done for done, _ in told] == sorted(done for done, _ in told)
+
+
+def test_the_batch_stands_at_the_front_door() -> None:
+    assert babbitt.solve_batch is solve_batch
+    assert "solve_batch" in dir(babbitt)
