@@ -6,7 +6,7 @@ import typing
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from babbitt.case.aliases import todays_path
+from babbitt.case.aliases import parts_in, todays_path
 from babbitt.case.part import Part
 from babbitt.case.parts.fields import TabulatedSpan
 from babbitt.case.shorthand import Shorthand
@@ -33,7 +33,7 @@ def field_annotations(model: type[Part], steps: Sequence[str]) -> tuple[Any, ...
         rest = rest[1:]
     if not rest:
         return (annotation,)
-    return tuple(found for part in _parts_in(annotation) for found in field_annotations(part, rest))
+    return tuple(found for part in parts_in(annotation) for found in field_annotations(part, rest))
 
 
 def quantity_in(annotation: Any) -> SiField | TabulatedSpan | None:
@@ -64,13 +64,6 @@ def _metadata(annotation: Any) -> Iterator[Any]:
     for one in typing.get_args(annotation):
         if not _is_part(one):
             yield from _metadata(one)
-
-
-def _parts_in(annotation: Any) -> Iterator[type[Part]]:
-    if _is_part(annotation):
-        yield annotation
-    for one in typing.get_args(annotation):
-        yield from _parts_in(one)
 
 
 def _is_part(annotation: Any) -> bool:

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from babbitt.api.nearest_name import unknown_name
-from babbitt.api.optional_package import optional_package
 from babbitt.api.results import BearingResult
 from babbitt.core.notices import InputError
+from babbitt.core.optional_package import optional_package
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Verdict
 
@@ -256,7 +256,7 @@ class ResultSet:
         from babbitt.export.ross import RossVersion, bearing_element
 
         table = for_rotor_programs(self.coefficient_table())
-        ross = optional_package("ross", "bearing elements", "pip install ross-rotordynamics")
+        ross = optional_package("ross", "bearing elements", "Install it with: pip install ross-rotordynamics")
         version = RossVersion(2 if str(ross.__version__).startswith("2.") else 3)
         element = bearing_element(table, version, n)
         del element["babbitt"]

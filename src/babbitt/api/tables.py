@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from babbitt import __version__
-from babbitt.api.optional_package import optional_package
+from babbitt.core.optional_package import optional_package
 from babbitt.core.quantities import QUANTITIES
 from babbitt.report.fields import require_package
 
@@ -35,7 +35,7 @@ def frame_of(leading: Sequence[Mapping[str, Any]], results: Sequence[BearingResu
     InputError
         E007 where pandas is not installed.
     """
-    pandas_package = optional_package("pandas", "tables", "pip install pandas")
+    pandas_package = optional_package("pandas", "tables", "Install it with: pip install pandas")
     frame: pandas.DataFrame = pandas_package.DataFrame(
         [{**before, **_row(one)} for before, one in zip(leading, results, strict=True)]
     )

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 import typing
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from decimal import Decimal
 from typing import TYPE_CHECKING, Any
@@ -28,6 +28,7 @@ __all__ = [
     "scaled",
     "todays_field",
     "todays_path",
+    "parts_in",
 ]
 
 
@@ -260,11 +261,12 @@ def _may_be(part: type[Part], value: Mapping[str, Any]) -> bool:
 
 def _parts_of(cls: type[Part], name: str) -> tuple[type[Part], ...]:
     known = cls.model_fields.get(name)
-    return () if known is None else tuple(_parts_in(known.annotation))
+    return () if known is None else tuple(parts_in(known.annotation))
 
 
-def _parts_in(annotation: Any) -> Iterable[type[Part]]:
+def parts_in(annotation: Any) -> Iterator[type[Part]]:
+    """Parts that a field may hold, itself or in a list."""
     if hasattr(annotation, "former_words"):
         yield annotation
     for one in typing.get_args(annotation):
-        yield from _parts_in(one)
+        yield from parts_in(one)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import itertools
 import tempfile
 from collections.abc import Mapping, Sequence
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +13,7 @@ from babbitt.case.case_file import CaseFile
 from babbitt.core.files.writing import require_writable, write_file
 from babbitt.core.notices import InputError
 from babbitt.core.notices.unusable import how_to_install
+from babbitt.core.optional_package import optional_package
 from babbitt.core.solution import Solution
 from babbitt.report.text import plain_text
 from babbitt.report.view import find_view, view_of
@@ -149,13 +149,7 @@ def require_package(package: str) -> Any:
     InputError
         E007 where it is not installed.
     """
-    try:
-        return import_module(package)
-    except ImportError:
-        raise InputError(
-            "E007",
-            f"fields need the package {package}, which is not installed. {how_to_install(package, 'files')}",
-        ) from None
+    return optional_package(package, "fields", how_to_install(package, "files"))
 
 
 def _groups(names: Sequence[str]) -> tuple[str, ...]:
