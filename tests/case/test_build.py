@@ -206,7 +206,11 @@ def test_uneven_pockets_set_the_span(pockets, span, word):
     assert case.bearing.span == span
     edge = math.radians(float(pockets["entry_angle"].split()[0]) - 10.0)
     assert case.bearing.supply_element == Pockets(
-        0.07, Arrangement.BOTH_SIDES, pytest.approx(edge), pytest.approx(math.radians(20.0))
+        0.07,
+        Arrangement.BOTH_SIDES,
+        pytest.approx(edge),
+        pytest.approx(math.radians(20.0)),
+        pytest.approx(math.radians(float(pockets["exit_angle"].split()[0]))),
     )
     assert any(word in text for text in case.assumptions)
     warnings = {notice.code for notice in case.warnings}

@@ -21,7 +21,8 @@ BALANCE = {"outlet_temperature", "heat_to_oil", "heat_to_surroundings", "energy_
 def test_at_the_temperature_of_equilibrium_the_film_is_the_same(case):
     found = check(case)
     given = check_at_temperature(case, found.values["effective_temperature"])
-    assert set(found.values) - set(given.values) == BALANCE & set(found.values)
+    left_out = {name for name in found.values if name in BALANCE or name.startswith("starved_")}
+    assert set(found.values) - set(given.values) == left_out
     for name, value in given.values.items():
         if name not in ("iterations", "wall_time"):
             assert found.values[name] == pytest.approx(value, rel=1e-12), name

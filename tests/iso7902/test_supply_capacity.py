@@ -60,6 +60,15 @@ EDGES = {"opposite": 160.0, "side": 70.0, "both_sides": 50.0}
 """Degrees from the downstream edge of a hollow to the load."""
 
 
+def pressed_at_place(found, element, edge=None):
+    """Q_p, of elements at both sides by the mean cube of the gaps where they stand, at most 1."""
+    if element.arrangement is not Arrangement.BOTH_SIDES:
+        return found.supply_flow
+    eps, beta, edge = found.eccentricity_ratio, found.attitude_angle, element.edge if edge is None else edge
+    cubes = [(1.0 - eps * math.cos(edge + turn)) ** 3 for turn in (beta, -beta)]
+    return min(0.5 * sum(cubes), 1.0) * found.supply_flow
+
+
 @pytest.mark.parametrize("place", Arrangement)
 @pytest.mark.parametrize("sense", [1.0, -1.0])
 def test_the_supply_delivers_what_pressure_pushes_and_the_journal_shears_away(place, sense):
@@ -70,7 +79,7 @@ def test_the_supply_delivers_what_pressure_pushes_and_the_journal_shears_away(pl
     eps, beta = found.eccentricity_ratio, found.attitude_angle
     gap = found.operating_relative_clearance * 0.060 * (1.0 - eps * math.cos(-element.edge - beta))
     sheared = found.surface_speed / 2.0 * gap * 0.02
-    assert found.supply_capacity == pytest.approx(found.supply_flow + sheared, rel=1e-12)
+    assert found.supply_capacity == pytest.approx(pressed_at_place(found, element) + sheared, rel=1e-12)
 
 
 @pytest.mark.parametrize("place", Arrangement)
@@ -85,7 +94,7 @@ def test_a_pocket_delivers_less_by_the_oil_that_comes_back_to_it(place, sense):
     at_edge = clearance * (1.0 - eps * math.cos(element.edge + beta))
     back = clearance * (1.0 + eps) - found.side_flow / (mean * 0.060)
     assert 0.0 < back < at_edge
-    expected = found.supply_flow + mean * (at_edge - back) * 0.02
+    expected = pressed_at_place(found, element) + mean * (at_edge - back) * 0.02
     assert found.supply_capacity == pytest.approx(expected, rel=1e-12)
 
 
@@ -93,7 +102,8 @@ def test_pockets_that_begin_the_arc_deliver_their_share_of_its_side_flow():
     """Where the pocket ends the film begins: pressed oil, and b/B of what all the width would draw."""
     bearing = replace(CASE_A.bearing, span=120, supply_element=Pockets(0.042, Arrangement.BOTH_SIDES))
     found = check_at_temperature(replace(CASE_A, bearing=bearing, duty=PrescribedLoad(24e3)), 335.0)
-    assert found.supply_capacity == pytest.approx(found.supply_flow + 0.7 * found.side_flow, rel=1e-12)
+    at_place = pressed_at_place(found, bearing.supply_element, math.radians(60.0))
+    assert found.supply_capacity == pytest.approx(at_place + 0.7 * found.side_flow, rel=1e-12)
 
 
 def wide_pocket(extent, more=""):
@@ -209,6 +219,39 @@ def test_two_pockets_feed_the_loaded_film_as_one_does():
     assert capacities["both_sides"] == pytest.approx(capacities["side"], rel=0.05)
 
 
+SHORT_ARC = """
+kind: journal
+name: A
+diameter: 250 mm
+width: 200 mm
+clearance: {kind: relative, mean: 2.2 permille}
+span: 90 deg
+supply_element: {kind: pocket, width: 60 mm, place: both_sides}
+lubricant: ISO VG 100
+supply: {temperature: 45 degC, pressure: 0.3 MPa}
+materials: {bearing_metal: SnSb8Cu4, bearing: EN-GJL-250, journal: C45}
+load: 175 kN
+speed: 2000 rpm
+"""
+
+
+def test_pockets_at_the_ends_of_a_short_arc_are_held_to_the_gap_where_they_stand():
+    """It passed with 89.3 degC and 15.8 L/min; the film of one temperature has 118 degC and 5.1 L/min."""
+    iso, film = (solve(parse_case(SHORT_ARC + more))["A"] for more in ("", "method: film\n"))
+    assert iso.outlet_temperature - 273.15 == pytest.approx(89.3, abs=0.1)  # the answer of the standard stays
+    eps, beta, place = iso.eccentricity_ratio, iso.attitude_angle, math.radians(55.0)
+    share = 0.5 * sum((1.0 - eps * math.cos(place + turn)) ** 3 for turn in (beta, -beta))
+    assert iso.supply_flow_at_place == pytest.approx(share * iso.supply_flow, rel=1e-12)
+    assert iso.starved_total_flow == pytest.approx(film.total_flow, rel=0.15)
+    assert film.outlet_temperature < iso.starved_outlet_temperature < film.outlet_temperature + 12.0
+    assert iso.verdict is film.verdict is Verdict.FAIL
+
+
+def test_elements_at_the_ends_of_an_arc_of_180_deg_stand_where_the_formula_holds():
+    wide = solve(parse_case(SHORT_ARC.replace("span: 90", "span: 180")))["A"]
+    assert "supply_flow_at_place" not in wide.values
+
+
 def test_a_film_that_gets_what_it_wants_has_one_answer():
     result = check(fed_by(Holes(0.04, Arrangement.BOTH_SIDES)))
     assert result.supply_capacity > result.side_flow
@@ -239,7 +282,7 @@ def test_where_no_film_lives_on_what_is_delivered_the_capacity_is_a_violated_lim
 
 def test_at_a_prescribed_temperature_the_lack_is_told():
     result = check_at_temperature(CASE_A, 335.0)
-    assert "W123" in codes(result.warnings)
+    assert "W190" in codes(result.warnings)
     assert not any(name.startswith("starved") for name in result.values)
 
 

@@ -26,6 +26,13 @@ JOURNAL: dict[str, Explanation] = {
         "Grooves wider than 0.7 leave narrow lands, and pass much oil by a formula that nothing confirms there.",
         "Take the supply flow as an estimate; a film method gives the flow of the real pocket.",
     ),
+    "W196": Explanation(
+        "Correction of the supply flow held at its bound",
+        "The corrections q_H and q_P of holes and pockets hold up to 0.7 of the width of the bearing. From "
+        "there to 0.9 a published gearbox study keeps that of 0.7, and the true width in the logarithm.",
+        "`method: film` gives the flow of the real pocket.",
+        effect=Effect.INFORMATION,
+    ),
     "W104": Explanation(
         "Uneven pockets replaced by a centred arc",
         "The standard knows only arcs centred on the load. The arc between uneven pockets is replaced by a "
@@ -113,8 +120,8 @@ JOURNAL: dict[str, Explanation] = {
         "element (none out of a groove all around), at most what tubes and holes pass, "
         "is less than the side flow with which ISO 7902 closes its heat balance. That is repeated with the lesser "
         "flow; its temperatures and films, named starved, are held against the limits. The estimate of what is "
-        "delivered is an assumption, within a factor of about two of films that conserve their oil. Of pockets "
-        "that deliver half or more, W190 says the same and questions nothing.",
+        "delivered is an assumption, within a factor of about two of films that conserve their oil. Of holes, "
+        "slots and pockets that deliver half or more, W190 says the same and questions nothing.",
         "Wider pockets or grooves, wider tubes and holes, or a higher supply pressure; `method: film` with "
         "`thermal: adiabatic` tells more.",
     ),
@@ -129,9 +136,10 @@ JOURNAL: dict[str, Explanation] = {
     ),
     "W191": Explanation(
         "Limit kept by less than one temperature can tell",
-        "ISO 7902 knows one temperature of the film and that at its outlet. Where the film thickness keeps its "
-        "limit by less than 45 %, or the outlet that of the metal by less than 15 K, a film with temperatures of "
-        "its own may miss it: of 48 random bearings nineteen of twenty stay within that, each.",
+        "ISO 7902 knows one temperature of the film and that at its outlet. A film with temperatures of its own "
+        "may miss a limit where the film thickness keeps it by less than 45 %, the Reynolds number by less than a "
+        "factor of 2, or where the outlet and 15 K, or the inlet and 6.2 K times the root of specific load times "
+        "speed in MPa m/s, pass that of the metal: nineteen of twenty random bearings stay within that, each.",
         "`method: film` with `thermal: adiabatic` or `full`; more margin by less load, more or cooler oil.",
     ),
     "W192": Explanation(
@@ -145,10 +153,11 @@ JOURNAL: dict[str, Explanation] = {
     ),
     "W194": Explanation(
         "Whirl not judged",
-        "The case gives the mass of the rotor, so that whirl matters, and the screening by Orlov is missed "
-        "(C112). ISO 7902 has neither stiffness nor damping and cannot tell whether this rotor whirls. Without a "
-        "mass the screening is information alone: of 24 random bearings below an eccentricity ratio of 0.1 it was "
-        "missed by all, and 20 of them carry their load as a weight without whirl.",
+        "The case gives the mass of the rotor, so that whirl matters, and the screening by Orlov (C112) is missed "
+        "or kept by less than a tenth. ISO 7902 has neither stiffness nor damping and cannot tell whether this "
+        "rotor whirls. Without a mass the screening is information alone: of 24 random bearings below an "
+        "eccentricity ratio of 0.1 it was missed by all, and 20 of them carry their load as a weight without "
+        "whirl.",
         "`method: film`, which compares the mass with the critical one (C115).",
     ),
     "W193": Explanation(
@@ -159,11 +168,21 @@ JOURNAL: dict[str, Explanation] = {
         effect=Effect.NO_VERDICT,
     ),
     "W190": Explanation(
-        "Pockets deliver somewhat less than the film wants",
-        "As W123, with pockets that deliver at least half of the side flow. Their oil enters at the edge before "
-        "the load, where warm oil that the film brings back fills part of the gap. The limits are held against "
-        "the film with the lesser flow, which errs to the hot side: they are kept without a remark.",
-        "Wider or shorter pockets, or a higher supply pressure, for a cooler film.",
+        "Supply delivers somewhat less than the film wants",
+        "As W123, with holes, slots or pockets that deliver at least half of the side flow. Their oil enters at "
+        "the edge before the load, where warm oil that the film brings back fills part of the gap of pockets. The "
+        "limits are held against the film with the lesser flow, which errs to the hot side: they are kept without "
+        "a remark.",
+        "Wider or shorter elements, or a higher supply pressure, for a cooler film.",
+        effect=Effect.INFORMATION,
+    ),
+    "W195": Explanation(
+        "Supply elements closer to the load than 90 deg",
+        "The flow by pressure of elements at both sides, Q_p, holds at 90 deg to the load. Where an arc below 180 "
+        "deg ends, or uneven pockets stand, the gap is thinner, and the film's pressure stands against the "
+        "supply: the heat balance is repeated with the mean cube of the gaps there (an assumption), and the "
+        "limits are held against the worse of both.",
+        "`method: film`, which has the elements at the ends of the arc; a wider arc.",
         effect=Effect.INFORMATION,
     ),
     "W124": Explanation(

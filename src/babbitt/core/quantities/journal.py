@@ -67,6 +67,14 @@ JOURNAL: tuple[Quantity, ...] = (
     quantity("side_inflow", "Q_s,in", "m3/s", "L/min", 3, "Oil flow that the sides draw in"),
     quantity("supply_flow_number", "Q_p*", "1", "", 4, "Supply flow Qp η/(D³ ψ³ p_en)"),
     quantity("supply_flow", "Q_p", "m3/s", "L/min", 3, "Oil flow due to the supply pressure"),
+    quantity(
+        "supply_flow_at_place",
+        "Q_p,a",
+        "m3/s",
+        "L/min",
+        3,
+        "Oil flow due to the supply pressure where the arc ends",
+    ),
     quantity("supply_capacity", "Q_cap", "m3/s", "L/min", 3, "Oil flow that the supply can deliver"),
     quantity(
         "supply_limit", "Q_max", "m3/s", "L/min", 3, "Oil flow of tubes and holes at the whole supply pressure"

@@ -167,7 +167,7 @@ class UnevenPockets(Part):
 
     def element(self, diameter: float, span: int) -> SupplyElement:
         """Give the supply element of the calculation, whose flow by pressure ignores the unevenness."""
-        return Pockets(self.width, Arrangement.BOTH_SIDES, self.edges[0], self.extent)
+        return Pockets(self.width, Arrangement.BOTH_SIDES, self.edges[0], self.extent, self.exit_angle)
 
     @rule
     def _pockets_fit_around(self) -> Iterator[Issue]:

@@ -20,7 +20,7 @@ OF_THE_ROTOR = ("rotor_mass", "shaft_stiffness")
 OF_THE_STANDARD = ("span", "supply_element", "characteristics", "friction.model")
 OF_THE_FEED = ("supply.pressure", "supply.tubes", "supply.holes")
 NOT_READ = {
-    "iso7902": (*OF_THE_ROTOR, *OF_THE_FILM, "accuracy"),
+    "iso7902": ("shaft_stiffness", *OF_THE_FILM, "accuracy"),
     "film": ("characteristics", "friction.model"),
     "long_film": (*OF_THE_ROTOR, *OF_THE_FILM, *OF_THE_STANDARD, *OF_THE_FEED),
     "segments": (*OF_THE_ROTOR, *OF_THE_FILM, *OF_THE_STANDARD, *OF_THE_FEED, "accuracy"),

@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 from babbitt.core.result import Outcome
 from babbitt.design.conditions import PrescribedEccentricity
@@ -18,11 +19,13 @@ from babbitt.kinds.journal.iso7902.characteristics import BearingCurves, ClosedF
 from babbitt.kinds.journal.iso7902.friction import friction_numbers
 from babbitt.kinds.journal.iso7902.model import Curves, DesignCase
 from babbitt.kinds.journal.iso7902.supply import (
+    Arrangement,
     CircumferentialGroove,
     HalfCircumferentialGroove,
     Holes,
     Pockets,
     gap_factor,
+    share_at_place,
 )
 from babbitt.kinds.journal.iso7902.supply_pressure import Feed, feed
 from babbitt.properties.fits import operating_relative_clearance
@@ -33,7 +36,7 @@ class Film:
     """State of the film at one effective temperature, SI.
 
     `feed` is None where no oil is supplied under pressure, `supply_capacity` where nothing tells what the supply
-    can deliver.
+    can deliver. `feed_at_place` is the feed of elements at the ends of an arc where they stand, else `feed`.
     """
 
     temperature: float
@@ -50,6 +53,7 @@ class Film:
     side_flow: float
     feed: Feed | None
     supply_capacity: float | None
+    feed_at_place: Feed | None
 
     @property
     def supply_flow(self) -> float:
@@ -156,6 +160,18 @@ def start_of_film(span: float, attitude_angle: float) -> float:
     return min(0.5 * span, math.pi - attitude_angle)
 
 
+def part_of_supply_flow(case: DesignCase, eccentricity_ratio: float, attitude_angle: float) -> float:
+    """Part of Q_p* that elements give where they stand: less than 1 at the ends of a short arc, in a thinner gap.
+
+    The formula of the standard holds for elements at 90 deg to the load. Parameters as of `sheared_flow`.
+    """
+    element = case.bearing.supply_element
+    if not isinstance(element, Holes | Pockets) or element.arrangement is not Arrangement.BOTH_SIDES:
+        return 1.0
+    places = element.places(math.radians(case.bearing.span))
+    return share_at_place(eccentricity_ratio, attitude_angle, *places)
+
+
 def returned_gap(
     case: DesignCase, eccentricity_ratio: float, attitude_angle: float, relative_clearance: float, side_flow: float
 ) -> float:
@@ -197,10 +213,16 @@ def _film(temperature: float, case: DesignCase, shape: BearingCurves, limited: b
     flow_scale = bearing.diameter**3 * psi * hydrodynamic_speed(case)
     side_flow_number = shape.side_flow_number(eccentricity)
     side_flow = bearing.parts * side_flow_number * flow_scale
-    sheared = sheared_flow(case, eccentricity, shape.attitude_angle(eccentricity), psi, side_flow)
+    attitude = shape.attitude_angle(eccentricity)
+    sheared = sheared_flow(case, eccentricity, attitude, psi, side_flow)
     if limited and sheared is not None:
         side_flow = min(side_flow, sheared)
-    fed = feed(case, eccentricity, psi, viscosity, side_flow)
+    fed_with = partial(feed, case, eccentricity, psi, viscosity)
+    share = part_of_supply_flow(case, eccentricity, attitude)
+    fed = fed_with(side_flow)
+    at_place = fed if share >= 1.0 else fed_with(side_flow, share)
+    if limited:
+        fed = at_place
     if limited and fed is not None and fed.limit is not None:
         side_flow = fed.limit  # tubes and holes pass no more; nothing is left to press oil through the element
     return Film(
@@ -217,7 +239,8 @@ def _film(temperature: float, case: DesignCase, shape: BearingCurves, limited: b
         side_flow_number=side_flow_number,
         side_flow=side_flow,
         feed=fed,
-        supply_capacity=_capacity(fed, sheared, lambda flow: feed(case, eccentricity, psi, viscosity, flow)),
+        supply_capacity=_capacity(at_place, sheared, lambda flow: fed_with(flow, share)),
+        feed_at_place=at_place,
     )
 
 

@@ -117,8 +117,10 @@ def _result(case: DesignCase, found: Equilibrium[Film], start: float) -> Result:
     checks = (*checks, *capacity_check(found.film, starved))
     warnings = case.warnings
     if found.outcome.solved:
-        about_supply = warnings_about_capacity(case, found.film, starved, hotter)
-        warnings = (*all_warnings(case, found.film, values, checks, change), *about_supply)
+        about_supply = tuple(warnings_about_capacity(case, found.film, starved, hotter))
+        worse = {warning.code for warning in about_supply}
+        of_film = all_warnings(case, found.film, values, checks, change)
+        warnings = (*(one for one in of_film if one.code not in worse), *about_supply)
     values["iterations"] = float(found.evaluations)
     values["wall_time"] = perf_counter() - start
     return Result(
@@ -179,6 +181,8 @@ def _values(case: DesignCase, film: Film, change: Transition | None) -> dict[str
         values["hole_loss"] = film.feed.hole_loss
         if film.feed.limit is not None:
             values["supply_limit"] = film.feed.limit
+    if film.feed_at_place is not None and film.feed_at_place != film.feed:
+        values["supply_flow_at_place"] = film.feed_at_place.flow
     if film.supply_capacity is not None:
         values["supply_capacity"] = film.supply_capacity
     values |= cooling_values(case, film) | limit_values(case)

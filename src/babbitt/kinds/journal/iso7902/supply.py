@@ -63,6 +63,33 @@ def gap_factor(eccentricity_ratio: float, attitude_angle: float, before_load: fl
     return 1.0 - eccentricity_ratio * math.cos(before_load + attitude_angle)
 
 
+def share_at_place(eccentricity_ratio: float, attitude_angle: float, before: float, behind: float) -> float:
+    """Q_p of two elements where they stand over that of `Arrangement.BOTH_SIDES`, which takes the concentric gap.
+
+    The mean cube of the gaps at both, ``((1 - ε cos(α_1 + β))³ + (1 - ε cos(α_2 - β))³)/2``, and no more than 1.
+
+    Parameters
+    ----------
+    eccentricity_ratio, attitude_angle : float
+        Of the film; the angle in rad.
+    before, behind : float
+        From the middle of the element before the load to the load, and from the load to that behind it, rad.
+
+    Examples
+    --------
+    At the ends of an arc of 90 deg, pockets of 20 deg; at 90 deg to the load:
+
+    >>> beta = math.radians(22.0)
+    >>> round(share_at_place(0.843, beta, math.radians(55.0), math.radians(55.0)), 2)
+    0.28
+    >>> share_at_place(0.843, beta, math.radians(90.0), math.radians(90.0))
+    1.0
+    """
+    entry = gap_factor(eccentricity_ratio, attitude_angle, before)
+    leaving = gap_factor(eccentricity_ratio, attitude_angle, -behind)
+    return min(0.5 * (entry**3 + leaving**3), 1.0)
+
+
 class SupplyElement(Protocol):
     """What feeds the film: a hole, a slot, a pocket or a groove."""
 
@@ -150,6 +177,11 @@ class Holes:
         """Where the journal draws the loaded film of that span from it; angles in rad, that before the load."""
         return self.arrangement.angle_in(span) if self.edge is None else self.edge
 
+    def places(self, span: float) -> tuple[float, float]:
+        """Angles in rad from the hole before the load to it, and on to that behind it, each at its near edge."""
+        before = self.edge_before_load(span)
+        return before, before
+
     def relative_width(self, bearing_width: float) -> float:
         """Hole diameter over bearing width."""
         return self.diameter / bearing_width
@@ -169,17 +201,24 @@ class Pockets:
     """One pocket, or two at about ±90°. The extent around the bore, rad, does not enter the flow by pressure.
 
     `edge` is the angle in rad from the downstream edge of the pocket to the load; None where the place says no
-    more: at its middle, or where the arc ends.
+    more: at its middle, or where the arc ends. `behind` is that from the load to the middle of the pocket behind
+    it; None where both stand evenly.
     """
 
     width: float
     arrangement: Arrangement
     edge: float | None = None
     extent: float = 0.0
+    behind: float | None = None
 
     def edge_before_load(self, span: float) -> float:
         """Where the journal draws the loaded film of that span from it; angles in rad, that before the load."""
         return self.arrangement.angle_in(span) if self.edge is None else self.edge
+
+    def places(self, span: float) -> tuple[float, float]:
+        """Angles in rad from the middle of the pocket before the load to it, and on to that behind it."""
+        before = self.edge_before_load(span) + 0.5 * self.extent
+        return before, before if self.behind is None else self.behind
 
     def pressed_area(self, bearing_diameter: float) -> float:
         """Projected area in m² over which one pocket presses on the journal."""

@@ -7,8 +7,10 @@ edge of the element, α_s before the load, takes in what the film does not bring
 pocket in a film ``h_r = h_0 - 2 Q_3/(U B)``, what enters the loaded arc at its start less what that loses at its
 sides; a hole stops none of it (h_r = 0). Of two elements that before the load counts: the oil of the other comes
 round to it and is not lost. A half groove gives its oil at its edge before the load, a groove all around by
-pressure alone. No more comes than tubes and holes pass at the whole supply pressure.
-The estimate is an assumption; ``benchmarks/supply_capacity.py`` sets it against films that conserve their oil.
+pressure alone. Of elements at the ends of an arc below 180 deg Q_p is that of the gaps where they stand: the
+formula of the standard holds at 90 deg to the load. No more comes than tubes and holes pass at the whole supply
+pressure. The estimate is an assumption; ``benchmarks/supply_capacity.py`` sets it against films that conserve
+their oil.
 """
 
 from __future__ import annotations
@@ -24,7 +26,7 @@ from babbitt.design.failure import failure
 from babbitt.design.heat_balance import Equilibrium, find_equilibrium
 from babbitt.kinds.journal.iso7902.film import Film, curves_of, starved_film_at
 from babbitt.kinds.journal.iso7902.model import DesignCase
-from babbitt.kinds.journal.iso7902.supply import CircumferentialGroove, HalfCircumferentialGroove, Pockets
+from babbitt.kinds.journal.iso7902.supply import CircumferentialGroove, HalfCircumferentialGroove, Holes, Pockets
 from babbitt.kinds.journal.iso7902.warnings import warnings_about_validity
 
 __all__ = [
@@ -61,10 +63,10 @@ SOURCE = "ISO 7902: the supply delivers Q₃; Q_p + (U/2) h b is an estimate (as
 OF_THE_CLEARANCE = ("W130", "W193")
 
 TRUSTED_SHARE = 0.5
-"""Share of Q₃ down to which what pockets deliver does not question the result (an assumption).
+"""Share of Q₃ down to which what holes, slots and pockets deliver does not question the result (an assumption).
 
 The limits are held against the film with that flow. Random films of one temperature that conserve their oil passed
-at least 0.8 of the estimate for pockets (docs/theory/supply.md): it errs to the hot side.
+at least 0.8 of the estimate, and no outlet was hotter (docs/theory/supply.md): it errs to the hot side.
 """
 
 
@@ -73,21 +75,28 @@ def lacks_oil(film: Film) -> bool:
     return film.supply_capacity is not None and film.supply_capacity < film.side_flow
 
 
+def gets_less(film: Film) -> bool:
+    """Whether the film gets less than Q₃ and Q_p of the standard: for want of oil, or as elements stand closer."""
+    return lacks_oil(film) or film.feed_at_place != film.feed
+
+
 def starved_equilibrium(case: DesignCase, film: Film) -> Equilibrium[Film] | None:
     """Close the heat balance with the flow that the supply delivers.
 
     Returns
     -------
     Equilibrium or None
-        None where the film gets what it wants, or where no heat balance is made.
+        None where the film gets what the standard gives it, or where no heat balance is made.
     """
-    if case.effective_temperature is not None or not lacks_oil(film):
+    if case.effective_temperature is not None or not gets_less(film):
         return None
     return find_equilibrium(case, partial(starved_film_at, case=case, shape=curves_of(case)))
 
 
 def assumptions_about_capacity(case: DesignCase, film: Film) -> Iterator[str]:
     """What the limited heat balance takes for granted, where it is made."""
+    if film.feed_at_place != film.feed:
+        yield "Q_p of elements at the ends of the arc goes with the mean cube of the gaps where they stand."
     if not lacks_oil(film):
         return
     said = (
@@ -168,26 +177,39 @@ def warnings_about_capacity(
     elif film.supply_flow <= 0.0 and film.feed is not None and film.feed.limit is None:
         said = "no pressure is left at the supply element: Q_p = 0, and only the journal draws oil from it"
         yield Notice("W124", said)
-    if capacity is None or not lacks_oil(film):
+    if not gets_less(film):
         return
-    said = f"the supply delivers about {_litres(capacity)} of Q₃ = {_litres(wanted)} ({capacity / wanted:.2f})"
-    enough = isinstance(case.bearing.supply_element, Pockets) and capacity >= TRUSTED_SHARE * wanted
+    said, code = _lack(case, film)
     if starved is None:
-        yield Notice("W123", f"{said}; no heat balance is made that would tell the consequence")
+        yield Notice(code, f"{said}; no heat balance is made that would tell the consequence")
         return
     if not starved.outcome.solved:
         yield Notice("W123", f"{said}; with that flow {starved.outcome.value}: {failure(case, starved)}")
         return
     hot, thin = values["effective_temperature"] - ZERO_CELSIUS, values["minimum_film_thickness"] * 1e6
-    told = f"T_eff = {hot:.1f} °C, h_min = {thin:.3g} µm"
+    reached = f"T_eff = {hot:.1f} °C, h_min = {thin:.3g} µm"
     if "outlet_temperature" in values:
-        told = f"T_ex = {values['outlet_temperature'] - ZERO_CELSIUS:.1f} °C, {told}"
+        reached = f"T_ex = {values['outlet_temperature'] - ZERO_CELSIUS:.1f} °C, {reached}"
     flow = f"with the {_litres(values['total_flow'])} that it delivers to the warmer film"
-    yield Notice("W190" if enough else "W123", f"{said}; {flow} {told}, and the limits are held against these")
+    yield Notice(code, f"{said}; {flow} {reached}, and the limits are held against these")
     for warning in warnings_about_validity(case, values):
         if warning.code in OF_THE_CLEARANCE:
             continue  # the same as with all the oil
         yield Notice(warning.code, f"with the flow that the supply delivers: {warning.message}")
+
+
+def _lack(case: DesignCase, film: Film) -> tuple[str, str]:
+    """What the film lacks of the flows of the standard, and the code of its warning."""
+    at_place = ""
+    if film.feed is not None and film.feed_at_place is not None and film.feed_at_place != film.feed:
+        taken, given = film.feed.flow, film.feed_at_place.flow
+        at_place = f"Q_p = {_litres(taken)} holds at 90° to the load; where the arc ends it is {_litres(given)}"
+    capacity, wanted = film.supply_capacity, film.side_flow
+    if capacity is None or not lacks_oil(film):
+        return at_place, "W195"
+    said = f"the supply delivers about {_litres(capacity)} of Q₃ = {_litres(wanted)} ({capacity / wanted:.2f})"
+    enough = isinstance(case.bearing.supply_element, Holes | Pockets) and capacity >= TRUSTED_SHARE * wanted
+    return f"{at_place}; {said}" if at_place else said, "W190" if enough else "W123"
 
 
 def _without_pressure(case: DesignCase) -> str:

@@ -25,18 +25,24 @@ class Feed:
 
 
 def feed(
-    case: DesignCase, eccentricity_ratio: float, relative_clearance: float, viscosity: float, side_flow: float
+    case: DesignCase,
+    eccentricity_ratio: float,
+    relative_clearance: float,
+    viscosity: float,
+    side_flow: float,
+    share: float = 1.0,
 ) -> Feed | None:
     """Flow through the supply element and the pressure there, balanced with the losses of the total flow.
 
     ``Qp = Qp* D³ ψ³ p_en/η`` and ``p_en = p_s - Δp(Q3 + Qp)``; the oil in tubes and holes has inlet temperature.
+    `share` is the part of Qp* that elements give where they stand.
     """
     supply, element, bearing = case.oil_supply, case.bearing.supply_element, case.bearing
     if supply is None:
         return None
     number = 0.0
     if element is not None:
-        number = element.supply_flow_number(eccentricity_ratio, bearing.width, bearing.width_ratio)
+        number = share * element.supply_flow_number(eccentricity_ratio, bearing.width, bearing.width_ratio)
     conductance = number * bearing.diameter**3 * relative_clearance**3 / viscosity
     found = arrival(supply, case.lubricant, lambda pressure: side_flow + conductance * pressure)
     return Feed(

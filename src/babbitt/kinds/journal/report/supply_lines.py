@@ -160,7 +160,28 @@ def _capacity(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:
         expression = "width"
     yield sheet.line("supply_axial_width", expression)
     sheared = "" if fresh == "0" else f" + surface_speed / 2 * {fresh} * supply_axial_width"
-    yield sheet.line("supply_capacity", f"supply_flow{sheared}")
+    pressed = "supply_flow"
+    if "supply_flow_at_place" in sheet and isinstance(element, Holes | Pockets):
+        yield from _flow_at_place(case, element, sheet)
+        pressed = "supply_flow_at_place"
+    yield sheet.line("supply_capacity", f"{pressed}{sheared}")
+
+
+def _flow_at_place(case: DesignCase, element: Holes | Pockets, sheet: Worksheet) -> Iterator[Line]:
+    """Q_p of elements closer to the load than 90 deg, by the gaps where they stand."""
+    before, behind = element.places(math.radians(case.bearing.span))
+    yield sheet.given("element_before_load", value=before)
+    yield sheet.given("element_behind_load", value=behind)
+    if case.oil_supply is not None and (case.oil_supply.tubes or case.oil_supply.holes):
+        yield sheet.given("supply_flow_at_place", "with the mean cube of both gaps, behind tubes and holes")
+        return
+    gaps = (
+        "(1 - eccentricity_ratio * cos(element_before_load + attitude_angle))**3",
+        "(1 - eccentricity_ratio * cos(element_behind_load - attitude_angle))**3",
+    )
+    yield sheet.line(
+        "supply_flow_at_place", f"supply_flow * ({gaps[0]} + {gaps[1]}) / 2", "mean cube of both gaps"
+    )
 
 
 def _returned(case: DesignCase, sheet: Worksheet) -> Iterator[Line]:

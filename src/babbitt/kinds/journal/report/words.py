@@ -52,6 +52,22 @@ JOURNAL_WORDS = (
         QUANTITIES["attitude_angle"].display,
     ),
     local(
+        "element_before_load",
+        "α_1",
+        "rad",
+        "From the middle of the element before the load to the load",
+        4,
+        QUANTITIES["attitude_angle"].display,
+    ),
+    local(
+        "element_behind_load",
+        "α_2",
+        "rad",
+        "From the load to the middle of the element behind it",
+        4,
+        QUANTITIES["attitude_angle"].display,
+    ),
+    local(
         "film_start_angle",
         "α_0",
         "rad",
