@@ -22,9 +22,9 @@ from babbitt.core.files.reading import Reach
 from babbitt.core.notices import InputError
 
 if TYPE_CHECKING:
+    from babbitt.api.comparisons import Comparisons
     from babbitt.api.gradient import Gradient
     from babbitt.api.result_set import ResultSet
-    from babbitt.study.comparison import Comparison
 
 __all__ = ["Case"]
 
@@ -238,24 +238,25 @@ class Case(CaseFile):
 
         return gradient_of(self, fields, of, steps, workers)
 
-    def compare(self) -> tuple[Comparison, ...]:
+    def compare(self) -> Comparisons:
         """Solve it by every method that knows it, each beside the others.
 
         Returns
         -------
-        tuple of Comparison
-            One for each bearing, operating point and clearance; `left_out` says which methods do not apply.
+        Comparisons
+            A tuple of one `babbitt.api.comparisons.Comparison` for each bearing, operating point and clearance.
+            ``comparison["ISO 7902"]`` is a result as `solve` gives it; `left_out` says which methods do not apply.
 
         Raises
         ------
         CaseError
             Where it is incomplete, or its kind has one method.
         """
-        from babbitt.study.comparison import compare_methods
+        from babbitt.api.comparisons import compared
 
         complete = self.complete()
         try:
-            return compare_methods(complete)
+            return compared(complete)
         except InputError as error:
             raise located(error, complete, type(self).__name__) from None
 
