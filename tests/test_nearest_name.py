@@ -1,4 +1,4 @@
-"""One way to find what a name may have meant, for fields, results, oils, metals, units, codes and published cases."""
+"""One way to find what a name may have meant: fields, results, oils, metals, units, codes, published cases."""
 
 from pathlib import Path
 

@@ -71,6 +71,28 @@ class Case(CaseFile):
         made._take(case.model_copy(), ())
         return made
 
+    @classmethod
+    def read(cls, origin: Origin) -> Self:
+        """The case of what was given, in the words of a case file.
+
+        Raises
+        ------
+        CaseError
+            With all that is wrong; what is missing is not.
+        """
+        made = cls.__new__(cls)
+        made._take(*_read(cls, origin))
+        return made
+
+    def in_language(self) -> CaseFile:
+        """The same case as an object of its case model, as the methods read it."""
+        plain = self.model.__new__(self.model)
+        for slot in ("__dict__", "__pydantic_fields_set__", "__pydantic_extra__"):
+            object.__setattr__(plain, slot, getattr(self, slot))
+        private = {name: one for name, one in (self.__pydantic_private__ or {}).items() if name != "_missing"}
+        object.__setattr__(plain, "__pydantic_private__", {**private, "_text": self.text})
+        return plain
+
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """Give a copy with other values, checked when it is solved or written; `replace` checks them now."""
         copied = super().model_copy(update=update, deep=deep)
@@ -116,9 +138,7 @@ class Case(CaseFile):
         given = self.given
         for path, value in self._in_order({**(changes or {}), **fields}).items():
             given = self._given_with(given, path, value)
-        made = type(self).__new__(type(self))
-        made._take(*_read(type(self), self._origin_of(given)))
-        return made
+        return type(self).read(self._origin_of(given))
 
     __replace__ = replace
 

@@ -14,7 +14,7 @@ from babbitt.core.nearest_name import unknown_name
 if TYPE_CHECKING:
     import pandas
 
-    from babbitt.case.case_file import CaseFile
+    from babbitt.api.case import Case
     from babbitt.study import comparison as study
 
 __all__ = ["Comparison", "Comparisons", "Variant", "compared"]
@@ -170,7 +170,7 @@ class Comparisons(tuple[Comparison, ...]):
         return f"<pre>{escape(repr(self))}</pre>"
 
 
-def compared(case: CaseFile) -> Comparisons:
+def compared(case: Case) -> Comparisons:
     """Solve every bearing of a complete case by every method that knows it.
 
     Raises
@@ -181,7 +181,7 @@ def compared(case: CaseFile) -> Comparisons:
     from babbitt.case.case_hash import case_hash
     from babbitt.study.comparison import compare_methods
 
-    return Comparisons(Comparison(one, case_hash(case), case.text) for one in compare_methods(case))
+    return Comparisons(Comparison(one, case_hash(case), case.text) for one in compare_methods(case.in_language()))
 
 
 def _line(comparison: Comparison) -> str:

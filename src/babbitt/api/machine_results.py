@@ -8,8 +8,8 @@ from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from babbitt.core.nearest_name import unknown_name
 from babbitt.api.results import BearingResult
+from babbitt.core.nearest_name import unknown_name
 from babbitt.core.result_name import ResultName
 
 if TYPE_CHECKING:

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.core.nearest_name import unknown_name
 from babbitt.api.results import BearingResult
+from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.optional_package import optional_package
 from babbitt.core.quantities import QUANTITIES
