@@ -233,6 +233,20 @@ def test_pictures_are_drawn_on_the_axes_that_are_given(what: str) -> None:
     pyplot.close(own.figure)
 
 
+@pytest.mark.parametrize(("name", "what"), [("grooved", "pressure"), ("moving", "orbit")])
+def test_a_result_has_a_picture_of_its_own(name: str, what: str) -> None:
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    figure, (one, other) = pyplot.subplots(1, 2)
+    assert result_of(name).plot(one) is one
+    getattr(result_of(name).plot, what)(ax=other)
+    assert one.get_xlabel() == other.get_xlabel()
+    assert len(one.lines) == len(other.lines)
+    assert [text.get_text() for text in one.texts] == [text.get_text() for text in other.texts]
+    pyplot.close(figure)
+    with pytest.raises(AttributeError, match="the method film has one"):
+        result_of("iso7902").plot()
+
+
 def test_the_pressure_that_is_drawn_is_that_of_the_film() -> None:
     pyplot = pytest.importorskip("matplotlib.pyplot")
     one = result_of("grooved")

@@ -100,6 +100,10 @@ class Case(CaseFile):
             copied._origin = None
         return copied
 
+    def _with_other(self, name: str) -> str:
+        """How a copy with another value is made."""
+        return f"replace({name}=...) gives a changed copy"
+
     @property
     def missing(self) -> tuple[str, ...]:
         """Paths of the fields without which it cannot be solved; of several that would do, the first."""

@@ -199,7 +199,7 @@ class BearingResult:
 
     @property
     def plot(self) -> ResultPlots:
-        """Pictures of the film: ``result.plot.pressure()``."""
+        """Pictures of the film: ``result.plot.pressure()``; ``result.plot()`` is that which tells most."""
         from babbitt.api.plot import ResultPlots
 
         return ResultPlots(self.solution)
