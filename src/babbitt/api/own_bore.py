@@ -53,7 +53,7 @@ class Gap:
     ('two waves of 5 um', 180, (0.0,))
     """
 
-    gain: Callable[[NDArray[np.float64], NDArray[np.float64]], Any]
+    gain: Callable[[Any, Any], Any]
     describe: str
 
     def table(self, width: float) -> dict[str, Any]:
