@@ -15,7 +15,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, Literal
 
-from babbitt.api.bearings import JournalBearing
+from babbitt.api.bearings import JournalBearing, Machine
 from babbitt.api.case import Case
 from babbitt.api.fields import quantity_in
 from babbitt.api.methods import MethodOptions
@@ -79,6 +79,8 @@ def _own(cls: type) -> Iterator[str]:
     if issubclass(cls, Case):
         yield "model: ClassVar[type[CaseFile]]"
         yield "default_name: ClassVar[str]"
+    if cls is Machine:
+        yield "bearings: tuple[JournalBearing, ...]"
     if issubclass(cls, MethodOptions):
         yield "method: ClassVar[str]"
 

@@ -31,6 +31,8 @@ def session() -> None:
     table = point.solve(speed=np.linspace(100, 500, 9))
     grid = point.sweep({"load": np.array([5e3, 10e3]), "bore.preload": [0.3, 0.5]}, workers=2)
     both = point.compare()
+    label: str = both[0].asked.label
+    by_standard = both[0]["ISO 7902"].minimum_film_thickness
     slopes = point.gradient(["clearance.mean", "supply.temperature"], of=["minimum_film_thickness", "stiffness"])
     slope = slopes["stiffness"]["clearance.mean"]
     oil = bb.viscosity_law(lambda kelvin: 0.02, coldest="0 degC", warmest=393.15, describe="mine", density=870.0)
@@ -41,7 +43,10 @@ def session() -> None:
     clearances = bb.fit("H7/e7"), bb.radial_clearance("65 um"), bb.diametral_clearance("0.13 mm")
     pad = bb.HydrostaticPad(pad=bb.CircularPad(diameter="100 mm", recess_diameter="50 mm"), load="11 kN")
     gear = bb.Machine(bearings=[point, warmer], lubricant="ISO VG 46")
+    alone: bb.JournalBearing = gear.bearings[0]
     case = bb.load_case("gear.yaml")
     machine = bb.solve(case)
+    verdict: str = machine.verdict.value
+    first, needed = machine[0].name, machine.totals["total_flow"]
     agreed = bb.validate("lund_thomsen_1978")
     title: str = bb.explain("W101").title

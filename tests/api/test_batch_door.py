@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+import pint
 import pytest
 
 import babbitt
@@ -167,3 +168,35 @@ def test_workers_change_nothing_and_progress_is_told() -> None:
 def test_the_batch_stands_at_the_front_door() -> None:
     assert babbitt.solve_batch is solve_batch
     assert "solve_batch" in dir(babbitt)
+
+
+@pytest.mark.parametrize(
+    ("argument", "given", "says"),
+    [
+        ("viscosity", "20 mPa s", "viscosity: a batch takes numbers in Pa s.*'20 mPa s'"),
+        ("diameter", ["0.2 m", "0.3 m"], "diameter: .* in m .*'0.2 m'"),
+        ("load", "10 kN", "load: .* in N "),
+        ("load_angle", "-90 deg", "load_angle: .* in rad"),
+        ("groove_angles", ["0 deg"], "groove_angles: .* in rad"),
+        ("groove_extent", "20 deg", "groove_extent: .* in rad"),
+        ("width", None, "width: .*None"),
+        ("width", True, "width: .*True"),
+        ("speed", [[100.0], [200.0, 300.0]], "speed: .* differ in length"),
+        ("speed", pint.UnitRegistry().Quantity([1.0, 2.0], "Hz"), r"speed: .*\.to\('rad/s'\)"),
+        ("load", 1j, "load: .*complex"),
+        ("workers", "2", "workers is '2'"),
+    ],
+)
+def test_what_is_no_number_is_refused_by_the_name_of_its_argument(argument, given, says) -> None:
+    angled = {"load": 20e3, "load_angle": -1.3} if argument == "load_angle" else {"load": DOWN}
+    with pytest.raises(InputError, match=says) as refused:
+        solve_batch(**{**BEARING, **angled, argument: given})
+    assert len(str(refused.value).splitlines()) == 1
+
+
+def test_a_batch_is_shown_in_few_lines() -> None:
+    found = solve_batch(**{**BEARING, "speed": np.linspace(100.0, 400.0, 40)}, load=DOWN, accuracy="draft")
+    text = repr(found)
+    assert len(text.splitlines()) == 3
+    assert text.startswith("40 bearings, 40 solved")
+    assert "stiffness (40, 2, 2)" in text

@@ -11,7 +11,8 @@ from front_door_cases import result_of
 from babbitt.core.notices import InputError
 from babbitt.reynolds.equilibrium.many_positions import FilmPositions
 from babbitt.reynolds.equilibrium.position import film_at_position
-from babbitt.reynolds.model import DRAFT, Cavitation, FilmStart, JournalFilm, Land, grooved_bore
+from babbitt.reynolds.model import DRAFT, Cavitation, FilmStart, JournalFilm, Land, Pocket, grooved_bore
+from babbitt.reynolds.surface import surface_solution
 
 LANDS = grooved_bore((0.0, math.pi), math.radians(20.0))
 FILMS = {
@@ -46,6 +47,34 @@ def test_many_positions_are_those_of_single_films(name: str) -> None:
         assert forces.force[row] == pytest.approx(one.force, rel=2e-3, abs=2e-3 * one.load)
         assert found.stiffness[row] == pytest.approx(one.stiffness, rel=1e-9)
         assert found.damping[row] == pytest.approx(one.damping, rel=1e-9)
+
+
+FED = grooved_bore((0.0, math.pi), math.radians(20.0), 1e5)
+BY_NODES = {
+    "pressure-fed": FILMS["pressure-fed"],
+    "clockwise": JournalFilm(0.2, 0.12, 150e-6, 0.02, -300.0, FED, Cavitation.REYNOLDS),
+    "tilted": JournalFilm(0.2, 0.12, 150e-6, 0.02, 300.0, LANDS, misalignment=(1e-4, -2e-4)),
+    "closed pocket": JournalFilm(
+        0.2, 0.12, 150e-6, 0.02, 300.0, FED, pockets=(Pocket(-1.5, 0.3, 0.03, pressure=2e6, closed=True),)
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", BY_NODES)
+def test_node_by_node_a_force_is_found_without_the_rest_of_a_solution(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    film = BY_NODES[name]
+    places = np.array([[2e-5, -6e-5, 0.0, 0.0], [-3e-5, 1e-5, 2e-3, -1e-3], [2e-5, -6e-5, 0.0, 0.0]])
+    single = [film_at_position(film, tuple(place[:2]), tuple(place[2:]), DRAFT) for place in places]
+    monkeypatch.setattr(surface_solution, "solution_of", None)
+    found = FilmPositions(film, DRAFT).coefficients(places)
+    for row, one in enumerate(single):
+        assert np.array_equal(found.force[row], one.force)
+        assert found.stiffness[row] == pytest.approx(one.stiffness, rel=1e-13)
+        assert found.damping[row] == pytest.approx(one.damping, rel=1e-13)
+    assert found.settled.all()
+    assert FilmPositions(film, DRAFT).forces(np.array([[1e-3, 0.0, 0.0, 0.0]])).outside.all()
 
 
 @pytest.mark.parametrize("name", ["grooved", "clockwise", "lemon", "pressure-fed"])

@@ -89,6 +89,37 @@ def test_a_machine_takes_bearings_as_objects():
     assert [one.load for one in hotter.bearings] == [10e3, 12e3]
 
 
+@pytest.mark.parametrize("made", [bb.parse_case, lambda text: bb.Machine(**bb.parse_case(text).given)])
+def test_a_bearing_of_a_machine_is_solved_by_itself_as_in_it(made):
+    gear = made(template("machine"))
+    results = bb.solve(gear)
+    assert {type(one) for one in gear.bearings} == {bb.JournalBearing}
+    for bearing in gear.bearings:
+        assert bearing.missing == ()
+        alone = tuple(bb.solve(bearing))
+        assert alone == tuple(one for one in results if one.name.bearing == bearing.name)
+        assert bb.parse_case(bearing.to_yaml()) == bearing
+    warmer = gear.bearings[0].replace({"supply.temperature": "60 degC"})
+    assert warmer.solve().minimum_film_thickness < results["Pinion"].minimum_film_thickness
+
+
+def test_a_bearing_keeps_what_differs_from_its_machine():
+    shared = {"supply": {"temperature": "50 degC", "pressure": "0.1 MPa"}, "clearance_cases": "all"}
+    gear = bb.Machine(
+        bearings=[{"diameter": "1 m", "method": "film", "supply": {"flow": "3 L/min"}}, {}],
+        **shared,
+        assumptions=["a"],
+    )
+    first, second = gear.bearings
+    assert (first.supply.temperature, first.supply.pressure, first.supply.flow) == (323.15, None, 5e-5)
+    assert second.given["supply"] == shared["supply"]
+    assert (second.clearance_cases, second.assumptions) == ("all", ("a",))
+    assert "diameter" in second.missing
+    assert "lubricant" in first.missing
+    with pytest.raises(AttributeError, match="bearings is missing in this Machine"):
+        _ = bb.Machine().bearings
+
+
 def test_a_kind_of_another_package_stays_as_it_is():
     class Other(case_language.CaseFile):
         kind: str = "other"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import pickle
 import re
+import traceback
 
 import numpy as np
 import pytest
@@ -129,7 +130,7 @@ def test_a_displacement_alone_is_none_of_the_bore(wavy):
     [
         (lambda angle, z: 5e-6, r"shape \(\)"),
         (lambda angle, z: np.zeros(9), r"shape \(9,\)"),
-        (lambda angle, z: np.where(angle > 3, np.nan, 0.0), "not finite"),
+        (lambda angle, z: np.where(angle > 3, np.nan, 0.0), "gives nan at angle = 3"),
         (lambda angle, z: 1 / 0, "ZeroDivisionError"),
         (lambda angle: angle, "TypeError"),
         (lambda angle, z: angle + 1j, "fails"),
@@ -139,6 +140,35 @@ def test_a_function_that_gives_no_table_is_refused(round_bore, gain, says):
     with pytest.raises(bb.CaseError, match=says) as caught:
         round_bore.replace(bore=bb.Gap(gain, describe="odd"))
     assert len(caught.value.problems) == 1
+
+
+def test_a_function_of_single_numbers_is_called_place_by_place(round_bore):
+    def waves(angle, z):
+        return 5e-6 * math.cos(2.0 * angle)
+
+    def rounded(angle, z):
+        return 5e-6 * math.cos(2.0 * angle) if angle < 10.0 else 0.0
+
+    expected = round_bore.replace(bore=WAVES)
+    for gain in (waves, rounded):
+        made = round_bore.replace(bore=bb.Gap(gain, describe=WAVES.describe))
+        np.testing.assert_allclose(made.displacement.values, expected.displacement.values, rtol=1e-12, atol=1e-20)
+
+
+def test_a_failing_function_is_named_in_one_message_without_a_chain(round_bore):
+    def leaning(angle, z):
+        return {"low": 0.0}["high"]
+
+    with pytest.raises(bb.CaseError) as caught:
+        round_bore.replace(bore=bb.Gap(leaning, describe="odd"))
+    shown = "".join(traceback.format_exception(caught.value))
+    assert "KeyError" in str(caught.value)
+    assert len(str(caught.value).splitlines()) == 1
+    assert shown.count("Traceback") == 1
+    for told in ("leaning", "test_own_bore.py, line", "shape (180, 9)", "in m, for every angle"):
+        assert told in str(caught.value)
+    with pytest.raises(bb.CaseError, match=r"fails at angle = 0 rad, z = -0\.\d+ m.*not callable"):
+        round_bore.replace(bore=bb.Gap(5e-6, describe="no function"))
 
 
 def test_the_width_is_asked_for():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import traceback
 
 import numpy as np
 import pytest
@@ -89,7 +90,8 @@ def test_a_result_outside_the_table_says_so():
         (lambda kelvin: 0.02, {}, "must fall"),
         (lambda kelvin: np.nan, {}, "gives nan at 273.15 K"),
         (lambda kelvin: -kelvin, {}, "gives -273.15"),
-        (lambda kelvin: np.array([0.1, 0.2]), {}, "TypeError"),
+        (lambda kelvin: np.array([0.1, 0.2]), {}, "gives a ndarray at 273.15 K"),
+        (lambda kelvin: None, {}, "gives a NoneType at 273.15 K"),
         (lambda: 0.02, {}, "TypeError"),
         (lambda kelvin: 1e6 / kelvin, {}, "1000 Pa s"),
         (lambda kelvin: 1 / kelvin, {"warmest": "-10 degC"}, "is not above"),
@@ -100,3 +102,16 @@ def test_a_result_outside_the_table_says_so():
 def test_what_is_no_law_is_refused(viscosity, given, says):
     with pytest.raises(bb.CaseError, match=says):
         made(viscosity, **given)
+
+
+def test_a_failing_function_is_named_in_one_message_without_a_chain():
+    def thinning(kelvin):
+        return 1.0 / (kelvin - 273.15)
+
+    with pytest.raises(bb.CaseError) as caught:
+        made(thinning)
+    shown = "".join(traceback.format_exception(caught.value))
+    assert len(str(caught.value).splitlines()) == 1
+    assert shown.count("Traceback") == 1
+    for told in ("thinning", "test_own_viscosity.py, line", "273.15 K", "ZeroDivisionError", "viscosity in Pa s"):
+        assert told in str(caught.value)

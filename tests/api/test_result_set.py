@@ -136,6 +136,25 @@ def test_a_frame_with_a_row_for_each_point() -> None:
     assert frame["outcome"].tolist() == ["converged"] * 3 + ["overloaded"] * 3
 
 
+def test_axes_have_units_as_the_quantities_over_them() -> None:
+    import babbitt as bb
+
+    pad = bb.parse_case(bb.template("hydrostatic_pad"))
+    table = pad.sweep({"load": ["9 kN", "10 kN"], "supply.pressure": [4e6, 5e6]})
+    data = table.to_xarray()
+    assert data["load"].attrs["units"] == "N"
+    assert data["supply.pressure"].attrs["units"] == "Pa"
+    assert data["supply.pressure"].attrs["long_name"]
+    assert data["load"].values.tolist() == [9e3, 10e3]
+    broadcast = pad.solve(load=["9 kN", "10 kN"])
+    assert broadcast.to_xarray()["load"].attrs == data["load"].attrs
+    pytest.importorskip("pandas")
+    units = table.to_dataframe().attrs["units"]
+    assert (units["load"], units["supply.pressure"], units["minimum_film_thickness"]) == ("N", "Pa", "m")
+    assert over_speed().to_dataframe().attrs["units"]["stiffness_xy"] == "N/m"
+    assert "verdict" not in units
+
+
 def test_coefficients_are_exported_over_speed(tmp_path: Path) -> None:
     table = over_speed()
     table.export(tmp_path / "one.csv", format="csv")

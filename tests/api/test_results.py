@@ -233,6 +233,20 @@ def test_pictures_are_drawn_on_the_axes_that_are_given(what: str) -> None:
     pyplot.close(own.figure)
 
 
+@pytest.mark.parametrize(("name", "what"), [("grooved", "pressure"), ("moving", "orbit")])
+def test_a_result_has_a_picture_of_its_own(name: str, what: str) -> None:
+    pyplot = pytest.importorskip("matplotlib.pyplot")
+    figure, (one, other) = pyplot.subplots(1, 2)
+    assert result_of(name).plot(one) is one
+    getattr(result_of(name).plot, what)(ax=other)
+    assert one.get_xlabel() == other.get_xlabel()
+    assert len(one.lines) == len(other.lines)
+    assert [text.get_text() for text in one.texts] == [text.get_text() for text in other.texts]
+    pyplot.close(figure)
+    with pytest.raises(AttributeError, match="the method film has one"):
+        result_of("iso7902").plot()
+
+
 def test_the_pressure_that_is_drawn_is_that_of_the_film() -> None:
     pyplot = pytest.importorskip("matplotlib.pyplot")
     one = result_of("grooved")
@@ -332,6 +346,44 @@ def test_a_machine_as_a_frame() -> None:
     frame = found.to_dataframe()
     assert frame["point"].tolist() == ["half"] * 3 + ["full"] * 3
     assert frame["load"].tolist() == pytest.approx([10e3] * 3 + [30e3] * 3)
+
+
+def test_a_machine_is_asked_by_place_and_judged_by_its_worst() -> None:
+    found = several()
+    assert found[0] == found.results[0]
+    assert found[-1] == found.results[-1]
+    with pytest.raises(IndexError):
+        _ = found[6]
+    gravest = list(Verdict)
+    assert found.verdict is max((one.verdict for one in found), key=gravest.index)
+    assert MachineResults(machine_of("overloaded")).verdict is Verdict.NO_SOLUTION
+    assert found.totals == {}
+
+
+def test_the_totals_of_a_machine_are_the_sums_over_its_bearings() -> None:
+    import babbitt as bb
+
+    gear = bb.parse_case(bb.template("machine")).replace({"bearings.1.operating_points": None})
+    found = bb.solve(gear)
+    assert {"total_flow", "friction_power"} <= set(found.totals)
+    for name, total in found.totals.items():
+        assert total == sum(getattr(one, name) for one in found)
+    with pytest.raises(TypeError):
+        found.totals["total_flow"] = 0.0  # type: ignore[index]
+
+
+def test_a_machine_as_a_dataset() -> None:
+    found = several()
+    data = found.to_xarray()
+    assert data.sizes["result"] == 6
+    assert data["load"].values.tolist() == [one.load for one in found]
+    assert data["load"].attrs["units"] == "N"
+    assert data["point"].values.tolist() == ["half"] * 3 + ["full"] * 3
+    full = data.isel(result=(data["point"] == "full") & (data["clearance"] == "minimum"))
+    assert (
+        full["minimum_film_thickness"].item()
+        == found.sel(point="full", clearance="minimum").minimum_film_thickness
+    )
 
 
 def test_many_results_are_shown_in_few_lines() -> None:

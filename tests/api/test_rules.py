@@ -13,7 +13,6 @@ from importlib import import_module
 
 import numpy as np
 import pint
-import pydantic
 import pytest
 
 import babbitt
@@ -245,8 +244,18 @@ def test_a_copy_of_an_incomplete_case_knows_what_it_gained():
 
 
 def test_objects_are_immutable_and_equal_by_content(bearing):
-    with pytest.raises(pydantic.ValidationError):
+    with pytest.raises(AttributeError, match=r"load of a JournalBearing cannot be set; replace\(load=...\)"):
         bearing.load = 5.0
+    with pytest.raises(AttributeError, match=r"loads of a JournalBearing cannot be set; replace\(field=...\)"):
+        bearing.loads = 5.0
+    with pytest.raises(AttributeError, match=r"load of a JournalBearing cannot be deleted; replace\(load="):
+        del bearing.load
+    for part, name in ((bearing.supply, "Supply"), (bb.Supply(temperature="50 degC"), "Supply")):
+        says = rf"temperature of a {name} cannot be set; model_copy\(update={{'temperature': ...}}\)"
+        with pytest.raises(AttributeError, match=says):
+            part.temperature = 300.0
+    with pytest.raises(AttributeError, match="cannot be set"):
+        bb.Machine(bearings=[bearing]).bearings = ()
     bearing.given["load"] = "1 N"
     assert bearing.given["load"] == "10 kN"
     same = bb.JournalBearing(**GIVEN | {"diameter": 0.1})

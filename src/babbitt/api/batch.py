@@ -30,7 +30,7 @@ def solve_batch(
     speed: ArrayLike,
     load: ArrayLike,
     load_angle: ArrayLike | None = None,
-    groove_angles: Sequence[float] = (0.0, math.pi),
+    groove_angles: Sequence[float] | Array = (0.0, math.pi),
     groove_extent: float = math.radians(20.0),
     cavitation: Cavitation | str = Cavitation.MASS_CONSERVING,
     accuracy: Accuracy | str = Accuracy.ENGINEERING,
@@ -72,8 +72,9 @@ def solve_batch(
     Raises
     ------
     InputError
-        E101 for a load of one component or another shape, arrays of several axes, anything that is not finite,
-        sizes and speeds that are not positive, grooves that overlap, unknown words, no grooves.
+        E101, with the name of the argument, for text and quantities, a load of one component or another shape,
+        arrays of several axes, anything that is not finite, sizes and speeds that are not positive, grooves that
+        overlap, unknown words, no grooves.
 
     Examples
     --------
@@ -92,12 +93,15 @@ def solve_batch(
     arrays = {name: _positive(name, values) for name, values in given.items()}
     force = _force(load, load_angle)
     _require_one_count({**{name: values.shape for name, values in arrays.items()}, "load": force.shape[:-1]})
-    if not len(groove_angles):
+    angles, extent = _numbers("groove_angles", groove_angles), _numbers("groove_extent", groove_extent)
+    if not angles.size:
         raise InputError("E101", "groove_angles is empty; a batch takes bearings with grooves")
-    if not all(math.isfinite(angle) for angle in (*groove_angles, groove_extent)):
+    if angles.ndim != 1 or extent.ndim:
+        raise InputError("E101", "groove_angles is one axis and groove_extent one number, in rad")
+    if not (np.isfinite(angles).all() and np.isfinite(extent)):
         raise InputError("E101", "groove_angles and groove_extent must be finite, in rad")
-    if workers is not None and workers < 1:
-        raise InputError("E101", f"workers is {workers}; it must be one or more")
+    if workers is not None and not (isinstance(workers, int | np.integer) and workers >= 1):
+        raise InputError("E101", f"workers is {workers!r}; it must be a whole number, one or more")
     found = solve_lands(
         arrays["diameter"],
         arrays["width"],
@@ -105,7 +109,7 @@ def solve_batch(
         arrays["viscosity"],
         arrays["speed"],
         force,
-        grooved_bore(tuple(float(angle) for angle in groove_angles), float(groove_extent)),
+        grooved_bore(tuple(angles.tolist()), float(extent)),
         _member(Cavitation, "cavitation", cavitation),
         _member(Accuracy, "accuracy", accuracy).resolution,
         workers=workers,
@@ -118,8 +122,37 @@ def solve_batch(
     return found
 
 
+UNITS = {
+    "diameter": "m",
+    "width": "m",
+    "radial_clearance": "m",
+    "viscosity": "Pa s",
+    "speed": "rad/s",
+    "load": "N",
+    "load_angle": "rad",
+    "groove_angles": "rad",
+    "groove_extent": "rad",
+}
+"""What the numbers of a batch are in."""
+
+
+def _numbers(name: str, given: object) -> Array:
+    """An array of numbers; text and quantities, which a single bearing would take, are refused by name."""
+    says = f"{name}: a batch takes numbers in {UNITS[name]} or arrays of them"
+    if hasattr(given, "magnitude"):
+        raise InputError("E101", f"{says}, not quantities; give .to({UNITS[name]!r}).magnitude")
+    try:
+        found = np.asarray(given)
+    except ValueError:
+        raise InputError("E101", f"{says}; the rows of this list differ in length") from None
+    if found.dtype.kind not in "iuf":
+        first = next(iter(found.ravel().tolist()), given)
+        raise InputError("E101", f"{says}, not {first!r}, which is a {type(first).__name__}")
+    return found.astype(np.float64)
+
+
 def _positive(name: str, given: ArrayLike) -> Array:
-    values = np.asarray(given, dtype=np.float64)
+    values = _numbers(name, given)
     if values.ndim > 1:
         raise InputError("E101", f"{name} has shape {values.shape}; give a scalar or one axis, (bearings,)")
     if not (np.isfinite(values) & (values > 0.0)).all():
@@ -132,7 +165,7 @@ def _positive(name: str, given: ArrayLike) -> Array:
 
 def _force(load: ArrayLike, load_angle: ArrayLike | None) -> Array:
     """Load vectors of shape (2,) or (bearings, 2)."""
-    values = np.asarray(load, dtype=np.float64)
+    values = _numbers("load", load)
     if load_angle is None:
         if values.ndim not in (1, 2) or values.shape[-1] != 2:
             raise InputError(
@@ -141,7 +174,7 @@ def _force(load: ArrayLike, load_angle: ArrayLike | None) -> Array:
             )  # fmt: skip
         force = values
     else:
-        angle = np.asarray(load_angle, dtype=np.float64)
+        angle = _numbers("load_angle", load_angle)
         if values.ndim > 1 or angle.ndim > 1:
             raise InputError("E101", "with load_angle the load is a magnitude: a scalar or one axis, (bearings,)")
         if (values < 0.0).any():

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from babbitt.api.case import Case
+from babbitt.api.machine_bearings import by_itself
 from babbitt.api.methods import MethodOptions
 from babbitt.api.own_bore import Gap, with_own_bore, with_own_bore_in_words, without_own_bore
 from babbitt.api.words import of_machine, with_method, with_method_in_words
 from babbitt.case.case_file import CaseFile
+from babbitt.core.solution import Calculation
 from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
 from babbitt.kinds.footstep.case.footstep import FootstepCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_journal import HydrostaticJournalCase
@@ -78,6 +80,10 @@ class Machine(Case, files.Machine):
     model: ClassVar[type[CaseFile]] = files.Machine
     default_name: ClassVar[str] = "Machine"
 
+    def calculations(self) -> tuple[Calculation, ...]:
+        """One problem for each bearing, operating point and clearance."""
+        return self.in_language().calculations()
+
     @classmethod
     def in_words(cls, given: Mapping[str, Any]) -> dict[str, Any]:
         """What was given, each bearing with its kind and a name."""
@@ -85,6 +91,18 @@ class Machine(Case, files.Machine):
         if not isinstance(bearings, list | tuple):
             return dict(given)
         return {**given, "bearings": [of_machine(one, number) for number, one in enumerate(bearings, 1)]}
+
+
+def _bearings_by_themselves(machine: Machine) -> tuple[JournalBearing, ...]:
+    """The bearings, each with what it shares with its machine, so that it can be solved by itself."""
+    if "bearings" not in vars(machine):
+        raise AttributeError("bearings")
+    given = machine.given
+    return tuple(JournalBearing.read(machine._origin_of(by_itself(one, given))) for one in given["bearings"])
+
+
+if not TYPE_CHECKING:  # pydantic takes a property of the class for the default of its field
+    Machine.bearings = property(_bearings_by_themselves)
 
 
 class ThrustBearing(Case, ThrustCase):

@@ -5,11 +5,13 @@ from enum import Enum
 from typing import Any, ClassVar, Literal, SupportsFloat, SupportsIndex, TypeAlias
 
 from babbitt.api.case import Case
+from babbitt.api.machine_bearings import by_itself
 from babbitt.api.methods import MethodOptions
 from babbitt.api.own_bore import Gap, with_own_bore, with_own_bore_in_words, without_own_bore
 from babbitt.api.words import of_machine, with_method, with_method_in_words
 from babbitt.case.case_file import CaseFile
 from babbitt.case.part import Part
+from babbitt.core.solution import Calculation
 from babbitt.kinds.coupling.case.overhung_coupling import OverhungCouplingCase
 from babbitt.kinds.footstep.case.footstep import FootstepCase
 from babbitt.kinds.hydrostatic.case.hydrostatic_journal import HydrostaticJournalCase
@@ -95,6 +97,7 @@ class JournalBearing(Case, files.JournalCase):
 class Machine(Case, files.Machine):
     model: ClassVar[type[CaseFile]]
     default_name: ClassVar[str]
+    bearings: tuple[JournalBearing, ...]
     def __init__(
         self,
         *,

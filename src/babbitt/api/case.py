@@ -22,9 +22,9 @@ from babbitt.core.files.reading import Reach
 from babbitt.core.notices import InputError
 
 if TYPE_CHECKING:
+    from babbitt.api.comparisons import Comparisons
     from babbitt.api.gradient import Gradient
     from babbitt.api.result_set import ResultSet
-    from babbitt.study.comparison import Comparison
 
 __all__ = ["Case"]
 
@@ -71,12 +71,38 @@ class Case(CaseFile):
         made._take(case.model_copy(), ())
         return made
 
+    @classmethod
+    def read(cls, origin: Origin) -> Self:
+        """The case of what was given, in the words of a case file.
+
+        Raises
+        ------
+        CaseError
+            With all that is wrong; what is missing is not.
+        """
+        made = cls.__new__(cls)
+        made._take(*_read(cls, origin))
+        return made
+
+    def in_language(self) -> CaseFile:
+        """The same case as an object of its case model, as the methods read it."""
+        plain = self.model.__new__(self.model)
+        for slot in ("__dict__", "__pydantic_fields_set__", "__pydantic_extra__"):
+            object.__setattr__(plain, slot, getattr(self, slot))
+        private = {name: one for name, one in (self.__pydantic_private__ or {}).items() if name != "_missing"}
+        object.__setattr__(plain, "__pydantic_private__", {**private, "_text": self.text})
+        return plain
+
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
         """Give a copy with other values, checked when it is solved or written; `replace` checks them now."""
         copied = super().model_copy(update=update, deep=deep)
         if update:
             copied._origin = None
         return copied
+
+    def _with_other(self, name: str) -> str:
+        """How a copy with another value is made."""
+        return f"replace({name}=...) gives a changed copy"
 
     @property
     def missing(self) -> tuple[str, ...]:
@@ -116,9 +142,7 @@ class Case(CaseFile):
         given = self.given
         for path, value in self._in_order({**(changes or {}), **fields}).items():
             given = self._given_with(given, path, value)
-        made = type(self).__new__(type(self))
-        made._take(*_read(type(self), self._origin_of(given)))
-        return made
+        return type(self).read(self._origin_of(given))
 
     __replace__ = replace
 
@@ -238,24 +262,25 @@ class Case(CaseFile):
 
         return gradient_of(self, fields, of, steps, workers)
 
-    def compare(self) -> tuple[Comparison, ...]:
+    def compare(self) -> Comparisons:
         """Solve it by every method that knows it, each beside the others.
 
         Returns
         -------
-        tuple of Comparison
-            One for each bearing, operating point and clearance; `left_out` says which methods do not apply.
+        Comparisons
+            A tuple of one `babbitt.api.comparisons.Comparison` for each bearing, operating point and clearance.
+            ``comparison["ISO 7902"]`` is a result as `solve` gives it; `left_out` says which methods do not apply.
 
         Raises
         ------
         CaseError
             Where it is incomplete, or its kind has one method.
         """
-        from babbitt.study.comparison import compare_methods
+        from babbitt.api.comparisons import compared
 
         complete = self.complete()
         try:
-            return compare_methods(complete)
+            return compared(complete)
         except InputError as error:
             raise located(error, complete, type(self).__name__) from None
 

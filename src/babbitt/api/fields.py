@@ -12,7 +12,7 @@ from babbitt.case.parts.fields import TabulatedSpan
 from babbitt.case.shorthand import Shorthand
 from babbitt.core.units import SiField
 
-__all__ = ["expanded", "field_annotations", "quantity_in", "takes_list"]
+__all__ = ["attributes_of_field", "expanded", "field_annotations", "quantity_in", "takes_list"]
 
 
 def field_annotations(model: type[Part], steps: Sequence[str]) -> tuple[Any, ...]:
@@ -34,6 +34,28 @@ def field_annotations(model: type[Part], steps: Sequence[str]) -> tuple[Any, ...
     if not rest:
         return (annotation,)
     return tuple(found for part in parts_in(annotation) for found in field_annotations(part, rest))
+
+
+def attributes_of_field(model: type[Part], steps: Sequence[str]) -> dict[str, str]:
+    """Unit in SI and meaning of the field that a path leads to, as ``units`` and ``long_name``; empty if none.
+
+    >>> from babbitt.kinds.journal.case.files import JournalCase
+    >>> attributes_of_field(JournalCase, ["supply", "temperature"])["units"]
+    'K'
+    """
+    first, *rest = todays_path(model, steps)
+    if first not in model.model_fields:
+        return {}
+    field = model.model_fields[first]
+    annotation = field.rebuild_annotation()
+    while rest and rest[0].isdecimal():
+        rest = rest[1:]
+    if rest:
+        found = (attributes_of_field(part, rest) for part in parts_in(annotation))
+        return next(filter(None, found), {})
+    quantity = quantity_in(annotation)
+    units = {} if quantity is None else {"units": quantity.kind.unit}
+    return {**units, "long_name": (field.description or first).rstrip(".")}
 
 
 def quantity_in(annotation: Any) -> SiField | TabulatedSpan | None:

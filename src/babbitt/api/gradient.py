@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from babbitt.api.fields import field_annotations, quantity_in
 from babbitt.api.given import as_given
-from babbitt.api.nearest_name import unknown_name
 from babbitt.case.part import Part
 from babbitt.case.problems import CaseError, Problem
+from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.units import SiField, read
 

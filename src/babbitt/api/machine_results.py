@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from html import escape
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
-from babbitt.api.nearest_name import unknown_name
 from babbitt.api.results import BearingResult
+from babbitt.core.nearest_name import unknown_name
+from babbitt.core.result import Verdict
 from babbitt.core.result_name import ResultName
 
 if TYPE_CHECKING:
     import pandas
+    import xarray
 
     from babbitt.solving import MachineResult
 
@@ -21,6 +24,9 @@ __all__ = ["MachineResults"]
 
 SHOWN = 20
 """Bearings that are listed."""
+
+PARTS = ("bearing", "point", "clearance", "state")
+"""What the name of a result is made of."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -57,24 +63,46 @@ class MachineResults:
         """Whether every bearing passes."""
         return self.machine.within_limits
 
+    @property
+    def verdict(self) -> Verdict:
+        """The gravest verdict of all bearings."""
+        gravest = list(Verdict)
+        return max((one.verdict for one in self.machine.results), key=gravest.index, default=Verdict.PASS)
+
+    @property
+    def totals(self) -> Mapping[str, float]:
+        """Sums over the bearings of a machine, in SI: oil flow, friction power, heat to oil and surroundings.
+
+        Empty for a single bearing, for several operating points or clearances, and where a bearing has no
+        operating point: such a sum would be that of no machine.
+        """
+        from babbitt.report.totals import totals
+
+        found = totals(self.machine.results)
+        return MappingProxyType({} if found is None else dict(found.values))
+
     def __iter__(self) -> Iterator[BearingResult]:
         return iter(self.results)
 
     def __len__(self) -> int:
         return len(self.machine.solutions)
 
-    def __getitem__(self, name: str) -> BearingResult:
-        """The result of a name: that of a whole result, or of a bearing with one result.
+    def __getitem__(self, key: str | int) -> BearingResult:
+        """The result of a place, or of a name: that of a whole result, or of a bearing with one result.
 
         Raises
         ------
         KeyError
             For an unknown name, and for a bearing with several results.
+        IndexError
+            For a place that there is not.
         """
+        if not isinstance(key, str):
+            return self.results[key]
         for one in self.results:
-            if one.name == name:
+            if one.name == key:
                 return one
-        return self.sel(bearing=name)
+        return self.sel(bearing=key)
 
     def sel(
         self, *, bearing: str | None = None, point: str | None = None, clearance: str | None = None,
@@ -128,8 +156,23 @@ class MachineResults:
         """
         from babbitt.api.tables import frame_of
 
-        parts = ("bearing", "point", "clearance", "state")
-        return frame_of([{part: _part(one, part) for part in parts} for one in self.results], self.results)
+        return frame_of([{part: _part(one, part) for part in PARTS} for one in self.results], self.results)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """Every quantity over the results, with ``units`` and ``long_name``; NaN where a result has none of it.
+
+        Along ``result``, bearing, point, clearance and state are coordinates.
+
+        Raises
+        ------
+        InputError
+            E007 where xarray is not installed.
+        """
+        from babbitt.api.result_set import ResultSet
+
+        names = {f"{part}_name": [_part(one, part) for one in self.results] for part in PARTS}
+        data = ResultSet(names, self.results, (len(self),)).to_xarray()
+        return data.rename({"point": "result"}).rename({f"{part}_name": part for part in PARTS})
 
     def write_report(self, path: str | Path) -> None:
         """Write the report of the machine, as PDF or HTML by the suffix.

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
 from babbitt.core.files.printing import printable
+from babbitt.core.nearest_name import nearest_names
 from babbitt.core.notices import EXPLANATIONS, Explanation, InputError
 
 if TYPE_CHECKING:
@@ -70,7 +70,7 @@ def explain(code: str) -> Explanation:
         kinds()  # those of other packages bring codes of their own
     found = EXPLANATIONS.get(asked)
     if found is None:
-        near = get_close_matches(asked, EXPLANATIONS, n=4)
+        near = nearest_names(asked, EXPLANATIONS, most=4)
         hint = f"did you mean {', '.join(near)}?" if near else f"there are: {', '.join(sorted(EXPLANATIONS))}"
         raise InputError("E005", f"no code '{printable(code)}'; {hint}")
     return found

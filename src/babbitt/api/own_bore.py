@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from babbitt.api.given import as_given
+from babbitt.api.own_function import failure, named
 from babbitt.case.problems import CaseError, Problem
 from babbitt.core.units import QuantityError, si
 
@@ -37,7 +38,8 @@ class Gap:
     ----------
     gain : callable
         ``gain(angle, z)`` in m, positive where the gap is wider. `angle` counter-clockwise from the x axis in rad
-        and `z` from the mid-plane in m are arrays of one shape, which the result has, too.
+        and `z` from the mid-plane in m are arrays of one shape, which the result has, too. A function that fails
+        with arrays, as those of `math` do, is called with one angle and one place at a time.
     describe : str
         What form it is, in a few words: reports and settings name the bore by them.
 
@@ -51,7 +53,7 @@ class Gap:
     ('two waves of 5 um', 180, (0.0,))
     """
 
-    gain: Callable[[NDArray[np.float64], NDArray[np.float64]], Any]
+    gain: Callable[[Any, Any], Any]
     describe: str
 
     def table(self, width: float) -> dict[str, Any]:
@@ -86,16 +88,29 @@ class Gap:
 
         shape = angle.shape
         try:
-            found = np.asarray(self.gain(angle, z), dtype=np.float64)
+            given = np.asarray(self.gain(angle, z))
+            found = given.astype(np.float64, casting="same_kind")  # which no complex number is
+        except (TypeError, ValueError):  # a function of single numbers
+            pairs = zip(angle.ravel().tolist(), z.ravel().tolist(), strict=True)
+            found = np.array([self._one(*pair) for pair in pairs]).reshape(shape)
         except Exception as error:
-            _refuse(f"the function of '{self.describe}' fails: {type(error).__name__}: {error}", error)
+            _refuse(failure(self.gain, self.describe, f"angle and z of the shape {shape}", error))
         if found.shape != shape:
             _refuse(
-                f"the function of '{self.describe}' gives the shape {found.shape} for angles and places of {shape}"
+                f"{named(self.gain, self.describe)} gives the shape {found.shape} for angles and places of {shape}"
             )
         if not np.isfinite(found).all():
-            _refuse(f"the function of '{self.describe}' is not finite everywhere")
+            row, column = np.argwhere(~np.isfinite(found))[0]
+            at = f"angle = {angle[row, column]:g} rad, z = {z[row, column]:g} m"
+            _refuse(f"{named(self.gain, self.describe)} gives {found[row, column]:g} at {at}")
         return found
+
+    def _one(self, angle: float, z: float) -> float:
+        """The gain at one place, m."""
+        try:
+            return float(self.gain(angle, z))
+        except Exception as error:
+            _refuse(failure(self.gain, self.describe, f"angle = {angle:g} rad, z = {z:g} m", error))
 
 
 def with_own_bore_in_words(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -138,7 +153,7 @@ def _width(given: Mapping[str, Any]) -> float:
             return width
         ratio, diameter = _number(given, "width_ratio", "1"), _number(given, "diameter", "m")
     except QuantityError as error:
-        _refuse(f"the width of the bearing cannot be read: {error.says}", error)
+        _refuse(f"the width of the bearing cannot be read: {error.says}", error.allowed)
     if ratio is None or diameter is None:
         _refuse(
             "an own bore is sampled across the width, which is missing", allowed="give the width with the bore"
@@ -152,6 +167,6 @@ def _number(given: Mapping[str, Any], name: str, unit: str) -> float | None:
 
 
 def _refuse(
-    says: str, cause: Exception | None = None, allowed: str = "a finite number for every angle and place"
+    says: str, allowed: str = "a finite number, in m, for every angle and place, in an array of their shape"
 ) -> NoReturn:
-    raise CaseError([Problem("JournalBearing", 0, "bore", says, allowed=allowed)]) from cause
+    raise CaseError([Problem("JournalBearing", 0, "bore", says, allowed=allowed)]) from None

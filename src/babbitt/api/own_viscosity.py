@@ -8,6 +8,7 @@ from typing import Any
 
 from babbitt.api.common_parts import TableLubricant
 from babbitt.api.given import as_given
+from babbitt.api.own_function import failure, named
 from babbitt.case.problems import CaseError, Problem
 from babbitt.core.units import QuantityError, si
 
@@ -30,7 +31,7 @@ def viscosity_law(
     Parameters
     ----------
     viscosity : callable
-        Dynamic viscosity in Pa s of a temperature in K, falling.
+        Dynamic viscosity in Pa s of a temperature in K, falling. It is called with one number at a time.
     coldest, warmest : float or str
         Where the law holds, K or text with a unit; it is sampled from one to the other, 2 K apart or less, with
         Andrade's law between. A result outside carries W107.
@@ -67,14 +68,18 @@ def viscosity_law(
 
 
 def _sampled(viscosity: Callable[[float], float], kelvin: float, describe: str) -> float:
-    allowed = "a viscosity in Pa s for every temperature in K"
+    allowed = "one positive number, the viscosity in Pa s, for every temperature in K"
     try:
-        found = float(viscosity(kelvin))
+        given = viscosity(kelvin)
     except Exception as error:
-        says = f"the function of '{describe}' fails at {kelvin:g} K: {type(error).__name__}: {error}"
-        raise _refused("viscosity", says, allowed) from error
+        raise _refused("viscosity", failure(viscosity, describe, f"{kelvin:g} K", error), allowed) from None
+    try:
+        found = float(given)
+    except (TypeError, ValueError):
+        says = f"{named(viscosity, describe)} gives a {type(given).__name__} at {kelvin:g} K"
+        raise _refused("viscosity", says, allowed) from None
     if not (math.isfinite(found) and found > 0.0):
-        raise _refused("viscosity", f"the function of '{describe}' gives {found} at {kelvin:g} K", allowed)
+        raise _refused("viscosity", f"{named(viscosity, describe)} gives {found:g} at {kelvin:g} K", allowed)
     return found
 
 

@@ -36,6 +36,10 @@ class ResultPlots:
     def __init__(self, solution: Solution) -> None:
         self._solution = solution
 
+    def __call__(self, ax: Axes | None = None) -> Axes:
+        """The orbit of a bearing with a changing load, else the pressure; parameters and errors as `pressure`."""
+        return self.orbit(ax) if "orbit" in self._solution.result.arrays else self.pressure(ax)
+
     def pressure(self, ax: Axes | None = None) -> Axes:
         """Pressure over the unrolled bore; hatched where the film is ruptured.
 

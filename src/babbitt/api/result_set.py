@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.api.nearest_name import unknown_name
 from babbitt.api.results import BearingResult
+from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.optional_package import optional_package
 from babbitt.core.quantities import QUANTITIES
@@ -45,6 +45,8 @@ class ResultSet:
         Of the points.
     keep : {"results", "solutions"}
         Films take memory; by default they are not kept.
+    about : mapping, optional
+        By the name of a parameter, its ``units`` and ``long_name``.
 
     Raises
     ------
@@ -58,6 +60,7 @@ class ResultSet:
         results: Sequence[BearingResult],
         shape: tuple[int, ...],
         keep: str = "results",
+        about: Mapping[str, Mapping[str, str]] | None = None,
     ) -> None:
         if keep not in KEEP:
             raise ValueError(f"keep is {keep!r}; allowed: {', '.join(KEEP)}")
@@ -70,6 +73,7 @@ class ResultSet:
             values.shape == (size,) for values, size in zip(given.values(), self._shape, strict=True)
         )
         self._given = given
+        self._about = {name: dict((about or {}).get(name, {})) for name in given}
         self._parameters = {
             name: self._broadcast(name, values, axis) for axis, (name, values) in enumerate(given.items())
         }
@@ -160,7 +164,7 @@ class ResultSet:
         package = require_package("xarray")
         axes = self._axis_names()
         coordinates: dict[str, Any] = {
-            name: ((axes[number],) if self._is_product else axes, values, attributes_of(name))
+            name: ((axes[number],) if self._is_product else axes, values, attributes_of(name) | self._about[name])
             for number, (name, values) in enumerate(
                 (self._given if self._is_product else self._parameters).items()
             )
@@ -182,6 +186,8 @@ class ResultSet:
     def to_dataframe(self) -> pandas.DataFrame:
         """A row for each point: parameters, status and verdict, values, entries of matrices.
 
+        ``frame.attrs["units"]`` has the units of the columns.
+
         Raises
         ------
         InputError
@@ -191,7 +197,9 @@ class ResultSet:
 
         flat = {name: values.ravel() for name, values in self._parameters.items()}
         leading = [{name: values[row] for name, values in flat.items()} for row in range(len(self))]
-        return frame_of(leading, self._results)
+        return frame_of(
+            leading, self._results, {name: one["units"] for name, one in self._about.items() if "units" in one}
+        )
 
     def coefficient_table(self) -> CoefficientTable:
         """Stiffness and damping over speed, of a sweep over speed alone.

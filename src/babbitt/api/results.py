@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from babbitt.api.nearest_name import unknown_name
+from babbitt.core.nearest_name import unknown_name
 from babbitt.core.notices import InputError
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.solution import Solution
@@ -199,7 +199,7 @@ class BearingResult:
 
     @property
     def plot(self) -> ResultPlots:
-        """Pictures of the film: ``result.plot.pressure()``."""
+        """Pictures of the film: ``result.plot.pressure()``; ``result.plot()`` is that which tells most."""
         from babbitt.api.plot import ResultPlots
 
         return ResultPlots(self.solution)

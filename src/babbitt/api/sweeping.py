@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from babbitt.api.answers import first_answer, solutions_of
-from babbitt.api.fields import field_annotations, quantity_in, takes_list
+from babbitt.api.fields import attributes_of_field, field_annotations, quantity_in, takes_list
 from babbitt.api.given import as_given
 from babbitt.case.problems import CaseError, Problem
 from babbitt.core.notices import InputError
@@ -89,7 +89,8 @@ def _solved(
 ) -> ResultSet:
     from babbitt.api.result_set import ResultSet
 
-    return ResultSet(parameters, over_points(case, points, workers, keep), shape, keep)
+    about = {path: attributes_of_field(case.model, path.split(".")) for path in parameters}
+    return ResultSet(parameters, over_points(case, points, workers, keep), shape, keep, about)
 
 
 def over_points(

@@ -21,14 +21,24 @@ if TYPE_CHECKING:
 __all__ = ["attributes_of", "axes_of", "dataset_of", "frame_of"]
 
 
-def frame_of(leading: Sequence[Mapping[str, Any]], results: Sequence[BearingResult]) -> pandas.DataFrame:
+ENTRIES = ("xx", "xy", "yx", "yy")
+"""Ends of the columns of a matrix of force over motion."""
+
+
+def frame_of(
+    leading: Sequence[Mapping[str, Any]], results: Sequence[BearingResult], units: Mapping[str, str] | None = None
+) -> pandas.DataFrame:
     """A row for each result: what leads it, status and verdict, values, entries of its matrices.
+
+    ``frame.attrs["units"]`` has the unit of each column that is a quantity.
 
     Parameters
     ----------
     leading : sequence of mapping
         Columns before the others, one mapping for each result.
     results : sequence of BearingResult
+    units : mapping, optional
+        Of leading columns.
 
     Raises
     ------
@@ -39,7 +49,15 @@ def frame_of(leading: Sequence[Mapping[str, Any]], results: Sequence[BearingResu
     frame: pandas.DataFrame = pandas_package.DataFrame(
         [{**before, **_row(one)} for before, one in zip(leading, results, strict=True)]
     )
+    known = {column: attributes_of(_quantity_in(column)).get("units", "") for column in frame.columns}
+    frame.attrs["units"] = {column: unit for column, unit in {**known, **(units or {})}.items() if unit}
     return frame
+
+
+def _quantity_in(column: str) -> str:
+    """The quantity of a column: its own name, or that of the matrix of which it is an entry."""
+    name, _, axes = column.rpartition("_")
+    return name if axes in ENTRIES and column not in QUANTITIES else column
 
 
 def _row(one: BearingResult) -> dict[str, Any]:

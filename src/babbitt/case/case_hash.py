@@ -36,8 +36,8 @@ def _content(value: Any) -> Any:
     """Mappings and lists in former words, fields that have their default left out."""
     match value:
         case Part():
-            fields = type(value).model_fields
-            pairs = ((name, _content(getattr(value, name)), fields[name]) for name in fields)
+            fields, content = type(value).model_fields, vars(value)
+            pairs = ((name, _content(content[name]), fields[name]) for name in fields)
             told = {
                 name: own
                 for name, own, field in pairs

@@ -105,6 +105,25 @@ class Part(BaseModel):
         functions = (member for member in members.values() if isinstance(member, FunctionType))
         cls.rules = tuple(function for function in functions if getattr(function, "is_rule", False))
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        # A case does not change; pydantic would say so in words of its own.
+        if name.startswith("_"):
+            super().__setattr__(name, value)
+        else:
+            raise self._frozen(name, "set")
+
+    def __delattr__(self, name: str) -> None:
+        raise self._frozen(name, "deleted")
+
+    def _frozen(self, name: str, done: str) -> AttributeError:
+        field = name if name in type(self).model_fields else "field"
+        says = f"{name} of a {type(self).__name__} cannot be {done}; {self._with_other(field)}"
+        return AttributeError(says, name=name, obj=self)
+
+    def _with_other(self, name: str) -> str:
+        """How a copy with another value is made."""
+        return f"model_copy(update={{'{name}': ...}}) gives a changed copy"
+
     @model_validator(mode="wrap")
     @classmethod
     def _tell_all(cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo) -> Self:

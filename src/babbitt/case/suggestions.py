@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 import tomllib
 import typing
@@ -11,13 +10,16 @@ from functools import cache
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
+from babbitt.core.nearest_name import nearest_names
+
 if TYPE_CHECKING:
     from babbitt.case.part import Part
 
 __all__ = ["meant_field", "near_typo", "synonyms"]
 
 NEAR = 0.75
-"""Likeness from which two words are one with a typo: two letters exchanged in one of four."""
+"""Likeness from which two words are one with a typo: two letters exchanged in one of four. Higher than of other
+names, since a field that is not meant has a meaning of its own."""
 
 _UNIT_AT_THE_END = re.compile(
     r"_(mm|um|m|in|kn|n|lbf|rpm|rad_s|hz|mpa|kpa|pa|bar|psi|degc|celsius|c|k|deg|kg|t|l_min|m_s)$"
@@ -51,8 +53,7 @@ def near_typo(name: str, known: Iterable[str]) -> str:
     """
     word = _plain(name)
     alike = [one for one in known if one[:1].lower() == word[:1]]
-    close = difflib.get_close_matches(word, alike, n=1, cutoff=NEAR)
-    return close[0] if close else ""
+    return next(iter(nearest_names(word, alike, spelled=str, alike=NEAR)), "")
 
 
 @cache

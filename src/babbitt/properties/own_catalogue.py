@@ -6,7 +6,6 @@ They stand in ``lubricants.toml`` and ``materials.toml`` of a folder, or togethe
 
 from __future__ import annotations
 
-import difflib
 import math
 import os
 import warnings
@@ -19,6 +18,7 @@ from typing import Any, Protocol, TypeVar
 from babbitt.core.files.bounded_text import loads_toml
 from babbitt.core.files.printing import printable
 from babbitt.core.files.reading import UnreadableFileError, read_regular
+from babbitt.core.nearest_name import nearest_names
 from babbitt.core.notices import InputError
 
 __all__ = [
@@ -183,7 +183,7 @@ def refuse_unknown_fields(table: Mapping[str, Any], known: Iterable[str]) -> Non
     names = list(known)
     for field in table:
         if field not in names:
-            near = difflib.get_close_matches(field, names, 1)
+            near = nearest_names(field, names)
             hint = f"did you mean {near[0]}?" if near else f"there are {', '.join(names)}"
             raise InputError("E003", f"{field}: is no field of an entry; {hint}")
 

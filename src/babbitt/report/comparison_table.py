@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from io import StringIO
 from textwrap import fill
 
 from rich.console import Console
@@ -13,15 +14,18 @@ from rich.text import Text
 from babbitt.core.quantities import QUANTITIES
 from babbitt.core.result import Result, Verdict
 from babbitt.report.meanings import meaning
-from babbitt.report.table import console
+from babbitt.report.table import PIPED_WIDTH, console
 from babbitt.report.text import plain_text
 from babbitt.report.verdict import governing, margin, missed_codes, questioning_codes
+from babbitt.report.view import view_of
 from babbitt.study.comparison import Comparison, Variant
 
 WIDEST_HEAD = 14
 """Characters in a line of a head: words take the room, and numbers need little."""
 AS_ASKED = " *"
 """Behind the name of the method that the case asks for."""
+MOST_ROWS = 10
+"""Quantities of a short table; all of them stand in that of `print_comparison`."""
 
 
 def print_comparison(comparisons: Sequence[Comparison]) -> bool:
@@ -53,6 +57,22 @@ def print_comparison(comparisons: Sequence[Comparison]) -> bool:
             _print_remarks(to, others)
             to.print()
     return all(comparison.asked.result.outcome.solved for comparison in comparisons)
+
+
+def short_comparison(comparison: Comparison) -> str:
+    """Methods side by side in the quantities that matter most, in fewer than 25 lines of text."""
+    asked = comparison.asked
+    key = [name for name in view_of(asked.result).key_results if name in comparison.compared]
+    shown = (key or list(comparison.compared))[:MOST_ROWS]
+    table = _table(Text(plain_text(comparison.name)), shown, comparison.methods, asked)
+    table.columns[0].no_wrap = True  # each quantity on one line
+    to = Console(width=PIPED_WIDTH, file=StringIO(), color_system=None, highlight=False)
+    with to.capture() as written:
+        to.print(table)
+        to.print(f" {AS_ASKED} {asked.label}: what the case asks for", markup=False)
+        if others := ", ".join(one.label for one in comparison.choices):
+            to.print(f"   besides: {others}", markup=False)
+    return "\n".join(line.rstrip() for line in written.get().splitlines())
 
 
 def head(variant: Variant, asked: Variant) -> str:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from difflib import get_close_matches
-
+from babbitt.core.nearest_name import nearest_names
 from babbitt.core.notices import InputError
 from babbitt.validation.case import Evidence, ValidationCase
 from babbitt.validation.published import (
@@ -101,7 +100,7 @@ def validation_case(name: str) -> ValidationCase:
     Raises
     ------
     InputError
-        E005 when there is no such case; the message names the nearest one.
+        E005 when there is no such case; the message names the nearest one, if one is near.
 
     Examples
     --------
@@ -111,5 +110,6 @@ def validation_case(name: str) -> ValidationCase:
     by_name = {case.name: case for case in _CASES}
     if name in by_name:
         return by_name[name]
-    near = get_close_matches(name, by_name, n=1, cutoff=0.0)[0]
-    raise InputError("E005", f"no validation case {name!r}; did you mean {near!r}? All: {', '.join(by_name)}")
+    near = nearest_names(name, by_name)
+    hint = f"did you mean {near[0]!r}? " if near else ""
+    raise InputError("E005", f"no validation case {name!r}; {hint}All: {', '.join(by_name)}")

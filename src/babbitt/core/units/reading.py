@@ -6,12 +6,13 @@ exponents, so that no expression from a file can keep the machine busy.
 
 from __future__ import annotations
 
-import difflib
 import math
 import re
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any
 
+from babbitt.core.nearest_name import nearest_names
 from babbitt.core.picklable_error import PicklableError
 from babbitt.core.units.kinds import AMBIGUOUS_TON, KINDS, Kind, kind_of
 
@@ -234,7 +235,7 @@ def _same_letters(unit: str, kind: Kind) -> str:
 def _nearest(unit: str, kind: Kind) -> str:
     """Hint at a unit: capitals mixed up, else one letter mistyped, else whatever looks alike."""
     mistyped = [known for known in kind.everyday if len(unit) > 1 and _differ_by_one_letter(unit, known)]
-    alike = difflib.get_close_matches(unit, kind.everyday, n=1, cutoff=0.5)
+    alike = nearest_names(unit, kind.everyday)
     return _same_letters(unit, kind) or _meant(mistyped) or _meant(alike)
 
 
@@ -242,7 +243,7 @@ def _differ_by_one_letter(one: str, other: str) -> bool:
     return len(one) == len(other) and sum(a != b for a, b in zip(one, other, strict=True)) == 1
 
 
-def _meant(units: list[str]) -> str:
+def _meant(units: Sequence[str]) -> str:
     return f"did you mean '{units[0]}'?" if units else ""
 
 

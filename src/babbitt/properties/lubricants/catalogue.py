@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import functools
 import tomllib
 from dataclasses import replace
@@ -10,6 +9,7 @@ from functools import partial
 from importlib import resources
 from typing import Any
 
+from babbitt.core.nearest_name import nearest_names
 from babbitt.core.notices import InputError
 from babbitt.core.units import ZERO_CELSIUS
 from babbitt.properties.lubricants._evaluation import require_range
@@ -121,7 +121,7 @@ def _key(name: str) -> str:
 
 
 def _not_on_board(name: str) -> str:
-    near = difflib.get_close_matches(_key(name), _index(), n=1, cutoff=0.5)
+    near = nearest_names(_key(name), _index())
     hint = f"The nearest is '{_index()[near[0]].name}'." if near else "Nothing on board is named like it."
     return (
         f"No lubricant named {name!r} is on board. {hint} `babbitt list lubricants` shows all; "

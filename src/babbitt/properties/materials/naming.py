@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from difflib import get_close_matches
 from typing import TypeVar
 
+from babbitt.core.nearest_name import nearest_names
 from babbitt.core.notices import InputError
 
 Entry = TypeVar("Entry")
@@ -48,9 +48,8 @@ def find(name: str, entries: Mapping[str, Entry], what: str, names: tuple[str, .
         return entries[spelling(name)]
     except KeyError:
         pass
-    by_spelling = {spelling(known): known for known in names}
-    near = get_close_matches(spelling(name), by_spelling, n=3, cutoff=0.5)
-    suggestion = f"nearest: {', '.join(by_spelling[known] for known in near)}" if near else "no similar name"
+    near = nearest_names(name, names, most=3, spelled=spelling)
+    suggestion = f"nearest: {', '.join(near)}" if near else "no similar name"
     raise InputError(
         "E005",
         f"no {what} named {name[:60]!r} in the catalogue ({suggestion}); `babbitt list materials` shows all names",

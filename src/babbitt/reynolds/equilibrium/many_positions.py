@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,10 @@ from babbitt.reynolds.lands._forces import RESULT_SIZE
 from babbitt.reynolds.lands.operators import kernel_operator
 from babbitt.reynolds.model import Cavitation, FilmStart, JournalFilm, Resolution
 from babbitt.reynolds.scales import Scales
+
+if TYPE_CHECKING:
+    from babbitt.reynolds.solution import FilmSolution
+    from babbitt.reynolds.surface.ring_positions import RingForces, RingPositions
 
 __all__ = ["FilmPositions", "PositionCoefficients", "PositionForces"]
 
@@ -92,8 +97,9 @@ class FilmPositions:
 
     Notes
     -----
-    Films that separate into modes of the width, from grooves without pressure, run through a compiled loop; all
-    others are solved one by one by `babbitt.reynolds.equilibrium.position.film_at_position`.
+    Films that separate into modes of the width, from grooves without pressure, run through a compiled loop; those
+    that differ across the width are solved one by one, node by node, and all others by
+    `babbitt.reynolds.equilibrium.position.film_at_position`, whose numbers all have.
     """
 
     def __init__(self, film: JournalFilm, resolution: Resolution) -> None:
@@ -117,6 +123,15 @@ class FilmPositions:
     @cached_property
     def _of_coefficients(self) -> Loop | None:
         return Loop(self.film, self.resolution, True) if self.by_loop else None
+
+    @cached_property
+    def _by_nodes(self) -> RingPositions | None:
+        film = self.film
+        if not film.is_surface or film.angular_speed == 0.0 or film.cavitation is Cavitation.HALF_SOMMERFELD:
+            return None
+        from babbitt.reynolds.surface.ring_positions import RingPositions
+
+        return RingPositions(film, self.resolution)
 
     def forces(self, places: Array) -> PositionForces:
         """Forces at rows of x, y (m) and their rates (m/s), shape (n, 4).
@@ -177,7 +192,11 @@ class FilmPositions:
 
     def _put(self, found: PositionForces, row: int, place: Array) -> None:
         x, y, x_rate, y_rate = (float(part) for part in place)
-        one = film_at_position(self.film, (x, y), (x_rate, y_rate), self.resolution)
+        one: FilmSolution | RingForces
+        if self._by_nodes is not None:
+            one = self._by_nodes.at(place[:2], place[2:])
+        else:
+            one = film_at_position(self.film, (x, y), (x_rate, y_rate), self.resolution)
         found.outside[row], found.settled[row] = one.outcome is Outcome.OVERLOADED, one.outcome.solved
         found.force[row] = one.force
         if isinstance(found, PositionCoefficients):

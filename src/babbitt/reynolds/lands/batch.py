@@ -6,7 +6,7 @@ import math
 import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,7 +25,7 @@ __all__ = ["BatchSolution", "solve_batch"]
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class BatchSolution:
     """Equilibria of a batch; every array has the bearings as its first axis.
 
@@ -67,6 +67,14 @@ class BatchSolution:
     stiffness: Array
     damping: Array
     iterations: NDArray[np.int64]
+
+    def __repr__(self) -> str:
+        shapes = [f"{one.name} {getattr(self, one.name).shape}" for one in fields(self)]
+        half = (len(shapes) + 1) // 2
+        return (
+            f"{len(self.solved)} bearings, {np.count_nonzero(self.solved)} solved\n"
+            f"  {', '.join(shapes[:half])},\n  {', '.join(shapes[half:])}"
+        )
 
 
 def solve_batch(

@@ -37,7 +37,16 @@ from babbitt.reynolds.surface._surface_forces import evaluate_surface
 from babbitt.reynolds.surface.mesh_lines import Density
 from babbitt.reynolds.surface.unwrapped_mesh import UnwrappedMesh, axial_gain, build_ring, gap_over_lands
 
-__all__ = ["OUT_OF_WORK", "PseudoTime", "SurfaceEquilibrium", "rest_ring", "rest_ring_near", "ring_at"]
+__all__ = [
+    "OUT_OF_WORK",
+    "PseudoTime",
+    "SurfaceEquilibrium",
+    "coarse_ring",
+    "rest_ring",
+    "rest_ring_near",
+    "ring_at",
+    "ring_from",
+]
 
 Array = NDArray[np.float64]
 ZERO = np.zeros(4)
@@ -340,11 +349,25 @@ CALM = 1e-4
 let be: what an equilibrium with such nodes may miss of its load (`rest`)."""
 
 
+def coarse_ring(film: JournalFilm, unit: float, resolution: Resolution, motions: int = 2) -> UnwrappedMesh:
+    """The ring on which the film of any position begins, its lines spread evenly."""
+    return build_ring(film, unit, resolution.ring_intervals // 4, resolution.axial_unknowns, None, motions)
+
+
 def ring_at(film: JournalFilm, unit: float, at: Array, rate: Array, resolution: Resolution) -> SurfaceEquilibrium:
     """Film at a position and velocity, (2,), or with the tilts of ``build_ring``, (4,)."""
+    return ring_from(coarse_ring(film, unit, resolution, at.size), film, unit, at, rate, resolution)
+
+
+def ring_from(
+    first: UnwrappedMesh, film: JournalFilm, unit: float, at: Array, rate: Array, resolution: Resolution
+) -> SurfaceEquilibrium:
+    """As `ring_at`, from a ring of `coarse_ring`, which stays as it is."""
     total, coarse, density, effort = 0, None, None, Effort(math.inf)
-    for per_turn in (resolution.ring_intervals // 4, resolution.ring_intervals):
-        ring = build_ring(film, unit, per_turn, resolution.axial_unknowns, density, motions=at.size)
+    for per_turn in (None, resolution.ring_intervals):
+        ring = first
+        if per_turn is not None:
+            ring = build_ring(film, unit, per_turn, resolution.axial_unknowns, density, motions=at.size)
         sample = SurfaceState.of(ring, effort)
         gap = sample.gap(at)
         if not gap > 0.0:

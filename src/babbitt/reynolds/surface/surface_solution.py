@@ -20,7 +20,7 @@ from babbitt.reynolds.surface.closed_pocket_coefficients import closed_coefficie
 from babbitt.reynolds.surface.surface_equilibrium import OUT_OF_WORK, SurfaceEquilibrium
 from babbitt.reynolds.surface.unwrapped_mesh import UnwrappedMesh, groove_lines
 
-__all__ = ["mirrored", "ring_solution", "solution_of"]
+__all__ = ["mirrored", "outcome_of", "ring_solution", "solution_of"]
 
 Array = NDArray[np.float64]
 
@@ -86,13 +86,10 @@ def solution_of(
         passing = max(passing, float(np.abs(along).sum(axis=1).max()))
     frame = np.diag(scales.sense)
     unit = scales.force / scales.length
-    outcome = OUTCOMES.get(settled.status, Outcome.NOT_CONVERGED)
-    if ring.surface.piezo.size and work.pressure.max() > ring.surface.piezo[0, -1]:
-        outcome = Outcome.OVERLOADED  # beyond the law of viscosity and pressure
     lines = work.pressure.shape[0]
     return FilmSolution(
         film=film,
-        outcome=outcome,
+        outcome=outcome_of(settled),
         position=scales.sense * settled.position * scales.length,
         force=scales.sense * sample.force * scales.force,
         stiffness=frame @ stiffness @ frame * unit,
@@ -116,6 +113,14 @@ def solution_of(
         wall_time=time.perf_counter() - begun,
         axial_breaks=ring.mesh.breaks,
     )
+
+
+def outcome_of(settled: SurfaceEquilibrium) -> Outcome:
+    """How the search ended; beyond the law of viscosity and pressure a film counts as overloaded."""
+    surface, work = settled.sample.ring.surface, settled.sample.work
+    if surface.piezo.size and work.pressure.max() > surface.piezo[0, -1]:
+        return Outcome.OVERLOADED
+    return OUTCOMES.get(settled.status, Outcome.NOT_CONVERGED)
 
 
 @dataclass(frozen=True)

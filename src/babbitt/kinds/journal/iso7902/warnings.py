@@ -58,7 +58,7 @@ Assumption by the same measurement, 19 of 20 lie below: their oil is thinner whe
 SURELY_SCREENED = 0.1
 """Margin of Orlov's screening from which a rotor of the mass that the bearing carries does not whirl.
 
-Assumption: of 193 random bearings of 2 to 35 m/s and 0.8 to 5 MPa that kept the screening by more, no film of one temperature
+Assumption: of 193 random bearings of 2 to 35 m/s and 0.8 to 5 MPa that kept it by more, no film of one temperature
 whirls under its load as a mass; one that kept it by 0.3 % does (docs/theory/screening.md)."""
 
 USUAL_DIFFERENCE = (
