@@ -1,12 +1,12 @@
 """Kernels: the tilt of a pad, its elastic pivot, and the journal among pads.
 
-The tilt at which the film makes no moment is found by Newton between two bounds, from the side on which the trailing
-edge is closer: there the moment falls with the tilt, which is the stable one of two roots. A point where the
-moment still turns the pad that way, where the film is dry, or where the moment rises lies left of it, any other
-right. Every moment belongs to a wet set that does not change any more, found from a wet film at first.
+The tilt at which the film makes no moment is found by Newton between two bounds, from the side on which the
+trailing edge is closer: there the moment falls with the tilt, which is the stable one of two roots. A point
+where the moment still turns the pad that way, where the film is dry, or where the moment rises lies left of it,
+any other right. Every moment belongs to a wet set that does not change any more, found from a wet film at first.
 
-The journal then moves in a convex potential (every pad load grows with the way towards its pivot), by Newton with
-the condensed stiffnesses and a search along the step for the place where the force no longer opposes it.
+The journal then moves in a convex potential (every pad load grows with the way towards its pivot), by Newton
+with the condensed stiffnesses and a search along the step for the place where the force no longer opposes it.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import math
 import numpy as np
 
 from babbitt.reynolds._compiling import compiled, inlined, inner
-from babbitt.reynolds._structs import CLEARANCE, Bearing
+from babbitt.reynolds._structs import CLEARANCE, END, START, Bearing
 from babbitt.reynolds.lands._equilibrium import evaluate_land
 from babbitt.reynolds.lands._grids import new_film, new_grid, new_lines, uniform_lines
 from babbitt.reynolds.tilting_pads._structs import (
@@ -37,7 +37,7 @@ FOLD_WIDTH = 3e-5  # of the clearance: bounds of a tilt that never turned back; 
 ROOT_WIDTH = 1e-13  # of the clearance: bounds of a tilt that cannot come closer
 TOWARDS_CONTACT = 0.8  # share of the way to contact in one step of the tilt
 NOTHING = 1e-12  # load of a film that is as good as dry
-LOOSE, TIGHT = 1e-3, 1e-8  # moment over the lever of the pivot, over the load: on the way, and at the end
+LOOSE, CLOSER, TIGHT = 3e-2, 1e-3, 1e-8  # moment over the lever of the pivot over the load, on the way and at last
 TOWARDS_PIVOT = 0.7  # share of the gap at a pivot in one step of the journal
 OVERSHOOT = 0.7  # share of the driving force that may oppose a step behind it
 INDIFFERENT = 1e-6  # of the trace: stiffness of a direction that no pad stiffens
@@ -49,9 +49,9 @@ def new_places(pads):
     """Places of all pads: unknown."""
     count = pads.kappa.size
     return PadPlaces(
-        np.zeros(count), np.full(count, np.nan), np.zeros(count), np.full(count, UNLOADED), np.full(count, -np.inf),
-        np.zeros((count, 10)), np.zeros((count, 2)), np.zeros((count, 4)), np.ones(count), np.zeros(count),
-        np.zeros(1, np.int64),
+        np.zeros(count), np.full(count, np.nan), np.zeros(count), np.full(count, UNLOADED), np.full(count,
+        -np.inf), np.zeros((count, 10)), np.zeros((count, 2)), np.zeros((count, 4)), np.ones(count),
+        np.zeros(count), np.zeros(1, np.int64),
     )  # fmt: skip
 
 
@@ -102,15 +102,28 @@ def tilt_bounds(grid, k, e):
 
 
 @inlined
-def first_tilt(e, clearance):
-    """Place eta of a centred pad of 80 degrees, roughly: where a search begins that knows no better."""
+def diverging_tilt(e, start):
+    """Place eta below which a pad with e < 0 has its widest gap behind its leading edge, at ``start`` from the
+    pivot.
+
+    The film then begins inside of the pad and turns it back whatever it does: no stable tilt lies there.
+    """
+    return -e * math.tan(min(-start, 1.5)) if e < 0.0 else -np.inf
+
+
+@inlined
+def first_tilt(e, clearance, start, end):
+    """Place eta where a search begins that knows no better: a fit to pads of 60 to 80 degrees."""
     depth = min(max(e / clearance, 0.02), 0.98)
-    return 0.62 * clearance * math.sqrt(depth * (1.0 - depth))
+    offset = start / (start - end) - 0.5
+    guess = 0.62 * math.sqrt(depth * (1.0 - depth)) + 2.5 * max(offset, 0.0) * (1.0 - depth)
+    return max(guess * clearance, 1.8 * diverging_tilt(e, start))
 
 
 @inner
 def find_tilt(axial, pads, grid, k, film, lines, e, origin, guess, tolerance, places):
-    """Place eta of pad k at which the film makes no moment, for ``origin`` the eta of the flexure without moment.
+    """Place eta of pad k at which the film makes no moment, for ``origin`` the eta of the flexure without
+    moment.
 
     Returns eta and the status; ``guess`` nan: none. Unloaded pads get eta = 0.
     """
@@ -123,10 +136,13 @@ def find_tilt(axial, pads, grid, k, film, lines, e, origin, guess, tolerance, pl
     if not least < most:
         answer[:] = 0.0
         return 0.0, NO_FILM
+    start, end = pads.bearing.lands[k, START], pads.bearing.lands[k, END]
     left, right = least, most
+    if spring == 0.0:
+        left = max(least, diverging_tilt(e, start))
     known = not math.isnan(guess)
-    eta = guess if known else first_tilt(e, clearance)
-    eta = min(max(eta, least + 0.02 * (most - least)), most - 0.1 * (most - max(least, 0.0)))
+    eta = guess if known else first_tilt(e, clearance, start, end)
+    eta = min(max(eta, left + 0.02 * (most - left)), most - 0.1 * (most - max(left, 0.0)))
     turned, wet, slow, last = False, not known, 0, np.inf
     for _ in range(MOST_TILTS):
         if not pad_film(axial, pads, grid, k, film, lines, e, eta, wet, bool(0), places):
@@ -353,8 +369,8 @@ def find_pads(axial, pads, intervals, load_x, load_y, x, y, tolerance, max_steps
             tilts = TIGHT
             place_all(axial, pads, grid, film, lines, x, y, tilts, places, total)
             continue
-        if size < 1e-3 * load:
-            tilts = min(tilts, 1e-5)
+        if size < 0.03 * load:
+            tilts = min(tilts, CLOSER)
         kxx, kxy, kyx, kyy = total[2], total[3], total[4], total[5]
         trace = kxx + kyy
         soft = INDIFFERENT * trace
@@ -399,8 +415,8 @@ def smooth_answers(axial, pads, grid, places):
     for k in range(pads.kappa.size):
         if places.status[k] == LOADED:
             pad_film(
-                axial, pads, grid, k, film, lines, places.radial[k], places.along[k], bool(0), pads.bearing.smooth,
-                places,
+                axial, pads, grid, k, film, lines, places.radial[k], places.along[k], bool(0),
+                pads.bearing.smooth, places,
             )  # fmt: skip
 
 
@@ -412,7 +428,7 @@ def find_fold(axial, pads, intervals, k, loaded, lowest, width, places):
     """
     grid = pad_grid(pads, intervals, len(axial.size))
     film, lines = new_film(intervals), new_lines(intervals, len(axial.size))
-    eta, status = find_tilt(axial, pads, grid, k, film, lines, lowest, 0.0, np.nan, LOOSE, places)
+    eta, status = find_tilt(axial, pads, grid, k, film, lines, lowest, 0.0, np.nan, CLOSER, places)
     if status == LOADED:
         return -np.inf, -places.answers[k, 0], eta
     low, high, load, best, guess = lowest, loaded, 0.0, 0.0, np.nan

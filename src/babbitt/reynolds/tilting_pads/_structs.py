@@ -1,7 +1,7 @@
 """What the compiled kernels of tilting pads hand to each other, in the units of ``babbitt.reynolds._structs``.
 
-Every pad has its own frame: the angle phi from its pivot in the sense of rotation, and in it the place (e, eta) of
-the journal, e = c_p - c_b + xi, so that the gap is c_p - e cos(phi) - eta sin(phi) + w(phi).
+Every pad has its own frame: the angle phi from its pivot in the sense of rotation, and in it the place (e, eta)
+of the journal, e = c_p - c_b + xi, so that the gap is c_p - e cos(phi) - eta sin(phi) + w(phi).
 """
 
 from __future__ import annotations

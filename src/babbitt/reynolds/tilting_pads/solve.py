@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import time
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -106,13 +107,13 @@ def kernel_pads(bearing: TiltingPadBearing, scales: PadScales) -> Pads:
             places = np.linspace(0.0, 1.0, profiles.shape[1])
             profiles[k] = np.interp(places, np.linspace(0.0, 1.0, samples.size), samples) / scales.length
     return Pads(
-        Bearing(lands, profiles, math.nan, 1.0, 0.0, False, True, 1.0), kappa, weight, np.cos(angle), np.sin(angle),
-        offset, rotational, neutral, curves, loads, displacements, centred,
+        Bearing(lands, profiles, math.nan, 1.0, 0.0, False, True, 1.0), kappa, weight, np.cos(angle),
+        np.sin(angle), offset, rotational, neutral, curves, loads, displacements, centred,
     )  # fmt: skip
 
 
 def tangential_spring(bearing: TiltingPadBearing, pad: TiltingPad) -> float:
-    """Stiffness against eta, N/m: that of the flexure at the lever of the pivot, in series with the tangential one."""
+    """Stiffness against eta, N/m: of the flexure at the lever of the pivot, in series with the tangential one."""
     flexure = pad.rotational_stiffness / bearing.lever(pad) ** 2
     return flexure / (1.0 + flexure / pad.tangential_stiffness)
 
@@ -182,8 +183,8 @@ def solve_tilting_pads(
     outcome = {CONVERGED: Outcome.CONVERGED, CLOSED: Outcome.OUTSIDE_CLEARANCE}.get(status, Outcome.NOT_CONVERGED)
     residual = math.hypot(total[0] + wanted[0], total[1] + wanted[1])
     return assembled(
-        bearing, scales, axial, pads, grid, places, np.array([x, y]), total, outcome, residual, bool(indifferent),
-        steps, begun,
+        bearing, scales, axial, pads, grid, places, np.array([x, y]), total, outcome, residual,
+        bool(indifferent), steps, begun,
     )  # fmt: skip
 
 
@@ -243,7 +244,7 @@ def loaded_state(
     pad, sense = bearing.pads[k], bearing.sense
     n, m = grid.step.shape[1], len(axial.size)
     pressure, void, totals = np.zeros((1, n + 1, m + 1)), np.zeros((1, n + 1, m + 1)), np.zeros((1, TOTALS))
-    own = Grid(*(part[k : k + 1] for part in grid))
+    own = one_pad(grid, k)
     lands = pads.bearing._replace(
         lands=pads.bearing.lands[k : k + 1], profiles=pads.bearing.profiles[k : k + 1], kappa=pads.kappa[k]
     )
@@ -287,13 +288,19 @@ def loaded_state(
     )
 
 
+def one_pad(grid: Grid, k: int) -> Grid:
+    """Grid of pad k alone."""
+    parts: dict[str, Any] = {name: part[k : k + 1] for name, part in grid._asdict().items()}
+    return Grid(**parts)
+
+
 def idle_state(
     bearing: TiltingPadBearing, scales: PadScales, axial: Axial, grid: Grid, places: PadPlaces, at: Array, k: int
 ) -> PadState:
     """A pad that does not carry, concentric with its bore (eta = 0).
 
-    Its narrowest place passes its drag flow, half the speed times the gap; elsewhere the same oil fills a part of
-    the gap and shears there, as the streamers of a ruptured film do.
+    Its narrowest place passes its drag flow, half the speed times the gap; elsewhere the same oil fills a part
+    of the gap and shears there, as the streamers of a ruptured film do.
     """
     pad, sense = bearing.pads[k], bearing.sense
     m = len(axial.size)
@@ -310,7 +317,6 @@ def idle_state(
     on_lines = np.interp(grid.theta[k], 0.5 * (grid.theta[k, 1:] + grid.theta[k, :-1]), gap)
     void = np.repeat(1.0 - narrowest / np.maximum(on_lines, 1e-300)[:, None], m + 1, axis=1)
     zero = np.zeros((2, 2))
-    journal = float((at * scales.sense * scales.length) @ pad.tangent())
     return PadState(
         status=PadStatus.UNLOADED,
         position=PadPosition(math.nan),
@@ -371,8 +377,8 @@ class Fold:
 def fold_of(bearing: TiltingPadBearing, number: int, resolution: Resolution = ENGINEERING) -> Fold:
     """The eccentricity ratio at which a pad without flexure unloads, and its least load.
 
-    A centred pivot unloads at zero without load. Behind the middle two equilibria meet at a load that is finite, and
-    below there is none: found by bisection to 1e-6 of c_p.
+    A centred pivot unloads at zero without load. Behind the middle two equilibria meet at a load that is
+    finite, and below there is none: found by bisection to 1e-6 of c_p.
 
     Raises
     ------
