@@ -56,6 +56,8 @@ class PadCoefficients:
         ``pad N tangential`` (v). Numbers from 1.
     mass, stiffness, damping : ndarray, shape (n, n)
         kg, N/m, N s/m. The journal has no mass here.
+    levers : ndarray, shape (n,)
+        What makes a length of the tilt in rad, m: the lever of the pivot; 1 for all other motions.
     speed : float
         Angular speed of the journal, rad/s, without its sign.
     """
@@ -64,6 +66,7 @@ class PadCoefficients:
     mass: Array
     stiffness: Array
     damping: Array
+    levers: Array
     speed: float
 
 
@@ -130,7 +133,7 @@ def full_coefficients(solution: TiltingPadSolution) -> PadCoefficients:
     motions = [own_motions(pad, state) for _, pad, state in chosen]
     size = 2 + sum(len(own) for own in motions)
     mass, stiffness, damping = np.zeros((3, size, size))
-    labels, first = list(JOURNAL), 2
+    labels, levers, first = list(JOURNAL), np.ones(size), 2
     for (number, pad, state), own in zip(chosen, motions, strict=True):
         last = first + len(own)
         rows = film_motions(pad, own, size, first)
@@ -141,9 +144,10 @@ def full_coefficients(solution: TiltingPadSolution) -> PadCoefficients:
         mass[block, block] += m
         damping[block, block] += c
         stiffness[block, block] += k
+        levers[first] = bearing.lever(pad)
         labels += [f"pad {number} {name}" for name in own]
         first = last
-    return PadCoefficients(tuple(labels), mass, stiffness, damping, abs(bearing.angular_speed))
+    return PadCoefficients(tuple(labels), mass, stiffness, damping, levers, abs(bearing.angular_speed))
 
 
 def own_motions(pad: TiltingPad, state: PadState) -> tuple[str, ...]:
