@@ -29,7 +29,7 @@ from babbitt.reynolds.tilting_pads._structs import (
 )
 
 LOADED, UNLOADED, AT_LIMIT, NO_FILM = 0, 1, 2, 3
-CONVERGED, TOO_MANY_STEPS, CLOSED, STUCK = 0, 1, 2, 3
+CONVERGED, TOO_MANY_STEPS, CLOSED, STUCK, LIMIT = 0, 1, 2, 3, 4
 
 MOST_UPDATES = 60  # of the wet set at one place
 MOST_TILTS = 80  # films in the search of a tilt
@@ -41,7 +41,10 @@ LOOSE, CLOSER, TIGHT = 3e-2, 1e-3, 1e-8  # moment over the lever of the pivot ov
 TOWARDS_PIVOT = 0.7  # share of the gap at a pivot in one step of the journal
 OVERSHOOT = 0.7  # share of the driving force that may oppose a step behind it
 INDIFFERENT = 1e-6  # of the trace: stiffness of a direction that no pad stiffens
-SHORTEST = 1e-12  # step of the journal at which a search along it is stuck
+UNEVEN = 0.1  # the same where a pad gains or loses its load on the way
+BESIDE = 1e-6  # of the clearance: where a pad at its limit is taken to carry
+MOST_HELD = 20  # steps along a pad at its limit, and times that one is held there
+SHORTEST = 1e-13  # step of the journal at which a search along it is stuck
 
 
 @compiled
@@ -316,8 +319,8 @@ def support_stiffness(answer, flexible, spring, stiffness):
 
 @inner
 def place_all(axial, pads, grid, film, lines, x, y, tolerance, places, total):
-    """All pads for a journal at (x, y): fills ``total`` (F 2, K 4); returns whether every pad has a film."""
-    total[:] = 0.0
+    """All pads for a journal at (x, y): fills ``total[:6]`` (F 2, K 4); returns whether every pad has a film."""
+    total[:6] = 0.0
     open_gap = True
     for k in range(pads.kappa.size):
         place_pad(axial, pads, grid, k, film, lines, x, y, tolerance, places)
@@ -346,56 +349,130 @@ def longest_step(pads, places, dx, dy):
     return share
 
 
+@inlined
+def allowed_moment(places, residual):
+    """Moment over load of a pad at which its load, corrected to first order, errs by less than the residual."""
+    loads = 1e-300
+    for k in range(places.push.shape[0]):
+        loads += abs(places.push[k, 0])
+    return min(max(math.sqrt(0.003 * residual / loads), TIGHT), LOOSE)
+
+
+@inlined
+def changed_pad(places, statuses):
+    """First pad that has gained or lost its load against earlier statuses, or -1."""
+    for k in range(statuses.size):
+        if (places.status[k] == LOADED) != (statuses[k] == LOADED):
+            return k
+    return -1
+
+
+@inner
+def hold_at_limit(axial, pads, grid, film, lines, k, load_x, load_y, x, y, floor, places, total):
+    """Journal that keeps pad k at its limit and rests along the pad: x, y, and the load that the pad must carry.
+
+    At the limit a pad carries what it can or nothing. Along tau the others decide; along n they leave a force that
+    the pad must take. That minimises the same convex potential on its edge.
+    """
+    c, s = pads.cosine[k], pads.sine[k]
+    need = np.nan
+    for _ in range(MOST_HELD):
+        place_all(axial, pads, grid, film, lines, x, y, TIGHT, places, total)
+        rx, ry = total[0] + load_x, total[1] + load_y
+        need = rx * c + ry * s - places.push[k, 0]
+        along = ry * c - rx * s
+        stiff = total[2] * s * s - (total[3] + total[4]) * c * s + total[5] * c * c
+        if abs(along) <= floor or not stiff > 0.0:
+            break
+        step = along / stiff
+        step *= longest_step(pads, places, -s * step, c * step)
+        x, y = x - s * step, y + c * step
+    return x, y, need
+
+
 @compiled
 def find_pads(axial, pads, intervals, load_x, load_y, x, y, tolerance, max_steps, places, total):
     """Journal and pads in equilibrium: x, y, status, steps, whether a direction is indifferent, and the grid.
 
-    ``total`` gets the force of the films and the condensed stiffness (F 2, K 4).
+    ``total`` gets the force of the films and the condensed stiffness (F 2, K 4), and of a pad at its limit its number
+    and what it would have to carry and at least carries (3; -1 where there is none).
     """
     grid = pad_grid(pads, intervals, len(axial.size))
     film, lines = new_film(intervals), new_lines(intervals, len(axial.size))
     load = math.hypot(load_x, load_y)
-    tilts = LOOSE
+    floor = tolerance * load + 1e-13
+    tilts, tight, held = LOOSE, False, 0
+    statuses = places.status.copy()
+    total[6] = -1.0
     if not place_all(axial, pads, grid, film, lines, x, y, tilts, places, total):
         return x, y, CLOSED, 0, False, grid
     status, indifferent, step = TOO_MANY_STEPS, False, 0
     for step in range(1, max_steps + 1):
         rx, ry = total[0] + load_x, total[1] + load_y
         size = math.hypot(rx, ry)
-        if size <= tolerance * load + 1e-13:
+        if size <= floor:
             if tilts == TIGHT:
                 status = CONVERGED
                 break
             tilts = TIGHT
             place_all(axial, pads, grid, film, lines, x, y, tilts, places, total)
             continue
-        if size < 0.03 * load:
-            tilts = min(tilts, CLOSER)
-        kxx, kxy, kyx, kyy = total[2], total[3], total[4], total[5]
-        trace = kxx + kyy
-        soft = INDIFFERENT * trace
-        det = (kxx + soft) * (kyy + soft) - kxy * kyx
-        indifferent = kxx * kyy - kxy * kyx <= soft * trace
-        if trace > 0.0 and det > 0.0:
-            dx = ((kyy + soft) * rx - kxy * ry) / det
-            dy = ((kxx + soft) * ry - kyx * rx) / det
-        else:  # no pad carries: towards those that should
-            dx, dy = rx / size, ry / size
+        tilts = TIGHT if tight else allowed_moment(places, size)
+        dx, dy, indifferent = journal_step(total, rx, ry)
         share = longest_step(pads, places, dx, dy)
-        if not trace > 0.0:
-            share *= 0.5
         drive = rx * dx + ry * dy
+        statuses[:] = places.status
+        jumped = -1
         while True:
             new_x, new_y = x + share * dx, y + share * dy
             is_open = place_all(axial, pads, grid, film, lines, new_x, new_y, tilts, places, total)
             opposed = -((total[0] + load_x) * dx + (total[1] + load_y) * dy)
-            if is_open and opposed <= OVERSHOOT * drive:
+            jumped = changed_pad(places, statuses)
+            if is_open and opposed <= (OVERSHOOT if jumped < 0 else UNEVEN) * drive:
+                break
+            if share < 0.1 and not tight:  # loose tilts may hide what the force does
+                tight, tilts = True, TIGHT
+                new_x, new_y = x, y
+                place_all(axial, pads, grid, film, lines, x, y, tilts, places, total)
                 break
             if share * math.hypot(dx, dy) < SHORTEST:
-                return new_x, new_y, STUCK, step, indifferent, grid
+                break
             share *= min(max(drive / (drive + opposed), 0.1), 0.7) if is_open else 0.5
         x, y = new_x, new_y
+        if share * math.hypot(dx, dy) >= SHORTEST:
+            continue
+        held += 1
+        if jumped < 0 or held > MOST_HELD:
+            status = STUCK
+            break
+        c, s = pads.cosine[jumped], pads.sine[jumped]
+        x, y, need = hold_at_limit(
+            axial, pads, grid, film, lines, jumped, load_x, load_y, x + BESIDE * c, y + BESIDE * s, 0.1 * floor, places,
+            total,
+        )  # fmt: skip
+        least = -places.push[jumped, 0]
+        if 0.0 < need < least:
+            total[6], total[7], total[8] = jumped, need, least
+            status = LIMIT
+            break
+        if need <= 0.0:
+            x, y = x - 2.0 * BESIDE * c, y - 2.0 * BESIDE * s
+        place_all(axial, pads, grid, film, lines, x, y, TIGHT, places, total)
     return x, y, status, step, indifferent, grid
+
+
+@inlined
+def journal_step(total, rx, ry):
+    """Newton step under a residual force, and whether no pad stiffens one of its directions."""
+    kxx, kxy, kyx, kyy = total[2], total[3], total[4], total[5]
+    trace = kxx + kyy
+    soft = INDIFFERENT * trace
+    indifferent = kxx * kyy - kxy * kyx <= soft * trace
+    det = (kxx + soft) * (kyy + soft) - kxy * kyx
+    if trace > 0.0 and det > 0.0:
+        return ((kyy + soft) * rx - kxy * ry) / det, ((kxx + soft) * ry - kyx * rx) / det, indifferent
+    size = math.hypot(rx, ry)  # no pad carries: towards those that should
+    return 0.5 * rx / size, 0.5 * ry / size, True
 
 
 @compiled

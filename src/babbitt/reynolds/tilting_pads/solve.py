@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -29,6 +29,7 @@ from babbitt.reynolds.model import ENGINEERING, Resolution
 from babbitt.reynolds.tilting_pads._pads import (
     CLOSED,
     CONVERGED,
+    LIMIT,
     LOADED,
     find_fold,
     find_pads,
@@ -53,6 +54,16 @@ Array = NDArray[np.float64]
 
 LOWEST = -0.6
 """Eccentricity ratio at the pivot down to which a fold is sought."""
+
+
+OUTCOMES = {CONVERGED: Outcome.CONVERGED, CLOSED: Outcome.OUTSIDE_CLEARANCE, LIMIT: Outcome.PAD_AT_LIMIT}
+
+
+def no_total() -> Array:
+    """What `find_pads` fills: force (2), stiffness (4), number of a pad at its limit, its need and its least load."""
+    total = np.zeros(9)
+    total[6] = -1.0
+    return total
 
 
 class PadScales:
@@ -175,12 +186,12 @@ def solve_tilting_pads(
     pads, axial = kernel_pads(bearing, scales), kernel_operator(resolution.axial_unknowns)
     wanted = (np.asarray(load) + groove_force(bearing)) * scales.sense / scales.force
     at = np.asarray(start) * scales.sense / scales.length
-    places, total = new_places(pads), np.zeros(6)
+    places, total = new_places(pads), no_total()
     x, y, status, steps, indifferent, grid = find_pads(
         axial, pads, resolution.intervals, wanted[0], wanted[1], at[0], at[1], resolution.tolerance, max_steps,
         places, total,
     )  # fmt: skip
-    outcome = {CONVERGED: Outcome.CONVERGED, CLOSED: Outcome.OUTSIDE_CLEARANCE}.get(status, Outcome.NOT_CONVERGED)
+    outcome = OUTCOMES.get(status, Outcome.NOT_CONVERGED)
     residual = math.hypot(total[0] + wanted[0], total[1] + wanted[1])
     return assembled(
         bearing, scales, axial, pads, grid, places, np.array([x, y]), total, outcome, residual,
@@ -202,7 +213,7 @@ def tilting_pads_at(
     scales = PadScales(bearing)
     pads, axial = kernel_pads(bearing, scales), kernel_operator(resolution.axial_unknowns)
     at = np.asarray(position) * scales.sense / scales.length
-    places, total = new_places(pads), np.zeros(6)
+    places, total = new_places(pads), no_total()
     is_open, grid = pads_at(axial, pads, resolution.intervals, at[0], at[1], places, total)
     outcome = Outcome.CONVERGED if is_open else Outcome.OUTSIDE_CLEARANCE
     return assembled(bearing, scales, axial, pads, grid, places, at, total, outcome, 0.0, False, 0, begun)
@@ -214,12 +225,17 @@ def assembled(
 ) -> TiltingPadSolution:  # fmt: skip
     """Everything in SI and in the fixed frame."""
     smooth_answers(axial, pads, grid, places)
+    limit = int(total[6]) if total[6] >= 0.0 else None
     states = tuple(
         loaded_state(bearing, scales, axial, pads, grid, places, at, k)
         if places.status[k] == LOADED
         else idle_state(bearing, scales, axial, grid, places, at, k)
         for k in range(len(bearing.pads))
     )
+    if limit is not None:
+        states = tuple(
+            replace(state, status=PadStatus.AT_LIMIT) if k == limit else state for k, state in enumerate(states)
+        )
     return TiltingPadSolution(
         bearing=bearing,
         outcome=outcome,
@@ -228,8 +244,8 @@ def assembled(
         pads=states,
         residual=residual * scales.force,
         indifferent=indifferent,
-        limit_pad=None,
-        limit_loads=(),
+        limit_pad=limit,
+        limit_loads=() if limit is None else (float(total[7]) * scales.force, float(total[8]) * scales.force),
         iterations=steps,
         films=int(places.films[0]),
         wall_time=time.perf_counter() - begun,
