@@ -394,8 +394,8 @@ def hold_at_limit(axial, pads, grid, film, lines, k, load_x, load_y, x, y, floor
 def find_pads(axial, pads, intervals, load_x, load_y, x, y, tolerance, max_steps, places, total):
     """Journal and pads in equilibrium: x, y, status, steps, whether a direction is indifferent, and the grid.
 
-    ``total`` gets the force of the films and the condensed stiffness (F 2, K 4), and of a pad at its limit its number
-    and what it would have to carry and at least carries (3; -1 where there is none).
+    ``total`` gets the force of the films and the condensed stiffness (F 2, K 4), and of a pad at its limit its
+    number, what it would have to carry and what it carries at least (3; -1 where there is none).
     """
     grid = pad_grid(pads, intervals, len(axial.size))
     film, lines = new_film(intervals), new_lines(intervals, len(axial.size))
@@ -406,8 +406,9 @@ def find_pads(axial, pads, intervals, load_x, load_y, x, y, tolerance, max_steps
     total[6] = -1.0
     if not place_all(axial, pads, grid, film, lines, x, y, tilts, places, total):
         return x, y, CLOSED, 0, False, grid
-    status, indifferent, step = TOO_MANY_STEPS, False, 0
-    for step in range(1, max_steps + 1):
+    status, indifferent, steps = TOO_MANY_STEPS, False, 0
+    while steps < max_steps:
+        steps += 1
         rx, ry = total[0] + load_x, total[1] + load_y
         size = math.hypot(rx, ry)
         if size <= floor:
@@ -447,8 +448,8 @@ def find_pads(axial, pads, intervals, load_x, load_y, x, y, tolerance, max_steps
             break
         c, s = pads.cosine[jumped], pads.sine[jumped]
         x, y, need = hold_at_limit(
-            axial, pads, grid, film, lines, jumped, load_x, load_y, x + BESIDE * c, y + BESIDE * s, 0.1 * floor, places,
-            total,
+            axial, pads, grid, film, lines, jumped, load_x, load_y, x + BESIDE * c, y + BESIDE * s, 0.1 * floor,
+            places, total,
         )  # fmt: skip
         least = -places.push[jumped, 0]
         if 0.0 < need < least:
@@ -458,7 +459,7 @@ def find_pads(axial, pads, intervals, load_x, load_y, x, y, tolerance, max_steps
         if need <= 0.0:
             x, y = x - 2.0 * BESIDE * c, y - 2.0 * BESIDE * s
         place_all(axial, pads, grid, film, lines, x, y, TIGHT, places, total)
-    return x, y, status, step, indifferent, grid
+    return x, y, status, steps, indifferent, grid
 
 
 @inlined

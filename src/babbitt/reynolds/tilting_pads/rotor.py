@@ -81,7 +81,8 @@ class Threshold:
     Attributes
     ----------
     value : float
-        kg, or kg m2 of every pad; infinite where they do not up to the highest value tried, 0 where they always do.
+        kg, or kg m2 of every pad; infinite where none begins up to the highest value tried, 0 where one does at
+        the least.
     frequency : float
         Of the motion that begins, rad/s; nan where none does.
     """

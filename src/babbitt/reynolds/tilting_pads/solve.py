@@ -60,7 +60,7 @@ OUTCOMES = {CONVERGED: Outcome.CONVERGED, CLOSED: Outcome.OUTSIDE_CLEARANCE, LIM
 
 
 def no_total() -> Array:
-    """What `find_pads` fills: force (2), stiffness (4), number of a pad at its limit, its need and its least load."""
+    """What `find_pads` fills: force (2), stiffness (4), of a pad at its limit number, need and least load."""
     total = np.zeros(9)
     total[6] = -1.0
     return total
