@@ -27,6 +27,7 @@ class Outcome(Enum):
     LIFTED_OFF = "the load is too light: the supply lifts it off"
     UNSTABLE_NETWORK = "the flow network of the recesses has no stable state"
     STARVED_RECESS = "a recess is starved of oil"
+    PAD_AT_LIMIT = "a pad would have to carry less than it can: no static equilibrium exists"
     NOT_CONVERGED = "the iteration ended without meeting its tolerance"
     WORK_BOUND = "the search used up the work that is allowed for its grid"
     OUTSIDE_CLEARANCE = "the prescribed position lies outside the clearance"
@@ -58,6 +59,7 @@ _OUTCOME_CODES = {
     "UNSTABLE_NETWORK": "S301",
     "STARVED_RECESS": "S302",
     "LIFTED_OFF": "S303",
+    "PAD_AT_LIMIT": "S401",
 }
 
 

@@ -99,4 +99,11 @@ NO_SOLUTION: dict[str, Explanation] = {
         "the load: the supply lifts the moving part off.",
         "More load, as by a second pad that presses against it, less supply pressure, or smaller restrictors.",
     ),
+    "S401": Explanation(
+        "Pad at its limit",
+        "A pad whose pivot stands behind the middle unloads all at once: below a least load its tilt has no "
+        "equilibrium. Here one pad would have to carry more than nothing and less than that least load, so the "
+        "journal has no static place: it would go to and fro.",
+        "More preload of that pad, a pivot nearer to the middle, or another direction of the load.",
+    ),
 }

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from babbitt.reynolds._compiling import compiled, inner, spliced
+from babbitt.reynolds._compiling import compiled, inlined, inner, spliced
 from babbitt.reynolds.lands._elimination import count_wet, solve_land
 from babbitt.reynolds.lands._endings import add_ends, find_ends
 from babbitt.reynolds.lands._forces import add_forces, update_active_set
@@ -39,6 +39,29 @@ CROWD = 16  # one node in so many may change sides in a step; with more the jour
 CYCLING = 30  # steps after which a node that changes sides for ever is let be, if the load is carried within 1e-4
 
 
+@inlined
+def evaluate_land(axial, bearing, grid, k, film, lines, x, y, x_rate, y_rate, smooth, result):
+    """Add force, stiffness and damping of land k to ``result``; returns how many nodes changed (`evaluate`)."""
+    m, n = len(axial.size), film.conductance.size
+    film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film)
+    first = n
+    if smooth:
+        count_wet(grid, k, lines, m)
+        first = find_ends(axial, bearing, grid, k, film, lines)
+    solve_land(axial, bearing, grid, k, film, lines, first)
+    for i in range(n + 1):
+        for j in range(m):
+            if smooth:
+                lines.solution[i, 0, j] = grid.value[k, i, j]
+            else:
+                grid.value[k, i, j] = lines.solution[i, 0, j]
+    add_forces(axial, bearing, grid, k, film, lines, result)
+    if smooth:
+        add_ends(axial, grid, k, film, lines, first, result)
+        return 0
+    return update_active_set(axial, bearing, grid, k, film, lines)
+
+
 @compiled
 def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, result):
     """Force, stiffness and damping of all lands at a position; returns how many nodes changed between wet and dry.
@@ -52,25 +75,8 @@ def evaluate(axial, bearing, grid, film, lines, x, y, x_rate, y_rate, smooth, re
     """
     result[:] = 0.0
     changed = 0
-    m, n = len(axial.size), film.conductance.size
     for k in range(bearing.lands.shape[0]):
-        film_coefficients(bearing, grid, k, x, y, x_rate, y_rate, film)
-        first = n
-        if smooth:
-            count_wet(grid, k, lines, m)
-            first = find_ends(axial, bearing, grid, k, film, lines)
-        solve_land(axial, bearing, grid, k, film, lines, first)
-        for i in range(n + 1):
-            for j in range(m):
-                if smooth:
-                    lines.solution[i, 0, j] = grid.value[k, i, j]
-                else:
-                    grid.value[k, i, j] = lines.solution[i, 0, j]
-        add_forces(axial, bearing, grid, k, film, lines, result)
-        if smooth:
-            add_ends(axial, grid, k, film, lines, first, result)
-        else:
-            changed += update_active_set(axial, bearing, grid, k, film, lines)
+        changed += evaluate_land(axial, bearing, grid, k, film, lines, x, y, x_rate, y_rate, smooth, result)
     return changed
 
 

@@ -1,0 +1,256 @@
+"""Stiffness, damping and mass of journal and pads together, and what a rotor sees of them at a frequency.
+
+The motions are q = (x, y | of every pad its tilt as a length s, the way u of its pivot, and v along tau where that
+gives way). A film feels r = (xi, eta) = B q, and by virtual work acts with B^T F; so
+
+    K = sum B^T K_f B + pivots,    C = sum B^T C_f B + damping of pivots,    M: pads,
+
+and a rotor that moves with exp(j w t) sees Z = K + j w C - w^2 M with the pads eliminated. Source: the method of
+J. W. Lund, Trans. ASLE 7 (1964) 342, and of P. E. Allaire, J. K. Parsell, L. E. Barrett, Wear 72 (1981) 29,
+written for several motions of a pad.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from babbitt.core.notices import InputError
+from babbitt.reynolds.tilting_pads.model import (
+    PadState,
+    PadStatus,
+    TiltingPad,
+    TiltingPadBearing,
+    TiltingPadSolution,
+)
+
+__all__ = [
+    "CondensedCoefficients",
+    "KCMFit",
+    "PadCoefficients",
+    "condensed_at",
+    "fit_virtual_mass",
+    "full_coefficients",
+    "impedance",
+]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+JOURNAL = ("x", "y")
+
+
+@dataclass(frozen=True, eq=False)
+class PadCoefficients:
+    """Matrices of journal and pads, M q'' + C q' + K q = forces, in SI.
+
+    Attributes
+    ----------
+    labels : tuple of str
+        x and y of the journal, then of every pad with a film ``pad N tilt`` (s, the tilt times the lever of its
+        pivot, m), ``pad N pivot`` (u) where the pivot gives way or the pad has mass and a pivot that does, and
+        ``pad N tangential`` (v). Numbers from 1.
+    mass, stiffness, damping : ndarray, shape (n, n)
+        kg, N/m, N s/m. The journal has no mass here.
+    levers : ndarray, shape (n,)
+        What makes a length of the tilt in rad, m: the lever of the pivot; 1 for all other motions.
+    speed : float
+        Angular speed of the journal, rad/s, without its sign.
+    """
+
+    labels: tuple[str, ...]
+    mass: Array
+    stiffness: Array
+    damping: Array
+    levers: Array
+    speed: float
+
+
+@dataclass(frozen=True, eq=False)
+class CondensedCoefficients:
+    """What a rotor sees at one frequency, pads eliminated.
+
+    Attributes
+    ----------
+    whirl_ratio : float
+        Frequency over speed.
+    stiffness, damping : ndarray, shape (2, 2)
+        N/m and N s/m.
+    """
+
+    whirl_ratio: float
+    stiffness: Array
+    damping: Array
+
+
+@dataclass(frozen=True, eq=False)
+class KCMFit:
+    """Stiffness, damping and virtual mass that stand for a range of frequencies.
+
+    Attributes
+    ----------
+    stiffness, damping, mass : ndarray, shape (2, 2)
+        N/m, N s/m, kg: Z = K - w^2 M + j w C.
+    errors : ndarray, shape (2, 2)
+        Root of the mean square misfit of every element of Z over the root of its mean square.
+    whirl_ratios : ndarray, shape (n,)
+    """
+
+    stiffness: Array
+    damping: Array
+    mass: Array
+    errors: Array
+    whirl_ratios: Array
+
+    @property
+    def error(self) -> float:
+        """The larger misfit of both elements on the diagonal."""
+        return float(np.diag(self.errors).max())
+
+
+def full_coefficients(solution: TiltingPadSolution) -> PadCoefficients:
+    """Matrices of journal and pads, linearised at a solution.
+
+    Pads without load have no film that answers, and do not occur.
+
+    Raises
+    ------
+    InputError
+        E101 for a bearing that was not solved.
+    """
+    if not solution.outcome.solved:
+        raise InputError("E101", "the bearing was not solved; coefficients need a position that is an answer.")
+    bearing = solution.bearing
+    chosen = [
+        (number, pad, state)
+        for number, (pad, state) in enumerate(zip(bearing.pads, solution.pads, strict=True), 1)
+        if state.status is PadStatus.LOADED
+    ]
+    motions = [own_motions(pad, state) for _, pad, state in chosen]
+    size = 2 + sum(len(own) for own in motions)
+    mass, stiffness, damping = np.zeros((3, size, size))
+    labels, levers, first = list(JOURNAL), np.ones(size), 2
+    for (number, pad, state), own in zip(chosen, motions, strict=True):
+        last = first + len(own)
+        rows = film_motions(pad, own, size, first)
+        stiffness += rows.T @ state.stiffness @ rows
+        damping += rows.T @ state.damping @ rows
+        block = slice(first, last)
+        m, c, k = pad_matrices(bearing, pad, state, own)
+        mass[block, block] += m
+        damping[block, block] += c
+        stiffness[block, block] += k
+        levers[first] = bearing.lever(pad)
+        labels += [f"pad {number} {name}" for name in own]
+        first = last
+    return PadCoefficients(tuple(labels), mass, stiffness, damping, levers, abs(bearing.angular_speed))
+
+
+def own_motions(pad: TiltingPad, state: PadState) -> tuple[str, ...]:
+    """Names of the motions of a pad."""
+    names = ["tilt"]
+    if math.isfinite(state.pivot_stiffness):
+        names.append("pivot")
+    if math.isfinite(pad.tangential_stiffness):
+        names.append("tangential")
+    return tuple(names)
+
+
+def film_motions(pad: TiltingPad, own: Sequence[str], size: int, first: int) -> Array:
+    """Matrix B of a pad, shape (2, size): xi = n q - u, eta = tau q - v + s."""
+    rows = np.zeros((2, size))
+    rows[0, :2], rows[1, :2] = pad.normal(), pad.tangent()
+    for column, name in enumerate(own, first):
+        rows[:, column] = {"tilt": (0.0, 1.0), "pivot": (-1.0, 0.0), "tangential": (0.0, -1.0)}[name]
+    return rows
+
+
+def pad_matrices(
+    bearing: TiltingPadBearing, pad: TiltingPad, state: PadState, own: Sequence[str]
+) -> tuple[Array, Array, Array]:
+    """Mass, damping and stiffness of a pad and its pivot in its own motions, those of the film left out.
+
+    With b_g the distance of the centre of gravity from the pivot along tau, a tilt moves it outward by -b_g delta:
+    M = (J, -m b_g; -m b_g, m) in (delta, u).
+    """
+    lever = bearing.lever(pad)
+    size = len(own)
+    mass, damping, stiffness = np.zeros((3, size, size))
+    mass[0, 0] = pad.inertia / lever**2
+    damping[0, 0] = pad.rotational_damping / lever**2
+    stiffness[0, 0] = pad.rotational_stiffness / lever**2
+    for place, name in enumerate(own[1:], 1):
+        mass[place, place] = pad.mass
+        if name == "pivot":
+            mass[0, place] = mass[place, 0] = -bearing.sense * pad.mass * pad.mass_offset / lever
+            damping[place, place], stiffness[place, place] = pad.pivot_damping, state.pivot_stiffness
+        else:
+            damping[place, place], stiffness[place, place] = pad.tangential_damping, pad.tangential_stiffness
+    return mass, damping, stiffness
+
+
+def impedance(coefficients: PadCoefficients, frequency: float) -> Complex:
+    """Complex stiffness Z = K + j w C - w^2 M that the journal sees at w in rad/s, shape (2, 2)."""
+    z = (coefficients.stiffness + 1j * frequency * coefficients.damping - frequency**2 * coefficients.mass).astype(
+        complex
+    )
+    pads = slice(2, None)
+    if z.shape[0] == 2:
+        return z
+    return np.asarray(z[:2, :2] - z[:2, pads] @ np.linalg.solve(z[pads, pads], z[pads, :2]))
+
+
+def condensed_at(coefficients: PadCoefficients, whirl_ratio: float) -> CondensedCoefficients:
+    """Stiffness and damping at a whirl ratio, 1: synchronous, 0: static (with the damping of slow motion).
+
+    Raises
+    ------
+    InputError
+        E101 for a negative whirl ratio.
+    """
+    if not whirl_ratio >= 0.0:
+        raise InputError("E101", f"whirl_ratio is {whirl_ratio}; it must be zero or more.")
+    if whirl_ratio > 0.0:
+        frequency = whirl_ratio * coefficients.speed
+        z = impedance(coefficients, frequency)
+        return CondensedCoefficients(whirl_ratio, z.real, z.imag / frequency)
+    k, c, pads = coefficients.stiffness, coefficients.damping, slice(2, None)
+    if k.shape[0] == 2:
+        return CondensedCoefficients(0.0, k, c)
+    # d Z/d(j w) at rest: the pads follow by -K_PP^-1 K_PJ, their forces return by -K_JP K_PP^-1
+    follow = -np.linalg.solve(k[pads, pads], k[pads, :2])
+    back = -np.linalg.solve(k[pads, pads].T, k[:2, pads].T).T
+    stiffness = k[:2, :2] + k[:2, pads] @ follow
+    damping = c[:2, :2] + c[:2, pads] @ follow + back @ c[pads, :2] + back @ c[pads, pads] @ follow
+    return CondensedCoefficients(0.0, stiffness, damping)
+
+
+def fit_virtual_mass(coefficients: PadCoefficients, whirl_ratios: ArrayLike) -> KCMFit:
+    """Least squares fit of Re Z by K - w^2 M and of Im Z by w C over whirl ratios, element by element.
+
+    Raises
+    ------
+    InputError
+        E101 for fewer than three ratios, or one that is not positive.
+    """
+    ratios = np.asarray(whirl_ratios, dtype=np.float64)
+    if ratios.size < 3 or not np.all(ratios > 0.0):
+        raise InputError(
+            "E101", "a fit of stiffness, damping and mass needs three whirl ratios or more, above zero."
+        )
+    w = ratios * coefficients.speed
+    z = np.array([impedance(coefficients, one) for one in w])
+    basis = np.stack([np.ones_like(ratios), -(ratios**2)], axis=1)
+    (k, m), *_ = np.linalg.lstsq(basis, z.real.reshape(ratios.size, 4), rcond=None)
+    c = (w[:, None] * z.imag.reshape(-1, 4)).sum(axis=0) / (w**2).sum()
+    fitted = basis @ np.stack([k, m]) + 1j * w[:, None] * c
+    misfit = np.sqrt((np.abs(fitted - z.reshape(-1, 4)) ** 2).sum(axis=0))
+    size = np.sqrt((np.abs(z.reshape(-1, 4)) ** 2).sum(axis=0))
+    errors = np.divide(misfit, size, out=np.zeros(4), where=size > 0.0)
+    return KCMFit(
+        k.reshape(2, 2), c.reshape(2, 2), m.reshape(2, 2) / coefficients.speed**2, errors.reshape(2, 2), ratios
+    )

@@ -1,0 +1,118 @@
+"""Free motions of a rotor among pads: tables of an independent program, pads without inertia, thresholds."""
+
+import math
+
+import numpy as np
+import pytest
+from scaled_pads import FOUR_LOAD, LEVER, four_pads
+from test_pad_tables import supported
+
+from babbitt.core.notices import InputError
+from babbitt.reynolds.model import Resolution
+from babbitt.reynolds.tilting_pads.dynamics import PadCoefficients, full_coefficients
+from babbitt.reynolds.tilting_pads.rotor import (
+    critical_mass_of_condensed,
+    rotor_modes,
+    threshold_inertia,
+    threshold_mass,
+    with_inertia,
+)
+from babbitt.reynolds.tilting_pads.solve import solve_tilting_pads
+
+GRID = Resolution(4, 96)
+HEAVY = full_coefficients(solve_tilting_pads(four_pads(inertia=0.05 * LEVER**2), FOUR_LOAD, GRID))
+LIGHT = full_coefficients(solve_tilting_pads(four_pads(), FOUR_LOAD, GRID))
+
+MOTIONS = {
+    5.0: ((-0.471206, 0.896026), (-0.569098, 0.855802)),
+    20.0: ((-0.160953, 0.587270), (-0.314243, 0.883098)),
+    100.0: ((-0.033903, 0.280519), (-0.066932, 0.448455)),
+}
+
+
+@pytest.mark.parametrize("mass", list(MOTIONS))
+def test_motions_of_rotor_and_pads(mass):
+    for mode, (growth, frequency) in zip(rotor_modes(HEAVY, mass), MOTIONS[mass], strict=False):
+        assert (mode.growth, mode.frequency) == pytest.approx((growth, frequency), abs=2e-6)
+        assert mode.stable
+        assert mode.log_decrement == pytest.approx(-2.0 * math.pi * growth / frequency, rel=1e-4)
+
+
+def test_pads_without_inertia_have_motions_of_first_order():
+    modes = rotor_modes(LIGHT, 20.0)
+    assert [(mode.growth, mode.frequency) for mode in modes[:2]] == [
+        pytest.approx((-0.166595, 0.588555), abs=2e-6), pytest.approx((-0.324665, 0.893151), abs=2e-6),
+    ]  # fmt: skip
+    assert len(modes) == 2 + 4  # two of the rotor, one of every pad
+    assert all(mode.frequency == 0.0 and math.isinf(mode.log_decrement) for mode in modes[2:])
+
+
+def test_little_inertia_comes_close_to_none():
+    none, little = rotor_modes(LIGHT, 20.0), rotor_modes(with_inertia(LIGHT, 1e-7 * LEVER**2), 20.0)
+    for first, second in zip(none, little, strict=False):
+        assert (first.growth, first.frequency) == pytest.approx((second.growth, second.frequency), abs=1e-5)
+
+
+def test_pads_on_springs():
+    modes = rotor_modes(full_coefficients(solve_tilting_pads(supported(20.0), FOUR_LOAD, GRID)), 20.0)
+    assert [(mode.growth, mode.frequency) for mode in modes[:2]] == [
+        pytest.approx((-0.106094, 0.727093), abs=3e-6), pytest.approx((-0.107563, 0.543167), abs=3e-6),
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("mass", "inertia", "frequency"),
+    [(5.0, 7.254118, 0.317340), (20.0, 4.964790, 0.364578), (100.0, 8.927669, 0.246981)],
+)
+def test_heavy_pads_flutter(mass, inertia, frequency):
+    found = threshold_inertia(LIGHT, mass, 0.01 * LEVER**2, 100.0 * LEVER**2)
+    assert found.value / LEVER**2 == pytest.approx(inertia, rel=1e-5)
+    assert found.frequency == pytest.approx(frequency, rel=1e-5)
+    at = rotor_modes(with_inertia(LIGHT, found.value), mass)[0]
+    assert at.growth == pytest.approx(0.0, abs=1e-8)
+
+
+def test_symmetric_condensed_coefficients_know_no_critical_mass():
+    assert math.isinf(critical_mass_of_condensed(LIGHT))
+    assert math.isinf(threshold_mass(LIGHT, 1.0, 1e4).value)
+
+
+def pendulum(stiffness, damping):
+    """Journal without pads."""
+    return PadCoefficients(
+        ("x", "y"),
+        np.zeros((2, 2)),
+        np.asarray(stiffness, dtype=float),
+        np.asarray(damping, dtype=float),
+        np.ones(2),
+        1.0,
+    )
+
+
+def test_a_journal_without_pads_swings_as_an_oscillator():
+    modes = rotor_modes(pendulum(np.diag([4.0, 9.0]), 0.2 * np.eye(2)), 1.0)
+    for mode, square in zip(modes, (4.0, 9.0), strict=True):
+        assert mode.growth == pytest.approx(-0.1)
+        assert mode.frequency == pytest.approx(math.sqrt(square - 0.01))
+        assert mode.whirl == pytest.approx(0.0, abs=1e-9)
+        assert mode.share == pytest.approx(1.0)
+
+
+def test_cross_stiffness_drives_a_forward_whirl_beyond_a_mass():
+    k, q, c = 4.0, 1.5, 1.0  # the forward whirl has lambda = j w with k = m w^2 and q = c w
+    driven = pendulum([[k, q], [-q, k]], c * np.eye(2))
+    found = threshold_mass(driven, 0.1, 100.0)
+    assert found.value == pytest.approx(k * c**2 / q**2, rel=1e-7)
+    assert found.frequency == pytest.approx(q / c, rel=1e-7)
+    worst = rotor_modes(driven, 1.1 * found.value)[0]
+    assert worst.forward
+    assert worst.whirl == pytest.approx(1.0)
+    assert not rotor_modes(driven, 1.1 * found.value, sense=-1.0)[0].forward
+    assert critical_mass_of_condensed(driven) == pytest.approx(found.value, rel=1e-7)
+
+
+def test_impossible_masses_are_refused():
+    with pytest.raises(InputError, match="mass of the rotor"):
+        rotor_modes(LIGHT, -1.0)
+    with pytest.raises(InputError, match="threshold"):
+        threshold_mass(LIGHT, 2.0, 1.0)
