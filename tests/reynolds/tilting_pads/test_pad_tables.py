@@ -1,8 +1,8 @@
 """Single pads and whole bearings against tables of an independent program of the same equations.
 
 Dimensionless (``scaled_pads``); that program has Lobatto polynomials across and finite volumes along, as here, and
-its own active set and its own search. Where it was run on the same grid, positions and loads agree to all digits that
-were kept; its limits are Richardson's of the two finest grids.
+its own active set and its own search. Where it was run on the same grid, positions and loads agree to all digits
+that were kept; its limits are Richardson's of the two finest grids.
 """
 
 import numpy as np
