@@ -1,7 +1,7 @@
 """Single pads and whole bearings against tables of an independent program of the same equations.
 
 Dimensionless (``scaled_pads``); that program has Lobatto polynomials across and finite volumes along, as here, and
-its own active set and its own search. Where it was run on the same grid, positions and loads agree to all digits that
+its own active set and search. Where it was run on the same grid, positions and loads agree to all digits that
 were kept; its limits are Richardson's of the two finest grids.
 """
 
