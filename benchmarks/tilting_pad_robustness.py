@@ -2,9 +2,9 @@
 
     python benchmarks/tilting_pad_robustness.py [number [seed]]
 
-3 to 6 pads, pivots at 50 to 60 %, preload 0 to 0.6, L/D 0.3 to 1.2, three decades of load in any direction, half of
-the bearings on pivots that give way; 48 intervals a pad, from the middle. A pad at its limit must have to carry less
-than it does at its fold. Marks: no other end, none slower than 30 ms.
+3 to 6 pads, pivots at 50 to 60 %, preload 0 to 0.6, L/D 0.3 to 1.2, three decades of load in any direction, half
+of them on pivots that give way; 48 intervals a pad, from the middle. A pad at its limit must have to carry less
+than it does at its fold. Marks: no other end, none slower than 0.1 s.
 """
 
 import math
@@ -21,7 +21,7 @@ from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing, T
 from babbitt.reynolds.tilting_pads.pivots import Pivot, RigidPivot, SpringPivot
 from babbitt.reynolds.tilting_pads.solve import fold_of, solve_tilting_pads
 
-NUMBER, SLOWEST = 360, 0.03
+NUMBER, SLOWEST = 360, 0.1
 GRID = Resolution(4, 48)
 
 
@@ -47,7 +47,7 @@ def is_end(found: TiltingPadSolution) -> bool:
     """Whether a search ended as it may: solved, or with a pad that would have to carry less than at its fold."""
     if found.outcome is Outcome.PAD_AT_LIMIT and found.limit_pad is not None:
         need, least = found.limit_loads
-        return 0.0 < need < least < 1.1 * fold_of(found.bearing, found.limit_pad, GRID).load + 1e-3
+        return 0.0 < need < least < 1.01 * fold_of(found.bearing, found.limit_pad, GRID).load
     return found.outcome.solved
 
 
@@ -70,8 +70,8 @@ def main() -> int:
             print(f"trial {trial}: {found.outcome.name}, residual {found.residual / math.hypot(*load):.1e} of the "
                   f"load, limit {found.limit_loads}")  # fmt: skip
     print(dict(ends))
-    print(f"steps: median {statistics.median(steps)}, most {max(steps)}; films: median {statistics.median(films)}, "
-          f"most {max(films)}")  # fmt: skip
+    print(f"steps: median {statistics.median(steps)}, most {max(steps)}")
+    print(f"films: median {statistics.median(films)}, most {max(films)}")
     print(f"time: median {1e3 * statistics.median(times):.2f} ms, slowest {1e3 * max(times):.1f} ms")
     return 0 if bad == 0 and max(times) < SLOWEST else 1
 
