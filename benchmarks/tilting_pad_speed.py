@@ -64,8 +64,9 @@ def main() -> int:
             whole = least_time(lambda chosen=chosen, load=load, grid=grid: solve_tilting_pads(chosen, load, grid))
             moving = least_time(lambda found=found: condensed_at(full_coefficients(found), 1.0))
             slow = slow or (intervals == MARKED and alone > MARK)
+            took = f"whole {1e3 * whole:.2f} ms, coefficients {1e3 * moving:.2f} ms"
             print(f"{name}, 4 x {intervals}: kernels {1e3 * alone:.2f} ms ({found.iterations} steps, "
-                  f"{found.films} films), whole {1e3 * whole:.2f} ms, coefficients {1e3 * moving:.2f} ms")  # fmt: skip
+                  f"{found.films} films), {took}")  # fmt: skip
     return int(slow)
 
 
