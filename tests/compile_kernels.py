@@ -45,10 +45,28 @@ HALVES: tuple[tuple[Fields, ...], ...] = (
 )
 
 
+UNKNOWNS = (4, 6)
+"""Across half a tilting pad, of both halves."""
+
+
+def compile_pads(unknowns: int) -> None:
+    """Solve a bearing of tilting pads."""
+    from babbitt.reynolds.model import Resolution
+    from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
+    from babbitt.reynolds.tilting_pads.solve import fold_of, solve_tilting_pads
+
+    pads = tuple(TiltingPad(angle, 1.2, 1e-4, 6e-5, 0.02, 0.55) for angle in (0.8, 2.4, 4.0, 5.6))
+    bearing = TiltingPadBearing(0.1, 0.07, 0.02, 300.0, pads)
+    solve_tilting_pads(bearing, (0.0, -5e3), Resolution(unknowns, 24))
+    fold_of(bearing, 0, Resolution(unknowns, 24))
+
+
 def compile_half(half: int) -> None:
     """Solve bearings whose films need the kernels of one half."""
     from babbitt.case import case_from_dict
     from babbitt.solving import solve
+
+    compile_pads(UNKNOWNS[half])
 
     for changes in HALVES[half]:
         fields = {name: value for name, value in (BEARING | changes).items() if value is not None}

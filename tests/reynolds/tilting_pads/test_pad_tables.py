@@ -1,9 +1,11 @@
 """Single pads and whole bearings against tables of an independent program of the same equations.
 
 Dimensionless (``scaled_pads``); that program has Lobatto polynomials across and finite volumes along, as here, and
-its own active set and its own search. Where it was run on the same grid, positions and loads agree to all digits
-that were kept; its limits are Richardson's of the two finest grids.
+its own active set and search. Where it was run on the same grid, positions and loads agree to all digits that
+were kept; its limits are Richardson's of the two finest grids.
 """
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -147,6 +149,18 @@ MOVING = {
     None: ((6.479346, -0.471080, 0.186737, 18.312782), (7.487977, 0.503940, -0.648493, 14.842660)),
     20.0: ((6.034977, -0.364402, 0.037684, 11.087152), (4.842547, 0.497249, -0.628674, 4.416576)),
 }
+
+
+def test_soft_pivots_cost_damping_first():
+    """Pivots of 5 would need more preload than the gap has: the films of rigid ones, on springs and masses."""
+    stood = solve_tilting_pads(four_pads(), FOUR_LOAD, ENGINEERING)
+    own = {"mass": 0.02, "inertia": 0.05 * LEVER**2}
+    pads = tuple(replace(one, pivot=SpringPivot(5.0), **own) for one in stood.bearing.pads)
+    states = tuple(replace(state, pivot_stiffness=5.0) for state in stood.pads)
+    found = replace(stood, bearing=replace(stood.bearing, pads=pads), pads=states)
+    condensed = condensed_at(full_coefficients(found), 1.0)
+    assert condensed.stiffness.ravel() == pytest.approx([4.091959, -0.188207, -0.082244, 4.677870], abs=2e-5)
+    assert condensed.damping.ravel() == pytest.approx([2.088753, 0.440529, -0.529248, 1.359405], abs=2e-5)
 
 
 @pytest.mark.parametrize("stiffness", list(MOVING))

@@ -42,9 +42,10 @@ TOWARDS_PIVOT = 0.7  # share of the gap at a pivot in one step of the journal
 OVERSHOOT = 0.7  # share of the driving force that may oppose a step behind it
 INDIFFERENT = 1e-6  # of the trace: stiffness of a direction that no pad stiffens
 UNEVEN = 0.1  # the same where a pad gains or loses its load on the way
-BESIDE = 1e-6  # of the clearance: where a pad at its limit is taken to carry
-MOST_HELD = 20  # steps along a pad at its limit, and times that one is held there
-SHORTEST = 1e-13  # step of the journal at which a search along it is stuck
+BESIDE = 1e-8  # of the clearance: where a pad at its limit is taken to carry
+SIDEWAYS = 1e-9  # of the clearance: where a second pad jumps, along one at its limit
+MOST_HELD, MOST_ALONG = 20, 60  # times that a pad is held at its limit, and steps along it
+SHORTEST = 1e-12  # step of the journal at which a search along it is stuck
 
 
 @compiled
@@ -359,43 +360,117 @@ def allowed_moment(places, residual):
 
 
 @inlined
-def changed_pad(places, statuses):
-    """First pad that has gained or lost its load against earlier statuses, or -1."""
-    for k in range(statuses.size):
-        if (places.status[k] == LOADED) != (statuses[k] == LOADED):
+def changed_status(before, behind, but):
+    """First pad, ``but`` one, that carries in one of two states only, or -1."""
+    for k in range(before.size):
+        if k != but and (before[k] == LOADED) != (behind[k] == LOADED):
             return k
     return -1
 
 
 @inner
 def hold_at_limit(axial, pads, grid, film, lines, k, load_x, load_y, x, y, floor, places, total):
-    """Journal that keeps pad k at its limit and rests along the pad: x, y, and the load that the pad must carry.
+    """Journal that keeps pad k at its limit and rests along the pad: x, y, and a second pad at its limit or -1.
 
-    At the limit a pad carries what it can or nothing. Along tau the others decide; along n they leave a force that
-    the pad must take. That minimises the same convex potential on its edge.
+    At the limit a pad carries what it can or nothing. Along tau the others decide, where a second one may jump as
+    well; that minimises the same convex potential on its edge. ``x``, ``y`` is where pad k just carries.
     """
     c, s = pads.cosine[k], pads.sine[k]
-    need = np.nan
-    for _ in range(MOST_HELD):
-        place_all(axial, pads, grid, film, lines, x, y, TIGHT, places, total)
-        rx, ry = total[0] + load_x, total[1] + load_y
-        need = rx * c + ry * s - places.push[k, 0]
-        along = ry * c - rx * s
+    at, left, right = 0.0, -np.inf, np.inf
+    before, behind = places.status.copy(), places.status.copy()
+    for _ in range(MOST_ALONG):
+        place_all(axial, pads, grid, film, lines, x - s * at, y + c * at, TIGHT, places, total)
+        along = c * (total[1] + load_y) - s * (total[0] + load_x)
         stiff = total[2] * s * s - (total[3] + total[4]) * c * s + total[5] * c * c
-        if abs(along) <= floor or not stiff > 0.0:
+        if abs(along) <= floor:
             break
-        step = along / stiff
+        if along > 0.0:
+            left = at
+            before[:] = places.status
+        else:
+            right = at
+            behind[:] = places.status
+        if right - left < SIDEWAYS:
+            return x - s * at, y + c * at, changed_status(before, behind, k)
+        step = along / stiff if stiff > 0.0 else math.copysign(0.1, along)
         step *= longest_step(pads, places, -s * step, c * step)
-        x, y = x - s * step, y + c * step
-    return x, y, need
+        new = at + step
+        if not left < new < right:
+            new = 0.5 * (left + right)
+        at = new
+    return x - s * at, y + c * at, -1
+
+
+@inner
+def load_at_limit(axial, pads, grid, film, lines, k, x, y, places):
+    """Load of pad k at its limit, for a journal ``BESIDE`` of it: the load grows with the root of the distance."""
+    near = -places.push[k, 0]
+    way = 3.0 * BESIDE
+    place_pad(axial, pads, grid, k, film, lines, x + way * pads.cosine[k], y + way * pads.sine[k], TIGHT, places)
+    far = -places.push[k, 0]
+    place_pad(axial, pads, grid, k, film, lines, x, y, TIGHT, places)
+    return max(2.0 * near - far, 0.0)
+
+
+@inlined
+def way_from_limit(need, near, limit):
+    """How far to move from ``BESIDE`` of a limit for the load that a pad needs."""
+    if need <= limit:
+        return -2.0 * BESIDE
+    return (min((need - limit) / max(near - limit, 1e-300), 10.0) ** 2 - 1.0) * BESIDE
+
+
+@inner
+def needs_at_limit(axial, pads, grid, film, lines, first, second, load_x, load_y, x, y, places, total):
+    """What one or two pads at their limits would have to carry, and what they carry at least: fills ``total[6:]``.
+
+    Returns a place beside the limits where the pads carry what they should, if they can.
+    """
+    c, s = pads.cosine[first], pads.sine[first]
+    if second < 0:
+        place_all(axial, pads, grid, film, lines, x, y, TIGHT, places, total)
+        near = -places.push[first, 0]
+        need = (total[0] + load_x) * c + (total[1] + load_y) * s + near
+        limit = load_at_limit(axial, pads, grid, film, lines, first, x, y, places)
+        total[6], total[7], total[8], total[9] = first, need, limit, -1.0
+        way = way_from_limit(need, near, limit)
+        return x + way * c, y + way * s
+    c2, s2 = pads.cosine[second], pads.sine[second]
+    share = BESIDE / max(1.0 + c * c2 + s * s2, 1e-3)
+    x, y = x + share * (c + c2), y + share * (s + s2)  # both carry
+    place_all(axial, pads, grid, film, lines, x, y, TIGHT, places, total)
+    near, near_2 = -places.push[first, 0], -places.push[second, 0]
+    rx = total[0] + load_x + near * c + near_2 * c2
+    ry = total[1] + load_y + near * s + near_2 * s2
+    det = c * s2 - s * c2
+    need, need_2 = (rx * s2 - ry * c2) / det, (ry * c - rx * s) / det
+    limit = load_at_limit(axial, pads, grid, film, lines, first, x, y, places)
+    limit_2 = load_at_limit(axial, pads, grid, film, lines, second, x, y, places)
+    total[6], total[7], total[8], total[9], total[10], total[11] = first, need, limit, second, need_2, limit_2
+    way, way_2 = way_from_limit(need, near, limit), way_from_limit(need_2, near_2, limit_2)
+    return x + (way * s2 - way_2 * s) / det, y + (way_2 * c - way * c2) / det
+
+
+@inner
+def pad_beside_limit(axial, pads, grid, film, lines, x, y, places):
+    """First pad that gains or loses its load within ``BESIDE`` of a place of the journal, or -1."""
+    for k in range(pads.kappa.size):
+        carries = places.status[k] == LOADED
+        way = -BESIDE if carries else BESIDE
+        place_pad(
+            axial, pads, grid, k, film, lines, x + way * pads.cosine[k], y + way * pads.sine[k], TIGHT, places
+        )
+        if (places.status[k] == LOADED) != carries:
+            return k
+    return -1
 
 
 @compiled
 def find_pads(axial, pads, intervals, load_x, load_y, x, y, tolerance, max_steps, places, total):
     """Journal and pads in equilibrium: x, y, status, steps, whether a direction is indifferent, and the grid.
 
-    ``total`` gets the force of the films and the condensed stiffness (F 2, K 4), and of a pad at its limit its
-    number, what it would have to carry and what it carries at least (3; -1 where there is none).
+    ``total`` gets the force of the films and the condensed stiffness (F 2, K 4), and of two pads at their limits
+    number, what it would have to carry and what it carries at least (2 x 3; -1 where there is none).
     """
     grid = pad_grid(pads, intervals, len(axial.size))
     film, lines = new_film(intervals), new_lines(intervals, len(axial.size))
@@ -428,7 +503,7 @@ def find_pads(axial, pads, intervals, load_x, load_y, x, y, tolerance, max_steps
             new_x, new_y = x + share * dx, y + share * dy
             is_open = place_all(axial, pads, grid, film, lines, new_x, new_y, tilts, places, total)
             opposed = -((total[0] + load_x) * dx + (total[1] + load_y) * dy)
-            jumped = changed_pad(places, statuses)
+            jumped = changed_status(places.status, statuses, -1)
             if is_open and opposed <= (OVERSHOOT if jumped < 0 else UNEVEN) * drive:
                 break
             if share < 0.1 and not tight:  # loose tilts may hide what the force does
@@ -443,21 +518,21 @@ def find_pads(axial, pads, intervals, load_x, load_y, x, y, tolerance, max_steps
         if share * math.hypot(dx, dy) >= SHORTEST:
             continue
         held += 1
+        if jumped < 0:
+            jumped = pad_beside_limit(axial, pads, grid, film, lines, x, y, places)
         if jumped < 0 or held > MOST_HELD:
             status = STUCK
             break
         c, s = pads.cosine[jumped], pads.sine[jumped]
-        x, y, need = hold_at_limit(
+        x, y, second = hold_at_limit(
             axial, pads, grid, film, lines, jumped, load_x, load_y, x + BESIDE * c, y + BESIDE * s, 0.1 * floor,
             places, total,
         )  # fmt: skip
-        least = -places.push[jumped, 0]
-        if 0.0 < need < least:
-            total[6], total[7], total[8] = jumped, need, least
+        x, y = needs_at_limit(axial, pads, grid, film, lines, jumped, second, load_x, load_y, x, y, places, total)
+        if 0.0 < total[7] < total[8] and (second < 0 or 0.0 < total[10] < total[11]):
             status = LIMIT
             break
-        if need <= 0.0:
-            x, y = x - 2.0 * BESIDE * c, y - 2.0 * BESIDE * s
+        total[6] = -1.0
         place_all(axial, pads, grid, film, lines, x, y, TIGHT, places, total)
     return x, y, status, steps, indifferent, grid
 

@@ -339,7 +339,8 @@ class TiltingPadSolution:
     indifferent : bool
         Whether one direction of the position is that of the start, for no loaded pad stiffens it.
     limit_pad : int or None
-        The pad that would have to carry less than it can: no equilibrium exists (`Outcome.PAD_AT_LIMIT`).
+        The pad that would have to carry less than it can: no equilibrium exists (`Outcome.PAD_AT_LIMIT`). Two may
+        be at their limits together (``status``); this is the first.
     limit_loads : tuple of float
         What that pad would have to carry, and the least that it can, N; empty otherwise.
     iterations : int

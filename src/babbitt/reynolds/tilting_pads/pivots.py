@@ -1,7 +1,9 @@
 """How far the pivot of a pad gives way under its load.
 
-Every law is a displacement u(P) that starts at zero and never falls; its stiffness is dP/du. In closed form
+Every law is a displacement u(P) that starts at zero; its stiffness is dP/du. In closed form
+
     u = a P^b + P (A - B ln P) + P / k,
+
 with the power of a contact of points, the logarithm of one of lines, and whatever lies in series; a table
 stands for what was measured.
 """

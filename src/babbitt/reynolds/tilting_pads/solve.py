@@ -60,9 +60,9 @@ OUTCOMES = {CONVERGED: Outcome.CONVERGED, CLOSED: Outcome.OUTSIDE_CLEARANCE, LIM
 
 
 def no_total() -> Array:
-    """What `find_pads` fills: force (2), stiffness (4), of a pad at its limit number, need and least load."""
-    total = np.zeros(9)
-    total[6] = -1.0
+    """What `find_pads` fills: force (2), stiffness (4), of two pads at a limit number, need and least load."""
+    total = np.zeros(12)
+    total[[6, 9]] = -1.0
     return total
 
 
@@ -234,7 +234,8 @@ def assembled(
     )
     if limit is not None:
         states = tuple(
-            replace(state, status=PadStatus.AT_LIMIT) if k == limit else state for k, state in enumerate(states)
+            replace(state, status=PadStatus.AT_LIMIT) if k in (limit, int(total[9])) else state
+            for k, state in enumerate(states)
         )
     return TiltingPadSolution(
         bearing=bearing,

@@ -1,0 +1,461 @@
+"""Tilting pads against closed forms, other engines, symmetries and their own derivatives."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scaled_pads import (
+    FIVE_LOAD,
+    FOUR_LOAD,
+    LEVER,
+    bearing,
+    directed,
+    five_pads,
+    four_pads,
+    one_pad,
+    pad,
+    turned,
+)
+
+from babbitt.core.notices import InputError
+from babbitt.core.result import Outcome
+from babbitt.reynolds.equilibrium.position import film_at_position
+from babbitt.reynolds.model import Resolution
+from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
+from babbitt.reynolds.tilting_pads.model import PadStatus, TiltingPad, TiltingPadBearing, film_of, standing
+from babbitt.reynolds.tilting_pads.pivots import (
+    LineContact,
+    PointContact,
+    RockerContact,
+    SpringPivot,
+    TablePivot,
+    displacement_of,
+)
+from babbitt.reynolds.tilting_pads.solve import fold_of, solve_tilting_pads, tilting_pads_at
+
+GRID = Resolution(4, 96)
+
+
+def coefficients(bearing_, load, grid=GRID):
+    return full_coefficients(solve_tilting_pads(bearing_, load, grid))
+
+
+def squeeze_series(extent, width_ratio, terms=60, points=4000):
+    """Damping of a concentric full film along and across its middle: Fourier series across the width.
+
+    p'' + (D/L)^2 p_zz = 12 f(phi) with p = 0 on all edges, C = -Int p f over angle and mean width; every harmonic
+    cos((2 j - 1) pi z / 2) has an equation of its own along phi, solved by finite differences.
+    """
+    half = 0.5 * extent
+    phi = np.linspace(-half, half, points + 1)
+    step = phi[1] - phi[0]
+    found = []
+    for form in (np.cos(phi), np.sin(phi)):
+        total = 0.0
+        for j in range(1, terms + 1):
+            wave = (2 * j - 1) * 0.5 * math.pi
+            share = (-1) ** (j + 1) * 2.0 / wave  # of the harmonic in 1; its mean is (-1)^(j+1)/wave
+            rate = wave / width_ratio
+            right = 12.0 * share * form[1:-1]
+            diagonal = np.full(points - 1, -2.0 / step**2 - rate**2)
+            p = tridiagonal(diagonal, 1.0 / step**2, right)
+            total -= float((p * form[1:-1]).sum() * step) * (-1) ** (j + 1) / wave
+        found.append(total)
+    return found
+
+
+def tridiagonal(diagonal, beside, right):
+    from scipy.linalg import solve_banded
+
+    bands = np.zeros((3, diagonal.size))
+    bands[0, 1:] = bands[2, :-1] = beside
+    bands[1] = diagonal
+    return solve_banded((1, 1), bands, right)
+
+
+def test_a_concentric_pad_of_a_full_film():
+    state = tilting_pads_at(
+        one_pad(1.0, rotational_stiffness=1e6 * LEVER**2), (0.0, 0.0), Resolution(8, 192)
+    ).pads[0]  # a stiff flexure keeps eta at zero
+    (kxx, kxy), (kyx, kyy) = state.stiffness
+    (cxx, cxy), (_, cyy) = state.damping
+    along, across = squeeze_series(math.radians(80.0), 1.0)
+    assert cxx == pytest.approx(along, rel=1e-4)
+    assert cyy == pytest.approx(across, rel=2e-4)
+    assert (kxy, kyx) == pytest.approx((0.5 * cxx, -0.5 * cyy), rel=1e-6)
+    assert (kxx, kyy, cxy) == pytest.approx((0.0, 0.0, 0.0), abs=1e-6)
+
+
+@pytest.mark.parametrize(("ratio", "damping"), [(1.0, 1.052046), (0.5, 0.0), (0.25, -4.208183)])
+def test_a_concentric_pad_is_damped_above_half_the_speed_only(ratio, damping):
+    stiff = tilting_pads_at(one_pad(1.0, rotational_stiffness=1e6 * LEVER**2), (0.0, 0.0), GRID)
+    pads = (replace(stiff.pads[0], status=PadStatus.LOADED),)  # its film is full, but carries nothing
+    free = replace(stiff, bearing=one_pad(1.0), pads=pads)
+    condensed = condensed_at(full_coefficients(free), ratio)
+    assert condensed.damping[0, 0] == pytest.approx(damping, rel=2e-4, abs=1e-6)
+    along = stiff.pads[0].damping[0, 0]
+    assert condensed.damping[0, 0] == pytest.approx(along * (1.0 - 0.25 / ratio**2), abs=1e-6)
+    assert condensed.stiffness == pytest.approx(np.zeros((2, 2)), abs=1e-6)
+
+
+def test_pads_where_they_stand_are_a_bearing_of_lobes():
+    grid = Resolution(4, 192)
+    found = solve_tilting_pads(four_pads(), FOUR_LOAD, grid)
+    film = film_of(four_pads(), standing(found))
+    lobed = film_at_position(film, tuple(found.position), resolution=grid)
+    assert lobed.force == pytest.approx(found.force, abs=2e-4)
+    rows = [np.array([p.normal(), p.tangent()]) for p in found.bearing.pads]
+    for own, whole in (("stiffness", lobed.stiffness), ("damping", lobed.damping)):
+        total = sum(b.T @ getattr(state, own) @ b for b, state in zip(rows, found.pads, strict=True))
+        assert total == pytest.approx(whole, rel=2e-3, abs=2e-3)
+    assert sum(state.friction_torque for state in found.pads) == pytest.approx(lobed.friction_torque, rel=1e-3)
+    assert sum(state.side_flow for state in found.pads) == pytest.approx(float(lobed.side_flow.sum()), rel=2e-3)
+
+
+def test_every_pad_conserves_its_oil():
+    for state in solve_tilting_pads(four_pads(), FOUR_LOAD, GRID).pads:
+        assert state.inflow == pytest.approx(state.outflow + state.side_flow, rel=1e-9)
+
+
+def test_films_carry_the_load_without_moment():
+    found = solve_tilting_pads(four_pads(), FOUR_LOAD, GRID)
+    assert found.force == pytest.approx(-np.asarray(FOUR_LOAD), abs=4e-6)
+    assert found.residual < 4e-6
+    for state in found.pads:
+        assert abs(state.force[1]) < 1e-7 * state.load
+
+
+@pytest.mark.parametrize("load", [FIVE_LOAD, directed(2.0, 90.0)], ids=["between pads", "on a pad"])
+def test_a_load_on_a_line_of_symmetry_finds_no_cross_coupling(load):
+    found = solve_tilting_pads(five_pads(), load, GRID)
+    loads = [state.load for state in found.pads]
+    assert found.position[0] == pytest.approx(0.0, abs=1e-9)
+    assert loads == pytest.approx([loads[1], loads[0], loads[4], loads[3], loads[2]], rel=1e-6, abs=1e-9)
+    condensed = condensed_at(full_coefficients(found), 1.0)
+    assert [*np.diag(condensed.stiffness[::-1]), *np.diag(condensed.damping[::-1])] == pytest.approx(
+        [0.0] * 4, abs=1e-6
+    )
+
+
+@pytest.mark.parametrize("direction", [0.0, 33.0, 45.0, 100.0, 217.0])
+def test_four_pads_at_right_angles_find_no_cross_coupling_in_any_direction(direction):
+    condensed = condensed_at(coefficients(four_pads(), directed(3.0, direction)), 1.0)
+    assert condensed.stiffness[0, 1] == pytest.approx(0.0, abs=1e-10)
+    assert condensed.stiffness[1, 0] == pytest.approx(0.0, abs=1e-10)
+
+
+def test_pads_without_inertia_push_along_their_pivots():
+    found = solve_tilting_pads(five_pads(), directed(2.0, -60.0), GRID)
+    w, total = 0.7, np.zeros((2, 2), dtype=complex)
+    for own, state in zip(found.bearing.pads, found.pads, strict=True):
+        if state.status is PadStatus.LOADED:
+            z = state.stiffness + 1j * w * state.damping
+            total += (z[0, 0] - z[0, 1] * z[1, 0] / z[1, 1]) * np.outer(own.normal(), own.normal())
+    condensed = condensed_at(full_coefficients(found), w)
+    assert condensed.stiffness + 1j * w * condensed.damping == pytest.approx(total, rel=1e-12)
+    assert condensed.stiffness[0, 1] == pytest.approx(condensed.stiffness[1, 0], rel=1e-12)
+
+
+def test_a_stiff_pivot_is_as_a_rigid_one():
+    rigid, stiff = coefficients(four_pads(), FOUR_LOAD), coefficients(four_pads(law=SpringPivot(1e9)), FOUR_LOAD)
+    for ratio in (0.0, 1.0):
+        first, second = condensed_at(rigid, ratio), condensed_at(stiff, ratio)
+        assert second.stiffness == pytest.approx(first.stiffness, rel=1e-6, abs=1e-6)
+        assert second.damping == pytest.approx(first.damping, rel=1e-6, abs=1e-6)
+
+
+LAWS = {
+    "rigid": {},
+    "spring": {"law": SpringPivot(20.0)},
+    "table": {"law": TablePivot((0.5, 2.0, 5.0), (0.02, 0.06, 0.1))},
+    "flexure": {"rotational_stiffness": 0.8 * LEVER**2, "rest_tilt": 0.05},
+    "flexure, soft along tau": {
+        "rotational_stiffness": 0.8 * LEVER**2, "tangential_stiffness": 3.0, "law": SpringPivot(20.0)
+    },
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", list(LAWS))
+def test_static_stiffness_is_the_slope_of_the_load(name):
+    chosen = four_pads(**LAWS[name])
+    found = solve_tilting_pads(chosen, FOUR_LOAD, Resolution(4, 96, tolerance=1e-9))
+    assert found.outcome.solved
+    step, columns = 1e-4, []
+    for way in np.eye(2) * step:
+        ahead, behind = (tilting_pads_at(chosen, tuple(found.position + s * way), GRID) for s in (1.0, -1.0))
+        columns.append(-(ahead.force - behind.force) / (2.0 * step))
+    static = condensed_at(full_coefficients(found), 0.0).stiffness
+    assert static == pytest.approx(np.array(columns).T, rel=1e-3, abs=4e-3)
+    slow = condensed_at(full_coefficients(found), 1e-4)
+    assert slow.stiffness == pytest.approx(static, rel=1e-6, abs=1e-6)
+    assert slow.damping == pytest.approx(condensed_at(full_coefficients(found), 0.0).damping, rel=1e-6, abs=1e-6)
+
+
+@pytest.mark.parametrize("name", list(LAWS))
+def test_pivots_and_flexures_balance_the_film(name):
+    found = solve_tilting_pads(four_pads(**LAWS[name]), FOUR_LOAD, GRID)
+    for own, state in zip(found.bearing.pads, found.pads, strict=True):
+        lever = found.bearing.lever(own)
+        radial = float(found.position @ own.normal()) - state.position.pivot_displacement
+        along = (
+            float(found.position @ own.tangent()) - state.position.tangential_displacement
+            + lever * state.position.tilt
+        )  # fmt: skip
+        assert (state.radial, state.tangential) == pytest.approx((radial, along), abs=1e-9)
+        assert state.position.pivot_displacement == pytest.approx(displacement_of(own.pivot, state.load), abs=1e-7)
+        moment = lever * state.force[1] - own.rotational_stiffness * (state.position.tilt - own.rest_tilt)
+        assert moment == pytest.approx(0.0, abs=1e-6)
+        if math.isfinite(own.tangential_stiffness):
+            along = own.tangential_stiffness * state.position.tangential_displacement
+            assert along == pytest.approx(-state.force[1], abs=1e-9)
+
+
+STEEL = {
+    "ball": PointContact(0.200, 0.201),
+    "cylinder": LineContact(0.200, 0.250, 0.06, 0.02, 0.02),
+    "rocker": RockerContact(0.06),
+    "ball in a soft housing": PointContact(0.200, 0.201, housing_stiffness=3e8),
+}
+
+
+@pytest.mark.parametrize("law", list(STEEL))
+@pytest.mark.parametrize("load", [100.0, 40e3])
+def test_pads_of_steel_in_si(law, load):
+    pads = tuple(
+        TiltingPad(math.radians(angle), math.radians(60.0), 150e-6, 100e-6, 0.02, pivot=STEEL[law])
+        for angle in (54, 126, 198, 270, 342)
+    )
+    chosen = TiltingPadBearing(0.2, 0.1, 0.02, 300.0, pads)
+    found = solve_tilting_pads(chosen, (0.0, -load), GRID)
+    assert found.outcome.solved
+    assert found.force == pytest.approx([0.0, load], abs=2e-6 * load)
+    for state in found.pads:
+        assert state.position.pivot_displacement == pytest.approx(
+            displacement_of(STEEL[law], state.load), rel=1e-4, abs=1e-13
+        )
+
+
+def test_the_place_does_not_depend_on_the_start():
+    rng = np.random.default_rng(5)
+    for chosen, load in ((five_pads(), FIVE_LOAD), (four_pads(), FOUR_LOAD)):
+        first = solve_tilting_pads(chosen, load, GRID).position
+        for _ in range(12):
+            start = directed(0.55 * math.sqrt(rng.random()), 360.0 * rng.random())
+            again = solve_tilting_pads(chosen, load, GRID, start=start)
+            assert again.outcome.solved
+            assert again.position == pytest.approx(first, abs=5e-7)
+
+
+def test_turning_and_relabelling_turns_the_answer():
+    angle = math.radians(37.0)
+    first = solve_tilting_pads(four_pads(inertia=0.05 * LEVER**2), FOUR_LOAD, GRID)
+    pads = [replace(own, pivot_angle=own.pivot_angle + angle) for own in first.bearing.pads]
+    moved = replace(first.bearing, pads=(*pads[2:], *pads[:2]))
+    second = solve_tilting_pads(moved, tuple(turned(FOUR_LOAD, angle)), GRID)
+    assert second.position == pytest.approx(turned(first.position, angle), abs=1e-12)
+    assert [state.load for state in second.pads] == pytest.approx(
+        [first.pads[k].load for k in (2, 3, 0, 1)], rel=1e-12
+    )
+    turn = np.array([turned((1.0, 0.0), angle), turned((0.0, 1.0), angle)]).T
+    one, two = (condensed_at(full_coefficients(found), 0.8) for found in (first, second))
+    assert two.stiffness == pytest.approx(turn @ one.stiffness @ turn.T, rel=1e-9, abs=1e-9)
+    assert two.damping == pytest.approx(turn @ one.damping @ turn.T, rel=1e-9, abs=1e-9)
+
+
+def test_a_mirror_reverses_everything():
+    profile = (0.0, 0.01, 0.05)
+    more = {"inertia": 0.05 * LEVER**2, "mass": 0.1, "mass_offset": 0.3, "law": SpringPivot(15.0)}
+    flexed = {"rotational_stiffness": 0.3 * LEVER**2, "tangential_stiffness": 5.0}
+    first = bearing(
+        (pad(a, 75.0, 0.55, 0.4, profile=profile, rest_tilt=0.03, **more, **flexed) for a in (-90, 0, 90, 180)),
+        0.7,
+    )
+    second = bearing(
+        (
+            pad(-a, 75.0, 0.55, 0.4, profile=profile[::-1], rest_tilt=-0.03, **more, **flexed)
+            for a in (-90, 0, 90, 180)
+        ),
+        0.7,
+        speed=-1.0,
+    )
+    one = solve_tilting_pads(first, FOUR_LOAD, GRID)
+    two = solve_tilting_pads(second, (FOUR_LOAD[0], -FOUR_LOAD[1]), GRID)
+    mirror = np.array([1.0, -1.0])
+    assert one.outcome.solved
+    assert two.position == pytest.approx(mirror * one.position, abs=1e-12)
+    assert two.force == pytest.approx(mirror * one.force, abs=1e-12)
+    for left, right in zip(one.pads, two.pads, strict=True):
+        assert right.position.tilt == pytest.approx(-left.position.tilt, abs=1e-12)
+        assert right.force == pytest.approx(mirror * left.force, abs=1e-12)
+    full_one, full_two = full_coefficients(one), full_coefficients(two)
+    sign = np.diag([1.0, -1.0, *(1.0 if name.endswith("pivot") else -1.0 for name in full_one.labels[2:])])
+    for name in ("mass", "damping", "stiffness"):
+        assert getattr(full_two, name) == pytest.approx(sign @ getattr(full_one, name) @ sign, rel=1e-9, abs=1e-9)
+
+
+def test_a_centred_pad_without_preload_unloads_at_the_root_of_its_eccentricity():
+    shallow, deep = (tilting_pads_at(one_pad(), (e, 0.0), GRID).pads[0].load for e in (0.001, 0.01))
+    assert (shallow * math.pi, deep * math.pi) == pytest.approx((0.018722, 0.060436), rel=5e-3)
+    assert deep / shallow == pytest.approx(math.sqrt(10.0), rel=0.03)
+    beyond = tilting_pads_at(one_pad(), (-1e-6, 0.0), GRID)
+    assert beyond.pads[0].status is PadStatus.UNLOADED
+    assert math.isnan(beyond.pads[0].position.tilt)
+    assert beyond.pads[0].inflow == pytest.approx(0.5 * beyond.pads[0].minimum_film_thickness)
+    assert fold_of(one_pad(), 0).eccentricity_ratio == 0.0
+
+
+def test_a_pad_on_a_flexure_has_no_fold():
+    with pytest.raises(InputError, match="flexure"):
+        fold_of(one_pad(rotational_stiffness=1.0), 0)
+
+
+def test_one_loaded_pad_leaves_a_direction_indifferent():
+    chosen = bearing((pad(-90.0, 80.0), pad(90.0, 80.0)), 0.5)
+    found = solve_tilting_pads(chosen, (0.0, -1.0), GRID)
+    assert found.outcome.solved
+    assert found.indifferent
+    assert found.loaded == (0,)
+    assert not solve_tilting_pads(four_pads(), FOUR_LOAD, GRID).indifferent
+
+
+def test_a_position_beyond_a_pivot_has_no_film():
+    found = tilting_pads_at(four_pads(), (0.0, -0.7), GRID)
+    assert found.outcome is Outcome.OUTSIDE_CLEARANCE
+    with pytest.raises(InputError, match="not solved"):
+        full_coefficients(found)
+
+
+def test_oil_under_pressure_between_the_pads_pushes_the_journal():
+    three = bearing((pad(angle, 60.0, 0.5, 0.3) for angle in (-90, 0, 90)), 0.5)
+    fed = replace(three, groove_pressure=0.2)
+    found = solve_tilting_pads(fed, (0.0, -1.0), GRID)
+    # between the ends of the pads at 120 and 240 degrees, and of two gaps of 30 degrees
+    gaps = ((-60, -30), (30, 60), (120, 240))
+    push = -0.2 * sum(
+        np.array([math.sin(b) - math.sin(a), math.cos(a) - math.cos(b)]) for a, b in np.radians(gaps)
+    )
+    films = sum(
+        state.force[0] * own.normal() + state.force[1] * own.tangent()
+        for own, state in zip(fed.pads, found.pads, strict=True)
+    )
+    assert found.force == pytest.approx(films + push, abs=1e-6)
+    assert found.force == pytest.approx([0.0, 1.0], abs=2e-6)
+    assert found.pads[0].pressure[[0, -1], 0] == pytest.approx([0.2, 0.2])
+
+
+def test_a_wider_and_a_more_viscous_pad_carries_more():
+    plain, thick = one_pad(0.5), one_pad(0.5, viscosity=2.0)
+    first, second = (tilting_pads_at(one, (0.5, 0.0), GRID).pads[0] for one in (plain, thick))
+    assert second.load == pytest.approx(2.0 * first.load)  # mu L = 1, L = 1
+    assert second.friction_torque == pytest.approx(2.0 * first.friction_torque)
+    assert second.maximum_pressure == pytest.approx(2.0 * first.maximum_pressure)
+    assert second.inflow == pytest.approx(first.inflow)
+    wide = tilting_pads_at(one_pad(0.5, width=1.4), (0.5, 0.0), GRID).pads[0]
+    alone = tilting_pads_at(replace(plain, width=1.4), (0.5, 0.0), GRID).pads[0]
+    for name in ("load", "friction_torque", "maximum_pressure", "inflow", "side_flow", "tangential"):
+        assert getattr(wide, name) == pytest.approx(getattr(alone, name), rel=1e-9)
+
+
+def test_the_first_orders_of_the_grid():
+    loads = [tilting_pads_at(one_pad(), (0.5, 0.0), Resolution(4, n)).pads[0].load for n in (48, 96, 192, 384)]
+    steps = np.diff(loads)
+    assert steps[:-1] / steps[1:] == pytest.approx([4.0, 4.0], rel=0.15)
+
+
+@pytest.mark.parametrize(
+    ("change", "word"),
+    [
+        ({"pads": ()}, "pads"),
+        ({"viscosity": 0.0}, "viscosity"),
+        ({"angular_speed": 0.0}, "angular_speed"),
+        ({"groove_pressure": -1.0}, "groove_pressure"),
+        ({"pads": (pad(0.0, 80.0), pad(70.0, 80.0))}, "pad 1 covers 80 degrees"),
+    ],
+)
+def test_impossible_bearings_are_refused(change, word):
+    with pytest.raises(InputError, match=word):
+        replace(one_pad(), **change)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [{"extent": 0.0}, {"assembled_clearance": 0.0}, {"pivot_fraction": 1.0}, {"mass": -1.0}, {"inertia": -1.0}],
+)
+def test_impossible_pads_are_refused(change):
+    with pytest.raises(InputError, match=next(iter(change))):
+        replace(pad(0.0, 80.0), **change)
+
+
+def test_a_load_that_is_no_number_is_refused():
+    with pytest.raises(InputError, match="load"):
+        solve_tilting_pads(four_pads(), (0.0, math.nan))
+
+
+def test_random_bearings_are_solved_or_at_a_limit():
+    """Forty bearings as in ``benchmarks/tilting_pad_robustness.py``, and one without a static equilibrium."""
+    rng = np.random.default_rng(8)
+    for _ in range(40):
+        count, fraction = int(rng.integers(3, 7)), rng.choice([0.5, rng.uniform(0.5, 0.6)])
+        extent, preload = min(rng.uniform(0.6, 0.92) * 360.0 / count, 100.0), rng.uniform(0.0, 0.6)
+        first = 360.0 * rng.random()
+        chosen = bearing(
+            (pad(first + 360.0 * k / count, extent, fraction, preload) for k in range(count)),
+            rng.uniform(0.3, 1.2),
+        )
+        load = directed(10.0 ** rng.uniform(-1.5, 1.5), 360.0 * rng.random())
+        found = solve_tilting_pads(chosen, load, Resolution(4, 48))
+        if found.outcome is Outcome.PAD_AT_LIMIT:
+            need, least = found.limit_loads
+            assert 0.0 < need < least
+        else:
+            assert found.outcome.solved
+            assert found.force == pytest.approx(-np.asarray(load), abs=2e-6 * math.hypot(*load))
+
+
+@pytest.mark.parametrize("share", [0.1, 0.5, 0.9])
+def test_a_pad_that_would_have_to_carry_less_than_it_can(share):
+    chosen = bearing((pad(angle, 70.0, 0.55, 0.0) for angle in (-90, 30, 150)), 0.7)
+    last = chosen.pads[2].normal()
+    fold = fold_of(chosen, 2, GRID)
+    assert fold.load > 0.0
+    x = 0.1  # on the line where the last pad is just unloaded
+    y = (fold.eccentricity_ratio - 1e-5 - x * last[0]) / last[1]
+    others = tilting_pads_at(chosen, (x, y), GRID)
+    assert [state.status for state in others.pads] == [PadStatus.LOADED, PadStatus.LOADED, PadStatus.UNLOADED]
+    load = -(others.force - share * fold.load * last)
+    found = solve_tilting_pads(chosen, tuple(load), GRID)
+    assert found.outcome is Outcome.PAD_AT_LIMIT
+    assert found.outcome.code == "S401"
+    assert found.limit_pad == 2
+    assert found.limit_loads == pytest.approx((share * fold.load, fold.load), rel=0.015)
+    assert found.pads[2].status is PadStatus.AT_LIMIT
+    assert found.position == pytest.approx([x, y], abs=1e-4)
+
+
+@pytest.mark.parametrize("share", [0.3, 0.7])
+def test_two_pads_that_would_have_to_carry_less_than_they_can(share):
+    """A load on a pad leaves both upper pads at the same eccentricity, hence at their limit together."""
+    chosen = bearing((pad(angle, 70.0, 0.55, 0.0) for angle in (-90, 30, 150)), 0.7)
+    fold = fold_of(chosen, 2, GRID)
+    y = (fold.eccentricity_ratio - 1e-5) / chosen.pads[1].normal()[1]
+    alone = tilting_pads_at(chosen, (0.0, y), GRID)
+    assert alone.loaded == (0,)
+    load = alone.force[1] - share * fold.load  # both at 30 degrees to the horizontal: one whole of each share
+    found = solve_tilting_pads(chosen, (0.0, -load), GRID)
+    assert found.outcome is Outcome.PAD_AT_LIMIT
+    assert [state.status for state in found.pads] == [PadStatus.LOADED, PadStatus.AT_LIMIT, PadStatus.AT_LIMIT]
+    assert found.limit_loads == pytest.approx((share * fold.load, fold.load), rel=0.015)
+
+
+def test_a_pad_between_its_limit_and_more_is_solved():
+    chosen = bearing((pad(angle, 70.0, 0.55, 0.0) for angle in (-90, 30, 150)), 0.7)
+    fold = fold_of(chosen, 2, GRID)
+    x, last = 0.1, chosen.pads[2].normal()
+    for excess, loaded in ((-1e-3, (0, 1)), (1e-3, (0, 1, 2))):
+        y = (fold.eccentricity_ratio + excess - x * last[0]) / last[1]
+        force = tilting_pads_at(chosen, (x, y), GRID).force
+        found = solve_tilting_pads(chosen, tuple(-force), GRID)
+        assert found.outcome.solved
+        assert found.loaded == loaded
+        assert found.position == pytest.approx([x, y], abs=1e-5)
