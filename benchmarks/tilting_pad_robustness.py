@@ -17,8 +17,9 @@ import numpy as np
 
 from babbitt.core.result import Outcome
 from babbitt.reynolds.model import Resolution
-from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing, TiltingPadSolution
+from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pivots import Pivot, RigidPivot, SpringPivot
+from babbitt.reynolds.tilting_pads.solution import TiltingPadSolution
 from babbitt.reynolds.tilting_pads.solve import fold_of, solve_tilting_pads
 
 NUMBER, SLOWEST = 360, 0.1

@@ -13,7 +13,8 @@ from collections.abc import Callable
 
 from babbitt.reynolds.lands.operators import kernel_operator
 from babbitt.reynolds.model import Resolution
-from babbitt.reynolds.tilting_pads._pads import find_pads, new_places
+from babbitt.reynolds.tilting_pads._pads import find_pads
+from babbitt.reynolds.tilting_pads._place import new_places
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
 from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.solve import PadScales, kernel_pads, no_total, solve_tilting_pads

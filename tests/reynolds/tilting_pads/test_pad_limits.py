@@ -23,7 +23,8 @@ from babbitt.core.result import Outcome
 from babbitt.reynolds.equilibrium.position import film_at_position
 from babbitt.reynolds.model import Resolution
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
-from babbitt.reynolds.tilting_pads.model import PadStatus, TiltingPad, TiltingPadBearing, film_of, standing
+from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
+from babbitt.reynolds.tilting_pads.pad_lands import film_of, pad_positions
 from babbitt.reynolds.tilting_pads.pivots import (
     LineContact,
     PointContact,
@@ -32,6 +33,7 @@ from babbitt.reynolds.tilting_pads.pivots import (
     TablePivot,
     displacement_of,
 )
+from babbitt.reynolds.tilting_pads.solution import PadStatus
 from babbitt.reynolds.tilting_pads.solve import fold_of, solve_tilting_pads, tilting_pads_at
 
 GRID = Resolution(4, 96)
@@ -102,7 +104,7 @@ def test_a_concentric_pad_is_damped_above_half_the_speed_only(ratio, damping):
 def test_pads_where_they_stand_are_a_bearing_of_lobes():
     grid = Resolution(4, 192)
     found = solve_tilting_pads(four_pads(), FOUR_LOAD, grid)
-    film = film_of(four_pads(), standing(found))
+    film = film_of(four_pads(), pad_positions(found))
     lobed = film_at_position(film, tuple(found.position), resolution=grid)
     assert lobed.force == pytest.approx(found.force, abs=2e-4)
     rows = [np.array([p.normal(), p.tangent()]) for p in found.bearing.pads]

@@ -49,7 +49,9 @@ def test_pads_without_inertia_have_motions_of_first_order():
 
 def test_little_inertia_comes_close_to_none_with_its_first_power():
     none, *some = (
-        np.array([complex(mode.growth, mode.frequency) for mode in rotor_modes(with_inertia(LIGHT, size), 20.0)[:6]])
+        np.array(
+            [complex(mode.growth, mode.frequency) for mode in rotor_modes(with_inertia(LIGHT, size), 20.0)[:6]]
+        )
         for size in (0.0, 1e-6 * LEVER**2, 1e-7 * LEVER**2)
     )
     assert len(none) == 6

@@ -13,8 +13,8 @@ from scaled_pads import FIVE_LOAD, FOUR_LOAD, LEVER, bearing, five_pads, four_pa
 
 from babbitt.reynolds.model import Resolution
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at, fit_virtual_mass, full_coefficients
-from babbitt.reynolds.tilting_pads.model import PadStatus
 from babbitt.reynolds.tilting_pads.pivots import SpringPivot
+from babbitt.reynolds.tilting_pads.solution import PadStatus
 from babbitt.reynolds.tilting_pads.solve import fold_of, solve_tilting_pads, tilting_pads_at
 
 COARSE, ENGINEERING, FINE = Resolution(4, 48), Resolution(4, 96), Resolution(6, 192)

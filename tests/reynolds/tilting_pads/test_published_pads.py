@@ -7,8 +7,9 @@ from scaled_pads import bearing, pad
 
 from babbitt.reynolds.model import Resolution
 from babbitt.reynolds.tilting_pads.dynamics import condensed_at, full_coefficients
-from babbitt.reynolds.tilting_pads.model import PadStatus, TiltingPad, TiltingPadBearing
+from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pivots import RigidPivot, RockerContact, SpringPivot
+from babbitt.reynolds.tilting_pads.solution import PadStatus
 from babbitt.reynolds.tilting_pads.solve import solve_tilting_pads, tilting_pads_at
 
 # T. Someya (ed.), Journal-Bearing Databook, Springer 1989, p. 83, table 5: four pads, no preload, L/D 0.5, load

@@ -15,10 +15,6 @@ from babbitt.reynolds._structs import Bearing
 
 Array = NDArray[float64]
 
-# columns of a pivot: u = FACTOR P^EXPONENT + P (LINE - LINE_SLOPE ln P) + COMPLIANCE P, and a table
-FACTOR, EXPONENT, LINE, LINE_SLOPE, COMPLIANCE = range(5)
-CURVE_COLUMNS = 5
-
 
 class Pads(NamedTuple):
     """Pads around a journal."""
@@ -31,7 +27,7 @@ class Pads(NamedTuple):
     offset: Array  # c_p - c_b, (pads,)
     rotational: Array  # spring against eta, of flexure and pivot in series, (pads,)
     neutral: Array  # s of the flexure without moment, (pads,)
-    curves: Array  # columns as above, (pads, 5)
+    curves: Array  # columns of ``_pivot_curve``, (pads, 5)
     loads: Array  # table of a pivot, (pads, points or 0)
     displacements: Array  # table of a pivot, (pads, points or 0)
     centred: NDArray[bool_]  # whether it unloads exactly where e falls below zero, (pads,)
@@ -43,10 +39,10 @@ class PadPlaces(NamedTuple):
     radial: Array  # e, (pads,)
     along: Array  # eta, (pads,)
     follows: Array  # d eta / d e along the equilibrium of the pad, (pads,)
-    status: NDArray[int64]  # LOADED .. of ``_pads``, (pads,)
-    dead: Array  # largest e known to be without equilibrium, (pads,)
+    status: NDArray[int64]  # LOADED .. of ``_tilt``, (pads,)
+    unloaded_below: Array  # largest e known to be without equilibrium, (pads,)
     answers: Array  # force, stiffness and damping of the film in (e, eta), (pads, 10)
-    push: Array  # force on the journal along n and tau, corrected to vanishing moment, (pads, 2)
+    force: Array  # on the journal along n and tau, corrected to vanishing moment, (pads, 2)
     stiffness: Array  # condensed stiffness in (n, tau), row by row, (pads, 4)
     gain: Array  # how far e follows the journal along n, (pads,)
     rigid: Array  # e with a rigid pivot, (pads,)

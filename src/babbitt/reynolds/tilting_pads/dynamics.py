@@ -20,13 +20,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from babbitt.core.notices import InputError
-from babbitt.reynolds.tilting_pads.model import (
-    PadState,
-    PadStatus,
-    TiltingPad,
-    TiltingPadBearing,
-    TiltingPadSolution,
-)
+from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
+from babbitt.reynolds.tilting_pads.solution import PadState, PadStatus, TiltingPadSolution
 
 __all__ = [
     "CondensedCoefficients",
@@ -52,8 +47,8 @@ class PadCoefficients:
     ----------
     labels : tuple of str
         x and y of the journal, then of every pad with a film ``pad N tilt`` (s, the tilt times the lever of its
-        pivot, m), ``pad N pivot`` (u) where the pivot gives way or the pad has mass and a pivot that does, and
-        ``pad N tangential`` (v). Numbers from 1.
+        pivot, m), ``pad N pivot`` (u) and ``pad N tangential`` (v) where the pivot gives way along n and along
+        tau. Numbers from 1.
     mass, stiffness, damping : ndarray, shape (n, n)
         kg, N/m, N s/m. The journal has no mass here.
     levers : ndarray, shape (n,)

@@ -11,14 +11,16 @@ stands for what was measured.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from babbitt.core.notices import InputError
+from babbitt.reynolds.tilting_pads._pivot_curve import pivot_curve
 
 __all__ = [
     "Curve",
+    "HertzContact",
     "LineContact",
     "Pivot",
     "PointContact",
@@ -61,37 +63,22 @@ class Curve:
     loads: tuple[float, ...] = ()
     displacements: tuple[float, ...] = ()
 
-    def displacement(self, load: float) -> float:
-        """Displacement u(P), m, under a load in N; zero without load."""
-        if load <= 0.0:
-            return 0.0
-        u = self.factor * float(load**self.exponent) + self.compliance * load
-        if self.line or self.line_slope:
-            u += load * (self.line - self.line_slope * math.log(load))
-        if self.loads:
-            first, second = self._piece(load)
-            u += self.displacements[first] + (load - self.loads[first]) * self._slope(first, second)
-        return u
+    def columns(self, force: float = 1.0, length: float = 1.0) -> tuple[float, float, float, float, float]:
+        """Columns of the law in the kernels, in units of force and length in N and m."""
+        share = force / length
+        return (
+            self.factor * float(force**self.exponent) / length,
+            self.exponent,
+            (self.line - self.line_slope * math.log(force)) * share,
+            self.line_slope * share,
+            self.compliance * share,
+        )
 
-    def flexibility(self, load: float) -> float:
-        """Slope du/dP, m/N, at a load in N (at least `LIGHTEST`)."""
-        load = max(load, LIGHTEST)
-        slope = self.factor * self.exponent * float(load ** (self.exponent - 1.0)) + self.compliance
-        if self.line or self.line_slope:
-            slope += self.line - self.line_slope * (math.log(load) + 1.0)
-        if self.loads:
-            slope += self._slope(*self._piece(load))
-        return slope
-
-    def _piece(self, load: float) -> tuple[int, int]:
-        """Numbers of the points of the table between which a load lies."""
-        behind = min(max(int(np.searchsorted(self.loads, load)), 1), len(self.loads) - 1)
-        return behind - 1, behind
-
-    def _slope(self, first: int, second: int) -> float:
-        """Slope between two points of the table, m/N."""
-        rise = self.displacements[second] - self.displacements[first]
-        return rise / (self.loads[second] - self.loads[first])
+    def at(self, load: float) -> tuple[float, float]:
+        """Displacement u, m, and slope du/dP, m/N, under a load in N."""
+        table = np.array(self.loads, dtype=np.float64), np.array(self.displacements, dtype=np.float64)
+        displacement, slope = pivot_curve(np.array(self.columns()), *table, load)
+        return float(displacement), float(slope)
 
 
 @dataclass(frozen=True)
@@ -118,11 +105,11 @@ class SpringPivot:
 
 
 @dataclass(frozen=True)
-class PointContact:
-    """A sphere of ``radius`` in a hollow sphere of ``housing_radius``, m (Hertz).
+class HertzContact:
+    """A round pivot of ``radius`` in a hollow of ``housing_radius``, m, of elastic bodies (Hertz).
 
-    u = (3 P / (4 E* sqrt(R*)))^(2/3) and dP/du = (6 E*^2 R* P)^(1/3), 1/R* = 1/r_1 - 1/r_2 and 1/E* the sum of
-    (1 - nu^2)/E over both bodies: K. L. Johnson, Contact Mechanics (1985), eq. 4.23.
+    1/R* = 1/r_1 - 1/r_2, and 1/E* the sum of (1 - nu^2)/E over both bodies: K. L. Johnson, Contact Mechanics
+    (1985), eq. 4.17 and 4.19.
 
     Attributes
     ----------
@@ -137,24 +124,44 @@ class PointContact:
 
     radius: float
     housing_radius: float
-    elastic_modulus: float = 210e9
-    poisson_ratio: float = 0.3
-    housing_elastic_modulus: float = 210e9
-    housing_poisson_ratio: float = 0.3
-    housing_stiffness: float = math.inf
+    elastic_modulus: float = field(default=210e9, kw_only=True)
+    poisson_ratio: float = field(default=0.3, kw_only=True)
+    housing_elastic_modulus: float = field(default=210e9, kw_only=True)
+    housing_poisson_ratio: float = field(default=0.3, kw_only=True)
+    housing_stiffness: float = field(default=math.inf, kw_only=True)
 
     def __post_init__(self) -> None:
-        check_contact(self)
+        check_positive(self, "radius", "elastic_modulus", "housing_elastic_modulus", "housing_stiffness")
+        if not self.housing_radius > self.radius:
+            raise InputError("E101", f"housing_radius is {self.housing_radius} m; it must be more than the radius "
+                             f"of the pivot in it, {self.radius} m (inf for a plane).")  # fmt: skip
+        for name in ("poisson_ratio", "housing_poisson_ratio"):
+            if not 0.0 <= getattr(self, name) <= 0.5:
+                raise InputError("E101", f"{name} is {getattr(self, name)}; it must lie between 0 and 0.5.")
 
     @property
     def effective_radius(self) -> float:
         """Radius R* of the contact, m."""
-        return effective_radius(self.radius, self.housing_radius)
+        return 1.0 / (1.0 / self.radius - 1.0 / self.housing_radius)
+
+    @property
+    def compliances(self) -> tuple[float, float]:
+        """(1 - nu^2)/E of both bodies, 1/Pa."""
+        own = (1.0 - self.poisson_ratio**2) / self.elastic_modulus
+        return own, (1.0 - self.housing_poisson_ratio**2) / self.housing_elastic_modulus
 
     @property
     def effective_modulus(self) -> float:
         """Modulus E* of the contact, Pa."""
-        return 1.0 / sum(compliances(self))
+        return 1.0 / sum(self.compliances)
+
+
+@dataclass(frozen=True)
+class PointContact(HertzContact):
+    """A sphere in a hollow sphere; attributes as of `HertzContact`.
+
+    u = (3 P / (4 E* sqrt(R*)))^(2/3) and dP/du = (6 E*^2 R* P)^(1/3): Johnson, eq. 4.23.
+    """
 
     def curve(self) -> Curve:
         """Displacement under load."""
@@ -163,50 +170,26 @@ class PointContact:
 
 
 @dataclass(frozen=True)
-class LineContact:
-    """A cylinder of ``radius`` along ``length`` in a hollow one of ``housing_radius``, m (Hertz).
+class LineContact(HertzContact):
+    """A cylinder along ``length`` in a hollow one; further attributes as of `HertzContact`.
 
     b = sqrt(4 P' R*/(pi E*)), P' the load per length, and
-    u = P' sum (1 - nu_i^2)/(pi E_i) [2 ln(2 d_i/b) - nu_i/(1 - nu_i)]: K. L. Johnson, Contact Mechanics (1985),
-    eq. 4.45 and 5.57. It depends on the depths d_i below the contact to which a displacement is counted.
+    u = P' sum (1 - nu_i^2)/(pi E_i) [2 ln(2 d_i/b) - nu_i/(1 - nu_i)]: Johnson, eq. 4.45 and 5.57. It depends on
+    the depths d_i below the contact to which a displacement is counted.
 
     Attributes
     ----------
-    radius, housing_radius, length : float
-        m.
-    depth, housing_depth : float
-        d_i, m.
-    elastic_modulus, housing_elastic_modulus : float
-        Pa.
-    poisson_ratio, housing_poisson_ratio : float
-    housing_stiffness : float
-        In series, N/m; ``inf``: rigid.
+    length, depth, housing_depth : float
+        Of the contact, and d_i, m.
     """
 
-    radius: float
-    housing_radius: float
     length: float
     depth: float
     housing_depth: float
-    elastic_modulus: float = 210e9
-    poisson_ratio: float = 0.3
-    housing_elastic_modulus: float = 210e9
-    housing_poisson_ratio: float = 0.3
-    housing_stiffness: float = math.inf
 
     def __post_init__(self) -> None:
-        check_contact(self)
+        super().__post_init__()
         check_positive(self, "length", "depth", "housing_depth")
-
-    @property
-    def effective_radius(self) -> float:
-        """Radius R* of the contact, m."""
-        return effective_radius(self.radius, self.housing_radius)
-
-    @property
-    def effective_modulus(self) -> float:
-        """Modulus E* of the contact, Pa."""
-        return 1.0 / sum(compliances(self))
 
     def half_width(self, load: float) -> float:
         """Half the width b of the contact, m, under a load in N."""
@@ -218,7 +201,7 @@ class LineContact:
         ratios = self.poisson_ratio, self.housing_poisson_ratio
         unit = self.half_width(1.0)
         line, slope = 0.0, 0.0
-        for compliance, depth, nu in zip(compliances(self), depths, ratios, strict=True):
+        for compliance, depth, nu in zip(self.compliances, depths, ratios, strict=True):
             share = compliance / (math.pi * self.length)
             line += share * (2.0 * math.log(2.0 * depth / unit) - nu / (1.0 - nu))
             slope += share
@@ -268,40 +251,18 @@ Pivot = RigidPivot | SpringPivot | PointContact | LineContact | RockerContact | 
 
 def displacement_of(pivot: Pivot, load: float) -> float:
     """Displacement of a pivot, m, under a load in N."""
-    return pivot.curve().displacement(load)
+    return pivot.curve().at(load)[0]
 
 
 def stiffness_of(pivot: Pivot, load: float) -> float:
     """Stiffness dP/du of a pivot, N/m, at a load in N; infinite for a rigid one."""
-    flexibility = pivot.curve().flexibility(load)
-    return 1.0 / flexibility if flexibility > 0.0 else math.inf
+    _, slope = pivot.curve().at(max(load, LIGHTEST))
+    return 1.0 / slope if slope > 0.0 else math.inf
 
 
 def contact_radius(pivot: PointContact, load: float) -> float:
     """Radius of the contact circle, m: (3 P R*/(4 E*))^(1/3), Johnson, eq. 4.22."""
     return math.cbrt(0.75 * load * pivot.effective_radius / pivot.effective_modulus)
-
-
-def effective_radius(inner: float, outer: float) -> float:
-    """Radius of the ball on a plane that touches as one of ``inner`` radius does in one of ``outer``, m."""
-    return 1.0 / (1.0 / inner - 1.0 / outer)
-
-
-def compliances(contact: PointContact | LineContact) -> tuple[float, float]:
-    """(1 - nu^2)/E of both bodies, 1/Pa."""
-    own = (1.0 - contact.poisson_ratio**2) / contact.elastic_modulus
-    return own, (1.0 - contact.housing_poisson_ratio**2) / contact.housing_elastic_modulus
-
-
-def check_contact(contact: PointContact | LineContact) -> None:
-    """Refuse contacts that do not lie in each other, and impossible materials."""
-    check_positive(contact, "radius", "elastic_modulus", "housing_elastic_modulus", "housing_stiffness")
-    if not contact.housing_radius > contact.radius:
-        raise InputError("E101", f"housing_radius is {contact.housing_radius} m; it must be more than the radius "
-                         f"of the pivot in it, {contact.radius} m (inf for a plane).")  # fmt: skip
-    for name in ("poisson_ratio", "housing_poisson_ratio"):
-        if not 0.0 <= getattr(contact, name) <= 0.5:
-            raise InputError("E101", f"{name} is {getattr(contact, name)}; it must lie between 0 and 0.5.")
 
 
 def check_positive(part: object, *names: str) -> None:

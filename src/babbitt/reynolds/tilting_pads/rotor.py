@@ -33,6 +33,9 @@ Array = NDArray[np.float64]
 INFINITE = 1e7
 """Times the scale of the pencil: eigenvalues above belong to rows without inertia."""
 
+STEPS_PER_DECADE = 8
+"""Values tried in the search of the first that is unstable. Assumption: no stable range is narrower."""
+
 REAL = 1e-9
 """Imaginary part over modulus below which a motion does not oscillate."""
 
@@ -164,10 +167,6 @@ def threshold_mass(coefficients: PadCoefficients, least: float, most: float) -> 
 def threshold_inertia(coefficients: PadCoefficients, mass: float, least: float, most: float) -> Threshold:
     """Inertia of every pad in kg m2 from which on a rotor of ``mass`` in kg and its pads flutter."""
     return first_unstable(lambda inertia: rotor_modes(with_inertia(coefficients, inertia), mass), least, most)
-
-
-STEPS_PER_DECADE = 8
-"""Values tried in the search of the first that is unstable. Assumption: no stable range is narrower."""
 
 
 def first_unstable(modes_at: Callable[[float], tuple[Mode, ...]], least: float, most: float) -> Threshold:

@@ -26,27 +26,14 @@ from babbitt.reynolds.lands._integrals import (
 from babbitt.reynolds.lands.axial import even_axial_operator
 from babbitt.reynolds.lands.operators import kernel_operator
 from babbitt.reynolds.model import ENGINEERING, Resolution
-from babbitt.reynolds.tilting_pads._pads import (
-    CLOSED,
-    CONVERGED,
-    LIMIT,
-    LOADED,
-    find_fold,
-    find_pads,
-    new_places,
-    pads_at,
-    smooth_answers,
-)
-from babbitt.reynolds.tilting_pads._structs import CURVE_COLUMNS, PadPlaces, Pads
-from babbitt.reynolds.tilting_pads.model import (
-    PadPosition,
-    PadState,
-    PadStatus,
-    TiltingPad,
-    TiltingPadBearing,
-    TiltingPadSolution,
-)
+from babbitt.reynolds.tilting_pads._pads import CLOSED, CONVERGED, LIMIT, find_pads
+from babbitt.reynolds.tilting_pads._pivot_curve import CURVE_COLUMNS
+from babbitt.reynolds.tilting_pads._place import new_places, pads_at, smooth_answers
+from babbitt.reynolds.tilting_pads._structs import PadPlaces, Pads
+from babbitt.reynolds.tilting_pads._tilt import LOADED, find_fold
+from babbitt.reynolds.tilting_pads.model import TiltingPad, TiltingPadBearing
 from babbitt.reynolds.tilting_pads.pivots import stiffness_of
+from babbitt.reynolds.tilting_pads.solution import PadPosition, PadState, PadStatus, TiltingPadSolution
 
 __all__ = ["Fold", "PadScales", "fold_of", "kernel_pads", "solve_tilting_pads", "tilting_pads_at"]
 
@@ -132,16 +119,11 @@ def tangential_spring(bearing: TiltingPadBearing, pad: TiltingPad) -> float:
 def fill_curve(pad: TiltingPad, scales: PadScales, row: Array, loads: Array, displacements: Array) -> None:
     """Displacement of a pivot in the units of the kernels."""
     curve = pad.pivot.curve()
-    per_length = 1.0 / scales.length
-    row[0] = curve.factor * scales.force**curve.exponent * per_length
-    row[1] = curve.exponent
-    row[2] = (curve.line - curve.line_slope * math.log(scales.force)) * scales.force * per_length
-    row[3] = curve.line_slope * scales.force * per_length
-    row[4] = curve.compliance * scales.force * per_length
+    row[:] = curve.columns(scales.force, scales.length)
     if curve.loads:
         given = len(curve.loads)
         loads[:given] = np.asarray(curve.loads) / scales.force
-        displacements[:given] = np.asarray(curve.displacements) * per_length
+        displacements[:given] = np.asarray(curve.displacements) / scales.length
         slope = (displacements[given - 1] - displacements[given - 2]) / (loads[given - 1] - loads[given - 2])
         for place in range(given, loads.size):  # the last piece goes on
             loads[place] = 2.0 * loads[place - 1]
@@ -214,8 +196,10 @@ def tilting_pads_at(
     pads, axial = kernel_pads(bearing, scales), kernel_operator(resolution.axial_unknowns)
     at = np.asarray(position) * scales.sense / scales.length
     places, total = new_places(pads), no_total()
-    is_open, grid = pads_at(axial, pads, resolution.intervals, at[0], at[1], places, total)
-    outcome = Outcome.CONVERGED if is_open else Outcome.OUTSIDE_CLEARANCE
+    is_open, is_found, grid = pads_at(axial, pads, resolution.intervals, at[0], at[1], places, total)
+    outcome = Outcome.CONVERGED if is_found else Outcome.NOT_CONVERGED
+    if not is_open:
+        outcome = Outcome.OUTSIDE_CLEARANCE
     return assembled(bearing, scales, axial, pads, grid, places, at, total, outcome, 0.0, False, 0, begun)
 
 
@@ -229,7 +213,7 @@ def assembled(
     states = tuple(
         loaded_state(bearing, scales, axial, pads, grid, places, at, k)
         if places.status[k] == LOADED
-        else idle_state(bearing, scales, axial, grid, places, at, k)
+        else unloaded_state(bearing, scales, axial, grid, places, at, k)
         for k in range(len(bearing.pads))
     )
     if limit is not None:
@@ -311,7 +295,7 @@ def one_pad(grid: Grid, k: int) -> Grid:
     return Grid(**parts)
 
 
-def idle_state(
+def unloaded_state(
     bearing: TiltingPadBearing, scales: PadScales, axial: Axial, grid: Grid, places: PadPlaces, at: Array, k: int
 ) -> PadState:
     """A pad that does not carry, concentric with its bore (eta = 0).
@@ -378,6 +362,8 @@ class Fold:
 
     Attributes
     ----------
+    outcome : Outcome
+        Read this first: not converged where a tilt was not found on the way, and the numbers are nan.
     eccentricity_ratio : float
         eps_p below which the pad has no equilibrium; minus infinity where it carries down to `LOWEST`.
     load : float
@@ -386,6 +372,7 @@ class Fold:
         eta there, m.
     """
 
+    outcome: Outcome
     eccentricity_ratio: float
     load: float
     tangential: float
@@ -408,9 +395,10 @@ def fold_of(bearing: TiltingPadBearing, number: int, resolution: Resolution = EN
     scales = PadScales(bearing)
     pads, axial = kernel_pads(bearing, scales), kernel_operator(resolution.axial_unknowns)
     if pads.centred[number]:
-        return Fold(0.0, 0.0, 0.0)
+        return Fold(Outcome.CONVERGED, 0.0, 0.0, 0.0)
     clearance = pads.bearing.lands[number, 2]
     e, load, eta = find_fold(
         axial, pads, resolution.intervals, number, 0.9 * clearance, LOWEST * clearance, 1e-6, new_places(pads)
     )
-    return Fold(e / clearance, load * scales.force, bearing.sense * eta * scales.length)
+    outcome = Outcome.NOT_CONVERGED if math.isnan(e) else Outcome.CONVERGED
+    return Fold(outcome, e / clearance, load * scales.force, bearing.sense * eta * scales.length)

@@ -1,0 +1,192 @@
+"""The state of tilting pads and of the journal among them, in SI; axes as of ``model``."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from babbitt.core.result import Outcome
+from babbitt.reynolds.tilting_pads.model import TiltingPadBearing
+
+__all__ = ["PadPosition", "PadState", "PadStatus", "TiltingPadSolution"]
+
+Array = NDArray[np.float64]
+
+
+class PadStatus(Enum):
+    """Whether a pad carries load."""
+
+    LOADED = "loaded"
+    AT_LIMIT = "at its limit"
+    UNLOADED = "unloaded"
+
+
+@dataclass(frozen=True)
+class PadPosition:
+    """Where a pad stands.
+
+    Attributes
+    ----------
+    tilt : float
+        rad, counter-clockwise.
+    pivot_displacement : float
+        Outward, m.
+    tangential_displacement : float
+        Of the pivot along tau, m.
+    """
+
+    tilt: float = 0.0
+    pivot_displacement: float = 0.0
+    tangential_displacement: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class PadState:
+    """A pad in its bearing.
+
+    Attributes
+    ----------
+    status : PadStatus
+        An unloaded pad has no tilt of its own; its film stands for the pad concentric with its bore (eta = 0).
+    position : PadPosition
+        ``tilt`` is nan where the pad is unloaded.
+    radial, tangential : float
+        xi and eta of the module, m.
+    eccentricity_ratio : float
+        eps_p = preload + xi/c_p, at the pivot.
+    load : float
+        On the pivot, N.
+    force : ndarray, shape (2,)
+        Of the film on the journal along n and tau, N.
+    stiffness, damping : ndarray, shape (2, 2)
+        Of the film in (xi, eta): d(force) = -(K d(xi, eta) + C d(xi, eta)'), N/m and N s/m.
+    pivot_stiffness : float
+        dP/du at the load, N/m; infinite where rigid.
+    minimum_film_thickness, maximum_pressure : float
+        m and Pa, on the lines of the film.
+    inflow, outflow, side_flow : float
+        Over the leading edge, the trailing edge and both sides, m3/s.
+    friction_torque : float
+        On the journal, N m, against its rotation.
+    shear_torque : float
+        By shear on the bore of the pad, about the centre of the bearing, N m, with the rotation.
+    angles : ndarray, shape (n + 1,)
+        Lines of the film, rad, in the sense of rotation.
+    axial_positions : ndarray, shape (m + 1,)
+        From the mid-plane to the side edge, m.
+    pressure, void : ndarray, shape (n + 1, m + 1)
+        Gauge, Pa, and 1 - liquid fraction.
+    """
+
+    status: PadStatus
+    position: PadPosition
+    radial: float
+    tangential: float
+    eccentricity_ratio: float
+    load: float
+    force: Array
+    stiffness: Array
+    damping: Array
+    pivot_stiffness: float
+    minimum_film_thickness: float
+    maximum_pressure: float
+    inflow: float
+    outflow: float
+    side_flow: float
+    friction_torque: float
+    shear_torque: float
+    angles: Array
+    axial_positions: Array
+    pressure: Array
+    void: Array
+
+
+@dataclass(frozen=True, eq=False)
+class TiltingPadSolution:
+    """A journal among its pads, in equilibrium or at a prescribed position.
+
+    Attributes
+    ----------
+    bearing : TiltingPadBearing
+    outcome : Outcome
+        Read this first; the values of an unsolved bearing are where the search ended.
+    position : ndarray, shape (2,)
+        Journal centre from the bearing centre, m.
+    force : ndarray, shape (2,)
+        Of all films on the journal, N.
+    pads : tuple of PadState
+        In the order of the bearing.
+    residual : float
+        Force left over, N.
+    indifferent : bool
+        Whether one direction of the position is that of the start, for no loaded pad stiffens it.
+    limit_pad : int or None
+        The pad that would have to carry less than it can: no equilibrium exists (`Outcome.PAD_AT_LIMIT`). Two may
+        be at their limits together (``status``); this is the first.
+    limit_loads : tuple of float
+        What that pad would have to carry, and the least that it can, N; empty otherwise.
+    iterations : int
+        Newton steps of the journal.
+    films : int
+        Solutions of the film of a pad.
+    wall_time : float
+        s.
+    """
+
+    bearing: TiltingPadBearing
+    outcome: Outcome
+    position: Array
+    force: Array
+    pads: tuple[PadState, ...]
+    residual: float
+    indifferent: bool
+    limit_pad: int | None
+    limit_loads: tuple[float, ...]
+    iterations: int
+    films: int
+    wall_time: float
+
+    @property
+    def loaded(self) -> tuple[int, ...]:
+        """Numbers of the pads that carry load."""
+        return tuple(number for number, pad in enumerate(self.pads) if pad.status is PadStatus.LOADED)
+
+    @property
+    def load(self) -> float:
+        """Force of the films, N."""
+        return math.hypot(*self.force)
+
+    @property
+    def eccentricity_ratio(self) -> float:
+        """Eccentricity over the smallest assembled clearance."""
+        return math.hypot(*self.position) / self.bearing.assembled_clearance
+
+    @property
+    def minimum_film_thickness(self) -> float:
+        """Of the loaded pads, or of all where none is loaded, m."""
+        chosen = [self.pads[number] for number in self.loaded] or list(self.pads)
+        return min(pad.minimum_film_thickness for pad in chosen)
+
+    @property
+    def maximum_pressure(self) -> float:
+        """Gauge, Pa."""
+        return max(pad.maximum_pressure for pad in self.pads)
+
+    @property
+    def friction_torque(self) -> float:
+        """On the journal, N m, against its rotation."""
+        return sum(pad.friction_torque for pad in self.pads)
+
+    @property
+    def friction_power(self) -> float:
+        """W, on the journal."""
+        return self.friction_torque * abs(self.bearing.angular_speed)
+
+    @property
+    def side_flow(self) -> float:
+        """What leaves by the sides of all pads, m3/s."""
+        return sum(pad.side_flow for pad in self.pads)
